@@ -18,7 +18,8 @@ gphys_status check_ids(const gphys_solver* solver, gphys_body_id body, const gph
                        uint32_t count) {
     GPHYS_TRY(check_body(solver, body));
     if (count != 0) GPHYS_REQUIRE_POINTERS(constraints);
-    for (uint32_t i = 0; i < count; ++i) GPHYS_TRY(check_constraint(unwrap(solver)->body(body), constraints[i]));
+    for (uint32_t i = 0; i < count; ++i)
+        GPHYS_TRY(check_constraint(unwrap(solver)->body(body).constraints, constraints[i]));
     return GPHYS_OK;
 }
 

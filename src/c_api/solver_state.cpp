@@ -232,7 +232,7 @@ gphys_status gphys_solver_attach(gphys_solver* solver, const gphys_scene* scene,
 gphys_status gphys_solver_detach(gphys_solver* solver, gphys_body_id body, uint32_t particle) {
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_particle(solver, body, particle));
-        GPHYS_REQUIRE(is_attached(unwrap(solver)->body(body), particle), "particle: is not attached");
+        GPHYS_REQUIRE(is_attached(unwrap(solver)->body(body).constraints, particle), "particle: is not attached");
         set_pinned(unwrap(solver)->edit(body), particle, 1, false);
         return GPHYS_OK;
     });
@@ -329,7 +329,7 @@ gphys_status gphys_solver_get_constraints(const gphys_solver* solver, gphys_body
         GPHYS_TRY(unwrap(solver)->check(body));
         GPHYS_TRY(check_list("out_constraints", out_constraints, capacity, out_total));
         Smallest<gphys_constraint_info, ConstraintOrder> constraints(out_constraints, capacity);
-        list_constraints(unwrap(solver)->body(body), constraints);
+        list_constraints(unwrap(solver)->body(body).constraints, constraints);
         return listed(constraints.finish(), capacity, out_total);
     });
 }

@@ -44,20 +44,20 @@ struct Body {
 inline bool is_graph(const Body& body) { return body.plan.method == GPHYS_SOLVE_GRAPH; }
 
 /// Unit. Coincident particles part along a fixed axis: any direction is as good.
-inline Vec3 link_direction(const Body& body, uint32_t a, uint32_t b) {
-    const Vec3 along = body.particles.position[b] - body.particles.position[a];
+inline Vec3 link_direction(const Particles& particles, uint32_t a, uint32_t b) {
+    const Vec3 along = particles.position[b] - particles.position[a];
     const double length = gphys::length(along);
     return length > 0 ? along / length : Vec3{1, 0, 0};
 }
 /// What a link of a rope, from a to b, has given to its particle a in a substep, newton seconds.
 inline Vec3 link_impulse(const Body& body, uint32_t a, uint32_t b, uint32_t link, const TimeScheme& scheme) {
-    return link_direction(body, a, b) *
+    return link_direction(body.particles, a, b) *
            (body.rope.tension[link] * scheme.h + body.rope.earlier_tension[link] * scheme.lean);
 }
 
 /// Metres by which a constraint is too long or, below 0, too short; a maximum distance is never too short.
-inline double excess(const Body& body, const DistanceConstraint& c) {
-    const double stretch = distance(body.particles.position[c.a], body.particles.position[c.b]) - c.rest;
+inline double excess(const Particles& particles, const DistanceConstraint& c) {
+    const double stretch = distance(particles.position[c.a], particles.position[c.b]) - c.rest;
     return c.limit ? std::max(0.0, stretch) : stretch;
 }
 

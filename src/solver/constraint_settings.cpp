@@ -91,10 +91,10 @@ void set_constraint_settings(Body& body, const gphys_constraint_id* ids, const g
     body.plan.described = false;
 }
 
-void forget_length_change(Body& body, uint32_t slot) {
+void forget_length_change(Constraints& constraints, uint32_t slot) {
     const auto at =
-        std::lower_bound(body.constraints.length_changes.begin(), body.constraints.length_changes.end(), slot, before);
-    if (at != body.constraints.length_changes.end() && at->slot == slot) body.constraints.length_changes.erase(at);
+        std::lower_bound(constraints.length_changes.begin(), constraints.length_changes.end(), slot, before);
+    if (at != constraints.length_changes.end() && at->slot == slot) constraints.length_changes.erase(at);
 }
 
 void find_changed_links(Body& body) {

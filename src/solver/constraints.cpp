@@ -8,22 +8,22 @@
 namespace gphys {
 namespace {
 
-void change_links(Body& body, uint32_t slot, int by) {
-    for (const uint32_t p : {body.constraints.by_slot[slot].a, body.constraints.by_slot[slot].b}) {
-        body.constraints.links[p].degree += static_cast<uint32_t>(by);
-        body.constraints.links[p].slots ^= slot;
+void change_links(Constraints& constraints, uint32_t slot, int by) {
+    for (const uint32_t p : {constraints.by_slot[slot].a, constraints.by_slot[slot].b}) {
+        constraints.links[p].degree += static_cast<uint32_t>(by);
+        constraints.links[p].slots ^= slot;
     }
 }
 
 void change_constraints(Body& body, uint32_t slot, int by) {
-    change_links(body, slot, by);
+    change_links(body.constraints, slot, by);
     body.plan.chains_current = false;
     interrupt(body);
 }
 
 }  // namespace
 
-void join_links(Body& body, uint32_t slot) { change_links(body, slot, 1); }
+void join_links(Constraints& constraints, uint32_t slot) { change_links(constraints, slot, 1); }
 
 gphys_status add_constraint(Body& body, const DistanceConstraint& constraint, gphys_constraint_id& out) {
     if (!body.constraints.ids.reserve(1)) {
@@ -41,13 +41,13 @@ gphys_status add_constraint(Body& body, const DistanceConstraint& constraint, gp
     return GPHYS_OK;
 }
 
-gphys_status check_constraint(const Body& body, gphys_constraint_id id) {
-    if (body.constraints.ids.has(id)) return GPHYS_OK;
+gphys_status check_constraint(const Constraints& constraints, gphys_constraint_id id) {
+    if (constraints.ids.has(id)) return GPHYS_OK;
     return fail(GPHYS_ERROR_INVALID_ID, "constraint: no such constraint, or no longer");
 }
 
 gphys_status set_damping(Body& body, gphys_constraint_id id, double damping) {
-    const gphys_status status = check_constraint(body, id);
+    const gphys_status status = check_constraint(body.constraints, id);
     if (status != GPHYS_OK) return status;
     wake(body);
     body.constraints.by_slot[IdTable::slot_of(id)].damping = damping;
@@ -56,23 +56,22 @@ gphys_status set_damping(Body& body, gphys_constraint_id id, double damping) {
 }
 
 gphys_status remove_constraint(Body& body, gphys_constraint_id id) {
-    const gphys_status status = check_constraint(body, id);
+    const gphys_status status = check_constraint(body.constraints, id);
     if (status != GPHYS_OK) return status;
     wake(body);
     const uint32_t slot = IdTable::slot_of(id);
     change_constraints(body, slot, -1);
-    forget_length_change(body, slot);
+    forget_length_change(body.constraints, slot);
     body.constraints.ids.remove(id);
     body.cloth.rest_position.clear();
     return GPHYS_OK;
 }
 
-void list_constraints(const Body& body, Smallest<gphys_constraint_info, ConstraintOrder>& out) {
-    for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
-        if (!body.constraints.ids.live(slot)) continue;
-        const DistanceConstraint& c = body.constraints.by_slot[slot];
-        out.add(
-            {body.constraints.ids.id(slot), c.a, c.b, static_cast<float>(c.rest), static_cast<float>(c.compliance)});
+void list_constraints(const Constraints& constraints, Smallest<gphys_constraint_info, ConstraintOrder>& out) {
+    for (uint32_t slot = 0; slot < constraints.ids.slots(); ++slot) {
+        if (!constraints.ids.live(slot)) continue;
+        const DistanceConstraint& c = constraints.by_slot[slot];
+        out.add({constraints.ids.id(slot), c.a, c.b, static_cast<float>(c.rest), static_cast<float>(c.compliance)});
     }
 }
 

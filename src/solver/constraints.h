@@ -76,22 +76,22 @@ struct ConstraintOrder {
 
 // Of a body. What may fail, by status or std::bad_alloc, has then changed nothing; else it wakes the body.
 /// Enter a constraint that is there among the links of its particles.
-void join_links(Body& body, uint32_t slot);
+void join_links(Constraints& constraints, uint32_t slot);
 /// rest < 0: the present distance.
 gphys_status add_constraint(Body& body, const DistanceConstraint& constraint, gphys_constraint_id& out);
 /// GPHYS_OK, or the failure that names a stale id.
-gphys_status check_constraint(const Body& body, gphys_constraint_id id);
+gphys_status check_constraint(const Constraints& constraints, gphys_constraint_id id);
 /// N s/m
 gphys_status set_damping(Body& body, gphys_constraint_id id, double damping);
 gphys_status remove_constraint(Body& body, gphys_constraint_id id);
-void list_constraints(const Body& body, Smallest<gphys_constraint_info, ConstraintOrder>& out);
+void list_constraints(const Constraints& constraints, Smallest<gphys_constraint_info, ConstraintOrder>& out);
 
 // constraint_settings.cpp: of one constraint, and of some that are there. May throw std::bad_alloc, and then has
 // changed nothing.
 gphys_constraint_settings settings_of(const DistanceConstraint& constraint);
 void set_constraint_settings(Body& body, const gphys_constraint_id* ids, const gphys_constraint_settings* settings,
                              uint32_t stride, uint32_t count);
-void forget_length_change(Body& body, uint32_t slot);
+void forget_length_change(Constraints& constraints, uint32_t slot);
 
 /// Where the constraints whose lengths change in this step are in the plan, which is up to date; and the lengths of
 /// these at a fraction of the step. The first throws std::bad_alloc.

@@ -113,12 +113,12 @@ uint32_t substeps_of(const Body& body, const SolverSettings& settings, double dt
     return std::max(static_cast<uint32_t>(count), least_substeps(body, dt));
 }
 
-uint32_t substeps_near_models(const Body& body, const SolverSettings& settings, double fastest, double dt) {
+uint32_t substeps_near_models(const Cloth& cloth, const SolverSettings& settings, double fastest, double dt) {
     // What lands on a model is stopped by it, and bends the cloth behind. While no particle has come further than
     // this part of a link's length meanwhile, the links can be relaxed; in twice the time some end 4 % too long.
     constexpr double longest_way = 0.5;
-    if (settings.max_strain == 0 || body.cloth.most_strain == 0 || body.cloth.batches.link_length == 0) return 0;
-    const double count = std::ceil(dt * fastest / (longest_way * body.cloth.batches.link_length));
+    if (settings.max_strain == 0 || cloth.most_strain == 0 || cloth.batches.link_length == 0) return 0;
+    const double count = std::ceil(dt * fastest / (longest_way * cloth.batches.link_length));
     return count_of(count, settings.max_substeps);
 }
 

@@ -17,8 +17,8 @@ namespace {
 
 bool is_lost(const Attachment& attachment, const Scene* scene) { return scene && !scene->has(attachment.model); }
 
-bool has_lost(const Body& body, const Scene* scene) {
-    return std::any_of(body.constraints.attachments.begin(), body.constraints.attachments.end(),
+bool has_lost(const Constraints& constraints, const Scene* scene) {
+    return std::any_of(constraints.attachments.begin(), constraints.attachments.end(),
                        [&](const Attachment& attachment) { return is_lost(attachment, scene); });
 }
 
@@ -72,7 +72,7 @@ void make_room(Body& body, bool collides) {
     if (collides || !body.contacts.stuck.empty()) body.contacts.held.resize(body.particles.size());
     if (is_graph(body)) {
         reserve_cloth(body);
-        if (body.plan.joined) reserve_joined_cloth(body);
+        if (body.plan.joined) reserve_joined_cloth(body.cloth);
         if (collides) reserve_cloth_contacts(body);
     } else if (body.plan.method != GPHYS_SOLVE_FREE || body.plan.joined) {
         body.history.predicted.resize(body.particles.size());
@@ -124,7 +124,7 @@ void Solver::prepare(const Scene* scene, double dt) {
 void Solver::prepare_body(uint32_t slot, const Scene* scene, double dt) {
     Body& body = state_.bodies[slot];
     Plan& plan = body.plan;
-    const bool lost = has_lost(body, scene), changed = !plan.chains_current;
+    const bool lost = has_lost(body.constraints, scene), changed = !plan.chains_current;
     if (lost || changed || !plan.reach_current) {
         // Its parts are there before it begins to hold for anything.
         Before before(slot, body, &memory);
@@ -232,7 +232,8 @@ void Solver::look_around(const Scene& scene, double dt) {
         });
         moving.models_near = static_cast<uint32_t>(next_seen_.size() - before);
         if (moving.models_near == 0) continue;
-        const uint32_t least = substeps_near_models(state_.bodies[moving.slot], state_.settings, moving.fastest, dt);
+        const uint32_t least =
+            substeps_near_models(state_.bodies[moving.slot].cloth, state_.settings, moving.fastest, dt);
         moving.substeps = std::max(moving.substeps, least);
     }
     std::sort(next_seen_.begin(), next_seen_.end());

@@ -9,8 +9,8 @@
 namespace gphys {
 namespace {
 
-bool is_slow(const Body& body, double speed) {
-    return std::all_of(body.particles.velocity.begin(), body.particles.velocity.end(),
+bool is_slow(const Particles& particles, double speed) {
+    return std::all_of(particles.velocity.begin(), particles.velocity.end(),
                        [&](Vec3 velocity) { return length_squared(velocity) <= speed * speed; });
 }
 
@@ -27,7 +27,7 @@ bool is_hardly_strained(const Body& body, double strain) {
         if (!body.constraints.ids.live(slot)) continue;
         const DistanceConstraint& c = body.constraints.by_slot[slot];
         if (c.compliance > 0) continue;
-        if (std::fabs(excess(body, c)) > strain * c.rest) return false;
+        if (std::fabs(excess(body.particles, c)) > strain * c.rest) return false;
     }
     return true;
 }
@@ -39,12 +39,11 @@ uint64_t neighbourhood(const Body& body, const Scene* scene, Visit&& visit) {
     return neighbourhood(*scene, body.sleep.box, body.settings.layers, visit);
 }
 
-bool attachments_moved(const Body& body, const Scene* scene) {
-    return scene && std::any_of(body.constraints.attachments.begin(), body.constraints.attachments.end(),
-                                [&](const Attachment& a) {
-                                    return !scene->has(a.model) ||
-                                           scene->world_transform(a.model).apply(a.local) != a.end;
-                                });
+bool attachments_moved(const Constraints& constraints, const Scene* scene) {
+    return scene &&
+           std::any_of(constraints.attachments.begin(), constraints.attachments.end(), [&](const Attachment& a) {
+               return !scene->has(a.model) || scene->world_transform(a.model).apply(a.local) != a.end;
+           });
 }
 
 }  // namespace
@@ -58,7 +57,7 @@ void wake(Body& body) {
 
 bool is_calm(Body& body, const SolverSettings& settings, double dt) {
     if (settings.sleep_speed == 0) return false;
-    const bool calm = is_slow(body, settings.sleep_speed) && is_hardly_strained(body, settings.sleep_strain);
+    const bool calm = is_slow(body.particles, settings.sleep_speed) && is_hardly_strained(body, settings.sleep_strain);
     body.sleep.calm = calm ? body.sleep.calm + dt : 0;
     return body.sleep.calm >= settings.sleep_time;
 }
@@ -81,7 +80,7 @@ bool Solver::sleeps_on(const Body& body, const Scene* scene) {
     if (!body.sleep.asleep) return false;
     // Its models are seen like those of others: if one moves and wakes it, where it came from is known.
     const auto see = [&](gphys_model_id model) { next_seen_.push_back({model, scene->world(model)}); };
-    return neighbourhood(body, scene, see) == body.sleep.neighbourhood && !attachments_moved(body, scene);
+    return neighbourhood(body, scene, see) == body.sleep.neighbourhood && !attachments_moved(body.constraints, scene);
 }
 
 void Solver::set_gravity(Vec3 gravity) {

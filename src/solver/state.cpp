@@ -15,9 +15,9 @@ namespace {
 
 bool before(const Attachment& attachment, uint32_t particle) { return attachment.particle < particle; }
 
-void hold(Body& body, uint32_t particle) {
-    body.particles.inverse_mass[particle] = 0;
-    body.particles.velocity[particle] = {};
+void hold(Particles& particles, uint32_t particle) {
+    particles.inverse_mass[particle] = 0;
+    particles.velocity[particle] = {};
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ void set_forces(Body& body, uint32_t first, uint32_t count, const gphys_vec3* fo
 void set_pinned(Body& body, uint32_t first, uint32_t count, bool pinned) {
     for (uint32_t p = first; p < first + count; ++p) {
         if (pinned) {
-            hold(body, p);
+            hold(body.particles, p);
         } else {
             body.particles.inverse_mass[p] = 1 / body.particles.mass[p];
         }
@@ -79,7 +79,9 @@ void set_pinned(Body& body, uint32_t first, uint32_t count, bool pinned) {
     interrupt(body);
 }
 
-bool is_attached(const Body& body, uint32_t particle) { return find_attachment(body.constraints, particle) != nullptr; }
+bool is_attached(const Constraints& constraints, uint32_t particle) {
+    return find_attachment(constraints, particle) != nullptr;
+}
 
 void attach(Body& body, uint32_t particle, gphys_model_id model, Vec3 local) {
     reserve_more(body.constraints.attachments, 1);
@@ -92,7 +94,7 @@ void attach(Body& body, uint32_t particle, gphys_model_id model, Vec3 local) {
     } else {
         body.constraints.attachments.insert(at, attachment);
     }
-    hold(body, particle);
+    hold(body.particles, particle);
     body.plan.reach_current = false;
     interrupt(body);
 }

@@ -7,6 +7,7 @@
 namespace gphys {
 
 struct Body;
+struct Constraints;
 
 /// The caller has broken off the motion: the time scheme must not look back past this moment.
 void interrupt(Body& body);
@@ -16,7 +17,7 @@ void set_masses(Body& body, uint32_t first, uint32_t count, const float* masses,
 void set_radii(Body& body, uint32_t first, uint32_t count, const float* radii, uint32_t stride);
 void set_forces(Body& body, uint32_t first, uint32_t count, const gphys_vec3* forces, uint32_t stride);
 void set_pinned(Body& body, uint32_t first, uint32_t count, bool pinned);
-bool is_attached(const Body& body, uint32_t particle);
+bool is_attached(const Constraints& constraints, uint32_t particle);
 // These may fail, by status or std::bad_alloc, and wake the body unless they do.
 void attach(Body& body, uint32_t particle, gphys_model_id model, Vec3 local);
 

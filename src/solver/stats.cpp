@@ -22,7 +22,7 @@ void add(const Body& body, Vec3 gravity, Totals& totals) {
     for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
         if (!body.constraints.ids.live(slot)) continue;
         const DistanceConstraint& c = body.constraints.by_slot[slot];
-        const double stretch = excess(body, c);
+        const double stretch = excess(body.particles, c);
         if (c.compliance > 0) {
             totals.potential += 0.5 * stretch * stretch / c.compliance;
         } else if (c.rest > 0) {

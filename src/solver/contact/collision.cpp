@@ -383,7 +383,7 @@ void ease_links_between_contacts(const Collider& collider, Body& body) {
         const DistanceConstraint& link = body.constraints.by_slot[slot];
         if (!body.contacts.held[link.a] || !body.contacts.held[link.b] || !body.constraints.ids.live(slot)) continue;
         const Vec3 along = body.particles.position[link.b] - body.particles.position[link.a];
-        const double length = gphys::length(along), error = excess(body, link);
+        const double length = gphys::length(along), error = excess(body.particles, link);
         const double wa = body.particles.inverse_mass[link.a], wb = body.particles.inverse_mass[link.b];
         if (link.compliance > 0 || std::fabs(error) <= slack * link.rest || length == 0 || wa + wb == 0) continue;
         const Vec3 correction = along * (error / (length * (wa + wb)));
@@ -407,7 +407,8 @@ void give_through_held(Body& body, const CollisionContext& around, const SolvedA
             const uint32_t a = body.plan.particles[chain.first_particle + i];
             const uint32_t b = body.plan.particles[chain.first_particle + i + 1];
             if (!body.contacts.held[a] && !body.contacts.held[b]) continue;
-            const Vec3 pull = link_direction(body, a, b) * (body.rope.tension[chain.first_link + i] * to_impulse);
+            const Vec3 pull =
+                link_direction(body.particles, a, b) * (body.rope.tension[chain.first_link + i] * to_impulse);
             give_to_holder(a, pull);
             give_to_holder(b, -pull);
         }

@@ -30,12 +30,12 @@ bool solve_systems(const Joined& joined) {
 }
 
 /// The inverse masses that the chains of the cloth find at its joined particle.
-void hang_on(Body& body, const Tether& tether, JointSystem& system) {
+void hang_on(Cloth& cloth, const Tether& tether, JointSystem& system) {
     Vec3 columns[3];
     system.response(tether.node, columns);
     const double weight = system.node(tether.node).weight;
-    float* const diagonal = &body.cloth.tether_diagonal[4 * size_t{tether.particle}];
-    float* const off = &body.cloth.tether_off[4 * size_t{tether.particle}];
+    float* const diagonal = &cloth.tether_diagonal[4 * size_t{tether.particle}];
+    float* const off = &cloth.tether_off[4 * size_t{tether.particle}];
     for (int k = 0; k < 3; ++k) {
         diagonal[k] = static_cast<float>(columns[k][k] * weight);
         off[k] = static_cast<float>(columns[(k + 1) % 3][(k + 2) % 3] * weight);
@@ -51,7 +51,7 @@ void sweep_joined_cloth(const Joined& joined, Body& body, uint32_t slot, const C
     if (collides) touch_planes(body, around, gravity, TimeScheme(h, body.history.earlier_step));
     const auto moves = [&](const Tether& tether) { return body.cloth.at[4 * size_t{tether.particle} + 3] > 0; };
     for (auto tether = begin; tether != end; ++tether) {
-        hang_on(body, *tether, joined.all_systems[tether->system]);
+        hang_on(body.cloth, *tether, joined.all_systems[tether->system]);
         // What friction holds is not pulled off by this.
         if (moves(*tether)) std::fill_n(&pulls[4 * size_t{tether->particle}], 3, 0.0f);
     }
@@ -111,18 +111,18 @@ void collide_joined(const Joined& joined, const CollisionContext& around, double
 
 }  // namespace
 
-void reserve_joined_cloth(Body& body) {
-    body.cloth.tether_diagonal.resize(body.cloth.at.size());
-    body.cloth.tether_off.resize(body.cloth.at.size());
-    for (Vector<float>* values : {&body.cloth.contacts.normals, &body.cloth.contacts.pulls}) {
-        values->resize(body.cloth.at.size());
+void reserve_joined_cloth(Cloth& cloth) {
+    cloth.tether_diagonal.resize(cloth.at.size());
+    cloth.tether_off.resize(cloth.at.size());
+    for (Vector<float>* values : {&cloth.contacts.normals, &cloth.contacts.pulls}) {
+        values->resize(cloth.at.size());
     }
 }
 
-void begin_joined_cloth(Body& body) {
-    std::fill(body.cloth.tether_diagonal.begin(), body.cloth.tether_diagonal.end(), 1.0f);
-    std::fill(body.cloth.tether_off.begin(), body.cloth.tether_off.end(), 0.0f);
-    std::fill(body.cloth.contacts.normals.begin(), body.cloth.contacts.normals.end(), 0.0f);
+void begin_joined_cloth(Cloth& cloth) {
+    std::fill(cloth.tether_diagonal.begin(), cloth.tether_diagonal.end(), 1.0f);
+    std::fill(cloth.tether_off.begin(), cloth.tether_off.end(), 0.0f);
+    std::fill(cloth.contacts.normals.begin(), cloth.contacts.normals.end(), 0.0f);
 }
 
 void begin_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h) {

@@ -33,7 +33,7 @@ void end_joined(const Joined& joined, const CollisionContext& around, Vec3 gravi
 /// joined_energy.cpp: slow them so that a substep gains no energy, if there is cloth among them.
 void keep_joined_energy(const Joined& joined, Vec3 gravity);
 /// What it needs, and before the first substep, after begin_cloth.
-void reserve_joined_cloth(Body& body);
-void begin_joined_cloth(Body& body);
+void reserve_joined_cloth(Cloth& cloth);
+void begin_joined_cloth(Cloth& cloth);
 
 }  // namespace gphys

@@ -97,9 +97,9 @@ void add_chain_nodes(const Body& body, uint32_t slot, Vector<Part>& nodes) {
     }
 }
 
-void add_chain_links(const Body& body, uint32_t slot, JointSystem& system) {
-    for (const Chain& chain : body.plan.chains) {
-        const uint32_t* particle = &body.plan.particles[chain.first_particle];
+void add_chain_links(const Plan& plan, uint32_t slot, JointSystem& system) {
+    for (const Chain& chain : plan.chains) {
+        const uint32_t* particle = &plan.particles[chain.first_particle];
         for (uint32_t i = 0; i < chain.link_count; ++i) {
             JointSystem::Link link;
             link.a = system.find_node(slot, particle[i]);
@@ -185,7 +185,7 @@ void Solver::plan_joints() {
     }
     for (uint32_t i = 0; i < parts.size(); ++i) {
         if (parts[i].particle == Part::whole) {
-            add_chain_links(state_.bodies[parts[i].body], parts[i].body, systems_[system_of[i]]);
+            add_chain_links(state_.bodies[parts[i].body].plan, parts[i].body, systems_[system_of[i]]);
         }
     }
     each_joint([&](const Joint& joint, uint32_t slot) { add_joint(joint, slot, systems_[system_of[part_a(joint)]]); });

@@ -57,14 +57,14 @@ void add_link(Plan& plan, uint32_t slot, uint32_t particle) {
 }
 
 /// What their constraints are like.
-void describe_links(const Body& body, Plan& plan) {
+void describe_links(const Constraints& constraints, Plan& plan) {
     const size_t count = plan.slots.size();
     plan.rest.resize(count);
     plan.compliance.resize(count);
     plan.damping.resize(count);
     plan.limit.resize(count);
     for (size_t link = 0; link < count; ++link) {
-        const DistanceConstraint& constraint = body.constraints.by_slot[plan.slots[link]];
+        const DistanceConstraint& constraint = constraints.by_slot[plan.slots[link]];
         plan.rest[link] = constraint.rest;
         plan.compliance[link] = constraint.compliance;
         plan.damping[link] = constraint.damping;
@@ -98,7 +98,7 @@ namespace {
 
 void describe_direct_links(Body& body) {
     Plan& plan = body.plan;
-    describe_links(body, plan);
+    describe_links(body.constraints, plan);
     for (double& rest : plan.rest) rest = rest < rope_shortest ? 0 : rest;
     body.rope.damped_rest = plan.rest;
     body.rope.damped_compliance = plan.compliance;
@@ -229,7 +229,7 @@ void collect_lines(const Body& body, Plan& lines, std::pmr::memory_resource* mem
             }
         }
     }
-    describe_links(body, lines);
+    describe_links(body.constraints, lines);
 }
 
 /// The lowest colour whose chains leave all particles of the chain alone; masks has a bit per colour.
@@ -244,9 +244,9 @@ uint32_t free_colour(const Plan& lines, const Chain& chain, const Vector<uint64_
 /// Give a colour to each line for which of_kind(line), `turn` by turn, those from first_colour on. Returns
 /// the end of the colours.
 template <class OfKind>
-uint32_t colour_lines(const Body& body, const Plan& lines, const Vector<uint32_t>& turn, OfKind&& of_kind,
+uint32_t colour_lines(const Particles& particles, const Plan& lines, const Vector<uint32_t>& turn, OfKind&& of_kind,
                       uint32_t first_colour, Vector<uint32_t>& colours) {
-    Vector<uint64_t> masks(body.particles.size(), 0, colours.get_allocator());
+    Vector<uint64_t> masks(particles.size(), 0, colours.get_allocator());
     uint32_t colour_count = first_colour;
     for (bool waiting = true; waiting;) {
         waiting = false;
@@ -294,7 +294,7 @@ void plan_chain_colours(Body& body) {
     // Links that only pull, which are solved by another kernel, have colours of their own, the last.
     for (const uint32_t limit : {0u, 1u}) {
         const auto of_kind = [&](uint32_t line) { return lines.limit[lines.chains[line].first_link] == limit; };
-        colour_count = colour_lines(body, lines, turn, of_kind, colour_count, colour);
+        colour_count = colour_lines(body.particles, lines, turn, of_kind, colour_count, colour);
     }
 
     Vector<uint32_t> order(line_count, memory);
@@ -314,7 +314,7 @@ void plan_chain_colours(Body& body) {
         }
     }
     plan.colours.push_back(line_count);
-    describe_links(body, plan);
+    describe_links(body.constraints, plan);
 }
 
 namespace {
@@ -339,7 +339,7 @@ void complete_plan(Body& body) {
         plan_direct_chains(body);
         body.rope.tension = std::move(tension);
     }
-    if (plan.method == GPHYS_SOLVE_GRAPH) describe_links(body, plan);
+    if (plan.method == GPHYS_SOLVE_GRAPH) describe_links(body.constraints, plan);
     note_kinds(body);
     plan.described = true;
 }
@@ -358,7 +358,7 @@ void update_plan(Body& body) {
     }
     if (!plan.described) {
         if (plan.method == GPHYS_SOLVE_DIRECT) describe_direct_links(body);
-        if (plan.method == GPHYS_SOLVE_GRAPH) describe_links(body, plan);
+        if (plan.method == GPHYS_SOLVE_GRAPH) describe_links(body.constraints, plan);
         note_kinds(body);
         plan.chains_packed = false;
         plan.described = true;

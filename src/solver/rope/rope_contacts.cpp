@@ -320,7 +320,8 @@ void find_pushes(Body& body, double step) {
         for (uint32_t i = 0; i < chain.link_count; ++i) {
             const uint32_t a = plan.particles[chain.first_particle + i],
                            b = plan.particles[chain.first_particle + i + 1];
-            const Vec3 pull = link_direction(body, a, b) * (body.rope.tension[chain.first_link + i] * step * step);
+            const Vec3 pull =
+                link_direction(body.particles, a, b) * (body.rope.tension[chain.first_link + i] * step * step);
             body.rope.solved[a] -= pull;
             body.rope.solved[b] += pull;
         }

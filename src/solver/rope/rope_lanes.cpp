@@ -6,8 +6,8 @@
 namespace gphys {
 namespace {
 
-bool is_between_pins(const Body& body) {
-    return std::count(body.particles.inverse_mass.begin(), body.particles.inverse_mass.end(), 0.0) > 1;
+bool is_between_pins(const Particles& particles) {
+    return std::count(particles.inverse_mass.begin(), particles.inverse_mass.end(), 0.0) > 1;
 }
 
 double* numbers_of(Vector<Vec3>& vectors) {
@@ -100,7 +100,7 @@ private:
         for (uint32_t lane = 0; lane < lanes; ++lane) {
             Plan& plan = bodies_[lane]->plan;
             const Chain& chain = plan.chains[i];
-            if (is_between_pins(*bodies_[lane])) {
+            if (is_between_pins(bodies_[lane]->particles)) {
                 set_targets(*bodies_[lane], chain);
             } else {
                 ropes[lane].target = plan.rest.data() + chain.first_link;

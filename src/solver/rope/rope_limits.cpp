@@ -13,8 +13,8 @@ namespace {
 // A link is slack if it lacks this part of its length: ten times what a solved one may lack.
 constexpr double slack = 1e-8;
 
-bool is_slack(const Body& body, const Vector<Vec3>& position, uint32_t a, uint32_t b, uint32_t link) {
-    return body.plan.limit[link] && distance(position[a], position[b]) < body.plan.rest[link] * (1 - slack);
+bool is_slack(const Plan& plan, const Vector<Vec3>& position, uint32_t a, uint32_t b, uint32_t link) {
+    return plan.limit[link] && distance(position[a], position[b]) < plan.rest[link] * (1 - slack);
 }
 
 /// Links of a chain that hold rigidly at the end of the substep.
@@ -32,12 +32,12 @@ struct TautLinks {
     }
     bool captured() const {
         for (uint32_t i = 0; i < chain.link_count; ++i) {
-            if (taut(i) && is_slack(body, body.history.start, particle(i), particle(i + 1), chain.first_link + i))
+            if (taut(i) && is_slack(body.plan, body.history.start, particle(i), particle(i + 1), chain.first_link + i))
                 return true;
         }
         return false;
     }
-    Vec3 direction(uint32_t i) const { return link_direction(body, particle(i), particle(i + 1)); }
+    Vec3 direction(uint32_t i) const { return link_direction(body.particles, particle(i), particle(i + 1)); }
 
     /// Impulses p_j along the links after which no taut one changes its length, by elimination:
     ///   -c_j p_(j-1) + (w_j + w_(j+1)) p_j - c_(j+1) p_(j+1) = rate_j,   c_j = w_j (n_(j-1) . n_j)
@@ -95,7 +95,7 @@ void predict_flying(Body& body, Vec3 gravity, double h) {
         for (uint32_t i = 0; i < chain.link_count; ++i) {
             const uint32_t a = body.plan.particles[chain.first_particle + i];
             const uint32_t b = body.plan.particles[chain.first_particle + i + 1];
-            if (!is_slack(body, body.history.start, a, b, chain.first_link + i))
+            if (!is_slack(body.plan, body.history.start, a, b, chain.first_link + i))
                 body.rope.flying[a] = body.rope.flying[b] = 0;
         }
     }

@@ -27,7 +27,7 @@ void sum_tensions(const Body& body, Vector<Vec3>& forces) {
         for (uint32_t i = 0; i < chain.link_count; ++i) {
             const uint32_t a = body.plan.particles[chain.first_particle + i];
             const uint32_t b = body.plan.particles[chain.first_particle + i + 1];
-            const Vec3 pull = link_direction(body, a, b) * body.rope.tension[chain.first_link + i];
+            const Vec3 pull = link_direction(body.particles, a, b) * body.rope.tension[chain.first_link + i];
             forces[a] += pull;
             forces[b] += -pull;
         }
@@ -61,10 +61,10 @@ void predict_chains(Body& body, const TimeScheme& scheme, Vec3 gravity) {
 }
 
 /// At the beginning of the substep.
-double parting_speed(const Body& body, uint32_t a, uint32_t b) {
-    const Vec3 along = body.history.start[b] - body.history.start[a];
+double parting_speed(const History& history, uint32_t a, uint32_t b) {
+    const Vec3 along = history.start[b] - history.start[a];
     const double length = gphys::length(along);
-    return length > 0 ? dot(along, body.history.start_velocity[b] - body.history.start_velocity[a]) / length : 0;
+    return length > 0 ? dot(along, history.start_velocity[b] - history.start_velocity[a]) / length : 0;
 }
 
 void damp_chains(Body& body, const TimeScheme& scheme) {
@@ -78,7 +78,7 @@ void damp_chains(Body& body, const TimeScheme& scheme) {
             const DampedLink now =
                 damped(plan.rest[link], plan.compliance[link], plan.damping[link], scheme,
                        distance(body.history.start[a], body.history.start[b]),
-                       distance(body.history.earlier[a], body.history.earlier[b]), parting_speed(body, a, b));
+                       distance(body.history.earlier[a], body.history.earlier[b]), parting_speed(body.history, a, b));
             body.rope.damped_rest[link] = now.rest;
             body.rope.damped_compliance[link] = now.compliance;
         }

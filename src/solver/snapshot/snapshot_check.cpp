@@ -88,14 +88,13 @@ bool air_fine(const Air& air) {
            is_amount(wind.lift) && all(air.velocity, [](Vec3 velocity) { return is_within(range, velocity); });
 }
 
-bool impulses_fine(const Body& body) {
+bool impulses_fine(const Contacts& contacts) {
     const auto finite_one = [](const ModelImpulse& given) {
         return is_finite(given.linear) && is_finite(given.angular);
     };
     const auto out_of_order = [](const ModelImpulse& a, const ModelImpulse& b) { return a.model >= b.model; };
-    return all(body.contacts.impulses, finite_one) &&
-           std::adjacent_find(body.contacts.impulses.begin(), body.contacts.impulses.end(), out_of_order) ==
-               body.contacts.impulses.end();
+    return all(contacts.impulses, finite_one) && std::adjacent_find(contacts.impulses.begin(), contacts.impulses.end(),
+                                                                    out_of_order) == contacts.impulses.end();
 }
 
 bool attachments_fine(const Body& body) {
@@ -122,14 +121,14 @@ bool constraints_fine(const Body& body) {
 }
 
 /// Each of a constraint, in their order.
-bool length_changes_fine(const Body& body) {
-    for (size_t i = 0; i < body.constraints.length_changes.size(); ++i) {
-        const LengthChange& change = body.constraints.length_changes[i];
-        if (change.slot >= body.constraints.ids.slots() || !is_length(change.from) ||
-            !body.constraints.ids.live(static_cast<uint32_t>(change.slot))) {
+bool length_changes_fine(const Constraints& constraints) {
+    for (size_t i = 0; i < constraints.length_changes.size(); ++i) {
+        const LengthChange& change = constraints.length_changes[i];
+        if (change.slot >= constraints.ids.slots() || !is_length(change.from) ||
+            !constraints.ids.live(static_cast<uint32_t>(change.slot))) {
             return false;
         }
-        if (i > 0 && change.slot <= body.constraints.length_changes[i - 1].slot) return false;
+        if (i > 0 && change.slot <= constraints.length_changes[i - 1].slot) return false;
     }
     return true;
 }
@@ -199,10 +198,9 @@ bool colours_are_independent(const Body& body) {
     return true;
 }
 
-bool is_reach_limit(const Body& body, const ReachLimit& limit) {
-    return limit.particle < body.particles.size() && limit.anchor < body.particles.size() &&
-           !body.particles.pinned(limit.particle) && body.particles.pinned(limit.anchor) && limit.distance >= 0 &&
-           limit.distance <= far_range * IdTable::capacity;
+bool is_reach_limit(const Particles& particles, const ReachLimit& limit) {
+    return limit.particle < particles.size() && limit.anchor < particles.size() && !particles.pinned(limit.particle) &&
+           particles.pinned(limit.anchor) && limit.distance >= 0 && limit.distance <= far_range * IdTable::capacity;
 }
 
 bool is_seen(const PlacedModel& seen) {
@@ -259,9 +257,9 @@ const char* defect(const Body& body) {
         return "words: a volume is none";
     }
     if (!air_fine(body.air)) return "words: a wind is none";
-    if (!impulses_fine(body)) return "words: an impulse is none";
+    if (!impulses_fine(body.contacts)) return "words: an impulse is none";
     if (!attachments_fine(body)) return "words: an attachment is none";
-    if (!constraints_fine(body) || !length_changes_fine(body)) return "words: a constraint is none";
+    if (!constraints_fine(body) || !length_changes_fine(body.constraints)) return "words: a constraint is none";
     if (!all(body.cloth.triangles, [&](uint32_t p) { return p < body.particles.size(); }))
         return "words: a triangle is none";
     return nullptr;
@@ -281,7 +279,7 @@ const char* defect_of_plan(const Body& body) {
     const bool fine =
         all(plan.particles, [&](uint32_t p) { return p < body.particles.size(); }) && chains_fit(plan) &&
         colours_fit(plan) && chains_lead_along_constraints(body) && colours_are_independent(body) &&
-        all(body.cloth.reach_limits, [&](const ReachLimit& limit) { return is_reach_limit(body, limit); });
+        all(body.cloth.reach_limits, [&](const ReachLimit& limit) { return is_reach_limit(body.particles, limit); });
     return fine ? nullptr : wrong;
 }
 
