@@ -2,11 +2,14 @@
 """Changes the library in small ways and looks whether the tests notice: mutate.py BUILD SECONDS [SEED [FILE...]]
 
 BUILD is a finished build by the preset "release". Until the time is over, one token of one file is changed at random
-(an operator, a comparison, a constant, a condition), the file compiled, the tests that concern it linked with that
-object before the archive, and run. Prints each change that neither the C++ tests nor the fuzz targets noticed, and in
-the end how many there were. FILEs: of src; by default src/geometry, src/bvh, src/mesh and the checks of snapshots.
-A change that compiles to the same bits as before is left out, and one by which the tests take too long, which may be
-an endless loop, is counted apart.
+(an operator, a comparison, a constant, a condition), the file compiled, the tests linked with that object before the
+archive, and run. Prints each change that no test noticed, and in the end how many there were. FILEs: of src; by default
+src/geometry, src/bvh, src/mesh and the checks of snapshots.
+Which tests are run says build/coverage/by_test.json (coverage.py --by-test): those that enter the function around the
+changed line, the quickest first, the C tests of recorded bits last. For a line outside of all functions, such as that
+of a constant, they are the tests that enter any function of the file.
+A change that compiles to the same bits as before is left out. One by which a test takes several times the processor
+time that it takes otherwise, which may be an endless loop, is counted apart, and so is one that no test reaches.
 """
 
 import concurrent.futures
@@ -16,7 +19,9 @@ import os
 import pathlib
 import random
 import re
+import resource
 import shlex
+import signal
 import subprocess
 import sys
 import tempfile
@@ -25,6 +30,7 @@ import time
 
 source = pathlib.Path(__file__).resolve().parent.parent
 build = pathlib.Path(sys.argv[1]).resolve()
+by_test = json.loads((source / "build/coverage/by_test.json").read_text())
 end = time.monotonic() + float(sys.argv[2])
 chance = random.Random(int(sys.argv[3]) if len(sys.argv) > 3 else 1)
 
@@ -32,13 +38,6 @@ default = [*source.glob("src/geometry/*.cpp"), *source.glob("src/bvh/*.cpp"), *s
            source / "src/solver/snapshot/snapshot_check.cpp"]
 files = [source / name for name in sys.argv[4:]] or sorted(default)
 
-# Folder: the files of tests_cpp, and the fuzz targets.
-concerned = {
-    "geometry": (["raycast", "raycast_triangle", "overlap", "closest", "classify", "sweep"], ["shapes", "mesh"]),
-    "bvh": (["bvh", "bvh_update", "mesh", "scene", "scene_queries", "scene_transforms", "workers"], ["mesh", "world"]),
-    "mesh": (["mesh", "mesh_instance", "closest_features", "triangle_packet", "scene_queries", "hit_kernels"], ["mesh", "world"]),
-    "snapshot": (["snapshot_check", "solver_snapshot"], ["snapshot", "world"]),
-}
 programs = {"shapes": 2000, "mesh": 300, "world": 600, "snapshot": 60}
 
 # clang-format puts spaces around binary operators, and around nothing else.
@@ -83,8 +82,13 @@ def link_command(target):
     return lines.strip().split("\n")[-1]
 
 
-links = {name: link_command(name) for name in
-         ["tests_cpp/tests_cpp", *(f"fuzz/fuzz_{target}" for target in programs)]}
+def program_of(test):
+    if test.startswith("fuzz_") or test == "soak":
+        return f"fuzz/{test}"
+    return f"tests_c/{test}" if test.startswith("c_") else "tests_cpp/tests_cpp"
+
+
+links = {name: link_command(name) for name in {program_of(test) for test in by_test["seconds"]}}
 
 
 def best(commands):
@@ -97,12 +101,16 @@ def best(commands):
 
 
 def run(arguments, seconds, folder):
-    """The status that the program ended with, or None if it took longer."""
+    """The status that the program ended with, or None if it took more processor time, or waited for ever."""
+    def limit():
+        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     try:
-        return subprocess.run(list(map(str, arguments)), capture_output=True, text=True, errors="replace", timeout=seconds,
-                              cwd=folder).returncode
+        done = subprocess.run(list(map(str, arguments)), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                              timeout=20 * seconds, cwd=folder, preexec_fn=limit)
     except subprocess.TimeoutExpired:
         return None
+    return None if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL) else done.returncode
 
 
 def findings(target):
@@ -138,6 +146,10 @@ def linked(name, object_file, folder):
     at = words.index("-o")
     words[at + 1] = str(out)
     words.insert(at + 2, str(object_file))
+    # The C tests are linked with an installed copy, which takes no other object.
+    words = [word for word in words if not word.startswith("-Wl,-rpath")]
+    words = ["libgamephys.a" if word.startswith("stage/") else word for word in words]
+    words += ["-lstdc++", "-pthread"]
     return out if run(words, 200, build) == 0 else None
 
 
@@ -152,8 +164,16 @@ def code_of(object_file):
                           errors="replace").stdout.split("\n", 3)[-1]
 
 
+def tests_of(file, number):
+    """The tests that enter the function around the line, the quickest first, the recorded bits last."""
+    functions = by_test["functions"].get(str(file.relative_to(source)), {})
+    around = [tests for place, tests in functions.items()
+              if int(place.split()[0]) <= number + 1 <= int(place.split()[1])] or functions.values()
+    return sorted(set().union(*around), key=lambda test: ("golden" in test, by_test["seconds"][test]))
+
+
 def judge(mutant):
-    """What came of it: "same", "broken", "took too long", who noticed, or None if nobody did."""
+    """What came of it: "same", "broken", "took too long", "not reached", who noticed, or None if nobody did."""
     file, number, _, new_line = mutant
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -168,20 +188,28 @@ def judge(mutant):
             return "broken"
         if code_of(object_file) == originals[file]:
             return "same"
-        tests, targets = concerned["snapshot" if "snapshot" in file.parts else file.relative_to(source / "src").parts[0]]
-        for target in targets:  # takes less time than the tests
-            program = linked(f"fuzz/fuzz_{target}", object_file, folder)
-            if not program:
+        tests = tests_of(file, number)
+        made = {}
+        for test in tests:
+            program = program_of(test)
+            if program not in made:
+                made[program] = linked(program, object_file, folder)
+            if not made[program]:
                 return "broken"
-            status = run([program, "--programs", programs[target], "--seed", 7, "--keep", folder, *ignored[target]], 400, folder)
+            arguments = [made[program]]
+            target = test.removeprefix("fuzz_")
+            if target in programs:
+                arguments += ["--programs", programs[target], "--seed", 7, "--keep", folder, *ignored[target],
+                              source / "fuzz/corpus" / target]
+            elif test == "soak":
+                arguments += [2000]
+            elif program == "tests_cpp/tests_cpp":
+                arguments += ["--filenames-as-tags", "-a", f"[#{test}]~[.]"]
+            status = run(arguments, int(10 + 5 * by_test["seconds"][test]), folder)
             if status != 0:
-                return "took too long" if status is None else f"fuzz {target}"
-        program = linked("tests_cpp/tests_cpp", object_file, folder)
-        chosen = ",".join(f"[#test_{test}]" for test in tests)
-        status = run([program, "--filenames-as-tags", "-a", chosen], 600, folder)
-        if status != 0:
-            return "took too long" if status is None else "C++ tests"
-        return None
+                return "took too long" if status is None else "C tests of recorded bits" if "golden" in test else (
+                    "fuzz targets" if program.startswith("fuzz") else "C++ tests" if program.startswith("tests_cpp") else "C tests")
+        return None if tests else "not reached"
 
 
 def sample():
@@ -216,6 +244,6 @@ with concurrent.futures.ThreadPoolExecutor(workers) as pool:
             following = next(mutant_stream, None)
             if following:
                 waiting[pool.submit(judge, following)] = following
-noticed = sum(count for verdict, count in counts.items() if verdict not in ("survived", "same", "broken", "took too long"))
+noticed = sum(count for verdict, count in counts.items() if verdict not in ("survived", "same", "broken", "took too long", "not reached"))
 print(", ".join(f"{verdict}: {count}" for verdict, count in sorted(counts.items())))
 print(f"{noticed} of {noticed + counts.get('survived', 0)} changes noticed")

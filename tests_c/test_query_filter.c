@@ -231,6 +231,35 @@ static void batches_take_one_filter_or_one_each(void** state) {
     gphys_scene_destroy(scene);
 }
 
+/* Of a program that was compiled with the header of a later release: what it has set is known here, or it is told. */
+static void a_larger_filter_means_what_its_known_part_says(void** state) {
+    const gphys_ray ray = {{0, 0, 0}, {1, 0, 0}, INFINITY};
+    struct {
+        gphys_query_filter_desc known;
+        uint32_t later[2];
+    } wide;
+    gphys_model_id models[3];
+    gphys_scene* scene = three_balls(models);
+    gphys_hit hit;
+    (void)state;
+    memset(&wide, 0, sizeof wide);
+    wide.known = defaults();
+    wide.known.struct_size = sizeof wide;
+    assert_int_equal(gphys_scene_raycast_filtered(scene, &ray, &wide.known, &hit), GPHYS_OK);
+    assert_true(hit.model == models[BODY]);
+    wide.known.ignored_model = models[BODY];
+    assert_int_equal(gphys_scene_raycast_filtered(scene, &ray, &wide.known, &hit), GPHYS_OK);
+    assert_true(hit.model == models[HEAD]);
+    wide.known.flags = GPHYS_FILTER_SUBTREE;
+    assert_int_equal(gphys_scene_raycast_filtered(scene, &ray, &wide.known, &hit), GPHYS_OK);
+    assert_true(hit.model == models[TARGET]);
+    wide.later[1] = 1;
+    hit.model = 7;
+    assert_int_equal(gphys_scene_raycast_filtered(scene, &ray, &wide.known, &hit), GPHYS_ERROR_STRUCT_SIZE);
+    assert_int_equal(hit.model, 7);
+    gphys_scene_destroy(scene);
+}
+
 static void a_camera_sees_behind_a_selection(void** state) {
     const gphys_vec3 eye = {-10, 0, 0}, target = {0, 0, 0}, up = {0, 1, 0};
     const float pixels[4] = {400, 300, 0, 0};
@@ -374,6 +403,7 @@ int main(void) {
         cmocka_unit_test(what_is_gone_leaves_out_nothing),
         cmocka_unit_test(other_queries_leave_out_the_same),
         cmocka_unit_test(batches_take_one_filter_or_one_each),
+        cmocka_unit_test(a_larger_filter_means_what_its_known_part_says),
         cmocka_unit_test(a_camera_sees_behind_a_selection),
         cmocka_unit_test(bad_filters_are_refused_and_outputs_stay),
     };

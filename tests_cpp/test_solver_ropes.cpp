@@ -146,6 +146,59 @@ TEST_CASE("ropes are taken along by a model that is gone by the end of the step"
     for (const gphys_vec3& p : world.positions(rope)) CHECK(p.x > 20);
 }
 
+TEST_CASE("a floor of more parts than a rope looks at carries it as one box does") {
+    // A thousand tiles beside each other, in a mesh or each a box, and a hundred boxes that all are the whole floor:
+    // the surface is the same. Thrown at it, the rope sees a quarter of a metre far.
+    constexpr uint32_t cells = 40;
+    constexpr float tile = 0.02f, half = cells * tile / 2, radius = 0.01f, way_down = 0.6f;
+    std::vector<float> vertices;
+    std::vector<uint32_t> indices;
+    for (uint32_t i = 0; i <= cells; ++i) {
+        for (uint32_t j = 0; j <= cells; ++j) {
+            vertices.insert(vertices.end(),
+                            {tile * static_cast<float>(i) - half, 0, tile * static_cast<float>(j) - half});
+            const uint32_t here = i * (cells + 1) + j, across = here + cells + 1;
+            if (i < cells && j < cells) {
+                indices.insert(indices.end(), {here, here + 1, across, across, here + 1, across + 1});
+            }
+        }
+    }
+    const test::MeshHandle mesh(vertices, indices);
+    enum Floor { one_box, tiles, whole_boxes, triangles };
+    for (const Floor floor : {one_box, tiles, whole_boxes, triangles}) {
+        CAPTURE(floor);
+        World world;
+        const gphys_aabb whole{{-half, -1, -half}, {half, 0, half}};
+        if (floor == triangles) world.model(GPHYS_SHAPE_MESH, mesh.mesh);
+        for (uint32_t i = 0; i < (floor == one_box ? 1 : floor == whole_boxes ? 100 : 0); ++i) {
+            world.model(GPHYS_SHAPE_AABB, &whole);
+        }
+        for (uint32_t i = 0; floor == tiles && i < cells * cells; ++i) {
+            const float x = tile * static_cast<float>(i / cells) - half,
+                        z = tile * static_cast<float>(i % cells) - half;
+            const gphys_aabb box{{x, -1, z}, {x + tile, 0, z + tile}};
+            world.model(GPHYS_SHAPE_AABB, &box);
+        }
+        gphys_body_desc desc = test::point_mass(radius, 0.5f, 0);
+        const uint32_t count = 12;
+        const gphys_body_id rope = world.rope(test::line({-0.21f, way_down, 0.013f}, {0.04f, 0, 0}, count), 0, desc);
+        for (uint32_t p = 0; p < count; ++p) world.set_velocity(rope, p, {0, -10, 0});
+        for (int frame = 0; frame < 60; ++frame) {
+            world.step(1.0f / 60);
+            for (const gphys_vec3& p : world.positions(rope)) REQUIRE(p.y > radius - 1e-5f);
+            REQUIRE(world.stats(rope).strain_max < 1e-4f);
+        }
+        // It has come to rest where it fell. A skin is 1e-4 of a radius.
+        for (uint32_t p = 0; p < count; ++p) {
+            const Vec3 at = world.position(rope, p);
+            CHECK(std::fabs(at.y - double{radius}) < 1e-5);
+            CHECK(std::fabs(at.x - (0.04 * p - 0.21)) < 1e-3);
+            CHECK(std::fabs(at.z - 0.013) < 1e-3);
+        }
+        CHECK(world.stats(rope).kinetic_energy < 1e-6f);
+    }
+}
+
 TEST_CASE("ropes of any link and load add no energy at any step") {
     // From half a second for links of a millimetre, which swing 8 times meanwhile, with a weight 10^5 times theirs.
     double grown = 0, strained = 0;

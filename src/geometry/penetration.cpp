@@ -25,15 +25,14 @@ Penetration pair(const Plane& plane, const Moving& moving) {
     return {std::max(0.0, -over.gap), over.normal, from + over.foot};
 }
 
-template <class Moving>
-Penetration pair(const Frustum&, const Moving&) {
-    return {};
-}
-
 }  // namespace
 
 Penetration penetration(const Shape& shape, const Shape& moving) {
-    return with_pair(shape, moving, [](const auto& other, const auto& solid) { return pair(other, solid); });
+    return with_pair(shape, moving, [](const auto& other, const auto& solid) {
+        Penetration way{};  // of a frustum, which the interface refuses
+        if constexpr (!std::is_same_v<decltype(other), const Frustum&>) way = pair(other, solid);
+        return way;
+    });
 }
 Penetration penetration(const Triangle& triangle, const Shape& moving) {
     return with_solid(moving, [&](const auto& solid) { return pair(triangle, solid); });
