@@ -158,6 +158,7 @@ public:
     bool nearest(const std::vector<gphys_vec3>& points) override {
         nearest_.resize(points.size());
         hits_.clear();
+        distances_.clear();
         by_callers(points, [&](uint32_t, const gphys_vec3* some, uint32_t n) {
             check(gphys_scene_nearest_batch(scene_, some, sizeof *some, n, std::numeric_limits<float>::infinity(),
                                             GPHYS_ALL_LAYERS, nearest_.data() + (some - points.data()),
@@ -196,9 +197,27 @@ public:
         });
         return true;
     }
+    bool distances(const std::vector<gphys_ray>& rays) override {
+        start_hits(0);
+        distances_.resize(rays.size());
+        by_callers(rays, [&](uint32_t, const gphys_ray* some, uint32_t n) {
+            gphys_distance* const out = distances_.data() + (some - rays.data());
+            check(mesh_ ? gphys_mesh_raycast_distance_batch(mesh_, some, sizeof *some, n, out, sizeof *out)
+                        : gphys_scene_raycast_distance_batch(scene_, some, sizeof *some, n, GPHYS_ALL_LAYERS, out,
+                                                             sizeof *out));
+        });
+        return true;
+    }
+
     std::vector<Answer> answers() const override {
         std::vector<Answer> found;
-        found.reserve(hits_.size() + nearest_.size());
+        found.reserve(hits_.size() + nearest_.size() + distances_.size());
+        for (const gphys_distance& distance : distances_) {
+            gphys_model_info info;
+            const bool is_model = distance.model != 0;
+            if (is_model) check(gphys_scene_get_info(scene_, distance.model, &info));
+            found.push_back({distance.t, mesh_ ? distance.triangle : is_model ? info.tag : no_object});
+        }
         for (const gphys_nearest& near : nearest_) found.push_back({near.distance, near.model ? near.tag : no_object});
         for (const gphys_hit& hit : hits_) {
             found.push_back({hit.t, mesh_ ? hit.triangle : hit.model ? hit.tag : no_object});
@@ -207,11 +226,12 @@ public:
     }
 
     bool any(const std::vector<gphys_ray>& rays, std::vector<int32_t>& answers) override {
-        if (mesh_) return false;
         answers.resize(rays.size());
         by_callers(rays, [&](uint32_t, const gphys_ray* some, uint32_t n) {
-            check(gphys_scene_raycast_any_batch(scene_, some, sizeof *some, n, GPHYS_ALL_LAYERS,
-                                                answers.data() + (some - rays.data()), sizeof answers[0]));
+            int32_t* const out = answers.data() + (some - rays.data());
+            check(mesh_ ? gphys_mesh_raycast_any_batch(mesh_, some, sizeof *some, n, out, sizeof *out)
+                        : gphys_scene_raycast_any_batch(scene_, some, sizeof *some, n, GPHYS_ALL_LAYERS, out,
+                                                        sizeof *out));
         });
         return true;
     }
@@ -268,6 +288,7 @@ private:
     void start_hits(size_t count) {
         hits_.resize(count);
         nearest_.clear();
+        distances_.clear();
     }
 
     void place(const std::vector<gphys_obb>& boxes) {
@@ -343,6 +364,7 @@ private:
     // Of the last question, either of them.
     std::vector<gphys_hit> hits_;
     std::vector<gphys_nearest> nearest_;
+    std::vector<gphys_distance> distances_;
     std::vector<uint32_t> models_seen_, offsets_;
 };
 

@@ -57,7 +57,9 @@ public:
     virtual uint64_t peak_memory() const { return 0; }
 
     virtual bool closest(const std::vector<gphys_ray>&) { return false; }
-    /// The same, a call for each ray.
+    /// How far, and to what, without the rest of a hit.
+    virtual bool distances(const std::vector<gphys_ray>&) { return false; }
+    /// As closest, a call for each ray.
     virtual bool closest_singly(const std::vector<gphys_ray>&) { return false; }
     virtual bool any_singly(const std::vector<gphys_ray>&, std::vector<int32_t>&) { return false; }
     virtual bool nearest(const std::vector<gphys_vec3>&) { return false; }

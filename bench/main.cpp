@@ -281,6 +281,11 @@ Task closest_hits(const std::vector<gphys_ray>& rays) {
     };
 }
 
+/// Distances only.
+Task distances(const std::vector<gphys_ray>& rays) {
+    return [&rays](Implementation& i) { return i.distances(rays) ? static_cast<double>(rays.size()) : 0; };
+}
+
 /// Closest hits, a call for each ray.
 Task closest_hits_singly(const std::vector<gphys_ray>& rays) {
     return [&rays, some = every_61st_tile(rays)](Implementation& i) -> double {
@@ -308,6 +313,8 @@ void ray_cases(Bench& bench, const std::string& suite, const std::string& prefix
     };
     bench.measure(suite, prefix + "_ray_random", n, entries, without_packets(closest_hits(random)),
                   closest_right(random_sample));
+    bench.measure(suite, prefix + "_distance_random", n, entries, distances(random),
+                  answers_right(random_sample, &Implementation::distances));
     bench.measure(suite, prefix + "_single_random", n, entries, closest_hits_singly(random),
                   closest_right(random_sample, true));
     bench.measure(suite, prefix + "_single_miss", n, entries, closest_hits_singly(away),
@@ -315,6 +322,8 @@ void ray_cases(Bench& bench, const std::string& suite, const std::string& prefix
     const std::vector<gphys_ray> camera = bench.camera_rays(half);
     const RaySample camera_sample(camera, tests_per_ray, truth);
     bench.measure(suite, prefix + "_ray_camera", n, entries, closest_hits(camera), closest_right(camera_sample));
+    bench.measure(suite, prefix + "_distance_camera", n, entries, distances(camera),
+                  answers_right(camera_sample, &Implementation::distances));
     const std::vector<gphys_ray> rows = row_by_row(camera, bench.camera_width());
     bench.measure(suite, prefix + "_ray_rows", n, entries, closest_hits(rows), closest_right(camera_sample));
     bench.measure(suite, prefix + "_single_rows", n, entries, closest_hits_singly(rows),
@@ -461,7 +470,7 @@ void mesh_suite(Bench& bench) {
         save_and_load(bench, "mesh", "mesh", mesh.count(), entries);
         add_packets(entries, mesh);
         const auto truth = [&](const gphys_ray& r) { return reference(mesh, r); };
-        ray_cases(bench, "mesh", "mesh", mesh.count(), 1.1f, entries, mesh.count(), truth, false);
+        ray_cases(bench, "mesh", "mesh", mesh.count(), 1.1f, entries, mesh.count(), truth, true);
         // The mesh as the one model of a scene; others, who need no model for that, have it as it is.
         const std::vector<gphys_transform> one{{{0, 0, 0}, {0, 0, 0, 1}, 1}};
         entries.front().implementation->load(mesh, one);

@@ -155,11 +155,19 @@ private:
         const gphys_status status = call(gphys_shape_raycast_batch, type(), mesh(), rays.data(),
                                          uint32_t{sizeof(gphys_ray)}, count, hits.data(), uint32_t{sizeof(gphys_hit)});
         FUZZ_CHECK(status == GPHYS_OK, "a batch of valid rays is answered");
+        std::vector<gphys_distance> distances(count + 1);
+        std::vector<int32_t> any(count + 1);
+        call(gphys_mesh_raycast_distance_batch, mesh(), rays.data(), uint32_t{sizeof(gphys_ray)}, count,
+             distances.data(), uint32_t{sizeof(gphys_distance)});
+        call(gphys_mesh_raycast_any_batch, mesh(), rays.data(), uint32_t{sizeof(gphys_ray)}, count, any.data(), 4u);
         for (uint32_t i = 0; i < count; ++i) {
             gphys_hit single{0, 0, infinity, {}, {}, GPHYS_NO_TRIANGLE, 0, 0, 0};
             call(gphys_shape_raycast, type(), mesh(), &rays[i], &single);
             note(hits[i]);
             FUZZ_CHECK(same_bits(hits[i], single), "raycast_batch of a mesh gives the bits of raycast");
+            FUZZ_CHECK(same_bits(distances[i], gphys_distance{single.t, 0, single.triangle}),
+                       "raycast_distance_batch of a mesh gives the bits of raycast");
+            FUZZ_CHECK(any[i] == (single.triangle != GPHYS_NO_TRIANGLE), "raycast_any_batch agrees with raycast");
         }
     }
 

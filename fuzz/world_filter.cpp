@@ -150,6 +150,7 @@ void World::filtered_batches() {
     std::vector<gphys_hit> hits(count), segment_hits(count), sweeps(count), all(64 * size_t{count}), picks(count);
     std::vector<gphys_nearest> near(count);
     std::vector<gphys_model_id> met(64 * size_t{count});
+    std::vector<gphys_distance> distances(count);
     std::vector<int32_t> any(count);
     std::vector<uint32_t> hit_ends(count + 1), met_ends(count + 1);
     const gphys_shape_type ball = GPHYS_SHAPE_SPHERE;
@@ -157,6 +158,8 @@ void World::filtered_batches() {
          hits.data(), hit_size);
     call(gphys_scene_raycast_any_filtered_batch, scene_, rays.data(), uint32_t{sizeof(gphys_ray)}, count, given, stride,
          any.data(), 4u);
+    call(gphys_scene_raycast_distance_filtered_batch, scene_, rays.data(), uint32_t{sizeof(gphys_ray)}, count, given,
+         stride, distances.data(), uint32_t{sizeof(gphys_distance)});
     call(gphys_scene_raycast_all_filtered_batch, scene_, rays.data(), uint32_t{sizeof(gphys_ray)}, count, given, stride,
          all.data(), 64 * count, hit_ends.data());
     call(gphys_scene_segment_test_filtered_batch, scene_, segments.data(), uint32_t{sizeof(gphys_segment)}, count,
@@ -178,6 +181,8 @@ void World::filtered_batches() {
         call(gphys_scene_raycast_filtered, scene_, &rays[i], filter, &hit);
         FUZZ_CHECK(same_bits(hit, hits[i]), "raycast_filtered_batch gives the bits of raycast_filtered");
         FUZZ_CHECK(any[i] == (hit.model != 0), "raycast_any_filtered_batch agrees with raycast_filtered");
+        FUZZ_CHECK(same_bits(distances[i], gphys_distance{hit.t, hit.model, hit.triangle}),
+                   "raycast_distance_filtered_batch gives the bits of raycast_filtered");
         call(gphys_scene_raycast_all_filtered, scene_, &rays[i], filter, first, 64u, &total);
         FUZZ_CHECK(hit_ends[i + 1] - hit_ends[i] == total &&
                        std::equal(first, first + total, all.begin() + hit_ends[i], same_bits<gphys_hit>),

@@ -231,6 +231,7 @@ void World::ray_batches() {
         if (!is_valid(rays[i])) return;
     }
     std::vector<gphys_hit> hits(count + 1), segment_hits(count + 1), all(64 * size_t{count} + 1);
+    std::vector<gphys_distance> distances(count + 1);
     std::vector<int32_t> any(count + 1);
     std::vector<uint32_t> offsets(count + 1);
     const uint32_t ray_size = sizeof(gphys_ray), hit_size = sizeof(gphys_hit);
@@ -238,6 +239,8 @@ void World::ray_batches() {
                    GPHYS_OK,
                "a batch of valid rays is answered");
     call(gphys_scene_raycast_any_batch, scene_, rays.data(), ray_size, count, layers, any.data(), 4u);
+    call(gphys_scene_raycast_distance_batch, scene_, rays.data(), ray_size, count, layers, distances.data(),
+         uint32_t{sizeof(gphys_distance)});
     call(gphys_scene_raycast_all_batch, scene_, rays.data(), ray_size, count, layers, all.data(), 64 * count,
          offsets.data());
     call(gphys_scene_segment_test_batch, scene_, segments.data(), uint32_t{sizeof(gphys_segment)}, count, layers,
@@ -249,6 +252,8 @@ void World::ray_batches() {
         note(hits[i]);
         FUZZ_CHECK(same_bits(single, hits[i]), "raycast_batch gives the bits of raycast");
         FUZZ_CHECK(any[i] == (single.model != 0), "raycast_any_batch agrees with raycast");
+        FUZZ_CHECK(same_bits(distances[i], gphys_distance{single.t, single.model, single.triangle}),
+                   "raycast_distance_batch gives the bits of raycast");
         call(gphys_scene_segment_test, scene_, &segments[i], layers, &of_segment);
         FUZZ_CHECK(same_bits(of_segment, segment_hits[i]), "segment_test_batch gives the bits of segment_test");
         call(gphys_scene_raycast_all, scene_, &rays[i], layers, first, 64u, &total);
@@ -325,6 +330,7 @@ void World::query_misuse() {
     const gphys_segment segment{{0, 0, 0}, {1, 0, 0}};
     const uint32_t bad_stride = 1 + p_.below(3);
     gphys_hit out;
+    gphys_distance distance;
     gphys_nearest nearest_out;
     int32_t any = 0;
     const gphys_status refused[] = {
@@ -335,6 +341,7 @@ void World::query_misuse() {
         call(gphys_scene_raycast_batch, scene_, &good, bad_stride, 1u, 7u, &out, 56u),
         call(gphys_scene_raycast_batch, scene_, &good, 28u, 1u, 7u, &out, bad_stride),
         call(gphys_scene_raycast_any_batch, scene_, nullptr, 28u, 1u, 7u, &any, 4u),
+        call(gphys_scene_raycast_distance_batch, scene_, &good, 28u, 1u, 7u, &distance, bad_stride),
         call(gphys_scene_raycast_all_batch, scene_, &good, 28u, 1u, 7u, &out, 1u, nullptr),
         call(gphys_scene_segment_test, scene_, &segment, 7u, nullptr),
         call(gphys_scene_segment_test_batch, scene_, &segment, bad_stride, 1u, 7u, &out, 56u),

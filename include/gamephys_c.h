@@ -276,6 +276,13 @@ typedef struct gphys_nearest {
     uint32_t triangle; /* index within a mesh, else GPHYS_NO_TRIANGLE */
 } gphys_nearest;
 
+/** How far a ray comes: those fields of a gphys_hit. Frozen.  Since 1.1. */
+typedef struct gphys_distance {
+    float t;        /* in multiples of the direction, so metres where its length is 1; INFINITY: nothing is hit */
+    uint32_t model; /* as in gphys_hit */
+    uint32_t triangle;
+} gphys_distance;
+
 /** How a solid gets out of something that it overlaps. */
 typedef struct gphys_penetration {
     uint32_t model; /* as in gphys_hit */
@@ -649,6 +656,21 @@ GPHYS_API gphys_status gphys_mesh_raycast_all(const gphys_mesh* mesh, const gphy
  *  @param out_hit  0 or 1
  *  Cost: O(log n) expected. */
 GPHYS_API gphys_status gphys_mesh_raycast_any(const gphys_mesh* mesh, const gphys_ray* ray, int32_t* out_hit);
+/** Whether each of count rays hits anything, as gphys_mesh_raycast_any.
+ *  @param rays      a stride of 0 casts one ray count times
+ *  @param out_hits  count elements, each 0 or 1
+ *  Cost: that of count single calls; less for rays whose neighbours go much the same way.  Since 1.1. */
+GPHYS_API gphys_status gphys_mesh_raycast_any_batch(const gphys_mesh* mesh, const gphys_ray* rays, uint32_t ray_stride,
+                                                    uint32_t count, int32_t* out_hits, uint32_t out_stride);
+/** How far count rays come, and which triangles they hit: t and triangle of gphys_shape_raycast_batch for the mesh,
+ *  with the same bits, without the rest of a hit; model is 0.
+ *  @param rays           a stride of 0 casts one ray count times
+ *  @param out_distances  count elements; a ray that hits nothing gets t = INFINITY and
+ *                        triangle = GPHYS_NO_TRIANGLE
+ *  Cost: less than that of gphys_shape_raycast_batch.  Since 1.1. */
+GPHYS_API gphys_status gphys_mesh_raycast_distance_batch(const gphys_mesh* mesh, const gphys_ray* rays,
+                                                         uint32_t ray_stride, uint32_t count,
+                                                         gphys_distance* out_distances, uint32_t out_stride);
 
 /** Indices of all triangles that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
  *  ascending. Kept when the array is too small: the lowest.
@@ -927,6 +949,15 @@ GPHYS_API gphys_status gphys_scene_raycast(const gphys_scene* scene, const gphys
 GPHYS_API gphys_status gphys_scene_raycast_batch(const gphys_scene* scene, const gphys_ray* rays, uint32_t ray_stride,
                                                  uint32_t count, uint32_t layers, gphys_hit* out_hits,
                                                  uint32_t out_stride);
+/** How far count rays come, and what they meet: t, model and triangle of gphys_scene_raycast_batch, with the same
+ *  bits, without the rest of a hit. For lidars and images of depth.
+ *  @param rays           a stride of 0 casts one ray count times
+ *  @param out_distances  count elements; a ray that hits nothing gets t = INFINITY, model = 0 and
+ *                        triangle = GPHYS_NO_TRIANGLE
+ *  Cost: less than that of gphys_scene_raycast_batch; shared among workers.  Since 1.1. */
+GPHYS_API gphys_status gphys_scene_raycast_distance_batch(const gphys_scene* scene, const gphys_ray* rays,
+                                                          uint32_t ray_stride, uint32_t count, uint32_t layers,
+                                                          gphys_distance* out_distances, uint32_t out_stride);
 
 /** Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
  *  @param out_hit  0 or 1
@@ -1114,6 +1145,17 @@ GPHYS_API gphys_status gphys_scene_raycast_filtered_batch(const gphys_scene* sce
                                                           const gphys_query_filter_desc* filters,
                                                           uint32_t filter_stride, gphys_hit* out_hits,
                                                           uint32_t out_stride);
+/** How far count rays come among the models that the filters see, as gphys_scene_raycast_distance_batch: a lidar
+ *  leaves out the robot that carries it.
+ *  @param rays           a stride of 0 casts one ray count times
+ *  @param filters        a stride of 0 takes one for all; NULL: the defaults
+ *  @param out_distances  count elements
+ *  Cost: less than that of gphys_scene_raycast_filtered_batch; shared among workers.  Since 1.1. */
+GPHYS_API gphys_status gphys_scene_raycast_distance_filtered_batch(const gphys_scene* scene, const gphys_ray* rays,
+                                                                   uint32_t ray_stride, uint32_t count,
+                                                                   const gphys_query_filter_desc* filters,
+                                                                   uint32_t filter_stride,
+                                                                   gphys_distance* out_distances, uint32_t out_stride);
 
 /** Whether a ray meets anything that the filter sees, as gphys_scene_raycast_any: line of sight between two
  *  models that both are left out.

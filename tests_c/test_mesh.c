@@ -151,6 +151,58 @@ static void test_arrays_are_copied(void** state) {
     gphys_mesh_destroy(mesh);
 }
 
+static void test_batches_of_rays(void** state) {
+    gphys_mesh* mesh = make_cube();
+    gphys_ray rays[70];
+    gphys_hit hits[70];
+    gphys_distance distances[70];
+    int32_t any[70], one;
+    int i, met = 0;
+    (void)state;
+    for (i = 0; i < 70; ++i) {
+        /* an image of the cube, of which some rays miss */
+        const gphys_ray ray = {{-1, 0.5f, 0.5f}, {1, (float)(i % 10 - 5) / 6, (float)(i / 10 - 3) / 6}, INFINITY};
+        rays[i] = ray;
+    }
+    assert_int_equal(gphys_shape_raycast_batch(GPHYS_SHAPE_MESH, mesh, rays, sizeof *rays, 70, hits, sizeof *hits),
+                     GPHYS_OK);
+    assert_int_equal(gphys_mesh_raycast_distance_batch(mesh, rays, sizeof *rays, 70, distances, sizeof *distances),
+                     GPHYS_OK);
+    assert_int_equal(gphys_mesh_raycast_any_batch(mesh, rays, sizeof *rays, 70, any, sizeof *any), GPHYS_OK);
+    for (i = 0; i < 70; ++i) {
+        assert_memory_equal(&distances[i].t, &hits[i].t, sizeof(float));
+        assert_int_equal(distances[i].triangle, hits[i].triangle);
+        assert_int_equal(distances[i].model, 0);
+        assert_int_equal(gphys_mesh_raycast_any(mesh, &rays[i], &one), GPHYS_OK);
+        assert_int_equal(any[i], one);
+        assert_int_equal(any[i], hits[i].triangle != GPHYS_NO_TRIANGLE);
+        met += any[i];
+    }
+    assert_true(met > 10 && met < 60);
+    /* one ray twice, and none */
+    assert_int_equal(gphys_mesh_raycast_any_batch(mesh, &rays[35], 0, 2, any, sizeof *any), GPHYS_OK);
+    assert_true(any[0] == 1 && any[1] == 1);
+    assert_int_equal(gphys_mesh_raycast_any_batch(mesh, NULL, 0, 0, NULL, 4), GPHYS_OK);
+    assert_int_equal(gphys_mesh_raycast_distance_batch(mesh, NULL, 0, 0, NULL, 12), GPHYS_OK);
+
+    any[0] = 7, distances[0].t = 7;
+    rays[1].t_max = NAN;
+    assert_int_equal(gphys_mesh_raycast_any_batch(NULL, rays, 0, 1, any, 4), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_raycast_any_batch(mesh, NULL, 0, 1, any, 4), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_raycast_any_batch(mesh, rays, 30, 1, any, 4), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_raycast_any_batch(mesh, rays, 0, 1, NULL, 4), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_raycast_any_batch(mesh, rays, 0, 1, any, 2), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_raycast_any_batch(mesh, rays, 28, 2, any, 4), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_raycast_distance_batch(NULL, rays, 0, 1, distances, 12), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_raycast_distance_batch(mesh, NULL, 0, 1, distances, 12), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_raycast_distance_batch(mesh, rays, 30, 1, distances, 12), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_raycast_distance_batch(mesh, rays, 0, 1, NULL, 12), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_raycast_distance_batch(mesh, rays, 0, 1, distances, 8), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_raycast_distance_batch(mesh, rays, 28, 2, distances, 12), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_true(any[0] == 7 && distances[0].t == 7);
+    gphys_mesh_destroy(mesh);
+}
+
 static void test_raycast_all(void** state) {
     gphys_mesh* mesh = make_cube();
     /* Through the diagonals of the faces x = 0 and x = 1: two triangles each. */
@@ -452,6 +504,7 @@ int main(void) {
         cmocka_unit_test(test_arguments_of_create),
         cmocka_unit_test(test_a_mesh_without_triangles),
         cmocka_unit_test(test_arrays_are_copied),
+        cmocka_unit_test(test_batches_of_rays),
         cmocka_unit_test(test_raycast_all),
         cmocka_unit_test(test_overlap),
         cmocka_unit_test(test_octree),

@@ -171,6 +171,7 @@ static void batches_take_one_filter_or_one_each(void** state) {
     gphys_scene* scene = three_balls(models);
     gphys_hit hits[3];
     gphys_nearest nearest[3];
+    gphys_distance distances[3];
     int32_t any[3];
     uint32_t offsets[4], i;
     (void)state;
@@ -208,6 +209,18 @@ static void batches_take_one_filter_or_one_each(void** state) {
         gphys_scene_raycast_any_filtered_batch(scene, &ray, 0, 3, filters, sizeof *filters, any, sizeof *any),
         GPHYS_OK);
     assert_true(any[0] == 1 && any[1] == 1 && any[2] == 0);
+    assert_int_equal(gphys_scene_raycast_distance_filtered_batch(scene, &ray, 0, 3, filters, sizeof *filters, distances,
+                                                                 sizeof *distances),
+                     GPHYS_OK);
+    for (i = 0; i < 2; ++i) {
+        gphys_hit single;
+        assert_int_equal(gphys_scene_raycast_filtered(scene, &ray, &filters[i], &single), GPHYS_OK);
+        assert_true(distances[i].t == single.t && distances[i].model == single.model && single.model == models[i]);
+    }
+    assert_true(isinf(distances[2].t) && distances[2].model == 0);
+    assert_int_equal(gphys_scene_raycast_distance_filtered_batch(scene, &ray, 0, 3, filters, sizeof *filters, NULL,
+                                                                 sizeof *distances),
+                     GPHYS_ERROR_INVALID_ARGUMENT);
     assert_int_equal(
         gphys_scene_raycast_all_filtered_batch(scene, &ray, 0, 3, filters, sizeof *filters, NULL, 0, offsets),
         GPHYS_INCOMPLETE);

@@ -129,10 +129,19 @@ static void batches_mark_what_was_missed(void** state) {
     gphys_scene* scene = three_models(models);
     gphys_hit hits[2];
     gphys_nearest nearest[2];
+    gphys_distance distances[2];
     int32_t any[2] = {7, 7};
     (void)state;
     assert_int_equal(gphys_scene_raycast_batch(scene, rays, sizeof *rays, 2, 7, hits, sizeof *hits), GPHYS_OK);
     assert_int_equal(hits[0].model, models[0]);
+    memset(distances, 9, sizeof distances);
+    assert_int_equal(gphys_scene_raycast_distance_batch(scene, rays, sizeof *rays, 2, 7, distances, sizeof *distances),
+                     GPHYS_OK);
+    assert_true(distances[0].t == hits[0].t && distances[0].model == models[0]);
+    assert_int_equal(distances[0].triangle, GPHYS_NO_TRIANGLE);
+    assert_true(isinf(distances[1].t) && distances[1].model == 0 && distances[1].triangle == GPHYS_NO_TRIANGLE);
+    assert_int_equal(gphys_scene_raycast_distance_batch(scene, rays, 0, 2, 0, distances, sizeof *distances), GPHYS_OK);
+    assert_true(isinf(distances[0].t) && distances[0].model == 0);
     assert_true(hits[1].model == 0 && isinf(hits[1].t) && hits[1].point.y == 0);
     assert_int_equal(gphys_scene_raycast_any_batch(scene, rays, sizeof *rays, 2, 7, any, sizeof *any), GPHYS_OK);
     assert_true(any[0] == 1 && any[1] == 0);
@@ -165,6 +174,7 @@ static void bad_input_is_refused_and_outputs_stay(void** state) {
     gphys_scene* scene = three_models(models);
     gphys_hit hits[2], untouched[2];
     gphys_nearest nearest, nearest_before;
+    gphys_distance distance = {7, 7, 7};
     int32_t any = 7;
     uint32_t total = 7, offsets[3] = {7, 7, 7};
     int i;
@@ -182,6 +192,7 @@ static void bad_input_is_refused_and_outputs_stay(void** state) {
         assert_invalid(gphys_scene_raycast_all(scene, &bad_rays[i], 7, hits, 2, &total));
         assert_invalid(gphys_scene_raycast_batch(scene, mixed, sizeof *mixed, 2, 7, hits, sizeof *hits));
         assert_invalid(gphys_scene_raycast_any_batch(scene, mixed, sizeof *mixed, 2, 7, &any, 4));
+        assert_invalid(gphys_scene_raycast_distance_batch(scene, mixed, sizeof *mixed, 2, 7, &distance, 12));
         assert_invalid(gphys_scene_raycast_all_batch(scene, mixed, sizeof *mixed, 2, 7, hits, 2, offsets));
     }
     assert_invalid(gphys_scene_raycast(NULL, &ray, 7, hits));
@@ -193,6 +204,12 @@ static void bad_input_is_refused_and_outputs_stay(void** state) {
     assert_invalid(gphys_scene_raycast_batch(scene, &ray, 8, 1, 7, hits, sizeof *hits));
     assert_invalid(gphys_scene_raycast_batch(scene, &ray, 30, 1, 7, hits, sizeof *hits));
     assert_invalid(gphys_scene_raycast_batch(scene, &ray, 0, 1, 7, hits, 0));
+    assert_invalid(gphys_scene_raycast_distance_batch(NULL, &ray, 0, 1, 7, &distance, 12));
+    assert_invalid(gphys_scene_raycast_distance_batch(scene, NULL, 0, 1, 7, &distance, 12));
+    assert_invalid(gphys_scene_raycast_distance_batch(scene, &ray, 0, 1, 7, NULL, 12));
+    assert_invalid(gphys_scene_raycast_distance_batch(scene, &ray, 8, 1, 7, &distance, 12));
+    assert_invalid(gphys_scene_raycast_distance_batch(scene, &ray, 0, 1, 7, &distance, 8));
+    assert_true(distance.t == 7 && distance.model == 7 && distance.triangle == 7);
     assert_invalid(gphys_scene_raycast_any(NULL, &ray, 7, &any));
     assert_invalid(gphys_scene_raycast_any(scene, NULL, 7, &any));
     assert_invalid(gphys_scene_raycast_any(scene, &ray, 7, NULL));

@@ -41,6 +41,10 @@ struct Level {
         std::vector<gphys_hit> hits(rays.size());
         REQUIRE(gphys_scene_raycast_batch(scene.scene, rays.data(), sizeof rays[0], static_cast<uint32_t>(rays.size()),
                                           layers, hits.data(), sizeof hits[0]) == GPHYS_OK);
+        std::vector<gphys_distance> distances(rays.size());
+        REQUIRE(gphys_scene_raycast_distance_batch(scene.scene, rays.data(), sizeof rays[0],
+                                                   static_cast<uint32_t>(rays.size()), layers, distances.data(),
+                                                   sizeof distances[0]) == GPHYS_OK);
         uint32_t found = 0, of_large = 0;
         for (size_t i = 0; i < rays.size(); ++i) {
             gphys_hit single{};
@@ -51,6 +55,8 @@ struct Level {
             found += hit;
             of_large += single.model == meshes[0] || single.model == meshes[1];
             REQUIRE(std::memcmp(&single, &hits[i], sizeof single) == 0);
+            const gphys_distance distance{single.t, single.model, single.triangle};
+            REQUIRE(std::memcmp(&distance, &distances[i], sizeof distance) == 0);
         }
         if (layers != 0) CHECK(of_large > rays.size() / 8);
         return found;

@@ -432,6 +432,9 @@ TEST_CASE("a batch answers each item as the single call does") {
                                       sizeof(gphys_hit)) == GPHYS_OK);
     REQUIRE(gphys_scene_raycast_any_batch(world.scene, rays.data(), sizeof(gphys_ray), count, 3, any.data(), 4) ==
             GPHYS_OK);
+    std::vector<gphys_distance> distances(count);
+    REQUIRE(gphys_scene_raycast_distance_batch(world.scene, rays.data(), sizeof(gphys_ray), count, 3, distances.data(),
+                                               sizeof(gphys_distance)) == GPHYS_OK);
     REQUIRE(gphys_scene_raycast_all_batch(world.scene, rays.data(), sizeof(gphys_ray), count, 3, nullptr, 0,
                                           offsets.data()) == GPHYS_INCOMPLETE);
     lists.resize(offsets[count]);
@@ -449,6 +452,7 @@ TEST_CASE("a batch answers each item as the single call does") {
         if (found) REQUIRE(same_bits(hit, hits[i]));
         if (!found) REQUIRE((hits[i].model == 0 && hits[i].t == INFINITY && hits[i].point.x == 0));
         REQUIRE(any[i] == (found ? 1 : 0));
+        REQUIRE(same_bits(distances[i], gphys_distance{hits[i].t, hits[i].model, hits[i].triangle}));
         REQUIRE(gphys_scene_raycast_all(world.scene, &rays[i], 3, list, 200, &total) == GPHYS_OK);
         REQUIRE(total == offsets[i + 1] - offsets[i]);
         REQUIRE(std::equal(list, list + total, lists.begin() + offsets[i], same_bits<gphys_hit>));

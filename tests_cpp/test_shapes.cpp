@@ -78,6 +78,8 @@ TEST_CASE("bounds of frusta equal those of their corners, and infinite ones have
         Box box;
         REQUIRE(bounds(view.frustum, box));
         check_bounds(box, view.hull);
+        REQUIRE(bounds_of_six_sided(view.frustum, box));
+        check_bounds(box, view.hull);
         Vec3 corner[8];
         REQUIRE(corners(view.frustum, corner));
         for (int k = 0; k < 8; ++k) {
@@ -86,8 +88,34 @@ TEST_CASE("bounds of frusta equal those of their corners, and infinite ones have
         }
         const test::View endless = test::view(origin, axes, 1, 1, near, far, true);
         REQUIRE_FALSE(bounds(endless.frustum, box));
+        REQUIRE_FALSE(bounds_of_six_sided(endless.frustum, box));
         REQUIRE_FALSE(corners(endless.frustum, corner));
     }
+}
+
+TEST_CASE("of any six planes a box is found quickly only if they are the sides of a body with eight corners") {
+    test::Random random(4);
+    int found = 0;
+    for (int i = 0; i < 20000; ++i) {
+        Frustum frustum{widen(random.point(10)), {}};
+        for (Plane& plane : frustum.planes) plane = {widen(random.point(1)), random.uniform(-2, .2)};
+        for (int k = 1; k < 6; k += 2) {  // often nearly opposite
+            if (random.uniform(0, 1) < .7) {
+                frustum.planes[k].normal = widen(random.point(.4f)) - frustum.planes[k - 1].normal;
+            }
+        }
+        Box quick, box;
+        if (!bounds_of_six_sided(frustum, quick)) continue;
+        ++found;
+        REQUIRE(bounds(frustum, box));
+        for (int k = 0; k < 3; ++k) {
+            const float tolerance = 1e-5f * std::max(std::fabs(box.min[k]), std::fabs(box.max[k]));
+            REQUIRE(std::fabs(quick.min[k] - box.min[k]) <= tolerance);
+            REQUIRE(std::fabs(quick.max[k] - box.max[k]) <= tolerance);
+        }
+    }
+    REQUIRE(found > 1000);
+    REQUIRE(found < 19000);
 }
 
 TEST_CASE("six planes that leave nothing, a slab or a prism are told apart") {
@@ -103,6 +131,7 @@ TEST_CASE("six planes that leave nothing, a slab or a prism are told apart") {
     Frustum point = cube;
     for (Plane& plane : point.planes) plane.distance = 0;
     REQUIRE_FALSE(is_empty(point));
+    REQUIRE_FALSE(bounds_of_six_sided(point, box));
     Frustum empty = point;
     empty.planes[1].distance = 1e-45;
     REQUIRE(is_empty(empty));
@@ -113,6 +142,7 @@ TEST_CASE("six planes that leave nothing, a slab or a prism are told apart") {
     for (int i = 2; i < 6; ++i) slab.planes[i] = slab.planes[i % 2];
     REQUIRE_FALSE(is_empty(slab));
     REQUIRE_FALSE(bounds(slab, box));
+    REQUIRE_FALSE(bounds_of_six_sided(slab, box));
     slab.planes[5].distance = 1.5;
     REQUIRE(is_empty(slab));
 

@@ -14,6 +14,8 @@ func TestBatchesAnswerAsSingleCallsDo(t *testing.T) {
 	way := Vec(0, 0, 9)
 	try(t, scene.RaycastBatch(rays, AllLayers, hits))
 	try(t, scene.RaycastAnyBatch(rays, AllLayers, any))
+	distances := make([]Distance, len(rays))
+	try(t, scene.RaycastDistanceBatch(rays, AllLayers, distances))
 	try(t, scene.SegmentTestBatch(segments, AllLayers, crossed))
 	try(t, scene.NearestBatch(points, infinity, AllLayers, nearest))
 	try(t, scene.SweepSphereBatch(moving, []Vec3{way}, AllLayers, swept)) // one displacement for all
@@ -29,6 +31,7 @@ func TestBatchesAnswerAsSingleCallsDo(t *testing.T) {
 	for i := range rays {
 		same(t, or(scene.Raycast(rays[i], AllLayers)), hits[i])
 		same(t, must(scene.RaycastAny(rays[i], AllLayers)), any[i] != 0)
+		same(t, distances[i], Distance{hits[i].T, hits[i].Model, hits[i].Triangle})
 		same(t, must(scene.RaycastAll(rays[i], AllLayers)), all.At(i))
 		same(t, or(scene.SegmentTest(segments[i], AllLayers)), crossed[i])
 		same(t, found(scene.Nearest(points[i], infinity, AllLayers)), nearest[i])
@@ -104,6 +107,9 @@ func TestFiltersLeaveOutModels(t *testing.T) {
 	try(t, scene.NearestFilteredBatch([]Vec3{way, way}, infinity, &filter, nearest))
 	same(t, nearest[1].Model, target)
 	try(t, scene.RaycastAnyFilteredBatch([]Ray{ray, ray}, &filter, any))
+	distances := make([]Distance, 2)
+	try(t, scene.RaycastDistanceFilteredBatch([]Ray{ray, ray}, &filter, distances))
+	same(t, distances[1].Model, target)
 	same(t, any, []int32{1, 1})
 	same(t, len(must(scene.RaycastAllFilteredBatch([]Ray{ray, ray}, &filter)).At(1)), 1)
 	same(t, must(scene.OverlapFilteredBatch(Spheres{large, large}, &filter)).At(1), []ModelID{target})

@@ -416,6 +416,28 @@ static inline go_gphys_mesh_raycast_any_result go_gphys_mesh_raycast_any(void* m
     return r;
 }
 
+typedef struct go_gphys_mesh_raycast_any_batch_result {
+    gphys_status status;
+    char* message;
+} go_gphys_mesh_raycast_any_batch_result;
+static inline go_gphys_mesh_raycast_any_batch_result go_gphys_mesh_raycast_any_batch(void* mesh, const gphys_ray * rays, uint32_t ray_stride, uint32_t count, int32_t * out_hits, uint32_t out_stride) {
+    go_gphys_mesh_raycast_any_batch_result r = {0};
+    r.status = gphys_mesh_raycast_any_batch(mesh, rays, ray_stride, count, out_hits, out_stride);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_mesh_raycast_distance_batch_result {
+    gphys_status status;
+    char* message;
+} go_gphys_mesh_raycast_distance_batch_result;
+static inline go_gphys_mesh_raycast_distance_batch_result go_gphys_mesh_raycast_distance_batch(void* mesh, const gphys_ray * rays, uint32_t ray_stride, uint32_t count, gphys_distance * out_distances, uint32_t out_stride) {
+    go_gphys_mesh_raycast_distance_batch_result r = {0};
+    r.status = gphys_mesh_raycast_distance_batch(mesh, rays, ray_stride, count, out_distances, out_stride);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_mesh_overlap_result {
     gphys_status status;
     char* message;
@@ -794,6 +816,17 @@ static inline go_gphys_scene_raycast_batch_result go_gphys_scene_raycast_batch(v
     return r;
 }
 
+typedef struct go_gphys_scene_raycast_distance_batch_result {
+    gphys_status status;
+    char* message;
+} go_gphys_scene_raycast_distance_batch_result;
+static inline go_gphys_scene_raycast_distance_batch_result go_gphys_scene_raycast_distance_batch(void* scene, const gphys_ray * rays, uint32_t ray_stride, uint32_t count, uint32_t layers, gphys_distance * out_distances, uint32_t out_stride) {
+    go_gphys_scene_raycast_distance_batch_result r = {0};
+    r.status = gphys_scene_raycast_distance_batch(scene, rays, ray_stride, count, layers, out_distances, out_stride);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_scene_raycast_any_result {
     gphys_status status;
     char* message;
@@ -1010,6 +1043,17 @@ typedef struct go_gphys_scene_raycast_filtered_batch_result {
 static inline go_gphys_scene_raycast_filtered_batch_result go_gphys_scene_raycast_filtered_batch(void* scene, const gphys_ray * rays, uint32_t ray_stride, uint32_t count, const gphys_query_filter_desc * filters, uint32_t filter_stride, gphys_hit * out_hits, uint32_t out_stride) {
     go_gphys_scene_raycast_filtered_batch_result r = {0};
     r.status = gphys_scene_raycast_filtered_batch(scene, rays, ray_stride, count, filters, filter_stride, out_hits, out_stride);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_raycast_distance_filtered_batch_result {
+    gphys_status status;
+    char* message;
+} go_gphys_scene_raycast_distance_filtered_batch_result;
+static inline go_gphys_scene_raycast_distance_filtered_batch_result go_gphys_scene_raycast_distance_filtered_batch(void* scene, const gphys_ray * rays, uint32_t ray_stride, uint32_t count, const gphys_query_filter_desc * filters, uint32_t filter_stride, gphys_distance * out_distances, uint32_t out_stride) {
+    go_gphys_scene_raycast_distance_filtered_batch_result r = {0};
+    r.status = gphys_scene_raycast_distance_filtered_batch(scene, rays, ray_stride, count, filters, filter_stride, out_distances, out_stride);
     r.message = go_message(r.status);
     return r;
 }

@@ -312,6 +312,15 @@ type Nearest struct {
 	Triangle uint32
 }
 
+// How far a ray comes: those fields of a Hit. Frozen.  Since 1.1.
+type Distance struct {
+	// in multiples of the direction, so metres where its length is 1; INFINITY: nothing is hit
+	T float32
+	// as in Hit
+	Model uint32
+	Triangle uint32
+}
+
 // How a solid gets out of something that it overlaps.
 type Penetration struct {
 	// as in Hit
@@ -774,6 +783,10 @@ var (
 	_ [unsafe.Offsetof(C.gphys_nearest{}.point)]byte = [unsafe.Offsetof(Nearest{}.Point)]byte{}
 	_ [unsafe.Offsetof(C.gphys_nearest{}.distance)]byte = [unsafe.Offsetof(Nearest{}.Distance)]byte{}
 	_ [unsafe.Offsetof(C.gphys_nearest{}.triangle)]byte = [unsafe.Offsetof(Nearest{}.Triangle)]byte{}
+	_ [C.sizeof_gphys_distance]byte = [unsafe.Sizeof(Distance{})]byte{}
+	_ [unsafe.Offsetof(C.gphys_distance{}.t)]byte = [unsafe.Offsetof(Distance{}.T)]byte{}
+	_ [unsafe.Offsetof(C.gphys_distance{}.model)]byte = [unsafe.Offsetof(Distance{}.Model)]byte{}
+	_ [unsafe.Offsetof(C.gphys_distance{}.triangle)]byte = [unsafe.Offsetof(Distance{}.Triangle)]byte{}
 	_ [C.sizeof_gphys_penetration]byte = [unsafe.Sizeof(Penetration{})]byte{}
 	_ [unsafe.Offsetof(C.gphys_penetration{}.model)]byte = [unsafe.Offsetof(Penetration{}.Model)]byte{}
 	_ [unsafe.Offsetof(C.gphys_penetration{}.tag)]byte = [unsafe.Offsetof(Penetration{}.Tag)]byte{}

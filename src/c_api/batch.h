@@ -76,27 +76,39 @@ void cast_by(const Filters& filters, const uint32_t* items, uint32_t count, cons
     }
 }
 
+// What differs between the results of many rays, gphys_hit and gphys_distance.
+inline void set_missed(gphys_hit& out) { out = no_hit; }
+inline void set_missed(gphys_distance& out) { out = no_distance; }
+template <class Who>
+void ask_many(const Scene& scene, Ray* rays, uint32_t count, const Who& by, gphys_hit* const* out) {
+    scene.raycast_many(rays, count, by, out);
+}
+template <class Who>
+void ask_many(const Scene& scene, Ray* rays, uint32_t count, const Who& by, gphys_distance* const* out) {
+    scene.raycast_distance_many(rays, count, by, out);
+}
+
 /// The first hits of many rays. Tiles group elements that are near one another in their first `floats` floats.
 /// ray_of(element, ray) returns false if the element has no ray, which counts as a miss. Filter is uint32_t, for
 /// layers, or Filters.
-template <class T, class Filter, class RayOf>
+template <class T, class Filter, class Answer, class RayOf>
 void raycast_each(const Scene& scene, const Strided<T>& in, uint32_t floats, uint32_t count, const Filter& filter,
-                  const StridedOut<gphys_hit>& out, RayOf&& ray_of) {
+                  const StridedOut<Answer>& out, RayOf&& ray_of) {
     const ImageTiles tiles(in.template beginnings<float>(), floats, count);
     const auto ray_or_no_hit = [&](uint32_t i, Ray& ray) {
         if (ray_of(in[i], ray)) return true;
-        out[i] = no_hit;
+        set_missed(out[i]);
         return false;
     };
     cast_by_tiles(scene, tiles, ray_or_no_hit, prefetch_elements(in, out),
                   [&](Ray* rays, const uint32_t* items, uint32_t size) {
-                      gphys_hit* hits[ImageTiles::most];
+                      Answer* answers[ImageTiles::most];
                       for (uint32_t k = 0; k < size; ++k) {
-                          hits[k] = &out[items[k]];
-                          *hits[k] = no_hit;
+                          answers[k] = &out[items[k]];
+                          set_missed(*answers[k]);
                       }
                       cast_by(filter, items, size, [&](uint32_t first, uint32_t some, const auto& by) {
-                          scene.raycast_many(rays + first, some, by, hits + first);
+                          ask_many(scene, rays + first, some, by, answers + first);
                       });
                   });
 }

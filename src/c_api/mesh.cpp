@@ -5,6 +5,7 @@
 #include "c_api/handles.h"
 #include "c_api/lists.h"
 #include "c_api/mesh_desc.h"
+#include "c_api/mesh_tiles.h"
 #include "c_api/shape_input.h"
 #include "foundation/results.h"
 
@@ -17,6 +18,14 @@ gphys_status check_arrays(const MeshArrays& arrays) {
     GPHYS_TRY(check_out_stride("vertex_stride", arrays.vertex_stride, sizeof(gphys_vec3)));
     GPHYS_REQUIRE(arrays.index_count == 0 || arrays.indices, "indices is null");
     GPHYS_REQUIRE_IN_RANGE(arrays.index_count % 3 == 0, "index_count", arrays.index_count, "a multiple of 3");
+    return GPHYS_OK;
+}
+
+gphys_status check_rays(const gphys_ray* rays, uint32_t ray_stride, uint32_t count) {
+    GPHYS_REQUIRE(rays || count == 0, "rays is null");
+    GPHYS_TRY(check_stride("ray_stride", ray_stride, sizeof *rays));
+    const Strided<gphys_ray> each(rays, ray_stride);
+    for (uint32_t i = 0; i < count; ++i) GPHYS_REQUIRE_VALID(each[i]);
     return GPHYS_OK;
 }
 
@@ -163,6 +172,41 @@ gphys_status gphys_mesh_raycast_any(const gphys_mesh* mesh, const gphys_ray* ray
         GPHYS_REQUIRE_VALID(*ray);
         GPHYS_REQUIRE_POINTERS(out_hit);
         *out_hit = unwrap(mesh)->raycast_any(widen(*ray));
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_mesh_raycast_any_batch(const gphys_mesh* mesh, const gphys_ray* rays, uint32_t ray_stride,
+                                          uint32_t count, int32_t* out_hits, uint32_t out_stride) {
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(mesh);
+        GPHYS_TRY(check_rays(rays, ray_stride, count));
+        GPHYS_REQUIRE(out_hits || count == 0, "out_hits is null");
+        GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof *out_hits));
+        const StridedOut<int32_t> out(out_hits, out_stride);
+        const Strided<gphys_ray> each(rays, ray_stride);
+        cast_at_mesh(each, count, out, [&](const gphys_ray* const* tile, const uint32_t* items, uint32_t size) {
+            const uint64_t met = unwrap(mesh)->raycast_any_many(tile, size);
+            for (uint32_t k = 0; k < size; ++k) out[items[k]] = static_cast<int32_t>(met >> k & 1);
+        });
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_mesh_raycast_distance_batch(const gphys_mesh* mesh, const gphys_ray* rays, uint32_t ray_stride,
+                                               uint32_t count, gphys_distance* out_distances, uint32_t out_stride) {
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(mesh);
+        GPHYS_TRY(check_rays(rays, ray_stride, count));
+        GPHYS_REQUIRE(out_distances || count == 0, "out_distances is null");
+        GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof *out_distances));
+        const StridedOut<gphys_distance> out(out_distances, out_stride);
+        const Strided<gphys_ray> each(rays, ray_stride);
+        cast_at_mesh(each, count, out, [&](const gphys_ray* const* tile, const uint32_t* items, uint32_t size) {
+            gphys_distance found[ImageTiles::most];
+            unwrap(mesh)->raycast_distance_many(tile, size, found);
+            for (uint32_t k = 0; k < size; ++k) out[items[k]] = found[k];
+        });
         return GPHYS_OK;
     });
 }

@@ -22,6 +22,17 @@ gphys_status gphys_scene_raycast_filtered_batch(const gphys_scene* scene, const 
     });
 }
 
+gphys_status gphys_scene_raycast_distance_filtered_batch(const gphys_scene* scene, const gphys_ray* rays,
+                                                         uint32_t ray_stride, uint32_t count,
+                                                         const gphys_query_filter_desc* filters, uint32_t filter_stride,
+                                                         gphys_distance* out_distances, uint32_t out_stride) {
+    return guarded(__func__, [&] {
+        return with_filters(scene, filters, filter_stride, [&](const Filters& parsed) {
+            return scene_raycast_batch(scene, rays, ray_stride, count, parsed, out_distances, out_stride);
+        });
+    });
+}
+
 gphys_status gphys_scene_raycast_any_filtered(const gphys_scene* scene, const gphys_ray* ray,
                                               const gphys_query_filter_desc* filter, int32_t* out_hit) {
     return guarded(__func__, [&] {

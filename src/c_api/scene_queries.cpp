@@ -13,6 +13,14 @@ gphys_status gphys_scene_raycast_batch(const gphys_scene* scene, const gphys_ray
                    [&] { return scene_raycast_batch(scene, rays, ray_stride, count, layers, out_hits, out_stride); });
 }
 
+gphys_status gphys_scene_raycast_distance_batch(const gphys_scene* scene, const gphys_ray* rays, uint32_t ray_stride,
+                                                uint32_t count, uint32_t layers, gphys_distance* out_distances,
+                                                uint32_t out_stride) {
+    return guarded(__func__, [&] {
+        return scene_raycast_batch(scene, rays, ray_stride, count, layers, out_distances, out_stride);
+    });
+}
+
 gphys_status gphys_scene_raycast_any(const gphys_scene* scene, const gphys_ray* ray, uint32_t layers,
                                      int32_t* out_hit) {
     return guarded(__func__, [&] { return scene_raycast_any(scene, ray, layers, out_hit); });

@@ -2,6 +2,8 @@
 // parameter Filter is uint32_t, for layers, or QueryFilter; in batches uint32_t or Filters.
 #pragma once
 
+#include <type_traits>
+
 #include "c_api/api.h"
 #include "c_api/batch.h"
 #include "c_api/handles.h"
@@ -101,16 +103,18 @@ gphys_status scene_raycast(const gphys_scene* scene, const gphys_ray* ray, const
     return unwrap(scene)->raycast(widen(*ray), filter, *out_hit);
 }
 
-template <class Filter>
+/// Answer is gphys_hit or gphys_distance.
+template <class Filter, class Answer>
 gphys_status scene_raycast_batch(const gphys_scene* scene, const gphys_ray* rays, uint32_t ray_stride, uint32_t count,
-                                 const Filter& filter, gphys_hit* out_hits, uint32_t out_stride) {
+                                 const Filter& filter, Answer* out_answers, uint32_t out_stride) {
     GPHYS_REQUIRE_POINTERS(scene);
     const Workers& workers = unwrap(scene)->workers();
     GPHYS_TRY(check_filters(workers, filter, count));
     GPHYS_TRY(check_inputs(workers, "rays", rays, "ray_stride", ray_stride, count));
-    GPHYS_TRY(check_outputs("out_hits", out_hits, out_stride, count));
+    GPHYS_TRY(check_outputs(std::is_same_v<Answer, gphys_hit> ? "out_hits" : "out_distances", out_answers, out_stride,
+                            count));
     const Strided<gphys_ray> ray(rays, ray_stride);
-    const StridedOut<gphys_hit> out(out_hits, out_stride);
+    const StridedOut<Answer> out(out_answers, out_stride);
     raycast_each(*unwrap(scene), ray, ray_coordinates, count, filter, out, [](const gphys_ray& given, Ray& r) {
         r = widen(given);
         return true;

@@ -1,8 +1,7 @@
 // gphys_shape_*: rays, segments and swept spheres against one shape or mesh.
+#include "c_api/mesh_tiles.h"
 #include "c_api/shape_input.h"
 #include "foundation/compiler.h"
-#include "foundation/image_tiles.h"
-#include "mesh/mesh.h"
 
 namespace gphys {
 namespace {
@@ -13,15 +12,9 @@ bool raycast(const ShapeOrMesh& target, const Ray& ray, Hit& hit) {
 
 void raycast_by_tiles(const Mesh& mesh, const Strided<gphys_ray>& ray, uint32_t count,
                       const StridedOut<gphys_hit>& out) {
-    static_assert(ImageTiles::most <= Mesh::rays_at_once);
-    const ImageTiles tiles(ray.beginnings<float>(), ray_coordinates, count);
-    tiles.for_each(0, tiles.count(), prefetch_elements(ray, out), [&](const uint32_t* items, uint32_t size) {
-        const gphys_ray* rays[ImageTiles::most];
+    cast_at_mesh(ray, count, out, [&](const gphys_ray* const* rays, const uint32_t* items, uint32_t size) {
         gphys_hit* hits[ImageTiles::most];
-        for (uint32_t k = 0; k < size; ++k) {
-            rays[k] = &ray[items[k]];
-            hits[k] = &out[items[k]];
-        }
+        for (uint32_t k = 0; k < size; ++k) hits[k] = &out[items[k]];
         const uint64_t found = mesh.raycast_many(rays, size, hits);
         for (uint32_t k = 0; k < size; ++k) {
             if ((found >> k & 1) == 0) *hits[k] = no_hit;

@@ -9,11 +9,15 @@
 
 namespace gphys::GPHYS_ISA {
 
+GPHYS_INLINE Float8 rounded_distance(Double8 t) {
+    constexpr double last = std::numeric_limits<float>::max();
+    return narrowed(least(last, t));
+}
 /// t and point, in the order of gphys_hit.
 GPHYS_INLINE Quads8 rounded_place(Double8 t, const Vec<Double8>& point) {
     constexpr double last = std::numeric_limits<float>::max();
     const auto clamped = [](Double8 v) { return narrowed(least(last, largest(v, -last))); };
-    return {narrowed(least(last, t)), clamped(point.x), clamped(point.y), clamped(point.z)};
+    return {rounded_distance(t), clamped(point.x), clamped(point.y), clamped(point.z)};
 }
 /// A normal, which needs no clamping, and the member after it.
 GPHYS_INLINE Quads8 rounded_normal(const Vec<Double8>& normal, Float8 next) {

@@ -9,6 +9,8 @@
 // Shapes are closed sets; solids are solid. Inputs are valid (shapes.h: defect).
 #pragma once
 
+#include <limits>
+
 #include "foundation/reported.h"
 #include "shapes/shapes.h"
 
@@ -36,6 +38,8 @@ inline gphys_hit to_hit(const Hit& hit, uint32_t model = 0, uint32_t tag = 0) {
     const float u = static_cast<float>(hit.u), v = static_cast<float>(hit.v);
     return {model, tag, reported(hit.t), rounded_point(hit.point), narrow(hit.normal), hit.triangle, u, v, hit.flags};
 }
+/// Of a ray that hits nothing.
+inline constexpr gphys_distance no_distance{std::numeric_limits<float>::infinity(), 0, GPHYS_NO_TRIANGLE};
 inline gphys_nearest to_nearest(Vec3 point, double distance, uint32_t triangle = GPHYS_NO_TRIANGLE, uint32_t model = 0,
                                 uint32_t tag = 0) {
     return {model, tag, rounded_point(point), reported(distance), triangle};

@@ -159,28 +159,52 @@ Ray Mesh::magnified(const Ray& ray) const {
     return result;
 }
 
-bool Mesh::raycast(const Ray& ray, Hit& hit) const {
-    if (is_links()) return raycast_links(ray, hit);
-    if (magnified_) return magnified_->raycast(magnified(ray), hit) && reduce(hit);
-    const PreparedRay prepared(ray, rays_root_);
+NearestCrossing Mesh::first_crossing(const PreparedRay& ray) const {
     NearestCrossing nearest;
-    float limit = prepared.limit;
-    walk(prepared, [&](const TrianglePacket& packet, uint32_t lanes) {
+    float limit = ray.limit;
+    walk(ray, [&](const TrianglePacket& packet, uint32_t lanes) {
         const float before = nearest.t;
         for_each_lane(lanes, [&](int lane) {
             TriangleCrossing crossing;
-            if (crosses(packet.triangle(lane), prepared.sheared, crossing)) {
+            if (crosses(packet.triangle(lane), ray.sheared, crossing)) {
                 nearest.take(crossing, reported(crossing.t), packet, static_cast<uint32_t>(lane));
             }
             return true;
         });
-        if (nearest.t != before) limit = prepared.along.limit(limit_of_ties<double>(nearest.t));
+        if (nearest.t != before) limit = ray.along.limit(limit_of_ties<double>(nearest.t));
         return limit;
     });
-    return hit_at(nearest, prepared.sheared, hit);
+    return nearest;
 }
 
-void Mesh::cross_many(const PreparedRay* rays, uint32_t count, NearestCrossing* nearest) const {
+namespace {
+
+gphys_distance distance_of(const NearestCrossing& nearest) { return {nearest.t, 0, nearest.triangle}; }
+
+}  // namespace
+
+bool Mesh::raycast(const Ray& ray, Hit& hit) const {
+    if (is_links()) return raycast_links(ray, hit);
+    if (magnified_) return magnified_->raycast(magnified(ray), hit) && reduce(hit);
+    const PreparedRay prepared(ray, rays_root_);
+    return hit_at(first_crossing(prepared), prepared.sheared, hit);
+}
+
+bool Mesh::raycast_distance(const Ray& ray, gphys_distance& out) const {
+    if (is_links()) {
+        Hit hit;
+        if (!raycast_links(ray, hit)) return false;
+        out = {reported(hit.t), 0, hit.triangle};
+        return true;
+    }
+    if (magnified_) return magnified_->raycast_distance(magnified(ray), out);
+    const NearestCrossing nearest = first_crossing(PreparedRay(ray, rays_root_));
+    out = distance_of(nearest);
+    return nearest.triangle != GPHYS_NO_TRIANGLE;
+}
+
+void Mesh::cross_many(decltype(MeshKernels::rays) kernel, const PreparedRay* rays, uint32_t count,
+                      NearestCrossing* nearest) const {
     const auto exact = [](const PreparedRay& ray, const TrianglePacket& packet, uint32_t lane,
                           TriangleCrossing& crossing) {
         return crosses(packet.triangle(static_cast<int>(lane)), ray.sheared, crossing);
@@ -188,10 +212,27 @@ void Mesh::cross_many(const PreparedRay* rays, uint32_t count, NearestCrossing* 
     const auto ray_of = [&](uint32_t i) -> const Ray& { return rays[i].sheared; };
     const auto probe_of = [&](uint32_t i) -> const RayProbe& { return rays[i].along; };
     RayPackets(bounds(), bvh_.size()).split(ray_of, probe_of, count, [&](uint32_t first, uint32_t last, bool together) {
-        kernels_.rays(bvh_.nodes(), bvh_.root(), packets_.data(), rays + first, last - first, together, exact,
-                      nearest + first);
+        kernel(bvh_.nodes(), bvh_.root(), packets_.data(), rays + first, last - first, together, exact,
+               nearest + first);
     });
 }
+
+namespace {
+
+/// A ray where a mesh that stands at `world` has its own points.
+Ray carried(const Ray& ray, const Transform& world) {
+    return {world.inverse_apply(ray.origin), world.inverse_apply_to_vector(ray.direction), ray.t_max};
+}
+
+/// Bit i is set if test(i).
+template <class Test>
+uint64_t bits_of(uint32_t count, const Test& test) {
+    uint64_t set = 0;
+    for (uint32_t i = 0; i < count; ++i) set |= uint64_t{test(i)} << i;
+    return set;
+}
+
+}  // namespace
 
 uint64_t Mesh::raycast_many(const gphys_ray* const* rays, uint32_t count, gphys_hit* const* out) const {
     if (packets_.empty() || count == 0) return 0;
@@ -201,7 +242,7 @@ uint64_t Mesh::raycast_many(const gphys_ray* const* rays, uint32_t count, gphys_
     PreparedRays prepared;
     NearestCrossing nearest[rays_at_once];
     kernels_.prepare(rays, count, rays_root_, prepared.of);
-    cross_many(prepared.of, count, nearest);
+    cross_many(kernels_.rays, prepared.of, count, nearest);
     return hits_of_others(kernels_.hits(prepared.of, nearest, count, out), count, out,
                           [&](uint32_t i, Hit& hit) { return hit_at(nearest[i], prepared.of[i].sheared, hit); });
 }
@@ -214,20 +255,70 @@ uint64_t Mesh::raycast_many(const Ray* rays, uint32_t count, const Transform& wo
         return found;
     };
     if (magnified_ || is_links()) {
-        return hits_of_others(0, count, out, [&](uint32_t i, Hit& hit) {
-            const Vec3 origin = world.inverse_apply(rays[i].origin);
-            const Ray local{origin, world.inverse_apply_to_vector(rays[i].direction), rays[i].t_max};
-            return placed(raycast(local, hit), hit);
-        });
+        return hits_of_others(0, count, out,
+                              [&](uint32_t i, Hit& hit) { return placed(raycast(carried(rays[i], world), hit), hit); });
     }
     PreparedRays prepared;
     NearestCrossing nearest[rays_at_once];
     kernels_.prepare_placed(rays, count, world, rays_root_, prepared.of);
-    cross_many(prepared.of, count, nearest);
+    cross_many(kernels_.rays, prepared.of, count, nearest);
     const uint64_t made = kernels_.placed_hits(prepared.of, nearest, count, world, out);
     return hits_of_others(made, count, out, [&](uint32_t i, Hit& hit) {
         return placed(hit_at(nearest[i], prepared.of[i].sheared, hit), hit);
     });
+}
+
+uint64_t Mesh::distances_of(const PreparedRays& prepared, uint32_t count, gphys_distance* out) const {
+    NearestCrossing nearest[rays_at_once];
+    cross_many(kernels_.rays, prepared.of, count, nearest);
+    return bits_of(count, [&](uint32_t i) {
+        out[i] = distance_of(nearest[i]);
+        return nearest[i].triangle != GPHYS_NO_TRIANGLE;
+    });
+}
+
+uint64_t Mesh::any_of(const PreparedRays& prepared, uint32_t count) const {
+    NearestCrossing nearest[rays_at_once];
+    cross_many(kernels_.rays_any, prepared.of, count, nearest);
+    return bits_of(count, [&](uint32_t i) { return nearest[i].triangle != GPHYS_NO_TRIANGLE; });
+}
+
+uint64_t Mesh::raycast_distance_many(const gphys_ray* const* rays, uint32_t count, gphys_distance* out) const {
+    std::fill_n(out, count, no_distance);
+    if (packets_.empty() || count == 0) return 0;
+    if (magnified_ || is_links())
+        return bits_of(count, [&](uint32_t i) { return raycast_distance(widen(*rays[i]), out[i]); });
+    PreparedRays prepared;
+    kernels_.prepare(rays, count, rays_root_, prepared.of);
+    return distances_of(prepared, count, out);
+}
+
+uint64_t Mesh::raycast_distance_many(const Ray* rays, uint32_t count, const Transform& world,
+                                     gphys_distance* out) const {
+    std::fill_n(out, count, no_distance);
+    if (packets_.empty() || count == 0) return 0;
+    if (magnified_ || is_links())
+        return bits_of(count, [&](uint32_t i) { return raycast_distance(carried(rays[i], world), out[i]); });
+    PreparedRays prepared;
+    kernels_.prepare_placed(rays, count, world, rays_root_, prepared.of);
+    return distances_of(prepared, count, out);
+}
+
+uint64_t Mesh::raycast_any_many(const gphys_ray* const* rays, uint32_t count) const {
+    if (packets_.empty() || count == 0) return 0;
+    if (magnified_ || is_links()) return bits_of(count, [&](uint32_t i) { return raycast_any(widen(*rays[i])); });
+    PreparedRays prepared;
+    kernels_.prepare(rays, count, rays_root_, prepared.of);
+    return any_of(prepared, count);
+}
+
+uint64_t Mesh::raycast_any_many(const Ray* rays, uint32_t count, const Transform& world) const {
+    if (packets_.empty() || count == 0) return 0;
+    if (magnified_ || is_links())
+        return bits_of(count, [&](uint32_t i) { return raycast_any(carried(rays[i], world)); });
+    PreparedRays prepared;
+    kernels_.prepare_placed(rays, count, world, rays_root_, prepared.of);
+    return any_of(prepared, count);
 }
 
 bool Mesh::raycast_any(const Ray& ray) const {

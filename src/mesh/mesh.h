@@ -91,6 +91,8 @@ public:
     void for_each_box(Visit&& visit) const;
 
     bool raycast(const Ray& ray, Hit& hit) const;
+    /// Where the ray first crosses the mesh: t and triangle of that hit, as they are reported.
+    bool raycast_distance(const Ray& ray, gphys_distance& out) const;
     /// Up to rays_at_once rays with the same answers, rounded: bit i of the result is set if *rays[i] hits, which
     /// *out[i] tells then. Faster than one by one, the more so if they go the same way.
     static constexpr uint32_t rays_at_once = Bvh8::rays_at_once;
@@ -98,6 +100,13 @@ public:
     /// The same of the mesh where it stands, for rays in double precision that are no segments.
     uint64_t raycast_many(const Ray* rays, uint32_t count, const Transform& world, gphys_hit* const* out) const;
     bool raycast_any(const Ray& ray) const;
+    /// For up to rays_at_once rays: *out[i] gets what raycast_many reports of t and triangle, bit i of the result
+    /// whether there is one.
+    uint64_t raycast_distance_many(const gphys_ray* const* rays, uint32_t count, gphys_distance* out) const;
+    uint64_t raycast_distance_many(const Ray* rays, uint32_t count, const Transform& world, gphys_distance* out) const;
+    /// Bit i of the result is set if rays[i] hits anything.
+    uint64_t raycast_any_many(const gphys_ray* const* rays, uint32_t count) const;
+    uint64_t raycast_any_many(const Ray* rays, uint32_t count, const Transform& world) const;
     /// Every triangle that the ray hits, in no particular order: visit(const Hit&).
     template <class Visit>
     void raycast_all(const Ray& ray, Visit&& visit) const;
@@ -178,7 +187,12 @@ private:
         PreparedRays() {}
         PreparedRay of[rays_at_once];
     };
-    void cross_many(const PreparedRay* rays, uint32_t count, NearestCrossing* nearest) const;
+    NearestCrossing first_crossing(const PreparedRay& ray) const;
+    /// By kernels_.rays or rays_any.
+    void cross_many(decltype(MeshKernels::rays) kernel, const PreparedRay* rays, uint32_t count,
+                    NearestCrossing* nearest) const;
+    uint64_t distances_of(const PreparedRays& prepared, uint32_t count, gphys_distance* out) const;
+    uint64_t any_of(const PreparedRays& prepared, uint32_t count) const;
     /// Packets with triangles that the ray may hit, roughly nearest first: visit(packet, lanes) returns
     /// the new limit; a negative one ends the walk.
     template <class Visit>

@@ -81,6 +81,11 @@ bool raycast_any(const MeshInstance& instance, const Ray& ray) {
     return !misses(local, instance.mesh.bounds()) && instance.mesh.raycast_any(local);
 }
 
+bool raycast_distance(const MeshInstance& instance, const Ray& ray, gphys_distance& out) {
+    const Ray local = into_mesh(ray, instance.world);
+    return !misses(local, instance.mesh.bounds()) && instance.mesh.raycast_distance(local, out);
+}
+
 bool sweep(const MeshInstance& instance, const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties) {
     const Transform& world = instance.world;
     const Sphere local{world.inverse_apply(moving.center), moving.radius / world.scale};

@@ -22,6 +22,8 @@ inline uint64_t raycast_many(const MeshInstance& instance, const Ray* rays, uint
 /// Whether a ray comes near a mesh: within the ball around it, but for rounding.
 bool comes_near(const MeshInstance& instance, const Ray& ray);
 bool raycast_any(const MeshInstance& instance, const Ray& ray);
+/// What raycast reports of t and triangle.
+bool raycast_distance(const MeshInstance& instance, const Ray& ray, gphys_distance& out);
 bool sweep(const MeshInstance& instance, const Sphere& moving, Vec3 displacement, Hit& hit,
            Ties ties = Ties::as_reported);
 /// For a moving sphere, capsule or box.

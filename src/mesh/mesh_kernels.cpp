@@ -101,7 +101,9 @@ void walk_ray(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets
         [](const BvhNode&) {});
 }
 
-/// Which triangles of packets rays cross, asked eight at a time.
+/// Which triangles of packets rays cross, asked eight at a time. Order is ClosestHit or AnyHit, which ends a ray that
+/// crosses one.
+template <class Order>
 class Crossing {
 public:
     Crossing(const PreparedRay* rays, const TrianglePacket& any, CrossesTriangle exact, NearestCrossing* nearest,
@@ -121,7 +123,7 @@ public:
             const Crossings8 crossings(pairs_, rays_);
             for (uint32_t yes = crossings.yes & open; yes != 0; yes &= yes - 1) {
                 const auto i = static_cast<uint32_t>(lowest_bit(yes));
-                if (take(i, crossings[i], crossings.rounded_t[i])) limits_[pairs_.ray[i]] = crossings.limit[i];
+                if (take(i, crossings[i], crossings.rounded_t[i])) shorten(i, crossings.limit[i]);
             }
             open &= ~(crossings.no | crossings.yes);
         }
@@ -130,7 +132,7 @@ public:
             const PreparedRay& ray = rays_[pairs_.ray[i]];
             TriangleCrossing crossing;
             if (exact_(ray, *pairs_.packet[i], pairs_.lane[i], crossing) && take(i, crossing, reported(crossing.t))) {
-                limits_[pairs_.ray[i]] = ray.along.limit(limit_of_ties(crossing.t));
+                shorten(i, ray.along.limit(limit_of_ties(crossing.t)));
             }
         }
         pairs_.count = 0;
@@ -141,6 +143,8 @@ private:
         return nearest_[pairs_.ray[i]].take(crossing, t, *pairs_.packet[i], pairs_.lane[i]);
     }
 
+    void shorten(uint32_t i, float limit) { limits_[pairs_.ray[i]] = std::is_same_v<Order, AnyHit> ? -1 : limit; }
+
     const PreparedRay* rays_;
     CrossesTriangle exact_;
     NearestCrossing* nearest_;
@@ -148,11 +152,12 @@ private:
     RaysAndTriangles pairs_;
 };
 
+template <class Order>
 void walk_rays(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay* rays,
                uint32_t count, bool together, CrossesTriangle exact, NearestCrossing* nearest) {
     PacketLimits of_all(count, [&](uint32_t ray) { return rays[ray].limit; });
     float* const limits = of_all.limits;
-    Crossing crossing(rays, packets[0], exact, nearest, limits);
+    Crossing<Order> crossing(rays, packets[0], exact, nearest, limits);
     const auto add = [&](uint32_t ray, uint32_t number) {
         const TrianglePacket& packet = packets[number];
         crossing.add(ray, packet, TriangleTest(rays[ray].triangles).hits(packet, limits[ray]));
@@ -182,7 +187,7 @@ void walk_rays(const BvhNode* nodes, uint32_t root, const TrianglePacket* packet
         }
         return moved;
     };
-    traverse_interleaved<ClosestHit>(nodes, root, probe_of, limits, count, visit, prefetch_of);
+    traverse_interleaved<Order>(nodes, root, probe_of, limits, count, visit, prefetch_of);
 }
 
 template <class Place>
@@ -251,7 +256,8 @@ uint32_t lanes_near(const TrianglePacket& packet, const PointProbe& probe, float
 
 }  // namespace
 
-extern const MeshKernels mesh_kernels{prepare,      prepare_placed, walk_ray,   walk_rays,  hits,
-                                      lanes_in_box, lanes_along,    lanes_near, placed_hits};
+extern const MeshKernels mesh_kernels{prepare,           prepare_placed, walk_ray,     walk_rays<ClosestHit>,
+                                      walk_rays<AnyHit>, hits,           lanes_in_box, lanes_along,
+                                      lanes_near,        placed_hits};
 
 }  // namespace gphys::GPHYS_ISA

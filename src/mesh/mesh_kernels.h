@@ -31,6 +31,9 @@ struct MeshKernels {
     /// may go together.
     void (*rays)(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay* rays,
                  uint32_t count, bool together, CrossesTriangle exact, NearestCrossing* nearest);
+    /// The same for whether they cross any: where is of no interest.
+    void (*rays_any)(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay* rays,
+                     uint32_t count, bool together, CrossesTriangle exact, NearestCrossing* nearest);
     /// The hits of rays that cross something. Bit i of the result is set if that of ray i is written.
     uint64_t (*hits)(const PreparedRay* rays, const NearestCrossing* nearest, uint32_t count, gphys_hit* const* out);
     // The lanes of one packet whose boxes meet a query.

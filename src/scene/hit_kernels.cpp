@@ -45,11 +45,17 @@ GPHYS_INLINE void put(Double8 t, const Vec<Double8>& point, const Vec<Double8>& 
     store_quads([&](int i) { return &hits.rounded[i].normal.x; }, rounded_normal(normal, splat(0)));
 }
 
+/// Only t, of kernels whose answers are distances.
+GPHYS_INLINE void put(Double8 t, const Vec<Double8>&, const Vec<Double8>&, float (&to)[8]) {
+    store(to, rounded_distance(t));
+}
+
 TriStates8 verdicts(DoubleMask8 no, DoubleMask8 yes) { return {bits(no), bits(yes)}; }
 
 // --- Spheres (raycast_round.cpp) -----------------------------------------------------------------
 
-TriStates8 spheres(const RaysAndModels<Ray>& pairs, Hits8& hits) {
+template <class Answers>
+TriStates8 spheres(const RaysAndModels<Ray>& pairs, Answers& hits) {
     const Worlds8 world(pairs);
     const Four8 sphere([&](int i) { return pairs.other[i]; });
     const Vec<Double8> center =
@@ -113,7 +119,8 @@ struct Turned8 {
     GPHYS_INLINE Vec<Double8> normal(const Vec<Double8>& local) const { return axes * local; }
 };
 
-TriStates8 aabbs(const RaysAndModels<Ray>& pairs, Hits8& hits) {
+template <class Answers>
+TriStates8 aabbs(const RaysAndModels<Ray>& pairs, Answers& hits) {
     const Worlds8 world(pairs);
     const Four8 a([&](int i) { return pairs.model[i] + shape_at; });
     const Four8 b([&](int i) { return pairs.model[i] + shape_at + 2; });
@@ -141,7 +148,8 @@ TriStates8 aabbs(const RaysAndModels<Ray>& pairs, Hits8& hits) {
     return verdicts(entry.no, entry.yes);
 }
 
-TriStates8 obbs(const RaysAndModels<Ray>& pairs, Hits8& hits) {
+template <class Answers>
+TriStates8 obbs(const RaysAndModels<Ray>& pairs, Answers& hits) {
     const Worlds8 world(pairs);
     const Four8 a([&](int i) { return pairs.model[i] + shape_at; });
     const Four8 b([&](int i) { return pairs.model[i] + shape_at + 2; });
@@ -177,6 +185,7 @@ uint32_t miss_balls(const RaysAndModels<Ray>& pairs) {
 
 }  // namespace
 
-extern const HitKernels hit_kernels{spheres, aabbs, obbs, miss_balls};
+extern const HitKernels hit_kernels{spheres<Hits8>,  aabbs<Hits8>,   obbs<Hits8>, spheres<float[8]>,
+                                    aabbs<float[8]>, obbs<float[8]>, miss_balls};
 
 }  // namespace gphys::GPHYS_ISA

@@ -27,6 +27,10 @@ struct HitKernels {
     TriStates8 (*spheres)(const RaysAndModels<Ray>& pairs, Hits8& hits);
     TriStates8 (*aabbs)(const RaysAndModels<Ray>& pairs, Hits8& hits);
     TriStates8 (*obbs)(const RaysAndModels<Ray>& pairs, Hits8& hits);
+    // The same without points and normals: t as it is reported.
+    TriStates8 (*sphere_distances)(const RaysAndModels<Ray>& pairs, float (&t)[8]);
+    TriStates8 (*aabb_distances)(const RaysAndModels<Ray>& pairs, float (&t)[8]);
+    TriStates8 (*obb_distances)(const RaysAndModels<Ray>& pairs, float (&t)[8]);
     /// Rays that certainly miss the bounding spheres of meshes.
     uint32_t (*miss_balls)(const RaysAndModels<Ray>& pairs);
 };

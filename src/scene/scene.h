@@ -136,6 +136,9 @@ public:
     static constexpr uint32_t rays_at_once = Bvh8::rays_at_once;
     void raycast_many(Ray* rays, uint32_t count, uint32_t layers, gphys_hit* const* out) const;
     void raycast_many(Ray* rays, uint32_t count, const RayFilters& filters, gphys_hit* const* out) const;
+    /// The same of distances only: out[i] keeps what is in it where nothing is hit.
+    void raycast_distance_many(Ray* rays, uint32_t count, uint32_t layers, gphys_distance* const* out) const;
+    void raycast_distance_many(Ray* rays, uint32_t count, const RayFilters& filters, gphys_distance* const* out) const;
     bool raycast_any(const Ray& ray, uint32_t layers) const;
     bool raycast_any(const Ray& ray, const QueryFilter& filter) const;
     /// The same for many rays: bit i of the result for ray i.
@@ -242,8 +245,9 @@ private:
     // The queries; Filter is uint32_t, for layers, or QueryFilter, and Filters is uint32_t or RayFilters.
     template <class Filter>
     gphys_status raycast_by(const Ray& ray, const Filter& filter, gphys_hit& out) const;
-    template <class Filters>
-    void raycast_many_by(Ray* rays, uint32_t count, const Filters& filters, gphys_hit* const* out) const;
+    /// Answer is gphys_hit or gphys_distance.
+    template <class Filters, class Answer>
+    void raycast_many_by(Ray* rays, uint32_t count, const Filters& filters, Answer* const* out) const;
     template <class Filter>
     bool raycast_any_by(const Ray& ray, const Filter& filter) const;
     template <class Filters>
@@ -264,6 +268,7 @@ private:
     template <class Filter>
     uint32_t cull_by(const Frustum& frustum, const Filter& filter, gphys_model_id* out, uint32_t capacity) const;
 
+    template <class Answer>
     class FirstOfRay;
     class LargeMeshes;
     class EightPairs;
@@ -295,7 +300,7 @@ private:
     bool decide(const Filter& filter, uint32_t slot, Quick&& quick, Exact&& exact) const;
     template <class Filter>
     bool meets_unbounded(const Ray& ray, const Filter& filter) const;
-    template <class Met>
+    template <class Answers, class Met>
     uint32_t hit_at_once(const EightPairs& pairs, const Ray* rays, const Met& met) const;
     void store_shape(uint32_t slot, const void* shape);
     void discard_shape(uint32_t slot);

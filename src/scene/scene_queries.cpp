@@ -44,7 +44,7 @@ bool may_touch(const Plane& plane, const Box& box) {
 
 Box box_around(const Frustum& frustum) {
     Box box;
-    return bounds(frustum, box) ? box : all_of_space;
+    return bounds_of_six_sided(frustum, box) || bounds(frustum, box) ? box : all_of_space;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Raycasts of the scene: a BVH traversal, and for each candidate a conservative test, then the exact one if that is
 // undecided. Single rays use conservative_tests.h, batches the kernels, which test eight rays at a time.
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <new>
 #include <numeric>
@@ -40,13 +41,16 @@ private:
     alignas(T) unsigned char room_[sizeof(T)];
 };
 
-/// The first hit of one ray, among candidates in any order.
+/// The first hit of one ray, among candidates in any order. Answer is gphys_hit, or gphys_distance for less of it.
+template <class Answer>
 class Scene::FirstOfRay {
+    static constexpr bool only_distance = std::is_same_v<Answer, gphys_distance>;
+
 public:
     /// The ray must outlive this; its t_max is reduced at each hit. `out` gets the first hit so far and is not written
     /// without one.
     template <class Filter>
-    FirstOfRay(const Scene& scene, Ray& ray, const Filter& filter, gphys_hit& out)
+    FirstOfRay(const Scene& scene, Ray& ray, const Filter& filter, Answer& out)
         : scene_(&scene), rest_(&ray), t_max_(ray.t_max), out_(&out) {
         for (const uint32_t slot : scene.unbounded_) {
             if (scene.may_see(filter, slot) && scene.sees(filter, slot)) ask(slot);
@@ -60,9 +64,15 @@ public:
     }
     template <class Placed>
     bool ask(uint32_t slot, const Placed& shape) {
+        if constexpr (only_distance && std::is_same_v<Placed, MeshInstance>) {
+            gphys_distance found;
+            return raycast_distance(shape, *rest_, found) && take(slot, found.t, [&](uint32_t model, uint32_t) {
+                       return gphys_distance{found.t, model, found.triangle};
+                   });
+        }
         Hit hit;
         return gphys::raycast(shape, *rest_, hit) &&
-               take(slot, reported(hit.t), [&](uint32_t model, uint32_t tag) { return to_hit(hit, model, tag); });
+               take(slot, reported(hit.t), [&](uint32_t model, uint32_t tag) { return answer_of(hit, model, tag); });
     }
     /// A hit that is reported at t, as hit_of(id, tag) makes it.
     template <class HitOf>
@@ -82,18 +92,26 @@ public:
     gphys_status status() const { return winner_.exists() ? GPHYS_OK : GPHYS_NO_HIT; }
 
 private:
+    static Answer answer_of(const Hit& hit, uint32_t model, uint32_t tag) {
+        if constexpr (only_distance) {
+            return {reported(hit.t), model, hit.triangle};
+        } else {
+            return to_hit(hit, model, tag);
+        }
+    }
+
     const Scene* scene_;
     Ray* rest_;     // how far other models can still come before the hit
     double t_max_;  // of the ray as it was given
     BestCandidate winner_;
-    gphys_hit* out_;
+    Answer* out_;
 };
 
 template <class Filter>
 gphys_status Scene::raycast_by(const Ray& ray, const Filter& filter, gphys_hit& out) const {
     Ray rest = ray;
     const ConservativeRay conservative_ray(ray);
-    FirstOfRay first(*this, rest, filter, out);
+    FirstOfRay<gphys_hit> first(*this, rest, filter, out);
     const auto quick = [&](const auto& shape) { return conservative_ray.rejects(shape, rest.t_max); };
     const auto visit = [&](uint32_t slot, double& t_max) {
         if (!may_see(filter, slot)) return;
@@ -111,9 +129,10 @@ gphys_status Scene::raycast_by(const Ray& ray, const Filter& filter, gphys_hit& 
 /// of the scene's BVH, for all rays at once, so that coherent rays share the traversal of the mesh as well.
 class Scene::LargeMeshes {
 public:
-    /// take(ray, slot, hit) gets what rays hit, of which model and tag are not filled in.
-    template <class Filters, class Take>
-    LargeMeshes(const Scene& scene, const Ray* rays, uint32_t count, const Filters& filters, const Take& take) {
+    /// ask(mesh, rays, count, met) asks a mesh by met(ray, answer), and take(ray, slot, answer) gets what it says.
+    template <class Filters, class AskMesh, class Take>
+    LargeMeshes(const Scene& scene, const Ray* rays, uint32_t count, const Filters& filters, const AskMesh& ask,
+                const Take& take) {
         if (count < fewest_rays || std::any_of(rays, rays + count, [](const Ray& ray) { return ray.is_segment; }))
             return;
         for (uint32_t i = 0; i < scene.large_mesh_count_; ++i) {
@@ -121,7 +140,7 @@ public:
             if (!all_see(scene, slot, count, filters)) continue;
             with_placed(scene.stored<const Mesh*>(slot), scene.models_[slot].world, [&](const MeshInstance& mesh) {
                 if (!most_come_near(mesh, rays, count)) return;
-                cast(mesh, slot, rays, count, take);
+                ask(mesh, rays, count, [&](uint32_t i, const auto& answer) { take(i, slot, answer); });
                 slots_[count_++] = slot;
             });
         }
@@ -149,21 +168,59 @@ private:
         return near > 4;
     }
 
-    // Not inlined, so that its arrays are on the stack only during the call.
-    template <class Take>
-    GPHYS_NOINLINE static void cast(const MeshInstance& mesh, uint32_t slot, const Ray* rays, uint32_t count,
-                                    const Take& take) {
-        gphys_hit hits[rays_at_once];
-        gphys_hit* out[rays_at_once];
-        for (uint32_t i = 0; i < count; ++i) out[i] = hits + i;
-        for (uint64_t met = gphys::raycast_many(mesh, rays, count, out); met != 0; met &= met - 1) {
-            const auto i = static_cast<uint32_t>(lowest_bit(met));
-            take(i, slot, hits[i]);
-        }
-    }
-
     uint32_t slots_[most_large_meshes], count_ = 0;
 };
+
+namespace {
+
+// What large meshes are asked, apart, so that arrays are on the stack only while they are needed.
+
+template <class Met>
+void for_each_met(uint64_t bits, const Met& met) {
+    for (; bits != 0; bits &= bits - 1) met(static_cast<uint32_t>(lowest_bit(bits)));
+}
+
+template <class Met>
+GPHYS_NOINLINE void ask_first(const MeshInstance& mesh, const Ray* rays, uint32_t count, gphys_hit*, const Met& met) {
+    gphys_hit hits[Scene::rays_at_once];
+    gphys_hit* out[Scene::rays_at_once];
+    for (uint32_t i = 0; i < count; ++i) out[i] = hits + i;
+    for_each_met(gphys::raycast_many(mesh, rays, count, out), [&](uint32_t i) { met(i, hits[i]); });
+}
+template <class Met>
+GPHYS_NOINLINE void ask_first(const MeshInstance& mesh, const Ray* rays, uint32_t count, gphys_distance*,
+                              const Met& met) {
+    gphys_distance found[Scene::rays_at_once];
+    const uint64_t bits = mesh.mesh.raycast_distance_many(rays, count, mesh.world, found);
+    for_each_met(bits, [&](uint32_t i) { met(i, found[i]); });
+}
+template <class Met>
+GPHYS_NOINLINE void ask_any(const MeshInstance& mesh, const Ray* rays, uint32_t count, const Met& met) {
+    for_each_met(mesh.mesh.raycast_any_many(rays, count, mesh.world), [&](uint32_t i) { met(i, true); });
+}
+
+// A hit of eight as it is answered.
+
+gphys_hit answer_of(const Hits8& hits, uint32_t k, uint32_t model, uint32_t tag) {
+    const Hits8::Rounded& hit = hits.rounded[k];
+    return {model, tag, hit.t, hit.point, hit.normal, GPHYS_NO_TRIANGLE, 0, 0, 0};
+}
+gphys_distance answer_of(const float (&t)[8], uint32_t k, uint32_t model, uint32_t) {
+    return {t[k], model, GPHYS_NO_TRIANGLE};
+}
+float reported_t(const Hits8& hits, uint32_t k) { return hits.rounded[k].t; }
+float reported_t(const float (&t)[8], uint32_t k) { return t[k]; }
+
+template <class Answers>
+auto kernels_for(const HitKernels& kernels) {
+    if constexpr (std::is_same_v<Answers, Hits8>) {
+        return std::array{kernels.spheres, kernels.aabbs, kernels.obbs};
+    } else {
+        return std::array{kernels.sphere_distances, kernels.aabb_distances, kernels.obb_distances};
+    }
+}
+
+}  // namespace
 
 /// Up to eight pairs of a ray, by its index, and the model it is tested against.
 class Scene::EightPairs {
@@ -276,8 +333,9 @@ private:
     std::optional<Shape> placed_;
 };
 
-/// met(k, hits) for those that are answered at once with a hit. Returns those that are answered.
-template <class Met>
+/// met(k, answers) for those that are answered at once with a hit. Returns those that are answered. Answers is Hits8,
+/// or eight floats for distances.
+template <class Answers, class Met>
 uint32_t Scene::hit_at_once(const EightPairs& pairs, const Ray* rays, const Met& met) const {
     uint32_t answered = pairs
                             .ask(GPHYS_SHAPE_MESH, rays,
@@ -286,30 +344,38 @@ uint32_t Scene::hit_at_once(const EightPairs& pairs, const Ray* rays, const Met&
                                  })
                             .no;
     const auto ask = [&](gphys_shape_type type, auto kernel) {
-        Hits8 hits;
+        Answers hits;
         const TriStates8 verdicts = pairs.ask(type, rays, [&](const auto& some) { return kernel(some, hits); });
         answered |= verdicts.no | verdicts.yes;
         for (uint32_t rest = verdicts.yes; rest != 0; rest &= rest - 1) {
             met(static_cast<uint32_t>(lowest_bit(rest)), hits);
         }
     };
-    ask(GPHYS_SHAPE_SPHERE, hit_kernels_->spheres);
-    ask(GPHYS_SHAPE_AABB, hit_kernels_->aabbs);
-    ask(GPHYS_SHAPE_OBB, hit_kernels_->obbs);
+    const auto kernels = kernels_for<Answers>(*hit_kernels_);
+    ask(GPHYS_SHAPE_SPHERE, kernels[0]);
+    ask(GPHYS_SHAPE_AABB, kernels[1]);
+    ask(GPHYS_SHAPE_OBB, kernels[2]);
     return answered;
 }
 
-template <class Filters>
-void Scene::raycast_many_by(Ray* rays, uint32_t count, const Filters& filters, gphys_hit* const* out) const {
-    Later<FirstOfRay> first[rays_at_once];
+template <class Filters, class Answer>
+void Scene::raycast_many_by(Ray* rays, uint32_t count, const Filters& filters, Answer* const* out) const {
+    constexpr bool only_distance = std::is_same_v<Answer, gphys_distance>;
+    using First = FirstOfRay<Answer>;
+    Later<First> first[rays_at_once];
     for (uint32_t i = 0; i < count; ++i) first[i].make(*this, rays[i], filter_of_ray(filters, i), *out[i]);
-    const LargeMeshes asked(*this, rays, count, filters, [&](uint32_t i, uint32_t slot, gphys_hit& hit) {
-        first[i]->take(slot, hit.t, [&](uint32_t model, uint32_t tag) {
-            hit.model = model;
-            hit.tag = tag;
-            return hit;
+    const LargeMeshes asked(
+        *this, rays, count, filters,
+        [](const MeshInstance& mesh, const Ray* of, uint32_t some, const auto& met) {
+            ask_first(mesh, of, some, static_cast<Answer*>(nullptr), met);
+        },
+        [&](uint32_t i, uint32_t slot, auto answer) {
+            first[i]->take(slot, answer.t, [&](uint32_t model, uint32_t tag) {
+                answer.model = model;
+                if constexpr (!only_distance) answer.tag = tag;
+                return answer;
+            });
         });
-    });
     if (asked.count() == bvh_.size()) return;
     ConservativeRays quick(*this, rays, hit_kernels_ ? 0 : count);
     SharedModel shared(*this);
@@ -317,13 +383,11 @@ void Scene::raycast_many_by(Ray* rays, uint32_t count, const Filters& filters, g
         const EightPairs pairs(*this, numbers, slots, size, filters, asked);
         uint32_t open = pairs.seen(), shorter = 0;
         if (hit_kernels_) {
-            open &= ~hit_at_once(pairs, rays, [&](uint32_t k, const Hits8& hits) {
-                const auto hit_of = [&](uint32_t model, uint32_t tag) {
-                    const Hits8::Rounded& hit = hits.rounded[k];
-                    return gphys_hit{model, tag, hit.t, hit.point, hit.normal, GPHYS_NO_TRIANGLE, 0, 0, 0};
-                };
+            using Answers = std::conditional_t<only_distance, float[8], Hits8>;
+            open &= ~hit_at_once<Answers>(pairs, rays, [&](uint32_t k, const auto& hits) {
+                const auto hit_of = [&](uint32_t model, uint32_t tag) { return answer_of(hits, k, model, tag); };
                 shorter |= uint32_t{first[numbers[k]]->take_if_seen(filter_of_ray(filters, numbers[k]), slots[k],
-                                                                    hits.rounded[k].t, hit_of)}
+                                                                    reported_t(hits, k), hit_of)}
                            << k;
             });
         } else {
@@ -332,7 +396,7 @@ void Scene::raycast_many_by(Ray* rays, uint32_t count, const Filters& filters, g
         }
         for (; open != 0; open &= open - 1) {
             const auto k = static_cast<uint32_t>(lowest_bit(open));
-            FirstOfRay& of = *first[numbers[k]];
+            First& of = *first[numbers[k]];
             if (!sees(filter_of_ray(filters, numbers[k]), slots[k])) continue;
             const Shape* placed = shared.place(slots[k]);
             if (!(placed ? of.ask(slots[k], *placed) : of.ask(slots[k]))) continue;
@@ -373,10 +437,15 @@ uint64_t Scene::raycast_any_many_by(Ray* rays, uint32_t count, const Filters& fi
         // Those that are done already have no way to go.
         rays[i].t_max = -1;
     }
-    const LargeMeshes asked(*this, rays, count, filters, [&](uint32_t i, uint32_t, const gphys_hit&) {
-        met |= uint64_t{1} << i;
-        rays[i].t_max = -1;
-    });
+    const LargeMeshes asked(
+        *this, rays, count, filters,
+        [](const MeshInstance& mesh, const Ray* of, uint32_t some, const auto& is_met) {
+            ask_any(mesh, of, some, is_met);
+        },
+        [&](uint32_t i, uint32_t, bool) {
+            met |= uint64_t{1} << i;
+            rays[i].t_max = -1;
+        });
     if (asked.count() == bvh_.size()) return met;
     const ConservativeRays quick(*this, rays, count);
     const auto visit = [&](const uint32_t* numbers, const uint32_t* slots, uint32_t size) {
@@ -435,6 +504,14 @@ void Scene::raycast_many(Ray* rays, uint32_t count, uint32_t layers, gphys_hit* 
     raycast_many_by(rays, count, layers, out);
 }
 void Scene::raycast_many(Ray* rays, uint32_t count, const RayFilters& filters, gphys_hit* const* out) const {
+    raycast_many_by(rays, count, filters, out);
+}
+
+void Scene::raycast_distance_many(Ray* rays, uint32_t count, uint32_t layers, gphys_distance* const* out) const {
+    raycast_many_by(rays, count, layers, out);
+}
+void Scene::raycast_distance_many(Ray* rays, uint32_t count, const RayFilters& filters,
+                                  gphys_distance* const* out) const {
     raycast_many_by(rays, count, filters, out);
 }
 

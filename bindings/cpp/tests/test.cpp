@@ -114,6 +114,13 @@ TEST_CASE("meshes") {
     CHECK(mesh.get_octree_stats().item_count == 6);
     CHECK(mesh.get_octree_boxes().at(0).depth == 0);
     CHECK(raycast(mesh, down)->triangle == hits[0].triangle);
+    const std::vector<Ray> two{down, {{9, 9, 9}, up, INF}};
+    std::vector<int32_t> any(2);
+    std::vector<Distance> distances(2);
+    mesh.raycast_any_batch(two, any);
+    mesh.raycast_distance_batch(two, distances);
+    CHECK((any[0] == 1 && any[1] == 0));
+    CHECK((distances[0].t == hits[0].t && distances[0].triangle == hits[0].triangle && distances[1].t == INF));
 }
 
 TEST_CASE("models with descs of their own") {
@@ -221,6 +228,9 @@ TEST_CASE("batches answer as single calls do") {
     scene.sweep_sphere_batch(spheres, directions, GPHYS_ALL_LAYERS, swept);
     scene.nearest_batch(directions, INF, GPHYS_ALL_LAYERS, nearest);
     scene.raycast_any_batch(rays, GPHYS_ALL_LAYERS, any);
+    std::vector<Distance> distances(count);
+    scene.raycast_distance_batch(rays, GPHYS_ALL_LAYERS, distances);
+    for (size_t i = 0; i < count; ++i) CHECK((distances[i].t == hits[i].t && distances[i].model == hits[i].model));
     const auto [all, offsets] = scene.raycast_all_batch(rays);
     const auto agree = [](const Hit& batched, const std::optional<Hit>& single) {
         return single ? same(*single, batched) : batched.model == 0;
@@ -281,6 +291,9 @@ TEST_CASE("filters leave out models") {
     CHECK(nearest[1].model == target);
     scene.raycast_any_filtered_batch(rays, &filter, any);
     CHECK(any[1] == 1);
+    std::vector<Distance> distances(2);
+    scene.raycast_distance_filtered_batch(rays, &filter, distances);
+    CHECK(distances[1].model == target);
     const auto [all, hit_ends] = scene.raycast_all_filtered_batch(rays, &filter);
     CHECK((all.size() == 2 && hit_ends.back() == 2));
     const auto [found, ends] = scene.overlap_filtered_batch(large, &filter);

@@ -46,6 +46,8 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_mesh_create_from_snapshot(MeshDesc* desc, uint* words, uint word_count, IntPtr* out_mesh);
     [DllImport(Library)] internal static extern Status gphys_mesh_raycast_all(MeshHandle mesh, Ray* ray, Hit* out_hits, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_mesh_raycast_any(MeshHandle mesh, Ray* ray, int* out_hit);
+    [DllImport(Library)] internal static extern Status gphys_mesh_raycast_any_batch(MeshHandle mesh, Ray* rays, uint ray_stride, uint count, int* out_hits, uint out_stride);
+    [DllImport(Library)] internal static extern Status gphys_mesh_raycast_distance_batch(MeshHandle mesh, Ray* rays, uint ray_stride, uint count, Distance* out_distances, uint out_stride);
     [DllImport(Library)] internal static extern Status gphys_mesh_overlap(MeshHandle mesh, ShapeType type, void* shape, uint* out_triangles, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_mesh_get_octree_stats(MeshHandle mesh, OctreeStats* out_stats);
     [DllImport(Library)] internal static extern Status gphys_mesh_get_octree_boxes(MeshHandle mesh, OctreeBox* out_boxes, uint capacity, uint* out_total);
@@ -80,6 +82,7 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_scene_get_world_transforms(SceneHandle scene, uint* models, uint count, Transform* out_transforms, uint out_stride);
     [DllImport(Library)] internal static extern Status gphys_scene_raycast(SceneHandle scene, Ray* ray, uint layers, Hit* out_hit);
     [DllImport(Library)] internal static extern Status gphys_scene_raycast_batch(SceneHandle scene, Ray* rays, uint ray_stride, uint count, uint layers, Hit* out_hits, uint out_stride);
+    [DllImport(Library)] internal static extern Status gphys_scene_raycast_distance_batch(SceneHandle scene, Ray* rays, uint ray_stride, uint count, uint layers, Distance* out_distances, uint out_stride);
     [DllImport(Library)] internal static extern Status gphys_scene_raycast_any(SceneHandle scene, Ray* ray, uint layers, int* out_hit);
     [DllImport(Library)] internal static extern Status gphys_scene_raycast_any_batch(SceneHandle scene, Ray* rays, uint ray_stride, uint count, uint layers, int* out_hits, uint out_stride);
     [DllImport(Library)] internal static extern Status gphys_scene_raycast_all(SceneHandle scene, Ray* ray, uint layers, Hit* out_hits, uint capacity, uint* out_total);
@@ -99,6 +102,7 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_query_filter_desc_init(QueryFilterDesc* desc, uint size);
     [DllImport(Library)] internal static extern Status gphys_scene_raycast_filtered(SceneHandle scene, Ray* ray, QueryFilterDesc* filter, Hit* out_hit);
     [DllImport(Library)] internal static extern Status gphys_scene_raycast_filtered_batch(SceneHandle scene, Ray* rays, uint ray_stride, uint count, QueryFilterDesc* filters, uint filter_stride, Hit* out_hits, uint out_stride);
+    [DllImport(Library)] internal static extern Status gphys_scene_raycast_distance_filtered_batch(SceneHandle scene, Ray* rays, uint ray_stride, uint count, QueryFilterDesc* filters, uint filter_stride, Distance* out_distances, uint out_stride);
     [DllImport(Library)] internal static extern Status gphys_scene_raycast_any_filtered(SceneHandle scene, Ray* ray, QueryFilterDesc* filter, int* out_hit);
     [DllImport(Library)] internal static extern Status gphys_scene_raycast_any_filtered_batch(SceneHandle scene, Ray* rays, uint ray_stride, uint count, QueryFilterDesc* filters, uint filter_stride, int* out_hits, uint out_stride);
     [DllImport(Library)] internal static extern Status gphys_scene_raycast_all_filtered(SceneHandle scene, Ray* ray, QueryFilterDesc* filter, Hit* out_hits, uint capacity, uint* out_total);

@@ -349,6 +349,16 @@ public partial struct Nearest {
     public uint Triangle;
 }
 
+/// <summary>How far a ray comes: those fields of a Hit. Frozen.  Since 1.1.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public partial struct Distance {
+    /// <summary>in multiples of the direction, so metres where its length is 1; INFINITY: nothing is hit</summary>
+    public float T;
+    /// <summary>as in Hit</summary>
+    public uint Model;
+    public uint Triangle;
+}
+
 /// <summary>How a solid gets out of something that it overlaps.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public partial struct Penetration {

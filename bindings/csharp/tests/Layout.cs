@@ -22,6 +22,7 @@ static class Layout {
         (typeof(Frustum), 108, new string[] { "Origin" }, new int[] { 0 }),
         (typeof(Hit), 52, new string[] { "Model", "Tag", "T", "Point", "Normal", "Triangle", "U", "V", "Flags" }, new int[] { 0, 4, 8, 12, 24, 36, 40, 44, 48 }),
         (typeof(Nearest), 28, new string[] { "Model", "Tag", "Point", "Distance", "Triangle" }, new int[] { 0, 4, 8, 20, 24 }),
+        (typeof(Distance), 12, new string[] { "T", "Model", "Triangle" }, new int[] { 0, 4, 8 }),
         (typeof(Penetration), 40, new string[] { "Model", "Tag", "Point", "Normal", "Depth", "Triangle" }, new int[] { 0, 4, 8, 20, 32, 36 }),
         (typeof(MeshReport), 32, new string[] { "TriangleCount", "DegenerateCount", "FirstDegenerate", "OutOfRangeCount", "FirstOutOfRange", "BadVertexCount", "FirstBadVertex", "OpenEdgeCount" }, new int[] { 0, 4, 8, 12, 16, 20, 24, 28 }),
         (typeof(MeshDesc), 24, new string[] { "StructSize", "Allocator", "Deformable", "Reserved" }, new int[] { 0, 8, 16, 20 }),

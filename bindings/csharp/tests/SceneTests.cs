@@ -26,6 +26,8 @@ public class SceneTests {
         Vec3 way = (0, 0, 9);
         scene.RaycastBatch(rays, hits);
         scene.RaycastAnyBatch(rays, any);
+        var distances = new Distance[rays.Length];
+        scene.RaycastDistanceBatch(rays, distances);
         scene.SegmentTestBatch(segments, crossed);
         scene.NearestBatch(points, nearest);
         scene.SweepSphereBatch(moving, new[] { way }, swept); // one displacement for all
@@ -35,6 +37,7 @@ public class SceneTests {
         for (var i = 0; i < rays.Length; ++i) {
             Assert.AreEqual(scene.Raycast(rays[i]) ?? nothing, hits[i]);
             Assert.AreEqual(scene.RaycastAny(rays[i]), any[i] != 0);
+            Assert.AreEqual((hits[i].T, hits[i].Model), (distances[i].T, distances[i].Model));
             CollectionAssert.AreEqual(scene.RaycastAll(rays[i]), all[i]);
             Assert.AreEqual(scene.SegmentTest(segments[i]) ?? nothing, crossed[i]);
             Assert.AreEqual(scene.Nearest(points[i]), nearest[i]);
@@ -104,6 +107,9 @@ public class SceneTests {
         var nearest = new Nearest[2];
         scene.RaycastFilteredBatch(new[] { ray, ray }, hits, filter);
         Assert.AreEqual(target, hits[1].Model);
+        var distances = new Distance[2];
+        scene.RaycastDistanceFilteredBatch(new[] { ray, ray }, distances, filter);
+        Assert.AreEqual(target, distances[1].Model);
         scene.SegmentTestFilteredBatch(new[] { segment, segment }, hits, filter);
         Assert.AreEqual(target, hits[1].Model);
         scene.SweepSphereFilteredBatch(new[] { moving, moving }, new[] { way }, hits, filter);

@@ -93,6 +93,12 @@ public class ShapeTests {
         Assert.AreEqual(1, Geometry.Raycast(mesh, ray).Value.T);
         Assert.AreEqual(2, mesh.RaycastAll(ray).Length);
         Assert.IsTrue(mesh.RaycastAny(ray));
+        var anyHit = new int[2];
+        var distances = new Distance[2];
+        mesh.RaycastAnyBatch(new[] { ray, ray }, anyHit);
+        mesh.RaycastDistanceBatch(new[] { ray, ray }, distances);
+        Assert.AreEqual(1, anyHit[1]);
+        Assert.AreNotEqual(Constants.NoTriangle, distances[1].Triangle);
         CollectionAssert.AreEqual(new[] { 3 }, mesh.Overlap(new Sphere((1, 1, 1), 1.2f)));
         Assert.AreEqual(mesh.GetOctreeStats().NodeCount, mesh.GetOctreeBoxes().Length);
         var report = Geometry.MeshCheck(new Vec3[] { (0, 0, 0), (float.NaN, 0, 0) }, new uint[] { 0, 1, 7 });

@@ -115,6 +115,11 @@ public class GamephysTest {
         assertEquals(2, hits.size());
         assertEquals(5, hits.get(1).t(), 0);
         assertTrue(mesh.raycastAny(down));
+        Batch<Ray> twice = Batch.allocate(Ray.LAYOUT, 2);
+        twice.set(0, down);
+        twice.set(1, down);
+        assertEquals(List.of(1, 1), mesh.raycastAnyBatch(twice));
+        assertTrue(mesh.raycastDistanceBatch(twice).get(1).t() < Float.POSITIVE_INFINITY);
         assertEquals(4, mesh.overlap(new Sphere(v(0, 2, 0), 0.1f)).size());
         assertEquals(6, mesh.getOctreeStats().itemCount());
         assertEquals(0, mesh.getOctreeBoxes().get(0).depth());
@@ -212,12 +217,15 @@ public class GamephysTest {
         Batch<Nearest> nearest = scene.nearestBatch(directions);
         Batch<Integer> any = scene.raycastAnyBatch(rays);
         Ragged<Hit> all = scene.raycastAllBatch(rays);
+        Batch<Distance> distances = scene.raycastDistanceBatch(rays);
         for (int i = 0; i < count; ++i) {
             assertEquals(orMiss(scene.raycast(rays.get(i)), hits.get(i)), hits.get(i));
             assertEquals(orMiss(scene.segmentTest(segments.get(i)), tested.get(i)), tested.get(i));
             assertEquals(orMiss(scene.sweepSphere(spheres.get(i), directions.get(i)), swept.get(i)), swept.get(i));
             assertEquals(scene.nearest(directions.get(i)).orElseThrow(), nearest.get(i));
             assertEquals(scene.raycastAny(rays.get(i)), any.get(i) == 1);
+            assertEquals(hits.get(i).t(), distances.get(i).t());
+            assertEquals(hits.get(i).model(), distances.get(i).model());
             assertEquals(scene.raycastAll(rays.get(i)), all.get(i));
             met += any.get(i);
         }
@@ -258,6 +266,7 @@ public class GamephysTest {
         assertEquals(target, scene.sweepSphereFilteredBatch(spheres, points(way, way), filter).get(1).model());
         assertEquals(target, scene.nearestFilteredBatch(points(way, way), Float.POSITIVE_INFINITY, filter).get(1).model());
         assertEquals(List.of(1, 1), scene.raycastAnyFilteredBatch(rays, filter));
+        assertEquals(target, scene.raycastDistanceFilteredBatch(rays, filter).get(1).model());
         assertEquals(List.of(0, 1, 2), scene.raycastAllFilteredBatch(rays, filter).offsets());
         assertEquals(List.of(target), scene.overlapFilteredBatch(Shapes.of(List.of(large, large)), filter).get(1));
         Camera camera = new Camera();

@@ -66,6 +66,22 @@ export function objects(memory) {
             check(native.gphys_mesh_raycast_any(this.pointer, base, base + 28));
             return v.i32[7] !== 0;
         }
+        raycastAnyBatch(rays, out) {
+            begin();
+            const rays_ = input(rays, 28, 'rays');
+            const count = common(rays_);
+            const out_hits_ = output(out, 'int32_t', count);
+            check(native.gphys_mesh_raycast_any_batch(this.pointer, pass(rays_), 28, count, pass(out_hits_), 4));
+            return finish(out_hits_);
+        }
+        raycastDistanceBatch(rays, out) {
+            begin();
+            const rays_ = input(rays, 28, 'rays');
+            const count = common(rays_);
+            const out_distances_ = output(out, 'distance', count);
+            check(native.gphys_mesh_raycast_distance_batch(this.pointer, pass(rays_), 28, count, pass(out_distances_), 12));
+            return finish(out_distances_);
+        }
         overlap(shape) {
             begin();
             return list('uint32_t', 27, (room, capacity) => native.gphys_mesh_overlap(this.pointer, typeOf(shape), putShape(shape, 0), room, capacity, base + 108));
@@ -216,6 +232,14 @@ export function objects(memory) {
             check(native.gphys_scene_raycast_batch(this.pointer, pass(rays_), 28, count, layers, pass(out_hits_), 52));
             return finish(out_hits_);
         }
+        raycastDistanceBatch(rays, layers = ALL_LAYERS, out) {
+            begin();
+            const rays_ = input(rays, 28, 'rays');
+            const count = common(rays_);
+            const out_distances_ = output(out, 'distance', count);
+            check(native.gphys_scene_raycast_distance_batch(this.pointer, pass(rays_), 28, count, layers, pass(out_distances_), 12));
+            return finish(out_distances_);
+        }
         raycastAny(ray, layers = ALL_LAYERS) {
             writeRay(v, 0, ray);
             check(native.gphys_scene_raycast_any(this.pointer, base, layers, base + 28));
@@ -334,6 +358,15 @@ export function objects(memory) {
             const out_hits_ = output(out, 'hit', count);
             check(native.gphys_scene_raycast_filtered_batch(this.pointer, pass(rays_), 28, count, filters == null ? 0 : base, 0, pass(out_hits_), 52));
             return finish(out_hits_);
+        }
+        raycastDistanceFilteredBatch(rays, filters, out) {
+            begin();
+            const rays_ = input(rays, 28, 'rays');
+            if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
+            const count = common(rays_);
+            const out_distances_ = output(out, 'distance', count);
+            check(native.gphys_scene_raycast_distance_filtered_batch(this.pointer, pass(rays_), 28, count, filters == null ? 0 : base, 0, pass(out_distances_), 12));
+            return finish(out_distances_);
         }
         raycastAnyFiltered(ray, filter) {
             writeRay(v, 0, ray);

@@ -123,6 +123,13 @@ export function writeNearest(v, at, value) {
     v.f32[at + 5] = number(rows ? value[3] : value.distance, 'distance');
     v.u32[at + 6] = number(rows ? value[4] : value.triangle, 'triangle');
 }
+export const readDistance = (v, at) => ({ t: v.f32[at], model: v.u32[at + 1], triangle: v.u32[at + 2] });
+export function writeDistance(v, at, value) {
+    const rows = row(value, 3, 'distance');
+    v.f32[at] = number(rows ? value[0] : value.t, 't');
+    v.u32[at + 1] = number(rows ? value[1] : value.model, 'model');
+    v.u32[at + 2] = number(rows ? value[2] : value.triangle, 'triangle');
+}
 export const readPenetration = (v, at) => ({ model: v.u32[at], tag: v.u32[at + 1], point: readVec3(v, at + 2), normal: readVec3(v, at + 5), depth: v.f32[at + 8], triangle: v.u32[at + 9] });
 export function writePenetration(v, at, value) {
     const rows = row(value, 6, 'penetration');
@@ -407,6 +414,7 @@ export const types = {
     frustum: { size: 108, read: readFrustum, write: writeFrustum },
     hit: { size: 52, read: readHit, write: writeHit },
     nearest: { size: 28, read: readNearest, write: writeNearest },
+    distance: { size: 12, read: readDistance, write: writeDistance },
     penetration: { size: 40, read: readPenetration, write: writePenetration },
     mesh_report: { size: 32, read: readMeshReport, write: writeMeshReport },
     octree_stats: { size: 32, read: readOctreeStats, write: writeOctreeStats },

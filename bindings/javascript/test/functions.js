@@ -94,6 +94,9 @@ test('meshes', () => {
     near([...mesh.raycastAll(ray)].map((hit) => hit.t), [1, 1.5]);
     assert.strictEqual(mesh.raycastAny(ray), true);
     assert.strictEqual(mesh.raycastAny([[2, 2, -1], [0, 0, 1], Infinity]), false);
+    const missed = floats(2, 2, -1, 0, 0, 1, Infinity);
+    same([...mesh.raycastAnyBatch(missed)], [0]);
+    assert.strictEqual(mesh.raycastDistanceBatch(missed).get(0).t, Infinity);
     same([...mesh.overlap(gp.sphere([0.3, 0.3, 0], 0.05))], [0]);
     assert.strictEqual(mesh.getOctreeStats().item_count, 4);
     assert.strictEqual([...mesh.getOctreeBoxes()].reduce((sum, box) => sum + box.item_count, 0), 4);
@@ -133,6 +136,7 @@ test('questions to a scene', () => {
     assert.strictEqual(scene.raycastAny(ray), true);
     assert.strictEqual(scene.raycastAny(ray, 4), false);
     same([...scene.raycastAnyBatch(rays)], [1, 0]);
+    same([...scene.raycastDistanceBatch(rays)].map((d) => [d.t, d.model]), [[4, first], [Infinity, 0]]);
     assert.strictEqual(scene.raycast(ray, 2).model, second);
     assert.strictEqual(scene.segmentTest([[0, 0, -5], [0, 0, 5]]).model, first);
     same([...scene.segmentTestBatch(floats(0, 0, -5, 0, 0, 5, 9, 9, 9, 9, 9, 10))].map((hit) => hit.model), [first, 0]);
@@ -178,6 +182,7 @@ test('filters leave out models', () => {
     same([...scene.overlapFiltered(large, filter)], [target]);
     same(models(scene.raycastFilteredBatch(rays, filter)), [target, target]);
     same([...scene.raycastAnyFilteredBatch(rays, filter)], [1, 1]);
+    same([...scene.raycastDistanceFilteredBatch(rays, filter)].map((d) => d.model), [target, target]);
     same(models(scene.raycastAllFilteredBatch(rays, filter).values), [target, target]);
     same(models(scene.segmentTestFilteredBatch(floats(0, 0, 0, 0, 0, 20), filter)), [target]);
     same(models(scene.nearestFilteredBatch(floats(0, 0, 0), Infinity, filter)), [target]);

@@ -36,6 +36,7 @@ typedef struct gphys_triangle { gphys_vec3 a; gphys_vec3 b; gphys_vec3 c; } gphy
 typedef struct gphys_frustum { gphys_vec3 origin; gphys_plane planes[6]; } gphys_frustum;
 typedef struct gphys_hit { uint32_t model; uint32_t tag; float t; gphys_vec3 point; gphys_vec3 normal; uint32_t triangle; float u; float v; uint32_t flags; } gphys_hit;
 typedef struct gphys_nearest { uint32_t model; uint32_t tag; gphys_vec3 point; float distance; uint32_t triangle; } gphys_nearest;
+typedef struct gphys_distance { float t; uint32_t model; uint32_t triangle; } gphys_distance;
 typedef struct gphys_penetration { uint32_t model; uint32_t tag; gphys_vec3 point; gphys_vec3 normal; float depth; uint32_t triangle; } gphys_penetration;
 typedef struct gphys_mesh_report { uint32_t triangle_count; uint32_t degenerate_count; uint32_t first_degenerate; uint32_t out_of_range_count; uint32_t first_out_of_range; uint32_t bad_vertex_count; uint32_t first_bad_vertex; uint32_t open_edge_count; } gphys_mesh_report;
 typedef struct gphys_mesh_desc { uint32_t struct_size; const gphys_allocator *allocator; int32_t deformable; uint32_t reserved; } gphys_mesh_desc;
@@ -98,6 +99,8 @@ gphys_status gphys_mesh_get_snapshot(const gphys_mesh *mesh, uint32_t *out_words
 gphys_status gphys_mesh_create_from_snapshot(const gphys_mesh_desc *desc, const uint32_t *words, uint32_t word_count, gphys_mesh **out_mesh);
 gphys_status gphys_mesh_raycast_all(const gphys_mesh *mesh, const gphys_ray *ray, gphys_hit *out_hits, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_mesh_raycast_any(const gphys_mesh *mesh, const gphys_ray *ray, int32_t *out_hit);
+gphys_status gphys_mesh_raycast_any_batch(const gphys_mesh *mesh, const gphys_ray *rays, uint32_t ray_stride, uint32_t count, int32_t *out_hits, uint32_t out_stride);
+gphys_status gphys_mesh_raycast_distance_batch(const gphys_mesh *mesh, const gphys_ray *rays, uint32_t ray_stride, uint32_t count, gphys_distance *out_distances, uint32_t out_stride);
 gphys_status gphys_mesh_overlap(const gphys_mesh *mesh, gphys_shape_type type, const void *shape, uint32_t *out_triangles, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_mesh_get_octree_stats(const gphys_mesh *mesh, gphys_octree_stats *out_stats);
 gphys_status gphys_mesh_get_octree_boxes(const gphys_mesh *mesh, gphys_octree_box *out_boxes, uint32_t capacity, uint32_t *out_total);
@@ -132,6 +135,7 @@ gphys_status gphys_scene_get_transforms(const gphys_scene *scene, const gphys_mo
 gphys_status gphys_scene_get_world_transforms(const gphys_scene *scene, const gphys_model_id *models, uint32_t count, gphys_transform *out_transforms, uint32_t out_stride);
 gphys_status gphys_scene_raycast(const gphys_scene *scene, const gphys_ray *ray, uint32_t layers, gphys_hit *out_hit);
 gphys_status gphys_scene_raycast_batch(const gphys_scene *scene, const gphys_ray *rays, uint32_t ray_stride, uint32_t count, uint32_t layers, gphys_hit *out_hits, uint32_t out_stride);
+gphys_status gphys_scene_raycast_distance_batch(const gphys_scene *scene, const gphys_ray *rays, uint32_t ray_stride, uint32_t count, uint32_t layers, gphys_distance *out_distances, uint32_t out_stride);
 gphys_status gphys_scene_raycast_any(const gphys_scene *scene, const gphys_ray *ray, uint32_t layers, int32_t *out_hit);
 gphys_status gphys_scene_raycast_any_batch(const gphys_scene *scene, const gphys_ray *rays, uint32_t ray_stride, uint32_t count, uint32_t layers, int32_t *out_hits, uint32_t out_stride);
 gphys_status gphys_scene_raycast_all(const gphys_scene *scene, const gphys_ray *ray, uint32_t layers, gphys_hit *out_hits, uint32_t capacity, uint32_t *out_total);
@@ -151,6 +155,7 @@ gphys_status gphys_scene_penetration(const gphys_scene *scene, gphys_shape_type 
 gphys_status gphys_query_filter_desc_init(gphys_query_filter_desc *desc, uint32_t size);
 gphys_status gphys_scene_raycast_filtered(const gphys_scene *scene, const gphys_ray *ray, const gphys_query_filter_desc *filter, gphys_hit *out_hit);
 gphys_status gphys_scene_raycast_filtered_batch(const gphys_scene *scene, const gphys_ray *rays, uint32_t ray_stride, uint32_t count, const gphys_query_filter_desc *filters, uint32_t filter_stride, gphys_hit *out_hits, uint32_t out_stride);
+gphys_status gphys_scene_raycast_distance_filtered_batch(const gphys_scene *scene, const gphys_ray *rays, uint32_t ray_stride, uint32_t count, const gphys_query_filter_desc *filters, uint32_t filter_stride, gphys_distance *out_distances, uint32_t out_stride);
 gphys_status gphys_scene_raycast_any_filtered(const gphys_scene *scene, const gphys_ray *ray, const gphys_query_filter_desc *filter, int32_t *out_hit);
 gphys_status gphys_scene_raycast_any_filtered_batch(const gphys_scene *scene, const gphys_ray *rays, uint32_t ray_stride, uint32_t count, const gphys_query_filter_desc *filters, uint32_t filter_stride, int32_t *out_hits, uint32_t out_stride);
 gphys_status gphys_scene_raycast_all_filtered(const gphys_scene *scene, const gphys_ray *ray, const gphys_query_filter_desc *filter, gphys_hit *out_hits, uint32_t capacity, uint32_t *out_total);
@@ -370,6 +375,7 @@ gphys_status gphys_solver_get_hash(const gphys_solver *solver, uint32_t *out_has
         { name = "frustum", fields = { "origin", "planes" } },
         { name = "hit", fields = { "model", "tag", "t", "point", "normal", "triangle", "u", "v", "flags" } },
         { name = "nearest", fields = { "model", "tag", "point", "distance", "triangle" } },
+        { name = "distance", fields = { "t", "model", "triangle" } },
         { name = "penetration", fields = { "model", "tag", "point", "normal", "depth", "triangle" } },
         { name = "mesh_report", fields = { "triangle_count", "degenerate_count", "first_degenerate", "out_of_range_count", "first_out_of_range", "bad_vertex_count", "first_bad_vertex", "open_edge_count" } },
         { name = "mesh_desc", fields = { "struct_size", "allocator", "deformable", "reserved" } },

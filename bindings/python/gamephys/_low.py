@@ -263,6 +263,18 @@ nearest_dtype = dtype([("model", "<u4"), ("tag", "<u4"), ("point", "<f4", (3,)),
 Nearest.dtype = nearest_dtype
 
 
+class Distance(Value, Structure):
+    """How far a ray comes: those fields of a Hit. Frozen.  Since 1.1."""
+    t: float  # in multiples of the direction, so metres where its length is 1; INFINITY: nothing is hit
+    model: int  # as in Hit
+    triangle: int
+    _fields_ = [("t", c_float), ("model", c_uint32), ("triangle", c_uint32)]
+
+
+distance_dtype = dtype([("t", "<f4"), ("model", "<u4"), ("triangle", "<u4")])
+Distance.dtype = distance_dtype
+
+
 class Penetration(Value, Structure):
     """How a solid gets out of something that it overlaps."""
     model: int  # as in Hit
@@ -658,6 +670,8 @@ gphys_mesh_get_snapshot = function("gphys_mesh_get_snapshot", c_int32, [c_void_p
 gphys_mesh_create_from_snapshot = function("gphys_mesh_create_from_snapshot", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
 gphys_mesh_raycast_all = function("gphys_mesh_raycast_all", c_int32, [c_void_p, c_void_p, c_void_p, c_uint32, c_void_p])
 gphys_mesh_raycast_any = function("gphys_mesh_raycast_any", c_int32, [c_void_p, c_void_p, c_void_p])
+gphys_mesh_raycast_any_batch = function("gphys_mesh_raycast_any_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_mesh_raycast_distance_batch = function("gphys_mesh_raycast_distance_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32])
 gphys_mesh_overlap = function("gphys_mesh_overlap", c_int32, [c_void_p, c_int32, c_void_p, c_void_p, c_uint32, c_void_p])
 gphys_mesh_get_octree_stats = function("gphys_mesh_get_octree_stats", c_int32, [c_void_p, c_void_p])
 gphys_mesh_get_octree_boxes = function("gphys_mesh_get_octree_boxes", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
@@ -692,6 +706,7 @@ gphys_scene_get_transforms = function("gphys_scene_get_transforms", c_int32, [c_
 gphys_scene_get_world_transforms = function("gphys_scene_get_world_transforms", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p, c_uint32])
 gphys_scene_raycast = function("gphys_scene_raycast", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
 gphys_scene_raycast_batch = function("gphys_scene_raycast_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_scene_raycast_distance_batch = function("gphys_scene_raycast_distance_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
 gphys_scene_raycast_any = function("gphys_scene_raycast_any", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
 gphys_scene_raycast_any_batch = function("gphys_scene_raycast_any_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
 gphys_scene_raycast_all = function("gphys_scene_raycast_all", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
@@ -711,6 +726,7 @@ gphys_scene_penetration = function("gphys_scene_penetration", c_int32, [c_void_p
 gphys_query_filter_desc_init = function("gphys_query_filter_desc_init", c_int32, [c_void_p, c_uint32])
 gphys_scene_raycast_filtered = function("gphys_scene_raycast_filtered", c_int32, [c_void_p, c_void_p, c_void_p, c_void_p])
 gphys_scene_raycast_filtered_batch = function("gphys_scene_raycast_filtered_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32])
+gphys_scene_raycast_distance_filtered_batch = function("gphys_scene_raycast_distance_filtered_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32])
 gphys_scene_raycast_any_filtered = function("gphys_scene_raycast_any_filtered", c_int32, [c_void_p, c_void_p, c_void_p, c_void_p])
 gphys_scene_raycast_any_filtered_batch = function("gphys_scene_raycast_any_filtered_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32])
 gphys_scene_raycast_all_filtered = function("gphys_scene_raycast_all_filtered", c_int32, [c_void_p, c_void_p, c_void_p, c_void_p, c_uint32, c_void_p])

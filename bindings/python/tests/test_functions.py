@@ -62,6 +62,9 @@ class Functions(unittest.TestCase):
         self.assertEqual(len(hits), 2)
         self.assertEqual(hits["t"][1], 5)
         self.assertTrue(mesh.raycast_any(down))
+        twice = np.frombuffer(bytes(down) * 2, gp.ray_dtype)
+        self.assertEqual(mesh.raycast_any_batch(twice).tolist(), [1, 1])
+        self.assertEqual(mesh.raycast_distance_batch(twice)["t"][1], mesh.raycast_all(down)["t"][0])
         self.assertEqual(len(mesh.overlap(gp.Sphere((0, 2, 0), 0.1))), 4)
         self.assertEqual(mesh.get_octree_stats().item_count, 6)
         self.assertEqual(mesh.get_octree_boxes()["depth"][0], 0)
@@ -154,6 +157,9 @@ class Functions(unittest.TestCase):
         any_hit = scene.raycast_any_batch(rays)
         self.assertEqual(any_hit.tolist(), [scene.raycast_any(ray) for ray in rays])
         self.assertTrue(0 < np.count_nonzero(any_hit) < 200)
+        distances, full = scene.raycast_distance_batch(rays), scene.raycast_batch(rays)
+        for field in ("t", "model", "triangle"):
+            np.testing.assert_array_equal(distances[field], full[field])
         hits, offsets = scene.raycast_all_batch(rays)
         for i, ray in enumerate(rays):
             np.testing.assert_array_equal(scene.raycast_all(ray), hits[offsets[i]:offsets[i + 1]])
@@ -184,6 +190,8 @@ class Functions(unittest.TestCase):
             points, ways = np.zeros((3, 3), np.float32), np.float32([way] * 3)
             self.assertEqual(scene.raycast_filtered_batch(rays, filter)["model"].tolist(), [first] * 3)
             self.assertEqual(scene.raycast_any_filtered_batch(rays, filter).tolist(), [1] * 3)
+            distances = scene.raycast_distance_filtered_batch(rays, filter)
+            self.assertEqual(distances["model"].tolist(), [first] * 3)
             self.assertEqual(scene.raycast_all_filtered_batch(rays, filter)[0]["model"][0], first)
             self.assertEqual(scene.segment_test_filtered_batch(segments, filter)["model"].tolist(), [first] * 3)
             self.assertEqual(scene.nearest_filtered_batch(points, filters=filter)["model"].tolist(), [first] * 3)

@@ -80,6 +80,8 @@ class TestGamephys < Minitest::Test
     first, last = mesh.raycast_all(down).to_a
     assert first.t < last.t && last.t == 5
     assert mesh.raycast_any?(down)
+    assert_equal [1, 1], mesh.raycast_any_batch([down, down]).to_a
+    assert_equal mesh.raycast_all(down).to_a[0].t, mesh.raycast_distance_batch([down, down]).to_a[1].t
     assert_equal 4, mesh.overlap(Sphere.new([0, 2, 0], 0.1)).size
     assert_equal 6, mesh.get_octree_stats.item_count
     assert_equal 0, mesh.get_octree_boxes[0].depth
@@ -158,6 +160,7 @@ class TestGamephys < Minitest::Test
     any = scene.raycast_any_batch(rays).to_a
     assert_equal any, (rays.map { |each| scene.raycast_any?(each) ? 1 : 0 })
     assert any.include?(0) && any.include?(1)
+    assert_equal hits.map { |each| [each.t, each.model] }, (scene.raycast_distance_batch(rays).map { |each| [each.t, each.model] })
     all, offsets = scene.raycast_all_batch(rays)
     rays.each_with_index { |each, i| assert_equal scene.raycast_all(each).to_a, all.to_a[offsets[i]...offsets[i + 1]] }
 
@@ -190,6 +193,7 @@ class TestGamephys < Minitest::Test
                scene.nearest_filtered_batch([way, way], filter), scene.sweep_sphere_filtered_batch([moving, moving], [way, way], filter)]
     assert_equal [[target, target]] * 4, (batches.map { |batch| batch.map(&:model) })
     assert_equal [1, 1], scene.raycast_any_filtered_batch([ray, ray], filter).to_a
+    assert_equal [target, target], scene.raycast_distance_filtered_batch([ray, ray], filter).map(&:model)
     assert_equal [0, 1, 2], scene.raycast_all_filtered_batch([ray, ray], filter)[1]
     assert_equal [target, target], scene.overlap_filtered_batch([large, large], filter)[0].to_a
     camera = Camera.new

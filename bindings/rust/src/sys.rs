@@ -62,6 +62,8 @@ extern "C" {
     pub fn gphys_mesh_create_from_snapshot(desc: *const MeshDesc, words: *const u32, word_count: u32, out_mesh: *mut *mut gphys_mesh) -> Status;
     pub fn gphys_mesh_raycast_all(mesh: *mut gphys_mesh, ray: *const Ray, out_hits: *mut Hit, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_mesh_raycast_any(mesh: *mut gphys_mesh, ray: *const Ray, out_hit: *mut i32) -> Status;
+    pub fn gphys_mesh_raycast_any_batch(mesh: *mut gphys_mesh, rays: *const Ray, ray_stride: u32, count: u32, out_hits: *mut i32, out_stride: u32) -> Status;
+    pub fn gphys_mesh_raycast_distance_batch(mesh: *mut gphys_mesh, rays: *const Ray, ray_stride: u32, count: u32, out_distances: *mut Distance, out_stride: u32) -> Status;
     pub fn gphys_mesh_overlap(mesh: *mut gphys_mesh, type_: ShapeType, shape: *const c_void, out_triangles: *mut u32, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_mesh_get_octree_stats(mesh: *mut gphys_mesh, out_stats: *mut OctreeStats) -> Status;
     pub fn gphys_mesh_get_octree_boxes(mesh: *mut gphys_mesh, out_boxes: *mut OctreeBox, capacity: u32, out_total: *mut u32) -> Status;
@@ -96,6 +98,7 @@ extern "C" {
     pub fn gphys_scene_get_world_transforms(scene: *mut gphys_scene, models: *const ModelId, count: u32, out_transforms: *mut Transform, out_stride: u32) -> Status;
     pub fn gphys_scene_raycast(scene: *mut gphys_scene, ray: *const Ray, layers: u32, out_hit: *mut Hit) -> Status;
     pub fn gphys_scene_raycast_batch(scene: *mut gphys_scene, rays: *const Ray, ray_stride: u32, count: u32, layers: u32, out_hits: *mut Hit, out_stride: u32) -> Status;
+    pub fn gphys_scene_raycast_distance_batch(scene: *mut gphys_scene, rays: *const Ray, ray_stride: u32, count: u32, layers: u32, out_distances: *mut Distance, out_stride: u32) -> Status;
     pub fn gphys_scene_raycast_any(scene: *mut gphys_scene, ray: *const Ray, layers: u32, out_hit: *mut i32) -> Status;
     pub fn gphys_scene_raycast_any_batch(scene: *mut gphys_scene, rays: *const Ray, ray_stride: u32, count: u32, layers: u32, out_hits: *mut i32, out_stride: u32) -> Status;
     pub fn gphys_scene_raycast_all(scene: *mut gphys_scene, ray: *const Ray, layers: u32, out_hits: *mut Hit, capacity: u32, out_total: *mut u32) -> Status;
@@ -115,6 +118,7 @@ extern "C" {
     pub fn gphys_query_filter_desc_init(desc: *mut QueryFilterDesc, size: u32) -> Status;
     pub fn gphys_scene_raycast_filtered(scene: *mut gphys_scene, ray: *const Ray, filter: *const QueryFilterDesc, out_hit: *mut Hit) -> Status;
     pub fn gphys_scene_raycast_filtered_batch(scene: *mut gphys_scene, rays: *const Ray, ray_stride: u32, count: u32, filters: *const QueryFilterDesc, filter_stride: u32, out_hits: *mut Hit, out_stride: u32) -> Status;
+    pub fn gphys_scene_raycast_distance_filtered_batch(scene: *mut gphys_scene, rays: *const Ray, ray_stride: u32, count: u32, filters: *const QueryFilterDesc, filter_stride: u32, out_distances: *mut Distance, out_stride: u32) -> Status;
     pub fn gphys_scene_raycast_any_filtered(scene: *mut gphys_scene, ray: *const Ray, filter: *const QueryFilterDesc, out_hit: *mut i32) -> Status;
     pub fn gphys_scene_raycast_any_filtered_batch(scene: *mut gphys_scene, rays: *const Ray, ray_stride: u32, count: u32, filters: *const QueryFilterDesc, filter_stride: u32, out_hits: *mut i32, out_stride: u32) -> Status;
     pub fn gphys_scene_raycast_all_filtered(scene: *mut gphys_scene, ray: *const Ray, filter: *const QueryFilterDesc, out_hits: *mut Hit, capacity: u32, out_total: *mut u32) -> Status;

@@ -370,6 +370,17 @@ pub struct Nearest {
     pub triangle: u32,
 }
 
+/// How far a ray comes: those fields of a `Hit`. Frozen.  Since 1.1.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Distance {
+    /// in multiples of the direction, so metres where its length is 1; INFINITY: nothing is hit
+    pub t: f32,
+    /// as in `Hit`
+    pub model: u32,
+    pub triangle: u32,
+}
+
 /// How a solid gets out of something that it overlaps.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
@@ -829,6 +840,7 @@ const _: () = {
     assert!(std::mem::size_of::<Frustum>() == 108);
     assert!(std::mem::size_of::<Hit>() == 52);
     assert!(std::mem::size_of::<Nearest>() == 28);
+    assert!(std::mem::size_of::<Distance>() == 12);
     assert!(std::mem::size_of::<Penetration>() == 40);
     assert!(std::mem::size_of::<MeshReport>() == 32);
     assert!(std::mem::size_of::<MeshDesc>() == 24);
@@ -873,6 +885,7 @@ const _: () = {
     assert!(std::mem::size_of::<Frustum>() == 108);
     assert!(std::mem::size_of::<Hit>() == 52);
     assert!(std::mem::size_of::<Nearest>() == 28);
+    assert!(std::mem::size_of::<Distance>() == 12);
     assert!(std::mem::size_of::<Penetration>() == 40);
     assert!(std::mem::size_of::<MeshReport>() == 32);
     assert!(std::mem::size_of::<MeshDesc>() == 16);
@@ -987,6 +1000,11 @@ fn fields_stand_where_c_has_them() {
     assert_eq!(unsafe { std::ptr::addr_of!((*p).point) } as usize - p as usize, 8);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).distance) } as usize - p as usize, 20);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).triangle) } as usize - p as usize, 24);
+    let s = std::mem::MaybeUninit::<Distance>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).t) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).model) } as usize - p as usize, 4);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).triangle) } as usize - p as usize, 8);
     let s = std::mem::MaybeUninit::<Penetration>::uninit();
     let p = s.as_ptr();
     assert_eq!(unsafe { std::ptr::addr_of!((*p).model) } as usize - p as usize, 0);

@@ -81,6 +81,11 @@ fn a_mesh_is_a_shape() {
     assert_eq!(raycast(&mesh, &ray).unwrap().unwrap().t, 1.0);
     assert_eq!(mesh.raycast_all(&ray).unwrap().len(), 2);
     assert!(mesh.raycast_any(&ray).unwrap());
+    let (mut any, mut distances) = ([0; 2], [Distance::default(); 2]);
+    mesh.raycast_any_batch(&[ray; 2], &mut any).unwrap();
+    mesh.raycast_distance_batch(&[ray; 2], &mut distances).unwrap();
+    assert_eq!(any, [1, 1]);
+    assert_ne!(distances[1].triangle, NO_TRIANGLE);
     assert_eq!(mesh.overlap(&Sphere::new([1.0, 1.0, 1.0], 1.2)).unwrap(), [3]);
     let stats = mesh.get_octree_stats().unwrap();
     assert_eq!((stats.item_count, mesh.get_octree_boxes().unwrap().len()), (4, stats.node_count as usize));

@@ -15,6 +15,8 @@ fn batches_answer_as_single_calls_do() {
     scene.raycast_batch(&rays, ALL_LAYERS, &mut hits).unwrap();
     let mut any = vec![0; rays.len()];
     scene.raycast_any_batch(&rays, ALL_LAYERS, &mut any).unwrap();
+    let mut distances = vec![Distance::default(); rays.len()];
+    scene.raycast_distance_batch(&rays, ALL_LAYERS, &mut distances).unwrap();
     let all = scene.raycast_all_batch(&rays, ALL_LAYERS).unwrap();
     let segments: Vec<_> = rays.iter().map(|r| Segment::new(r.origin, [0.0, 0.0, 5.0])).collect();
     let mut crossed = hits.clone();
@@ -30,6 +32,7 @@ fn batches_answer_as_single_calls_do() {
         let nothing = Hit { t: FAR, triangle: NO_TRIANGLE, ..Default::default() };
         assert_eq!(scene.raycast(&rays[i], ALL_LAYERS).unwrap().unwrap_or(nothing), hits[i]);
         assert_eq!(scene.raycast_any(&rays[i], ALL_LAYERS).unwrap(), any[i] != 0);
+        assert_eq!((distances[i].t, distances[i].model), (hits[i].t, hits[i].model));
         assert_eq!(scene.raycast_all(&rays[i], ALL_LAYERS).unwrap(), all[i]);
         assert_eq!(scene.segment_test(&segments[i], ALL_LAYERS).unwrap().unwrap_or(nothing), crossed[i]);
         assert_eq!(scene.nearest(points[i], FAR, ALL_LAYERS).unwrap().unwrap(), nearest[i]);
@@ -102,6 +105,9 @@ fn filters_leave_out_models() {
     assert_eq!(nearest[1].model, target);
     scene.raycast_any_filtered_batch(&[ray; 2], without, &mut any).unwrap();
     assert_eq!(any, [1, 1]);
+    let mut distances = [Distance::default(); 2];
+    scene.raycast_distance_filtered_batch(&[ray; 2], without, &mut distances).unwrap();
+    assert_eq!(distances[1].model, target);
     assert_eq!(scene.raycast_all_filtered_batch(&[ray; 2], without).unwrap()[1].len(), 1);
     assert_eq!(scene.overlap_filtered_batch(&[large; 2], without).unwrap()[1], [target]);
     let mut camera = Camera::new(None).unwrap();

@@ -70,6 +70,8 @@ module Gamephys
     attach_function :gphys_mesh_create_from_snapshot, [:pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_mesh_raycast_all, [:pointer, :pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_mesh_raycast_any, [:pointer, :pointer, :pointer], :int32
+    attach_function :gphys_mesh_raycast_any_batch, [:pointer, :pointer, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_mesh_raycast_distance_batch, [:pointer, :pointer, :uint32, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_mesh_overlap, [:pointer, :int32, :pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_mesh_get_octree_stats, [:pointer, :pointer], :int32
     attach_function :gphys_mesh_get_octree_boxes, [:pointer, :pointer, :uint32, :pointer], :int32
@@ -104,6 +106,7 @@ module Gamephys
     attach_function :gphys_scene_get_world_transforms, [:pointer, :pointer, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_scene_raycast, [:pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_scene_raycast_batch, [:pointer, :pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_scene_raycast_distance_batch, [:pointer, :pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_scene_raycast_any, [:pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_scene_raycast_any_batch, [:pointer, :pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_scene_raycast_all, [:pointer, :pointer, :uint32, :pointer, :uint32, :pointer], :int32
@@ -123,6 +126,7 @@ module Gamephys
     attach_function :gphys_query_filter_desc_init, [:pointer, :uint32], :int32
     attach_function :gphys_scene_raycast_filtered, [:pointer, :pointer, :pointer, :pointer], :int32
     attach_function :gphys_scene_raycast_filtered_batch, [:pointer, :pointer, :uint32, :uint32, :pointer, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_scene_raycast_distance_filtered_batch, [:pointer, :pointer, :uint32, :uint32, :pointer, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_scene_raycast_any_filtered, [:pointer, :pointer, :pointer, :pointer], :int32
     attach_function :gphys_scene_raycast_any_filtered_batch, [:pointer, :pointer, :uint32, :uint32, :pointer, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_scene_raycast_all_filtered, [:pointer, :pointer, :pointer, :pointer, :uint32, :pointer], :int32

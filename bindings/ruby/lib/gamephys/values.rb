@@ -218,6 +218,15 @@ module Gamephys
   end
   Nearest::FORMAT, Nearest::COUNT, Nearest::BYTES = 'L2f4L', 7, 28
 
+  # How far a ray comes: those fields of a Hit. Frozen.  Since 1.1.
+  Distance = ::Struct.new(:t, :model, :triangle) do
+    extend Value
+
+    def self.from(n) = new(n[0], n[1], n[2])
+    def numbers = [t, model, triangle]
+  end
+  Distance::FORMAT, Distance::COUNT, Distance::BYTES = 'fL2', 3, 12
+
   # How a solid gets out of something that it overlaps.
   Penetration = ::Struct.new(:model, :tag, :point, :normal, :depth, :triangle) do
     extend Value

@@ -47,6 +47,8 @@ class LowFunctions {
     static native int gphys_mesh_create_from_snapshot(Pointer desc, Pointer words, int wordCount, Pointer outMesh);
     static native int gphys_mesh_raycast_all(Pointer mesh, Pointer ray, Pointer outHits, int capacity, Pointer outTotal);
     static native int gphys_mesh_raycast_any(Pointer mesh, Pointer ray, Pointer outHit);
+    static native int gphys_mesh_raycast_any_batch(Pointer mesh, Pointer rays, int rayStride, int count, Pointer outHits, int outStride);
+    static native int gphys_mesh_raycast_distance_batch(Pointer mesh, Pointer rays, int rayStride, int count, Pointer outDistances, int outStride);
     static native int gphys_mesh_overlap(Pointer mesh, int type, Pointer shape, Pointer outTriangles, int capacity, Pointer outTotal);
     static native int gphys_mesh_get_octree_stats(Pointer mesh, Pointer outStats);
     static native int gphys_mesh_get_octree_boxes(Pointer mesh, Pointer outBoxes, int capacity, Pointer outTotal);
@@ -81,6 +83,7 @@ class LowFunctions {
     static native int gphys_scene_get_world_transforms(Pointer scene, Pointer models, int count, Pointer outTransforms, int outStride);
     static native int gphys_scene_raycast(Pointer scene, Pointer ray, int layers, Pointer outHit);
     static native int gphys_scene_raycast_batch(Pointer scene, Pointer rays, int rayStride, int count, int layers, Pointer outHits, int outStride);
+    static native int gphys_scene_raycast_distance_batch(Pointer scene, Pointer rays, int rayStride, int count, int layers, Pointer outDistances, int outStride);
     static native int gphys_scene_raycast_any(Pointer scene, Pointer ray, int layers, Pointer outHit);
     static native int gphys_scene_raycast_any_batch(Pointer scene, Pointer rays, int rayStride, int count, int layers, Pointer outHits, int outStride);
     static native int gphys_scene_raycast_all(Pointer scene, Pointer ray, int layers, Pointer outHits, int capacity, Pointer outTotal);
@@ -100,6 +103,7 @@ class LowFunctions {
     static native int gphys_query_filter_desc_init(Pointer desc, int size);
     static native int gphys_scene_raycast_filtered(Pointer scene, Pointer ray, Pointer filter, Pointer outHit);
     static native int gphys_scene_raycast_filtered_batch(Pointer scene, Pointer rays, int rayStride, int count, Pointer filters, int filterStride, Pointer outHits, int outStride);
+    static native int gphys_scene_raycast_distance_filtered_batch(Pointer scene, Pointer rays, int rayStride, int count, Pointer filters, int filterStride, Pointer outDistances, int outStride);
     static native int gphys_scene_raycast_any_filtered(Pointer scene, Pointer ray, Pointer filter, Pointer outHit);
     static native int gphys_scene_raycast_any_filtered_batch(Pointer scene, Pointer rays, int rayStride, int count, Pointer filters, int filterStride, Pointer outHits, int outStride);
     static native int gphys_scene_raycast_all_filtered(Pointer scene, Pointer ray, Pointer filter, Pointer outHits, int capacity, Pointer outTotal);

@@ -228,6 +228,44 @@ public final class Mesh extends Owned implements Shape {
     }
 
     /**
+     * Whether each of the rays hits anything, as Mesh.raycastAny.
+     * Cost: that of as many single calls; less for rays whose neighbours go much the same way. Since 1.1.
+     */
+    public Batch<Integer> raycastAnyBatch(Batch<Ray> rays, Batch<Integer> out) {
+        int count = Low.common(rays.common());
+        Batch<Integer> room = Batch.room(Layout.INT, count, out);
+        int status = Low.gphys_mesh_raycast_any_batch(opened(), rays.pointer(), rays.stride(), count, room.pointer(), Layout.INT.bytes());
+        Low.keep(this, rays, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<Integer> raycastAnyBatch(Batch<Ray> rays) {
+        return raycastAnyBatch(rays, (Batch<Integer>) null);
+    }
+
+    /**
+     * How far the rays come, and which triangles they hit: t and triangle of Gamephys.raycastBatch for the
+     * mesh, with the same bits, without the rest of a hit; model is 0.
+     * Cost: less than that of Gamephys.raycastBatch. Since 1.1.
+     * @return a ray that hits nothing gets t = INFINITY and triangle = NO_TRIANGLE.
+     */
+    public Batch<Distance> raycastDistanceBatch(Batch<Ray> rays, Batch<Distance> out) {
+        int count = Low.common(rays.common());
+        Batch<Distance> room = Batch.room(Distance.LAYOUT, count, out);
+        int status = Low.gphys_mesh_raycast_distance_batch(opened(), rays.pointer(), rays.stride(), count, room.pointer(), Distance.LAYOUT.bytes());
+        Low.keep(this, rays, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<Distance> raycastDistanceBatch(Batch<Ray> rays) {
+        return raycastDistanceBatch(rays, (Batch<Distance>) null);
+    }
+
+    /**
      * Indices of all triangles that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
      * ascending.
      * Cost: O(log n + k) expected.
