@@ -51,6 +51,31 @@ struct Way {
     }
 };
 
+/// The ways to a particle that may be among the first few to reach it: the shortest known from each of the nearest
+/// anchors. Any other is longer than these, or as long as one from the same anchor, and would be of no use.
+class Nearest {
+public:
+    /// Whether a way is among them from here on.
+    bool improve(double length, uint32_t anchor) {
+        uint32_t i = 0;
+        while (i < count_ && anchors_[i] != anchor) ++i;
+        if (i < count_ && length >= lengths_[i]) return false;
+        if (i == most_anchors) {
+            i = static_cast<uint32_t>(std::max_element(lengths_, lengths_ + most_anchors) - lengths_);
+            if (length > lengths_[i]) return false;
+        }
+        count_ = std::max(count_, i + 1);
+        anchors_[i] = anchor;
+        lengths_[i] = length;
+        return true;
+    }
+
+private:
+    uint32_t count_ = 0;
+    uint32_t anchors_[most_anchors];
+    double lengths_[most_anchors];
+};
+
 }  // namespace
 
 /// Dijkstra from all pins at once; each particle keeps the first few that reach it.
@@ -63,6 +88,7 @@ void plan_reach_limits(Body& body) {
         uint32_t anchors[most_anchors];
     };
     Vector<Reached> reached(body.particles.size(), memory);
+    Vector<Nearest> nearest(body.particles.size(), memory);
     std::priority_queue<Way, Vector<Way>> ways{std::less<Way>(), Vector<Way>(memory)};
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (body.particles.pinned(p) && neighbours.begin[p] != neighbours.begin[p + 1]) ways.push({0, p, p});
@@ -85,7 +111,8 @@ void plan_reach_limits(Body& body) {
         for (uint32_t i = neighbours.begin[way.particle]; i < neighbours.begin[way.particle + 1]; ++i) {
             const DistanceConstraint& edge = body.constraints.by_slot[neighbours.slot[i]];
             const uint32_t other = edge.a == way.particle ? edge.b : edge.a;
-            if (reached[other].count < most_anchors) ways.push({way.length + edge.rest, other, way.anchor});
+            const double length = way.length + edge.rest;
+            if (nearest[other].improve(length, way.anchor)) ways.push({length, other, way.anchor});
         }
     }
 }

@@ -175,12 +175,15 @@ private:
             at[filled[body_.constraints.by_slot[slot].b]++] = slot;
         }
         Vector<Pair> pairs(memory);
+        Vector<Vec3> directions(memory);  // of the constraints at a particle
         for (uint32_t p = 0; p < body_.particles.size(); ++p) {
             pairs.clear();
+            directions.clear();
+            for (uint32_t i = begin[p]; i < begin[p + 1]; ++i) directions.push_back(direction(at[i], p));
             for (uint32_t i = begin[p]; i < begin[p + 1]; ++i) {
                 for (uint32_t j = i + 1; j < begin[p + 1]; ++j) {
                     if (!same_kind(body_.constraints.by_slot[at[i]], body_.constraints.by_slot[at[j]])) continue;
-                    const double straightness = dot(direction(at[i], p), direction(at[j], p));
+                    const double straightness = dot(directions[i - begin[p]], directions[j - begin[p]]);
                     if (straightness <= least_straight) pairs.push_back({straightness, p, at[i], at[j]});
                 }
             }
