@@ -250,7 +250,7 @@ test('a rope is picked as a model that follows it', () => {
     const rope = solver.addRope(floats(0, 0, 0, 1, 0, 0, 2, 0, 0), 0);
     const model = scene.add(gp.Mesh.fromBody(solver, rope));
     solver.setPositions(rope, 0, floats(0, 0, 7, 1, 0, 7, 2, 0, 7));
-    const hit = scene.raycast(gp.ray([1.8, 0, 0], [0, 0, 1], Infinity));
+    const hit = scene.raycast([[1.8, 0, 0], [0, 0, 1], Infinity]);
     same([hit.model, hit.triangle], [model, 1]);
     same(solver.getNearestParticle(rope, hit.triangle, hit.point), 2);
 });
