@@ -1896,7 +1896,8 @@ GPHYS_API gphys_status gphys_solver_add_cloth(gphys_solver* solver, const gphys_
  *  with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
  *  @param desc       NULL: the defaults
  *  @param transform  places the mesh; NULL is the identity
- *  @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
+ *  @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies;
+ *          GPHYS_ERROR_UNSUPPORTED for a mesh made from a rope or from particles, which has no triangles
  *  Cost: O(n log n). */
 GPHYS_API gphys_status gphys_solver_add_cloth_mesh(gphys_solver* solver, const gphys_body_desc* desc,
                                                    const gphys_mesh* mesh, const gphys_transform* transform,

@@ -2945,6 +2945,7 @@ func (o *Solver) AddCloth(corner Vec3, edgeU Vec3, edgeV Vec3, columns uint32, r
 //   - desc: nil: the defaults
 //   - transform: places the mesh; nil is the identity
 // The error is ErrCapacity beyond 2^24 - 1 particles or bodies.
+// The error is ErrUnsupported for a mesh made from a rope or from particles, which has no triangles.
 // Cost: O(n log n).
 func (o *Solver) AddClothMesh(mesh *Mesh, transform *Transform, desc *BodyDesc) (body BodyID, err error) {
 	self, err := o.open()

@@ -1417,7 +1417,9 @@ export class Solver {
      * Cost: O(n log n).
      * @param desc - null: the defaults
      * @param transform - places the mesh; null is the identity
-     * @throws {GamephysError} ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies */
+     * @throws {GamephysError} ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies
+     * @throws {GamephysError} ERROR_UNSUPPORTED: for a mesh made from a rope or from particles, which has
+     *     no triangles */
     addClothMesh(mesh: Mesh, transform?: Given<Transform> | null, desc?: Partial<BodyDesc> | null): number;
     /** Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in
      * the last step are no longer listed.

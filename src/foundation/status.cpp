@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "foundation/floating_point.h"
+
 namespace gphys {
 
 namespace {

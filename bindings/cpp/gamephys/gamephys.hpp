@@ -1575,6 +1575,8 @@ public:
     //   - desc: nullptr: the defaults
     //   - transform: places the mesh; nullptr is the identity
     // Throws Error with GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies.
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED for a mesh made from a rope or from particles, which has
+    // no triangles.
     // Cost: O(n log n).
     gphys_body_id add_cloth_mesh(const Mesh& mesh, const Transform* transform = nullptr, const BodyDesc* desc = nullptr) {
         gphys_body_id out_body{};

@@ -1993,6 +1993,8 @@ public sealed partial class Solver : IDisposable {
     /// <param name="transform">places the mesh; null is the identity</param>
     /// <exception cref="GamephysException">Status.ErrorCapacity: beyond 2^24 - 1 particles or
     /// bodies</exception>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: for a mesh made from a rope or from
+    /// particles, which has no triangles</exception>
     public unsafe uint AddClothMesh(Mesh mesh, Transform? transform = null, BodyDesc? desc = null) {
         var desc_ = desc.GetValueOrDefault();
         var transform_ = transform.GetValueOrDefault();

@@ -224,7 +224,7 @@ public class GamephysTest {
             assertEquals(orMiss(scene.sweepSphere(spheres.get(i), directions.get(i)), swept.get(i)), swept.get(i));
             assertEquals(scene.nearest(directions.get(i)).orElseThrow(), nearest.get(i));
             assertEquals(scene.raycastAny(rays.get(i)), any.get(i) == 1);
-            assertEquals(hits.get(i).t(), distances.get(i).t());
+            assertEquals(hits.get(i).t(), distances.get(i).t(), 0);
             assertEquals(hits.get(i).model(), distances.get(i).model());
             assertEquals(scene.raycastAll(rays.get(i)), all.get(i));
             met += any.get(i);

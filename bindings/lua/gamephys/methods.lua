@@ -1624,6 +1624,8 @@ do
     --- @param desc nil: the defaults
     --- @param transform places the mesh; nil is the identity
     --- @raise status ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies
+    --- @raise status ERROR_UNSUPPORTED: for a mesh made from a rope or from particles, which has no
+    ---     triangles
     function Solver:add_cloth_mesh(mesh, transform, desc)
         check(C.gphys_solver_add_cloth_mesh(opened(self), desc and to_desc(BodyDesc, desc), opened(mesh), transform and to_value(Transform, transform), out_body))
         return out_body[0]

@@ -283,10 +283,10 @@ end
 
 function tests.a_rope_is_picked_as_a_model_that_follows_it()
     local solver = gp.Solver()
-    local rope = solver:add_rope({ 0, 0, 0, 1, 0, 0, 2, 0, 0 }, 0)
+    local rope = solver:add_rope({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } }, 0)
     local scene = gp.Scene()
     local model = scene:add(gp.Mesh_from_body(solver, rope))
-    solver:set_positions(rope, 0, { 0, 0, 7, 1, 0, 7, 2, 0, 7 })
+    solver:set_positions(rope, 0, { { 0, 0, 7 }, { 1, 0, 7 }, { 2, 0, 7 } })
     local hit = scene:raycast(gp.Ray({ 1.8, 0, 0 }, { 0, 0, 1 }, math.huge))
     assert(hit.model == model and hit.triangle == 1)
     assert(solver:get_nearest_particle(rope, hit.triangle, hit.point) == 2)

@@ -1741,7 +1741,9 @@ class Solver(Object):
             transform: places the mesh; None is the identity
 
         Raises:
-            Error, status ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies"""
+            Error, status ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies
+            Error, status ERROR_UNSUPPORTED: for a mesh made from a rope or from particles, which has no
+                triangles"""
         desc_ = value_of(desc, low.BodyDesc)
         transform_ = value_of(transform, low.Transform)
         out_body = ctypes.c_uint32()

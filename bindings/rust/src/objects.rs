@@ -2059,6 +2059,7 @@ impl Solver {
     ///
     /// # Errors
     /// * `Status::ERROR_CAPACITY`: beyond 2^24 - 1 particles or bodies
+    /// * `Status::ERROR_UNSUPPORTED`: for a mesh made from a rope or from particles, which has no triangles
     pub fn add_cloth_mesh(&mut self, mesh: &Mesh, transform: Option<&Transform>, desc: Option<&BodyDesc>) -> Result<BodyId> {
         let mut out_body = BodyId::default();
         check(unsafe { sys::gphys_solver_add_cloth_mesh(self.handle.as_ptr(), pointer(desc), mesh.handle.as_ptr(), pointer(transform), &mut out_body) })?;

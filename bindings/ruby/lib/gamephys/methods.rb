@@ -1543,6 +1543,8 @@ module Gamephys
     # @param desc nil: the defaults
     # @param transform places the mesh; nil is the identity
     # @raise [Error] beyond 2^24 - 1 particles or bodies (ERROR_CAPACITY)
+    # @raise [Error] for a mesh made from a rope or from particles, which has no triangles
+    #     (ERROR_UNSUPPORTED)
     def add_cloth_mesh(mesh, transform = nil, **desc)
       out_body = UInt32.room
       Low.check(Low.gphys_solver_add_cloth_mesh(opened, Low.desc(Low::BodyDesc, :gphys_body_desc_init, desc), Low.opened(mesh, Mesh), transform && Transform.pack(transform), out_body))

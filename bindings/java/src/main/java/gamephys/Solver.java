@@ -187,6 +187,8 @@ public final class Solver extends Owned {
      * @param desc null: the defaults
      * @param transform places the mesh; null is the identity
      * @throws GamephysException with ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies
+     * @throws GamephysException with ERROR_UNSUPPORTED: for a mesh made from a rope or from particles,
+     *     which has no triangles
      */
     public int addClothMesh(Mesh mesh, Transform transform, BodyDesc desc) {
         Scratch scratch = Scratch.get();
