@@ -135,7 +135,7 @@ public:
 
     bool closest_singly(const std::vector<gphys_ray>& rays) override {
         if (callers_ != 1 || worker_count_ != 1) return false;
-        hits_.resize(rays.size());
+        start_hits(rays.size());
         for (size_t i = 0; i < rays.size(); ++i) {
             const gphys_status status = mesh_ ? gphys_shape_raycast(GPHYS_SHAPE_MESH, mesh_, &rays[i], &hits_[i])
                                               : gphys_scene_raycast(scene_, &rays[i], GPHYS_ALL_LAYERS, &hits_[i]);
