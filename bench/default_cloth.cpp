@@ -2,7 +2,8 @@
 // measured here, from positions: how much too long and how much too short the sides of the grid are, and how much too
 // long its diagonals. A run writes a row for each scene to standard output:
 //   gamephys_bench_cloth [--only NAME] [--seconds S] [--substeps N] [--max_strain PART] [--damping RATE] [--flags N]
-//   [MESH.obj]
+//   [--woven RATE] [MESH.obj]
+// With --woven, diagonals and bending are springs on which a particle would swing at so many radians a second.
 // The mesh, if one is given, is made 1.2 m high, and a sheet falls on it.
 #include <time.h>
 
@@ -24,7 +25,7 @@ constexpr float frame = 1.0f / 60;
 
 struct Options {
     std::string only, mesh;
-    double seconds = 0, max_strain = -1, damping = -1;
+    double seconds = 0, max_strain = -1, damping = -1, woven = 0;
     int substeps = 0, flags = -1;
 };
 
@@ -57,6 +58,11 @@ struct World {
         check(gphys_scene_create(nullptr, &scene));
         check(gphys_body_desc_init(&body_desc, sizeof body_desc));
         if (options.damping >= 0) body_desc.damping = static_cast<float>(options.damping);
+        if (options.woven > 0) {
+            const double mass = double{body_desc.mass} / (columns * rows);
+            body_desc.shear_compliance = body_desc.bend_compliance =
+                static_cast<float>(1 / (mass * options.woven * options.woven));
+        }
         if (options.flags >= 0) body_desc.cloth_flags = static_cast<uint32_t>(options.flags);
     }
     ~World() {
@@ -317,6 +323,8 @@ int main(int count, char** arguments) {
             options.max_strain = std::atof(value());
         } else if (word == "--damping") {
             options.damping = std::atof(value());
+        } else if (word == "--woven") {
+            options.woven = std::atof(value());
         } else if (word == "--flags") {
             options.flags = std::atoi(value());
         } else {

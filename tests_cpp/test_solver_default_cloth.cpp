@@ -61,6 +61,41 @@ TEST_CASE("threads of a sheet of default settings keep their lengths on a box") 
     CHECK(peak < 0.03);
 }
 
+TEST_CASE("woven cloth comes to rest on a box") {
+    Sheet sheet(30);
+    const gphys_aabb box{{-0.4f, -0.4f, -0.4f}, {0.4f, 0.4f, 0.4f}};
+    sheet.world.model(GPHYS_SHAPE_AABB, &box);
+    // Springs on which a particle would swing at 30 rad/s.
+    gphys_body_desc desc = test::World::body_desc();
+    const float mass = desc.mass / (30 * 30);
+    desc.shear_compliance = desc.bend_compliance = 1 / (mass * 30 * 30);
+    desc.damping = 2;
+    sheet.body = sheet.world.cloth({-1, 0.5f, -1}, {2, 0, 0}, {0, 0, 2}, 30, 30, desc);
+    const double speed = sheet.speed_after(10);
+    test::figure("speed of woven cloth on a box after ten seconds", speed * 1000, "mm/s");
+    // Rigid diagonals leave 10 to 30 mm/s.
+    CHECK(speed < 0.006);
+    CHECK(sheet.stretch() < 0.03);
+}
+
+TEST_CASE("a cell shears as far as shear_compliance says") {
+    // Its upper corners are pinned and gravity points aside. With s the sine of the shear, the diagonals are
+    // sqrt(2 + 2 s) and sqrt(2 - 2 s) long, and the energy of two masses and two springs is least at s = 2 m g / k,
+    // but for a part of s^2.
+    const double mass = 0.25, gravity = 2, compliance = 0.01;
+    test::World world(8, {gravity, 0, 0});
+    gphys_body_desc desc = test::World::body_desc();
+    desc.shear_compliance = compliance;
+    desc.cloth_flags = GPHYS_CLOTH_SHEAR;
+    desc.damping = 20;
+    const gphys_body_id cell = world.cloth({0, 0, 0}, {1, 0, 0}, {0, -1, 0}, 2, 2, desc);
+    world.pin(cell, 0), world.pin(cell, 1);
+    for (int i = 0; i < 300; ++i) world.step(1.0f / 60);
+    const double wanted = 2 * mass * gravity * compliance, sheared = world.position(cell, 2).x;
+    test::figure("shear of a cell beside the closed form", sheared / wanted - 1, "");
+    CHECK(std::fabs(sheared / wanted - 1) < 0.01);
+}
+
 TEST_CASE("threads of a curtain that somebody walks through keep their lengths") {
     Sheet sheet(60);
     const gphys_capsule walker{{0, -0.5f, 0}, {0, 0.5f, 0}, 0.3f};

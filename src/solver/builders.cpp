@@ -124,13 +124,14 @@ gphys_status Solver::add_cloth(const gphys_body_desc& desc, Vec3 corner, Vec3 ed
         double compliance;
     };
     const double stretch = desc.compliance, bend = desc.bend_compliance;
+    const double shear = desc.shear_compliance > 0 ? desc.shear_compliance : stretch;
     Vector<Direction> directions({{0, 1, stretch}, {1, 0, stretch}}, &memory);
     if (desc.cloth_flags & GPHYS_CLOTH_SHEAR) {
-        directions.push_back({1, 1, stretch});
-        directions.push_back({1, -1, stretch});
+        directions.push_back({1, 1, shear});
+        directions.push_back({1, -1, shear});
         // Both diagonals make each cell rigid in its plane, so no two particles can be further
         // apart than in the flat sheet.
-        if (stretch == 0) body.cloth.rest_position = body.particles.position;
+        if (shear == 0) body.cloth.rest_position = body.particles.position;
     }
     if (desc.cloth_flags & GPHYS_CLOTH_BEND) {
         directions.push_back({0, 2, bend});
