@@ -598,6 +598,8 @@ type BodyDesc struct {
 	SelfCollision uint32
 	// two bodies collide with each other if their masks share a bit; 0: with none; default 0
 	BodyLayers uint32
+	// of ClothShear constraints of a grid, m/N, >= 0; 0: as compliance; default 0
+	ShearCompliance float32
 }
 
 // What all particles of a body share and may change later. Fields as in BodyDesc. Frozen.
@@ -911,6 +913,7 @@ var (
 	_ [unsafe.Offsetof(C.gphys_body_desc{}.static_friction)]byte = [unsafe.Offsetof(BodyDesc{}.StaticFriction)]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_desc{}.self_collision)]byte = [unsafe.Offsetof(BodyDesc{}.SelfCollision)]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_desc{}.body_layers)]byte = [unsafe.Offsetof(BodyDesc{}.BodyLayers)]byte{}
+	_ [unsafe.Offsetof(C.gphys_body_desc{}.shear_compliance)]byte = [unsafe.Offsetof(BodyDesc{}.ShearCompliance)]byte{}
 	_ [C.sizeof_gphys_body_settings]byte = [unsafe.Sizeof(BodySettings{})]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_settings{}.damping)]byte = [unsafe.Offsetof(BodySettings{}.Damping)]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_settings{}.friction)]byte = [unsafe.Offsetof(BodySettings{}.Friction)]byte{}

@@ -416,6 +416,8 @@ export interface BodyDesc {
     self_collision: number;
     /** two bodies collide with each other if their masks share a bit; 0: with none; default 0 */
     body_layers: number;
+    /** of CLOTH_SHEAR constraints of a grid, m/N, >= 0; 0: as compliance; default 0 */
+    shear_compliance: number;
 }
 /** What all particles of a body share and may change later. Fields as in BodyDesc. Frozen. */
 export interface BodySettings {

@@ -725,6 +725,8 @@ public partial struct BodyDesc {
     public uint SelfCollision;
     /// <summary>two bodies collide with each other if their masks share a bit; 0: with none; default 0</summary>
     public uint BodyLayers;
+    /// <summary>of ClothShear constraints of a grid, m/N, &gt;= 0; 0: as compliance; default 0</summary>
+    public float ShearCompliance;
     /// <summary>The defaults of the loaded library, to be changed.</summary>
     public static unsafe BodyDesc Default {
         get {

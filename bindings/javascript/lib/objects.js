@@ -776,22 +776,22 @@ export function objects(memory) {
         }
         addParticles(positions, desc) {
             begin();
-            if (desc != null) { check(native.gphys_body_desc_init(base, 52)); writeBodyDesc(v, 0, desc); }
+            if (desc != null) { check(native.gphys_body_desc_init(base, 56)); writeBodyDesc(v, 0, desc); }
             const positions_ = input(positions, 12, 'positions');
             const count = common(positions_);
-            check(native.gphys_solver_add_particles(this.pointer, desc == null ? 0 : base, pass(positions_), 12, count, base + 52));
-            return v.u32[13];
+            check(native.gphys_solver_add_particles(this.pointer, desc == null ? 0 : base, pass(positions_), 12, count, base + 56));
+            return v.u32[14];
         }
         addRope(positions, link_length, desc) {
             begin();
-            if (desc != null) { check(native.gphys_body_desc_init(base, 52)); writeBodyDesc(v, 0, desc); }
+            if (desc != null) { check(native.gphys_body_desc_init(base, 56)); writeBodyDesc(v, 0, desc); }
             const positions_ = input(positions, 12, 'positions');
             const count = common(positions_);
-            check(native.gphys_solver_add_rope(this.pointer, desc == null ? 0 : base, pass(positions_), 12, count, link_length, base + 52));
-            return v.u32[13];
+            check(native.gphys_solver_add_rope(this.pointer, desc == null ? 0 : base, pass(positions_), 12, count, link_length, base + 56));
+            return v.u32[14];
         }
         addCloth(corner, edge_u, edge_v, columns, rows, desc) {
-            if (desc != null) { check(native.gphys_body_desc_init(base, 52)); writeBodyDesc(v, 0, desc); }
+            if (desc != null) { check(native.gphys_body_desc_init(base, 56)); writeBodyDesc(v, 0, desc); }
             writeVec3(v, 14, corner);
             writeVec3(v, 18, edge_u);
             writeVec3(v, 22, edge_v);
@@ -799,7 +799,7 @@ export function objects(memory) {
             return v.u32[25];
         }
         addClothMesh(mesh, transform, desc) {
-            if (desc != null) { check(native.gphys_body_desc_init(base, 52)); writeBodyDesc(v, 0, desc); }
+            if (desc != null) { check(native.gphys_body_desc_init(base, 56)); writeBodyDesc(v, 0, desc); }
             if (transform != null) { writeTransform(v, 14, transform); }
             check(native.gphys_solver_add_cloth_mesh(this.pointer, desc == null ? 0 : base, pointer(mesh, Mesh, 'mesh', false), transform == null ? 0 : base + 56, base + 88));
             return v.u32[22];

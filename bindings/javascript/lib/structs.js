@@ -303,6 +303,7 @@ export function writeBodyDesc(v, at, value) {
             case 'static_friction': v.f32[at + 10] = number(value[name], 'static_friction'); break;
             case 'self_collision': v.u32[at + 11] = number(value[name], 'self_collision'); break;
             case 'body_layers': v.u32[at + 12] = number(value[name], 'body_layers'); break;
+            case 'shear_compliance': v.f32[at + 13] = number(value[name], 'shear_compliance'); break;
             default: throw new TypeError(`body_desc has no field ${name}`);
         }
     }

@@ -51,7 +51,7 @@ typedef struct gphys_orbit { gphys_vec3 target; gphys_vec3 up; float distance; f
 typedef struct gphys_orbit_speeds { float rotate_x; float rotate_y; float zoom; float pan_x; float pan_y; } gphys_orbit_speeds;
 typedef struct gphys_solver_desc { uint32_t struct_size; const gphys_allocator *allocator; gphys_vec3 gravity; uint32_t substeps; float fixed_step; uint32_t max_steps; const gphys_task_runner *task_runner; uint32_t worker_count; float sleep_speed; float sleep_strain; float sleep_time; float max_strain; float tolerance; uint32_t max_substeps; uint32_t max_work; } gphys_solver_desc;
 typedef struct gphys_solver_settings { gphys_vec3 gravity; uint32_t substeps; float fixed_step; uint32_t max_steps; float sleep_speed; float sleep_strain; float sleep_time; float max_strain; float tolerance; uint32_t max_substeps; uint32_t max_work; } gphys_solver_settings;
-typedef struct gphys_body_desc { uint32_t struct_size; float mass; float radius; float damping; float friction; float restitution; float compliance; float bend_compliance; uint32_t cloth_flags; uint32_t layers; float static_friction; uint32_t self_collision; uint32_t body_layers; } gphys_body_desc;
+typedef struct gphys_body_desc { uint32_t struct_size; float mass; float radius; float damping; float friction; float restitution; float compliance; float bend_compliance; uint32_t cloth_flags; uint32_t layers; float static_friction; uint32_t self_collision; uint32_t body_layers; float shear_compliance; } gphys_body_desc;
 typedef struct gphys_body_settings { float damping; float friction; float static_friction; float restitution; uint32_t layers; uint32_t body_layers; uint32_t self_collision; } gphys_body_settings;
 typedef struct gphys_body_info { gphys_body_kind kind; gphys_solve_method method; uint32_t particle_count; uint32_t constraint_count; uint32_t triangle_count; } gphys_body_info;
 typedef struct gphys_wind { gphys_vec3 velocity; float density; float drag; float lift; } gphys_wind;
@@ -390,7 +390,7 @@ gphys_status gphys_solver_get_hash(const gphys_solver *solver, uint32_t *out_has
         { name = "orbit_speeds", fields = { "rotate_x", "rotate_y", "zoom", "pan_x", "pan_y" } },
         { name = "solver_desc", fields = { "struct_size", "allocator", "gravity", "substeps", "fixed_step", "max_steps", "task_runner", "worker_count", "sleep_speed", "sleep_strain", "sleep_time", "max_strain", "tolerance", "max_substeps", "max_work" } },
         { name = "solver_settings", fields = { "gravity", "substeps", "fixed_step", "max_steps", "sleep_speed", "sleep_strain", "sleep_time", "max_strain", "tolerance", "max_substeps", "max_work" } },
-        { name = "body_desc", fields = { "struct_size", "mass", "radius", "damping", "friction", "restitution", "compliance", "bend_compliance", "cloth_flags", "layers", "static_friction", "self_collision", "body_layers" } },
+        { name = "body_desc", fields = { "struct_size", "mass", "radius", "damping", "friction", "restitution", "compliance", "bend_compliance", "cloth_flags", "layers", "static_friction", "self_collision", "body_layers", "shear_compliance" } },
         { name = "body_settings", fields = { "damping", "friction", "static_friction", "restitution", "layers", "body_layers", "self_collision" } },
         { name = "body_info", fields = { "kind", "method", "particle_count", "constraint_count", "triangle_count" } },
         { name = "wind", fields = { "velocity", "density", "drag", "lift" } },

@@ -494,10 +494,11 @@ class BodyDesc(Desc, Structure):
     static_friction: float  # of what rests on a model, slower than a fall of 4e-4 radii; at least friction, or 0: as friction; default 0
     self_collision: int  # 1: its particles collide with one another, see below; default 0
     body_layers: int  # two bodies collide with each other if their masks share a bit; 0: with none; default 0
-    _fields_ = [("struct_size", c_uint32), ("mass", c_float), ("radius", c_float), ("damping", c_float), ("friction", c_float), ("restitution", c_float), ("compliance", c_float), ("bend_compliance", c_float), ("cloth_flags", c_uint32), ("layers", c_uint32), ("static_friction", c_float), ("self_collision", c_uint32), ("body_layers", c_uint32)]
+    shear_compliance: float  # of CLOTH_SHEAR constraints of a grid, m/N, >= 0; 0: as compliance; default 0
+    _fields_ = [("struct_size", c_uint32), ("mass", c_float), ("radius", c_float), ("damping", c_float), ("friction", c_float), ("restitution", c_float), ("compliance", c_float), ("bend_compliance", c_float), ("cloth_flags", c_uint32), ("layers", c_uint32), ("static_friction", c_float), ("self_collision", c_uint32), ("body_layers", c_uint32), ("shear_compliance", c_float)]
 
 
-body_desc_dtype = dtype([("struct_size", "<u4"), ("mass", "<f4"), ("radius", "<f4"), ("damping", "<f4"), ("friction", "<f4"), ("restitution", "<f4"), ("compliance", "<f4"), ("bend_compliance", "<f4"), ("cloth_flags", "<u4"), ("layers", "<u4"), ("static_friction", "<f4"), ("self_collision", "<u4"), ("body_layers", "<u4")])
+body_desc_dtype = dtype([("struct_size", "<u4"), ("mass", "<f4"), ("radius", "<f4"), ("damping", "<f4"), ("friction", "<f4"), ("restitution", "<f4"), ("compliance", "<f4"), ("bend_compliance", "<f4"), ("cloth_flags", "<u4"), ("layers", "<u4"), ("static_friction", "<f4"), ("self_collision", "<u4"), ("body_layers", "<u4"), ("shear_compliance", "<f4")])
 BodyDesc.dtype = body_desc_dtype
 
 

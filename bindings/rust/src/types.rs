@@ -681,6 +681,8 @@ pub struct BodyDesc {
     pub self_collision: u32,
     /// two bodies collide with each other if their masks share a bit; 0: with none; default 0
     pub body_layers: u32,
+    /// of `CLOTH_SHEAR` constraints of a grid, m/N, >= 0; 0: as compliance; default 0
+    pub shear_compliance: f32,
 }
 
 /// What all particles of a body share and may change later. Fields as in `BodyDesc`. Frozen.
@@ -855,7 +857,7 @@ const _: () = {
     assert!(std::mem::size_of::<OrbitSpeeds>() == 20);
     assert!(std::mem::size_of::<SolverDesc>() == 80);
     assert!(std::mem::size_of::<SolverSettings>() == 52);
-    assert!(std::mem::size_of::<BodyDesc>() == 52);
+    assert!(std::mem::size_of::<BodyDesc>() == 56);
     assert!(std::mem::size_of::<BodySettings>() == 28);
     assert!(std::mem::size_of::<BodyInfo>() == 20);
     assert!(std::mem::size_of::<Wind>() == 24);
@@ -900,7 +902,7 @@ const _: () = {
     assert!(std::mem::size_of::<OrbitSpeeds>() == 20);
     assert!(std::mem::size_of::<SolverDesc>() == 68);
     assert!(std::mem::size_of::<SolverSettings>() == 52);
-    assert!(std::mem::size_of::<BodyDesc>() == 52);
+    assert!(std::mem::size_of::<BodyDesc>() == 56);
     assert!(std::mem::size_of::<BodySettings>() == 28);
     assert!(std::mem::size_of::<BodyInfo>() == 20);
     assert!(std::mem::size_of::<Wind>() == 24);
@@ -1149,6 +1151,7 @@ fn fields_stand_where_c_has_them() {
     assert_eq!(unsafe { std::ptr::addr_of!((*p).static_friction) } as usize - p as usize, 40);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).self_collision) } as usize - p as usize, 44);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).body_layers) } as usize - p as usize, 48);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).shear_compliance) } as usize - p as usize, 52);
     let s = std::mem::MaybeUninit::<BodySettings>::uninit();
     let p = s.as_ptr();
     assert_eq!(unsafe { std::ptr::addr_of!((*p).damping) } as usize - p as usize, 0);

@@ -10,7 +10,7 @@ import java.nio.ByteBuffer;
  * </pre>
  */
 public final class BodyDesc {
-    private final ByteBuffer memory = Batch.direct(52);
+    private final ByteBuffer memory = Batch.direct(56);
 
     public BodyDesc() {
         Low.check(Low.gphys_body_desc_init(pointer(), memory.capacity()));
@@ -187,5 +187,19 @@ public final class BodyDesc {
 
     public int bodyLayers() {
         return memory.getInt(48);
+    }
+
+    /**
+     * <pre>
+     * of CLOTH_SHEAR constraints of a grid, m/N, &gt;= 0; 0: as compliance; default 0
+     * </pre>
+     */
+    public BodyDesc shearCompliance(float value) {
+        memory.putFloat(52, value);
+        return this;
+    }
+
+    public float shearCompliance() {
+        return memory.getFloat(52);
     }
 }
