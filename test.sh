@@ -18,7 +18,7 @@ source cmake/install_packages.sh
 source cmake/test_summary.sh
 
 presets=(release asan-ubsan)
-packages=(cmake ninja-build g++ clang pkg-config dpkg-dev lintian file catch2 libcmocka-dev libcgal-dev libassimp-dev libstb-dev
+packages=(cmake ninja-build g++ clang pkg-config dpkg-dev lintian file locales catch2 libcmocka-dev libcgal-dev libassimp-dev libstb-dev
     libbenchmark-dev valgrind python3 python3-cffi luajit abigail-tools libmpfr-dev python3-sphinx python3-myst-parser furo python3-numpy python3-matplotlib
     libsdl2-dev libgl-dev libgl1-mesa-dri xvfb xdotool libopenmpi-dev openmpi-bin)
 configuration=()

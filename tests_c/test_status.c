@@ -39,6 +39,9 @@ static void errors_name_function_parameter_value_and_range(void** state) {
     gphys_camera* camera;
     gphys_orbit orbit;
     gphys_model_id model = 0;
+    const gphys_sphere ball = {{0, 0, 0}, 1};
+    const gphys_plane plane = {{0, 1, 0}, 0};
+    int32_t overlaps = 0;
     double origin[3] = {0, NAN, 0};
     float positions[3];
     (void)state;
@@ -65,6 +68,18 @@ static void errors_name_function_parameter_value_and_range(void** state) {
     check_error(gphys_scene_remove(scene, model), "gphys_scene_remove: model: no such model, or no longer");
     check_error(gphys_shape_validate((gphys_shape_type)99, positions),
                 "gphys_shape_validate: type 99 is not a gphys_shape_type");
+    check_error(gphys_shape_overlaps(99, &ball, GPHYS_SHAPE_SPHERE, &ball, &overlaps),
+                "gphys_shape_overlaps: a_type 99 is not a gphys_shape_type");
+    check_error(gphys_shape_overlaps(GPHYS_SHAPE_SPHERE, &ball, 99, &ball, &overlaps),
+                "gphys_shape_overlaps: b_type 99 is not a gphys_shape_type");
+    check_error(gphys_shape_overlaps_batch(GPHYS_SHAPE_SPHERE, &ball, 0, GPHYS_SHAPE_SPHERE, NULL, 0, 1, &overlaps, 4),
+                "gphys_shape_overlaps_batch: b is null");
+    check_error(gphys_shape_overlaps(GPHYS_SHAPE_MESH, NULL, GPHYS_SHAPE_SPHERE, &ball, &overlaps),
+                "gphys_shape_overlaps: a is null");
+    check_error(gphys_shape_sweep(GPHYS_SHAPE_SPHERE, &ball, GPHYS_SHAPE_PLANE, &plane, &ball.center, hits),
+                "gphys_shape_sweep: moving_type 5 is not a sphere, capsule, AABB or OBB");
+    check_error(gphys_shape_sweep(GPHYS_SHAPE_SPHERE, &ball, GPHYS_SHAPE_SPHERE, NULL, &ball.center, hits),
+                "gphys_shape_sweep: moving is null");
     gphys_camera_destroy(camera);
     gphys_scene_destroy(scene);
 }

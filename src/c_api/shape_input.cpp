@@ -16,8 +16,8 @@ gphys_status read(const char* name, const void* shape, Shape& out) {
 
 }  // namespace
 
-gphys_status read_shape(gphys_shape_type type, const void* shape, Shape& out) noexcept {
-    GPHYS_REQUIRE_POINTERS(shape);
+gphys_status read_shape(gphys_shape_type type, const void* shape, Shape& out, ShapeNames names) noexcept {
+    GPHYS_TRY(check_pointers(names.shape, shape));
     switch (type) {
         case GPHYS_SHAPE_SPHERE:
             return read<gphys_sphere>("sphere", shape, out);
@@ -36,23 +36,23 @@ gphys_status read_shape(gphys_shape_type type, const void* shape, Shape& out) no
         case GPHYS_SHAPE_MESH:
         case GPHYS_SHAPE_RAY:
         case GPHYS_SHAPE_SEGMENT:
-            return fail(GPHYS_ERROR_UNSUPPORTED, "type", type,
+            return fail(GPHYS_ERROR_UNSUPPORTED, names.type, type,
                         "a shape that this function takes (no mesh, ray or segment)");
         default:
-            return fail(GPHYS_ERROR_INVALID_ARGUMENT, "type", type, "a gphys_shape_type");
+            return fail(GPHYS_ERROR_INVALID_ARGUMENT, names.type, type, "a gphys_shape_type");
     }
 }
 
-gphys_status read_moving(gphys_shape_type type, const void* shape, Shape& out) noexcept {
-    GPHYS_TRY(read_shape(type, shape, out));
+gphys_status read_moving(gphys_shape_type type, const void* shape, Shape& out, ShapeNames names) noexcept {
+    GPHYS_TRY(read_shape(type, shape, out, names));
     const bool moves = type == GPHYS_SHAPE_SPHERE || type == GPHYS_SHAPE_CAPSULE || type == GPHYS_SHAPE_AABB ||
                        type == GPHYS_SHAPE_OBB;
-    return moves ? GPHYS_OK : fail(GPHYS_ERROR_UNSUPPORTED, "type", type, "a sphere, capsule, AABB or OBB");
+    return moves ? GPHYS_OK : fail(GPHYS_ERROR_UNSUPPORTED, names.type, type, "a sphere, capsule, AABB or OBB");
 }
 
-gphys_status read_shape(gphys_shape_type type, const void* shape, ShapeOrMesh& out) noexcept {
-    if (type != GPHYS_SHAPE_MESH) return read_shape(type, shape, out.shape);
-    GPHYS_REQUIRE_POINTERS(shape);
+gphys_status read_shape(gphys_shape_type type, const void* shape, ShapeOrMesh& out, ShapeNames names) noexcept {
+    if (type != GPHYS_SHAPE_MESH) return read_shape(type, shape, out.shape, names);
+    GPHYS_TRY(check_pointers(names.shape, shape));
     out.mesh = unwrap(static_cast<const gphys_mesh*>(shape));
     return GPHYS_OK;
 }

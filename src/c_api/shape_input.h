@@ -10,20 +10,26 @@ namespace gphys {
 
 class Mesh;
 
+/// The parameters of an entry point that give a shape, for messages.
+struct ShapeNames {
+    const char* type = "type";
+    const char* shape = "shape";
+};
+
 /// Check a caller's shape and widen it. type: any primitive of Shape.
 /// @return GPHYS_ERROR_UNSUPPORTED for a ray, segment or mesh; GPHYS_ERROR_INVALID_ARGUMENT for
 ///         null, an unknown type and a defect
-gphys_status read_shape(gphys_shape_type type, const void* shape, Shape& out) noexcept;
+gphys_status read_shape(gphys_shape_type type, const void* shape, Shape& out, ShapeNames names = {}) noexcept;
 /// A mesh if that is not null, else a primitive.
 struct ShapeOrMesh {
     Shape shape;
     const Mesh* mesh = nullptr;
 };
 /// @return as read_shape, but a mesh is accepted too
-gphys_status read_shape(gphys_shape_type type, const void* shape, ShapeOrMesh& out) noexcept;
+gphys_status read_shape(gphys_shape_type type, const void* shape, ShapeOrMesh& out, ShapeNames names = {}) noexcept;
 /// A shape that moves.
 /// @return as read_shape; GPHYS_ERROR_UNSUPPORTED for all but a sphere, capsule, AABB or OBB
-gphys_status read_moving(gphys_shape_type type, const void* shape, Shape& out) noexcept;
+gphys_status read_moving(gphys_shape_type type, const void* shape, Shape& out, ShapeNames names = {}) noexcept;
 /// Size of the public struct in bytes; 0 for a mesh and for unknown types.
 size_t shape_struct_size(gphys_shape_type type) noexcept;
 

@@ -81,7 +81,8 @@ gphys_status check_points(const gphys_vec3* points, uint32_t stride, uint32_t co
 /// The shapes of one side of a batch of pairs. With a stride of 0 the only shape is read and checked once.
 class Shapes {
 public:
-    Shapes(gphys_shape_type type, const void* first, uint32_t stride) : type_(type), first_(first), stride_(stride) {}
+    Shapes(ShapeNames names, gphys_shape_type type, const void* first, uint32_t stride)
+        : names_(names), type_(type), first_(first), stride_(stride) {}
 
     gphys_status check(const char* stride_name, uint32_t count) {
         GPHYS_TRY(type_ == GPHYS_SHAPE_MESH ? check_mesh_stride(stride_name, stride_)
@@ -99,9 +100,10 @@ public:
 private:
     gphys_status read(uint32_t i) {
         const char* first = static_cast<const char*>(first_);
-        return read_shape(type_, first ? first + size_t{stride_} * i : nullptr, current_);
+        return read_shape(type_, first ? first + size_t{stride_} * i : nullptr, current_, names_);
     }
 
+    ShapeNames names_;
     gphys_shape_type type_;
     const void* first_;
     uint32_t stride_;
@@ -136,7 +138,7 @@ gphys_status overlaps_batch(gphys_shape_type a_type, const void* a, uint32_t a_s
                             uint32_t out_stride) {
     if (count != 0) GPHYS_REQUIRE_POINTERS(out_overlaps);
     GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof(int32_t)));
-    Shapes first(a_type, a, a_stride), second(b_type, b, b_stride);
+    Shapes first({"a_type", "a"}, a_type, a, a_stride), second({"b_type", "b"}, b_type, b, b_stride);
     GPHYS_TRY(first.check("a_stride", count));
     GPHYS_TRY(second.check("b_stride", count));
     const StridedOut<int32_t> out(out_overlaps, out_stride);

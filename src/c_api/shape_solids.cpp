@@ -14,7 +14,7 @@ struct Pair {
 gphys_status read_pair(gphys_shape_type type, const void* shape, gphys_shape_type moving_type, const void* moving,
                        Pair& out) {
     GPHYS_TRY(read_shape(type, shape, out.other));
-    return read_moving(moving_type, moving, out.moving);
+    return read_moving(moving_type, moving, out.moving, {"moving_type", "moving"});
 }
 
 bool sweep(const Pair& pair, Vec3 displacement, Hit& hit) {
