@@ -24,6 +24,9 @@ namespace {
 constexpr uint32_t model_count = 300, body_count = 6;
 constexpr uint32_t seen = 1, solid = 2;  // layers: queries see all models, bodies collide with one in ten
 constexpr size_t remembered_ids = 100000;
+// As many slots of bodies wait for their next use (src/foundation/ids.h). Each keeps room until then, so the run begins
+// with all of them used once.
+constexpr uint32_t slot_queue = 1024;
 
 // Frames of a tenth in which enough bodies come and go for its median to be that of any other.
 constexpr uint64_t long_tenth = 50000;
@@ -133,6 +136,10 @@ public:
             return id;
         });
         for (uint32_t i = 0; i < model_count; ++i) add_model();
+        for (uint32_t i = 0; i < slot_queue; ++i) {
+            add_body();
+            remove_body();
+        }
         for (uint32_t i = 0; i < body_count; ++i) add_body();
     }
 
@@ -157,10 +164,10 @@ public:
             times.clear();
             most = 0;
         }
-        // The content is the same at all times but for chance. A leak of one byte a frame, or a cost that grows with
-        // the number of past frames, exceeds these by far in a million frames.
+        // The content is the same at all times but for chance, which makes less than 1 % of the bytes. A leak of one
+        // byte a frame, or a cost that grows with the number of past frames, exceeds these by far in a million frames.
         for (size_t k = 2; k < medians.size(); ++k) {
-            memory_flat(static_cast<double>(largest[k]) <= 1.25 * static_cast<double>(largest[1]));
+            memory_flat(static_cast<double>(largest[k]) <= 1.05 * static_cast<double>(largest[1]));
             if (tenth >= long_tenth) time_flat(medians[k] <= 1.5 * medians[1]);
         }
     }

@@ -20,6 +20,7 @@ typedef struct mode {
 
 static const mode modes[] = {
     {"to nearest", FE_TONEAREST, 0},
+#ifndef __EMSCRIPTEN__ /* names the modes of x86, and has only this one */
 #ifdef FE_UPWARD
     {"up", FE_UPWARD, 0},
 #endif
@@ -29,6 +30,7 @@ static const mode modes[] = {
 #ifdef FE_TOWARDZERO
     {"to zero", FE_TOWARDZERO, 0},
     {"to zero, denormals flushed", FE_TOWARDZERO, 1},
+#endif
 #endif
     {"denormals flushed", FE_TONEAREST, 1},
 };

@@ -395,7 +395,7 @@ static void bad_filters_are_refused_and_outputs_stay(void** state) {
     assert_int_equal(gphys_scene_raycast_filtered(scene, &ray, bad, NULL), GPHYS_ERROR_INVALID_ARGUMENT);
     assert_int_equal(gphys_scene_raycast_filtered_batch(NULL, &ray, 0, 1, bad, 0, hits, sizeof *hits),
                      GPHYS_ERROR_INVALID_ARGUMENT);
-    assert_int_equal(gphys_scene_raycast_filtered_batch(scene, &ray, 0, 1, bad, 28, hits, sizeof *hits),
+    assert_int_equal(gphys_scene_raycast_filtered_batch(scene, &ray, 0, 1, bad, sizeof *bad - 4, hits, sizeof *hits),
                      GPHYS_ERROR_INVALID_ARGUMENT);
     assert_int_equal(gphys_scene_raycast_filtered_batch(scene, &ray, 0, 1, bad, sizeof *bad + 2, hits, sizeof *hits),
                      GPHYS_ERROR_INVALID_ARGUMENT);

@@ -1,4 +1,5 @@
 // Input that is valid but extreme: a status, or a motion of finite numbers.
+#include "solver/state_range.h"
 #include "solver_world.h"
 
 using gphys::Vec3;
@@ -304,4 +305,18 @@ TEST_CASE("bodies with extreme parameters stay in range, and their snapshots are
     // Tensions, impulses, places of contacts and histories that were no numbers.
     for (const uint64_t seed : {168, 193, 203, 236, 421, 663, 815, 825, 880, 1131, 1303, 1625, 1823, 1998, 2610})
         check_extremes(seed);
+}
+
+TEST_CASE("a body that has left the range has no contact from there") {
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    gphys::Body body(std::pmr::new_delete_resource());
+    body.particles.position = {{1, 2, 3}, {0, nan, 0}};
+    body.particles.velocity = {{0, 0, 0}, {0, 0, 0}};
+    body.contacts.touches.resize(2 * gphys::touches_per_particle);
+    body.contacts.touch_count = {0, 1};
+    body.contacts.touches[gphys::touches_per_particle] = {7, 0, {nan, nan, nan}, {0, 1, 0}};
+    gphys::stay_in_range(body);
+    CHECK(gphys::is_finite(body.particles.position[1]));
+    for (const gphys::Touch& touch : body.contacts.touches) CHECK((touch.model == 0 && touch.point.x == 0));
+    CHECK((body.contacts.touch_count[0] == 0 && body.contacts.touch_count[1] == 0));
 }

@@ -28,6 +28,7 @@ static void portable_check(int condition, const char* text, const char* file, in
     longjmp(portable_failure, 1);
 }
 
+#define fail_msg(...) (printf(__VA_ARGS__), portable_check(0, "", __FILE__, __LINE__))
 #define PORTABLE_CHECK(condition, text) portable_check(condition, text, __FILE__, __LINE__)
 #define assert_true(c) PORTABLE_CHECK((c) ? 1 : 0, #c)
 #define assert_false(c) PORTABLE_CHECK((c) ? 0 : 1, "not " #c)
