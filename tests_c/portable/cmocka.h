@@ -22,7 +22,7 @@ struct CMUnitTest {
 
 static jmp_buf portable_failure;
 
-static void portable_check(int condition, const char* text, const char* file, int line) {
+static inline void portable_check(int condition, const char* text, const char* file, int line) {
     if (condition) return;
     printf("%s:%d: %s\n", file, line, text);
     longjmp(portable_failure, 1);
