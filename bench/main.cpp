@@ -659,7 +659,8 @@ void moves(Bench& bench, uint32_t n) {
     used.implementation->load(content);
     for (uint64_t frame = 0; frame < 1000; ++frame) {
         for (const Jump& jump : jumps(n, n / 100, 1000 + frame)) {
-            content[jump.object] = jump.to;
+            content[jump.object].center = jump.to.center;
+            content[jump.object].rotation = jump.to.rotation;
             used.implementation->move_some(content, jump.object, 1);
         }
     }
