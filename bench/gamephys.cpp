@@ -51,7 +51,8 @@ void release(void* heap, void* memory, size_t size, size_t) {
 
 class Gamephys final : public Implementation {
 public:
-    Gamephys(uint32_t worker_count, uint32_t callers) : worker_count_(worker_count), callers_(callers) {}
+    Gamephys(uint32_t worker_count, uint32_t callers, bool counted)
+        : worker_count_(worker_count), callers_(callers), counted_(counted) {}
     ~Gamephys() override { clear(); }
 
     bool load(const std::vector<gphys_obb>& boxes) override {
@@ -276,6 +277,54 @@ public:
         return true;
     }
 
+    bool load_one_by_one(const std::vector<gphys_obb>& boxes, CallTimes& adds) override {
+        place(boxes);
+        create_scene();
+        models_.resize(boxes.size());
+        adds.start_run();
+        for (uint32_t i = 0; i < boxes.size(); ++i) add_one(boxes[i], i, adds);
+        return true;
+    }
+
+    bool replace_one_by_one(const std::vector<Jump>& jumps, CallTimes& removes, CallTimes& adds) override {
+        removes.start_run();
+        adds.start_run();
+        for (const Jump& jump : jumps) {
+            transforms_[jump.object] = {jump.to.center, jump.to.rotation, 1};
+            removes.time([&] { check(gphys_scene_remove(scene_, models_[jump.object])); });
+            add_one(jump.to, jump.object, adds);
+        }
+        return true;
+    }
+
+    bool run_frame(const Frame& frame, FrameTimes& times) override {
+        models_seen_.resize(models_.size());
+        uint32_t total = 0;
+        for (const gphys_ray& ray : frame.rays) {
+            gphys_hit hit;
+            times.rays.time(
+                [&] { times.hits += gphys_scene_raycast(scene_, &ray, GPHYS_ALL_LAYERS, &hit) == GPHYS_OK; });
+        }
+        for (const gphys_sphere& ball : frame.balls) {
+            times.overlaps.time([&] {
+                check(gphys_scene_overlap(scene_, GPHYS_SHAPE_SPHERE, &ball, GPHYS_ALL_LAYERS, models_seen_.data(),
+                                          static_cast<uint32_t>(models_seen_.size()), &total));
+            });
+            times.overlapping += total;
+        }
+        for (const Jump& move : frame.moves) {
+            const gphys_transform to{move.to.center, move.to.rotation, 1};
+            times.moves.time(
+                [&] { check(gphys_scene_set_transforms(scene_, &models_[move.object], &to, sizeof to, 1)); });
+        }
+        times.culls.time([&] {
+            check(gphys_scene_cull(scene_, &frame.frustum, GPHYS_ALL_LAYERS, models_seen_.data(),
+                                   static_cast<uint32_t>(models_seen_.size()), &total));
+        });
+        times.visible += total;
+        return true;
+    }
+
 private:
     void clear() {
         gphys_mesh_destroy(mesh_);
@@ -306,14 +355,29 @@ private:
                                 static_cast<uint32_t>(mesh.indices.size()), &mesh_));
     }
 
-    void add(gphys_shape_type type, const void* shapes, uint32_t stride,
-             const std::vector<gphys_transform>& transforms) {
+    void create_scene() {
         clear();
         gphys_scene_desc desc;
         check(gphys_scene_desc_init(&desc, sizeof desc));
         desc.worker_count = worker_count_;
-        desc.allocator = &allocator_;
+        desc.allocator = counted_ ? &allocator_ : nullptr;
         check(gphys_scene_create(&desc, &scene_));
+    }
+
+    void add_one(const gphys_obb& box, uint32_t index, CallTimes& adds) {
+        const gphys_vec3 h = box.half_extents;
+        const gphys_aabb shape{{-h.x, -h.y, -h.z}, h};
+        gphys_model_desc desc;
+        check(gphys_model_desc_init(&desc, sizeof desc));
+        desc.tag = index;
+        adds.time([&] {
+            check(gphys_scene_add(scene_, GPHYS_SHAPE_AABB, &shape, &transforms_[index], &desc, &models_[index]));
+        });
+    }
+
+    void add(gphys_shape_type type, const void* shapes, uint32_t stride,
+             const std::vector<gphys_transform>& transforms) {
+        create_scene();
         models_.resize(transforms.size());
         check(gphys_scene_add_batch(scene_, type, shapes, stride, transforms.data(), sizeof transforms[0],
                                     static_cast<uint32_t>(transforms.size()), nullptr, models_.data()));
@@ -354,6 +418,7 @@ private:
     }
 
     uint32_t worker_count_, callers_;
+    bool counted_;
     Heap heap_;
     const gphys_allocator allocator_{allocate, release, &heap_};
     gphys_scene* scene_ = nullptr;
@@ -370,8 +435,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Implementation> make_gamephys(uint32_t worker_count, uint32_t callers) {
-    return std::make_unique<Gamephys>(worker_count, callers);
+std::unique_ptr<Implementation> make_gamephys(uint32_t worker_count, uint32_t callers, bool counted) {
+    return std::make_unique<Gamephys>(worker_count, callers, counted);
 }
 
 }  // namespace bench

@@ -2,6 +2,9 @@
 // library has no such operation; the case then has no row for it.
 #pragma once
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -31,6 +34,49 @@ public:
 
 private:
     int64_t now_ = 0, peak_ = 0;
+};
+
+/// Nanoseconds of each of a row of calls. The row is run several times, and of each call the fastest run counts:
+/// what the machine did besides does not strike the same call twice.
+class CallTimes {
+public:
+    void start_run() { next_ = 0; }
+    void add(double ns) {
+        if (next_ == times_.size()) times_.push_back(ns);
+        times_[next_] = ns < times_[next_] ? ns : times_[next_];
+        ++next_;
+    }
+    template <class Call>
+    void time(const Call& call) {
+        const auto start = std::chrono::steady_clock::now();
+        call();
+        add(std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count());
+    }
+    size_t count() const { return times_.size(); }
+    double worst() const { return quantile(1); }
+    /// The time that a part of all calls does not exceed.
+    double quantile(double part) const {
+        std::vector<double> sorted = times_;
+        std::sort(sorted.begin(), sorted.end());
+        const auto place = static_cast<size_t>(std::ceil(part * static_cast<double>(sorted.size())));
+        return sorted.at(place == 0 ? 0 : place - 1);
+    }
+
+private:
+    std::vector<double> times_;
+    size_t next_ = 0;
+};
+
+/// What a frame of a game asks, a call for each, and how long the calls take.
+struct Frame {
+    std::vector<gphys_ray> rays;
+    std::vector<gphys_sphere> balls;
+    std::vector<Jump> moves;
+    gphys_frustum frustum;
+};
+struct FrameTimes {
+    CallTimes rays, overlaps, moves, culls;
+    uint64_t hits = 0, overlapping = 0, visible = 0;  // of all runs
 };
 
 class Implementation {
@@ -86,12 +132,23 @@ public:
         return false;
     }
 
+    // A call for each object.
+
+    /// As load, into an empty scene.
+    virtual bool load_one_by_one(const std::vector<gphys_obb>&, CallTimes& /*adds*/) { return false; }
+    /// Boxes are removed, and added again where they go.
+    virtual bool replace_one_by_one(const std::vector<Jump>&, CallTimes& /*removes*/, CallTimes& /*adds*/) {
+        return false;
+    }
+    virtual bool run_frame(const Frame&, FrameTimes&) { return false; }
+
 protected:
     std::vector<Answer> answers_;
 };
 
-/// `worker_count` of the scene, and threads that call, each with a part of the queries.
-std::unique_ptr<Implementation> make_gamephys(uint32_t worker_count, uint32_t callers = 1);
+/// `worker_count` of the scene, and threads that call, each with a part of the queries. Its memory is counted, or else
+/// it has no allocator but its own.
+std::unique_ptr<Implementation> make_gamephys(uint32_t worker_count, uint32_t callers = 1, bool counted = true);
 /// The library's own trees with float tests in place of its exact ones: for the accuracy suite.
 std::unique_ptr<Implementation> make_gamephys_float();
 /// A sweep over all boxes with SIMD, the baseline for culling: over all, or over blocks of 64 that are near each

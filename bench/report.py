@@ -12,7 +12,7 @@ import pathlib
 import sys
 
 SUITES = ["scene", "mesh", "query", "update"]
-OTHERS = ["embree", "embree_robust", "embree_packets", "embree_packets_robust", "bullet", "fcl", "nanoflann", "simd_sweep", "simd_blocks"]
+OTHERS = ["gamephys_fresh", "embree", "embree_robust", "embree_packets", "embree_packets_robust", "bullet", "fcl", "nanoflann", "simd_sweep", "simd_blocks"]
 WRONG = ("WRONG_FRACTION", "DIFFERS")
 
 PAGE = """# Benchmarks
@@ -21,7 +21,7 @@ PAGE = """# Benchmarks
 
 Written by `./bench.sh scene mesh query update --peers --docs`, which measures all libraries in one run on the same work, in interleaved repetitions of which the fastest counts. gamephys is built with the flags that users get and called through its C interface, in batches where there are some. The time ends when the answers are in memory. Times are of one thread unless the row says otherwise.
 
-A ratio is the time of gamephys divided by that of the other: below 1, gamephys is faster. † marks those whose answers are not those of a loop over everything in double precision. `_rows` are the rays of `_camera` as its picture is stored, row by row; those are in tiles of 8 by 8 pixels. `_single_` are calls for one ray each, `_miss` rays that point away from everything, `mesh_model_` rays at a mesh that is the one model of a scene, beside others that have the mesh without a scene. Embree's packets are of sixteen rays with its flag for coherent ones; what a user writes for Embree, the tests of boxes, is compiled for this processor. Bytes are all that is allocated, by the allocators that the libraries offer, and the boxes that Embree's tests read; `memory_peak_` is the most while it is built. `simd_blocks` is a sweep over blocks of 64 boxes that are near each other, with a box around each. `gamephys_2_apart` are two independent threads, each with half of the queries: what the machine allows. [What limits the speed](limits_of_speed.md) has the profiles of rows in which gamephys is not as far ahead as was aimed for.
+A ratio is the time of gamephys divided by that of the other: below 1, gamephys is faster. † marks those whose answers are not those of a loop over everything in double precision. `_rows` are the rays of `_camera` as its picture is stored, row by row; those are in tiles of 8 by 8 pixels. `_single_` are calls for one ray each, `_miss` rays that point away from everything, `mesh_model_` rays at a mesh that is the one model of a scene, beside others that have the mesh without a scene. Embree's packets are of sixteen rays with its flag for coherent ones; what a user writes for Embree, the tests of boxes, is compiled for this processor. Bytes are all that is allocated, by the allocators that the libraries offer, and the boxes that Embree's tests read; `memory_peak_` is the most while it is built. `simd_blocks` is a sweep over blocks of 64 boxes that are near each other, with a box around each. `gamephys_fresh` is a scene built of the same boxes in one batch, beside one that was added to or changed a call at a time (`after_`). `add_`, `churn_` and `latency_` are single calls, the fastest of three runs of each, and of all of a row those that a half, 99 % and 99.9 % of them do not exceed, and the longest; the library's own allocator serves them. `gamephys_2_apart` are two independent threads, each with half of the queries: what the machine allows. [What limits the speed](limits_of_speed.md) has the profiles of rows in which gamephys is not as far ahead as was aimed for.
 
 ![Time of a ray against the number of boxes](images/growth.png)
 

@@ -115,6 +115,50 @@ void jiggle(std::vector<gphys_obb>& boxes, uint64_t frame) {
     }
 }
 
+std::vector<Arrangement> arrangements(uint32_t n) {
+    const std::vector<gphys_obb> random = boxes(n);
+    std::vector<Arrangement> all(5, {"", random});
+    all[0].name = "random";
+    all[1].name = "sorted";
+    std::sort(all[1].boxes.begin(), all[1].boxes.end(),
+              [](const gphys_obb& a, const gphys_obb& b) { return a.center.x < b.center.x; });
+    all[2].name = "line";
+    all[3].name = "rows";
+    all[4].name = "one_place";
+    const auto in_row = static_cast<uint32_t>(std::sqrt(static_cast<float>(n)));
+    for (uint32_t i = 0; i < n; ++i) {
+        all[2].boxes[i].center = {2.0f * static_cast<float>(i), 0, 0};
+        all[3].boxes[i].center = {3.0f * static_cast<float>(i % in_row), 0, 3.0f * static_cast<float>(i / in_row)};
+        all[4].boxes[i] = random.front();
+    }
+    return all;
+}
+
+std::vector<Jump> jumps(uint32_t n, uint32_t count, uint64_t seed) {
+    Random random(seed);
+    std::vector<Jump> result(count);
+    for (Jump& jump : result) {
+        jump.object = static_cast<uint32_t>(random.next() % n);
+        jump.to.center = random.point(half_side(n));
+        jump.to.half_extents = gphys_vec3{0.6f, 0.6f, 0.6f} + random.point(0.4f);
+        jump.to.rotation = random.rotation();
+    }
+    return result;
+}
+
+std::vector<gphys_ray> rays_at(const std::vector<gphys_obb>& boxes, uint32_t count) {
+    Random random(4242);
+    std::vector<gphys_ray> result(count);
+    for (gphys_ray& r : result) {
+        const gphys_vec3 target = boxes[random.next() % boxes.size()].center + random.point(0.5f);
+        const float distance = random.uniform(5, 50);
+        r.direction = random.direction();
+        r.origin = target - r.direction * distance;
+        r.t_max = 2 * distance;
+    }
+    return result;
+}
+
 std::vector<gphys_ray> random_rays(float half_side, uint32_t count) {
     Random random(777);
     const float radius = half_side * 1.7321f + 3;

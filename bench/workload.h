@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "gamephys_c.h"
@@ -37,6 +38,22 @@ std::vector<gphys_sphere> spheres(uint32_t n);
 std::vector<gphys_transform> placements(uint32_t n);
 /// A step of random motion for all boxes; at most 0.1 m and a few degrees.
 void jiggle(std::vector<gphys_obb>& boxes, uint64_t frame);
+
+/// Boxes in the order in which they are added one by one, as worlds are made: at random places, sorted along an axis,
+/// along a line, row by row of a floor, all at one place.
+struct Arrangement {
+    std::string name;
+    std::vector<gphys_obb> boxes;
+};
+std::vector<Arrangement> arrangements(uint32_t n);
+/// Boxes that go to random places of the cube, and which; a box may go more than once.
+struct Jump {
+    uint32_t object;
+    gphys_obb to;
+};
+std::vector<Jump> jumps(uint32_t n, uint32_t count, uint64_t seed);
+/// Rays from 5 to 50 m away, each through one of the boxes.
+std::vector<gphys_ray> rays_at(const std::vector<gphys_obb>& boxes, uint32_t count);
 
 /// Long rays from outside the cube to random points of it.
 std::vector<gphys_ray> random_rays(float half_side, uint32_t count);
