@@ -1,4 +1,4 @@
-// The convex parts of models (primitives, and triangles of meshes) near a group of points: nearest first, and without
+// The convex parts of models (primitives, hulls, and triangles of meshes) near a group of points: nearest first, and without
 // those behind planes that the caller has found.
 //
 // One traversal serves all points. Triangles stay in the packets of their meshes, with lower bounds of their distances
