@@ -356,7 +356,7 @@ public class GamephysTest {
 
     @Test
     public void aHullIsASolidMesh() {
-        Mesh hull = new Mesh(Batch.floats(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0.1f, 0.1f, 0.1f));
+        Mesh hull = Mesh.hull(Batch.floats(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0.1f, 0.1f, 0.1f));
         assertEquals(4, hull.getVertices().size());
         assertEquals(4, hull.getHullPlanes().size());
         assertEquals(4, hull.getHullFaces().size());
