@@ -548,6 +548,47 @@ static void particles_stay_outside_of_a_hull(void** state) {
     gphys_mesh_destroy(hull);
 }
 
+/* It lies on the hull of a box, and is lifted by it. */
+static void cloth_is_carried_by_a_hull(void** state) {
+    const float corners[] = {-1, -1, -1, 1, -1, -1, -1, 1, -1, 1, 1, -1, -1, -1, 1, 1, -1, 1, -1, 1, 1, 1, 1, 1};
+    const gphys_vec3 corner = {-1.5f, 1.2f, -1.5f}, edge_u = {3, 0, 0}, edge_v = {0, 0, 3};
+    gphys_transform place = {{0, 0, 0}, {0, 0, 0, 1}, 1};
+    gphys_vec3 at[16 * 16], local;
+    gphys_mesh* hull = NULL;
+    gphys_scene* scene;
+    gphys_solver* solver;
+    gphys_body_id cloth;
+    gphys_model_id model;
+    gphys_nearest near;
+    int step, p;
+    float highest = -INFINITY;
+    (void)state;
+    assert_int_equal(gphys_mesh_create_hull(NULL, corners, 12, 8, &hull), GPHYS_OK);
+    assert_int_equal(gphys_scene_create(NULL, &scene), GPHYS_OK);
+    assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_MESH, hull, NULL, NULL, &model), GPHYS_OK);
+    assert_int_equal(gphys_solver_create(NULL, &solver), GPHYS_OK);
+    assert_int_equal(gphys_solver_add_cloth(solver, NULL, &corner, &edge_u, &edge_v, 16, 16, &cloth), GPHYS_OK);
+    for (step = 0; step < 180; ++step) {
+        if (step >= 90) {
+            place.position.y += 0.02f;
+            assert_int_equal(gphys_scene_set_transform(scene, model, &place), GPHYS_OK);
+        }
+        assert_int_equal(gphys_solver_step(solver, scene, 1 / 60.0f), GPHYS_OK);
+        assert_int_equal(gphys_solver_get_positions(solver, cloth, 0, 256, at, sizeof *at), GPHYS_OK);
+        for (p = 0; p < 256; ++p) {
+            local = at[p];
+            local.y -= place.position.y;
+            assert_int_equal(gphys_shape_closest_point(GPHYS_SHAPE_MESH, hull, &local, &near), GPHYS_OK);
+            assert_true(near.distance > 0.0099f);
+        }
+    }
+    for (p = 0; p < 256; ++p) highest = at[p].y > highest ? at[p].y : highest;
+    assert_true(highest > 2.8f && highest < 3.2f);
+    gphys_solver_destroy(solver);
+    gphys_scene_destroy(scene);
+    gphys_mesh_destroy(hull);
+}
+
 static void a_deformable_mesh_takes_other_vertices(void** state) {
     float moved[5 * 4];
     const float vertices[4 * 3] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
@@ -667,6 +708,7 @@ int main(void) {
         cmocka_unit_test(a_hull_is_made_of_points),
         cmocka_unit_test(a_hull_runs_out_of_memory),
         cmocka_unit_test(particles_stay_outside_of_a_hull),
+        cmocka_unit_test(cloth_is_carried_by_a_hull),
         cmocka_unit_test(test_report),
         cmocka_unit_test(test_check_finds_what_create_refuses),
         cmocka_unit_test(test_arguments_of_create),

@@ -283,8 +283,10 @@ end
 
 function tests.a_hull_is_a_solid_mesh()
     local hull = gp.Mesh_hull({ 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0.1, 0.1, 0.1 })
-    assert(#hull:get_vertices() == 4 and #hull:get_hull_planes() == 4)
-    assert(#hull:get_hull_faces() == 4)
+    local _, vertices = hull:get_vertices()
+    local _, planes = hull:get_hull_planes()
+    local faces, triangles = hull:get_hull_faces()
+    assert(vertices == 4 and planes == 4 and triangles == 4 and faces[3] == 3)
 end
 
 function tests.a_rope_is_picked_as_a_model_that_follows_it()
