@@ -496,6 +496,7 @@ TEST_CASE("a scene answers for hulls as a look at each of them does") {
             uint32_t triangle;
             REQUIRE(closest_point(instance, point, infinity, closest, triangle));
             nearest = std::min(nearest, reported(distance(closest, point)));
+            if (triangle == GPHYS_NO_TRIANGLE) REQUIRE(closest == point);
             double height;
             REQUIRE(scene.closest_point_model(models[m], point, closest, normal, height));
             const bool holds = rock->contains(world.inverse_apply(point));
