@@ -440,7 +440,6 @@ private:
     bool made_up_ = false;  // then the report may be wrong
 };
 
-/// Arrays that may be spoiled: examined, then refused or taken as the examination says.
 /// A deformable mesh takes other vertices, with the answers of one made of them.
 void deform(Program& p, const Arrays& a) {
     const uint32_t vertex_count = static_cast<uint32_t>(a.vertices.size());
@@ -488,6 +487,50 @@ void deform(Program& p, const Arrays& a) {
     call(gphys_mesh_destroy, mesh);
 }
 
+/// The hull of points holds them all, and its own vertices make it again.
+void enclose(Program& p, std::vector<gphys_vec3> points) {
+    const auto make = [](const std::vector<gphys_vec3>& of, gphys_mesh*& out) {
+        return call(gphys_mesh_create_hull, nullptr, reinterpret_cast<const float*>(of.data()), 12u,
+                    static_cast<uint32_t>(of.size()), &out);
+    };
+    gphys_mesh *hull = nullptr, *again = nullptr;
+    const bool valid = std::all_of(points.begin(), points.end(), [](const gphys_vec3& v) { return is_valid(v); });
+    if (!valid) {
+        const MayRaise signalling_nans;  // which the check looks at
+        FUZZ_CHECK(make(points, hull) == GPHYS_ERROR_INVALID_ARGUMENT, "a hull is made of valid points");
+        return;
+    }
+    if (make(points, hull) != GPHYS_OK) return;
+    for (const gphys_vec3& point : points) {
+        int32_t holds = 0;
+        call(gphys_shape_contains, gphys_shape_type{GPHYS_SHAPE_MESH}, hull, &point, 0.0f, &holds);
+        FUZZ_CHECK(holds == 1, "a hull holds its points");
+    }
+    uint32_t total = 0, triangles = 0;
+    call(gphys_mesh_get_hull_planes, hull, nullptr, 0u, &total);
+    call(gphys_mesh_get_hull_faces, hull, nullptr, 0u, &triangles);
+    std::vector<gphys_plane> planes(total);
+    std::vector<uint32_t> faces(triangles);
+    call(gphys_mesh_get_hull_planes, hull, planes.data(), total, &total);
+    call(gphys_mesh_get_hull_faces, hull, faces.data(), triangles, &triangles);
+    FUZZ_CHECK(total >= 4 && total <= 256 && faces.back() == total - 1, "a hull has 4 to 256 faces");
+    call(gphys_mesh_get_vertices, hull, nullptr, 0u, &total);
+    std::vector<gphys_vec3> vertices(total);
+    call(gphys_mesh_get_vertices, hull, vertices.data(), total, &total);
+    FUZZ_CHECK(make(vertices, again) == GPHYS_OK, "the vertices of a hull have a hull");
+    const gphys_ray ray = p.ray();
+    gphys_hit hits[2] = {};
+    gphys_status met[2];
+    for (int k = 0; k < 2; ++k) {
+        met[k] = call(gphys_shape_raycast, gphys_shape_type{GPHYS_SHAPE_MESH}, k == 0 ? hull : again, &ray, &hits[k]);
+    }
+    FUZZ_CHECK(met[0] == met[1] && same_bits(hits[0], hits[1]), "the vertices of a hull have the same hull");
+    FUZZ_CHECK(met[0] != GPHYS_OK || (hits[0].flags & GPHYS_HIT_BACK) == 0, "a hull has no back");
+    call(gphys_mesh_destroy, again);
+    call(gphys_mesh_destroy, hull);
+}
+
+/// Arrays that may be spoiled: examined, then refused or taken as the examination says.
 void build(Program& p) {
     Arrays a = arrays(p);
     if (!a.vertices.empty() && p.one_in(4)) p.spoil(a.vertices[p.below(static_cast<uint32_t>(a.vertices.size()))], 1);
@@ -525,6 +568,7 @@ void build(Program& p) {
     FUZZ_CHECK((mesh != nullptr) == (made == GPHYS_OK), "a mesh that is refused is not there");
     call(gphys_mesh_destroy, mesh);
     if (sound) deform(p, a);
+    enclose(p, a.vertices);
 }
 
 }  // namespace

@@ -303,7 +303,7 @@ enum {
     GPHYS_SHAPE_PLANE = 5,    /* gphys_plane */
     GPHYS_SHAPE_TRIANGLE = 6, /* gphys_triangle */
     GPHYS_SHAPE_FRUSTUM = 7,  /* gphys_frustum */
-    GPHYS_SHAPE_MESH = 8,     /* gphys_mesh: the handle itself */
+    GPHYS_SHAPE_MESH = 8,     /* gphys_mesh: the handle itself; a convex hull too */
     GPHYS_SHAPE_RAY = 16,     /* gphys_ray */
     GPHYS_SHAPE_SEGMENT = 17  /* gphys_segment */
 };
@@ -384,7 +384,8 @@ GPHYS_API gphys_status gphys_segment_closest_points(const gphys_segment* a, cons
 
 /** Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane,
  *  triangle, frustum and mesh, in either order.
- *  A mesh is its surface: a sphere deep inside a closed mesh does not overlap it.
+ *  A mesh is its surface: a sphere deep inside a closed mesh does not overlap it. A convex hull
+ *  (gphys_mesh_create_hull) is solid.
  *  Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided in double
  *  precision and may err only where the gap is below 2^-40 of the largest coordinate difference.
  *  @return GPHYS_ERROR_UNSUPPORTED for a ray or segment (see gphys_shape_segment_test).
@@ -473,7 +474,7 @@ GPHYS_API gphys_status gphys_shape_sweep_sphere(gphys_shape_type type, const voi
  *  @param out_hit  t, point and normal as in gphys_shape_sweep_sphere, whose answers a sphere gets. The
  *                  point is one of those where the two touch, always the same. Already overlapping, but
  *                  for a sphere: t = 0, GPHYS_HIT_INSIDE, and point and normal of gphys_shape_penetration;
- *                  of a mesh, those of its first triangle.
+ *                  of a mesh that is no hull, those of its first triangle.
  *  @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape, for a
  *          frustum unless a sphere moves, and for other types that move
  *  Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1 ulp of t.
@@ -483,7 +484,8 @@ GPHYS_API gphys_status gphys_shape_sweep(gphys_shape_type type, const void* shap
 
 /** The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule, AABB,
  *  OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle that is nearer. Of a
- *  mesh: out of the triangle that it is deepest in; others may remain, and have translations of their own.
+ *  mesh: out of the triangle that it is deepest in; others may remain, and have translations of their own. Of a hull:
+ *  out of all of it, and triangle is GPHYS_NO_TRIANGLE.
  *  @param moving_type      sphere, capsule, AABB or OBB
  *  @param out_penetration  depth and normal of the translation, which is their product; of several that are
  *                          as short one, always the same. The point of the solid that gets furthest in
@@ -543,9 +545,9 @@ GPHYS_API gphys_status gphys_frustum_from_matrix(const gphys_mat4* view_projecti
                                                  int32_t reverse_z, gphys_frustum* out_frustum);
 
 /* ------------------------------------------------------------------------------------------
- * Mesh: a triangle surface with its own tree. Immutable, so one mesh can serve many models,
- * scenes and threads; one that is deformable takes other vertices for the same triangles. It is a
- * shape: gphys_shape_* functions take it as GPHYS_SHAPE_MESH.
+ * Mesh: a triangle surface with its own tree, or the solid convex hull of points. Immutable, so one
+ * mesh can serve many models, scenes and threads; one that is deformable takes other vertices for
+ * the same triangles. It is a shape: gphys_shape_* functions take it as GPHYS_SHAPE_MESH.
  * ------------------------------------------------------------------------------------------ */
 
 /** What is in a triangle array. Frozen. */
@@ -592,6 +594,38 @@ GPHYS_API gphys_status gphys_mesh_desc_init(gphys_mesh_desc* desc, uint32_t size
 GPHYS_API gphys_status gphys_mesh_create(const gphys_mesh_desc* desc, const float* vertices, uint32_t vertex_stride,
                                          uint32_t vertex_count, const uint32_t* indices, uint32_t index_count,
                                          gphys_mesh** out_mesh);
+
+/** Make the convex hull of points: a mesh that is solid, as spheres and boxes are. All that takes a mesh takes it:
+ *  gphys_shape_* functions, models of scenes, snapshots, and solvers, whose particles stay outside and are pushed out.
+ *  A ray that starts inside hits at t = 0 with GPHYS_HIT_INSIDE; one from outside hits the face through which it
+ * enters, `triangle` says where. Whether a ray hits and whether a point is inside is exact with respect to the points.
+ * Inside, the closest point is the point itself and triangle GPHYS_NO_TRIANGLE. gphys_mesh_overlap lists the triangles
+ * of the surface; gphys_mesh_raycast_all gives the first hit alone. The vertices are those points that are corners of
+ * the hull, in the order of the points, of equal ones the first. The triangles come face by face, all that lie in one
+ * plane being one face; seen from outside their corners go counterclockwise where axes are right-handed, and the normal
+ * cross(b - a, c - a) points out.
+ *  @param desc          may be NULL; deformable must be 0
+ *  @param points        point_count elements of 3 floats, metres; copied
+ *  @param point_stride  bytes between points, at least 12
+ *  @return GPHYS_ERROR_INVALID_ARGUMENT if a point is out of range or if all lie in a plane, which is decided exactly;
+ *          GPHYS_ERROR_CAPACITY if the hull has more than 256 faces; GPHYS_ERROR_UNSUPPORTED if desc asks for a
+ *          deformable mesh
+ *  Cost: O(point_count * faces); allocates. Rays take O(log faces), the other questions up to O(faces).
+ *  Source: quickhull (Barber, Dobkin, Huhdanpaa 1996) with exact predicates.  Since 1.1. */
+GPHYS_API gphys_status gphys_mesh_create_hull(const gphys_mesh_desc* desc, const float* points, uint32_t point_stride,
+                                              uint32_t point_count, gphys_mesh** out_mesh);
+/** The planes of a hull's faces: normals are unit and point out, within float32 rounding. Kept when too many: the
+ * first.
+ *  @return GPHYS_ERROR_UNSUPPORTED for a mesh that is no hull
+ *  Cost: O(faces).  Since 1.1. */
+GPHYS_API gphys_status gphys_mesh_get_hull_planes(const gphys_mesh* mesh, gphys_plane* out_planes, uint32_t capacity,
+                                                  uint32_t* out_total);
+/** For each triangle of a hull the number of its face, by which gphys_mesh_get_hull_planes lists the planes: ascending,
+ *  from 0. Kept when too many: the first.
+ *  @return GPHYS_ERROR_UNSUPPORTED for a mesh that is no hull
+ *  Cost: O(triangles).  Since 1.1. */
+GPHYS_API gphys_status gphys_mesh_get_hull_faces(const gphys_mesh* mesh, uint32_t* out_faces, uint32_t capacity,
+                                                 uint32_t* out_total);
 
 /** Put other vertices in place of those of a deformable mesh: of a skinned character, or of cloth as
  *  gphys_solver_get_positions writes it. All models of the mesh have the new form from then on, in every scene, and all
@@ -640,7 +674,7 @@ GPHYS_API gphys_status gphys_mesh_get_snapshot(const gphys_mesh* mesh, uint32_t*
  *  (triangles of zero area, open edges) is taken as it stands there.
  *  @param desc  may be NULL; with `deformable` the mesh takes new vertices, whatever the one in the snapshot did
  *  @return GPHYS_ERROR_INVALID_ARGUMENT for words that are no snapshot of a mesh, damaged, of a later format or of
- *          another byte order
+ *          another byte order; GPHYS_ERROR_UNSUPPORTED for a deformable hull
  *  Cost: O(n), a small part of gphys_mesh_create's; allocates. */
 GPHYS_API gphys_status gphys_mesh_create_from_snapshot(const gphys_mesh_desc* desc, const uint32_t* words,
                                                        uint32_t word_count, gphys_mesh** out_mesh);
@@ -779,7 +813,7 @@ typedef struct gphys_model_desc {
 GPHYS_API gphys_status gphys_model_desc_init(gphys_model_desc* desc, uint32_t size);
 
 /** Add a model.
- *  @param type       sphere, capsule, AABB, OBB, plane, triangle or mesh
+ *  @param type       sphere, capsule, AABB, OBB, plane, triangle or mesh (a hull too)
  *  @param shape      in the model's own coordinates
  *  @param transform  local; NULL is the identity
  *  @param desc       NULL: no parent, layer 1, tag 0

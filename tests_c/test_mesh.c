@@ -1,4 +1,5 @@
 /* gphys_mesh_*: what each entry point accepts, refuses and leaves alone. */
+#include <math.h>
 #include <stdlib.h>
 
 #include "test.h"
@@ -383,6 +384,211 @@ static void test_running_out_of_memory(void** state) {
     }
 }
 
+static void a_hull_is_made_of_points(void** state) {
+    /* A cube with a point inside, one on a face, one on an edge, and one twice. */
+    float points[12 * 3];
+    gphys_mesh *hull = NULL, *refused = (gphys_mesh*)points, *surface, *loaded = NULL;
+    gphys_mesh_desc desc;
+    gphys_mesh_report report;
+    gphys_plane planes[8];
+    gphys_vec3 vertices[9];
+    uint32_t faces[13], words[600], total, i;
+    gphys_ray ray = {{0.25f, 0.5f, -3}, {0, 0, 1}, INFINITY};
+    const gphys_ray from_inside = {{0.25f, 0.5f, 0.5f}, {0, 0, 1}, INFINITY};
+    gphys_hit hit;
+    int32_t contains;
+    (void)state;
+    memcpy(points, cube_vertices, sizeof cube_vertices);
+    for (i = 0; i < 3; ++i) {
+        points[24 + i] = 0.5f;
+        points[27 + i] = i == 0 ? 1.0f : 0.5f;
+        points[30 + i] = i == 0 ? 0.5f : 1.0f;
+        points[33 + i] = 1;
+    }
+    assert_int_equal(gphys_mesh_create_hull(NULL, points, 12, 12, &hull), GPHYS_OK);
+    assert_int_equal(gphys_mesh_get_vertices(hull, vertices, 9, &total), GPHYS_OK);
+    assert_int_equal(total, 8);
+    assert_memory_equal(vertices, cube_vertices, sizeof cube_vertices);
+    assert_int_equal(gphys_mesh_get_report(hull, &report), GPHYS_OK);
+    assert_true(report.triangle_count == 12 && report.open_edge_count == 0 && report.degenerate_count == 0);
+    assert_int_equal(gphys_mesh_get_hull_planes(hull, planes, 8, &total), GPHYS_OK);
+    assert_int_equal(total, 6);
+    for (i = 0; i < 6; ++i) {
+        const float* n = &planes[i].normal.x;
+        assert_true(fabsf(n[0]) + fabsf(n[1]) + fabsf(n[2]) == 1);
+        assert_true(planes[i].distance == (n[0] + n[1] + n[2] > 0 ? 1.0f : 0.0f));
+    }
+    assert_int_equal(gphys_mesh_get_hull_faces(hull, faces, 13, &total), GPHYS_OK);
+    assert_int_equal(total, 12);
+    for (i = 0; i < 12; ++i) assert_int_equal(faces[i], i / 2);
+    assert_int_equal(gphys_mesh_get_hull_planes(hull, planes, 2, &total), GPHYS_INCOMPLETE);
+    assert_int_equal(total, 6);
+    assert_int_equal(gphys_mesh_get_hull_faces(hull, NULL, 0, &total), GPHYS_INCOMPLETE);
+
+    assert_int_equal(gphys_shape_raycast(GPHYS_SHAPE_MESH, hull, &ray, &hit), GPHYS_OK);
+    assert_true(hit.t == 3 && hit.normal.z == -1 && hit.flags == 0 && faces[hit.triangle] < 6);
+    assert_int_equal(gphys_shape_raycast(GPHYS_SHAPE_MESH, hull, &from_inside, &hit), GPHYS_OK);
+    assert_true(hit.t == 0 && hit.flags == GPHYS_HIT_INSIDE && hit.triangle == GPHYS_NO_TRIANGLE);
+    assert_int_equal(gphys_shape_contains(GPHYS_SHAPE_MESH, hull, &from_inside.origin, 0, &contains), GPHYS_OK);
+    assert_int_equal(contains, 1);
+    assert_int_equal(gphys_shape_contains(GPHYS_SHAPE_MESH, hull, &ray.origin, 0, &contains), GPHYS_OK);
+    assert_int_equal(contains, 0);
+
+    assert_int_equal(gphys_mesh_get_snapshot(hull, words, 600, &total), GPHYS_OK);
+    assert_int_equal(gphys_mesh_create_from_snapshot(NULL, words, total, &loaded), GPHYS_OK);
+    assert_int_equal(gphys_mesh_get_hull_planes(loaded, planes, 8, &total), GPHYS_OK);
+    assert_int_equal(total, 6);
+    gphys_mesh_destroy(loaded);
+    assert_int_equal(gphys_mesh_desc_init(&desc, sizeof desc), GPHYS_OK);
+    desc.deformable = 1;
+    assert_int_equal(gphys_mesh_create_hull(&desc, points, 12, 12, &refused), GPHYS_ERROR_UNSUPPORTED);
+    assert_int_equal(gphys_mesh_create_from_snapshot(&desc, words, 600, &refused), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_get_snapshot(hull, words, 600, &total), GPHYS_OK);
+    assert_int_equal(gphys_mesh_create_from_snapshot(&desc, words, total, &refused), GPHYS_ERROR_UNSUPPORTED);
+    assert_int_equal(gphys_mesh_set_vertices(hull, points, 12, 8), GPHYS_ERROR_UNSUPPORTED);
+
+    /* Flat, too many faces, bad points and arguments. */
+    assert_int_equal(gphys_mesh_create_hull(NULL, points, 12, 4, &refused), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_create_hull(NULL, NULL, 12, 0, &refused), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_create_hull(NULL, NULL, 12, 8, &refused), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_create_hull(NULL, points, 0, 8, &refused), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_create_hull(NULL, points, 14, 8, &refused), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_create_hull(NULL, points, 12, 8, NULL), GPHYS_ERROR_INVALID_ARGUMENT);
+    {
+        float many[3 * 600];
+        for (i = 0; i < 600; ++i) {
+            const float angle = (float)i * 0.0104719755f;
+            many[3 * i] = 100 * cosf(angle);
+            many[3 * i + 1] = 100 * sinf(angle);
+            many[3 * i + 2] = (float)(i % 2);
+        }
+        assert_int_equal(gphys_mesh_create_hull(NULL, many, 12, 600, &refused), GPHYS_ERROR_CAPACITY);
+    }
+    points[4] = NAN;
+    assert_int_equal(gphys_mesh_create_hull(NULL, points, 12, 12, &refused), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_ptr_equal(refused, points);
+    surface = make_cube();
+    assert_int_equal(gphys_mesh_get_hull_planes(surface, planes, 8, &total), GPHYS_ERROR_UNSUPPORTED);
+    assert_int_equal(gphys_mesh_get_hull_faces(surface, faces, 13, &total), GPHYS_ERROR_UNSUPPORTED);
+    assert_int_equal(gphys_mesh_get_hull_planes(NULL, planes, 8, &total), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_get_hull_faces(NULL, faces, 13, &total), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_get_hull_planes(hull, NULL, 8, &total), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_get_hull_faces(hull, faces, 13, NULL), GPHYS_ERROR_INVALID_ARGUMENT);
+    gphys_mesh_destroy(surface);
+    gphys_mesh_destroy(hull);
+}
+
+static void a_hull_runs_out_of_memory(void** state) {
+    Budget budget = {0, -1, 0, 0};
+    gphys_allocator allocator;
+    gphys_mesh_desc desc;
+    gphys_mesh* mesh = NULL;
+    long needed, fail_at;
+    (void)state;
+    allocator.allocate = budget_allocate;
+    allocator.release = budget_release;
+    allocator.user = &budget;
+    assert_int_equal(gphys_mesh_desc_init(&desc, sizeof desc), GPHYS_OK);
+    desc.allocator = &allocator;
+    assert_int_equal(gphys_mesh_create_hull(&desc, cube_vertices, 12, 8, &mesh), GPHYS_OK);
+    needed = budget.allocations;
+    gphys_mesh_destroy(mesh);
+    assert_int_equal(budget.live, 0);
+    for (fail_at = 0; fail_at < needed; ++fail_at) {
+        budget.allocations = 0;
+        budget.fail_at = fail_at;
+        mesh = NULL;
+        assert_int_equal(gphys_mesh_create_hull(&desc, cube_vertices, 12, 8, &mesh), GPHYS_ERROR_OUT_OF_MEMORY);
+        assert_null(mesh);
+        assert_int_equal(budget.live, 0);
+    }
+}
+
+/* As of any solid: a particle that falls on a hull lies on it, one that was put inside comes out, and what moves fast
+   does not pass. */
+static void particles_stay_outside_of_a_hull(void** state) {
+    const float slope[] = {-4, 0, -4, 4, 0, -4, -4, 0, 4, 4, 0, 4, -4, 1, -4, -4, 1, 4};
+    gphys_vec3 start[3] = {{-1, 3, 0}, {-1.5f, 0.6f, 1}, {-2, 5, 2}}, at[3],
+               velocities[3] = {{0, 0, 0}, {0, 0, 0}, {0, -400, 0}};
+    gphys_mesh* hull = NULL;
+    gphys_scene* scene;
+    gphys_solver* solver;
+    gphys_body_desc desc;
+    gphys_body_id bodies[2];
+    gphys_model_id model;
+    gphys_nearest near;
+    int kind, i;
+    uint32_t p;
+    (void)state;
+    assert_int_equal(gphys_mesh_create_hull(NULL, slope, 12, 6, &hull), GPHYS_OK);
+    for (kind = 0; kind < 2; ++kind) {
+        assert_int_equal(gphys_scene_create(NULL, &scene), GPHYS_OK);
+        assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_MESH, hull, NULL, NULL, &model), GPHYS_OK);
+        assert_int_equal(gphys_solver_create(NULL, &solver), GPHYS_OK);
+        assert_int_equal(gphys_body_desc_init(&desc, sizeof desc), GPHYS_OK);
+        desc.radius = 0.05f;
+        desc.friction = 1;
+        desc.restitution = 0;
+        if (kind == 0) {
+            assert_int_equal(gphys_solver_add_particles(solver, &desc, start, sizeof *start, 3, bodies), GPHYS_OK);
+            assert_int_equal(gphys_solver_set_velocities(solver, bodies[0], 0, 3, velocities, sizeof *velocities),
+                             GPHYS_OK);
+        } else {
+            assert_int_equal(gphys_solver_add_rope(solver, &desc, start, sizeof *start, 3, 0, bodies), GPHYS_OK);
+        }
+        for (i = 0; i < 300; ++i) assert_int_equal(gphys_solver_step(solver, scene, 0.01f), GPHYS_OK);
+        assert_int_equal(gphys_solver_get_positions(solver, bodies[0], 0, 3, at, sizeof *at), GPHYS_OK);
+        for (p = 0; p < 3; ++p) {
+            assert_int_equal(gphys_shape_closest_point(GPHYS_SHAPE_MESH, hull, &at[p], &near), GPHYS_OK);
+            assert_true(near.distance > 0.049f && (near.distance < 0.06f || kind == 1));
+        }
+        gphys_solver_destroy(solver);
+        gphys_scene_destroy(scene);
+    }
+    gphys_mesh_destroy(hull);
+}
+
+/* It lies on the hull of a box, and is lifted by it. */
+static void cloth_is_carried_by_a_hull(void** state) {
+    const float corners[] = {-1, -1, -1, 1, -1, -1, -1, 1, -1, 1, 1, -1, -1, -1, 1, 1, -1, 1, -1, 1, 1, 1, 1, 1};
+    const gphys_vec3 corner = {-1.5f, 1.2f, -1.5f}, edge_u = {3, 0, 0}, edge_v = {0, 0, 3};
+    gphys_transform place = {{0, 0, 0}, {0, 0, 0, 1}, 1};
+    gphys_vec3 at[16 * 16], local;
+    gphys_mesh* hull = NULL;
+    gphys_scene* scene;
+    gphys_solver* solver;
+    gphys_body_id cloth;
+    gphys_model_id model;
+    gphys_nearest near;
+    int step, p;
+    float highest = -INFINITY;
+    (void)state;
+    assert_int_equal(gphys_mesh_create_hull(NULL, corners, 12, 8, &hull), GPHYS_OK);
+    assert_int_equal(gphys_scene_create(NULL, &scene), GPHYS_OK);
+    assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_MESH, hull, NULL, NULL, &model), GPHYS_OK);
+    assert_int_equal(gphys_solver_create(NULL, &solver), GPHYS_OK);
+    assert_int_equal(gphys_solver_add_cloth(solver, NULL, &corner, &edge_u, &edge_v, 16, 16, &cloth), GPHYS_OK);
+    for (step = 0; step < 180; ++step) {
+        if (step >= 90) {
+            place.position.y += 0.02f;
+            assert_int_equal(gphys_scene_set_transform(scene, model, &place), GPHYS_OK);
+        }
+        assert_int_equal(gphys_solver_step(solver, scene, 1 / 60.0f), GPHYS_OK);
+        assert_int_equal(gphys_solver_get_positions(solver, cloth, 0, 256, at, sizeof *at), GPHYS_OK);
+        for (p = 0; p < 256; ++p) {
+            local = at[p];
+            local.y -= place.position.y;
+            assert_int_equal(gphys_shape_closest_point(GPHYS_SHAPE_MESH, hull, &local, &near), GPHYS_OK);
+            assert_true(near.distance > 0.0099f);
+        }
+    }
+    for (p = 0; p < 256; ++p) highest = at[p].y > highest ? at[p].y : highest;
+    assert_true(highest > 2.8f && highest < 3.2f);
+    gphys_solver_destroy(solver);
+    gphys_scene_destroy(scene);
+    gphys_mesh_destroy(hull);
+}
+
 static void a_deformable_mesh_takes_other_vertices(void** state) {
     float moved[5 * 4];
     const float vertices[4 * 3] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
@@ -499,6 +705,10 @@ static void test_what_is_no_snapshot_is_refused(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_hull_is_made_of_points),
+        cmocka_unit_test(a_hull_runs_out_of_memory),
+        cmocka_unit_test(particles_stay_outside_of_a_hull),
+        cmocka_unit_test(cloth_is_carried_by_a_hull),
         cmocka_unit_test(test_report),
         cmocka_unit_test(test_check_finds_what_create_refuses),
         cmocka_unit_test(test_arguments_of_create),

@@ -304,6 +304,16 @@ def method(api, call, creation=None):
     return text, None
 
 
+def factories(handle, call, forms):
+    """Static methods. Of constructors the parameters may clash: a Batch is one to Java, whatever its elements are."""
+    name = camel(handle)
+    text = f"private {name}(Pointer made) {{\n    super(made, Low::{handle}_destroy);\n}}\n"
+    for given, rest in forms:
+        text += ("\n" + doc(call.function["doc"], "") + f"public static {name} {lower_camel(call.name)}({', '.join(given)}) {{\n"
+                 f"    return new {name}(create{camel(call.name)}({', '.join(rest)}));\n}}\n")
+    return text
+
+
 def cast(declaration, value):
     """A null that says of which type it is, where methods are overloaded."""
     return f"({declaration.rsplit(' ', 1)[0]}) null" if value == "null" else value
@@ -346,6 +356,11 @@ def generate(api):
         text += indented(create)
         for c in other_creations(api, handle):
             create, forms = method(api, c, creation=True)
+            if not c.name.startswith("from_"):
+                create = create.replace(" create(", f" create{camel(c.name)}(", 1)
+                text += "\n" + indented(factories(handle, c, forms))
+                text += "\n" + indented(create)
+                continue
             for given, rest in forms:
                 text += "\n" + indented(doc(c.function["doc"], "") + f"public {name}({', '.join(given)}) {{\n    super(create({', '.join(rest)}), Low::{handle}_destroy);\n}}\n")
             text += "\n" + indented(create)

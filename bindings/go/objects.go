@@ -95,6 +95,37 @@ func (o *Mesh) open() (unsafe.Pointer, error) {
 	return o.handle, nil
 }
 
+// Make the convex hull of points: a mesh that is solid, as spheres and boxes are. All that takes a
+// mesh takes it: functions of shapes, models of scenes, snapshots, and solvers, whose particles stay
+// outside and are pushed out. A ray that starts inside hits at t = 0 with HitInside; one from outside
+// hits the face through which it enters, `triangle` says where. Whether a ray hits and whether a point
+// is inside is exact with respect to the points. Inside, the closest point is the point itself and
+// triangle NoTriangle. Mesh.Overlap lists the triangles of the surface; Mesh.RaycastAll gives the
+// first hit alone. The vertices are those points that are corners of the hull, in the order of the
+// points, of equal ones the first. The triangles come face by face, all that lie in one plane being
+// one face; seen from outside their corners go counterclockwise where axes are right-handed, and the
+// normal cross(b - a, c - a) points out.
+//   - desc: deformable must be 0
+//   - points: elements of 3 floats, metres; copied
+// The error is ErrInvalidArgument if a point is out of range or if all lie in a plane, which is
+// decided exactly.
+// The error is ErrCapacity if the hull has more than 256 faces.
+// The error is ErrUnsupported if desc asks for a deformable mesh.
+// Cost: O(pointCount * faces); allocates. Rays take O(log faces), the other questions up to O(faces).
+// Source: quickhull (Barber, Dobkin, Huhdanpaa 1996) with exact predicates. Since 1.1.
+func NewMeshHull(points []Vec3, desc *MeshDesc) (o *Mesh, err error) {
+	if err = checkLength(len(points)); err != nil {
+		return
+	}
+	r := C.go_gphys_mesh_create_hull((*C.gphys_mesh_desc)(unsafe.Pointer(desc)), (*C.float)(data(points)), size(points), C.uint32_t(len(points)))
+	if err = check(r.status, r.message); err != nil {
+		return
+	}
+	o = &Mesh{r.out_mesh}
+	runtime.SetFinalizer(o, (*Mesh).Close)
+	return
+}
+
 // Make a mesh of a snapshot: all its answers have the bits of the mesh that the snapshot was taken of.
 // Any words are safe, also those of a stranger: vertices, indices and the tree are checked, and what
 // follows from them is computed. Made-up words are refused, or taken as a mesh like any other; only
@@ -102,6 +133,7 @@ func (o *Mesh) open() (unsafe.Pointer, error) {
 //   - desc: with `deformable` the mesh takes new vertices, whatever the one in the snapshot did
 // The error is ErrInvalidArgument for words that are no snapshot of a mesh, damaged, of a later format
 // or of another byte order.
+// The error is ErrUnsupported for a deformable hull.
 // Cost: O(n), a small part of Mesh's; allocates.
 func NewMeshFromSnapshot(words []uint32, desc *MeshDesc) (o *Mesh, err error) {
 	if err = checkLength(len(words)); err != nil {
@@ -151,6 +183,39 @@ func NewMeshFromBody(solver *Solver, body BodyID, desc *MeshDesc) (o *Mesh, err 
 	}
 	o = &Mesh{r.out_mesh}
 	runtime.SetFinalizer(o, (*Mesh).Close)
+	return
+}
+
+// The planes of a hull's faces: normals are unit and point out, within float32 rounding.
+// The error is ErrUnsupported for a mesh that is no hull.
+// Cost: O(faces). Since 1.1.
+func (o *Mesh) HullPlanes() (result []Plane, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	result, err = list[Plane](func(out unsafe.Pointer, capacity C.uint32_t) (C.gphys_status, *C.char, C.uint32_t) {
+		r := C.go_gphys_mesh_get_hull_planes(self, (*C.gphys_plane)(out), capacity)
+		return r.status, r.message, r.out_total
+	})
+	runtime.KeepAlive(o)
+	return
+}
+
+// For each triangle of a hull the number of its face, by which Mesh.HullPlanes lists the planes:
+// ascending, from 0.
+// The error is ErrUnsupported for a mesh that is no hull.
+// Cost: O(triangles). Since 1.1.
+func (o *Mesh) HullFaces() (result []uint32, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	result, err = list[uint32](func(out unsafe.Pointer, capacity C.uint32_t) (C.gphys_status, *C.char, C.uint32_t) {
+		r := C.go_gphys_mesh_get_hull_faces(self, (*C.uint32_t)(out), capacity)
+		return r.status, r.message, r.out_total
+	})
+	runtime.KeepAlive(o)
 	return
 }
 
@@ -453,7 +518,7 @@ func (o *Scene) Origin() (origin [3]float64, err error) {
 }
 
 // Add a model.
-//   - shape: sphere, capsule, AABB, OBB, plane, triangle or mesh
+//   - shape: sphere, capsule, AABB, OBB, plane, triangle or mesh (a hull too)
 //   - shape: in the model's own coordinates
 //   - transform: local; nil is the identity
 //   - desc: nil: no parent, layer 1, tag 0
@@ -3997,9 +4062,9 @@ func SegmentClosestPoints(a Segment, b Segment) (outA Vec3, outB Vec3, distance 
 
 // Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane, triangle,
 // frustum and mesh, in either order. A mesh is its surface: a sphere deep inside a closed mesh does
-// not overlap it. Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided
-// in double precision and may err only where the gap is below 2^-40 of the largest coordinate
-// difference.
+// not overlap it. A convex hull (Mesh) is solid. Exact between AABBs, planes, triangles, meshes and
+// frusta; other pairs are decided in double precision and may err only where the gap is below 2^-40 of
+// the largest coordinate difference.
 // The error is ErrUnsupported for a ray or segment (see SegmentTest).
 // Cost: 5 to 500 ns, 0.5 to 20 us with a frustum; O(log n + k) expected with a mesh.
 func Overlaps(a Shape, b Shape) (overlaps bool, err error) {
@@ -4187,8 +4252,8 @@ func SweepSphere(shape Shape, sphere Sphere, displacement Vec3) (hit Hit, found 
 //   - displacement: metres; may be zero
 // Result: t, point and normal as in SweepSphere, whose answers a sphere gets. The point is one of
 // those where the two touch, always the same. Already overlapping, but for a sphere: t = 0, HitInside,
-// and point and normal of Penetration; of a mesh, those of its first triangle. found is false if
-// nothing is found.
+// and point and normal of Penetration; of a mesh that is no hull, those of its first triangle. found
+// is false if nothing is found.
 // The error is ErrUnsupported for a ray or a segment as the shape, for a frustum unless a sphere
 // moves, and for other types that move.
 // Cost: O(1), 0.1 to 2 us; O(log n + k) expected for a mesh.
@@ -4215,7 +4280,7 @@ func Sweep(shape Shape, moving Shape, displacement Vec3) (hit Hit, found bool, e
 // The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule, AABB,
 // OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle that is
 // nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and have
-// translations of their own.
+// translations of their own. Of a hull: out of all of it, and triangle is NoTriangle.
 // Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
 // ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from the
 // other shape. Added to float positions, the translation may leave an overlap of the spacing of floats

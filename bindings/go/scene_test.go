@@ -206,6 +206,13 @@ func TestAMeshDeformsAndItsModelsWithIt(t *testing.T) {
 	same(t, []any{hit.Model, hit.T}, []any{model, float32(7)})
 }
 
+func TestAHullIsASolidMesh(t *testing.T) {
+	hull := must(NewMeshHull([]Vec3{{}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.1, 0.1, 0.1}}, nil))
+	same(t, len(must(hull.Vertices())), 4)
+	same(t, len(must(hull.HullPlanes())), 4)
+	same(t, must(hull.HullFaces()), []uint32{0, 1, 2, 3})
+}
+
 func TestARopeIsPickedAsAModelThatFollowsIt(t *testing.T) {
 	solver := must(NewSolver(nil))
 	rope := must(solver.AddRope([]Vec3{{}, {1, 0, 0}, {2, 0, 0}}, 0, nil))

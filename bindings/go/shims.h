@@ -321,6 +321,42 @@ static inline go_gphys_mesh_create_result go_gphys_mesh_create(const gphys_mesh_
     return r;
 }
 
+typedef struct go_gphys_mesh_create_hull_result {
+    gphys_status status;
+    char* message;
+    void* out_mesh;
+} go_gphys_mesh_create_hull_result;
+static inline go_gphys_mesh_create_hull_result go_gphys_mesh_create_hull(const gphys_mesh_desc * desc, const float * points, uint32_t point_stride, uint32_t point_count) {
+    go_gphys_mesh_create_hull_result r = {0};
+    r.status = gphys_mesh_create_hull(desc, points, point_stride, point_count, (gphys_mesh **)&r.out_mesh);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_mesh_get_hull_planes_result {
+    gphys_status status;
+    char* message;
+    uint32_t out_total;
+} go_gphys_mesh_get_hull_planes_result;
+static inline go_gphys_mesh_get_hull_planes_result go_gphys_mesh_get_hull_planes(void* mesh, gphys_plane * out_planes, uint32_t capacity) {
+    go_gphys_mesh_get_hull_planes_result r = {0};
+    r.status = gphys_mesh_get_hull_planes(mesh, out_planes, capacity, &r.out_total);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_mesh_get_hull_faces_result {
+    gphys_status status;
+    char* message;
+    uint32_t out_total;
+} go_gphys_mesh_get_hull_faces_result;
+static inline go_gphys_mesh_get_hull_faces_result go_gphys_mesh_get_hull_faces(void* mesh, uint32_t * out_faces, uint32_t capacity) {
+    go_gphys_mesh_get_hull_faces_result r = {0};
+    r.status = gphys_mesh_get_hull_faces(mesh, out_faces, capacity, &r.out_total);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_mesh_set_vertices_result {
     gphys_status status;
     char* message;

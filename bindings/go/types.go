@@ -70,7 +70,7 @@ const (
 	ShapeTriangle ShapeType = 6
 	// Frustum
 	ShapeFrustum ShapeType = 7
-	// Mesh: the handle itself
+	// Mesh: the handle itself; a convex hull too
 	ShapeMesh ShapeType = 8
 	// Ray
 	ShapeRay ShapeType = 16

@@ -589,6 +589,25 @@ export class Mesh {
     constructor(vertices: Elements, indices: Elements, desc?: Partial<MeshDesc> | null);
     /** Frees the object at once. */
     close(): void;
+    /** Make the convex hull of points: a mesh that is solid, as spheres and boxes are. All that takes a
+     * mesh takes it: functions of shapes, models of scenes, snapshots, and solvers, whose particles stay
+     * outside and are pushed out. A ray that starts inside hits at t = 0 with HIT_INSIDE; one from outside
+     * hits the face through which it enters, `triangle` says where. Whether a ray hits and whether a point
+     * is inside is exact with respect to the points. Inside, the closest point is the point itself and
+     * triangle NO_TRIANGLE. Mesh.overlap lists the triangles of the surface; Mesh.raycastAll gives the
+     * first hit alone. The vertices are those points that are corners of the hull, in the order of the
+     * points, of equal ones the first. The triangles come face by face, all that lie in one plane being
+     * one face; seen from outside their corners go counterclockwise where axes are right-handed, and the
+     * normal cross(b - a, c - a) points out.
+     *   - desc: deformable must be 0
+     *   - points: elements of 3 floats, metres; copied
+     * Throws GamephysError with ERROR_INVALID_ARGUMENT if a point is out of range or if all lie in a
+     * plane, which is decided exactly.
+     * Throws GamephysError with ERROR_CAPACITY if the hull has more than 256 faces.
+     * Throws GamephysError with ERROR_UNSUPPORTED if desc asks for a deformable mesh.
+     * Cost: O(point_count * faces); allocates. Rays take O(log faces), the other questions up to O(faces).
+     * Source: quickhull (Barber, Dobkin, Huhdanpaa 1996) with exact predicates. Since 1.1. */
+    static hull(points: Elements, desc?: Partial<MeshDesc> | null): Mesh;
     /** Make a mesh of a snapshot: all its answers have the bits of the mesh that the snapshot was taken of.
      * Any words are safe, also those of a stranger: vertices, indices and the tree are checked, and what
      * follows from them is computed. Made-up words are refused, or taken as a mesh like any other; only
@@ -596,6 +615,7 @@ export class Mesh {
      *   - desc: with `deformable` the mesh takes new vertices, whatever the one in the snapshot did
      * Throws GamephysError with ERROR_INVALID_ARGUMENT for words that are no snapshot of a mesh, damaged,
      * of a later format or of another byte order.
+     * Throws GamephysError with ERROR_UNSUPPORTED for a deformable hull.
      * Cost: O(n), a small part of Mesh's; allocates. */
     static fromSnapshot(words: Elements, desc?: Partial<MeshDesc> | null): Mesh;
     /** Make a mesh that has the form of a body and follows it by itself: cloth, ropes and particles can be
@@ -622,6 +642,15 @@ export class Mesh {
      * Cost: as Mesh, and then that of Mesh.setVertices for a body that has moved; one that rests is
      * compared, O(particles). Since 1.1. */
     static fromBody(solver: Solver, body: number, desc?: Partial<MeshDesc> | null): Mesh;
+    /** The planes of a hull's faces: normals are unit and point out, within float32 rounding.
+     * Cost: O(faces). Since 1.1.
+     * @throws {GamephysError} ERROR_UNSUPPORTED: for a mesh that is no hull */
+    getHullPlanes(): Records<Plane>;
+    /** For each triangle of a hull the number of its face, by which Mesh.getHullPlanes lists the planes:
+     * ascending, from 0.
+     * Cost: O(triangles). Since 1.1.
+     * @throws {GamephysError} ERROR_UNSUPPORTED: for a mesh that is no hull */
+    getHullFaces(): Records<number>;
     /** Put other vertices in place of those of a deformable mesh: of a skinned character, or of cloth as
      * Solver.getPositions writes it. All models of the mesh have the new form from then on, in every
      * scene, and all answers have the bits of those of a mesh created of the new vertices. What fails
@@ -709,7 +738,7 @@ export class Scene {
     getOrigin(): number[];
     /** Add a model.
      * Cost: O(log n) amortised.
-     * @param shape - sphere, capsule, AABB, OBB, plane, triangle or mesh
+     * @param shape - sphere, capsule, AABB, OBB, plane, triangle or mesh (a hull too)
      * @param shape - in the model's own coordinates
      * @param transform - local; null is the identity
      * @param desc - null: no parent, layer 1, tag 0
@@ -1747,9 +1776,9 @@ export function closestPointBatch(shape: AnyShape, points: Elements, out?: Eleme
 export function segmentClosestPoints(a: Given<Segment>, b: Given<Segment>): [number[], number[], number];
 /** Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane, triangle,
  * frustum and mesh, in either order. A mesh is its surface: a sphere deep inside a closed mesh does
- * not overlap it. Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided
- * in double precision and may err only where the gap is below 2^-40 of the largest coordinate
- * difference.
+ * not overlap it. A convex hull (Mesh) is solid. Exact between AABBs, planes, triangles, meshes and
+ * frusta; other pairs are decided in double precision and may err only where the gap is below 2^-40 of
+ * the largest coordinate difference.
  * Cost: 5 to 500 ns, 0.5 to 20 us with a frustum; O(log n + k) expected with a mesh.
  * @throws {GamephysError} ERROR_UNSUPPORTED: for a ray or segment (see segmentTest) */
 export function overlaps(a: AnyShape, b: AnyShape): boolean;
@@ -1813,15 +1842,15 @@ export function sweepSphere(shape: AnyShape, sphere: Given<Sphere>, displacement
  * @param displacement - metres; may be zero
  * @returns t, point and normal as in sweepSphere, whose answers a sphere gets. The point is one of
  *     those where the two touch, always the same. Already overlapping, but for a sphere: t = 0,
- *     HIT_INSIDE, and point and normal of penetration; of a mesh, those of its first triangle. null if
- *     nothing is found.
+ *     HIT_INSIDE, and point and normal of penetration; of a mesh that is no hull, those of its first
+ *     triangle. null if nothing is found.
  * @throws {GamephysError} ERROR_UNSUPPORTED: for a ray or a segment as the shape, for a frustum unless
  *     a sphere moves, and for other types that move */
 export function sweep(shape: AnyShape, moving: AnyShape, displacement: Given<number[]>): Hit | null;
 /** The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule, AABB,
  * OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle that is
  * nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and have
- * translations of their own.
+ * translations of their own. Of a hull: out of all of it, and triangle is NO_TRIANGLE.
  * Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
  * ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from the
  * other shape. Added to float positions, the translation may leave an overlap of the spacing of floats

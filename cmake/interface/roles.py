@@ -16,7 +16,7 @@ raw         none of these: only for callers of the C function itself
 """
 
 # What `const float*` stands for, where it is not one float an element.
-WIDTHS = {"vertices": 3, "pixels": 2}
+WIDTHS = {"points": 3, "vertices": 3, "pixels": 2}
 # How many results there are, where no count says it.
 LENGTHS = {"gphys_camera_pick_rays": "width * height"}
 

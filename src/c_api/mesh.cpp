@@ -8,6 +8,7 @@
 #include "c_api/mesh_tiles.h"
 #include "c_api/shape_input.h"
 #include "foundation/results.h"
+#include "mesh/convex_hull.h"
 
 using namespace gphys;
 
@@ -27,6 +28,16 @@ gphys_status check_rays(const gphys_ray* rays, uint32_t ray_stride, uint32_t cou
     const Strided<gphys_ray> each(rays, ray_stride);
     for (uint32_t i = 0; i < count; ++i) GPHYS_REQUIRE_VALID(each[i]);
     return GPHYS_OK;
+}
+
+gphys_status refuse_deformable_hull(const gphys_mesh_desc& desc) {
+    if (desc.deformable == 0) return GPHYS_OK;
+    return fail(GPHYS_ERROR_UNSUPPORTED, "desc.deformable: a hull keeps its form");
+}
+
+gphys_status check_hull(const gphys_mesh* mesh) {
+    GPHYS_REQUIRE_POINTERS(mesh);
+    return unwrap(mesh)->is_hull() ? GPHYS_OK : fail(GPHYS_ERROR_UNSUPPORTED, "mesh: is not a hull");
 }
 
 template <class T>
@@ -73,6 +84,60 @@ gphys_status gphys_mesh_create(const gphys_mesh_desc* desc, const float* vertice
         GPHYS_REQUIRE(report.out_of_range_count == 0, "indices: one is not below vertex_count (see gphys_mesh_check)");
         *out_mesh = wrap(create<Mesh>(settings.allocator, arrays, report, chosen_isa(), settings.deformable != 0));
         return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_mesh_create_hull(const gphys_mesh_desc* desc, const float* points, uint32_t point_stride,
+                                    uint32_t point_count, gphys_mesh** out_mesh) {
+    return guarded(__func__, [&]() -> gphys_status {
+        gphys_mesh_desc settings{};
+        GPHYS_TRY(read_mesh_desc(desc, settings));
+        GPHYS_TRY(refuse_deformable_hull(settings));
+        GPHYS_REQUIRE(point_count == 0 || points, "points is null");
+        GPHYS_TRY(check_out_stride("point_stride", point_stride, sizeof(gphys_vec3)));
+        GPHYS_REQUIRE_POINTERS(out_mesh);
+        const MeshArrays arrays{points, point_stride, point_count, nullptr, 0};
+        for (uint32_t i = 0; i < point_count; ++i) GPHYS_TRY(check_element("points", i, arrays.vertex(i)));
+        Memory memory(settings.allocator);
+        HullSurface hull(&memory);
+        switch (make_hull(arrays, hull)) {
+            case HullDefect::flat:
+                return invalid("points: all lie in a plane");
+            case HullDefect::too_many_faces:
+                return fail(GPHYS_ERROR_CAPACITY, "points: their hull has more than 256 faces");
+            case HullDefect::none:
+                break;
+        }
+        const MeshArrays surface{&hull.vertices[0].x,
+                                 sizeof(gphys_vec3),
+                                 static_cast<uint32_t>(hull.vertices.size()),
+                                 hull.indices.data(),
+                                 static_cast<uint32_t>(hull.indices.size()),
+                                 MeshKind::hull};
+        *out_mesh = wrap(create<Mesh>(settings.allocator, surface, examine(surface, &memory)));
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_mesh_get_hull_planes(const gphys_mesh* mesh, gphys_plane* out_planes, uint32_t capacity,
+                                        uint32_t* out_total) {
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_TRY(check_hull(mesh));
+        GPHYS_TRY(check_list("out_planes", out_planes, capacity, out_total));
+        const Vector<Hull::Face>& faces = unwrap(mesh)->hull().faces();
+        const uint32_t total = static_cast<uint32_t>(faces.size());
+        for (uint32_t i = 0; i < std::min(total, capacity); ++i) {
+            out_planes[i] = {narrow(faces[i].normal), reported(dot(faces[i].normal, faces[i].triangle.a))};
+        }
+        return listed(total, capacity, out_total);
+    });
+}
+
+gphys_status gphys_mesh_get_hull_faces(const gphys_mesh* mesh, uint32_t* out_faces, uint32_t capacity,
+                                       uint32_t* out_total) {
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_TRY(check_hull(mesh));
+        return copy_out(unwrap(mesh)->hull().face_of(), "out_faces", out_faces, capacity, out_total);
     });
 }
 
@@ -144,6 +209,7 @@ gphys_status gphys_mesh_create_from_snapshot(const gphys_mesh_desc* desc, const 
         Memory memory(settings.allocator);
         MeshParts parts;
         if (const char* wrong = read_mesh_snapshot(words, word_count, &memory, parts)) return invalid(wrong);
+        if (parts.arrays.kind == MeshKind::hull) GPHYS_TRY(refuse_deformable_hull(settings));
         *out_mesh = wrap(create<Mesh>(settings.allocator, parts, settings.deformable != 0));
         return GPHYS_OK;
     });

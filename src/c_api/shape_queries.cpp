@@ -33,7 +33,10 @@ gphys_status read_target(gphys_shape_type type, const void* shape, Target& out) 
 bool contains(const Shape& shape, Vec3 point, double tolerance) {
     return std::visit([&](const auto& s) { return contains(s, point, tolerance); }, shape);
 }
-bool contains(const Mesh* mesh, Vec3 point, double tolerance) { return mesh->overlaps(Sphere{point, tolerance}); }
+bool contains(const Mesh* mesh, Vec3 point, double tolerance) {
+    if (mesh->is_hull() && tolerance == 0) return mesh->contains(point);
+    return mesh->overlaps(Sphere{point, tolerance});
+}
 bool contains(const Target& target, Vec3 point, double tolerance) {
     return std::visit([&](const auto& t) { return contains(t, point, tolerance); }, target);
 }

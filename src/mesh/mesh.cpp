@@ -61,6 +61,7 @@ Mesh::Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_m
     : Mesh(hooks, arrays, report, hash_of_indices(arrays), isa, deformable) {
     pack();
     measure();
+    if (is_hull()) hull_.make(vertices_, indices_);
     magnified_ = make_magnified(vertices_, magnification_);
 }
 
@@ -74,6 +75,7 @@ Mesh::Mesh(const gphys_allocator* hooks, const MeshParts& parts, bool deformable
     bvh_.build(parts.tree, boxes.data());
     note_packed_area(boxes);
     measure();
+    if (is_hull()) hull_.make(vertices_, indices_);
     magnified_ = make_magnified(vertices_, magnification_);
 }
 
@@ -166,7 +168,7 @@ NearestCrossing Mesh::first_crossing(const PreparedRay& ray) const {
         const float before = nearest.t;
         for_each_lane(lanes, [&](int lane) {
             TriangleCrossing crossing;
-            if (crosses(packet.triangle(lane), ray.sheared, crossing)) {
+            if (crosses(packet.triangle(lane), ray.sheared, crossing) && counts(crossing)) {
                 nearest.take(crossing, reported(crossing.t), packet, static_cast<uint32_t>(lane));
             }
             return true;
@@ -186,14 +188,15 @@ gphys_distance distance_of(const NearestCrossing& nearest) { return {nearest.t, 
 bool Mesh::raycast(const Ray& ray, Hit& hit) const {
     if (is_links()) return raycast_links(ray, hit);
     if (magnified_) return magnified_->raycast(magnified(ray), hit) && reduce(hit);
+    if (contains(ray.origin)) return started_inside(ray, hit);
     const PreparedRay prepared(ray, rays_root_);
     return hit_at(first_crossing(prepared), prepared.sheared, hit);
 }
 
 bool Mesh::raycast_distance(const Ray& ray, gphys_distance& out) const {
-    if (is_links()) {
+    if (is_links() || is_hull()) {
         Hit hit;
-        if (!raycast_links(ray, hit)) return false;
+        if (!raycast(ray, hit)) return false;
         out = {reported(hit.t), 0, hit.triangle};
         return true;
     }
@@ -236,7 +239,7 @@ uint64_t bits_of(uint32_t count, const Test& test) {
 
 uint64_t Mesh::raycast_many(const gphys_ray* const* rays, uint32_t count, gphys_hit* const* out) const {
     if (packets_.empty() || count == 0) return 0;
-    if (magnified_ || is_links()) {
+    if (is_cast_singly()) {
         return hits_of_others(0, count, out, [&](uint32_t i, Hit& hit) { return raycast(widen(*rays[i]), hit); });
     }
     PreparedRays prepared;
@@ -254,7 +257,7 @@ uint64_t Mesh::raycast_many(const Ray* rays, uint32_t count, const Transform& wo
         hit.normal = world.rotation * hit.normal;
         return found;
     };
-    if (magnified_ || is_links()) {
+    if (is_cast_singly()) {
         return hits_of_others(0, count, out,
                               [&](uint32_t i, Hit& hit) { return placed(raycast(carried(rays[i], world), hit), hit); });
     }
@@ -286,8 +289,7 @@ uint64_t Mesh::any_of(const PreparedRays& prepared, uint32_t count) const {
 uint64_t Mesh::raycast_distance_many(const gphys_ray* const* rays, uint32_t count, gphys_distance* out) const {
     std::fill_n(out, count, no_distance);
     if (packets_.empty() || count == 0) return 0;
-    if (magnified_ || is_links())
-        return bits_of(count, [&](uint32_t i) { return raycast_distance(widen(*rays[i]), out[i]); });
+    if (is_cast_singly()) return bits_of(count, [&](uint32_t i) { return raycast_distance(widen(*rays[i]), out[i]); });
     PreparedRays prepared;
     kernels_.prepare(rays, count, rays_root_, prepared.of);
     return distances_of(prepared, count, out);
@@ -297,7 +299,7 @@ uint64_t Mesh::raycast_distance_many(const Ray* rays, uint32_t count, const Tran
                                      gphys_distance* out) const {
     std::fill_n(out, count, no_distance);
     if (packets_.empty() || count == 0) return 0;
-    if (magnified_ || is_links())
+    if (is_cast_singly())
         return bits_of(count, [&](uint32_t i) { return raycast_distance(carried(rays[i], world), out[i]); });
     PreparedRays prepared;
     kernels_.prepare_placed(rays, count, world, rays_root_, prepared.of);
@@ -306,7 +308,7 @@ uint64_t Mesh::raycast_distance_many(const Ray* rays, uint32_t count, const Tran
 
 uint64_t Mesh::raycast_any_many(const gphys_ray* const* rays, uint32_t count) const {
     if (packets_.empty() || count == 0) return 0;
-    if (magnified_ || is_links()) return bits_of(count, [&](uint32_t i) { return raycast_any(widen(*rays[i])); });
+    if (is_cast_singly()) return bits_of(count, [&](uint32_t i) { return raycast_any(widen(*rays[i])); });
     PreparedRays prepared;
     kernels_.prepare(rays, count, rays_root_, prepared.of);
     return any_of(prepared, count);
@@ -314,8 +316,7 @@ uint64_t Mesh::raycast_any_many(const gphys_ray* const* rays, uint32_t count) co
 
 uint64_t Mesh::raycast_any_many(const Ray* rays, uint32_t count, const Transform& world) const {
     if (packets_.empty() || count == 0) return 0;
-    if (magnified_ || is_links())
-        return bits_of(count, [&](uint32_t i) { return raycast_any(carried(rays[i], world)); });
+    if (is_cast_singly()) return bits_of(count, [&](uint32_t i) { return raycast_any(carried(rays[i], world)); });
     PreparedRays prepared;
     kernels_.prepare_placed(rays, count, world, rays_root_, prepared.of);
     return any_of(prepared, count);
@@ -324,12 +325,13 @@ uint64_t Mesh::raycast_any_many(const Ray* rays, uint32_t count, const Transform
 bool Mesh::raycast_any(const Ray& ray) const {
     if (is_links()) return raycast_any_links(ray);
     if (magnified_) return magnified_->raycast_any(magnified(ray));
+    if (contains(ray.origin)) return true;
     const PreparedRay prepared(ray, rays_root_);
     bool found = false;
     walk(prepared, [&](const TrianglePacket& packet, uint32_t lanes) {
         for_each_lane(lanes, [&](int lane) {
             TriangleCrossing crossing;
-            found = crosses(packet.triangle(lane), prepared.sheared, crossing);
+            found = crosses(packet.triangle(lane), prepared.sheared, crossing) && counts(crossing);
             return !found;
         });
         return found ? -1 : prepared.limit;
@@ -348,6 +350,13 @@ bool Mesh::sweep(const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties) c
     if (magnified_) {
         const Sphere larger{moving.center * magnification_, moving.radius * magnification_};
         return magnified_->sweep(larger, displacement * magnification_, hit, ties) && reduce(hit);
+    }
+    if (is_hull()) {
+        if (moving.radius == 0) return raycast({moving.center, displacement, 1}, hit);
+        if (overlaps(moving)) {
+            start_in_hull(moving, displacement, hit);
+            return true;
+        }
     }
     const RayProbe probe(moving.center, displacement, moving.radius, bounds());
     const bool as_reported = ties == Ties::as_reported;
@@ -373,12 +382,17 @@ bool Mesh::sweep(const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties) c
     });
     if (first.triangle == GPHYS_NO_TRIANGLE) return false;
     hit = first;
+    if (is_hull()) hit.flags &= ~uint32_t{GPHYS_HIT_BACK};  // of a triangle that is touched at its edge
     return true;
 }
 
 bool Mesh::sweep(const Shape& moving, Vec3 displacement, Hit& hit) const {
     if (packets_.empty()) return false;
     if (const auto* sphere = std::get_if<Sphere>(&moving)) return sweep(*sphere, displacement, hit);
+    if (is_hull() && overlaps(moving)) {
+        start_in_hull(moving, displacement, hit);
+        return true;
+    }
     const BoxInMotion box(moving);
     const Vec3 half = box.half_with_rounding(bounds(), displacement);
     const RayProbe probe(box.middle, displacement, half, bounds());
@@ -404,11 +418,13 @@ bool Mesh::sweep(const Shape& moving, Vec3 displacement, Hit& hit) const {
     });
     if (first.triangle == GPHYS_NO_TRIANGLE) return false;
     hit = first;
+    if (is_hull()) hit.flags &= ~uint32_t{GPHYS_HIT_BACK};  // of a triangle that is touched at its edge
     return true;
 }
 
 bool Mesh::overlaps(const Shape& shape) const {
-    bool found = false;
+    bool found = is_hull() && holds_point_of(shape);
+    if (found) return true;
     for_each_overlap(shape, [&](uint32_t) {
         found = true;
         return false;
@@ -417,6 +433,7 @@ bool Mesh::overlaps(const Shape& shape) const {
 }
 
 bool Mesh::overlaps(const Mesh& other) const {
+    if (holds_part_of(other) || other.holds_part_of(*this)) return true;
     return !bvh_.overlap_pairs(other.bvh_, [&](uint32_t mine, uint32_t theirs) {
         const TrianglePacket &a = packets_[mine], &b = other.packets_[theirs];
         return for_each_lane(lanes_in_box(a, other.bvh_.box(theirs)), [&](int lane) {

@@ -3,6 +3,7 @@
 //
 //   mesh.cpp            creation and queries
 //   links.cpp           queries of capsules in place of triangles
+//   hull.cpp            queries of a convex hull, which is solid
 //   deform.cpp          new vertices
 //   mesh_snapshot.cpp   snapshots
 //
@@ -16,6 +17,7 @@
 
 #include "bvh/bvh8.h"
 #include "foundation/word_hash.h"
+#include "mesh/hull.h"
 #include "mesh/mesh_kernels.h"
 #include "mesh/mesh_ray.h"
 #include "mesh/mesh_snapshot.h"
@@ -42,6 +44,8 @@ public:
     static void release(const Mesh* mesh) noexcept;
 
     MeshKind kind() const { return kind_; }
+    bool is_hull() const { return kind_ == MeshKind::hull; }
+    bool is_body() const { return kind_ == MeshKind::body_surface || kind_ == MeshKind::body_links; }
     bool deformable() const { return users_.has_value(); }
     /// Put valid vertices, as many as there are, in place of the old ones: of a deformable mesh. Of links radii as
     /// well, unless they are null and stay. All answers are those of a mesh made of them. Why a model of the mesh
@@ -78,6 +82,8 @@ public:
     const gphys_sphere& ball() const { return ball_; }
     /// Of all that it is made of: the same for equal meshes, wherever they are.
     uint64_t hash() const { return hash_; }
+    /// Empty unless it is a hull.
+    const Hull& hull() const { return hull_; }
     const Bvh8& bvh() const { return bvh_; }
     const Vector<TrianglePacket>& packets() const { return packets_; }
 
@@ -110,7 +116,9 @@ public:
     /// Every triangle that the ray hits, in no particular order: visit(const Hit&).
     template <class Visit>
     void raycast_all(const Ray& ray, Visit&& visit) const;
-    /// False if no triangle is within max_distance.
+    /// Whether a hull holds the point, decided exactly; false for others.
+    bool contains(Vec3 point) const;
+    /// False if nothing is within max_distance. Within a hull that is the point itself, and no triangle.
     bool closest_point(Vec3 point, double max_distance, Vec3& out, uint32_t& triangle) const;
     /// The same, compared by distance_of(point of a triangle, its squared distance in the mesh), a float or a double.
     /// What is beyond limit_of(distance) in the mesh does not tie with it. A distance that is infinite is none.
@@ -122,12 +130,17 @@ public:
     bool sweep(const Shape& moving, Vec3 displacement, Hit& hit) const;
     bool overlaps(const Shape& shape) const;
     bool overlaps(const Mesh& other) const;
-    /// Every triangle that shares a point with the shape: visit(triangle) returns whether to go on.
+    /// Every triangle, which is no solid, that shares a point with the shape: visit(triangle) returns whether to go on.
     template <class Visit>
     void for_each_overlap(const Shape& shape, Visit&& visit) const;
     /// The penetration of a sphere, capsule or box into each triangle that it overlaps: visit(Penetration, triangle).
+    /// Into a hull there is one, without a triangle.
     template <class Visit>
     void for_each_penetration(const Shape& moving, Visit&& visit) const {
+        if (is_hull()) {
+            if (overlaps(moving)) visit(way_out_of_hull(moving), GPHYS_NO_TRIANGLE);
+            return;
+        }
         for_each_overlap(moving, [&](uint32_t index) {
             if (is_links()) {
                 visit(penetration(link(triangle(index), index), moving), index);
@@ -148,6 +161,19 @@ private:
     MeshArrays arrays() const;
 
     bool is_links() const { return kind_ == MeshKind::body_links; }
+    /// Rays of a batch are cast one by one.
+    bool is_cast_singly() const { return magnified_ || is_links() || is_hull(); }
+    /// Whether a ray that crosses a triangle that way meets the mesh there: a ray from outside a hull enters it by its
+    /// front, also where it touches an edge only.
+    bool counts(const TriangleCrossing& crossing) const { return !is_hull() || crossing.facing < 0; }
+    /// The solid overlaps the hull.
+    Penetration way_out_of_hull(const Shape& moving) const;
+    void start_in_hull(const Sphere& moving, Vec3 displacement, Hit& hit) const;
+    void start_in_hull(const Shape& moving, Vec3 displacement, Hit& hit) const;
+    /// Whether some point of the shape, if it has any, is in a hull.
+    bool holds_point_of(const Shape& shape) const;
+    /// Whether some triangle of the other mesh begins in a hull.
+    bool holds_part_of(const Mesh& other) const;
     Capsule link(const Triangle& triangle, uint32_t index) const { return {triangle.a, triangle.b, radii_[index]}; }
     /// visit(the triangle, or the capsule that it stands for).
     template <class Visit>
@@ -236,6 +262,7 @@ private:
     // bits, as nothing of that is rounded.
     const Mesh* magnified_ = nullptr;
     double magnification_ = 1;
+    Hull hull_{&memory};
 
     const Isa isa_;
     const MeshKind kind_;
@@ -262,6 +289,11 @@ void Mesh::walk(const PreparedRay& ray, Visit&& visit) const {
 template <class Visit>
 void Mesh::raycast_all(const Ray& ray, Visit&& visit) const {
     if (is_links()) return raycast_all_links(ray, visit);
+    if (is_hull()) {
+        Hit hit;
+        if (raycast(ray, hit)) visit(hit);
+        return;
+    }
     if (!magnified_) return cross_all(ray, visit);
     magnified_->cross_all(magnified(ray), [&](Hit hit) {
         reduce(hit);
@@ -303,6 +335,11 @@ void Mesh::cross_all(const Ray& ray, Visit&& visit) const {
 template <class DistanceOf, class LimitOf>
 bool Mesh::closest_point(Vec3 point, double max_distance, const DistanceOf& distance_of, const LimitOf& limit_of,
                          Vec3& out, uint32_t& triangle) const {
+    if (contains(point)) {
+        out = point;
+        triangle = GPHYS_NO_TRIANGLE;
+        return true;
+    }
     if (!magnified_) return find_closest(point, max_distance, distance_of, limit_of, out, triangle);
     const double by = magnification_;
     const bool found = magnified_->find_closest(

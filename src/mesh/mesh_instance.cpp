@@ -110,6 +110,11 @@ bool closest_point(const MeshInstance& instance, Vec3 point, double max_distance
                    Ties ties) {
     const Transform& world = instance.world;
     const Vec3 local = world.inverse_apply(point);
+    if (instance.mesh.contains(local)) {
+        out = point;
+        triangle = GPHYS_NO_TRIANGLE;
+        return true;
+    }
     // The limit must not lose to rounding a point that lies exactly at it: the way there and back is
     // at most 16 roundings of 2^-53 of the coordinates and of the distance itself.
     const double coordinates = magnitude(local, world);

@@ -29,7 +29,7 @@ bool sweep(const MeshInstance& instance, const Sphere& moving, Vec3 displacement
 /// For a moving sphere, capsule or box.
 bool sweep(const MeshInstance& instance, const Shape& moving, Vec3 displacement, Hit& hit);
 bool overlaps(const MeshInstance& instance, const Shape& shape);
-/// False if no triangle is within max_distance (as computed: or, by rounding, barely beyond it).
+/// As Mesh::closest_point: false if nothing is within max_distance (as computed: or, by rounding, barely beyond it).
 bool closest_point(const MeshInstance& instance, Vec3 point, double max_distance, Vec3& out, uint32_t& triangle,
                    Ties ties = Ties::as_reported);
 

@@ -8,11 +8,14 @@
 namespace gphys {
 
 /// What the triangles of a mesh stand for. With the form of a body of a solver it is not collided with by solvers.
+/// Snapshots hold these numbers.
 enum class MeshKind : uint32_t {
     surface,
     body_surface,
     /// Of a body: a triangle a, b, b is the capsule from a to b.
-    body_links
+    body_links,
+    /// The surface of a convex solid, made by make_hull (convex_hull.h).
+    hull
 };
 
 /// The caller's arrays: vertex_count vertices `vertex_stride` bytes apart, three indices a triangle.

@@ -4,6 +4,7 @@
 
 #include "foundation/status.h"
 #include "foundation/word_hash.h"
+#include "mesh/convex_hull.h"
 #include "mesh/mesh.h"
 
 namespace gphys {
@@ -21,7 +22,7 @@ uint64_t words_of(const Sizes& sizes) {
 
 /// Of the last section, which a surface does not have.
 uint64_t words_of_kind(MeshKind kind, const Sizes& sizes) {
-    return kind == MeshKind::surface ? 0 : kind == MeshKind::body_surface ? 1 : 1 + sizes.indices / 3;
+    return kind == MeshKind::surface ? 0 : kind == MeshKind::body_links ? 1 + sizes.indices / 3 : 1;
 }
 
 bool report_fits(const Sizes& sizes) {
@@ -64,6 +65,15 @@ uint32_t count_packets(const uint32_t* order, uint32_t triangles, std::pmr::memo
     return size == 0 ? packets : 0;
 }
 
+/// Whether the vertices, with those triangles, are what make_hull makes of them.
+bool is_hull_of_itself(const MeshArrays& arrays, std::pmr::memory_resource* memory) {
+    if (arrays.vertex_count > 2 * most_hull_faces) return false;  // without the time that it would take
+    HullSurface hull(memory);
+    if (make_hull(arrays, hull) != HullDefect::none) return false;
+    return hull.vertices.size() == arrays.vertex_count && hull.indices.size() == arrays.index_count &&
+           std::equal(hull.indices.begin(), hull.indices.end(), arrays.indices);
+}
+
 }  // namespace
 
 uint64_t mesh_snapshot_checksum(const uint32_t* words, uint32_t count) {
@@ -85,8 +95,7 @@ const char* read_mesh_snapshot(const uint32_t* words, uint32_t count, std::pmr::
     MeshKind kind = MeshKind::surface;
     const uint32_t* const last = words + words_of(sizes);
     if (words_of(sizes) < count) {
-        if (*last != static_cast<uint32_t>(MeshKind::body_surface) &&
-            *last != static_cast<uint32_t>(MeshKind::body_links)) {
+        if (*last == static_cast<uint32_t>(MeshKind::surface) || *last > static_cast<uint32_t>(MeshKind::hull)) {
             return wrong_lengths;
         }
         kind = static_cast<MeshKind>(*last);
@@ -133,7 +142,8 @@ const char* read_mesh_snapshot(const uint32_t* words, uint32_t count, std::pmr::
     parts.report.open_edge_count = sizes.open_edges;
     parts.order = order;
     parts.tree = {order + triangles, sizes.nodes, nullptr, packets};
-    return parts.tree.defect() ? "words: the tree of the mesh is none" : nullptr;
+    if (parts.tree.defect()) return "words: the tree of the mesh is none";
+    return kind != MeshKind::hull || is_hull_of_itself(parts.arrays, memory) ? nullptr : "words: the hull is none";
 }
 
 gphys_status Mesh::snapshot(uint32_t* out, uint32_t capacity, uint32_t& total) const {

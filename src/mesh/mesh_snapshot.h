@@ -6,10 +6,12 @@
 //   vertices   three floats each
 //   order      the triangles as the packets hold them; the last of each packet has last_of_packet
 //   nodes      the layout of the tree (bvh_layout.h), whose items are the packets
-//   kind       of a mesh in the form of a body: its MeshKind, and of links the radii, as MeshArrays has them
+//   kind       of a hull, and of a mesh in the form of a body: its MeshKind, and of links the radii, as MeshArrays has
+//              them
 //
 // What follows from others (corners of packets, boxes) is made again. So nothing that a query relies on is taken on
-// trust: indices, order and nodes are checked, and the boxes are right whatever the words were.
+// trust: indices, order and nodes are checked, and the boxes are right whatever the words were. Of a hull the vertices
+// are to have those triangles as their hull.
 //
 // Releases of one major version read all formats of earlier ones.
 #pragma once

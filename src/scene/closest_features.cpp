@@ -9,7 +9,8 @@ void ClosestFeatures::clear(uint32_t points) {
 
 bool ClosestFeatures::add(const Scene& scene, gphys_model_id model, uint32_t tag, const Sphere* balls) {
     scene_ = &scene;
-    if (const Mesh* mesh = scene.mesh(model)) {
+    const Mesh* const mesh = scene.mesh(model);
+    if (mesh && !mesh->is_hull()) {
         return add_mesh(*mesh, widen(scene.world(model)), model, tag, balls);
     }
     if (primitive_count_ == most_exact) return false;

@@ -1,5 +1,5 @@
-// The convex parts of models (primitives, and triangles of meshes) near a group of points: nearest first, and without
-// those behind planes that the caller has found.
+// The convex parts of models (primitives, hulls, and triangles of meshes) near a group of points: nearest first, and
+// without those behind planes that the caller has found.
 //
 // One traversal serves all points. Triangles stay in the packets of their meshes, with lower bounds of their distances
 // in float; the exact distance is computed only for those that may be the nearest.

@@ -310,7 +310,7 @@ private:
     double mesh_radius(uint32_t slot) const;
     /// Whether it has the form of a body of a solver, which collides with other bodies by itself.
     bool is_body(uint32_t slot) const {
-        return models_[slot].type() == GPHYS_SHAPE_MESH && stored<const Mesh*>(slot)->kind() != MeshKind::surface;
+        return models_[slot].type() == GPHYS_SHAPE_MESH && stored<const Mesh*>(slot)->is_body();
     }
     void list_unbounded(uint32_t slot);
     void unlist_unbounded(uint32_t position);

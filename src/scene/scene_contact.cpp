@@ -59,8 +59,8 @@ Contact contact_of(const Plane& plane, Vec3 point) {
 }
 
 /// Of a surface at its closest point. On the surface itself the difference is rounding noise and the
-/// face decides.
-Contact contact_of_surface(const Triangle& triangle, Vec3 closest, Vec3 point) {
+/// face decides; only its front counts if it is of a hull and the point is not inside.
+Contact contact_of_surface(const Triangle& triangle, Vec3 closest, Vec3 point, bool only_front = false) {
     const Vec3 away = point - closest;
     const double distance = length(away);
     // 2^-40 of the coordinates is far above the rounding of the closest point (2^-50) and far below
@@ -70,7 +70,7 @@ Contact contact_of_surface(const Triangle& triangle, Vec3 closest, Vec3 point) {
     const Vec3 face = cross(triangle.b - triangle.a, triangle.c - triangle.a);
     if (face == Vec3{}) return {closest, distance > 0 ? normalized(away) : some_direction, distance};
     const Vec3 normal = normalized(face);
-    return {closest, dot(normal, away) < 0 ? -normal : normal, distance};
+    return {closest, !only_front && dot(normal, away) < 0 ? -normal : normal, distance};
 }
 
 Contact contact_of(const Triangle& triangle, Vec3 point) {
@@ -83,11 +83,25 @@ bool find_contact(const Primitive& shape, Vec3 point, Contact& out) {
     return true;
 }
 
+/// Of a hull that holds the point: on its nearest face.
+Contact contact_within(const MeshInstance& hull, Vec3 point, Vec3 local) {
+    Vec3 normal;
+    const double depth = hull.mesh.hull().depth(local, normal) * hull.world.scale;
+    normal = hull.world.rotation * normal;
+    return {point + normal * depth, normal, -depth};
+}
+
 bool find_contact(const MeshInstance& instance, Vec3 point, Contact& out) {
+    const Vec3 local = instance.world.inverse_apply(point);
+    if (instance.mesh.contains(local)) {
+        out = contact_within(instance, point, local);
+        return true;
+    }
     Vec3 closest;
     uint32_t triangle;
     if (!closest_point(instance, point, infinity, closest, triangle, Ties::as_computed)) return false;
-    out = contact_of_surface(transformed(instance.mesh.triangle(triangle), instance.world), closest, point);
+    const Triangle nearest = transformed(instance.mesh.triangle(triangle), instance.world);
+    out = contact_of_surface(nearest, closest, point, instance.mesh.is_hull());
     return true;
 }
 

@@ -153,6 +153,30 @@ public:
         own(made);
     }
 
+    // Make the convex hull of points: a mesh that is solid, as spheres and boxes are. All that takes a
+    // mesh takes it: functions of shapes, models of scenes, snapshots, and solvers, whose particles stay
+    // outside and are pushed out. A ray that starts inside hits at t = 0 with GPHYS_HIT_INSIDE; one from
+    // outside hits the face through which it enters, `triangle` says where. Whether a ray hits and whether
+    // a point is inside is exact with respect to the points. Inside, the closest point is the point itself
+    // and triangle GPHYS_NO_TRIANGLE. Mesh::overlap lists the triangles of the surface; Mesh::raycast_all
+    // gives the first hit alone. The vertices are those points that are corners of the hull, in the order
+    // of the points, of equal ones the first. The triangles come face by face, all that lie in one plane
+    // being one face; seen from outside their corners go counterclockwise where axes are right-handed, and
+    // the normal cross(b - a, c - a) points out.
+    //   - desc: deformable must be 0
+    //   - points: elements of 3 floats, metres; copied
+    // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT if a point is out of range or if all lie in a plane,
+    // which is decided exactly.
+    // Throws Error with GPHYS_ERROR_CAPACITY if the hull has more than 256 faces.
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED if desc asks for a deformable mesh.
+    // Cost: O(point_count * faces); allocates. Rays take O(log faces), the other questions up to O(faces).
+    // Source: quickhull (Barber, Dobkin, Huhdanpaa 1996) with exact predicates. Since 1.1.
+    explicit Mesh(Span<const float> points, const MeshDesc* desc = nullptr) {
+        gphys_mesh* made = nullptr;
+        check(gphys_mesh_create_hull(desc, points.data, points.stride, points.size, &made));
+        own(made);
+    }
+
     // Make a mesh of a snapshot: all its answers have the bits of the mesh that the snapshot was taken of.
     // Any words are safe, also those of a stranger: vertices, indices and the tree are checked, and what
     // follows from them is computed. Made-up words are refused, or taken as a mesh like any other; only
@@ -160,6 +184,7 @@ public:
     //   - desc: with `deformable` the mesh takes new vertices, whatever the one in the snapshot did
     // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT for words that are no snapshot of a mesh, damaged, of
     // a later format or of another byte order.
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED for a deformable hull.
     // Cost: O(n), a small part of Mesh's; allocates.
     explicit Mesh(Span<const uint32_t> words, const MeshDesc* desc = nullptr) {
         gphys_mesh* made = nullptr;
@@ -191,6 +216,21 @@ public:
     // Cost: as Mesh, and then that of Mesh::set_vertices for a body that has moved; one that rests is
     // compared, O(particles). Since 1.1.
     explicit Mesh(Solver& solver, gphys_body_id body, const MeshDesc* desc = nullptr);
+
+    // The planes of a hull's faces: normals are unit and point out, within float32 rounding.
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED for a mesh that is no hull.
+    // Cost: O(faces). Since 1.1.
+    std::vector<Plane> get_hull_planes() const {
+        return list<Plane>([&](Plane* out_planes, uint32_t capacity, uint32_t* total) { return gphys_mesh_get_hull_planes(handle(), out_planes, capacity, total); });
+    }
+
+    // For each triangle of a hull the number of its face, by which Mesh::get_hull_planes lists the planes:
+    // ascending, from 0.
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED for a mesh that is no hull.
+    // Cost: O(triangles). Since 1.1.
+    std::vector<uint32_t> get_hull_faces() const {
+        return list<uint32_t>([&](uint32_t* out_faces, uint32_t capacity, uint32_t* total) { return gphys_mesh_get_hull_faces(handle(), out_faces, capacity, total); });
+    }
 
     // Put other vertices in place of those of a deformable mesh: of a skinned character, or of cloth as
     // Solver::get_positions writes it. All models of the mesh have the new form from then on, in every
@@ -339,7 +379,7 @@ public:
     }
 
     // Add a model.
-    //   - shape: sphere, capsule, AABB, OBB, plane, triangle or mesh
+    //   - shape: sphere, capsule, AABB, OBB, plane, triangle or mesh (a hull too)
     //   - shape: in the model's own coordinates
     //   - transform: local; nullptr is the identity
     //   - desc: nullptr: no parent, layer 1, tag 0
@@ -2128,9 +2168,9 @@ inline std::tuple<Vec3, Vec3, float> segment_closest_points(const Segment& a, co
 
 // Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane, triangle,
 // frustum and mesh, in either order. A mesh is its surface: a sphere deep inside a closed mesh does
-// not overlap it. Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided
-// in double precision and may err only where the gap is below 2^-40 of the largest coordinate
-// difference.
+// not overlap it. A convex hull (Mesh) is solid. Exact between AABBs, planes, triangles, meshes and
+// frusta; other pairs are decided in double precision and may err only where the gap is below 2^-40 of
+// the largest coordinate difference.
 // Throws Error with GPHYS_ERROR_UNSUPPORTED for a ray or segment (see gamephys::segment_test).
 // Cost: 5 to 500 ns, 0.5 to 20 us with a frustum; O(log n + k) expected with a mesh.
 inline bool overlaps(ShapeRef a, ShapeRef b) {
@@ -2233,8 +2273,8 @@ inline std::optional<Hit> sweep_sphere(ShapeRef shape, const Sphere& sphere, con
 //   - displacement: metres; may be zero
 // Result: t, point and normal as in gamephys::sweep_sphere, whose answers a sphere gets. The point is
 // one of those where the two touch, always the same. Already overlapping, but for a sphere: t = 0,
-// GPHYS_HIT_INSIDE, and point and normal of gamephys::penetration; of a mesh, those of its first
-// triangle. std::nullopt if nothing is found.
+// GPHYS_HIT_INSIDE, and point and normal of gamephys::penetration; of a mesh that is no hull, those of
+// its first triangle. std::nullopt if nothing is found.
 // Throws Error with GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape, for a frustum unless
 // a sphere moves, and for other types that move.
 // Cost: O(1), 0.1 to 2 us; O(log n + k) expected for a mesh.
@@ -2247,7 +2287,7 @@ inline std::optional<Hit> sweep(ShapeRef shape, ShapeRef moving, const Vec3& dis
 // The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule, AABB,
 // OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle that is
 // nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and have
-// translations of their own.
+// translations of their own. Of a hull: out of all of it, and triangle is GPHYS_NO_TRIANGLE.
 // Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
 // ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from the
 // other shape. Added to float positions, the translation may leave an overlap of the spacing of floats

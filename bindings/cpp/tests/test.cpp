@@ -391,6 +391,15 @@ TEST_CASE("cameras see by aspect, in a window, from the near plane on") {
     CHECK((near(points[0], {1, 2, 3}) && points[1].x == INF));
 }
 
+TEST_CASE("a hull is a solid mesh") {
+    const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.1f, 0.1f, 0.1f}};
+    const Mesh hull(Span<const float>(&corners[0].x, 5, 12));
+    CHECK(hull.get_vertices().size() == 4);
+    CHECK(hull.get_hull_planes().size() == 4);
+    CHECK(hull.get_hull_faces() == std::vector<uint32_t>{0, 1, 2, 3});
+    CHECK(contains(hull, corners[4], 0));
+}
+
 TEST_CASE("a mesh deforms, and its models with it") {
     MeshDesc desc = mesh_desc();
     desc.deformable = 1;

@@ -37,6 +37,9 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_mesh_check(float* vertices, uint vertex_stride, uint vertex_count, uint* indices, uint index_count, MeshReport* out_report);
     [DllImport(Library)] internal static extern Status gphys_mesh_desc_init(MeshDesc* desc, uint size);
     [DllImport(Library)] internal static extern Status gphys_mesh_create(MeshDesc* desc, float* vertices, uint vertex_stride, uint vertex_count, uint* indices, uint index_count, IntPtr* out_mesh);
+    [DllImport(Library)] internal static extern Status gphys_mesh_create_hull(MeshDesc* desc, float* points, uint point_stride, uint point_count, IntPtr* out_mesh);
+    [DllImport(Library)] internal static extern Status gphys_mesh_get_hull_planes(MeshHandle mesh, Plane* out_planes, uint capacity, uint* out_total);
+    [DllImport(Library)] internal static extern Status gphys_mesh_get_hull_faces(MeshHandle mesh, uint* out_faces, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_mesh_set_vertices(MeshHandle mesh, float* vertices, uint vertex_stride, uint vertex_count);
     [DllImport(Library)] internal static extern void gphys_mesh_destroy(IntPtr mesh);
     [DllImport(Library)] internal static extern Status gphys_mesh_get_report(MeshHandle mesh, MeshReport* out_report);

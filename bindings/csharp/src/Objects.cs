@@ -23,6 +23,34 @@ public sealed partial class Mesh : IDisposable {
         Handle = new MeshHandle(made);
     }
 
+    /// <summary>Make the convex hull of points: a mesh that is solid, as spheres and boxes are. All that takes a
+    /// mesh takes it: functions of shapes, models of scenes, snapshots, and solvers, whose particles stay
+    /// outside and are pushed out. A ray that starts inside hits at t = 0 with HitInside; one from outside
+    /// hits the face through which it enters, `triangle` says where. Whether a ray hits and whether a point
+    /// is inside is exact with respect to the points. Inside, the closest point is the point itself and
+    /// triangle NoTriangle. Mesh.Overlap lists the triangles of the surface; Mesh.RaycastAll gives the
+    /// first hit alone. The vertices are those points that are corners of the hull, in the order of the
+    /// points, of equal ones the first. The triangles come face by face, all that lie in one plane being
+    /// one face; seen from outside their corners go counterclockwise where axes are right-handed, and the
+    /// normal cross(b - a, c - a) points out.
+    /// Cost: O(pointCount * faces); allocates. Rays take O(log faces), the other questions up to O(faces).
+    /// Source: quickhull (Barber, Dobkin, Huhdanpaa 1996) with exact predicates. Since 1.1.</summary>
+    /// <param name="desc">deformable must be 0</param>
+    /// <param name="points">elements of 3 floats, metres; copied</param>
+    /// <exception cref="GamephysException">Status.ErrorInvalidArgument: if a point is out of range or if
+    /// all lie in a plane, which is decided exactly</exception>
+    /// <exception cref="GamephysException">Status.ErrorCapacity: if the hull has more than 256
+    /// faces</exception>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: if desc asks for a deformable
+    /// mesh</exception>
+    public unsafe Mesh(ReadOnlySpan<Vec3> points, MeshDesc? desc = null) {
+        var desc_ = desc.GetValueOrDefault();
+        IntPtr made;
+        fixed (Vec3* points_ = &MemoryMarshal.GetReference(points))
+        Check(Low.gphys_mesh_create_hull(desc.HasValue ? &desc_ : null, (float*)points_, SizeOf(points), (uint)points.Length, &made));
+        Handle = new MeshHandle(made);
+    }
+
     /// <summary>Make a mesh of a snapshot: all its answers have the bits of the mesh that the snapshot was taken of.
     /// Any words are safe, also those of a stranger: vertices, indices and the tree are checked, and what
     /// follows from them is computed. Made-up words are refused, or taken as a mesh like any other; only
@@ -32,6 +60,7 @@ public sealed partial class Mesh : IDisposable {
     /// did</param>
     /// <exception cref="GamephysException">Status.ErrorInvalidArgument: for words that are no snapshot of a
     /// mesh, damaged, of a later format or of another byte order</exception>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: for a deformable hull</exception>
     public unsafe Mesh(ReadOnlySpan<uint> words, MeshDesc? desc = null) {
         var desc_ = desc.GetValueOrDefault();
         IntPtr made;
@@ -72,6 +101,45 @@ public sealed partial class Mesh : IDisposable {
 
     /// <summary>Frees the object at once. Any use afterwards throws ObjectDisposedException.</summary>
     public void Dispose() { Handle.Dispose(); }
+
+    /// <summary>The planes of a hull's faces: normals are unit and point out, within float32 rounding.
+    /// Cost: O(faces). Since 1.1.</summary>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: for a mesh that is no hull</exception>
+    public unsafe Plane[] GetHullPlanes() {
+        var result = new Plane[Guess];
+        for (;;) {
+            uint total;
+            Status status;
+            fixed (Plane* out_ = result)
+            status = Low.gphys_mesh_get_hull_planes(Handle, out_, (uint)result.Length, &total);
+            Check(status);
+            if (status != Status.Incomplete) {
+                Array.Resize(ref result, (int)total);
+                return result;
+            }
+            result = new Plane[total];
+        }
+    }
+
+    /// <summary>For each triangle of a hull the number of its face, by which Mesh.GetHullPlanes lists the planes:
+    /// ascending, from 0.
+    /// Cost: O(triangles). Since 1.1.</summary>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: for a mesh that is no hull</exception>
+    public unsafe uint[] GetHullFaces() {
+        var result = new uint[Guess];
+        for (;;) {
+            uint total;
+            Status status;
+            fixed (uint* out_ = result)
+            status = Low.gphys_mesh_get_hull_faces(Handle, out_, (uint)result.Length, &total);
+            Check(status);
+            if (status != Status.Incomplete) {
+                Array.Resize(ref result, (int)total);
+                return result;
+            }
+            result = new uint[total];
+        }
+    }
 
     /// <summary>Put other vertices in place of those of a deformable mesh: of a skinned character, or of cloth as
     /// Solver.GetPositions writes it. All models of the mesh have the new form from then on, in every
@@ -311,7 +379,7 @@ public sealed partial class Scene : IDisposable {
 
     /// <summary>Add a model.
     /// Cost: O(log n) amortised.</summary>
-    /// <param name="shape">sphere, capsule, AABB, OBB, plane, triangle or mesh</param>
+    /// <param name="shape">sphere, capsule, AABB, OBB, plane, triangle or mesh (a hull too)</param>
     /// <param name="shape">in the model's own coordinates</param>
     /// <param name="transform">local; null is the identity</param>
     /// <param name="desc">null: no parent, layer 1, tag 0</param>
@@ -2701,9 +2769,9 @@ public static partial class Geometry {
 
     /// <summary>Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane, triangle,
     /// frustum and mesh, in either order. A mesh is its surface: a sphere deep inside a closed mesh does
-    /// not overlap it. Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided
-    /// in double precision and may err only where the gap is below 2^-40 of the largest coordinate
-    /// difference.
+    /// not overlap it. A convex hull (Mesh) is solid. Exact between AABBs, planes, triangles, meshes and
+    /// frusta; other pairs are decided in double precision and may err only where the gap is below 2^-40 of
+    /// the largest coordinate difference.
     /// Cost: 5 to 500 ns, 0.5 to 20 us with a frustum; O(log n + k) expected with a mesh.</summary>
     /// <exception cref="GamephysException">Status.ErrorUnsupported: for a ray or segment (see
     /// Geometry.SegmentTest)</exception>
@@ -2845,8 +2913,8 @@ public static partial class Geometry {
     /// <param name="displacement">metres; may be zero</param>
     /// <returns>t, point and normal as in Geometry.SweepSphere, whose answers a sphere gets. The point is
     /// one of those where the two touch, always the same. Already overlapping, but for a sphere: t = 0,
-    /// HitInside, and point and normal of Geometry.Penetration; of a mesh, those of its first triangle.
-    /// null if nothing is found.</returns>
+    /// HitInside, and point and normal of Geometry.Penetration; of a mesh that is no hull, those of its
+    /// first triangle. null if nothing is found.</returns>
     /// <exception cref="GamephysException">Status.ErrorUnsupported: for a ray or a segment as the shape,
     /// for a frustum unless a sphere moves, and for other types that move</exception>
     public static unsafe Hit? Sweep(Shape shape, Shape moving, Vec3 displacement) {
@@ -2862,7 +2930,7 @@ public static partial class Geometry {
     /// <summary>The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule, AABB,
     /// OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle that is
     /// nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and have
-    /// translations of their own.
+    /// translations of their own. Of a hull: out of all of it, and triangle is NoTriangle.
     /// Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
     /// ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from the
     /// other shape. Added to float positions, the translation may leave an overlap of the spacing of floats

@@ -47,7 +47,7 @@ public enum ShapeType {
     Triangle = 6,
     /// <summary>Frustum</summary>
     Frustum = 7,
-    /// <summary>Mesh: the handle itself</summary>
+    /// <summary>Mesh: the handle itself; a convex hull too</summary>
     Mesh = 8,
     /// <summary>Ray</summary>
     Ray = 16,

@@ -215,6 +215,14 @@ public class SceneTests {
     }
 
     [Test]
+    public void AHullIsASolidMesh() {
+        var hull = new Mesh(new Vec3[] { (0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (0.1f, 0.1f, 0.1f) });
+        Assert.AreEqual(4, hull.GetVertices().Length);
+        Assert.AreEqual(4, hull.GetHullPlanes().Length);
+        Assert.AreEqual(new uint[] { 0, 1, 2, 3 }, hull.GetHullFaces());
+    }
+
+    [Test]
     public void ARopeIsPickedAsAModelThatFollowsIt() {
         var solver = new Solver();
         var rope = solver.AddRope(new Vec3[] { (0, 0, 0), (1, 0, 0), (2, 0, 0) }, 0);

@@ -355,6 +355,14 @@ public class GamephysTest {
     }
 
     @Test
+    public void aHullIsASolidMesh() {
+        Mesh hull = Mesh.hull(Batch.floats(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0.1f, 0.1f, 0.1f));
+        assertEquals(4, hull.getVertices().size());
+        assertEquals(4, hull.getHullPlanes().size());
+        assertEquals(4, hull.getHullFaces().size());
+    }
+
+    @Test
     public void aRopeIsPickedAsAModelThatFollowsIt() {
         Solver solver = new Solver();
         int rope = solver.addRope(points(v(0, 0, 0), v(1, 0, 0), v(2, 0, 0)), 0);

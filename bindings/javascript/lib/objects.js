@@ -19,6 +19,15 @@ export function objects(memory) {
                 return made(24);
             }, native.gphys_mesh_destroy);
         }
+        static hull(points, desc) {
+            return Reflect.construct(Handle, [() => {
+                begin();
+                if (desc != null) { check(native.gphys_mesh_desc_init(base, v.wide ? 24 : 16)); writeMeshDesc(v, 0, desc); }
+                const points_ = input(points, 12, 'points');
+                check(native.gphys_mesh_create_hull(desc == null ? 0 : base, pass(points_), 12, points_.length, base + 24));
+                return made(24);
+            }, native.gphys_mesh_destroy], Mesh);
+        }
         static fromSnapshot(words, desc) {
             return Reflect.construct(Handle, [() => {
                 begin();
@@ -34,6 +43,14 @@ export function objects(memory) {
                 check(native.gphys_mesh_create_from_body(desc == null ? 0 : base, pointer(solver, Solver, 'solver', false), body, base + 24));
                 return made(24);
             }, native.gphys_mesh_destroy], Mesh);
+        }
+        getHullPlanes() {
+            begin();
+            return list('plane', 0, (room, capacity) => native.gphys_mesh_get_hull_planes(this.pointer, room, capacity, base));
+        }
+        getHullFaces() {
+            begin();
+            return list('uint32_t', 0, (room, capacity) => native.gphys_mesh_get_hull_faces(this.pointer, room, capacity, base));
         }
         setVertices(vertices) {
             begin();

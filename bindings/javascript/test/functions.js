@@ -245,6 +245,13 @@ test('a mesh deforms, and its models with it', () => {
     near([scene.getBounds(model).min[2]], [7], 1e-3);
 });
 
+test('a hull is a solid mesh', () => {
+    const hull = gp.Mesh.hull(floats(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0.1, 0.1, 0.1));
+    same(hull.getVertices().length, 4);
+    same(hull.getHullPlanes().length, 4);
+    same([...hull.getHullFaces()], [0, 1, 2, 3]);
+});
+
 test('a rope is picked as a model that follows it', () => {
     const solver = new gp.Solver(), scene = new gp.Scene();
     const rope = solver.addRope(floats(0, 0, 0, 1, 0, 0, 2, 0, 0), 0);

@@ -90,6 +90,9 @@ gphys_status gphys_frustum_from_matrix(const gphys_mat4 *view_projection, gphys_
 gphys_status gphys_mesh_check(const float *vertices, uint32_t vertex_stride, uint32_t vertex_count, const uint32_t *indices, uint32_t index_count, gphys_mesh_report *out_report);
 gphys_status gphys_mesh_desc_init(gphys_mesh_desc *desc, uint32_t size);
 gphys_status gphys_mesh_create(const gphys_mesh_desc *desc, const float *vertices, uint32_t vertex_stride, uint32_t vertex_count, const uint32_t *indices, uint32_t index_count, gphys_mesh **out_mesh);
+gphys_status gphys_mesh_create_hull(const gphys_mesh_desc *desc, const float *points, uint32_t point_stride, uint32_t point_count, gphys_mesh **out_mesh);
+gphys_status gphys_mesh_get_hull_planes(const gphys_mesh *mesh, gphys_plane *out_planes, uint32_t capacity, uint32_t *out_total);
+gphys_status gphys_mesh_get_hull_faces(const gphys_mesh *mesh, uint32_t *out_faces, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_mesh_set_vertices(gphys_mesh *mesh, const float *vertices, uint32_t vertex_stride, uint32_t vertex_count);
 void gphys_mesh_destroy(gphys_mesh *mesh);
 gphys_status gphys_mesh_get_report(const gphys_mesh *mesh, gphys_mesh_report *out_report);

@@ -281,6 +281,14 @@ function tests.a_mesh_deforms_and_its_models_with_it()
     assert(math.abs(scene:get_bounds(model).min.z - 7) < 1e-3)
 end
 
+function tests.a_hull_is_a_solid_mesh()
+    local hull = gp.Mesh_hull({ 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0.1, 0.1, 0.1 })
+    local _, vertices = hull:get_vertices()
+    local _, planes = hull:get_hull_planes()
+    local faces, triangles = hull:get_hull_faces()
+    assert(vertices == 4 and planes == 4 and triangles == 4 and faces[3] == 3)
+end
+
 function tests.a_rope_is_picked_as_a_model_that_follows_it()
     local solver = gp.Solver()
     local rope = solver:add_rope({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } }, 0)

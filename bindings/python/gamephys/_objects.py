@@ -32,6 +32,38 @@ class Mesh(Object):
         self._own(handle.value)
 
     @classmethod
+    def hull(cls, points: ArrayLike, desc: low.MeshDesc | None = None) -> Mesh:
+        """Make the convex hull of points: a mesh that is solid, as spheres and boxes are. All that takes a
+        mesh takes it: functions of shapes, models of scenes, snapshots, and solvers, whose particles
+        stay outside and are pushed out. A ray that starts inside hits at t = 0 with HIT_INSIDE; one
+        from outside hits the face through which it enters, `triangle` says where. Whether a ray hits
+        and whether a point is inside is exact with respect to the points. Inside, the closest point is
+        the point itself and triangle NO_TRIANGLE. Mesh.overlap lists the triangles of the surface;
+        Mesh.raycast_all gives the first hit alone. The vertices are those points that are corners of
+        the hull, in the order of the points, of equal ones the first. The triangles come face by face,
+        all that lie in one plane being one face; seen from outside their corners go counterclockwise
+        where axes are right-handed, and the normal cross(b - a, c - a) points out.
+        Cost: O(point_count * faces); allocates. Rays take O(log faces), the other questions up to
+        O(faces). Source: quickhull (Barber, Dobkin, Huhdanpaa 1996) with exact predicates. Since 1.1.
+
+        Args:
+            desc: deformable must be 0
+            points: elements of 3 floats, metres; copied
+
+        Raises:
+            InvalidArgument: if a point is out of range or if all lie in a plane, which is decided
+                exactly
+            Error, status ERROR_CAPACITY: if the hull has more than 256 faces
+            Error, status ERROR_UNSUPPORTED: if desc asks for a deformable mesh"""
+        desc_ = value_of(desc, low.MeshDesc)
+        points_ = array_of(points, "<f4", 3)
+        handle = ctypes.c_void_p()
+        check(low.gphys_mesh_create_hull(desc_.address, points_.address, points_.stride, points_.length, ctypes.byref(handle)))
+        made = cls.__new__(cls)
+        made._own(handle.value)
+        return made
+
+    @classmethod
     def from_snapshot(cls, words: ArrayLike, desc: low.MeshDesc | None = None) -> Mesh:
         """Make a mesh of a snapshot: all its answers have the bits of the mesh that the snapshot was taken
         of. Any words are safe, also those of a stranger: vertices, indices and the tree are checked,
@@ -45,7 +77,8 @@ class Mesh(Object):
 
         Raises:
             InvalidArgument: for words that are no snapshot of a mesh, damaged, of a later format or of
-                another byte order"""
+                another byte order
+            Error, status ERROR_UNSUPPORTED: for a deformable hull"""
         desc_ = value_of(desc, low.MeshDesc)
         words_ = array_of(words, "<u4")
         handle = ctypes.c_void_p()
@@ -88,6 +121,23 @@ class Mesh(Object):
         made = cls.__new__(cls)
         made._own(handle.value)
         return made
+
+    def get_hull_planes(self) -> np.ndarray:
+        """The planes of a hull's faces: normals are unit and point out, within float32 rounding.
+        Cost: O(faces). Since 1.1.
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: for a mesh that is no hull"""
+        return list_of(low.gphys_mesh_get_hull_planes, (self._handle,), low.plane_dtype)
+
+    def get_hull_faces(self) -> np.ndarray:
+        """For each triangle of a hull the number of its face, by which Mesh.get_hull_planes lists the
+        planes: ascending, from 0.
+        Cost: O(triangles). Since 1.1.
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: for a mesh that is no hull"""
+        return list_of(low.gphys_mesh_get_hull_faces, (self._handle,), "<u4")
 
     def set_vertices(self, vertices: ArrayLike) -> None:
         """Put other vertices in place of those of a deformable mesh: of a skinned character, or of cloth
@@ -257,7 +307,7 @@ class Scene(Models):
         Cost: O(log n) amortised.
 
         Args:
-            shape: sphere, capsule, AABB, OBB, plane, triangle or mesh
+            shape: sphere, capsule, AABB, OBB, plane, triangle or mesh (a hull too)
             shape: in the model's own coordinates
             transform: local; None is the identity
             desc: None: no parent, layer 1, tag 0
@@ -2382,9 +2432,9 @@ def segment_closest_points(a: low.Segment | Sequence, b: low.Segment | Sequence)
 def overlaps(a: Shape, b: Shape) -> bool:
     """Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane,
     triangle, frustum and mesh, in either order. A mesh is its surface: a sphere deep inside a
-    closed mesh does not overlap it. Exact between AABBs, planes, triangles, meshes and frusta;
-    other pairs are decided in double precision and may err only where the gap is below 2^-40 of the
-    largest coordinate difference.
+    closed mesh does not overlap it. A convex hull (Mesh) is solid. Exact between AABBs, planes,
+    triangles, meshes and frusta; other pairs are decided in double precision and may err only where
+    the gap is below 2^-40 of the largest coordinate difference.
     Cost: 5 to 500 ns, 0.5 to 20 us with a frustum; O(log n + k) expected with a mesh.
 
     Raises:
@@ -2538,8 +2588,8 @@ def sweep(shape: Shape, moving: Shape, displacement: low.Vec3 | Sequence) -> low
     Returns:
         t, point and normal as in gamephys.sweep_sphere, whose answers a sphere gets. The point is
             one of those where the two touch, always the same. Already overlapping, but for a
-            sphere: t = 0, HIT_INSIDE, and point and normal of gamephys.penetration; of a mesh,
-            those of its first triangle. None if nothing is found.
+            sphere: t = 0, HIT_INSIDE, and point and normal of gamephys.penetration; of a mesh that
+            is no hull, those of its first triangle. None if nothing is found.
 
     Raises:
         Error, status ERROR_UNSUPPORTED: for a ray or a segment as the shape, for a frustum unless a
@@ -2555,7 +2605,7 @@ def penetration(shape: Shape, moving: Shape) -> low.Penetration | None:
     """The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule,
     AABB, OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle
     that is nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and
-    have translations of their own.
+    have translations of their own. Of a hull: out of all of it, and triangle is NO_TRIANGLE.
     Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and
     1 ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from
     the other shape. Added to float positions, the translation may leave an overlap of the spacing

@@ -274,6 +274,12 @@ class Functions(unittest.TestCase):
         mesh.set_vertices([[0, 0, 7], [1, 0, 7], [0, 1, 7]])
         self.assertAlmostEqual(scene.get_bounds(model).min.z, 7, 3)
 
+    def test_a_hull_is_a_solid_mesh(self):
+        hull = gp.Mesh.hull([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0.1, 0.1, 0.1]])
+        self.assertEqual(len(hull.get_vertices()), 4)
+        self.assertEqual(len(hull.get_hull_planes()), 4)
+        self.assertEqual(hull.get_hull_faces().tolist(), [0, 1, 2, 3])
+
     def test_a_rope_is_picked_as_a_model_that_follows_it(self):
         solver = gp.Solver()
         rope = solver.add_rope([[0, 0, 0], [1, 0, 0], [2, 0, 0]])

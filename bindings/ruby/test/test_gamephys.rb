@@ -271,6 +271,13 @@ class TestGamephys < Minitest::Test
     assert_in_delta 7, scene.get_bounds(model).min[2], 1e-3
   end
 
+  def test_a_hull_is_a_solid_mesh
+    hull = Mesh.hull([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0.1, 0.1, 0.1]])
+    assert_equal 4, hull.get_vertices.size
+    assert_equal 4, hull.get_hull_planes.size
+    assert_equal 4, hull.get_hull_faces.size
+  end
+
   def test_a_rope_is_picked_as_a_model_that_follows_it
     solver = Solver.new
     rope = solver.add_rope([[0, 0, 0], [1, 0, 0], [2, 0, 0]])

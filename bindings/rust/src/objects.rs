@@ -196,6 +196,35 @@ impl Mesh {
         Ok(Mesh { handle: NonNull::new(made).expect("a created object") })
     }
 
+    /// Make the convex hull of points: a mesh that is solid, as spheres and boxes are. All that takes a
+    /// mesh takes it: functions of shapes, models of scenes, snapshots, and solvers, whose particles stay
+    /// outside and are pushed out. A ray that starts inside hits at t = 0 with `HIT_INSIDE`; one from
+    /// outside hits the face through which it enters, `triangle` says where. Whether a ray hits and whether
+    /// a point is inside is exact with respect to the points. Inside, the closest point is the point itself
+    /// and triangle `NO_TRIANGLE`. `Mesh::overlap` lists the triangles of the surface; `Mesh::raycast_all`
+    /// gives the first hit alone. The vertices are those points that are corners of the hull, in the order
+    /// of the points, of equal ones the first. The triangles come face by face, all that lie in one plane
+    /// being one face; seen from outside their corners go counterclockwise where axes are right-handed, and
+    /// the normal cross(b - a, c - a) points out.
+    ///
+    /// Cost: O(point_count * faces); allocates. Rays take O(log faces), the other questions up to O(faces).
+    /// Source: quickhull (Barber, Dobkin, Huhdanpaa 1996) with exact predicates. Since 1.1.
+    ///
+    /// * `desc`: deformable must be 0
+    /// * `points`: elements of 3 floats, metres; copied
+    ///
+    /// # Errors
+    /// * `Status::ERROR_INVALID_ARGUMENT`: if a point is out of range or if all lie in a plane, which is
+    ///   decided exactly
+    /// * `Status::ERROR_CAPACITY`: if the hull has more than 256 faces
+    /// * `Status::ERROR_UNSUPPORTED`: if desc asks for a deformable mesh
+    pub fn hull<'a>(points: impl Into<Batch<'a, Vec3>>, desc: Option<&MeshDesc>) -> Result<Mesh> {
+        let points = points.into();
+        let mut made = null_mut();
+        check(unsafe { sys::gphys_mesh_create_hull(pointer(desc), points.data, points.stride, points.count()?, &mut made) })?;
+        Ok(Mesh { handle: NonNull::new(made).expect("a created object") })
+    }
+
     /// Make a mesh of a snapshot: all its answers have the bits of the mesh that the snapshot was taken of.
     /// Any words are safe, also those of a stranger: vertices, indices and the tree are checked, and what
     /// follows from them is computed. Made-up words are refused, or taken as a mesh like any other; only
@@ -208,6 +237,7 @@ impl Mesh {
     /// # Errors
     /// * `Status::ERROR_INVALID_ARGUMENT`: for words that are no snapshot of a mesh, damaged, of a later
     ///   format or of another byte order
+    /// * `Status::ERROR_UNSUPPORTED`: for a deformable hull
     pub fn from_snapshot(words: &[u32], desc: Option<&MeshDesc>) -> Result<Mesh> {
         let words = Batch::from(words);
         let mut made = null_mut();
@@ -250,6 +280,27 @@ impl Mesh {
         let mut made = null_mut();
         check(unsafe { sys::gphys_mesh_create_from_body(pointer(desc), solver.handle.as_ptr(), body, &mut made) })?;
         Ok(Mesh { handle: NonNull::new(made).expect("a created object") })
+    }
+
+    /// The planes of a hull's faces: normals are unit and point out, within float32 rounding.
+    ///
+    /// Cost: O(faces). Since 1.1.
+    ///
+    /// # Errors
+    /// * `Status::ERROR_UNSUPPORTED`: for a mesh that is no hull
+    pub fn get_hull_planes(&self) -> Result<Vec<Plane>> {
+        list(|out_planes, capacity, total| unsafe { sys::gphys_mesh_get_hull_planes(self.handle.as_ptr(), out_planes, capacity, total) })
+    }
+
+    /// For each triangle of a hull the number of its face, by which `Mesh::get_hull_planes` lists the
+    /// planes: ascending, from 0.
+    ///
+    /// Cost: O(triangles). Since 1.1.
+    ///
+    /// # Errors
+    /// * `Status::ERROR_UNSUPPORTED`: for a mesh that is no hull
+    pub fn get_hull_faces(&self) -> Result<Vec<u32>> {
+        list(|out_faces, capacity, total| unsafe { sys::gphys_mesh_get_hull_faces(self.handle.as_ptr(), out_faces, capacity, total) })
     }
 
     /// Put other vertices in place of those of a deformable mesh: of a skinned character, or of cloth as
@@ -455,7 +506,7 @@ impl Scene {
     ///
     /// Cost: O(log n) amortised.
     ///
-    /// * `shape`: sphere, capsule, AABB, OBB, plane, triangle or mesh
+    /// * `shape`: sphere, capsule, AABB, OBB, plane, triangle or mesh (a hull too)
     /// * `shape`: in the model's own coordinates
     /// * `transform`: local; None is the identity
     /// * `desc`: None: no parent, layer 1, tag 0
@@ -2747,9 +2798,9 @@ pub fn segment_closest_points(a: &Segment, b: &Segment) -> Result<(Vec3, Vec3, f
 
 /// Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane, triangle,
 /// frustum and mesh, in either order. A mesh is its surface: a sphere deep inside a closed mesh does
-/// not overlap it. Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided
-/// in double precision and may err only where the gap is below 2^-40 of the largest coordinate
-/// difference.
+/// not overlap it. A convex hull (`Mesh`) is solid. Exact between AABBs, planes, triangles, meshes and
+/// frusta; other pairs are decided in double precision and may err only where the gap is below 2^-40 of
+/// the largest coordinate difference.
 ///
 /// Cost: 5 to 500 ns, 0.5 to 20 us with a frustum; O(log n + k) expected with a mesh.
 ///
@@ -2891,8 +2942,8 @@ pub fn sweep_sphere(shape: &dyn Shape, sphere: &Sphere, displacement: impl Into<
 ///
 /// Returns t, point and normal as in `sweep_sphere`, whose answers a sphere gets. The point is one of
 /// those where the two touch, always the same. Already overlapping, but for a sphere: t = 0,
-/// `HIT_INSIDE`, and point and normal of `penetration`; of a mesh, those of its first triangle. `None`
-/// if nothing is found.
+/// `HIT_INSIDE`, and point and normal of `penetration`; of a mesh that is no hull, those of its first
+/// triangle. `None` if nothing is found.
 ///
 /// # Errors
 /// * `Status::ERROR_UNSUPPORTED`: for a ray or a segment as the shape, for a frustum unless a sphere
@@ -2906,7 +2957,7 @@ pub fn sweep(shape: &dyn Shape, moving: &dyn Shape, displacement: impl Into<Vec3
 /// The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule, AABB,
 /// OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle that is
 /// nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and have
-/// translations of their own.
+/// translations of their own. Of a hull: out of all of it, and triangle is `NO_TRIANGLE`.
 ///
 /// Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
 /// ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from the

@@ -53,6 +53,9 @@ extern "C" {
     pub fn gphys_mesh_check(vertices: *const Vec3, vertex_stride: u32, vertex_count: u32, indices: *const u32, index_count: u32, out_report: *mut MeshReport) -> Status;
     pub fn gphys_mesh_desc_init(desc: *mut MeshDesc, size: u32) -> Status;
     pub fn gphys_mesh_create(desc: *const MeshDesc, vertices: *const Vec3, vertex_stride: u32, vertex_count: u32, indices: *const u32, index_count: u32, out_mesh: *mut *mut gphys_mesh) -> Status;
+    pub fn gphys_mesh_create_hull(desc: *const MeshDesc, points: *const Vec3, point_stride: u32, point_count: u32, out_mesh: *mut *mut gphys_mesh) -> Status;
+    pub fn gphys_mesh_get_hull_planes(mesh: *mut gphys_mesh, out_planes: *mut Plane, capacity: u32, out_total: *mut u32) -> Status;
+    pub fn gphys_mesh_get_hull_faces(mesh: *mut gphys_mesh, out_faces: *mut u32, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_mesh_set_vertices(mesh: *mut gphys_mesh, vertices: *const Vec3, vertex_stride: u32, vertex_count: u32) -> Status;
     pub fn gphys_mesh_destroy(mesh: *mut gphys_mesh);
     pub fn gphys_mesh_get_report(mesh: *mut gphys_mesh, out_report: *mut MeshReport) -> Status;

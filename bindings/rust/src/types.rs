@@ -65,7 +65,7 @@ impl ShapeType {
     pub const TRIANGLE: ShapeType = ShapeType(6);
     /// `Frustum`
     pub const FRUSTUM: ShapeType = ShapeType(7);
-    /// `Mesh`: the handle itself
+    /// `Mesh`: the handle itself; a convex hull too
     pub const MESH: ShapeType = ShapeType(8);
     /// `Ray`
     pub const RAY: ShapeType = ShapeType(16);

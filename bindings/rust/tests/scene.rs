@@ -204,6 +204,15 @@ fn a_mesh_deforms_and_its_models_with_it() {
 }
 
 #[test]
+fn a_hull_is_a_solid_mesh() {
+    let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.1, 0.1, 0.1]];
+    let hull = Mesh::hull(&corners, None).unwrap();
+    assert_eq!(hull.get_vertices().unwrap().len(), 4);
+    assert_eq!(hull.get_hull_planes().unwrap().len(), 4);
+    assert_eq!(hull.get_hull_faces().unwrap(), [0, 1, 2, 3]);
+}
+
+#[test]
 fn a_rope_is_picked_as_a_model_that_follows_it() {
     let mut solver = Solver::new(None).unwrap();
     let rope = solver.add_rope(&[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]], 0.0, None).unwrap();

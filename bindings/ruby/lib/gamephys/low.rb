@@ -61,6 +61,9 @@ module Gamephys
     attach_function :gphys_mesh_check, [:pointer, :uint32, :uint32, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_mesh_desc_init, [:pointer, :uint32], :int32
     attach_function :gphys_mesh_create, [:pointer, :pointer, :uint32, :uint32, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_mesh_create_hull, [:pointer, :pointer, :uint32, :uint32, :pointer], :int32
+    attach_function :gphys_mesh_get_hull_planes, [:pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_mesh_get_hull_faces, [:pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_mesh_set_vertices, [:pointer, :pointer, :uint32, :uint32], :int32
     attach_function :gphys_mesh_destroy, [:pointer], :void
     attach_function :gphys_mesh_get_report, [:pointer, :pointer], :int32

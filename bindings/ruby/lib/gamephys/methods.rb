@@ -20,6 +20,31 @@ module Gamephys
       own(Pointer) { |made| Low.gphys_mesh_create(Low.desc(Low::MeshDesc, :gphys_mesh_desc_init, desc), vertices.pointer, vertices.stride, vertices.count, indices.pointer, indices.count, made) }
     end
 
+    # Make the convex hull of points: a mesh that is solid, as spheres and boxes are. All that takes a
+    # mesh takes it: functions of shapes, models of scenes, snapshots, and solvers, whose particles stay
+    # outside and are pushed out. A ray that starts inside hits at t = 0 with HIT_INSIDE; one from outside
+    # hits the face through which it enters, `triangle` says where. Whether a ray hits and whether a point
+    # is inside is exact with respect to the points. Inside, the closest point is the point itself and
+    # triangle NO_TRIANGLE. Mesh#overlap lists the triangles of the surface; Mesh#raycast_all gives the
+    # first hit alone. The vertices are those points that are corners of the hull, in the order of the
+    # points, of equal ones the first. The triangles come face by face, all that lie in one plane being
+    # one face; seen from outside their corners go counterclockwise where axes are right-handed, and the
+    # normal cross(b - a, c - a) points out.
+    # Cost: O(point_count * faces); allocates. Rays take O(log faces), the other questions up to O(faces).
+    # Source: quickhull (Barber, Dobkin, Huhdanpaa 1996) with exact predicates. Since 1.1.
+    # @param desc deformable must be 0
+    # @param points elements of 3 floats, metres; copied
+    # @raise [InvalidArgument] if a point is out of range or if all lie in a plane, which is decided
+    #     exactly
+    # @raise [Error] if the hull has more than 256 faces (ERROR_CAPACITY)
+    # @raise [Error] if desc asks for a deformable mesh (ERROR_UNSUPPORTED)
+    def self.hull(points, **desc)
+      points = Low.array(Float32, points, 3)
+      allocate.tap do |object|
+        object.send(:own, Pointer) { |made| Low.gphys_mesh_create_hull(Low.desc(Low::MeshDesc, :gphys_mesh_desc_init, desc), points.pointer, points.stride, points.count, made) }
+      end
+    end
+
     # Make a mesh of a snapshot: all its answers have the bits of the mesh that the snapshot was taken of.
     # Any words are safe, also those of a stranger: vertices, indices and the tree are checked, and what
     # follows from them is computed. Made-up words are refused, or taken as a mesh like any other; only
@@ -28,6 +53,7 @@ module Gamephys
     # @param desc with `deformable` the mesh takes new vertices, whatever the one in the snapshot did
     # @raise [InvalidArgument] for words that are no snapshot of a mesh, damaged, of a later format or of
     #     another byte order
+    # @raise [Error] for a deformable hull (ERROR_UNSUPPORTED)
     def self.from_snapshot(words, **desc)
       words = Low.array(UInt32, words)
       allocate.tap do |object|
@@ -62,6 +88,21 @@ module Gamephys
       allocate.tap do |object|
         object.send(:own, Pointer) { |made| Low.gphys_mesh_create_from_body(Low.desc(Low::MeshDesc, :gphys_mesh_desc_init, desc), Low.opened(solver, Solver), body, made) }
       end
+    end
+
+    # The planes of a hull's faces: normals are unit and point out, within float32 rounding.
+    # Cost: O(faces). Since 1.1.
+    # @raise [Error] for a mesh that is no hull (ERROR_UNSUPPORTED)
+    def get_hull_planes
+      Low.list(Plane) { |out, capacity, total| Low.gphys_mesh_get_hull_planes(opened, out, capacity, total) }
+    end
+
+    # For each triangle of a hull the number of its face, by which Mesh#get_hull_planes lists the planes:
+    # ascending, from 0.
+    # Cost: O(triangles). Since 1.1.
+    # @raise [Error] for a mesh that is no hull (ERROR_UNSUPPORTED)
+    def get_hull_faces
+      Low.list(UInt32) { |out, capacity, total| Low.gphys_mesh_get_hull_faces(opened, out, capacity, total) }
     end
 
     # Put other vertices in place of those of a deformable mesh: of a skinned character, or of cloth as
@@ -217,7 +258,7 @@ module Gamephys
 
     # Add a model.
     # Cost: O(log n) amortised.
-    # @param shape sphere, capsule, AABB, OBB, plane, triangle or mesh
+    # @param shape sphere, capsule, AABB, OBB, plane, triangle or mesh (a hull too)
     # @param shape in the model's own coordinates
     # @param transform local; nil is the identity
     # @param desc nil: no parent, layer 1, tag 0
@@ -2136,9 +2177,9 @@ module Gamephys
 
   # Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane, triangle,
   # frustum and mesh, in either order. A mesh is its surface: a sphere deep inside a closed mesh does
-  # not overlap it. Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided
-  # in double precision and may err only where the gap is below 2^-40 of the largest coordinate
-  # difference.
+  # not overlap it. A convex hull (Mesh) is solid. Exact between AABBs, planes, triangles, meshes and
+  # frusta; other pairs are decided in double precision and may err only where the gap is below 2^-40 of
+  # the largest coordinate difference.
   # Cost: 5 to 500 ns, 0.5 to 20 us with a frustum; O(log n + k) expected with a mesh.
   # @raise [Error] for a ray or segment (see Gamephys.segment_test) (ERROR_UNSUPPORTED)
   def self.overlaps?(a, b)
@@ -2245,8 +2286,8 @@ module Gamephys
   # @param displacement metres; may be zero
   # @return t, point and normal as in Gamephys.sweep_sphere, whose answers a sphere gets. The point is
   #     one of those where the two touch, always the same. Already overlapping, but for a sphere: t = 0,
-  #     HIT_INSIDE, and point and normal of Gamephys.penetration; of a mesh, those of its first
-  #     triangle. nil if nothing is found.
+  #     HIT_INSIDE, and point and normal of Gamephys.penetration; of a mesh that is no hull, those of
+  #     its first triangle. nil if nothing is found.
   # @raise [Error] for a ray or a segment as the shape, for a frustum unless a sphere moves, and for
   #     other types that move (ERROR_UNSUPPORTED)
   def self.sweep(shape, moving, displacement)
@@ -2257,7 +2298,7 @@ module Gamephys
   # The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule, AABB,
   # OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle that is
   # nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and have
-  # translations of their own.
+  # translations of their own. Of a hull: out of all of it, and triangle is NO_TRIANGLE.
   # Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
   # ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from the
   # other shape. Added to float positions, the translation may leave an overlap of the spacing of floats

@@ -38,6 +38,9 @@ class LowFunctions {
     static native int gphys_mesh_check(Pointer vertices, int vertexStride, int vertexCount, Pointer indices, int indexCount, Pointer outReport);
     static native int gphys_mesh_desc_init(Pointer desc, int size);
     static native int gphys_mesh_create(Pointer desc, Pointer vertices, int vertexStride, int vertexCount, Pointer indices, int indexCount, Pointer outMesh);
+    static native int gphys_mesh_create_hull(Pointer desc, Pointer points, int pointStride, int pointCount, Pointer outMesh);
+    static native int gphys_mesh_get_hull_planes(Pointer mesh, Pointer outPlanes, int capacity, Pointer outTotal);
+    static native int gphys_mesh_get_hull_faces(Pointer mesh, Pointer outFaces, int capacity, Pointer outTotal);
     static native int gphys_mesh_set_vertices(Pointer mesh, Pointer vertices, int vertexStride, int vertexCount);
     static native void gphys_mesh_destroy(Pointer mesh);
     static native int gphys_mesh_get_report(Pointer mesh, Pointer outReport);

@@ -26,6 +26,66 @@ public final class Mesh extends Owned implements Shape {
         return Low.create(made -> Low.gphys_mesh_create(desc == null ? null : desc.pointer(), vertices.pointer(), vertices.stride(12), vertices.size(3), indices.pointer(), indices.size(), made));
     }
 
+    private Mesh(Pointer made) {
+        super(made, Low::gphys_mesh_destroy);
+    }
+
+    /**
+     * <pre>
+     * Make the convex hull of points: a mesh that is solid, as spheres and boxes are. All that takes a
+     * mesh takes it: functions of shapes, models of scenes, snapshots, and solvers, whose particles stay
+     * outside and are pushed out. A ray that starts inside hits at t = 0 with HIT_INSIDE; one from outside
+     * hits the face through which it enters, `triangle` says where. Whether a ray hits and whether a point
+     * is inside is exact with respect to the points. Inside, the closest point is the point itself and
+     * triangle NO_TRIANGLE. Mesh.overlap lists the triangles of the surface; Mesh.raycastAll gives the
+     * first hit alone. The vertices are those points that are corners of the hull, in the order of the
+     * points, of equal ones the first. The triangles come face by face, all that lie in one plane being
+     * one face; seen from outside their corners go counterclockwise where axes are right-handed, and the
+     * normal cross(b - a, c - a) points out.
+     *   - desc: deformable must be 0
+     *   - points: elements of 3 floats, metres; copied
+     * Throws GamephysException with ERROR_INVALID_ARGUMENT if a point is out of range or if all lie in a
+     * plane, which is decided exactly.
+     * Throws GamephysException with ERROR_CAPACITY if the hull has more than 256 faces.
+     * Throws GamephysException with ERROR_UNSUPPORTED if desc asks for a deformable mesh.
+     * Cost: O(pointCount * faces); allocates. Rays take O(log faces), the other questions up to O(faces).
+     * Source: quickhull (Barber, Dobkin, Huhdanpaa 1996) with exact predicates. Since 1.1.
+     * </pre>
+     */
+    public static Mesh hull(Batch<Float> points, MeshDesc desc) {
+        return new Mesh(createHull(points, desc));
+    }
+
+    /**
+     * <pre>
+     * Make the convex hull of points: a mesh that is solid, as spheres and boxes are. All that takes a
+     * mesh takes it: functions of shapes, models of scenes, snapshots, and solvers, whose particles stay
+     * outside and are pushed out. A ray that starts inside hits at t = 0 with HIT_INSIDE; one from outside
+     * hits the face through which it enters, `triangle` says where. Whether a ray hits and whether a point
+     * is inside is exact with respect to the points. Inside, the closest point is the point itself and
+     * triangle NO_TRIANGLE. Mesh.overlap lists the triangles of the surface; Mesh.raycastAll gives the
+     * first hit alone. The vertices are those points that are corners of the hull, in the order of the
+     * points, of equal ones the first. The triangles come face by face, all that lie in one plane being
+     * one face; seen from outside their corners go counterclockwise where axes are right-handed, and the
+     * normal cross(b - a, c - a) points out.
+     *   - desc: deformable must be 0
+     *   - points: elements of 3 floats, metres; copied
+     * Throws GamephysException with ERROR_INVALID_ARGUMENT if a point is out of range or if all lie in a
+     * plane, which is decided exactly.
+     * Throws GamephysException with ERROR_CAPACITY if the hull has more than 256 faces.
+     * Throws GamephysException with ERROR_UNSUPPORTED if desc asks for a deformable mesh.
+     * Cost: O(pointCount * faces); allocates. Rays take O(log faces), the other questions up to O(faces).
+     * Source: quickhull (Barber, Dobkin, Huhdanpaa 1996) with exact predicates. Since 1.1.
+     * </pre>
+     */
+    public static Mesh hull(Batch<Float> points) {
+        return new Mesh(createHull(points, (MeshDesc) null));
+    }
+
+    private static Pointer createHull(Batch<Float> points, MeshDesc desc) {
+        return Low.create(made -> Low.gphys_mesh_create_hull(desc == null ? null : desc.pointer(), points.pointer(), points.stride(12), points.size(3), made));
+    }
+
     /**
      * <pre>
      * Make a mesh of a snapshot: all its answers have the bits of the mesh that the snapshot was taken of.
@@ -35,6 +95,7 @@ public final class Mesh extends Owned implements Shape {
      *   - desc: with `deformable` the mesh takes new vertices, whatever the one in the snapshot did
      * Throws GamephysException with ERROR_INVALID_ARGUMENT for words that are no snapshot of a mesh,
      * damaged, of a later format or of another byte order.
+     * Throws GamephysException with ERROR_UNSUPPORTED for a deformable hull.
      * Cost: O(n), a small part of Mesh's; allocates.
      * </pre>
      */
@@ -51,6 +112,7 @@ public final class Mesh extends Owned implements Shape {
      *   - desc: with `deformable` the mesh takes new vertices, whatever the one in the snapshot did
      * Throws GamephysException with ERROR_INVALID_ARGUMENT for words that are no snapshot of a mesh,
      * damaged, of a later format or of another byte order.
+     * Throws GamephysException with ERROR_UNSUPPORTED for a deformable hull.
      * Cost: O(n), a small part of Mesh's; allocates.
      * </pre>
      */
@@ -126,6 +188,33 @@ public final class Mesh extends Owned implements Shape {
 
     private static Pointer create(Solver solver, int body, MeshDesc desc) {
         return Low.create(made -> Low.gphys_mesh_create_from_body(desc == null ? null : desc.pointer(), solver.opened(), body, made));
+    }
+
+    /**
+     * The planes of a hull's faces: normals are unit and point out, within float32 rounding.
+     * Cost: O(faces). Since 1.1.
+     * @throws GamephysException with ERROR_UNSUPPORTED: for a mesh that is no hull
+     */
+    public Batch<Plane> getHullPlanes() {
+        return Low.list(Plane.LAYOUT, (room, capacity, total) -> {
+                int status = Low.gphys_mesh_get_hull_planes(opened(), room, capacity, total);
+                Low.keep(this);
+                return status;
+            });
+    }
+
+    /**
+     * For each triangle of a hull the number of its face, by which Mesh.getHullPlanes lists the planes:
+     * ascending, from 0.
+     * Cost: O(triangles). Since 1.1.
+     * @throws GamephysException with ERROR_UNSUPPORTED: for a mesh that is no hull
+     */
+    public Batch<Integer> getHullFaces() {
+        return Low.list(Layout.INT, (room, capacity, total) -> {
+                int status = Low.gphys_mesh_get_hull_faces(opened(), room, capacity, total);
+                Low.keep(this);
+                return status;
+            });
     }
 
     /**

@@ -66,7 +66,7 @@ public final class Scene extends SceneBase {
     /**
      * Add a model.
      * Cost: O(log n) amortised.
-     * @param shape sphere, capsule, AABB, OBB, plane, triangle or mesh
+     * @param shape sphere, capsule, AABB, OBB, plane, triangle or mesh (a hull too)
      * @param shape in the model's own coordinates
      * @param transform local; null is the identity
      * @param desc null: no parent, layer 1, tag 0

@@ -1,0 +1,290 @@
+// Convex hulls of points, through the public interface: held against the hull that CGAL makes of the same points, and
+// against distances of polytopes.
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/convex_hull_3.h>
+
+#include <optional>
+
+#include "oracle.h"
+#include "score.h"
+
+using namespace test;
+
+namespace {
+
+/// The faces of CGAL's hull; nothing of points that lie in a plane.
+struct TrueHull {
+    std::vector<Kernel::Plane_3> planes;
+
+    explicit TrueHull(const std::vector<gphys_vec3>& points) {
+        std::vector<Point> exact_points;
+        for (const gphys_vec3& p : points) exact_points.push_back(exact(p));
+        // CGAL gives those a single facet.
+        const bool flat = [&] {
+            for (size_t b = 0; b < exact_points.size(); ++b) {
+                for (size_t c = b + 1; c < exact_points.size(); ++c) {
+                    for (const Point& d : exact_points) {
+                        if (!CGAL::coplanar(exact_points[0], exact_points[b], exact_points[c], d)) return false;
+                    }
+                }
+            }
+            return true;
+        }();
+        if (flat) return;
+        CGAL::Object object;
+        CGAL::convex_hull_3(exact_points.begin(), exact_points.end(), object);
+        const auto* hull = CGAL::object_cast<CGAL::Polyhedron_3<Kernel>>(&object);
+        if (!hull) return;
+        for (auto facet = hull->facets_begin(); facet != hull->facets_end(); ++facet) {
+            const auto side = facet->halfedge();
+            planes.emplace_back(side->vertex()->point(), side->next()->vertex()->point(),
+                                side->next()->next()->vertex()->point());
+        }
+    }
+    /// Faces, of which CGAL cuts those with more than three corners into triangles.
+    size_t faces() const {
+        std::vector<Kernel::Plane_3> different;
+        for (const auto& plane : planes) {
+            const bool known =
+                std::any_of(different.begin(), different.end(), [&](const auto& d) { return d == plane; });
+            if (!known) different.push_back(plane);
+        }
+        return different.size();
+    }
+    bool holds(const Point& p) const {
+        return std::none_of(planes.begin(), planes.end(),
+                            [&](const auto& plane) { return plane.has_on_positive_side(p); });
+    }
+    /// When a ray enters it.
+    std::optional<Number> entry(const gphys_ray& ray) const {
+        Number in = 0, out = 0;
+        bool bounded = !std::isinf(ray.t_max);
+        if (bounded) out = ray.t_max;
+        const Point from = exact(ray.origin);
+        const Vector along = exact_vector(ray.direction);
+        for (const auto& plane : planes) {
+            const Vector n = plane.orthogonal_vector();
+            const Number height = n * (from - plane.point()), climb = n * along;
+            if (climb == 0) {
+                if (height > 0) return {};
+                continue;
+            }
+            const Number t = -height / climb;
+            if (climb < 0) {
+                if (t > in) in = t;
+            } else if (!bounded || t < out) {
+                out = t;
+                bounded = true;
+            }
+        }
+        if (bounded && in > out) return {};
+        return in;
+    }
+};
+
+class MadeHull {
+public:
+    explicit MadeHull(const std::vector<gphys_vec3>& points) {
+        status = gphys_mesh_create_hull(nullptr, &points[0].x, sizeof points[0], static_cast<uint32_t>(points.size()),
+                                        &mesh_);
+    }
+    ~MadeHull() { gphys_mesh_destroy(mesh_); }
+    MadeHull(const MadeHull&) = delete;
+    const gphys_mesh* operator*() const { return mesh_; }
+    uint32_t faces() const {
+        uint32_t total = 0;
+        gphys_mesh_get_hull_planes(mesh_, nullptr, 0, &total);
+        return total;
+    }
+    gphys_status status;
+
+private:
+    gphys_mesh* mesh_ = nullptr;
+};
+
+std::vector<gphys_vec3> points(Cases& c, uint32_t most) {
+    std::vector<gphys_vec3> all;
+    for (uint32_t i = 4 + c.random.index(most - 3); i > 0; --i) all.push_back(c.point());
+    return all;
+}
+gphys_vec3 by(Cases& c, const std::vector<gphys_vec3>& all) {
+    const auto any = [&] { return all[c.random.index(static_cast<uint32_t>(all.size()))]; };
+    const gphys_vec3 p = any(), q = any(), r = any();
+    return c.point_by(p, q, r);
+}
+
+using Holds = bool (*)(const gphys_mesh* hull, const gphys_vec3& point);
+bool library(const gphys_mesh* hull, const gphys_vec3& point) {
+    int32_t contains = -1;
+    REQUIRE(gphys_shape_contains(GPHYS_SHAPE_MESH, hull, &point, 0, &contains) == GPHYS_OK);
+    return contains == 1;
+}
+/// By the planes, which are rounded.
+bool by_planes(const gphys_mesh* hull, const gphys_vec3& point) {
+    gphys_plane planes[256];
+    uint32_t total;
+    gphys_mesh_get_hull_planes(hull, planes, 256, &total);
+    return std::all_of(planes, planes + total, [&](const gphys_plane& plane) {
+        return dot(widen(plane.normal), widen(point)) <= plane.distance;
+    });
+}
+
+Score contains(Holds holds, long count) {
+    Cases c(81);
+    Score score("contains hull");
+    for (long i = 0; i < count; c.next()) {
+        const std::vector<gphys_vec3> all = points(c, 14);
+        const TrueHull truth(all);
+        const MadeHull hull(all);
+        if (hull.status != GPHYS_OK) {
+            // Only flat ones are refused.
+            REQUIRE(truth.planes.empty());
+            ++i;
+            continue;
+        }
+        REQUIRE(hull.faces() == truth.faces());
+        for (int k = 0; k < 20; ++k, ++i) {
+            const gphys_vec3 point = by(c, all);
+            score.answer(holds(*hull, point), truth.holds(exact(point)), point, all[0], all[1], all[2], all[3]);
+        }
+    }
+    return score;
+}
+
+using Cast = bool (*)(const gphys_mesh* hull, const gphys_ray& ray, gphys_hit& hit);
+bool cast(const gphys_mesh* hull, const gphys_ray& ray, gphys_hit& hit) {
+    return gphys_shape_raycast(GPHYS_SHAPE_MESH, hull, &ray, &hit) == GPHYS_OK;
+}
+/// As at a surface, which is met from within, too.
+bool cast_at_surface(const gphys_mesh* hull, const gphys_ray& ray, gphys_hit& hit) {
+    return cast(hull, ray, hit) && (hit.flags & GPHYS_HIT_INSIDE) == 0;
+}
+bool cast_late(const gphys_mesh* hull, const gphys_ray& ray, gphys_hit& hit) {
+    if (!cast(hull, ray, hit)) return false;
+    hit.t *= 1 + 0x1p-21f;
+    return true;
+}
+
+Score raycast(Cast meets, long count) {
+    Cases c(82);
+    Score score("raycast hull", 1, "ulp of t");
+    for (long i = 0; i < count; c.next()) {
+        const std::vector<gphys_vec3> all = points(c, 14);
+        const TrueHull truth(all);
+        const MadeHull hull(all);
+        if (hull.status != GPHYS_OK) {
+            ++i;
+            continue;
+        }
+        for (int k = 0; k < 20; ++k, ++i) {
+            const gphys_ray ray = c.ray_to(by(c, all));
+            if (gphys_shape_validate(GPHYS_SHAPE_RAY, &ray) != GPHYS_OK) continue;
+            gphys_hit hit{};
+            const std::optional<Number> entry = truth.entry(ray);
+            const bool met = meets(*hull, ray, hit);
+            score.answer(met, entry.has_value(), ray, all[0], all[1], all[2], all[3]);
+            if (!met || !entry) continue;
+            const double t = rounded(*entry);
+            if (t > FLT_MIN && t < FLT_MAX) score.error(error_of(hit.t, *entry) / ulp_of(t), ray, all[0], all[1]);
+            REQUIRE((hit.flags & GPHYS_HIT_BACK) == 0);
+            REQUIRE(((hit.flags & GPHYS_HIT_INSIDE) != 0) == truth.holds(exact(ray.origin)));
+        }
+    }
+    return score;
+}
+
+template <class S>
+using Overlaps = bool (*)(const gphys_mesh* hull, const S& solid);
+template <class S>
+bool overlap(const gphys_mesh* hull, const S& solid) {
+    int32_t overlaps = -1;
+    REQUIRE(gphys_shape_overlaps(GPHYS_SHAPE_MESH, hull, type_of(solid), &solid, &overlaps) == GPHYS_OK);
+    return overlaps == 1;
+}
+/// Its triangles alone, which nothing inside touches.
+template <class S>
+bool overlap_of_surface(const gphys_mesh* hull, const S& solid) {
+    uint32_t total = 0;
+    gphys_mesh_overlap(hull, type_of(solid), &solid, nullptr, 0, &total);
+    return total > 0;
+}
+
+gphys_aabb smaller(const gphys_aabb& b) {
+    const Vec3 by = (widen(b.max) - widen(b.min)) * 0x1p-4;
+    return {narrow(widen(b.min) + by), narrow(widen(b.max) - by)};
+}
+gphys_obb smaller(const gphys_obb& b) { return {b.center, narrow(widen(b.half_extents) * (1 - 0x1p-4)), b.rotation}; }
+template <class S>
+bool overlap_of_a_smaller_one(const gphys_mesh* hull, const S& solid) {
+    return overlap(hull, smaller(solid));
+}
+
+/// Whether a box overlaps even if it is smaller by 2^-30 of itself, where that is more than rounding.
+bool is_deep(const Rounded<double>& hull, Rounded<double> box, double size) {
+    if (box.corners.size() != 8) return false;
+    const VectorOf<double> first = box.corners[0], center = (first + box.corners[7]) * 0.5;
+    for (const int axis : {1, 2, 4}) {
+        if (largest(box.corners[static_cast<size_t>(axis)] - first) <= 0x1p-16 * size) return false;
+    }
+    for (auto& corner : box.corners) corner = center + (corner - center) * (1 - 0x1p-30);
+    return squared_distance(hull, box).numerator() == 0;
+}
+
+/// A hull of up to eight vertices, as its corners.
+template <class S>
+auto overlaps(const char* name, uint64_t seed) {
+    return [=](Overlaps<S> meets, long count) {
+        Cases c(seed);
+        Score score(name);
+        for (long i = 0; i < count; c.next()) {
+            const std::vector<gphys_vec3> all = points(c, 8);
+            const MadeHull hull(all);
+            if (hull.status != GPHYS_OK) {
+                ++i;
+                continue;
+            }
+            for (int k = 0; k < 5; ++k, ++i) {
+                S solid;
+                c.make(solid);
+                const gphys_vec3 from = all[0];
+                Rounded<double> corners({}, from, 0), other = rounded_of<double>(solid, from);
+                double size = other.radius;
+                for (const gphys_vec3& p : all) {
+                    corners.corners.push_back(VectorOf<double>(p) - VectorOf<double>(from));
+                    size = std::max(size, largest(corners.corners.back()));
+                }
+                for (const auto& p : other.corners) size = std::max(size, largest(p));
+                const CGAL::Quotient<Binary> square = squared_distance(corners, other);
+                const double slack = 0x1p-40 * 2 * size, r = other.radius;
+                const auto up_to = [&](double distance) {
+                    return distance >= 0 &&
+                           square.numerator() <= square.denominator() * Binary(distance) * Binary(distance);
+                };
+                score.answer(meets(*hull, solid), up_to(r + slack), !up_to(r - slack) && !is_deep(corners, other, size),
+                             solid, all[0], all[1], all[2], all[3]);
+            }
+        }
+        return score;
+    };
+}
+
+}  // namespace
+
+TEST_CASE("points are in the hull of points exactly when they are", "[hull]") {
+    prove(cases(20000, 2000000), contains, library, by_planes);
+}
+
+TEST_CASE("rays meet hulls exactly when they do", "[hull]") {
+    prove(cases(20000, 2000000), raycast, cast, cast_at_surface, cast_late);
+}
+
+TEST_CASE("solids overlap hulls when they do, but for 2^-40 of the coordinates", "[hull]") {
+    const long count = cases(2000, 1000000);
+    prove(count, overlaps<gphys_sphere>("overlap hull, sphere", 83), overlap<gphys_sphere>,
+          overlap_of_surface<gphys_sphere>);
+    prove(count, overlaps<gphys_capsule>("overlap hull, capsule", 84), overlap<gphys_capsule>,
+          overlap_of_surface<gphys_capsule>);
+    prove(count, overlaps<gphys_aabb>("overlap hull, AABB", 85), overlap<gphys_aabb>,
+          overlap_of_a_smaller_one<gphys_aabb>);
+    prove(count, overlaps<gphys_obb>("overlap hull, OBB", 86), overlap<gphys_obb>, overlap_of_a_smaller_one<gphys_obb>);
+}
