@@ -53,7 +53,6 @@ public:
         add(std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count());
     }
     size_t count() const { return times_.size(); }
-    double worst() const { return quantile(1); }
     /// The time that a part of all calls does not exceed.
     double quantile(double part) const {
         std::vector<double> sorted = times_;

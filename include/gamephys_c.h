@@ -1883,9 +1883,10 @@ typedef struct gphys_body_desc {
     float shear_compliance; /* of GPHYS_CLOTH_SHEAR constraints of a grid, m/N, >= 0; 0: as compliance; default 0 */
 } gphys_body_desc;
 /* Woven cloth drapes because it shears and bends easily, and by default sheets do neither: on round or sharp models
- * their rigid constraints contradict each other, and a sheet moves by millimetres for ever. One that comes to rest has
- * shear_compliance and bend_compliance of about 1 / (m w^2), with m = mass / (columns * rows) and w = 30 rad/s, and a
- * damping of 1 or 2 per second. It hangs with more strain beside its pins. docs/solver.md has measured both. */
+ * their rigid constraints contradict each other, and a sheet never stops moving by millimetres a second. One that
+ * nearly comes to rest there has shear_compliance and bend_compliance of about 1 / (m w^2), with m = mass / (columns *
+ * rows) and w = 30 rad/s, and a damping of 1 or 2 per second. It hangs with more strain beside its pins; curtains and
+ * capes do better with damping alone. docs/solver.md has measured both. */
 /* Particles that collide with particles are spheres that do not pass through each other whatever their speed;
  * friction and restitution of a pair are the geometric means of its bodies' (sqrt(a b)). Within a body with
  * constraints, those collide that were placed further apart than their radii reach and are not linked

@@ -348,7 +348,15 @@ static void budget_release(void* user, void* memory, size_t size, size_t alignme
     free(start);
 }
 
-static void test_running_out_of_memory(void** state) {
+static gphys_status make_surface(const gphys_mesh_desc* desc, gphys_mesh** out_mesh) {
+    return gphys_mesh_create(desc, cube_vertices, 12, 8, cube_indices, 36, out_mesh);
+}
+
+static gphys_status make_hull(const gphys_mesh_desc* desc, gphys_mesh** out_mesh) {
+    return gphys_mesh_create_hull(desc, cube_vertices, 12, 8, out_mesh);
+}
+
+static void running_out_of_memory(gphys_status (*make)(const gphys_mesh_desc* desc, gphys_mesh** out_mesh)) {
     Budget budget = {0, -1, 0, 0};
     gphys_allocator allocator;
     gphys_mesh_desc desc;
@@ -357,13 +365,12 @@ static void test_running_out_of_memory(void** state) {
     gphys_hit hits[4];
     uint32_t total;
     long needed, fail_at;
-    (void)state;
     allocator.allocate = budget_allocate;
     allocator.release = budget_release;
     allocator.user = &budget;
     assert_int_equal(gphys_mesh_desc_init(&desc, sizeof desc), GPHYS_OK);
     desc.allocator = &allocator;
-    assert_int_equal(gphys_mesh_create(&desc, cube_vertices, 12, 8, cube_indices, 36, &mesh), GPHYS_OK);
+    assert_int_equal(make(&desc, &mesh), GPHYS_OK);
     needed = budget.allocations;
     assert_true(needed > 3 && budget.live > 0);
     assert_int_equal(gphys_mesh_raycast_all(mesh, &ray, hits, 4, &total), GPHYS_OK);
@@ -376,12 +383,17 @@ static void test_running_out_of_memory(void** state) {
         budget.allocations = 0;
         budget.fail_at = fail_at;
         mesh = NULL;
-        assert_int_equal(gphys_mesh_create(&desc, cube_vertices, 12, 8, cube_indices, 36, &mesh),
-                         GPHYS_ERROR_OUT_OF_MEMORY);
+        assert_int_equal(make(&desc, &mesh), GPHYS_ERROR_OUT_OF_MEMORY);
         assert_null(mesh);
         assert_int_equal(budget.live, 0);
         assert_int_equal(budget.bytes, 0);
     }
+}
+
+static void test_running_out_of_memory(void** state) {
+    (void)state;
+    running_out_of_memory(make_surface);
+    running_out_of_memory(make_hull);
 }
 
 static void a_hull_is_made_of_points(void** state) {
@@ -476,32 +488,6 @@ static void a_hull_is_made_of_points(void** state) {
     assert_int_equal(gphys_mesh_get_hull_faces(hull, faces, 13, NULL), GPHYS_ERROR_INVALID_ARGUMENT);
     gphys_mesh_destroy(surface);
     gphys_mesh_destroy(hull);
-}
-
-static void a_hull_runs_out_of_memory(void** state) {
-    Budget budget = {0, -1, 0, 0};
-    gphys_allocator allocator;
-    gphys_mesh_desc desc;
-    gphys_mesh* mesh = NULL;
-    long needed, fail_at;
-    (void)state;
-    allocator.allocate = budget_allocate;
-    allocator.release = budget_release;
-    allocator.user = &budget;
-    assert_int_equal(gphys_mesh_desc_init(&desc, sizeof desc), GPHYS_OK);
-    desc.allocator = &allocator;
-    assert_int_equal(gphys_mesh_create_hull(&desc, cube_vertices, 12, 8, &mesh), GPHYS_OK);
-    needed = budget.allocations;
-    gphys_mesh_destroy(mesh);
-    assert_int_equal(budget.live, 0);
-    for (fail_at = 0; fail_at < needed; ++fail_at) {
-        budget.allocations = 0;
-        budget.fail_at = fail_at;
-        mesh = NULL;
-        assert_int_equal(gphys_mesh_create_hull(&desc, cube_vertices, 12, 8, &mesh), GPHYS_ERROR_OUT_OF_MEMORY);
-        assert_null(mesh);
-        assert_int_equal(budget.live, 0);
-    }
 }
 
 /* As of any solid: a particle that falls on a hull lies on it, one that was put inside comes out, and what moves fast
@@ -706,7 +692,6 @@ static void test_what_is_no_snapshot_is_refused(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_hull_is_made_of_points),
-        cmocka_unit_test(a_hull_runs_out_of_memory),
         cmocka_unit_test(particles_stay_outside_of_a_hull),
         cmocka_unit_test(cloth_is_carried_by_a_hull),
         cmocka_unit_test(test_report),

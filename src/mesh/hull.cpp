@@ -200,7 +200,7 @@ Penetration Mesh::way_out_of_hull(const Shape& moving) const {
     });
 }
 
-void Mesh::start_in_hull(const Shape& moving, Vec3, Hit& hit) const {
+void Mesh::start_in_hull(const Shape& moving, Hit& hit) const {
     const Penetration way = way_out_of_hull(moving);
     hit = Hit{};
     hit.t = 0;

@@ -390,7 +390,7 @@ bool Mesh::sweep(const Shape& moving, Vec3 displacement, Hit& hit) const {
     if (packets_.empty()) return false;
     if (const auto* sphere = std::get_if<Sphere>(&moving)) return sweep(*sphere, displacement, hit);
     if (is_hull() && overlaps(moving)) {
-        start_in_hull(moving, displacement, hit);
+        start_in_hull(moving, hit);
         return true;
     }
     const BoxInMotion box(moving);
@@ -423,8 +423,8 @@ bool Mesh::sweep(const Shape& moving, Vec3 displacement, Hit& hit) const {
 }
 
 bool Mesh::overlaps(const Shape& shape) const {
-    bool found = is_hull() && holds_point_of(shape);
-    if (found) return true;
+    if (is_hull() && holds_point_of(shape)) return true;
+    bool found = false;
     for_each_overlap(shape, [&](uint32_t) {
         found = true;
         return false;

@@ -169,7 +169,7 @@ private:
     /// The solid overlaps the hull.
     Penetration way_out_of_hull(const Shape& moving) const;
     void start_in_hull(const Sphere& moving, Vec3 displacement, Hit& hit) const;
-    void start_in_hull(const Shape& moving, Vec3 displacement, Hit& hit) const;
+    void start_in_hull(const Shape& moving, Hit& hit) const;
     /// Whether some point of the shape, if it has any, is in a hull.
     bool holds_point_of(const Shape& shape) const;
     /// Whether some triangle of the other mesh begins in a hull.
