@@ -243,11 +243,19 @@ private:
     static uint32_t layers_of(const QueryFilter& filter) { return filter.layers; }
 
     // The queries; Filter is uint32_t, for layers, or QueryFilter, and Filters is uint32_t or RayFilters.
+    template <class T>
+    class Later;
+    template <class Answer>
+    class FirstOfRay;
+    class LargeMeshes;
     template <class Filter>
     gphys_status raycast_by(const Ray& ray, const Filter& filter, gphys_hit& out) const;
     /// Answer is gphys_hit or gphys_distance.
     template <class Filters, class Answer>
     void raycast_many_by(Ray* rays, uint32_t count, const Filters& filters, Answer* const* out) const;
+    template <class Filters, class Answer>
+    void raycast_bvh_by(Ray* rays, uint32_t count, const Filters& filters, const LargeMeshes& asked,
+                        Later<FirstOfRay<Answer>>* first) const;
     template <class Filter>
     bool raycast_any_by(const Ray& ray, const Filter& filter) const;
     template <class Filters>
@@ -268,9 +276,6 @@ private:
     template <class Filter>
     uint32_t cull_by(const Frustum& frustum, const Filter& filter, gphys_model_id* out, uint32_t capacity) const;
 
-    template <class Answer>
-    class FirstOfRay;
-    class LargeMeshes;
     class EightPairs;
     class ConservativeRays;
     class SharedModel;

@@ -27,7 +27,7 @@ bool is_met(const Primitive& shape, const Ray& ray) {
 
 /// Uninitialised storage for one T.
 template <class T>
-class Later {
+class Scene::Later {
 public:
     template <class... Arguments>
     void make(Arguments&&... arguments) {
@@ -358,32 +358,18 @@ uint32_t Scene::hit_at_once(const EightPairs& pairs, const Ray* rays, const Met&
     return answered;
 }
 
+/// The models of the BVH that large meshes are not. Apart, so that its arrays are not on the stack beside theirs.
 template <class Filters, class Answer>
-void Scene::raycast_many_by(Ray* rays, uint32_t count, const Filters& filters, Answer* const* out) const {
-    constexpr bool only_distance = std::is_same_v<Answer, gphys_distance>;
+GPHYS_NOINLINE void Scene::raycast_bvh_by(Ray* rays, uint32_t count, const Filters& filters, const LargeMeshes& asked,
+                                          Later<FirstOfRay<Answer>>* first) const {
     using First = FirstOfRay<Answer>;
-    Later<First> first[rays_at_once];
-    for (uint32_t i = 0; i < count; ++i) first[i].make(*this, rays[i], filter_of_ray(filters, i), *out[i]);
-    const LargeMeshes asked(
-        *this, rays, count, filters,
-        [](const MeshInstance& mesh, const Ray* of, uint32_t some, const auto& met) {
-            ask_first(mesh, of, some, static_cast<Answer*>(nullptr), met);
-        },
-        [&](uint32_t i, uint32_t slot, auto answer) {
-            first[i]->take(slot, answer.t, [&](uint32_t model, uint32_t tag) {
-                answer.model = model;
-                if constexpr (!only_distance) answer.tag = tag;
-                return answer;
-            });
-        });
-    if (asked.count() == bvh_.size()) return;
     ConservativeRays quick(*this, rays, hit_kernels_ ? 0 : count);
     SharedModel shared(*this);
     const auto visit = [&](const uint32_t* numbers, const uint32_t* slots, uint32_t size) {
         const EightPairs pairs(*this, numbers, slots, size, filters, asked);
         uint32_t open = pairs.seen(), shorter = 0;
         if (hit_kernels_) {
-            using Answers = std::conditional_t<only_distance, float[8], Hits8>;
+            using Answers = std::conditional_t<std::is_same_v<Answer, gphys_distance>, float[8], Hits8>;
             open &= ~hit_at_once<Answers>(pairs, rays, [&](uint32_t k, const auto& hits) {
                 const auto hit_of = [&](uint32_t model, uint32_t tag) { return answer_of(hits, k, model, tag); };
                 shorter |= uint32_t{first[numbers[k]]->take_if_seen(filter_of_ray(filters, numbers[k]), slots[k],
@@ -406,6 +392,25 @@ void Scene::raycast_many_by(Ray* rays, uint32_t count, const Filters& filters, A
         return shorter;
     };
     bvh_.raycast_many(rays, count, visit, model_memory());
+}
+
+template <class Filters, class Answer>
+void Scene::raycast_many_by(Ray* rays, uint32_t count, const Filters& filters, Answer* const* out) const {
+    Later<FirstOfRay<Answer>> first[rays_at_once];
+    for (uint32_t i = 0; i < count; ++i) first[i].make(*this, rays[i], filter_of_ray(filters, i), *out[i]);
+    const LargeMeshes asked(
+        *this, rays, count, filters,
+        [](const MeshInstance& mesh, const Ray* of, uint32_t some, const auto& met) {
+            ask_first(mesh, of, some, static_cast<Answer*>(nullptr), met);
+        },
+        [&](uint32_t i, uint32_t slot, auto answer) {
+            first[i]->take(slot, answer.t, [&](uint32_t model, uint32_t tag) {
+                answer.model = model;
+                if constexpr (std::is_same_v<Answer, gphys_hit>) answer.tag = tag;
+                return answer;
+            });
+        });
+    if (asked.count() < bvh_.size()) raycast_bvh_by(rays, count, filters, asked, first);
 }
 
 /// Whether a ray hits a plane. Planes are unbounded and not in the BVH.
