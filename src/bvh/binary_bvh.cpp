@@ -36,16 +36,44 @@ uint32_t BinaryBvh::split(Range range) {
     return static_cast<uint32_t>(middle - items_);
 }
 
+BinaryBvh::Part BinaryBvh::leaf(const Box& box) {
+    Part part{none, box, {}};
+    std::fill(std::begin(part.cost), std::end(part.cost), half_area(box));
+    return part;
+}
+
 /// Note a cut, when nobody below needs its slot any more.
 BinaryBvh::Part BinaryBvh::join(uint32_t cut, const Part& low, const Part& high) {
-    Part whole{cut, low.box};
+    Part whole{cut, low.box, {}};
     whole.box.include(high.box);
-    slots_[cut].cut = {half_area(whole.box), {low.cut, high.cut}, 1 + std::max(height(low.cut), height(high.cut))};
+    Cut& noted = slots_[cut].cut;
+    noted = {{low.cut, high.cut}, 1 + std::max(height(low.cut), height(high.cut)), 0};
+    // The cheapest way to share so many nodes among the halves.
+    const auto divide = [&](uint32_t nodes, uint32_t& share) {
+        double least = infinity;
+        for (uint32_t first = 1; first < nodes; ++first) {
+            const double cost = low.cost[first - 1] + high.cost[nodes - first - 1];
+            if (cost < least) {
+                least = cost;
+                share = first;
+            }
+        }
+        return least;
+    };
+    uint32_t share = 1;
+    whole.cost[0] = half_area(whole.box) + divide(8, share);
+    noted.shares = share << 24;
+    for (uint32_t nodes = 2; nodes < 8; ++nodes) {
+        const double cost = divide(nodes, share);
+        if (!(cost < whole.cost[0])) share = 0;
+        whole.cost[nodes - 1] = std::min(cost, whole.cost[0]);
+        noted.shares |= share << (4 * (nodes - 2));
+    }
     return whole;
 }
 
 BinaryBvh::Part BinaryBvh::cut_all(Range range) {
-    if (range.size() <= leaf_size) return {none, union_of(items_ + range.first, items_ + range.last)};
+    if (range.size() <= leaf_size) return leaf(union_of(items_ + range.first, items_ + range.last));
     const uint32_t cut = split(range);
     const Part low = cut_all({range.first, cut, range.max_height - 1});
     const Part high = cut_all({cut, range.last, range.max_height - 1});

@@ -26,28 +26,21 @@ public:
     };
     Part whole() const { return {0, static_cast<uint32_t>(items_.size()), cuts_.root()}; }
 
-    /// Divide a part into at most `most`: always the largest is cut, until there are that many or all
-    /// are leaves. But three levels of cuts must fit into each level of nodes that is left below.
+    /// Divide a part into at most `most`, as is cheapest. But three levels of cuts must fit into each level of nodes
+    /// that is left below: if they hardly do, always the highest is cut, until there are that many or all are leaves.
     uint32_t divide(const Part& whole, uint32_t levels_below, Part* parts, uint32_t most = 8) const {
-        const bool by_area = (cuts_.height(whole.cut) + 1) / 3 + 1 <= levels_below;
+        if ((cuts_.height(whole.cut) + 1) / 3 + 1 <= levels_below) {
+            return static_cast<uint32_t>(share(whole, most, parts) - parts);
+        }
         uint32_t count = 1;
         parts[0] = whole;
         while (count < most) {
-            Part* chosen = nullptr;
-            double largest = -1;
-            for (Part* part = parts; part != parts + count; ++part) {
-                if (part->is_leaf()) continue;
-                const BinaryBvh::Cut& cut = cuts_[part->cut];
-                const double measure = by_area ? cut.half_area : cut.height;
-                if (measure > largest) {
-                    largest = measure;
-                    chosen = part;
-                }
-            }
-            if (!chosen) break;
-            const BinaryBvh::Cut& cut = cuts_[chosen->cut];
-            parts[count++] = {chosen->cut, chosen->last, cut.below[1]};
-            *chosen = {chosen->first, chosen->cut, cut.below[0]};
+            Part* const highest = std::max_element(parts, parts + count, [this](const Part& a, const Part& b) {
+                return cuts_.height(a.cut) < cuts_.height(b.cut);
+            });
+            if (highest->is_leaf()) break;
+            parts[count++] = half(*highest, 1);
+            *highest = half(*highest, 0);
         }
         return count;
     }
@@ -114,6 +107,20 @@ public:
     Laid lay_all(Vector<Node>& nodes, uint32_t* place_of, const Workers* workers) const;
 
 private:
+    Part half(const Part& part, int which) const {
+        const uint32_t below = cuts_[part.cut].below[which];
+        return which == 0 ? Part{part.first, part.cut, below} : Part{part.cut, part.last, below};
+    }
+    /// The end of the parts.
+    Part* share(const Part& whole, uint32_t most, Part* parts) const {
+        const uint32_t first = whole.is_leaf() || most < 2 ? 0 : cuts_[whole.cut].share(most);
+        if (first == 0) {
+            *parts = whole;
+            return parts + 1;
+        }
+        return share(half(whole, 1), most - first, share(half(whole, 0), first, parts));
+    }
+
     const Vector<BoxedItem>& items_;
     const BinaryBvh& cuts_;
 };
