@@ -2,9 +2,11 @@
 // measured here, from positions: how much too long and how much too short the sides of the grid are, and how much too
 // long its diagonals. A run writes a row for each scene to standard output:
 //   gamephys_bench_cloth [--only NAME] [--seconds S] [--substeps N] [--max_strain PART] [--damping RATE] [--flags N]
-//   [--woven RATE] [MESH.obj]
-// With --woven, diagonals and bending are springs on which a particle would swing at so many radians a second.
-// The mesh, if one is given, is made 1.2 m high, and a sheet falls on it.
+//   [--woven RATE] [--sleep_speed SPEED] [--vary N] [MESH.obj]
+// "moved" is how far a particle is at the end from where it was a second before. Motion of cloth is chaotic: --vary
+// begins N tenths of a millimetre aside, so that runs differ. With --woven, diagonals and bending are springs on which
+// a particle would swing at so many radians a second. The mesh, if one is given, is made 1.2 m high, and a sheet falls
+// on it.
 #include <time.h>
 
 #include <algorithm>
@@ -25,7 +27,8 @@ constexpr float frame = 1.0f / 60;
 
 struct Options {
     std::string only, mesh;
-    double seconds = 0, max_strain = -1, damping = -1, woven = 0;
+    uint32_t varied = 0;
+    double seconds = 0, max_strain = -1, damping = -1, sleep_speed = 0, woven = 0;
     int substeps = 0, flags = -1;
 };
 
@@ -54,6 +57,7 @@ struct World {
         check(gphys_solver_desc_init(&desc, sizeof desc));
         if (options.substeps > 0) desc.substeps = static_cast<uint32_t>(options.substeps);
         if (options.max_strain >= 0) desc.max_strain = static_cast<float>(options.max_strain);
+        desc.sleep_speed = static_cast<float>(options.sleep_speed);
         check(gphys_solver_create(&desc, &solver));
         check(gphys_scene_create(nullptr, &scene));
         check(gphys_body_desc_init(&body_desc, sizeof body_desc));
@@ -63,6 +67,7 @@ struct World {
             body_desc.shear_compliance = body_desc.bend_compliance =
                 static_cast<float>(1 / (mass * options.woven * options.woven));
         }
+        varied = 1e-4f * static_cast<float>(options.varied);
         if (options.flags >= 0) body_desc.cloth_flags = static_cast<uint32_t>(options.flags);
     }
     ~World() {
@@ -74,6 +79,8 @@ struct World {
     World& operator=(const World&) = delete;
 
     void add_sheet(gphys_vec3 corner, gphys_vec3 u, gphys_vec3 v) {
+        corner.x += varied;
+        corner.z += varied / 2;
         side_u = std::hypot(u.x, u.y, u.z) / static_cast<float>(columns - 1);
         side_v = std::hypot(v.x, v.y, v.z) / static_cast<float>(rows - 1);
         check(gphys_solver_add_cloth(solver, &body_desc, &corner, &u, &v, columns, rows, &body));
@@ -100,6 +107,7 @@ struct World {
     gphys_body_desc body_desc{};
     gphys_body_id body = 0;
     uint32_t columns, rows;
+    float varied = 0;  // metres, of where sheets begin
     double side_u = 0, side_v = 0, seconds = 10;
     std::function<void(double)> act = [](double) {};  // what the models do, after so many seconds
     std::function<double(const gphys_vec3&)> depth = [](const gphys_vec3&) { return 0.0; };  // of a point in them
@@ -157,6 +165,7 @@ void measure(const char* name, World& world, const Options& options) {
     const int frames = static_cast<int>(std::lround(seconds / frame));
     std::vector<double> times, stretch;
     Strain peak, rest;
+    std::vector<gphys_vec3> second;
     double fastest = 0, deepest = 0, calm_since = 0;
     std::vector<gphys_vec3> before = world.positions();
     for (int i = 0; i < frames; ++i) {
@@ -176,10 +185,15 @@ void measure(const char* name, World& world, const Options& options) {
         if (speed > 1e-3) calm_since = (i + 1) * double{frame};
         if (i >= frames - 60) rest.add(strain), fastest = std::max(fastest, speed);
         before = at;
+        if (i == frames - 61) second = at;
     }
-    std::printf("%-10s %7.1f %6.1f %6.1f | %6.1f %6.1f | %6.1f %6.1f | %8.1f %6.1f %6.1f | %6.2f %6.2f %6.1f\n", name,
-                100 * peak.stretch, 100 * part_of(stretch, 0.99), 100 * rest.stretch, 100 * peak.compression,
-                100 * rest.compression, 100 * peak.diagonal, 100 * rest.diagonal, 1e3 * fastest,
+    double shifted = 0;
+    for (uint32_t p = 0; p < world.size() && !second.empty(); ++p) {
+        shifted = std::max(shifted, distance(second[p], before[p]));
+    }
+    std::printf("%-10s %7.1f %6.1f %6.1f | %6.1f %6.1f | %6.1f %6.1f | %8.1f %6.1f %6.1f %6.1f | %6.2f %6.2f %6.1f\n",
+                name, 100 * peak.stretch, 100 * part_of(stretch, 0.99), 100 * rest.stretch, 100 * peak.compression,
+                100 * rest.compression, 100 * peak.diagonal, 100 * rest.diagonal, 1e3 * fastest, 1e3 * shifted,
                 calm_since < seconds ? calm_since : -1, 1e3 * deepest, mean(times), part_of(times, 0.99),
                 *std::max_element(times.begin(), times.end()));
     std::fflush(stdout);
@@ -323,8 +337,12 @@ int main(int count, char** arguments) {
             options.max_strain = std::atof(value());
         } else if (word == "--damping") {
             options.damping = std::atof(value());
+        } else if (word == "--sleep_speed") {
+            options.sleep_speed = std::atof(value());
         } else if (word == "--woven") {
             options.woven = std::atof(value());
+        } else if (word == "--vary") {
+            options.varied = static_cast<uint32_t>(std::atoi(value()));
         } else if (word == "--flags") {
             options.flags = std::atoi(value());
         } else {
@@ -342,9 +360,11 @@ int main(int count, char** arguments) {
         scenes.push_back({"mesh", 100, 100, [&](World& world) { fall_on_mesh(world, options); }});
     }
     std::printf(
-        "           sides longer %%           shorter %%        diagonals %%     mm/s   calm   depth |       ms\n");
+        "           sides longer %%           shorter %%        diagonals %%     mm/s     mm   calm   depth |       "
+        "ms\n");
     std::printf(
-        "scene         peak    p99   rest |   peak   rest |   peak   rest |     rest after s     mm |   mean    p99  "
+        "scene         peak    p99   rest |   peak   rest |   peak   rest |     rest  moved after s    mm |   mean    "
+        "p99  "
         "worst\n");
     try {
         for (const Scene& scene : scenes) {

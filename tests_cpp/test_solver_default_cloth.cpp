@@ -9,7 +9,8 @@ using namespace gphys;
 namespace {
 
 struct Sheet {
-    explicit Sheet(uint32_t columns_) : columns(columns_), side(2.0 / (columns_ - 1)) {}
+    explicit Sheet(uint32_t columns_, const gphys_solver_desc& desc = test::World::desc())
+        : world(desc), columns(columns_), side(2.0 / (columns_ - 1)) {}
 
     test::World world;
     uint32_t columns;
@@ -27,6 +28,11 @@ struct Sheet {
         }
         return largest;
     }
+    bool sleeps() const {
+        uint32_t total = 0;
+        gphys_solver_get_sleeping(world.solver, nullptr, 0, &total);
+        return total == 1;
+    }
     /// Steps for so many seconds; returns the largest speed of a particle in the last of them, by where it is after
     /// each step.
     double speed_after(int seconds) {
@@ -43,6 +49,12 @@ struct Sheet {
         return largest;
     }
 };
+
+gphys_solver_desc sleepy() {
+    gphys_solver_desc desc = test::World::desc();
+    desc.sleep_speed = 0.03f;
+    return desc;
+}
 
 }  // namespace
 
@@ -128,6 +140,41 @@ TEST_CASE("a sheet of default settings calms down on a box") {
     test::figure("largest speed on a box after ten seconds", speed * 1e3, "mm/s");
     // Measured: 18 mm/s, and 480 if what one chain pushes off the box none takes back.
     CHECK(speed < 0.05);
+}
+
+TEST_CASE("a sheet of default settings falls asleep on a box, and wakes when the box goes") {
+    Sheet sheet(30, sleepy());
+    const gphys_aabb box{{-0.4f, -0.4f, -0.4f}, {0.4f, 0.4f, 0.4f}};
+    const gphys_model_id model = sheet.world.model(GPHYS_SHAPE_AABB, &box);
+    sheet.body = sheet.world.cloth({-1, 0.5f, -1}, {2, 0, 0}, {0, 0, 2}, 30, 30);
+    int frames = 0;
+    while (!sheet.sleeps() && frames < 600) sheet.world.step(1.0f / 60), ++frames;
+    test::figure("sleep on a box after", frames / 60.0, "s");
+    CHECK(frames < 360);  // measured: 2.2 s
+    CHECK(sheet.speed_after(1) == 0);
+    const double height = sheet.world.position(sheet.body, 0).y;
+    REQUIRE(gphys_scene_remove(sheet.world.scene, model) == GPHYS_OK);
+    for (int i = 0; i < 30; ++i) sheet.world.step(1.0f / 60);
+    CHECK(!sheet.sleeps());
+    CHECK(sheet.world.position(sheet.body, 0).y < height - 0.5);
+}
+
+TEST_CASE("cloth does not fall asleep while a corner of it swings") {
+    Sheet sheet(40, sleepy());
+    gphys_body_desc desc = test::World::body_desc();
+    desc.cloth_flags = 0;
+    sheet.body = sheet.world.cloth({-1, 0, -1}, {2, 0, 0}, {0, 0, 2}, 40, 40, desc);
+    for (uint32_t p = 0; p + 1 < 1600; ++p) sheet.world.pin(sheet.body, p);
+    double fastest = 0;
+    for (int i = 0; i < 120; ++i) {
+        const Vec3 before = sheet.world.position(sheet.body, 1599);
+        sheet.world.step(1.0f / 60);
+        fastest = std::max(fastest, 60 * distance(before, sheet.world.position(sheet.body, 1599)));
+        REQUIRE(!sheet.sleeps());
+    }
+    // On average of all 1600 it is no faster than sleep_speed.
+    CHECK(fastest > 0.3);
+    CHECK(fastest < 0.03 * 40);
 }
 
 TEST_CASE("a sheet comes to rest after its model has jumped in its plane") {

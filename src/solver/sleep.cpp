@@ -14,9 +14,26 @@ bool is_slow(const Particles& particles, double speed) {
                        [&](Vec3 velocity) { return length_squared(velocity) <= speed * speed; });
 }
 
+/// Of a graph that has made a step. Where its links contradict each other and friction, as on sharp edges, its
+/// particles go to and fro by small ways without end, some of them further now and then: what counts is how far it goes
+/// in a step, on average. A flap that falls, be it of a few particles, is soon faster than the bound of each.
+bool goes_slowly(const Body& body, double speed, double dt) {
+    constexpr double most = 10;  // times the average, of each particle
+    ClothWay all;
+    for (const ClothWay& part : body.cloth.ways) {
+        all.sum += part.sum;
+        all.longest = std::max(all.longest, part.longest);
+    }
+    const double way = speed * dt, square = way * way;
+    return all.sum <= square * body.particles.size() && all.longest <= most * most * square &&
+           is_slow(body.particles, most * speed);
+}
+
 /// Of rigid constraints: what elastic ones hold may be at rest at any length, and so may braces of cloth that yield.
 bool is_hardly_strained(const Body& body, double strain) {
     if (is_graph(body) && body.cloth.braces_yield) {
+        // As far as relax_links keeps them, and what models take them beyond.
+        strain = std::max(strain, 1.5 * body.cloth.most_strain);
         const Vector<KeptLinks::Link>& links = body.cloth.batches.kept.links;
         return std::all_of(links.begin(), links.end(), [&](const KeptLinks::Link& link) {
             const double error = distance(body.particles.position[link.a], body.particles.position[link.b]) - link.rest;
@@ -57,7 +74,9 @@ void wake(Body& body) {
 
 bool is_calm(Body& body, const SolverSettings& settings, double dt) {
     if (settings.sleep_speed == 0) return false;
-    const bool calm = is_slow(body.particles, settings.sleep_speed) && is_hardly_strained(body, settings.sleep_strain);
+    const bool slow =
+        is_graph(body) ? goes_slowly(body, settings.sleep_speed, dt) : is_slow(body.particles, settings.sleep_speed);
+    const bool calm = slow && is_hardly_strained(body, settings.sleep_strain);
     body.sleep.calm = calm ? body.sleep.calm + dt : 0;
     return body.sleep.calm >= settings.sleep_time;
 }

@@ -2098,10 +2098,12 @@ public sealed partial class Solver : IDisposable {
 
     /// <summary>Ids of the bodies that are asleep, ascending. A body falls asleep at the end of a step when for
     /// sleep_time seconds no particle was faster than sleep_speed and no rigid constraint strained by more
-    /// than sleep_strain. Its speed is then 0, it keeps the contacts that it has, and a step costs it no
-    /// more than a look for models nearby. It wakes in the step before which a model came, went or moved as
-    /// near as it could come in a step at 50 m/s, or one that it is attached to did, or the scene was
-    /// exchanged; and at once by any change of its state, of gravity or of the origin.
+    /// than sleep_strain; cloth, when its root mean square speed from step to step was no higher, no
+    /// particle ten times as fast, and strain, without a max_strain, at most 3 %. Its speed is then 0, it
+    /// keeps its contacts, and a step costs it a look for models nearby. It wakes in the step before which
+    /// a model came, went or moved as near as it could come in a step at 50 m/s, or one that it is attached
+    /// to did, or the scene was exchanged; and at once by any change of its state, of gravity or of the
+    /// origin.
     /// Cost: O(bodies).</summary>
     public unsafe uint[] GetSleeping() {
         var result = new uint[Guess];

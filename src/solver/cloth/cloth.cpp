@@ -286,12 +286,17 @@ ClothExtent extent_of(Body& body) {
 }
 
 void publish(Body& body) {
-    const Cloth& cloth = body.cloth;
-    share_particles(body, [&](uint32_t p) {
-        const Vec3 before = body.particles.position[p];
-        body.particles.position[p] = cloth.origin + get(&cloth.at[4 * size_t{p}]);
-        body.particles.velocity[p] = get(&cloth.velocity[4 * size_t{p}]);
-        keep_in_range(body.particles.position[p], body.particles.velocity[p], before);
+    Cloth& cloth = body.cloth;
+    share_parts(body, [&](uint32_t i, uint32_t first, uint32_t end) {
+        ClothWay way;
+        for (uint32_t p = first; p < end; ++p) {
+            const Vec3 before = body.particles.position[p];
+            body.particles.position[p] = cloth.origin + get(&cloth.at[4 * size_t{p}]);
+            body.particles.velocity[p] = get(&cloth.velocity[4 * size_t{p}]);
+            keep_in_range(body.particles.position[p], body.particles.velocity[p], before);
+            way.add(length_squared(body.particles.position[p] - before));
+        }
+        cloth.ways[i] = way;
     });
 }
 
@@ -373,6 +378,7 @@ void reserve_cloth(Body& body) {
         cloth.listed.assign(body.cloth.batches.kept.links.size(), 0);
     }
     cloth.extents.resize((4 * size_t{body.particles.size()} + share_floats - 1) / share_floats);
+    cloth.ways.resize(cloth.extents.size());
     if (!body.constraints.attachments.empty()) body.cloth.contacts.pulls.resize(floats);
     if (body.cloth.volume.held) body.cloth.volume.gradient.resize(body.particles.size());
 }

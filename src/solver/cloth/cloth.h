@@ -26,6 +26,13 @@ struct ClothExtent {
     double mass;
 };
 
+/// How far particles went in a step, square metres.
+struct ClothWay {
+    double sum = 0, longest = 0;
+
+    void add(double square) { sum += square, longest = std::max(longest, square); }
+};
+
 /// The state of cloth during a step, as cloth_kernels.h takes it: four floats for each particle, and
 /// for a few more that do not move.
 struct Cloth {
@@ -40,6 +47,7 @@ struct Cloth {
           sums(memory),
           stored(memory),
           extents(memory),
+          ways(memory),
           tether_diagonal(memory),
           tether_off(memory),
           strained(memory),
@@ -66,6 +74,7 @@ struct Cloth {
     Vector<double> sums;                  // of energy, by block of particles
     Vector<double> stored;                // energy, by batch of chains
     Vector<ClothExtent> extents;          // by share of particles
+    Vector<ClothWay> ways;                // the same, of the step that has ended
     ClothBalance balance;
     Vector<float> tether_diagonal, tether_off;  // as ClothTethers takes them; only of joined cloth
     // Of cloth that is relaxed (relax_links.cpp):
