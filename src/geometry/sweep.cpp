@@ -154,8 +154,12 @@ bool sweep(const Triangle& triangle, const Sphere& moving, Vec3 displacement, Hi
     const bool behind = height < 0 || (height == 0 && dot(front, displacement) > 0);
     const Vec3 up = behind ? -front : front;
 
-    if (contains(triangle, moving.center, moving.radius)) {
-        const Vec3 nearest = closest_point(triangle, moving.center);
+    const Vec3 nearest = closest_point(triangle, moving.center);
+    // Just outside, which rounding of the offset face would miss.
+    const double size = max_component(max(abs(a - moving.center), max(abs(b - moving.center), abs(c - moving.center))));
+    const bool touches = distance(nearest, moving.center) <= moving.radius + 0x1p-50 * size &&
+                         dot(moving.center - nearest, displacement) < 0;
+    if (touches || contains(triangle, moving.center, moving.radius)) {
         const bool on_face = nearest == moving.center && front != Vec3{};
         contact_at_start(moving, on_face ? -up : displacement, nearest, hit);
     } else {

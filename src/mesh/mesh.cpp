@@ -352,14 +352,15 @@ bool Mesh::sweep(const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties) c
         return magnified_->sweep(larger, displacement * magnification_, hit, ties) && reduce(hit);
     }
     if (is_hull()) {
-        if (moving.radius == 0) return raycast({moving.center, displacement, 1}, hit);
+        if (is_sharp(moving, displacement)) return raycast({moving.center, displacement, 1}, hit);
         if (overlaps(moving)) {
             start_in_hull(moving, displacement, hit);
             return true;
         }
     }
     const RayProbe probe(moving.center, displacement, moving.radius, bounds());
-    const bool as_reported = ties == Ties::as_reported;
+    // A hull is one solid: the triangle that is really met first has its normal.
+    const bool as_reported = ties == Ties::as_reported && !is_hull();
     Hit first;
     double first_t = infinity;
     bvh_.sweep(moving.center, displacement, moving.radius, [&](uint32_t number, double& t_max) {
@@ -389,15 +390,20 @@ bool Mesh::sweep(const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties) c
 bool Mesh::sweep(const Shape& moving, Vec3 displacement, Hit& hit) const {
     if (packets_.empty()) return false;
     if (const auto* sphere = std::get_if<Sphere>(&moving)) return sweep(*sphere, displacement, hit);
-    if (is_hull() && overlaps(moving)) {
-        start_in_hull(moving, hit);
-        return true;
+    if (is_hull()) {
+        if (overlaps(moving)) {
+            start_in_hull(moving, hit);
+            return true;
+        }
+        if (is_sharp(moving, displacement)) {
+            if (const std::optional<bool> met = sweep_sharp_at_hull(moving, displacement, hit)) return *met;
+        }
     }
     const BoxInMotion box(moving);
     const Vec3 half = box.half_with_rounding(bounds(), displacement);
     const RayProbe probe(box.middle, displacement, half, bounds());
     Hit first;
-    float first_t = std::numeric_limits<float>::infinity();
+    double first_t = infinity;
     bvh_.sweep(box.middle, displacement, half, [&](uint32_t number, double& t_max) {
         const TrianglePacket& packet = packets_[number];
         const auto lanes_along = [&] { return kernels_.lanes_along(packet, probe, probe.limit(t_max)); };
@@ -407,18 +413,22 @@ bool Mesh::sweep(const Shape& moving, Vec3 displacement, Hit& hit) const {
                 packet, lane, [&](const auto& item) { return gphys::sweep(item, moving, displacement, candidate); });
             if (!met) return true;
             candidate.triangle = packet.index[lane];
-            const float t = reported(candidate.t);
+            // As for spheres.
+            const double t = is_hull() ? candidate.t : reported(candidate.t);
             if (t < first_t || (t == first_t && candidate.triangle < first.triangle)) {
                 first = candidate;
                 first_t = t;
-                t_max = std::min(t_max, limit_of_ties<double>(t));
+                t_max = std::min(t_max, is_hull() ? t : limit_of_ties(t));
             }
             return true;
         });
     });
     if (first.triangle == GPHYS_NO_TRIANGLE) return false;
     hit = first;
-    if (is_hull()) hit.flags &= ~uint32_t{GPHYS_HIT_BACK};  // of a triangle that is touched at its edge
+    if (is_hull()) {
+        hit.flags &= ~uint32_t{GPHYS_HIT_BACK};  // of a triangle that is touched at its edge
+        if (is_sharp(moving, displacement)) turn_to_hull(moving, displacement, hit);
+    }
     return true;
 }
 

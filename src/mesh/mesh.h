@@ -25,6 +25,8 @@
 
 namespace gphys {
 
+struct Core;
+
 class Mesh {
 public:
     /// `report` is that of the arrays and finds no bad vertex and no index out of range.
@@ -168,6 +170,19 @@ private:
     bool counts(const TriangleCrossing& crossing) const { return !is_hull() || crossing.facing < 0; }
     /// The solid overlaps the hull.
     Penetration way_out_of_hull(const Shape& moving) const;
+    /// An upper bound of the coordinates of the hull's difference with a core, both relative to `from`.
+    double hull_size(const Core& core, Vec3 from) const;
+    /// Where a hull and a core touch, relative to `from`, if they are moved along the normal by their distance.
+    Vec3 contact_on_hull(const Core& core, Vec3 from, Vec3 normal, double distance, double size,
+                         uint32_t& nearest_triangle) const;
+    /// Whether a moving solid has no radius that would make a difference.
+    bool is_sharp(const Shape& moving, Vec3 displacement) const;
+    /// Of such a solid, without its radius, that does not overlap at the start: with the hull as a whole. Where it
+    /// meets an edge, each of the triangles there may be missed within rounding, and has normals that the hull has not.
+    /// No answer where rounding leaves it open.
+    std::optional<bool> sweep_sharp_at_hull(const Shape& moving, Vec3 displacement, Hit& hit) const;
+    /// A normal of the hull in place of that of a triangle.
+    void turn_to_hull(const Shape& moving, Vec3 displacement, Hit& hit) const;
     void start_in_hull(const Sphere& moving, Vec3 displacement, Hit& hit) const;
     void start_in_hull(const Shape& moving, Hit& hit) const;
     /// Whether some point of the shape, if it has any, is in a hull.
