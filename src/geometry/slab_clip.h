@@ -24,14 +24,20 @@ public:
             }
             const double entry = gap / approach;
             if (entry > begin_ || normal_ == Vec3{}) normal_ = unit;
-            begin_ = std::max(begin_, entry);
+            if (entry > begin_) begin_ = entry, begin_speed_ = approach;
         } else if (approach < 0 && gap > approach) {
-            end_ = std::min(end_, gap / approach);
+            const double exit = gap / approach;
+            if (exit < end_) end_ = exit, end_normal_ = unit;
         }
         return true;
     }
-    /// The interval of a contact with an edge is a single time, computed by two rounded divisions.
-    bool is_empty() const { return leaves_ || begin_ > end_ + 0x1p-50; }
+    /// The interval of a contact with an edge is a single time, computed by two rounded divisions; that with a flat
+    /// shape one of two gaps along normals that are opposite within rounding, which is known within the resolution.
+    bool is_empty() const {
+        if (leaves_ || begin_ <= end_ + 0x1p-50) return leaves_;
+        const bool is_flat = length_squared(normal_ + end_normal_) < 0x1p-60;
+        return !is_flat || (begin_ - end_) * begin_speed_ > 2 * resolution_;
+    }
     bool may_touch_at_start() const { return widest_ <= resolution_; }
 
     double begin() const { return begin_; }
@@ -41,7 +47,8 @@ public:
 
 private:
     double resolution_, begin_ = 0, end_ = 1, widest_ = -infinity;
-    Vec3 normal_, widest_normal_;
+    double begin_speed_ = 0;  // along the normal
+    Vec3 normal_, end_normal_, widest_normal_;
     bool leaves_ = false;
 };
 
