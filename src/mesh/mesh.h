@@ -164,7 +164,7 @@ private:
 
     bool is_links() const { return kind_ == MeshKind::body_links; }
     /// Rays of a batch are cast one by one.
-    bool is_cast_singly() const { return magnified_ || is_links() || is_hull(); }
+    bool is_cast_singly() const { return magnified_ || is_links(); }
     /// Whether a ray that crosses a triangle that way meets the mesh there: a ray from outside a hull enters it by its
     /// front, also where it touches an edge only.
     bool counts(const TriangleCrossing& crossing) const { return !is_hull() || crossing.facing < 0; }
@@ -229,6 +229,9 @@ private:
         PreparedRay of[rays_at_once];
     };
     NearestCrossing first_crossing(const PreparedRay& ray) const;
+    /// Of rays, in the mesh's own space, those that begin in a hull: at(i, hit) for each. Bits of which.
+    template <class RayOf, class At>
+    uint64_t begin_inside(uint32_t count, const RayOf& ray_of, const At& at) const;
     /// By kernels_.rays or rays_any.
     void cross_many(decltype(MeshKernels::rays) kernel, const PreparedRay* rays, uint32_t count,
                     NearestCrossing* nearest) const;
