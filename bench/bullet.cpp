@@ -61,6 +61,21 @@ public:
         return true;
     }
 
+    /// Without the margin around it, which is another shape, and with its tables of faces, which clip rays. A shape has
+    /// one scale, so there is one for each object.
+    bool load_hull(const Triangles& mesh, const std::vector<gphys_transform>& placements) override {
+        clear();
+        for (const gphys_transform& t : placements) {
+            auto hull = std::make_unique<btConvexHullShape>(&mesh.vertices[0].x, static_cast<int>(mesh.vertices.size()),
+                                                            static_cast<int>(sizeof mesh.vertices[0]));
+            hull->setLocalScaling(btVector3(t.scale, t.scale, t.scale));
+            hull->setMargin(0);
+            hull->initializePolyhedralFeatures();
+            add(std::move(hull), placement(t.position, t.rotation));
+        }
+        return true;
+    }
+
     bool load(const Triangles& mesh) override {
         clear();
         mesh_ = mesh;
@@ -102,13 +117,27 @@ public:
         answers_.resize(sweeps.size());
         for (size_t i = 0; i < sweeps.size(); ++i) {
             const btSphereShape shape(sweeps[i].sphere.radius);
-            const gphys_vec3 from = sweeps[i].sphere.center, way = sweeps[i].displacement;
-            const gphys_vec3 to{from.x + way.x, from.y + way.y, from.z + way.z};
-            btCollisionWorld::ClosestConvexResultCallback hit(vector(from), vector(to));
-            world_->convexSweepTest(&shape, placement(from, {0, 0, 0, 1}), placement(to, {0, 0, 0, 1}), hit);
-            answers_[i] = hit.hasHit() ? Answer{hit.m_closestHitFraction,
-                                                static_cast<uint32_t>(hit.m_hitCollisionObject->getUserIndex())}
-                                       : Answer{std::numeric_limits<float>::infinity(), no_object};
+            answers_[i] = sweep(shape, placement(sweeps[i].sphere.center, {0, 0, 0, 1}), sweeps[i].displacement);
+        }
+        return true;
+    }
+    bool sweeps(const std::vector<CapsuleSweep>& sweeps) override {
+        answers_.resize(sweeps.size());
+        for (size_t i = 0; i < sweeps.size(); ++i) {
+            const gphys_capsule& capsule = sweeps[i].solid;
+            const btVector3 a = vector(capsule.a), b = vector(capsule.b);
+            const btCapsuleShape shape(capsule.radius, (b - a).length());
+            const btTransform from(shortestArcQuat(btVector3(0, 1, 0), (b - a).normalized()), (a + b) / 2);
+            answers_[i] = sweep(shape, from, sweeps[i].displacement);
+        }
+        return true;
+    }
+    bool sweeps(const std::vector<BoxSweep>& sweeps) override {
+        answers_.resize(sweeps.size());
+        for (size_t i = 0; i < sweeps.size(); ++i) {
+            const gphys_obb& box = sweeps[i].solid;
+            btBoxShape shape(vector(box.half_extents));
+            answers_[i] = sweep(shape, placement(box.center, box.rotation), sweeps[i].displacement);
         }
         return true;
     }
@@ -138,6 +167,15 @@ public:
     }
 
 private:
+    Answer sweep(const btConvexShape& shape, const btTransform& from, gphys_vec3 way) const {
+        btTransform to = from;
+        to.setOrigin(from.getOrigin() + vector(way));
+        btCollisionWorld::ClosestConvexResultCallback hit(from.getOrigin(), to.getOrigin());
+        world_->convexSweepTest(&shape, from, to, hit);
+        if (!hit.hasHit()) return {std::numeric_limits<float>::infinity(), no_object};
+        return {hit.m_closestHitFraction, static_cast<uint32_t>(hit.m_hitCollisionObject->getUserIndex())};
+    }
+
     void clear() {
         for (auto& object : objects_) world_->removeCollisionObject(object.get());
         objects_.clear();

@@ -279,6 +279,11 @@ public:
         return true;
     }
 
+    /// It has no solids but those of its users: the surface of the hull.
+    bool load_hull(const Triangles& mesh, const std::vector<gphys_transform>& placements) override {
+        return load(mesh, placements);
+    }
+
     bool wants_packets() const override { return mode_ == EmbreeMode::packets || mode_ == EmbreeMode::packets_robust; }
     uint64_t memory() const override { return heap_.now(); }
     uint64_t peak_memory() const override { return heap_.peak(); }

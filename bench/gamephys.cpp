@@ -119,6 +119,16 @@ public:
         return true;
     }
 
+    bool load_hull(const Triangles& mesh, const std::vector<gphys_transform>& placements) override {
+        clear();
+        gphys_mesh* hull = nullptr;
+        check(gphys_mesh_create_hull(nullptr, &mesh.vertices[0].x, sizeof mesh.vertices[0],
+                                     static_cast<uint32_t>(mesh.vertices.size()), &hull));
+        add(GPHYS_SHAPE_MESH, hull, 0, placements);
+        gphys_mesh_destroy(hull);
+        return true;
+    }
+
     bool load_deformable(const Triangles& mesh) override {
         clear();
         create_mesh(mesh, 1);
@@ -185,6 +195,28 @@ public:
                                                  n, GPHYS_ALL_LAYERS, hits_.data() + (some - sweeps.data()),
                                                  sizeof hits_[0]));
         });
+        return true;
+    }
+
+    bool sweeps(const std::vector<CapsuleSweep>& sweeps) override { return sweep_solids(GPHYS_SHAPE_CAPSULE, sweeps); }
+    bool sweeps(const std::vector<BoxSweep>& sweeps) override { return sweep_solids(GPHYS_SHAPE_OBB, sweeps); }
+
+    bool closest_without(const std::vector<gphys_ray>& rays, uint32_t object, bool singly) override {
+        gphys_query_filter_desc filter;
+        check(gphys_query_filter_desc_init(&filter, sizeof filter));
+        filter.ignored_model = models_[object];
+        start_hits(rays.size());
+        if (!singly) {
+            check(gphys_scene_raycast_filtered_batch(scene_, rays.data(), sizeof rays[0],
+                                                     static_cast<uint32_t>(rays.size()), &filter, 0, hits_.data(),
+                                                     sizeof hits_[0]));
+            return true;
+        }
+        for (size_t i = 0; i < rays.size(); ++i) {
+            const gphys_status status = gphys_scene_raycast_filtered(scene_, &rays[i], &filter, &hits_[i]);
+            check(status);
+            if (status == GPHYS_NO_HIT) hits_[i] = nothing;
+        }
         return true;
     }
 
@@ -332,6 +364,17 @@ private:
         mesh_ = nullptr;
         scene_ = nullptr;
         heap_.forget_peak();
+    }
+
+    template <class Sweep>
+    bool sweep_solids(gphys_shape_type type, const std::vector<Sweep>& sweeps) {
+        start_hits(sweeps.size());
+        by_callers(sweeps, [&](uint32_t, const Sweep* some, uint32_t n) {
+            if (n == 0) return;
+            check(gphys_scene_sweep_batch(scene_, type, &some->solid, sizeof *some, &some->displacement, sizeof *some,
+                                          n, GPHYS_ALL_LAYERS, hits_.data() + (some - sweeps.data()), sizeof hits_[0]));
+        });
+        return true;
     }
 
     void start_hits(size_t count) {

@@ -356,6 +356,8 @@ inline void save_and_load(Bench& bench, const std::string& suite, const std::str
         suite, "load_" + what, n, entries, [&](Implementation& i) { return i.load_saved() ? n : 0; }, unchecked);
 }
 
+/// solid_cases.cpp: convex hulls, sweeps of capsules and boxes, and rays without one model, for the query suite.
+void solid_cases(Bench& bench);
 /// update_suite.cpp.
 void update_suite(Bench& bench);
 

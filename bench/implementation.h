@@ -89,6 +89,8 @@ public:
     virtual bool load(const Triangles&) { return false; }
     virtual bool load(const Triangles&, const std::vector<gphys_transform>&) { return false; }
     /// Triangles that will move, and where their vertices go.
+    /// A convex hull, as the solid that the library has for it.
+    virtual bool load_hull(const Triangles&, const std::vector<gphys_transform>&) { return false; }
     virtual bool load_deformable(const Triangles&) { return false; }
     virtual bool deform(const std::vector<gphys_vec3>&) { return false; }
     /// Takes rays in packets, of which only those of a camera have any use.
@@ -111,6 +113,10 @@ public:
     /// t is a part of the way.
     virtual bool segments(const std::vector<gphys_segment>&) { return false; }
     virtual bool sweeps(const std::vector<Sweep>&) { return false; }
+    virtual bool sweeps(const std::vector<CapsuleSweep>&) { return false; }
+    virtual bool sweeps(const std::vector<BoxSweep>&) { return false; }
+    /// As closest and closest_singly, without one object.
+    virtual bool closest_without(const std::vector<gphys_ray>&, uint32_t /*object*/, bool /*singly*/) { return false; }
     /// What it found; to put that into a form that all have in common is no part of the work.
     virtual std::vector<Answer> answers() const { return answers_; }
     virtual bool any(const std::vector<gphys_ray>&, std::vector<int32_t>&) { return false; }

@@ -226,6 +226,7 @@ void query_suite(Bench& bench) {
         load(of_points, points);
         answer_case(bench, "nearest_point", of_points, points, query_points(half, 100000), &Implementation::nearest);
     }
+    solid_cases(bench);
 }
 
 /// Which share of the answers is false.

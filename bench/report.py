@@ -12,7 +12,7 @@ import pathlib
 import sys
 
 SUITES = ["scene", "mesh", "query", "update"]
-OTHERS = ["gamephys_fresh", "embree", "embree_robust", "embree_packets", "embree_packets_robust", "bullet", "fcl", "nanoflann", "simd_sweep", "simd_blocks"]
+OTHERS = ["gamephys_fresh", "gamephys_plain", "embree", "embree_robust", "embree_packets", "embree_packets_robust", "bullet", "fcl", "nanoflann", "simd_sweep", "simd_blocks"]
 WRONG = ("WRONG_FRACTION", "DIFFERS")
 
 PAGE = """# Benchmarks

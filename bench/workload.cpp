@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <stdexcept>
 #include <utility>
 
 namespace bench {
@@ -235,6 +236,24 @@ std::vector<Sweep> query_sweeps(float half_side, uint32_t count, float radius, f
     return result;
 }
 
+std::vector<CapsuleSweep> query_capsule_sweeps(float half_side, uint32_t count, float length) {
+    Random random(61);
+    std::vector<CapsuleSweep> result(count);
+    for (CapsuleSweep& sweep : result) {
+        const gphys_vec3 at = random.point(half_side), axis = random.direction();
+        sweep = {{at, at + axis, 0.25f}, random.direction() * length};
+    }
+    return result;
+}
+std::vector<BoxSweep> query_box_sweeps(float half_side, uint32_t count, float length) {
+    Random random(62);
+    std::vector<BoxSweep> result(count);
+    for (BoxSweep& sweep : result) {
+        sweep = {{random.point(half_side), {0.5f, 0.3f, 0.2f}, random.rotation()}, random.direction() * length};
+    }
+    return result;
+}
+
 gphys_frustum view(float half_side) {
     // From a corner region towards the middle: about a tenth of the objects lie within.
     const View v = outside_looking_in(0.62f * half_side);
@@ -250,6 +269,27 @@ gphys_frustum view(float half_side) {
              side(zero - v.right, v.forward, tan_x),
              side(v.up, v.forward, tan_y),
              side(zero - v.up, v.forward, tan_y)}};
+}
+
+Triangles rock() {
+    Random random(7);
+    std::vector<gphys_vec3> points;
+    for (int i = 0; i < 40; ++i) points.push_back(random.direction() * random.uniform(0.9f, 1));
+    gphys_mesh* hull = nullptr;
+    if (gphys_mesh_create_hull(nullptr, &points[0].x, sizeof points[0], static_cast<uint32_t>(points.size()), &hull) !=
+        GPHYS_OK) {
+        throw std::runtime_error(gphys_last_error());
+    }
+    Triangles result;
+    uint32_t total = 0;
+    gphys_mesh_get_vertices(hull, nullptr, 0, &total);
+    result.vertices.resize(total);
+    gphys_mesh_get_vertices(hull, result.vertices.data(), total, &total);
+    gphys_mesh_get_indices(hull, nullptr, 0, &total);
+    result.indices.resize(total);
+    gphys_mesh_get_indices(hull, result.indices.data(), total, &total);
+    gphys_mesh_destroy(hull);
+    return result;
 }
 
 Triangles bumpy_sphere(int level) {

@@ -65,6 +65,16 @@ struct Sweep {
     gphys_sphere sphere;
     gphys_vec3 displacement;
 };
+/// A solid that moves: a capsule or a box.
+template <class Solid>
+struct SolidSweep {
+    Solid solid;
+    gphys_vec3 displacement;
+};
+using CapsuleSweep = SolidSweep<gphys_capsule>;
+using BoxSweep = SolidSweep<gphys_obb>;
+std::vector<CapsuleSweep> query_capsule_sweeps(float half_side, uint32_t count, float length);
+std::vector<BoxSweep> query_box_sweeps(float half_side, uint32_t count, float length);
 std::vector<gphys_vec3> query_points(float half_side, uint32_t count);
 /// Between points of the cube that are that far apart.
 std::vector<gphys_segment> query_segments(float half_side, uint32_t count, float length);
@@ -72,6 +82,8 @@ std::vector<Sweep> query_sweeps(float half_side, uint32_t count, float radius, f
 /// A frustum that sees about a tenth of the cube.
 gphys_frustum view(float half_side);
 
+/// The convex hull of a rock within the unit ball, closed: 76 faces.
+Triangles rock();
 /// A sphere of radius about 1 with hills, 20 * 4^level triangles, closed.
 Triangles bumpy_sphere(int level);
 

@@ -175,6 +175,62 @@ TEST_CASE("what is flat, and what has more than 256 faces, is no hull") {
     CHECK(HullMesh(many).defect == HullDefect::too_many_faces);
 }
 
+TEST_CASE("rays of a batch at a hull have the bits of single rays") {
+    const NoTraps watch;
+    Random random(12);
+    uint64_t met = 0, inside = 0, together = 0;
+    for (int i = 0; i < cases / 50; ++i) {
+        std::vector<gphys_vec3> points;
+        for (int k = 0; k < 40; ++k) points.push_back(narrow(random.direction()));
+        const HullMesh hull(points);
+        const Transform world{random_point(random, 5), rotation_matrix(widen(random.rotation())),
+                              random.uniform(0.5, 2)};
+        // From one place, so that they go as a packet, or from anywhere, also from within.
+        const bool coherent = i % 2 == 0;
+        const Vec3 eye = random_point(random, 3);
+        gphys_ray rays[64];
+        for (gphys_ray& ray : rays) {
+            const Vec3 from = coherent ? eye : random_point(random, 2);
+            ray = {narrow(from), narrow(random_point(random, 0.7) - from), INFINITY};
+        }
+        const gphys_ray* of[64];
+        gphys_hit hits[64], placed_hits[64], *out[64], *placed_out[64];
+        Ray wide[64];
+        for (int k = 0; k < 64; ++k) {
+            of[k] = rays + k, out[k] = hits + k, placed_out[k] = placed_hits + k;
+            wide[k] = widen(rays[k]);
+            wide[k].origin = world.apply(wide[k].origin);
+            wide[k].direction = world.apply_to_vector(wide[k].direction);
+        }
+        gphys_distance distances[64];
+        const uint64_t all = hull->raycast_many(of, 64, out), placed = hull->raycast_many(wide, 64, world, placed_out);
+        REQUIRE(hull->raycast_any_many(of, 64) == all);
+        REQUIRE(hull->raycast_any_many(wide, 64, world) == placed);
+        REQUIRE(hull->raycast_distance_many(of, 64, distances) == all);
+        for (int k = 0; k < 64; ++k) {
+            Hit hit;
+            REQUIRE(hull->raycast(widen(rays[k]), hit) == (all >> k & 1));
+            if ((all >> k & 1) != 0) {
+                const gphys_hit single = to_hit(hit);
+                REQUIRE(std::memcmp(&single, &hits[k], sizeof single) == 0);
+                REQUIRE(distances[k].t == single.t);
+                REQUIRE(distances[k].triangle == single.triangle);
+                ++met;
+                inside += (single.flags & GPHYS_HIT_INSIDE) != 0;
+                together += coherent;
+            }
+            REQUIRE(raycast(MeshInstance{*hull, world}, wide[k], hit) == (placed >> k & 1));
+            if ((placed >> k & 1) != 0) {
+                const gphys_hit single = to_hit(hit);
+                REQUIRE(std::memcmp(&single, &placed_hits[k], sizeof single) == 0);
+            }
+        }
+    }
+    CHECK(met > 1000);
+    CHECK(inside > 100);
+    CHECK(together > 500);
+}
+
 TEST_CASE("rays meet a box as a hull where they meet the box") {
     const NoTraps watch;
     Random random(11);

@@ -59,10 +59,15 @@ double ConvexDifference::size() const {
     return max_component(reach) + radius_;
 }
 
-Vec3 ConvexDifference::across() const {
+Vec3 ConvexDifference::line() const {
     Vec3 line = length_squared(corners_[2]) > length_squared(corners_[1]) ? corners_[2] : corners_[1];
     if (axis_count_ > 0) line = axes_[0];
-    return line == Vec3{} ? Vec3{1, 0, 0} : perpendicular(normalized(line));
+    return line == Vec3{} ? line : normalized(line);
+}
+
+Vec3 ConvexDifference::across() const {
+    const Vec3 along = line();
+    return along == Vec3{} ? Vec3{1, 0, 0} : perpendicular(along);
 }
 
 ConvexDifference ConvexDifference::after(Vec3 displacement) const {

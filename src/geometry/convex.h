@@ -31,6 +31,9 @@ inline Vec3 reference_point(const Capsule& capsule) { return capsule.a; }
 inline Vec3 reference_point(const Aabb& box) { return box.min; }
 inline Vec3 reference_point(const Obb& box) { return box.center; }
 
+/// Relative to the size of a difference and its way: shapes closer than this touch.
+constexpr double touching = 0x1p-46;
+
 /// The point of the difference that is nearest to the origin, and the point of the other core that belongs to it.
 struct NearestDifference {
     Vec3 offset;  // 0 if the polytope holds the origin
@@ -66,7 +69,9 @@ public:
     template <class Visit>
     bool for_each_normal(Visit&& visit) const;
 
-    /// A unit vector perpendicular to a difference without faces, which is a point or a segment.
+    /// The unit vector along a difference without faces, which is a segment or a point; 0 for a point.
+    Vec3 line() const;
+    /// A unit vector perpendicular to that.
     Vec3 across() const;
 
     /// The nearest point, for a polytope that contains the origin no deeper than rounding; for others 0 or the nearest

@@ -46,7 +46,16 @@ Separation separation(const ConvexDifference& set) {
     // Inside by no more than rounding: the features give the distance, but not the side.
     const NearestDifference near = set.nearest();
     const double distance = length(near.offset);
-    if (!has_faces && distance == 0) return {0, set.across(), near.on_other, true};
+    if (!has_faces && distance <= has_direction * set.size()) {
+        // A point or a segment, whose offset has no direction: across it, unless the origin is beyond an end.
+        const Vec3 line = set.line(), offset = near.offset * -1.0, across = offset - line * dot(offset, line);
+        const double width = length(across);
+        gaps.offer(set.gap(set.across()), set.across());
+        gaps.offer(set.gap(-set.across()), -set.across());
+        if (width > 0) gaps.offer(set.gap(across / width), across / width);
+        if (distance > 0) gaps.offer(set.gap(offset / distance), offset / distance);
+        return {distance, gaps.normal(), near.on_other, true};
+    }
     if (has_faces && gaps.widest() >= distance - certain * set.size()) {
         return {gaps.widest(), gaps.normal(), near.on_other, distance > 0};
     }

@@ -154,7 +154,14 @@ bool sweep(const Triangle& triangle, const Sphere& moving, Vec3 displacement, Hi
     const bool behind = height < 0 || (height == 0 && dot(front, displacement) > 0);
     const Vec3 up = behind ? -front : front;
 
-    if (contains(triangle, moving.center, moving.radius)) {
+    // Just outside of the face, which rounding of the offset face would miss.
+    const double size = max_component(max(abs(a - moving.center), max(abs(b - moving.center), abs(c - moving.center))));
+    const double resolution = 0x1p-50 * size;
+    const auto touches = [&] {
+        if (std::fabs(std::fabs(height) - moving.radius) > resolution || dot(up, displacement) >= 0) return false;
+        return distance(closest_point(triangle, moving.center), moving.center) <= moving.radius + resolution;
+    };
+    if (contains(triangle, moving.center, moving.radius) || touches()) {
         const Vec3 nearest = closest_point(triangle, moving.center);
         const bool on_face = nearest == moving.center && front != Vec3{};
         contact_at_start(moving, on_face ? -up : displacement, nearest, hit);

@@ -10,30 +10,35 @@
 
 #include "geometry/convex_pairs.h"
 #include "geometry/intersect.h"
+#include "geometry/slab_clip.h"
 
 namespace gphys {
 
 namespace {
 
-// Relative to the size of the difference: shapes closer than this touch.
-constexpr double touching = 0x1p-46;
+// Relative to the size of the difference. Of a smaller radius the cores touch within rounding when the shapes do, and
+// the offset between them has no direction (convex_separation.cpp).
+constexpr double has_direction = 0x1p-32;
 
 class Course {
 public:
     Course(const ConvexDifference& set, Vec3 displacement)
         : set_(set),
           displacement_(displacement),
-          resolution_(touching * (set.size() + max_component(abs(displacement)))) {}
+          resolution_(touching * (set.size() + max_component(abs(displacement)))),
+          is_round_(set.radius() * touching > resolution_ * has_direction),
+          clip_(resolution_) {}
 
     /// False without contact. Calls overlaps_at_start() if the shapes may overlap at t = 0; sets is_at_start if they
     /// do.
     template <class Overlaps>
     bool find(const Overlaps& overlaps_at_start) {
         if (!set_.for_each_normal([&](Vec3 unit) { return cut(unit); })) return false;
-        is_at_start_ = widest_ <= resolution_ && overlaps_at_start();
+        is_at_start_ = clip_.may_touch_at_start() && overlaps_at_start();
         if (is_at_start_) return true;
-        // The interval of a contact with an edge is a single time, computed by two rounded divisions.
-        if (leaves_ || begin_ > end_ + 0x1p-50) return false;
+        if (clip_.is_empty()) return false;
+        begin_ = clip_.begin();
+        normal_ = clip_.normal();
         if (!set_.has_box() || set_.radius() > 0) return approach();
         if (normal_ != Vec3{}) return true;
         // Touching within rounding, without overlap.
@@ -46,7 +51,7 @@ public:
     bool is_at_start() const { return is_at_start_; }
     /// The contact point on the other core.
     Vec3 on_other() const {
-        const Separation touching_there{0, normal_, on_other_, set_.radius() > 0};
+        const Separation touching_there{0, normal_, on_other_, is_round_};
         return contact_on_other(set_.after(displacement_ * begin_), touching_there);
     }
 
@@ -56,36 +61,29 @@ private:
         double low, high;
         set_.project(unit, low, high);
         const double climb = dot(unit, displacement_);
-        return cut(-high - set_.radius(), -climb, unit) && cut(low - set_.radius(), climb, -unit);
-    }
-    /// gap: distance of the shapes along the unit vector; it decreases by `approach` from t = 0 to 1.
-    bool cut(double gap, double approach, Vec3 unit) {
-        widest_ = std::max(widest_, gap);
-        if (gap > 0) {
-            if (gap > approach) {
-                leaves_ = true;
-                return gap <= resolution_;
-            }
-            const double entry = gap / approach;
-            if (entry > begin_ || normal_ == Vec3{}) normal_ = unit;
-            begin_ = std::max(begin_, entry);
-        } else if (approach < 0 && gap > approach) {
-            end_ = std::min(end_, gap / approach);
-        }
-        return true;
+        return clip_.cut(-high - set_.radius(), -climb, unit) && clip_.cut(low - set_.radius(), climb, -unit);
     }
 
     bool approach() {
         // Quadratic convergence; linear, halving the error, where the shapes graze each other: 60 steps exhaust a
         // double.
+        double clear = begin_, clear_gap = 0;
         for (int step = 0; step < 60; ++step) {
             const Separation apart = separation_after(displacement_ * begin_);
             const double gap = apart.distance - set_.radius();
             const double approach = -dot(apart.normal, displacement_);
             on_other_ = apart.on_other;
-            // Without a radius, the normal of the last step at a distance is more accurate than one at contact.
-            if (set_.radius() > 0 || gap > resolution_ || normal_ == Vec3{}) normal_ = apart.normal;
+            // Else the normal of a step at a distance, or of a slab, is more accurate than one at contact.
+            const bool is_clear = is_round_ || apart.distance * touching > resolution_ * has_direction;
+            if (is_clear || normal_ == Vec3{}) normal_ = apart.normal;
+            if (gap < -4 * resolution_ && clear_gap > 0) {
+                // Too far, by a normal whose rounding a long way multiplies: back by the chord.
+                begin_ = clear + (begin_ - clear) * (clear_gap / (clear_gap - gap));
+                continue;
+            }
             if (gap <= resolution_) return begin_ > 0 || approach > 0;
+            clear = begin_;
+            clear_gap = gap;
             if (approach <= 0 || gap > approach * (1 - begin_)) return false;
             begin_ += gap / approach;
         }
@@ -104,8 +102,10 @@ private:
     const ConvexDifference& set_;
     Vec3 displacement_, normal_, on_other_;
     double resolution_;
-    double begin_ = 0, end_ = 1, widest_ = -infinity;
-    bool leaves_ = false, is_at_start_ = false;
+    bool is_round_;
+    SlabClip clip_;
+    double begin_ = 0;
+    bool is_at_start_ = false;
 };
 
 template <class Other, class Moving>

@@ -3,6 +3,7 @@
 #include "mesh/hull.h"
 
 #include "geometry/convex_pairs.h"
+#include "geometry/slab_clip.h"
 #include "mesh/mesh.h"
 
 namespace gphys {
@@ -102,101 +103,173 @@ namespace {
 
 // As for the separation of two convex shapes, relative to their size (convex_separation.cpp).
 constexpr double certain = 0x1p-44;
+// Squared sum of the normals of two faces that nearly coincide, back to back.
+constexpr double blade = 0x1p-20;
+// Relative to the size: a smaller radius makes no difference that the contract tells.
+constexpr double sharp = 0x1p-43;
 
-/// The largest gap of a hull and the core of a solid among the directions that can be normals of faces of their
-/// difference: normals of either, and of edges of both where the faces at an edge of the hull lie on different sides
-/// of the direction of the other edge, so that the normal is between theirs (Gauss map: Gregorius 2013).
-class HullAndCore {
-public:
-    /// Both relative to `from`.
-    HullAndCore(const Hull& hull, const Core& core, Vec3 from) : hull_(hull), core_(core), from_(from) {
-        for (const Hull::Face& face : hull.faces()) offer(face.normal, height(face.normal, face.triangle.a));
-        for (int k = 0; core.axis_count == 3 && k < 3; ++k) {
-            offer(core.axes[k], highest(core.axes[k]));
-            offer(-core.axes[k], highest(-core.axes[k]));
-        }
+/// visit(unit, gap) with the gap of a hull and the core of a solid, both relative to `from`, along all directions that
+/// can be normals of faces of their difference: normals of either, and of edges of both where the faces at an edge of
+/// the hull lie on different sides of the direction of the other edge, so that the normal is between theirs (Gauss map:
+/// Gregorius 2013). Stops when visit returns false, and returns false then.
+template <class Visit>
+bool for_each_gap(const Hull& hull, const Core& core, Vec3 from, const Visit& visit) {
+    const auto height = [&](Vec3 unit, Vec3 point) { return dot(unit, point - from); };
+    const auto visit_above = [&](Vec3 unit, double hull_height) {
+        double low = dot(unit, core.center);
+        for (int k = 0; k < core.axis_count; ++k) low -= core.half[k] * std::fabs(dot(unit, core.axes[k]));
+        return visit(unit, low - hull_height);
+    };
+    for (const Hull::Face& face : hull.faces()) {
+        if (!visit_above(face.normal, height(face.normal, face.triangle.a))) return false;
+    }
+    const auto visit_both = [&](Vec3 unit) {
+        double low = infinity, high = -infinity;
         for (const Hull::Edge& edge : hull.edges()) {
-            const Vec3 one = hull.faces()[edge.face[0]].normal, other = hull.faces()[edge.face[1]].normal;
-            for (int k = 0; k < core.axis_count; ++k) {
-                if (!(dot(one, core.axes[k]) * dot(other, core.axes[k]) < 0)) continue;
-                Vec3 unit = unit_across({}, core.axes[k], edge.a, edge.b);
-                if (dot(unit, one + other) < 0) unit = -unit;
-                if (unit != Vec3{}) offer(unit, height(unit, edge.a));
-            }
+            const double a = height(unit, edge.a), b = height(unit, edge.b);
+            low = std::min(low, std::min(a, b));
+            high = std::max(high, std::max(a, b));
+        }
+        return visit_above(unit, high) && visit_above(-unit, -low);
+    };
+    for (int k = 0; core.axis_count == 3 && k < 3; ++k) {
+        if (!visit_both(core.axes[k])) return false;
+    }
+    for (const Hull::Edge& edge : hull.edges()) {
+        const Vec3 one = hull.faces()[edge.face[0]].normal, other = hull.faces()[edge.face[1]].normal;
+        // Of a blade, rounding would say on which side the edge is.
+        const bool is_blade = length_squared(one + other) < blade;
+        for (int k = 0; k < core.axis_count; ++k) {
+            if (!is_blade && !(dot(one, core.axes[k]) * dot(other, core.axes[k]) < 0)) continue;
+            Vec3 unit = unit_across({}, core.axes[k], edge.a, edge.b);
+            if (unit == Vec3{}) continue;
+            if (dot(unit, one + other) < 0) unit = -unit;
+            if (!(is_blade ? visit_both(unit) : visit_above(unit, height(unit, edge.a)))) return false;
         }
     }
+    return true;
+}
 
-    double gap() const { return gap_; }
-    Vec3 normal() const { return normal_; }
-
-private:
-    void offer(Vec3 unit, double hull_height) {
-        double low = dot(unit, core_.center);
-        for (int k = 0; k < core_.axis_count; ++k) low -= core_.half[k] * std::fabs(dot(unit, core_.axes[k]));
-        if (low - hull_height > gap_) gap_ = low - hull_height, normal_ = unit;
-    }
-    double height(Vec3 unit, Vec3 point) const { return dot(unit, point - from_); }
-    double highest(Vec3 unit) const {
-        double highest = -infinity;
-        for (const Hull::Edge& edge : hull_.edges()) {
-            highest = std::max(highest, std::max(height(unit, edge.a), height(unit, edge.b)));
-        }
-        return highest;
+/// The largest of these gaps.
+struct WidestGap {
+    WidestGap(const Hull& hull, const Core& core, Vec3 from) {
+        for_each_gap(hull, core, from, [&](Vec3 unit, double along) {
+            if (along > gap) gap = along, normal = unit;
+            return true;
+        });
     }
 
-    const Hull& hull_;
-    const Core& core_;
-    Vec3 from_, normal_;
-    double gap_ = -infinity;
+    double gap = -infinity;
+    Vec3 normal;
 };
 
 }  // namespace
+
+double Mesh::hull_size(const Core& core, Vec3 from) const {
+    const Box box = bounds();
+    Vec3 reach = abs(core.center);
+    for (int k = 0; k < 3; ++k) reach[k] += std::max(std::fabs(box.min[k] - from[k]), std::fabs(box.max[k] - from[k]));
+    for (int k = 0; k < core.axis_count; ++k) reach += abs(core.axes[k]) * core.half[k];
+    return max_component(reach) + core.radius;
+}
+
+Vec3 Mesh::contact_on_hull(const Core& core, Vec3 from, Vec3 normal, double distance, double size,
+                           uint32_t& nearest_triangle) const {
+    // As contact_on_other: further apart, where of the triangles of the hull those that are highest are nearest.
+    const Vec3 apart = normal * (size * 0.5 - distance);
+    const auto height = [&](uint32_t i) {
+        const Triangle corners = relative_to(from, triangle(i));
+        return std::max({dot(normal, corners.a), dot(normal, corners.b), dot(normal, corners.c)});
+    };
+    double highest = -infinity, nearest = infinity;
+    for (uint32_t i = 0; i < triangle_count(); ++i) highest = std::max(highest, height(i));
+    Vec3 point;
+    for (uint32_t i = 0; i < triangle_count(); ++i) {
+        if (height(i) < highest - certain * size) continue;
+        const NearestDifference near = ConvexDifference(relative_to(from, triangle(i)), core).after(apart).nearest();
+        const double length = gphys::length(near.offset);
+        if (length < nearest) nearest = length, point = near.on_other, nearest_triangle = i;
+    }
+    return point;
+}
 
 Penetration Mesh::way_out_of_hull(const Shape& moving) const {
     return with_solid(moving, [&](const auto& solid) {
         const Vec3 from = reference_point(solid);
         const Core core = core_of(relative_to(from, solid));
-        const HullAndCore separation(hull_, core, from);
-        double size = 0;
-        const auto difference = [&](uint32_t triangle) {
-            return ConvexDifference(relative_to(from, this->triangle(triangle)), core);
-        };
-        for (uint32_t i = 0; i < triangle_count(); ++i) size = std::max(size, difference(i).size());
+        const WidestGap widest(hull_, core, from);
+        const double size = hull_size(core, from);
 
-        double distance = separation.gap();
-        Vec3 normal = separation.normal(), point;
+        double distance = widest.gap;
+        Vec3 normal = widest.normal, point;
         double nearest = infinity;
-        if (distance > certain * size) {
-            // Apart, the nearest points may be on edges and corners. What is rounded overlaps a triangle there.
+        NearestDifference between;
+        if (distance > -certain * size) {
+            // Apart, or beside an edge that is sharp, the nearest points may be on edges and corners. What is rounded
+            // overlaps a triangle there.
             for_each_overlap(moving, [&](uint32_t triangle) {
-                const NearestDifference near = difference(triangle).nearest();
+                const NearestDifference near =
+                    ConvexDifference(relative_to(from, this->triangle(triangle)), core).nearest();
                 const double length = gphys::length(near.offset);
-                if (length > 0 && length < nearest) {
-                    nearest = distance = length;
-                    normal = near.offset / -length;
-                    point = near.on_other;
-                }
+                if (length < nearest) nearest = length, between = near;
                 return true;
             });
         }
-        if (nearest == infinity) {
-            // As contact_on_other: further apart, where of the triangles of the hull those that are highest are
-            // nearest.
-            const Vec3 apart = normal * (size * 0.5 - distance);
-            double highest = -infinity;
-            const auto height = [&](uint32_t i) {
-                const Triangle corners = relative_to(from, this->triangle(i));
-                return std::max({dot(normal, corners.a), dot(normal, corners.b), dot(normal, corners.c)});
-            };
-            for (uint32_t i = 0; i < triangle_count(); ++i) highest = std::max(highest, height(i));
-            for (uint32_t i = 0; i < triangle_count(); ++i) {
-                if (height(i) < highest - certain * size) continue;
-                const NearestDifference near = difference(i).after(apart).nearest();
-                const double length = gphys::length(near.offset);
-                if (length < nearest) nearest = length, point = near.on_other;
-            }
+        const bool is_apart = nearest < infinity && nearest > certain * size;
+        if (is_apart) {
+            distance = nearest;
+            normal = between.offset / -nearest;
+            point = between.on_other;
         }
+        uint32_t triangle;
+        if (!is_apart) point = contact_on_hull(core, from, normal, distance, size, triangle);
         return Penetration{std::max(0.0, core.radius - distance), normal, from + point};
+    });
+}
+
+bool Mesh::is_sharp(const Shape& moving, Vec3 displacement) const {
+    return with_solid(moving, [&](const auto& solid) {
+        const Vec3 from = reference_point(solid);
+        const Core core = core_of(relative_to(from, solid));
+        return core.radius <= sharp * (hull_size(core, from) + max_component(abs(displacement)));
+    });
+}
+
+std::optional<bool> Mesh::sweep_sharp_at_hull(const Shape& moving, Vec3 displacement, Hit& hit) const {
+    return with_solid(moving, [&](const auto& solid) -> std::optional<bool> {
+        const Vec3 from = reference_point(solid);
+        Core core = core_of(relative_to(from, solid));
+        if (core.axis_count == 0) return raycast({from + core.center, displacement, 1}, hit);
+        const double size = hull_size(core, from);
+        SlabClip clip(touching * (size + max_component(abs(displacement))));
+        const bool meets = for_each_gap(
+            hull_, core, from, [&](Vec3 unit, double gap) { return clip.cut(gap, -dot(unit, displacement), unit); });
+        if (!meets || clip.is_empty()) return false;
+        hit = Hit{};
+        hit.t = std::min(clip.begin(), 1.0);
+        hit.normal = clip.normal();
+        if (hit.normal == Vec3{}) {
+            // Touching within rounding, without overlap.
+            hit.normal = clip.widest_normal();
+            if (!(dot(hit.normal, displacement) < 0)) return false;
+        }
+        core.center += displacement * hit.t;
+        hit.point = from + contact_on_hull(core, from, hit.normal, 0, size, hit.triangle);
+        // Beyond the edge of a blade the core may be within rounding of both planes and far from the hull.
+        const ConvexDifference there(relative_to(from, triangle(hit.triangle)), core);
+        if (length(there.nearest().offset) > sharp * (size + max_component(abs(displacement)))) return {};
+        barycentric(triangle(hit.triangle), hit.point, hit.u, hit.v);
+        return true;
+    });
+}
+
+void Mesh::turn_to_hull(const Shape& moving, Vec3 displacement, Hit& hit) const {
+    with_solid(moving, [&](const auto& solid) {
+        const Vec3 from = reference_point(solid);
+        Core core = core_of(relative_to(from, solid));
+        core.center += displacement * hit.t;
+        const WidestGap widest(hull_, core, from);
+        if (dot(widest.normal, displacement) < 0) hit.normal = widest.normal;
     });
 }
 

@@ -1,6 +1,9 @@
 #include "mesh/mesh.h"
 
 #include <new>
+
+#include "geometry/raycast_box.h"
+
 namespace gphys {
 
 namespace {
@@ -215,7 +218,7 @@ void Mesh::cross_many(decltype(MeshKernels::rays) kernel, const PreparedRay* ray
     const auto ray_of = [&](uint32_t i) -> const Ray& { return rays[i].sheared; };
     const auto probe_of = [&](uint32_t i) -> const RayProbe& { return rays[i].along; };
     RayPackets(bounds(), bvh_.size()).split(ray_of, probe_of, count, [&](uint32_t first, uint32_t last, bool together) {
-        kernel(bvh_.nodes(), bvh_.root(), packets_.data(), rays + first, last - first, together, exact,
+        kernel(bvh_.nodes(), bvh_.root(), packets_.data(), rays + first, last - first, together, is_hull(), exact,
                nearest + first);
     });
 }
@@ -237,6 +240,18 @@ uint64_t bits_of(uint32_t count, const Test& test) {
 
 }  // namespace
 
+template <class RayOf, class At>
+uint64_t Mesh::begin_inside(uint32_t count, const RayOf& ray_of, const At& at) const {
+    if (!is_hull()) return 0;
+    return bits_of(count, [&](uint32_t i) {
+        const Ray ray = ray_of(i);
+        Hit hit;
+        if (!contains(ray.origin) || !started_inside(ray, hit)) return false;
+        at(i, hit);
+        return true;
+    });
+}
+
 uint64_t Mesh::raycast_many(const gphys_ray* const* rays, uint32_t count, gphys_hit* const* out) const {
     if (packets_.empty() || count == 0) return 0;
     if (is_cast_singly()) {
@@ -246,8 +261,12 @@ uint64_t Mesh::raycast_many(const gphys_ray* const* rays, uint32_t count, gphys_
     NearestCrossing nearest[rays_at_once];
     kernels_.prepare(rays, count, rays_root_, prepared.of);
     cross_many(kernels_.rays, prepared.of, count, nearest);
-    return hits_of_others(kernels_.hits(prepared.of, nearest, count, out), count, out,
-                          [&](uint32_t i, Hit& hit) { return hit_at(nearest[i], prepared.of[i].sheared, hit); });
+    const uint64_t found =
+        hits_of_others(kernels_.hits(prepared.of, nearest, count, out), count, out,
+                       [&](uint32_t i, Hit& hit) { return hit_at(nearest[i], prepared.of[i].sheared, hit); });
+    return found | begin_inside(
+                       count, [&](uint32_t i) { return widen(*rays[i]); },
+                       [&](uint32_t i, const Hit& hit) { *out[i] = to_hit(hit); });
 }
 
 uint64_t Mesh::raycast_many(const Ray* rays, uint32_t count, const Transform& world, gphys_hit* const* out) const {
@@ -266,9 +285,15 @@ uint64_t Mesh::raycast_many(const Ray* rays, uint32_t count, const Transform& wo
     kernels_.prepare_placed(rays, count, world, rays_root_, prepared.of);
     cross_many(kernels_.rays, prepared.of, count, nearest);
     const uint64_t made = kernels_.placed_hits(prepared.of, nearest, count, world, out);
-    return hits_of_others(made, count, out, [&](uint32_t i, Hit& hit) {
+    const uint64_t found = hits_of_others(made, count, out, [&](uint32_t i, Hit& hit) {
         return placed(hit_at(nearest[i], prepared.of[i].sheared, hit), hit);
     });
+    return found | begin_inside(
+                       count, [&](uint32_t i) { return carried(rays[i], world); },
+                       [&](uint32_t i, Hit& hit) {
+                           placed(true, hit);
+                           *out[i] = to_hit(hit);
+                       });
 }
 
 uint64_t Mesh::distances_of(const PreparedRays& prepared, uint32_t count, gphys_distance* out) const {
@@ -292,7 +317,11 @@ uint64_t Mesh::raycast_distance_many(const gphys_ray* const* rays, uint32_t coun
     if (is_cast_singly()) return bits_of(count, [&](uint32_t i) { return raycast_distance(widen(*rays[i]), out[i]); });
     PreparedRays prepared;
     kernels_.prepare(rays, count, rays_root_, prepared.of);
-    return distances_of(prepared, count, out);
+    return distances_of(prepared, count, out) | begin_inside(
+                                                    count, [&](uint32_t i) { return widen(*rays[i]); },
+                                                    [&](uint32_t i, const Hit& hit) {
+                                                        out[i] = {reported(hit.t), 0, hit.triangle};
+                                                    });
 }
 
 uint64_t Mesh::raycast_distance_many(const Ray* rays, uint32_t count, const Transform& world,
@@ -303,7 +332,11 @@ uint64_t Mesh::raycast_distance_many(const Ray* rays, uint32_t count, const Tran
         return bits_of(count, [&](uint32_t i) { return raycast_distance(carried(rays[i], world), out[i]); });
     PreparedRays prepared;
     kernels_.prepare_placed(rays, count, world, rays_root_, prepared.of);
-    return distances_of(prepared, count, out);
+    return distances_of(prepared, count, out) | begin_inside(
+                                                    count, [&](uint32_t i) { return carried(rays[i], world); },
+                                                    [&](uint32_t i, const Hit& hit) {
+                                                        out[i] = {reported(hit.t), 0, hit.triangle};
+                                                    });
 }
 
 uint64_t Mesh::raycast_any_many(const gphys_ray* const* rays, uint32_t count) const {
@@ -311,7 +344,9 @@ uint64_t Mesh::raycast_any_many(const gphys_ray* const* rays, uint32_t count) co
     if (is_cast_singly()) return bits_of(count, [&](uint32_t i) { return raycast_any(widen(*rays[i])); });
     PreparedRays prepared;
     kernels_.prepare(rays, count, rays_root_, prepared.of);
-    return any_of(prepared, count);
+    return any_of(prepared, count) |
+           begin_inside(
+               count, [&](uint32_t i) { return widen(*rays[i]); }, [](uint32_t, const Hit&) {});
 }
 
 uint64_t Mesh::raycast_any_many(const Ray* rays, uint32_t count, const Transform& world) const {
@@ -319,7 +354,9 @@ uint64_t Mesh::raycast_any_many(const Ray* rays, uint32_t count, const Transform
     if (is_cast_singly()) return bits_of(count, [&](uint32_t i) { return raycast_any(carried(rays[i], world)); });
     PreparedRays prepared;
     kernels_.prepare_placed(rays, count, world, rays_root_, prepared.of);
-    return any_of(prepared, count);
+    return any_of(prepared, count) |
+           begin_inside(
+               count, [&](uint32_t i) { return carried(rays[i], world); }, [](uint32_t, const Hit&) {});
 }
 
 bool Mesh::raycast_any(const Ray& ray) const {
@@ -352,14 +389,15 @@ bool Mesh::sweep(const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties) c
         return magnified_->sweep(larger, displacement * magnification_, hit, ties) && reduce(hit);
     }
     if (is_hull()) {
-        if (moving.radius == 0) return raycast({moving.center, displacement, 1}, hit);
+        if (is_sharp(moving, displacement)) return raycast({moving.center, displacement, 1}, hit);
         if (overlaps(moving)) {
             start_in_hull(moving, displacement, hit);
             return true;
         }
     }
     const RayProbe probe(moving.center, displacement, moving.radius, bounds());
-    const bool as_reported = ties == Ties::as_reported;
+    // A hull is one solid: the triangle that is really met first has its normal.
+    const bool as_reported = ties == Ties::as_reported && !is_hull();
     Hit first;
     double first_t = infinity;
     bvh_.sweep(moving.center, displacement, moving.radius, [&](uint32_t number, double& t_max) {
@@ -389,15 +427,24 @@ bool Mesh::sweep(const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties) c
 bool Mesh::sweep(const Shape& moving, Vec3 displacement, Hit& hit) const {
     if (packets_.empty()) return false;
     if (const auto* sphere = std::get_if<Sphere>(&moving)) return sweep(*sphere, displacement, hit);
-    if (is_hull() && overlaps(moving)) {
-        start_in_hull(moving, hit);
-        return true;
-    }
     const BoxInMotion box(moving);
     const Vec3 half = box.half_with_rounding(bounds(), displacement);
+    if (is_hull()) {
+        const Box extent = bounds();
+        const Vec3 reach = half + Vec3{extent.max[0] - center_.x, extent.max[1] - center_.y, extent.max[2] - center_.z};
+        const double margin = 0x1p-48 * sum(abs(box.middle) + abs(center_) + reach);
+        if (!RayAndBox<Vec3>(box.middle - center_, reach, margin, displacement, 0, 1).may_meet()) return false;
+        if (overlaps(moving)) {
+            start_in_hull(moving, hit);
+            return true;
+        }
+        if (is_sharp(moving, displacement)) {
+            if (const std::optional<bool> met = sweep_sharp_at_hull(moving, displacement, hit)) return *met;
+        }
+    }
     const RayProbe probe(box.middle, displacement, half, bounds());
     Hit first;
-    float first_t = std::numeric_limits<float>::infinity();
+    double first_t = infinity;
     bvh_.sweep(box.middle, displacement, half, [&](uint32_t number, double& t_max) {
         const TrianglePacket& packet = packets_[number];
         const auto lanes_along = [&] { return kernels_.lanes_along(packet, probe, probe.limit(t_max)); };
@@ -407,18 +454,22 @@ bool Mesh::sweep(const Shape& moving, Vec3 displacement, Hit& hit) const {
                 packet, lane, [&](const auto& item) { return gphys::sweep(item, moving, displacement, candidate); });
             if (!met) return true;
             candidate.triangle = packet.index[lane];
-            const float t = reported(candidate.t);
+            // As for spheres.
+            const double t = is_hull() ? candidate.t : reported(candidate.t);
             if (t < first_t || (t == first_t && candidate.triangle < first.triangle)) {
                 first = candidate;
                 first_t = t;
-                t_max = std::min(t_max, limit_of_ties<double>(t));
+                t_max = std::min(t_max, is_hull() ? t : limit_of_ties(t));
             }
             return true;
         });
     });
     if (first.triangle == GPHYS_NO_TRIANGLE) return false;
     hit = first;
-    if (is_hull()) hit.flags &= ~uint32_t{GPHYS_HIT_BACK};  // of a triangle that is touched at its edge
+    if (is_hull()) {
+        hit.flags &= ~uint32_t{GPHYS_HIT_BACK};  // of a triangle that is touched at its edge
+        if (is_sharp(moving, displacement)) turn_to_hull(moving, displacement, hit);
+    }
     return true;
 }
 

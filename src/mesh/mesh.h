@@ -25,6 +25,8 @@
 
 namespace gphys {
 
+struct Core;
+
 class Mesh {
 public:
     /// `report` is that of the arrays and finds no bad vertex and no index out of range.
@@ -162,12 +164,25 @@ private:
 
     bool is_links() const { return kind_ == MeshKind::body_links; }
     /// Rays of a batch are cast one by one.
-    bool is_cast_singly() const { return magnified_ || is_links() || is_hull(); }
+    bool is_cast_singly() const { return magnified_ || is_links(); }
     /// Whether a ray that crosses a triangle that way meets the mesh there: a ray from outside a hull enters it by its
     /// front, also where it touches an edge only.
     bool counts(const TriangleCrossing& crossing) const { return !is_hull() || crossing.facing < 0; }
     /// The solid overlaps the hull.
     Penetration way_out_of_hull(const Shape& moving) const;
+    /// An upper bound of the coordinates of the hull's difference with a core, both relative to `from`.
+    double hull_size(const Core& core, Vec3 from) const;
+    /// Where a hull and a core touch, relative to `from`, if they are moved along the normal by their distance.
+    Vec3 contact_on_hull(const Core& core, Vec3 from, Vec3 normal, double distance, double size,
+                         uint32_t& nearest_triangle) const;
+    /// Whether a moving solid has no radius that would make a difference.
+    bool is_sharp(const Shape& moving, Vec3 displacement) const;
+    /// Of such a solid, without its radius, that does not overlap at the start: with the hull as a whole. Where it
+    /// meets an edge, each of the triangles there may be missed within rounding, and has normals that the hull has not.
+    /// No answer where rounding leaves it open.
+    std::optional<bool> sweep_sharp_at_hull(const Shape& moving, Vec3 displacement, Hit& hit) const;
+    /// A normal of the hull in place of that of a triangle.
+    void turn_to_hull(const Shape& moving, Vec3 displacement, Hit& hit) const;
     void start_in_hull(const Sphere& moving, Vec3 displacement, Hit& hit) const;
     void start_in_hull(const Shape& moving, Hit& hit) const;
     /// Whether some point of the shape, if it has any, is in a hull.
@@ -214,6 +229,9 @@ private:
         PreparedRay of[rays_at_once];
     };
     NearestCrossing first_crossing(const PreparedRay& ray) const;
+    /// Of rays, in the mesh's own space, those that begin in a hull: at(i, hit) for each. Bits of which.
+    template <class RayOf, class At>
+    uint64_t begin_inside(uint32_t count, const RayOf& ray_of, const At& at) const;
     /// By kernels_.rays or rays_any.
     void cross_many(decltype(MeshKernels::rays) kernel, const PreparedRay* rays, uint32_t count,
                     NearestCrossing* nearest) const;

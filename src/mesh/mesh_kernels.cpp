@@ -106,9 +106,9 @@ void walk_ray(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets
 template <class Order>
 class Crossing {
 public:
-    Crossing(const PreparedRay* rays, const TrianglePacket& any, CrossesTriangle exact, NearestCrossing* nearest,
-             float* limits)
-        : rays_(rays), exact_(exact), nearest_(nearest), limits_(limits), pairs_(any) {}
+    Crossing(const PreparedRay* rays, const TrianglePacket& any, bool only_front, CrossesTriangle exact,
+             NearestCrossing* nearest, float* limits)
+        : rays_(rays), only_front_(only_front), exact_(exact), nearest_(nearest), limits_(limits), pairs_(any) {}
 
     void add(uint32_t ray, const TrianglePacket& packet, uint32_t lanes) {
         for (; lanes != 0; lanes &= lanes - 1) {
@@ -140,12 +140,14 @@ public:
 
 private:
     bool take(uint32_t i, const TriangleCrossing& crossing, float t) {
+        if (only_front_ && crossing.facing >= 0) return false;
         return nearest_[pairs_.ray[i]].take(crossing, t, *pairs_.packet[i], pairs_.lane[i]);
     }
 
     void shorten(uint32_t i, float limit) { limits_[pairs_.ray[i]] = std::is_same_v<Order, AnyHit> ? -1 : limit; }
 
     const PreparedRay* rays_;
+    bool only_front_;
     CrossesTriangle exact_;
     NearestCrossing* nearest_;
     float* limits_;
@@ -154,10 +156,10 @@ private:
 
 template <class Order>
 void walk_rays(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay* rays,
-               uint32_t count, bool together, CrossesTriangle exact, NearestCrossing* nearest) {
+               uint32_t count, bool together, bool only_front, CrossesTriangle exact, NearestCrossing* nearest) {
     PacketLimits of_all(count, [&](uint32_t ray) { return rays[ray].limit; });
     float* const limits = of_all.limits;
-    Crossing<Order> crossing(rays, packets[0], exact, nearest, limits);
+    Crossing<Order> crossing(rays, packets[0], only_front, exact, nearest, limits);
     const auto add = [&](uint32_t ray, uint32_t number) {
         const TrianglePacket& packet = packets[number];
         crossing.add(ray, packet, TriangleTest(rays[ray].triangles).hits(packet, limits[ray]));

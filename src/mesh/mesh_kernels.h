@@ -27,13 +27,13 @@ struct MeshKernels {
     /// Roughly nearest first, through an BVH whose items are the numbers of `packets`.
     void (*ray)(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay& ray,
                 const PacketVisitor& to);
-    /// Where many rays first cross the triangles; up to RayPackets::most with the same signs of direction
-    /// may go together.
+    /// Where many rays first cross the triangles, or with `only_front` those whose front they meet; up to
+    /// RayPackets::most with the same signs of direction may go together.
     void (*rays)(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay* rays,
-                 uint32_t count, bool together, CrossesTriangle exact, NearestCrossing* nearest);
+                 uint32_t count, bool together, bool only_front, CrossesTriangle exact, NearestCrossing* nearest);
     /// The same for whether they cross any: where is of no interest.
     void (*rays_any)(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay* rays,
-                     uint32_t count, bool together, CrossesTriangle exact, NearestCrossing* nearest);
+                     uint32_t count, bool together, bool only_front, CrossesTriangle exact, NearestCrossing* nearest);
     /// The hits of rays that cross something. Bit i of the result is set if that of ray i is written.
     uint64_t (*hits)(const PreparedRay* rays, const NearestCrossing* nearest, uint32_t count, gphys_hit* const* out);
     // The lanes of one packet whose boxes meet a query.

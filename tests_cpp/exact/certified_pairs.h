@@ -150,6 +150,18 @@ public:
         return CGAL::certainly(low > zero_) &&
                (CGAL::certainly(reach <= zero_) || CGAL::certainly(low * low > reach * reach * dot(normal, normal)));
     }
+    /// Of the plane through the corners, or through their edge or the one, across the way to the origin.
+    Vec normal() const {
+        if (by_.count() == 1) return m_[0];
+        if (by_.count() == 2) return cross(m_[1] - m_[0], cross(m_[0], m_[1]));
+        const Vec up = cross(m_[1] - m_[0], m_[2] - m_[0]);
+        return CGAL::certainly(dot(up, m_[0]) < zero_) ? -up : up;
+    }
+    static Scalar lowest(const Rounded<Scalar>& solid, const Vec& normal) {
+        Scalar low = dot(normal, solid.corners[0]);
+        for (const Vec& corner : solid.corners) low = CGAL::min(low, dot(normal, corner));
+        return low;
+    }
 
 private:
     /// The point that the guess's weights make.
@@ -187,13 +199,6 @@ private:
                 return false;
         }
     }
-    /// Of the plane through the corners, or through their edge or the one, across the way to the origin.
-    Vec normal() const {
-        if (by_.count() == 1) return m_[0];
-        if (by_.count() == 2) return cross(m_[1] - m_[0], cross(m_[0], m_[1]));
-        const Vec up = cross(m_[1] - m_[0], m_[2] - m_[0]);
-        return CGAL::certainly(dot(up, m_[0]) < zero_) ? -up : up;
-    }
     bool holds_origin() const {
         bool all_up = true, all_down = true, some = false;
         for (int i = 0; i < 4; ++i) {
@@ -204,11 +209,6 @@ private:
             some = some || CGAL::certainly(volume != zero_);
         }
         return some && (all_up || all_down);
-    }
-    static Scalar lowest(const Rounded<Scalar>& solid, const Vec& normal) {
-        Scalar low = dot(normal, solid.corners[0]);
-        for (const Vec& corner : solid.corners) low = CGAL::min(low, dot(normal, corner));
-        return low;
     }
 
     const Rounded<Scalar>&a_, &b_;

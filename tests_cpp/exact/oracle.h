@@ -127,7 +127,7 @@ auto with_simplex(const gphys_triangle& t, const Answer& answer) {
 /// A convex solid as the corners of its core, counted from a reference, and the radius around them.
 template <class Scalar>
 struct Rounded {
-    boost::container::static_vector<VectorOf<Scalar>, 8> corners;
+    boost::container::static_vector<VectorOf<Scalar>, 16> corners;
     Scalar radius = 0;
 
     Rounded(std::initializer_list<gphys_vec3> points, gphys_vec3 from, Scalar r) : radius(r) {
