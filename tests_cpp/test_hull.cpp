@@ -264,7 +264,7 @@ TEST_CASE("a hull contains what is behind all of its faces, and nearest points a
             REQUIRE(std::fabs(distance(point, closest) - std::max(gap, 0.0)) <= 0x1p-23 * std::fabs(gap) + 1e-12);
             if (behind) REQUIRE((closest == point && triangle == GPHYS_NO_TRIANGLE));
             Vec3 normal;
-            if (behind) REQUIRE(std::fabs(hull->hull().depth(point, normal) + gap) < 1e-12);
+            if (behind) REQUIRE(std::fabs(hull->hull().depth(point, normal, {}) + gap) < 1e-12);
         }
     }
     CHECK(inside > 500);
@@ -441,7 +441,7 @@ TEST_CASE("a scene answers for hulls as a look at each of them does") {
     const HullMesh rock = random_hull(random, 40);
     std::vector<gphys_model_id> models;
     std::vector<gphys_transform> places;
-    gphys_model_desc desc{sizeof desc, 0, 1, 0};
+    gphys_model_desc desc{sizeof desc, 0, 1, 0, {1, 1, 1}};
     for (int i = 0; i < 300; ++i) {
         places.push_back({random.point(20), random.rotation(), random.uniform_float(0.3f, 2)});
         models.push_back(0);

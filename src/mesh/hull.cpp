@@ -43,43 +43,45 @@ void Hull::make(const Vector<gphys_vec3>& vertices, const Vector<uint32_t>& indi
     }
 }
 
-bool Hull::contains(Vec3 point) const {
+bool Hull::contains(Vec3 point, const AxisScale& axes) const {
     return !faces_.empty() && std::all_of(faces_.begin(), faces_.end(), [&](const Face& face) {
-        return orientation(face.triangle.a, face.triangle.b, face.triangle.c, point) <= 0;
+        const Triangle t = axes(face.triangle);
+        return orientation(t.a, t.b, t.c, point) <= 0;
     });
 }
 
-double Hull::depth(Vec3 point, Vec3& normal) const {
+double Hull::depth(Vec3 point, Vec3& normal, const AxisScale& axes) const {
     double highest = -infinity;
     for (const Face& face : faces_) {
-        const double height = dot(face.normal, point - face.triangle.a);
-        if (height > highest) highest = height, normal = face.normal;
+        const Vec3 unit = axes.normal(face.normal);
+        const double height = dot(unit, point - axes(face.triangle.a));
+        if (height > highest) highest = height, normal = unit;
     }
     return std::max(0.0, -highest);
 }
 
-bool Mesh::contains(Vec3 point) const {
+bool Mesh::contains(Vec3 point, const AxisScale& axes) const {
     if (!is_hull()) return false;
-    const Box box = bounds();
+    const Aabb box = axes(bounds());
     for (int k = 0; k < 3; ++k) {
         if (point[k] < box.min[k] || point[k] > box.max[k]) return false;
     }
-    return hull_.contains(point);
+    return hull_.contains(point, axes);
 }
 
-bool Mesh::holds_point_of(const Shape& shape) const {
+bool Mesh::holds_point_of(const Shape& shape, const AxisScale& axes) const {
     return std::visit(
         [&](const auto& each) {
             using S = std::decay_t<decltype(each)>;
             if constexpr (std::is_same_v<S, Plane>) {
                 return false;  // which has points outside, too, and so meets the surface
             } else if constexpr (std::is_same_v<S, Triangle>) {
-                return contains(each.a);
+                return contains(each.a, axes);
             } else if constexpr (std::is_same_v<S, Frustum>) {
                 Vec3 point;
-                return gphys::closest_point(each, center_, point) && contains(point);
+                return gphys::closest_point(each, axes(center_), point) && contains(point, axes);
             } else {
-                return contains(reference_point(each));
+                return contains(reference_point(each), axes);
             }
         },
         shape);
@@ -108,18 +110,23 @@ constexpr double certain = 0x1p-44;
 /// of the direction of the other edge, so that the normal is between theirs (Gauss map: Gregorius 2013).
 class HullAndCore {
 public:
-    /// Both relative to `from`.
-    HullAndCore(const Hull& hull, const Core& core, Vec3 from) : hull_(hull), core_(core), from_(from) {
-        for (const Hull::Face& face : hull.faces()) offer(face.normal, height(face.normal, face.triangle.a));
+    /// The scaled hull; both relative to `from`.
+    HullAndCore(const Hull& hull, const AxisScale& axes, const Core& core, Vec3 from)
+        : hull_(hull), axes_(axes), core_(core), from_(from) {
+        for (const Hull::Face& face : hull.faces()) {
+            const Vec3 normal = axes.normal(face.normal);
+            offer(normal, height(normal, face.triangle.a));
+        }
         for (int k = 0; core.axis_count == 3 && k < 3; ++k) {
             offer(core.axes[k], highest(core.axes[k]));
             offer(-core.axes[k], highest(-core.axes[k]));
         }
         for (const Hull::Edge& edge : hull.edges()) {
-            const Vec3 one = hull.faces()[edge.face[0]].normal, other = hull.faces()[edge.face[1]].normal;
+            const Vec3 one = axes.normal(hull.faces()[edge.face[0]].normal);
+            const Vec3 other = axes.normal(hull.faces()[edge.face[1]].normal);
             for (int k = 0; k < core.axis_count; ++k) {
                 if (!(dot(one, core.axes[k]) * dot(other, core.axes[k]) < 0)) continue;
-                Vec3 unit = unit_across({}, core.axes[k], edge.a, edge.b);
+                Vec3 unit = unit_across({}, core.axes[k], axes(edge.a), axes(edge.b));
                 if (dot(unit, one + other) < 0) unit = -unit;
                 if (unit != Vec3{}) offer(unit, height(unit, edge.a));
             }
@@ -135,7 +142,7 @@ private:
         for (int k = 0; k < core_.axis_count; ++k) low -= core_.half[k] * std::fabs(dot(unit, core_.axes[k]));
         if (low - hull_height > gap_) gap_ = low - hull_height, normal_ = unit;
     }
-    double height(Vec3 unit, Vec3 point) const { return dot(unit, point - from_); }
+    double height(Vec3 unit, Vec3 point) const { return dot(unit, axes_(point) - from_); }
     double highest(Vec3 unit) const {
         double highest = -infinity;
         for (const Hull::Edge& edge : hull_.edges()) {
@@ -145,6 +152,7 @@ private:
     }
 
     const Hull& hull_;
+    const AxisScale& axes_;
     const Core& core_;
     Vec3 from_, normal_;
     double gap_ = -infinity;
@@ -152,14 +160,14 @@ private:
 
 }  // namespace
 
-Penetration Mesh::way_out_of_hull(const Shape& moving) const {
+Penetration Mesh::way_out_of_hull(const Shape& moving, const AxisScale& axes) const {
     return with_solid(moving, [&](const auto& solid) {
         const Vec3 from = reference_point(solid);
         const Core core = core_of(relative_to(from, solid));
-        const HullAndCore separation(hull_, core, from);
+        const HullAndCore separation(hull_, axes, core, from);
         double size = 0;
         const auto difference = [&](uint32_t triangle) {
-            return ConvexDifference(relative_to(from, this->triangle(triangle)), core);
+            return ConvexDifference(relative_to(from, axes(this->triangle(triangle))), core);
         };
         for (uint32_t i = 0; i < triangle_count(); ++i) size = std::max(size, difference(i).size());
 
@@ -168,7 +176,7 @@ Penetration Mesh::way_out_of_hull(const Shape& moving) const {
         double nearest = infinity;
         if (distance > certain * size) {
             // Apart, the nearest points may be on edges and corners. What is rounded overlaps a triangle there.
-            for_each_overlap(moving, [&](uint32_t triangle) {
+            const auto find_nearest = [&](uint32_t triangle) {
                 const NearestDifference near = difference(triangle).nearest();
                 const double length = gphys::length(near.offset);
                 if (length > 0 && length < nearest) {
@@ -177,7 +185,8 @@ Penetration Mesh::way_out_of_hull(const Shape& moving) const {
                     point = near.on_other;
                 }
                 return true;
-            });
+            };
+            for_each_overlap(moving, find_nearest, axes);
         }
         if (nearest == infinity) {
             // As contact_on_other: further apart, where of the triangles of the hull those that are highest are
@@ -185,7 +194,7 @@ Penetration Mesh::way_out_of_hull(const Shape& moving) const {
             const Vec3 apart = normal * (size * 0.5 - distance);
             double highest = -infinity;
             const auto height = [&](uint32_t i) {
-                const Triangle corners = relative_to(from, this->triangle(i));
+                const Triangle corners = relative_to(from, axes(this->triangle(i)));
                 return std::max({dot(normal, corners.a), dot(normal, corners.b), dot(normal, corners.c)});
             };
             for (uint32_t i = 0; i < triangle_count(); ++i) highest = std::max(highest, height(i));
@@ -200,8 +209,8 @@ Penetration Mesh::way_out_of_hull(const Shape& moving) const {
     });
 }
 
-void Mesh::start_in_hull(const Shape& moving, Hit& hit) const {
-    const Penetration way = way_out_of_hull(moving);
+void Mesh::start_in_hull(const Shape& moving, Hit& hit, const AxisScale& axes) const {
+    const Penetration way = way_out_of_hull(moving, axes);
     hit = Hit{};
     hit.t = 0;
     hit.point = way.point;
@@ -210,12 +219,12 @@ void Mesh::start_in_hull(const Shape& moving, Hit& hit) const {
 }
 
 /// As at other solids (sweep.cpp): away from the nearest point, and against the motion from within.
-void Mesh::start_in_hull(const Sphere& moving, Vec3 displacement, Hit& hit) const {
+void Mesh::start_in_hull(const Sphere& moving, Vec3 displacement, Hit& hit, const AxisScale& axes) const {
     hit = Hit{};
     hit.t = 0;
     hit.flags = GPHYS_HIT_INSIDE;
     uint32_t triangle;
-    closest_point(moving.center, infinity, hit.point, triangle);
+    closest_point(moving.center, infinity, hit.point, triangle, axes);
     const Vec3 out = moving.center != hit.point ? moving.center - hit.point : -displacement;
     if (out != Vec3{}) hit.normal = normalized(out);
 }
