@@ -41,7 +41,8 @@ void World::run() {
                             &World::save_scene,
                             &World::misuse_scene,
                             &World::add,
-                            &World::set_shape};
+                            &World::set_shape,
+                            &World::set_scale};
     constexpr Op queries[] = {
         &World::raycast,          &World::raycast,          &World::segment_test,  &World::overlap,
         &World::nearest,          &World::nearest,          &World::sweep,         &World::cull,

@@ -50,6 +50,7 @@ private:
     void set_parent();
     void set_properties();
     void set_shape();
+    void set_scale();
     void set_scene_origin();
     void save_scene();
     void restore_scene();

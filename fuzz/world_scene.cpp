@@ -145,7 +145,7 @@ void World::add_batch() {
     std::vector<gphys_model_id> ids(count + 1, 0xa5a5a5a5);
     const gphys_transform* given = with_transforms ? locals.data() : nullptr;
     const uint32_t local_stride = sizeof(gphys_transform);
-    std::vector<gphys_model_desc> descs(count + 1, gphys_model_desc{sizeof(gphys_model_desc), 0, 1, 0});
+    std::vector<gphys_model_desc> descs(count + 1, gphys_model_desc{sizeof(gphys_model_desc), 0, 1, 0, {1, 1, 1}});
     const bool described = count % 2 == 1;
     for (uint32_t i = 0; described && i < count; ++i) {
         if (i % 2 == 1 && !models_.empty()) descs[i].parent = models_[i % models_.size()].id;
@@ -311,6 +311,54 @@ void World::set_shape() {
     if (status != GPHYS_OK) return;
     model(id)->shape = shape;
     model(id)->source = is_mesh ? &sources_[which] : nullptr;
+}
+
+/// What is compared with the models' shapes knows no scales: each is one again in the end.
+void World::set_scale() {
+    const gphys_model_id id = any_id();
+    const uint64_t before = scene_hash();
+    const auto factor = [&] {
+        return p_.one_in(4)
+                   ? 1.0f
+                   : std::ldexp(1.0f + static_cast<float>(p_.below(100)) / 64, static_cast<int>(p_.below(12)) - 6);
+    };
+    gphys_vec3 scale{factor(), factor(), factor()}, is{};
+    if (p_.one_in(3)) scale.y = scale.z = scale.x;
+    if (p_.one_in(20)) scale.y = static_cast<float>(p_.hostile());
+    if (p_.one_in(10)) memory_.fail_after(p_.below(3));
+    const gphys_status status = call(gphys_scene_set_scale, scene_, id, &scale);
+    const bool out_of_memory = memory_.has_failed();
+    memory_.never_fail();
+    FUZZ_CHECK(status != GPHYS_OK || model(id), "only models have scales");
+    FUZZ_CHECK(status != GPHYS_ERROR_OUT_OF_MEMORY || out_of_memory, "memory is short only where hooks fail");
+    FUZZ_CHECK(status == GPHYS_OK || scene_hash() == before, "a scale that is refused changes nothing");
+    if (status != GPHYS_OK) return;
+    FUZZ_CHECK(call(gphys_scene_get_scale, scene_, id, &is) == GPHYS_OK && std::memcmp(&is, &scale, sizeof is) == 0,
+               "a scale is read as it was set");
+    FUZZ_CHECK(call(gphys_scene_validate, scene_) == GPHYS_OK, "a scene with a scale is sound");
+    gphys_ray rays[8];
+    gphys_hit hits[8], hit{};
+    for (gphys_ray& ray : rays) ray = p_.ray();
+    if (call(gphys_scene_raycast_batch, scene_, rays, uint32_t{sizeof rays[0]}, 8u, 7u, hits,
+             uint32_t{sizeof hits[0]}) == GPHYS_OK) {
+        for (int i = 0; i < 8; ++i) {
+            const bool met = call(gphys_scene_raycast, scene_, &rays[i], 7u, &hit) == GPHYS_OK;
+            FUZZ_CHECK(met == (hits[i].model != 0) && (!met || std::memcmp(&hit, &hits[i], sizeof hit) == 0),
+                       "scaled models are met alike by a ray and by a batch");
+        }
+    }
+    const std::vector<uint32_t> words = scene_snapshot(0);
+    gphys_scene* copy = nullptr;
+    uint32_t hash[2] = {};
+    FUZZ_CHECK(
+        call(gphys_scene_create, nullptr, &copy) == GPHYS_OK &&
+            call(gphys_scene_restore, copy, scene_, words.data(), static_cast<uint32_t>(words.size())) == GPHYS_OK &&
+            call(gphys_scene_get_hash, copy, hash) == GPHYS_OK && (uint64_t{hash[1]} << 32 | hash[0]) == scene_hash(),
+        "scales are in snapshots");
+    gphys_scene_destroy(copy);
+    const gphys_vec3 one{1, 1, 1};
+    FUZZ_CHECK(call(gphys_scene_set_scale, scene_, id, &one) == GPHYS_OK && scene_hash() == before,
+               "without its scale a model is what it was");
 }
 
 void World::set_scene_origin() {
@@ -544,9 +592,9 @@ void World::misuse_scene() {
         call(gphys_scene_create, nullptr, nullptr),
         call(gphys_scene_desc_init, nullptr, 32u)};
     for (const gphys_status status : refused) FUZZ_CHECK(status < 0, "a call that makes no sense is refused");
-    if (desc.struct_size < sizeof desc) {
+    if (desc.struct_size < offsetof(gphys_model_desc, scale)) {
         FUZZ_CHECK(call(gphys_scene_add, scene_, sphere, &ball, &local, &desc, &out) == GPHYS_ERROR_STRUCT_SIZE,
-                   "a desc that was not initialised is refused");
+                   "a desc that is smaller than that of 1.0 is refused");
     }
 }
 

@@ -804,6 +804,7 @@ typedef struct gphys_model_desc {
     gphys_model_id parent; /* 0: none */
     uint32_t layers;       /* a query with mask m sees the model if layers & m; default 1 */
     uint32_t tag;          /* any number of the caller's, returned with each hit; 0 */
+    gphys_vec3 scale;      /* as gphys_scene_set_scale sets it; 1 1 1, and 0 0 0 is the same. Since 1.1 */
 } gphys_model_desc;
 
 /** Fill a desc with the defaults of gphys_scene_add, which are stated beside its fields.
@@ -817,8 +818,9 @@ GPHYS_API gphys_status gphys_model_desc_init(gphys_model_desc* desc, uint32_t si
  *  @param shape      in the model's own coordinates
  *  @param transform  local; NULL is the identity
  *  @param desc       NULL: no parent, layer 1, tag 0
- *  @return GPHYS_ERROR_UNSUPPORTED for another type, GPHYS_ERROR_INVALID_ID for a stale parent,
- *          GPHYS_ERROR_CAPACITY beyond 2^24 - 1 models
+ *  @return GPHYS_ERROR_UNSUPPORTED for another type, or a scale that the shape cannot have
+ *          (gphys_scene_set_scale), GPHYS_ERROR_INVALID_ID for a stale parent, GPHYS_ERROR_CAPACITY beyond
+ *          2^24 - 1 models
  *  Cost: O(log n) amortised. */
 GPHYS_API gphys_status gphys_scene_add(gphys_scene* scene, gphys_shape_type type, const void* shape,
                                        const gphys_transform* transform, const gphys_model_desc* desc,
@@ -842,7 +844,7 @@ GPHYS_API gphys_status gphys_scene_add_batch(gphys_scene* scene, gphys_shape_typ
  *                     models that the scene has before the call
  *  @param out_models  count elements
  *  @return as gphys_scene_add; GPHYS_ERROR_STRUCT_SIZE as for a single desc
- *  Cost: as gphys_scene_add_batch; with a stride of descs that is not 0, 16 bytes a model are allocated for the
+ *  Cost: as gphys_scene_add_batch; with a stride of descs that is not 0, 28 bytes a model are allocated for the
  *  time of the call. */
 GPHYS_API gphys_status gphys_scene_add_described_batch(gphys_scene* scene, gphys_shape_type type, const void* shapes,
                                                        uint32_t shape_stride, const gphys_transform* transforms,
@@ -888,7 +890,7 @@ GPHYS_API gphys_status gphys_scene_get_children(const gphys_scene* scene, gphys_
                                                 gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total);
 /** Kind, parent, layers, tag and number of children of a model. Cost: O(1). */
 GPHYS_API gphys_status gphys_scene_get_info(const gphys_scene* scene, gphys_model_id model, gphys_model_info* out_info);
-/** Copy a model's shape, in its own coordinates.
+/** Copy a model's shape as it was given, in its own coordinates and without its scale.
  *  @param out_shape  has room for the struct of the model's type (gphys_scene_get_info)
  *  @param out_size   that room, in bytes
  *  @return GPHYS_ERROR_UNSUPPORTED for a mesh
@@ -906,15 +908,36 @@ GPHYS_API gphys_status gphys_scene_get_bounds(const gphys_scene* scene, gphys_mo
 GPHYS_API gphys_status gphys_scene_get_scene_bounds(const gphys_scene* scene, gphys_aabb* out_bounds);
 
 /** Give a model another shape, or another mesh, of any type that gphys_scene_add takes: a character
- *  crouches, a level of detail changes, a wall breaks. Its id, parent, children, tag, layers and transforms
- *  stay. Sleeping bodies near it wake, and particles that are inside then come out as they do of any solid.
+ *  crouches, a level of detail changes, a wall breaks. Its id, parent, children, tag, layers, scale and
+ *  transforms stay. Sleeping bodies near it wake, and particles that are inside then come out as they do
+ *  of any solid.
  *  @param type, shape  as in gphys_scene_add: a struct, copied, or a mesh with GPHYS_SHAPE_MESH. The scene
  *                      holds the new mesh and no longer the old one, which may be the same.
- *  @return GPHYS_ERROR_UNSUPPORTED for a frustum, ray or segment; GPHYS_ERROR_INVALID_ARGUMENT also if the
- *          model would leave the range of the world; GPHYS_ERROR_OUT_OF_MEMORY
+ *  @return GPHYS_ERROR_UNSUPPORTED for a frustum, ray or segment, and for a shape that cannot have the
+ *          model's scale (gphys_scene_set_scale); GPHYS_ERROR_INVALID_ARGUMENT also if the model would leave
+ *          the range of the world; GPHYS_ERROR_OUT_OF_MEMORY
  *  Cost: as gphys_scene_set_transform of a model without children, whatever the size of a mesh. */
 GPHYS_API gphys_status gphys_scene_set_shape(gphys_scene* scene, gphys_model_id model, gphys_shape_type type,
                                              const void* shape);
+
+/** Scale a model's own shape along the three axes of the model, before its transform: a tree grows, a unit box
+ *  becomes a wall, a rock is stretched. Every query, and solvers, see the scaled shape; normals are those of
+ *  its surface. Children are not affected: they follow the transform, whose scale is one number. What is set
+ *  replaces what was set before.
+ *    A mesh or a hull is scaled exactly, without a copy: answers are those of a mesh of the scaled vertices.
+ *  Of a box or a triangle each number is multiplied and rounded to float32. A sphere, capsule or plane, and an
+ *  OBB whose own rotation is not the identity, take three equal numbers only.
+ *  @param scale  x, y, z, each from 1e-15 to 1e15
+ *  @return GPHYS_ERROR_UNSUPPORTED for numbers that are not equal where they have to be, and for the mesh of a
+ *          rope or of particles (gphys_mesh_create_from_body) unless it is 1 1 1; GPHYS_ERROR_INVALID_ARGUMENT
+ *          also if a coordinate of the scaled shape would exceed GPHYS_MAX_COORDINATE, if a number times that of
+ *          a mesh's world transform is not from 1e-15 to 1e15, or if the model would leave the range of the world;
+ *          GPHYS_ERROR_OUT_OF_MEMORY
+ *  Cost: as gphys_scene_set_transform of a model without children. Models that have a scale take 16 bytes more if
+ *  they are meshes, else 52, up to the highest id. Queries of a scaled mesh or hull take 1 to 11 % more. */
+GPHYS_API gphys_status gphys_scene_set_scale(gphys_scene* scene, gphys_model_id model, const gphys_vec3* scale);
+/** The scale of a model's own shape, 1 1 1 unless another was set. Cost: O(1). */
+GPHYS_API gphys_status gphys_scene_get_scale(const gphys_scene* scene, gphys_model_id model, gphys_vec3* out_scale);
 
 /** Change which queries see a model: those with a mask m of which layers & m is not 0. Children are not
  *  affected.

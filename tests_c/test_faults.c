@@ -274,6 +274,7 @@ static void shapes_and_scene(session* s) {
     static const gphys_plane floor = {{0, 1, 0}, -3};
     static const gphys_capsule capsule = {{0, -0.3f, 0}, {0, 0.3f, 0}, 0.2f};
     static const gphys_triangle triangle = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}};
+    static const gphys_vec3 stretched = {2, 1, 0.5f};
     const double origin[3] = {0.5, 0, -0.25};
     gphys_transform places[64];
     gphys_model_desc child;
@@ -318,6 +319,9 @@ static void shapes_and_scene(session* s) {
     DO(gphys_scene_set_shape(s->scene, s->models[4], GPHYS_SHAPE_PLANE, &floor));
     DO(gphys_scene_set_shape(s->scene, s->models[41], GPHYS_SHAPE_TRIANGLE, &triangle));
     DO(gphys_scene_set_shape(s->scene, s->models[4], GPHYS_SHAPE_MESH, s->mesh));
+    DO(gphys_scene_set_scale(s->scene, s->models[4], &stretched));
+    DO(gphys_scene_set_scale(s->scene, s->models[41], &stretched));
+    DO(gphys_scene_set_scale(s->scene, s->models[44], &stretched));
     DO(gphys_scene_set_shape(s->scene, s->models[40], GPHYS_SHAPE_SPHERE, &ball));
     DO(gphys_scene_remove(s->scene, s->models[10]));
     DO(gphys_scene_remove_subtree(s->scene, s->models[45]));

@@ -203,9 +203,10 @@ TEST_CASE("rays of a batch at a hull have the bits of single rays") {
             wide[k].direction = world.apply_to_vector(wide[k].direction);
         }
         gphys_distance distances[64];
-        const uint64_t all = hull->raycast_many(of, 64, out), placed = hull->raycast_many(wide, 64, world, placed_out);
+        const MeshPlace place{world, {}};
+        const uint64_t all = hull->raycast_many(of, 64, out), placed = hull->raycast_many(wide, 64, place, placed_out);
         REQUIRE(hull->raycast_any_many(of, 64) == all);
-        REQUIRE(hull->raycast_any_many(wide, 64, world) == placed);
+        REQUIRE(hull->raycast_any_many(wide, 64, place) == placed);
         REQUIRE(hull->raycast_distance_many(of, 64, distances) == all);
         for (int k = 0; k < 64; ++k) {
             Hit hit;
@@ -320,7 +321,7 @@ TEST_CASE("a hull contains what is behind all of its faces, and nearest points a
             REQUIRE(std::fabs(distance(point, closest) - std::max(gap, 0.0)) <= 0x1p-23 * std::fabs(gap) + 1e-12);
             if (behind) REQUIRE((closest == point && triangle == GPHYS_NO_TRIANGLE));
             Vec3 normal;
-            if (behind) REQUIRE(std::fabs(hull->hull().depth(point, normal) + gap) < 1e-12);
+            if (behind) REQUIRE(std::fabs(hull->hull().depth(point, normal, {}) + gap) < 1e-12);
         }
     }
     CHECK(inside > 500);
@@ -497,7 +498,7 @@ TEST_CASE("a scene answers for hulls as a look at each of them does") {
     const HullMesh rock = random_hull(random, 40);
     std::vector<gphys_model_id> models;
     std::vector<gphys_transform> places;
-    gphys_model_desc desc{sizeof desc, 0, 1, 0};
+    gphys_model_desc desc{sizeof desc, 0, 1, 0, {1, 1, 1}};
     for (int i = 0; i < 300; ++i) {
         places.push_back({random.point(20), random.rotation(), random.uniform_float(0.3f, 2)});
         models.push_back(0);

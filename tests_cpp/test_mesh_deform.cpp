@@ -152,6 +152,7 @@ TEST_CASE("scenes follow a mesh that deforms: all its models, in every scene") {
     const MeshPtr rigid = made(straight, false);
     Scene scenes[2] = {Scene(nullptr), Scene(nullptr)};
     gphys_model_desc desc{};
+    desc.scale = {1, 1, 1};
     desc.layers = 1;
     std::vector<gphys_model_id> models[2];
     std::vector<gphys_transform> places[2];
@@ -212,6 +213,7 @@ TEST_CASE("a form that a model cannot have is refused, and nothing changes") {
     const MeshPtr mesh = made(ball, true);
     Scene scene(nullptr);
     gphys_model_desc desc{};
+    desc.scale = {1, 1, 1};
     desc.layers = 1;
     gphys_model_id models[2];
     const gphys_transform places[2] = {{{0, 0, 0}, {0, 0, 0, 1}, 1}, {{9, 0, 0}, {0, 0, 0, 1}, 1e9f}};

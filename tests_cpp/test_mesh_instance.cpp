@@ -76,10 +76,10 @@ TEST_CASE("a ray that meets a mesh is never held off by what encloses it") {
             REQUIRE(raycast(instance, ray, hit) == truth);
             REQUIRE(raycast_any(instance, ray) == truth);
             REQUIRE((!truth || (hit.t == expected.t && hit.triangle == expected.triangle)));
-            const Mesh* pointer = mesh;
+            const ModelMesh held{mesh, no_scale};
             const ConservativeRay quick(ray);
             const TriState verdict =
-                conservative_verdict(pointer, stored, [&](const auto& shape) { return quick(shape, ray.t_max); });
+                conservative_verdict(held, stored, [&](const auto& shape) { return quick(shape, ray.t_max); });
             REQUIRE(verdict != TriState::yes);
             REQUIRE_FALSE((truth && verdict == TriState::no));
             conservative_no += verdict == TriState::no;

@@ -33,6 +33,7 @@ struct World {
             const gphys_capsule capsule{{-1, 0, 0}, {1, 0.5f, 0}, 0.25f};
             const gphys_transform transform{random.point(extent), random.rotation(), 1};
             gphys_model_desc desc{};
+            desc.scale = {1, 1, 1};
             desc.layers = 1u << random.index(3);
             gphys_model_id model = 0;
             const gphys_shape_type types[] = {GPHYS_SHAPE_SPHERE, GPHYS_SHAPE_OBB, GPHYS_SHAPE_CAPSULE};

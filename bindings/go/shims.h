@@ -752,6 +752,29 @@ static inline go_gphys_scene_set_shape_result go_gphys_scene_set_shape(void* sce
     return r;
 }
 
+typedef struct go_gphys_scene_set_scale_result {
+    gphys_status status;
+    char* message;
+} go_gphys_scene_set_scale_result;
+static inline go_gphys_scene_set_scale_result go_gphys_scene_set_scale(void* scene, gphys_model_id model, gphys_vec3 scale) {
+    go_gphys_scene_set_scale_result r = {0};
+    r.status = gphys_scene_set_scale(scene, model, &scale);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_get_scale_result {
+    gphys_status status;
+    char* message;
+    gphys_vec3 out_scale;
+} go_gphys_scene_get_scale_result;
+static inline go_gphys_scene_get_scale_result go_gphys_scene_get_scale(void* scene, gphys_model_id model) {
+    go_gphys_scene_get_scale_result r = {0};
+    r.status = gphys_scene_get_scale(scene, model, &r.out_scale);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_scene_set_layers_result {
     gphys_status status;
     char* message;

@@ -416,6 +416,8 @@ type ModelDesc struct {
 	Layers uint32
 	// any number of the caller's, returned with each hit; 0
 	Tag uint32
+	// as Scene.SetScale sets it; 1 1 1, and 0 0 0 is the same. Since 1.1
+	Scale Vec3
 }
 
 // What a model is. Frozen.
@@ -833,6 +835,7 @@ var (
 	_ [unsafe.Offsetof(C.gphys_model_desc{}.parent)]byte = [unsafe.Offsetof(ModelDesc{}.Parent)]byte{}
 	_ [unsafe.Offsetof(C.gphys_model_desc{}.layers)]byte = [unsafe.Offsetof(ModelDesc{}.Layers)]byte{}
 	_ [unsafe.Offsetof(C.gphys_model_desc{}.tag)]byte = [unsafe.Offsetof(ModelDesc{}.Tag)]byte{}
+	_ [unsafe.Offsetof(C.gphys_model_desc{}.scale)]byte = [unsafe.Offsetof(ModelDesc{}.Scale)]byte{}
 	_ [C.sizeof_gphys_model_info]byte = [unsafe.Sizeof(ModelInfo{})]byte{}
 	_ [unsafe.Offsetof(C.gphys_model_info{}._type)]byte = [unsafe.Offsetof(ModelInfo{}.Type)]byte{}
 	_ [unsafe.Offsetof(C.gphys_model_info{}.parent)]byte = [unsafe.Offsetof(ModelInfo{}.Parent)]byte{}

@@ -262,6 +262,8 @@ export interface ModelDesc {
     layers: number;
     /** any number of the caller's, returned with each hit; 0 */
     tag: number;
+    /** as Scene.setScale sets it; 1 1 1, and 0 0 0 is the same. Since 1.1 */
+    scale: number[];
 }
 /** What a model is. Frozen. */
 export interface ModelInfo {
@@ -742,7 +744,8 @@ export class Scene {
      * @param shape - in the model's own coordinates
      * @param transform - local; null is the identity
      * @param desc - null: no parent, layer 1, tag 0
-     * @throws {GamephysError} ERROR_UNSUPPORTED: for another type
+     * @throws {GamephysError} ERROR_UNSUPPORTED: for another type, or a scale that the shape cannot have
+     *     (Scene.setScale)
      * @throws {GamephysError} ERROR_INVALID_ID: for a stale parent
      * @throws {GamephysError} ERROR_CAPACITY: beyond 2^24 - 1 models */
     add(shape: AnyShape, transform?: Given<Transform> | null, desc?: Partial<ModelDesc> | null): number;
@@ -800,17 +803,40 @@ export class Scene {
      * @returns null if there are none. */
     getSceneBounds(): Aabb | null;
     /** Give a model another shape, or another mesh, of any type that Scene.add takes: a character crouches,
-     * a level of detail changes, a wall breaks. Its id, parent, children, tag, layers and transforms stay.
-     * Sleeping bodies near it wake, and particles that are inside then come out as they do of any solid.
+     * a level of detail changes, a wall breaks. Its id, parent, children, tag, layers, scale and
+     * transforms stay. Sleeping bodies near it wake, and particles that are inside then come out as they
+     * do of any solid.
      * Cost: as Scene.setTransform of a model without children, whatever the size of a mesh.
      * @param shape - as in Scene.add: a struct, copied, or a mesh with SHAPE_MESH. The scene holds the new
      *     mesh and no longer the old one, which may be the same.
      * @param shape - as in Scene.add: a struct, copied, or a mesh with SHAPE_MESH. The scene holds the new
      *     mesh and no longer the old one, which may be the same.
-     * @throws {GamephysError} ERROR_UNSUPPORTED: for a frustum, ray or segment
+     * @throws {GamephysError} ERROR_UNSUPPORTED: for a frustum, ray or segment, and for a shape that
+     *     cannot have the model's scale (Scene.setScale)
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: also if the model would leave the range of the world
      * @throws {GamephysError} ERROR_OUT_OF_MEMORY: */
     setShape(model: number, shape: AnyShape): void;
+    /** Scale a model's own shape along the three axes of the model, before its transform: a tree grows, a
+     * unit box becomes a wall, a rock is stretched. Every query, and solvers, see the scaled shape;
+     * normals are those of its surface. Children are not affected: they follow the transform, whose scale
+     * is one number. What is set replaces what was set before. A mesh or a hull is scaled exactly, without
+     * a copy: answers are those of a mesh of the scaled vertices. Of a box or a triangle each number is
+     * multiplied and rounded to float32. A sphere, capsule or plane, and an OBB whose own rotation is not
+     * the identity, take three equal numbers only.
+     * Cost: as Scene.setTransform of a model without children. Models that have a scale take 16 bytes more
+     * if they are meshes, else 52, up to the highest id. Queries of a scaled mesh or hull take 1 to 11 %
+     * more.
+     * @param scale - x, y, z, each from 1e-15 to 1e15
+     * @throws {GamephysError} ERROR_UNSUPPORTED: for numbers that are not equal where they have to be, and
+     *     for the mesh of a rope or of particles (Mesh) unless it is 1 1 1
+     * @throws {GamephysError} ERROR_INVALID_ARGUMENT: also if a coordinate of the scaled shape would
+     *     exceed MAX_COORDINATE, if a number times that of a mesh's world transform is not from 1e-15 to
+     *     1e15, or if the model would leave the range of the world
+     * @throws {GamephysError} ERROR_OUT_OF_MEMORY: */
+    setScale(model: number, scale: Given<number[]>): void;
+    /** The scale of a model's own shape, 1 1 1 unless another was set.
+     * Cost: O(1). */
+    getScale(model: number): number[];
     /** Change which queries see a model: those with a mask m of which layers & m is not 0. Children are not
      * affected.
      * Cost: O(1).

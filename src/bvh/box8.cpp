@@ -109,6 +109,22 @@ PointProbe::PointProbe(Vec3 point, const Box& root) {
     }
 }
 
+// Another rounding for each gap: a factor of 1 + 8u in all. What the point is off by is multiplied, too.
+WeightedPointProbe::WeightedPointProbe(Vec3 point, Vec3 weights, const Box& root) : PointProbe(point, root) {
+    slack_ = 0;
+    for (int k = 0; k < 3; ++k) {
+        const double weight_k = weights[k];
+        const double furthest =
+            std::max(std::fabs(point[k]), double{std::max(std::fabs(root.min[k]), std::fabs(root.max[k]))});
+        slack_ = std::max(slack_, rounding_slack(weight_k * furthest));
+        // As if clamped where the weights count.
+        const double clamped = std::clamp(point[k], -0x1p61 / weight_k, 0x1p61 / weight_k);
+        low[k] = round_down(clamped - 0x1p-52 * std::fabs(clamped));
+        high[k] = round_up(clamped + 0x1p-52 * std::fabs(clamped));
+        weight[k] = static_cast<float>(weight_k);
+    }
+}
+
 float PointProbe::limit(double max_distance) const {
     if (max_distance < 0) return -1;
     const double reach = std::min(max_distance + slack_, 0x1p62) * (1 + 16 * unit_roundoff);

@@ -136,8 +136,16 @@ struct PointProbe {
 
     float low[3], high[3];  // the point between two floats on each axis
 
-private:
+protected:
     double slack_;
+};
+
+/// The same where distances along each axis count by a weight of its own. The point is that of the boxes as they are.
+struct WeightedPointProbe : PointProbe {
+    /// `weights` are floats.
+    WeightedPointProbe(Vec3 point, Vec3 weights, const Box& root);
+
+    float weight[3];
 };
 
 /// Boxes that a ball touches, or holds.

@@ -90,16 +90,34 @@ public:
 
     /// Lanes whose squared distance is at most `limit`.
     uint32_t hits(const Box8& boxes, float limit, Float8& distance_squared) const {
-        const auto gap = [&](int k) {
-            return max(max(load_aligned(boxes.row[k]) - high_[k], low_[k] - load_aligned(boxes.row[3 + k])), splat(0));
-        };
-        const Float8 x = gap(0), y = gap(1), z = gap(2);
+        return within(gap(boxes, 0), gap(boxes, 1), gap(boxes, 2), limit, distance_squared);
+    }
+
+protected:
+    Float8 gap(const Box8& boxes, int k) const {
+        return max(max(load_aligned(boxes.row[k]) - high_[k], low_[k] - load_aligned(boxes.row[3 + k])), splat(0));
+    }
+    static uint32_t within(Float8 x, Float8 y, Float8 z, float limit, Float8& distance_squared) {
         distance_squared = x * x + y * y + z * z;
         return bits(distance_squared <= splat(limit));
     }
 
 private:
     Float8 low_[3], high_[3];
+};
+
+class WeightedPointTest : PointTest {
+public:
+    explicit WeightedPointTest(const WeightedPointProbe& probe)
+        : PointTest(probe), weight_{splat(probe.weight[0]), splat(probe.weight[1]), splat(probe.weight[2])} {}
+
+    uint32_t hits(const Box8& boxes, float limit, Float8& distance_squared) const {
+        return within(gap(boxes, 0) * weight_[0], gap(boxes, 1) * weight_[1], gap(boxes, 2) * weight_[2], limit,
+                      distance_squared);
+    }
+
+private:
+    Float8 weight_[3];
 };
 
 /// Boxes that share a point with a given one: exact.

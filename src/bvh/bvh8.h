@@ -87,6 +87,9 @@ public:
     /// the query.
     template <class Visit>
     void nearest(Vec3 point, double max_distance, Visit&& visit, ItemMemory items = {}) const;
+    /// The same with a probe of the bounds.
+    template <class Visit>
+    void nearest(const WeightedPointProbe& probe, double max_distance, Visit&& visit) const;
     /// visit(item, wholly_inside), or visit(items, count, wholly_inside) for several, or visit(items, count)
     /// if that is of no use, returns whether to go on; the result is false if one did not.
     /// `items_inside` is what it reads of those wholly inside.

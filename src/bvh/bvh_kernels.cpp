@@ -135,6 +135,7 @@ extern const BvhKernels bvh_kernels{
     many_rays<ClosestHit>,
     many_rays<AnyHit>,
     closest_hit<PointTest, PointProbe>,
+    closest_hit<WeightedPointTest, WeightedPointProbe>,
     any_hit,
     overlap<BoxTest, Box>,
     overlap<BallTest, BallProbe>,

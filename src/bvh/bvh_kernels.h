@@ -80,6 +80,8 @@ struct BvhKernels {
     void (*rays_any)(const BvhNode* nodes, uint32_t root, const RayProbe* probes, const float* limits, uint32_t count,
                      bool is_packet, const BvhRayVisitor& to);
     void (*point)(const BvhNode* nodes, uint32_t root, const PointProbe& probe, float limit, const BvhVisitor& to);
+    void (*weighted_point)(const BvhNode* nodes, uint32_t root, const WeightedPointProbe& probe, float limit,
+                           const BvhVisitor& to);
     // In no order.
     void (*ray_any)(const BvhNode* nodes, uint32_t root, const RayProbe& probe, float limit, const BvhVisitor& to);
     // False if a visitor ended it.

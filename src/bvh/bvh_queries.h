@@ -115,6 +115,12 @@ void Bvh8::nearest(Vec3 point, double max_distance, Visit&& visit, ItemMemory it
     traverse_to_bound(kernels_.point, PointProbe(point, bounds_), max_distance, visit, items);
 }
 
+template <class Visit>
+void Bvh8::nearest(const WeightedPointProbe& probe, double max_distance, Visit&& visit) const {
+    if (root_ == none) return;
+    traverse_to_bound(kernels_.weighted_point, probe, max_distance, visit, {});
+}
+
 /// A visitor of lists, or of single items as one of lists.
 template <class Visit>
 BvhListVisitor Bvh8::list_visitor(Visit& visit, ItemMemory items, ItemMemory items_inside) {

@@ -16,10 +16,10 @@ namespace {
 // The size in release 1.0. The next field is a pointer, because a smaller one would lie in the padding at the end of
 // the old desc, which old clients need not have cleared.
 constexpr size_t scene_desc_size = offsetof(gphys_scene_desc, task_runner);
-constexpr size_t model_desc_size = sizeof(gphys_model_desc);
+constexpr size_t model_desc_size = offsetof(gphys_model_desc, scale);
 
 constexpr gphys_scene_desc default_scene_desc{sizeof(gphys_scene_desc), nullptr, 0, nullptr, 0, 0};
-constexpr gphys_model_desc default_model_desc{sizeof(gphys_model_desc), 0, 1, 0};
+constexpr gphys_model_desc default_model_desc{sizeof(gphys_model_desc), 0, 1, 0, no_scale};
 
 gphys_status check_shapes(const Workers& workers, gphys_shape_type type, const void* shapes, uint32_t stride,
                           uint32_t count) {
@@ -54,6 +54,17 @@ gphys_status check_transforms(const Workers& workers, const gphys_transform* tra
 }
 
 /// Each model has a desc of its own if desc_stride is not 0.
+gphys_status check_scale(const char* name, const gphys_vec3& scale) {
+    const Defect defect = defect_of_scale(scale);
+    return defect ? fail(GPHYS_ERROR_INVALID_ARGUMENT, name, defect) : GPHYS_OK;
+}
+
+/// Of a desc, which a program of 1.0 that is built anew may have filled with zeros.
+gphys_status complete_scale(const char* name, gphys_model_desc& desc) {
+    if (desc.scale.x == 0 && desc.scale.y == 0 && desc.scale.z == 0) desc.scale = no_scale;
+    return check_scale(name, desc.scale);
+}
+
 gphys_status add_models(gphys_scene* scene, gphys_shape_type type, const void* shapes, uint32_t shape_stride,
                         const gphys_transform* transforms, uint32_t transform_stride, const gphys_model_desc* descs,
                         uint32_t desc_stride, uint32_t count, gphys_model_id* out_models) {
@@ -65,13 +76,15 @@ gphys_status add_models(gphys_scene* scene, gphys_shape_type type, const void* s
     if (!descs || desc_stride == 0) {
         gphys_model_desc desc = default_model_desc;
         GPHYS_TRY(read_desc(descs, desc, model_desc_size));
+        GPHYS_TRY(complete_scale("desc.scale", desc));
         return unwrap(scene)->add(type, shapes, shape_stride, transforms, transform_stride, count, desc, out_models);
     }
     GPHYS_TRY(check_stride("desc_stride", desc_stride, model_desc_size));
     Vector<gphys_model_desc> read(count, default_model_desc, &unwrap(scene)->memory);
     const Strided<char> desc(reinterpret_cast<const char*>(descs), desc_stride);
     GPHYS_TRY(check_each(workers, count, [&](uint32_t i) {
-        return read_desc_element(&desc[i], "desc_stride", desc_stride, read[i], model_desc_size);
+        GPHYS_TRY(read_desc_element(&desc[i], "desc_stride", desc_stride, read[i], model_desc_size));
+        return complete_scale("descs.scale", read[i]);
     }));
     return unwrap(scene)->add(type, shapes, shape_stride, transforms, transform_stride, count,
                               Strided<gphys_model_desc>(read.data(), sizeof(gphys_model_desc)), out_models);
@@ -291,7 +304,7 @@ gphys_status gphys_scene_get_shape(const gphys_scene* scene, gphys_model_id mode
         }
         const size_t size = shape_struct_size(s.type(model));
         GPHYS_REQUIRE_IN_RANGE(out_size >= size, "out_size", out_size, "at least the size of the model's shape");
-        s.copy_shape(model, out_shape);
+        s.copy_unscaled_shape(model, out_shape);
         return GPHYS_OK;
     });
 }
@@ -324,6 +337,23 @@ gphys_status gphys_scene_set_shape(gphys_scene* scene, gphys_model_id model, gph
         GPHYS_REQUIRE_POINTERS(scene);
         GPHYS_TRY(check_shapes(unwrap(scene)->workers(), type, shape, 0, 1));
         return unwrap(scene)->set_shape(model, type, shape);
+    });
+}
+
+gphys_status gphys_scene_set_scale(gphys_scene* scene, gphys_model_id model, const gphys_vec3* scale) {
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(scene, scale);
+        GPHYS_TRY(check_scale("scale", *scale));
+        return unwrap(scene)->set_scale(model, *scale);
+    });
+}
+
+gphys_status gphys_scene_get_scale(const gphys_scene* scene, gphys_model_id model, gphys_vec3* out_scale) {
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(scene, out_scale);
+        GPHYS_TRY(unwrap(scene)->check(model));
+        *out_scale = unwrap(scene)->scale(model);
+        return GPHYS_OK;
     });
 }
 

@@ -118,6 +118,10 @@ GPHYS_INLINE constexpr Vec<N> by_component(const Vec<N>& a, const Vec<N>& b) {
     return {a.x * b.x, a.y * b.y, a.z * b.z};
 }
 template <class N>
+GPHYS_INLINE constexpr Vec<N> quotients(const Vec<N>& a, const Vec<N>& b) {
+    return {a.x / b.x, a.y / b.y, a.z / b.z};
+}
+template <class N>
 GPHYS_INLINE constexpr Vec<N> plus(const Vec<N>& a, const Same<N>& b) {
     return {a.x + b, a.y + b, a.z + b};
 }

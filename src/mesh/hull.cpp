@@ -44,43 +44,45 @@ void Hull::make(const Vector<gphys_vec3>& vertices, const Vector<uint32_t>& indi
     }
 }
 
-bool Hull::contains(Vec3 point) const {
+bool Hull::contains(Vec3 point, const AxisScale& axes) const {
     return !faces_.empty() && std::all_of(faces_.begin(), faces_.end(), [&](const Face& face) {
-        return orientation(face.triangle.a, face.triangle.b, face.triangle.c, point) <= 0;
+        const Triangle t = axes(face.triangle);
+        return orientation(t.a, t.b, t.c, point) <= 0;
     });
 }
 
-double Hull::depth(Vec3 point, Vec3& normal) const {
+double Hull::depth(Vec3 point, Vec3& normal, const AxisScale& axes) const {
     double highest = -infinity;
     for (const Face& face : faces_) {
-        const double height = dot(face.normal, point - face.triangle.a);
-        if (height > highest) highest = height, normal = face.normal;
+        const Vec3 unit = axes.normal(face.normal);
+        const double height = dot(unit, point - axes(face.triangle.a));
+        if (height > highest) highest = height, normal = unit;
     }
     return std::max(0.0, -highest);
 }
 
-bool Mesh::contains(Vec3 point) const {
+bool Mesh::contains(Vec3 point, const AxisScale& axes) const {
     if (!is_hull()) return false;
-    const Box box = bounds();
+    const Aabb box = axes(bounds());
     for (int k = 0; k < 3; ++k) {
         if (point[k] < box.min[k] || point[k] > box.max[k]) return false;
     }
-    return hull_.contains(point);
+    return hull_.contains(point, axes);
 }
 
-bool Mesh::holds_point_of(const Shape& shape) const {
+bool Mesh::holds_point_of(const Shape& shape, const AxisScale& axes) const {
     return std::visit(
         [&](const auto& each) {
             using S = std::decay_t<decltype(each)>;
             if constexpr (std::is_same_v<S, Plane>) {
                 return false;  // which has points outside, too, and so meets the surface
             } else if constexpr (std::is_same_v<S, Triangle>) {
-                return contains(each.a);
+                return contains(each.a, axes);
             } else if constexpr (std::is_same_v<S, Frustum>) {
                 Vec3 point;
-                return gphys::closest_point(each, center_, point) && contains(point);
+                return gphys::closest_point(each, axes(center_), point) && contains(point, axes);
             } else {
-                return contains(reference_point(each));
+                return contains(reference_point(each), axes);
             }
         },
         shape);
@@ -108,20 +110,21 @@ constexpr double blade = 0x1p-20;
 // Relative to the size: a smaller radius makes no difference that the contract tells.
 constexpr double sharp = 0x1p-43;
 
-/// visit(unit, gap) with the gap of a hull and the core of a solid, both relative to `from`, along all directions that
-/// can be normals of faces of their difference: normals of either, and of edges of both where the faces at an edge of
-/// the hull lie on different sides of the direction of the other edge, so that the normal is between theirs (Gauss map:
-/// Gregorius 2013). Stops when visit returns false, and returns false then.
+/// visit(unit, gap) with the gap of the scaled hull and the core of a solid, both relative to `from`, along all
+/// directions that can be normals of faces of their difference: normals of either, and of edges of both where the faces
+/// at an edge of the hull lie on different sides of the direction of the other edge, so that the normal is between
+/// theirs (Gauss map: Gregorius 2013). Stops when visit returns false, and returns false then.
 template <class Visit>
-bool for_each_gap(const Hull& hull, const Core& core, Vec3 from, const Visit& visit) {
-    const auto height = [&](Vec3 unit, Vec3 point) { return dot(unit, point - from); };
+bool for_each_gap(const Hull& hull, const AxisScale& axes, const Core& core, Vec3 from, const Visit& visit) {
+    const auto height = [&](Vec3 unit, Vec3 point) { return dot(unit, axes(point) - from); };
     const auto visit_above = [&](Vec3 unit, double hull_height) {
         double low = dot(unit, core.center);
         for (int k = 0; k < core.axis_count; ++k) low -= core.half[k] * std::fabs(dot(unit, core.axes[k]));
         return visit(unit, low - hull_height);
     };
     for (const Hull::Face& face : hull.faces()) {
-        if (!visit_above(face.normal, height(face.normal, face.triangle.a))) return false;
+        const Vec3 normal = axes.normal(face.normal);
+        if (!visit_above(normal, height(normal, face.triangle.a))) return false;
     }
     const auto visit_both = [&](Vec3 unit) {
         double low = infinity, high = -infinity;
@@ -136,12 +139,13 @@ bool for_each_gap(const Hull& hull, const Core& core, Vec3 from, const Visit& vi
         if (!visit_both(core.axes[k])) return false;
     }
     for (const Hull::Edge& edge : hull.edges()) {
-        const Vec3 one = hull.faces()[edge.face[0]].normal, other = hull.faces()[edge.face[1]].normal;
+        const Vec3 one = axes.normal(hull.faces()[edge.face[0]].normal);
+        const Vec3 other = axes.normal(hull.faces()[edge.face[1]].normal);
         // Of a blade, rounding would say on which side the edge is.
         const bool is_blade = length_squared(one + other) < blade;
         for (int k = 0; k < core.axis_count; ++k) {
             if (!is_blade && !(dot(one, core.axes[k]) * dot(other, core.axes[k]) < 0)) continue;
-            Vec3 unit = unit_across({}, core.axes[k], edge.a, edge.b);
+            Vec3 unit = unit_across({}, core.axes[k], axes(edge.a), axes(edge.b));
             if (unit == Vec3{}) continue;
             if (dot(unit, one + other) < 0) unit = -unit;
             if (!(is_blade ? visit_both(unit) : visit_above(unit, height(unit, edge.a)))) return false;
@@ -152,8 +156,8 @@ bool for_each_gap(const Hull& hull, const Core& core, Vec3 from, const Visit& vi
 
 /// The largest of these gaps.
 struct WidestGap {
-    WidestGap(const Hull& hull, const Core& core, Vec3 from) {
-        for_each_gap(hull, core, from, [&](Vec3 unit, double along) {
+    WidestGap(const Hull& hull, const AxisScale& axes, const Core& core, Vec3 from) {
+        for_each_gap(hull, axes, core, from, [&](Vec3 unit, double along) {
             if (along > gap) gap = along, normal = unit;
             return true;
         });
@@ -165,8 +169,8 @@ struct WidestGap {
 
 }  // namespace
 
-double Mesh::hull_size(const Core& core, Vec3 from) const {
-    const Box box = bounds();
+double Mesh::hull_size(const Core& core, Vec3 from, const AxisScale& axes) const {
+    const Aabb box = axes(bounds());
     Vec3 reach = abs(core.center);
     for (int k = 0; k < 3; ++k) reach[k] += std::max(std::fabs(box.min[k] - from[k]), std::fabs(box.max[k] - from[k]));
     for (int k = 0; k < core.axis_count; ++k) reach += abs(core.axes[k]) * core.half[k];
@@ -174,11 +178,11 @@ double Mesh::hull_size(const Core& core, Vec3 from) const {
 }
 
 Vec3 Mesh::contact_on_hull(const Core& core, Vec3 from, Vec3 normal, double distance, double size,
-                           uint32_t& nearest_triangle) const {
+                           uint32_t& nearest_triangle, const AxisScale& axes) const {
     // As contact_on_other: further apart, where of the triangles of the hull those that are highest are nearest.
     const Vec3 apart = normal * (size * 0.5 - distance);
     const auto height = [&](uint32_t i) {
-        const Triangle corners = relative_to(from, triangle(i));
+        const Triangle corners = relative_to(from, axes(triangle(i)));
         return std::max({dot(normal, corners.a), dot(normal, corners.b), dot(normal, corners.c)});
     };
     double highest = -infinity, nearest = infinity;
@@ -186,19 +190,20 @@ Vec3 Mesh::contact_on_hull(const Core& core, Vec3 from, Vec3 normal, double dist
     Vec3 point;
     for (uint32_t i = 0; i < triangle_count(); ++i) {
         if (height(i) < highest - certain * size) continue;
-        const NearestDifference near = ConvexDifference(relative_to(from, triangle(i)), core).after(apart).nearest();
+        const NearestDifference near =
+            ConvexDifference(relative_to(from, axes(triangle(i))), core).after(apart).nearest();
         const double length = gphys::length(near.offset);
         if (length < nearest) nearest = length, point = near.on_other, nearest_triangle = i;
     }
     return point;
 }
 
-Penetration Mesh::way_out_of_hull(const Shape& moving) const {
+Penetration Mesh::way_out_of_hull(const Shape& moving, const AxisScale& axes) const {
     return with_solid(moving, [&](const auto& solid) {
         const Vec3 from = reference_point(solid);
         const Core core = core_of(relative_to(from, solid));
-        const WidestGap widest(hull_, core, from);
-        const double size = hull_size(core, from);
+        const WidestGap widest(hull_, axes, core, from);
+        const double size = hull_size(core, from, axes);
 
         double distance = widest.gap;
         Vec3 normal = widest.normal, point;
@@ -207,13 +212,14 @@ Penetration Mesh::way_out_of_hull(const Shape& moving) const {
         if (distance > -certain * size) {
             // Apart, or beside an edge that is sharp, the nearest points may be on edges and corners. What is rounded
             // overlaps a triangle there.
-            for_each_overlap(moving, [&](uint32_t triangle) {
+            const auto find_nearest = [&](uint32_t triangle) {
                 const NearestDifference near =
-                    ConvexDifference(relative_to(from, this->triangle(triangle)), core).nearest();
+                    ConvexDifference(relative_to(from, axes(this->triangle(triangle))), core).nearest();
                 const double length = gphys::length(near.offset);
                 if (length < nearest) nearest = length, between = near;
                 return true;
-            });
+            };
+            for_each_overlap(moving, find_nearest, axes);
         }
         const bool is_apart = nearest < infinity && nearest > certain * size;
         if (is_apart) {
@@ -222,28 +228,30 @@ Penetration Mesh::way_out_of_hull(const Shape& moving) const {
             point = between.on_other;
         }
         uint32_t triangle;
-        if (!is_apart) point = contact_on_hull(core, from, normal, distance, size, triangle);
+        if (!is_apart) point = contact_on_hull(core, from, normal, distance, size, triangle, axes);
         return Penetration{std::max(0.0, core.radius - distance), normal, from + point};
     });
 }
 
-bool Mesh::is_sharp(const Shape& moving, Vec3 displacement) const {
+bool Mesh::is_sharp(const Shape& moving, Vec3 displacement, const AxisScale& axes) const {
     return with_solid(moving, [&](const auto& solid) {
         const Vec3 from = reference_point(solid);
         const Core core = core_of(relative_to(from, solid));
-        return core.radius <= sharp * (hull_size(core, from) + max_component(abs(displacement)));
+        return core.radius <= sharp * (hull_size(core, from, axes) + max_component(abs(displacement)));
     });
 }
 
-std::optional<bool> Mesh::sweep_sharp_at_hull(const Shape& moving, Vec3 displacement, Hit& hit) const {
+std::optional<bool> Mesh::sweep_sharp_at_hull(const Shape& moving, Vec3 displacement, Hit& hit,
+                                              const AxisScale& axes) const {
     return with_solid(moving, [&](const auto& solid) -> std::optional<bool> {
         const Vec3 from = reference_point(solid);
         Core core = core_of(relative_to(from, solid));
-        if (core.axis_count == 0) return raycast({from + core.center, displacement, 1}, hit);
-        const double size = hull_size(core, from);
+        if (core.axis_count == 0) return sweep_point_at_hull({from + core.center, displacement, 1}, hit, axes);
+        const double size = hull_size(core, from, axes);
         SlabClip clip(touching * (size + max_component(abs(displacement))));
-        const bool meets = for_each_gap(
-            hull_, core, from, [&](Vec3 unit, double gap) { return clip.cut(gap, -dot(unit, displacement), unit); });
+        const bool meets = for_each_gap(hull_, axes, core, from, [&](Vec3 unit, double gap) {
+            return clip.cut(gap, -dot(unit, displacement), unit);
+        });
         if (!meets || clip.is_empty()) return false;
         hit = Hit{};
         hit.t = std::min(clip.begin(), 1.0);
@@ -254,27 +262,28 @@ std::optional<bool> Mesh::sweep_sharp_at_hull(const Shape& moving, Vec3 displace
             if (!(dot(hit.normal, displacement) < 0)) return false;
         }
         core.center += displacement * hit.t;
-        hit.point = from + contact_on_hull(core, from, hit.normal, 0, size, hit.triangle);
+        hit.point = from + contact_on_hull(core, from, hit.normal, 0, size, hit.triangle, axes);
+        const Triangle met = axes(triangle(hit.triangle));
         // Beyond the edge of a blade the core may be within rounding of both planes and far from the hull.
-        const ConvexDifference there(relative_to(from, triangle(hit.triangle)), core);
+        const ConvexDifference there(relative_to(from, met), core);
         if (length(there.nearest().offset) > sharp * (size + max_component(abs(displacement)))) return {};
-        barycentric(triangle(hit.triangle), hit.point, hit.u, hit.v);
+        barycentric(met, hit.point, hit.u, hit.v);
         return true;
     });
 }
 
-void Mesh::turn_to_hull(const Shape& moving, Vec3 displacement, Hit& hit) const {
+void Mesh::turn_to_hull(const Shape& moving, Vec3 displacement, Hit& hit, const AxisScale& axes) const {
     with_solid(moving, [&](const auto& solid) {
         const Vec3 from = reference_point(solid);
         Core core = core_of(relative_to(from, solid));
         core.center += displacement * hit.t;
-        const WidestGap widest(hull_, core, from);
+        const WidestGap widest(hull_, axes, core, from);
         if (dot(widest.normal, displacement) < 0) hit.normal = widest.normal;
     });
 }
 
-void Mesh::start_in_hull(const Shape& moving, Hit& hit) const {
-    const Penetration way = way_out_of_hull(moving);
+void Mesh::start_in_hull(const Shape& moving, Hit& hit, const AxisScale& axes) const {
+    const Penetration way = way_out_of_hull(moving, axes);
     hit = Hit{};
     hit.t = 0;
     hit.point = way.point;
@@ -283,12 +292,12 @@ void Mesh::start_in_hull(const Shape& moving, Hit& hit) const {
 }
 
 /// As at other solids (sweep.cpp): away from the nearest point, and against the motion from within.
-void Mesh::start_in_hull(const Sphere& moving, Vec3 displacement, Hit& hit) const {
+void Mesh::start_in_hull(const Sphere& moving, Vec3 displacement, Hit& hit, const AxisScale& axes) const {
     hit = Hit{};
     hit.t = 0;
     hit.flags = GPHYS_HIT_INSIDE;
     uint32_t triangle;
-    closest_point(moving.center, infinity, hit.point, triangle);
+    closest_point(moving.center, infinity, hit.point, triangle, axes);
     const Vec3 out = moving.center != hit.point ? moving.center - hit.point : -displacement;
     if (out != Vec3{}) hit.normal = normalized(out);
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "foundation/memory.h"
-#include "shapes/shapes.h"
+#include "mesh/mesh_place.h"
 
 namespace gphys {
 
@@ -27,10 +27,12 @@ public:
     /// For each triangle, the number of its face.
     const Vector<uint32_t>& face_of() const { return face_of_; }
 
+    // Of the scaled hull.
+
     /// Exact. A hull without faces holds nothing.
-    bool contains(Vec3 point) const;
+    bool contains(Vec3 point, const AxisScale& axes) const;
     /// How deep a point is in the hull, and the normal of the face that is nearest.
-    double depth(Vec3 point, Vec3& normal) const;
+    double depth(Vec3 point, Vec3& normal, const AxisScale& axes) const;
 
 private:
     Vector<Face> faces_;

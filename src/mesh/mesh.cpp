@@ -1,5 +1,7 @@
 #include "mesh/mesh.h"
 
+#include "foundation/exact.h"
+
 #include <new>
 
 #include "geometry/raycast_box.h"
@@ -141,6 +143,12 @@ const Mesh* Mesh::make_magnified(const Vector<gphys_vec3>& vertices, double& mag
     return create<Mesh>(memory.hooks(), from, report_, isa_);
 }
 
+double Mesh::radius(const AxisScale& axes) const {
+    if (axes.is_one() || packets_.empty()) return radius_;
+    const Aabb box = axes(bounds());
+    return std::min(radius_ * axes.largest(), length(box.max - box.min) * 0.5) * (1 + 0x1p-50);
+}
+
 void Mesh::release(const Mesh* mesh) noexcept {
     // Acquire: the destroyer sees all that others did before they let go.
     if (mesh->holds_.fetch_sub(1, std::memory_order_acq_rel) == 1) destroy(const_cast<Mesh*>(mesh));
@@ -225,9 +233,9 @@ void Mesh::cross_many(decltype(MeshKernels::rays) kernel, const PreparedRay* ray
 
 namespace {
 
-/// A ray where a mesh that stands at `world` has its own points.
-Ray carried(const Ray& ray, const Transform& world) {
-    return {world.inverse_apply(ray.origin), world.inverse_apply_to_vector(ray.direction), ray.t_max};
+/// A ray where a mesh that stands there has its own points.
+Ray carried(const Ray& ray, const MeshPlace& place) {
+    return {place.inverse_apply(ray.origin), place.inverse_apply_to_vector(ray.direction), ray.t_max};
 }
 
 /// Bit i is set if test(i).
@@ -269,29 +277,49 @@ uint64_t Mesh::raycast_many(const gphys_ray* const* rays, uint32_t count, gphys_
                        [&](uint32_t i, const Hit& hit) { *out[i] = to_hit(hit); });
 }
 
-uint64_t Mesh::raycast_many(const Ray* rays, uint32_t count, const Transform& world, gphys_hit* const* out) const {
+void Mesh::carry_out(Hit& hit, const Ray& ray, const MeshPlace& place) const {
+    hit.point = place.apply(hit.point);
+    if (place.axes.is_one()) {
+        hit.normal = place.world.rotation * hit.normal;
+        return;
+    }
+    Vec3 face;
+    if (hit.triangle != GPHYS_NO_TRIANGLE) {
+        const Triangle corners = triangle(hit.triangle);
+        face = accurate_cross(corners.a, corners.b, corners.a, corners.c);
+    }
+    // Without a face the normal is that of the ray (hit_at, started_inside).
+    if (face != Vec3{}) {
+        const Vec3 normal = place.axes.normal(normalized(face));
+        hit.normal = place.world.rotation * ((hit.flags & GPHYS_HIT_BACK) != 0 ? -normal : normal);
+    } else if (ray.direction != Vec3{}) {
+        hit.normal = -normalized(ray.direction);
+    }
+}
+
+uint64_t Mesh::raycast_many(const Ray* rays, uint32_t count, const MeshPlace& place, gphys_hit* const* out) const {
     if (packets_.empty() || count == 0) return 0;
-    const auto placed = [&](bool found, Hit& hit) {
-        hit.point = world.apply(hit.point);
-        hit.normal = world.rotation * hit.normal;
+    const auto placed = [&](uint32_t i, bool found, Hit& hit) {
+        if (found) carry_out(hit, rays[i], place);
         return found;
     };
     if (is_cast_singly()) {
-        return hits_of_others(0, count, out,
-                              [&](uint32_t i, Hit& hit) { return placed(raycast(carried(rays[i], world), hit), hit); });
+        return hits_of_others(
+            0, count, out, [&](uint32_t i, Hit& hit) { return placed(i, raycast(carried(rays[i], place), hit), hit); });
     }
     PreparedRays prepared;
     NearestCrossing nearest[rays_at_once];
-    kernels_.prepare_placed(rays, count, world, rays_root_, prepared.of);
+    kernels_.prepare_placed(rays, count, place, rays_root_, prepared.of);
     cross_many(kernels_.rays, prepared.of, count, nearest);
-    const uint64_t made = kernels_.placed_hits(prepared.of, nearest, count, world, out);
+    const bool one = place.axes.is_one();
+    const uint64_t made = one ? kernels_.placed_hits(prepared.of, nearest, count, place.world, out) : 0;
     const uint64_t found = hits_of_others(made, count, out, [&](uint32_t i, Hit& hit) {
-        return placed(hit_at(nearest[i], prepared.of[i].sheared, hit), hit);
+        return placed(i, hit_at(nearest[i], prepared.of[i].sheared, hit), hit);
     });
     return found | begin_inside(
-                       count, [&](uint32_t i) { return carried(rays[i], world); },
+                       count, [&](uint32_t i) { return carried(rays[i], place); },
                        [&](uint32_t i, Hit& hit) {
-                           placed(true, hit);
+                           placed(i, true, hit);
                            *out[i] = to_hit(hit);
                        });
 }
@@ -324,16 +352,16 @@ uint64_t Mesh::raycast_distance_many(const gphys_ray* const* rays, uint32_t coun
                                                     });
 }
 
-uint64_t Mesh::raycast_distance_many(const Ray* rays, uint32_t count, const Transform& world,
+uint64_t Mesh::raycast_distance_many(const Ray* rays, uint32_t count, const MeshPlace& place,
                                      gphys_distance* out) const {
     std::fill_n(out, count, no_distance);
     if (packets_.empty() || count == 0) return 0;
     if (is_cast_singly())
-        return bits_of(count, [&](uint32_t i) { return raycast_distance(carried(rays[i], world), out[i]); });
+        return bits_of(count, [&](uint32_t i) { return raycast_distance(carried(rays[i], place), out[i]); });
     PreparedRays prepared;
-    kernels_.prepare_placed(rays, count, world, rays_root_, prepared.of);
+    kernels_.prepare_placed(rays, count, place, rays_root_, prepared.of);
     return distances_of(prepared, count, out) | begin_inside(
-                                                    count, [&](uint32_t i) { return carried(rays[i], world); },
+                                                    count, [&](uint32_t i) { return carried(rays[i], place); },
                                                     [&](uint32_t i, const Hit& hit) {
                                                         out[i] = {reported(hit.t), 0, hit.triangle};
                                                     });
@@ -349,14 +377,14 @@ uint64_t Mesh::raycast_any_many(const gphys_ray* const* rays, uint32_t count) co
                count, [&](uint32_t i) { return widen(*rays[i]); }, [](uint32_t, const Hit&) {});
 }
 
-uint64_t Mesh::raycast_any_many(const Ray* rays, uint32_t count, const Transform& world) const {
+uint64_t Mesh::raycast_any_many(const Ray* rays, uint32_t count, const MeshPlace& place) const {
     if (packets_.empty() || count == 0) return 0;
-    if (is_cast_singly()) return bits_of(count, [&](uint32_t i) { return raycast_any(carried(rays[i], world)); });
+    if (is_cast_singly()) return bits_of(count, [&](uint32_t i) { return raycast_any(carried(rays[i], place)); });
     PreparedRays prepared;
-    kernels_.prepare_placed(rays, count, world, rays_root_, prepared.of);
+    kernels_.prepare_placed(rays, count, place, rays_root_, prepared.of);
     return any_of(prepared, count) |
            begin_inside(
-               count, [&](uint32_t i) { return carried(rays[i], world); }, [](uint32_t, const Hit&) {});
+               count, [&](uint32_t i) { return carried(rays[i], place); }, [](uint32_t, const Hit&) {});
 }
 
 bool Mesh::raycast_any(const Ray& ray) const {
@@ -376,38 +404,36 @@ bool Mesh::raycast_any(const Ray& ray) const {
     return found;
 }
 
-bool Mesh::closest_point(Vec3 point, double max_distance, Vec3& out, uint32_t& triangle) const {
+bool Mesh::closest_point(Vec3 point, double max_distance, Vec3& out, uint32_t& triangle, const AxisScale& axes) const {
     return closest_point(
         point, max_distance, [](Vec3, double squared) { return reported(std::sqrt(squared)); },
-        [](double distance) { return limit_of_ties(distance); }, out, triangle);
+        [](double distance) { return limit_of_ties(distance); }, out, triangle, axes);
 }
 
-bool Mesh::sweep(const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties) const {
-    if (packets_.empty()) return false;
-    if (magnified_) {
-        const Sphere larger{moving.center * magnification_, moving.radius * magnification_};
-        return magnified_->sweep(larger, displacement * magnification_, hit, ties) && reduce(hit);
-    }
-    if (is_hull()) {
-        if (is_sharp(moving, displacement)) return raycast({moving.center, displacement, 1}, hit);
-        if (overlaps(moving)) {
-            start_in_hull(moving, displacement, hit);
-            return true;
-        }
-    }
-    const RayProbe probe(moving.center, displacement, moving.radius, bounds());
+bool Mesh::sweep_point_at_hull(const Ray& way, Hit& hit, const AxisScale& axes) const {
+    if (axes.is_one()) return raycast(way, hit);
+    const Transform still;
+    const MeshPlace place{still, axes};
+    if (!raycast(carried(way, place), hit)) return false;
+    carry_out(hit, way, place);
+    return true;
+}
+
+template <class Half, class SweepItem>
+bool Mesh::find_contact(Vec3 middle, const Half& half, Vec3 displacement, const SweepItem& sweep_item, Hit& hit,
+                        Ties ties, const AxisScale& axes) const {
+    const RayProbe probe(middle, displacement, half, bounds());
     // A hull is one solid: the triangle that is really met first has its normal.
     const bool as_reported = ties == Ties::as_reported && !is_hull();
     Hit first;
     double first_t = infinity;
-    bvh_.sweep(moving.center, displacement, moving.radius, [&](uint32_t number, double& t_max) {
+    bvh_.sweep(middle, displacement, half, [&](uint32_t number, double& t_max) {
         const TrianglePacket& packet = packets_[number];
         const auto lanes_along = [&] { return kernels_.lanes_along(packet, probe, probe.limit(t_max)); };
         for_each_lane(lanes_by(packet, lanes_along), [&](int lane) {
             Hit candidate;
-            const bool met = with_item(
-                packet, lane, [&](const auto& item) { return gphys::sweep(item, moving, displacement, candidate); });
-            if (!met) return true;
+            if (!with_item(packet, lane, axes, [&](const auto& item) { return sweep_item(item, candidate); }))
+                return true;
             candidate.triangle = packet.index[lane];
             const double t = as_reported ? reported(candidate.t) : candidate.t;
             if (t < first_t || (t == first_t && candidate.triangle < first.triangle)) {
@@ -424,62 +450,67 @@ bool Mesh::sweep(const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties) c
     return true;
 }
 
-bool Mesh::sweep(const Shape& moving, Vec3 displacement, Hit& hit) const {
+bool Mesh::sweep(const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties, const AxisScale& axes) const {
     if (packets_.empty()) return false;
-    if (const auto* sphere = std::get_if<Sphere>(&moving)) return sweep(*sphere, displacement, hit);
+    if (magnified_) {
+        const Sphere larger{moving.center * magnification_, moving.radius * magnification_};
+        return magnified_->sweep(larger, displacement * magnification_, hit, ties, axes) && reduce(hit);
+    }
+    if (is_hull()) {
+        if (is_sharp(moving, displacement, axes))
+            return sweep_point_at_hull({moving.center, displacement, 1}, hit, axes);
+        if (overlaps(moving, axes)) {
+            start_in_hull(moving, displacement, hit, axes);
+            return true;
+        }
+    }
+    const auto sweep_item = [&](const auto& item, Hit& candidate) {
+        return gphys::sweep(item, moving, displacement, candidate);
+    };
+    if (axes.is_one()) return find_contact(moving.center, moving.radius, displacement, sweep_item, hit, ties, axes);
+    const Vec3 half = axes.inverse(Vec3{moving.radius, moving.radius, moving.radius});
+    return find_contact(axes.inverse(moving.center), half, axes.inverse(displacement), sweep_item, hit, ties, axes);
+}
+
+bool Mesh::sweep(const Shape& moving, Vec3 displacement, Hit& hit, const AxisScale& axes) const {
+    if (packets_.empty()) return false;
+    if (const auto* sphere = std::get_if<Sphere>(&moving)) {
+        return sweep(*sphere, displacement, hit, Ties::as_reported, axes);
+    }
     const BoxInMotion box(moving);
-    const Vec3 half = box.half_with_rounding(bounds(), displacement);
+    const Aabb extent = axes(bounds());
+    const Vec3 half = box.half_with_rounding(gphys::bounds(extent), displacement);
     if (is_hull()) {
-        const Box extent = bounds();
-        const Vec3 reach = half + Vec3{extent.max[0] - center_.x, extent.max[1] - center_.y, extent.max[2] - center_.z};
-        const double margin = 0x1p-48 * sum(abs(box.middle) + abs(center_) + reach);
-        if (!RayAndBox<Vec3>(box.middle - center_, reach, margin, displacement, 0, 1).may_meet()) return false;
-        if (overlaps(moving)) {
-            start_in_hull(moving, hit);
+        const Vec3 center = axes(center_), reach = half + (extent.max - center);
+        const double margin = 0x1p-48 * sum(abs(box.middle) + abs(center) + reach);
+        if (!RayAndBox<Vec3>(box.middle - center, reach, margin, displacement, 0, 1).may_meet()) return false;
+        if (overlaps(moving, axes)) {
+            start_in_hull(moving, hit, axes);
             return true;
         }
-        if (is_sharp(moving, displacement)) {
-            if (const std::optional<bool> met = sweep_sharp_at_hull(moving, displacement, hit)) return *met;
+        if (is_sharp(moving, displacement, axes)) {
+            if (const std::optional<bool> met = sweep_sharp_at_hull(moving, displacement, hit, axes)) return *met;
         }
     }
-    const RayProbe probe(box.middle, displacement, half, bounds());
-    Hit first;
-    double first_t = infinity;
-    bvh_.sweep(box.middle, displacement, half, [&](uint32_t number, double& t_max) {
-        const TrianglePacket& packet = packets_[number];
-        const auto lanes_along = [&] { return kernels_.lanes_along(packet, probe, probe.limit(t_max)); };
-        for_each_lane(lanes_by(packet, lanes_along), [&](int lane) {
-            Hit candidate;
-            const bool met = with_item(
-                packet, lane, [&](const auto& item) { return gphys::sweep(item, moving, displacement, candidate); });
-            if (!met) return true;
-            candidate.triangle = packet.index[lane];
-            // As for spheres.
-            const double t = is_hull() ? candidate.t : reported(candidate.t);
-            if (t < first_t || (t == first_t && candidate.triangle < first.triangle)) {
-                first = candidate;
-                first_t = t;
-                t_max = std::min(t_max, is_hull() ? t : limit_of_ties(t));
-            }
-            return true;
-        });
-    });
-    if (first.triangle == GPHYS_NO_TRIANGLE) return false;
-    hit = first;
-    if (is_hull()) {
-        hit.flags &= ~uint32_t{GPHYS_HIT_BACK};  // of a triangle that is touched at its edge
-        if (is_sharp(moving, displacement)) turn_to_hull(moving, displacement, hit);
+    const auto sweep_item = [&](const auto& item, Hit& candidate) {
+        return gphys::sweep(item, moving, displacement, candidate);
+    };
+    if (!find_contact(axes.inverse(box.middle), axes.inverse(half), axes.inverse(displacement), sweep_item, hit,
+                      Ties::as_reported, axes)) {
+        return false;
     }
+    if (is_hull() && is_sharp(moving, displacement, axes)) turn_to_hull(moving, displacement, hit, axes);
     return true;
 }
 
-bool Mesh::overlaps(const Shape& shape) const {
-    if (is_hull() && holds_point_of(shape)) return true;
+bool Mesh::overlaps(const Shape& shape, const AxisScale& axes) const {
+    if (is_hull() && holds_point_of(shape, axes)) return true;
     bool found = false;
-    for_each_overlap(shape, [&](uint32_t) {
+    const auto find = [&](uint32_t) {
         found = true;
         return false;
-    });
+    };
+    for_each_overlap(shape, find, axes);
     return found;
 }
 
@@ -488,9 +519,9 @@ bool Mesh::overlaps(const Mesh& other) const {
     return !bvh_.overlap_pairs(other.bvh_, [&](uint32_t mine, uint32_t theirs) {
         const TrianglePacket &a = packets_[mine], &b = other.packets_[theirs];
         return for_each_lane(lanes_in_box(a, other.bvh_.box(theirs)), [&](int lane) {
-            return with_item(a, lane, [&](const auto& item) {
+            return with_item(a, lane, {}, [&](const auto& item) {
                 return for_each_lane(other.lanes_in_box(b, gphys::bounds(item)), [&](int other_lane) {
-                    return other.with_item(b, other_lane,
+                    return other.with_item(b, other_lane, {},
                                            [&](const auto& other_item) { return !gphys::overlaps(item, other_item); });
                 });
             });

@@ -19,6 +19,7 @@
 #include "foundation/word_hash.h"
 #include "mesh/hull.h"
 #include "mesh/mesh_kernels.h"
+#include "mesh/mesh_place.h"
 #include "mesh/mesh_ray.h"
 #include "mesh/mesh_snapshot.h"
 #include "mesh/mesh_users.h"
@@ -77,9 +78,10 @@ public:
     gphys_mesh_report report() const;
     /// Empty without triangles.
     Box bounds() const { return bvh_.bounds(); }
-    /// The centre of the bounds, and how far from it vertices are at most.
+    /// The centre of the bounds, and how far from it vertices are at most: of the scaled mesh, from the scaled centre.
     Vec3 center() const { return center_; }
     double radius() const { return radius_; }
+    double radius(const AxisScale& axes) const;
     /// The same in floats, rounded outward.
     const gphys_sphere& ball() const { return ball_; }
     /// Of all that it is made of: the same for equal meshes, wherever they are.
@@ -106,51 +108,60 @@ public:
     static constexpr uint32_t rays_at_once = Bvh8::rays_at_once;
     uint64_t raycast_many(const gphys_ray* const* rays, uint32_t count, gphys_hit* const* out) const;
     /// The same of the mesh where it stands, for rays in double precision that are no segments.
-    uint64_t raycast_many(const Ray* rays, uint32_t count, const Transform& world, gphys_hit* const* out) const;
+    uint64_t raycast_many(const Ray* rays, uint32_t count, const MeshPlace& place, gphys_hit* const* out) const;
+    /// A hit of a ray in the world, carried out of the mesh.
+    void carry_out(Hit& hit, const Ray& ray, const MeshPlace& place) const;
     bool raycast_any(const Ray& ray) const;
     /// For up to rays_at_once rays: *out[i] gets what raycast_many reports of t and triangle, bit i of the result
     /// whether there is one.
     uint64_t raycast_distance_many(const gphys_ray* const* rays, uint32_t count, gphys_distance* out) const;
-    uint64_t raycast_distance_many(const Ray* rays, uint32_t count, const Transform& world, gphys_distance* out) const;
+    uint64_t raycast_distance_many(const Ray* rays, uint32_t count, const MeshPlace& place, gphys_distance* out) const;
     /// Bit i of the result is set if rays[i] hits anything.
     uint64_t raycast_any_many(const gphys_ray* const* rays, uint32_t count) const;
-    uint64_t raycast_any_many(const Ray* rays, uint32_t count, const Transform& world) const;
+    uint64_t raycast_any_many(const Ray* rays, uint32_t count, const MeshPlace& place) const;
     /// Every triangle that the ray hits, in no particular order: visit(const Hit&).
     template <class Visit>
     void raycast_all(const Ray& ray, Visit&& visit) const;
+
+    // What follows is of the scaled mesh, in its frame (mesh_place.h). Links have no scale but one.
+
     /// Whether a hull holds the point, decided exactly; false for others.
-    bool contains(Vec3 point) const;
+    bool contains(Vec3 point, const AxisScale& axes = {}) const;
     /// False if nothing is within max_distance. Within a hull that is the point itself, and no triangle.
-    bool closest_point(Vec3 point, double max_distance, Vec3& out, uint32_t& triangle) const;
+    bool closest_point(Vec3 point, double max_distance, Vec3& out, uint32_t& triangle,
+                       const AxisScale& axes = {}) const;
     /// The same, compared by distance_of(point of a triangle, its squared distance in the mesh), a float or a double.
     /// What is beyond limit_of(distance) in the mesh does not tie with it. A distance that is infinite is none.
     template <class DistanceOf, class LimitOf>
     bool closest_point(Vec3 point, double max_distance, const DistanceOf& distance_of, const LimitOf& limit_of,
-                       Vec3& out, uint32_t& triangle) const;
-    bool sweep(const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties = Ties::as_reported) const;
+                       Vec3& out, uint32_t& triangle, const AxisScale& axes = {}) const;
+    bool sweep(const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties = Ties::as_reported,
+               const AxisScale& axes = {}) const;
     /// For a moving sphere, capsule or box.
-    bool sweep(const Shape& moving, Vec3 displacement, Hit& hit) const;
-    bool overlaps(const Shape& shape) const;
+    bool sweep(const Shape& moving, Vec3 displacement, Hit& hit, const AxisScale& axes = {}) const;
+    bool overlaps(const Shape& shape, const AxisScale& axes = {}) const;
+    /// Both as they are.
     bool overlaps(const Mesh& other) const;
     /// Every triangle, which is no solid, that shares a point with the shape: visit(triangle) returns whether to go on.
     template <class Visit>
-    void for_each_overlap(const Shape& shape, Visit&& visit) const;
+    void for_each_overlap(const Shape& shape, Visit&& visit, const AxisScale& axes = {}) const;
     /// The penetration of a sphere, capsule or box into each triangle that it overlaps: visit(Penetration, triangle).
     /// Into a hull there is one, without a triangle.
     template <class Visit>
-    void for_each_penetration(const Shape& moving, Visit&& visit) const {
+    void for_each_penetration(const Shape& moving, Visit&& visit, const AxisScale& axes = {}) const {
         if (is_hull()) {
-            if (overlaps(moving)) visit(way_out_of_hull(moving), GPHYS_NO_TRIANGLE);
+            if (overlaps(moving, axes)) visit(way_out_of_hull(moving, axes), GPHYS_NO_TRIANGLE);
             return;
         }
-        for_each_overlap(moving, [&](uint32_t index) {
+        const auto visit_way_out = [&](uint32_t index) {
             if (is_links()) {
                 visit(penetration(link(triangle(index), index), moving), index);
             } else {
-                visit(penetration(triangle(index), moving), index);
+                visit(penetration(axes(triangle(index)), moving), index);
             }
             return true;
-        });
+        };
+        for_each_overlap(moving, visit_way_out, axes);
     }
 
     Memory memory;
@@ -169,32 +180,34 @@ private:
     /// front, also where it touches an edge only.
     bool counts(const TriangleCrossing& crossing) const { return !is_hull() || crossing.facing < 0; }
     /// The solid overlaps the hull.
-    Penetration way_out_of_hull(const Shape& moving) const;
+    Penetration way_out_of_hull(const Shape& moving, const AxisScale& axes) const;
     /// An upper bound of the coordinates of the hull's difference with a core, both relative to `from`.
-    double hull_size(const Core& core, Vec3 from) const;
+    double hull_size(const Core& core, Vec3 from, const AxisScale& axes) const;
     /// Where a hull and a core touch, relative to `from`, if they are moved along the normal by their distance.
     Vec3 contact_on_hull(const Core& core, Vec3 from, Vec3 normal, double distance, double size,
-                         uint32_t& nearest_triangle) const;
+                         uint32_t& nearest_triangle, const AxisScale& axes) const;
     /// Whether a moving solid has no radius that would make a difference.
-    bool is_sharp(const Shape& moving, Vec3 displacement) const;
+    bool is_sharp(const Shape& moving, Vec3 displacement, const AxisScale& axes) const;
     /// Of such a solid, without its radius, that does not overlap at the start: with the hull as a whole. Where it
     /// meets an edge, each of the triangles there may be missed within rounding, and has normals that the hull has not.
     /// No answer where rounding leaves it open.
-    std::optional<bool> sweep_sharp_at_hull(const Shape& moving, Vec3 displacement, Hit& hit) const;
+    std::optional<bool> sweep_sharp_at_hull(const Shape& moving, Vec3 displacement, Hit& hit,
+                                            const AxisScale& axes) const;
     /// A normal of the hull in place of that of a triangle.
-    void turn_to_hull(const Shape& moving, Vec3 displacement, Hit& hit) const;
-    void start_in_hull(const Sphere& moving, Vec3 displacement, Hit& hit) const;
-    void start_in_hull(const Shape& moving, Hit& hit) const;
+    void turn_to_hull(const Shape& moving, Vec3 displacement, Hit& hit, const AxisScale& axes) const;
+    bool sweep_point_at_hull(const Ray& way, Hit& hit, const AxisScale& axes) const;
+    void start_in_hull(const Sphere& moving, Vec3 displacement, Hit& hit, const AxisScale& axes) const;
+    void start_in_hull(const Shape& moving, Hit& hit, const AxisScale& axes) const;
     /// Whether some point of the shape, if it has any, is in a hull.
-    bool holds_point_of(const Shape& shape) const;
+    bool holds_point_of(const Shape& shape, const AxisScale& axes) const;
     /// Whether some triangle of the other mesh begins in a hull.
     bool holds_part_of(const Mesh& other) const;
     Capsule link(const Triangle& triangle, uint32_t index) const { return {triangle.a, triangle.b, radii_[index]}; }
-    /// visit(the triangle, or the capsule that it stands for).
+    /// visit(the scaled triangle, or the capsule that it stands for).
     template <class Visit>
-    auto with_item(const TrianglePacket& packet, int lane, Visit&& visit) const {
+    auto with_item(const TrianglePacket& packet, int lane, const AxisScale& axes, Visit&& visit) const {
         if (is_links()) return visit(link(packet.triangle(lane), packet.index[lane]));
-        return visit(packet.triangle(lane));
+        return visit(axes(packet.triangle(lane)));
     }
     /// What the packet stands for; of links, those that are there.
     uint32_t lanes_of(const TrianglePacket& packet) const { return is_links() ? links_of(packet) : packet.lanes(); }
@@ -247,7 +260,11 @@ private:
     void cross_all(const Ray& ray, Visit&& visit) const;
     template <class DistanceOf, class LimitOf>
     bool find_closest(Vec3 point, double max_distance, const DistanceOf& distance_of, const LimitOf& limit_of,
-                      Vec3& out, uint32_t& triangle) const;
+                      Vec3& out, uint32_t& triangle, const AxisScale& axes) const;
+    /// The first triangle that a solid touches, which moves with a box of `half` around `middle`.
+    template <class Half, class SweepItem>
+    bool find_contact(Vec3 middle, const Half& half, Vec3 displacement, const SweepItem& sweep_item, Hit& hit,
+                      Ties ties, const AxisScale& axes) const;
     /// A query in the coordinates of the magnified mesh, and its answer in those of this one.
     Ray magnified(const Ray& ray) const;
     bool reduce(Hit& hit) const {
@@ -256,11 +273,14 @@ private:
     }
 
     template <class Visit>
-    void for_each_overlap_of(const Plane& plane, Visit&& visit) const;
+    void for_each_overlap_of(const Plane& plane, Visit&& visit, const AxisScale& axes) const;
     template <class Visit>
-    void for_each_overlap_of(const Frustum& frustum, Visit&& visit) const;
+    void for_each_overlap_of(const Frustum& frustum, Visit&& visit, const AxisScale& axes) const;
     template <class Bounded, class Visit>
-    void for_each_overlap_of(const Bounded& shape, Visit&& visit) const;
+    void for_each_overlap_of(const Bounded& shape, Visit&& visit, const AxisScale& axes) const;
+    /// As far as boxes of the tree touch the shape: exact, and slower than the kernels.
+    template <class Unbounded, class Visit>
+    void for_each_overlap_through_boxes(const Unbounded& shape, Visit&& visit, const AxisScale& axes) const;
 
     mutable std::atomic<uint32_t> holds_{1};
     const MeshKernels& kernels_;
@@ -352,35 +372,33 @@ void Mesh::cross_all(const Ray& ray, Visit&& visit) const {
 
 template <class DistanceOf, class LimitOf>
 bool Mesh::closest_point(Vec3 point, double max_distance, const DistanceOf& distance_of, const LimitOf& limit_of,
-                         Vec3& out, uint32_t& triangle) const {
-    if (contains(point)) {
+                         Vec3& out, uint32_t& triangle, const AxisScale& axes) const {
+    if (contains(point, axes)) {
         out = point;
         triangle = GPHYS_NO_TRIANGLE;
         return true;
     }
-    if (!magnified_) return find_closest(point, max_distance, distance_of, limit_of, out, triangle);
+    if (!magnified_) return find_closest(point, max_distance, distance_of, limit_of, out, triangle, axes);
     const double by = magnification_;
     const bool found = magnified_->find_closest(
         point * by, max_distance * by,
         [&](Vec3 candidate, double squared) { return distance_of(candidate / by, squared / (by * by)); },
-        [&](auto distance) { return limit_of(distance) * by; }, out, triangle);
+        [&](auto distance) { return limit_of(distance) * by; }, out, triangle, axes);
     if (found) out = out / by;
     return found;
 }
 
 template <class DistanceOf, class LimitOf>
 bool Mesh::find_closest(Vec3 point, double max_distance, const DistanceOf& distance_of, const LimitOf& limit_of,
-                        Vec3& out, uint32_t& triangle) const {
+                        Vec3& out, uint32_t& triangle, const AxisScale& axes) const {
     if (packets_.empty()) return false;
-    const PointProbe probe(point, bounds());
     auto least = std::numeric_limits<decltype(distance_of(point, 0.0))>::infinity();
     uint32_t nearest = GPHYS_NO_TRIANGLE;
-    bvh_.nearest(point, max_distance, [&](uint32_t number, double& bound) {
+    const auto visit = [&](uint32_t number, double& bound, const auto& near) {
         const TrianglePacket& packet = packets_[number];
-        const uint32_t lanes = lanes_by(packet, [&] { return kernels_.lanes_near(packet, probe, probe.limit(bound)); });
-        for_each_lane(lanes, [&](int lane) {
+        for_each_lane(lanes_by(packet, [&] { return near(packet, bound); }), [&](int lane) {
             const Vec3 candidate =
-                with_item(packet, lane, [&](const auto& item) { return gphys::closest_point(item, point); });
+                with_item(packet, lane, axes, [&](const auto& item) { return gphys::closest_point(item, point); });
             const double squared = length_squared(candidate - point);
             if (squared > bound * bound) return true;
             const auto distance = distance_of(candidate, squared);
@@ -392,49 +410,67 @@ bool Mesh::find_closest(Vec3 point, double max_distance, const DistanceOf& dista
             }
             return true;
         });
-    });
+    };
+    if (axes.is_one()) {
+        const PointProbe probe(point, bounds());
+        const auto near = [&](const TrianglePacket& packet, double bound) {
+            return kernels_.lanes_near(packet, probe, probe.limit(bound));
+        };
+        bvh_.nearest(point, max_distance, [&](uint32_t number, double& bound) { visit(number, bound, near); });
+    } else {
+        const WeightedPointProbe probe(axes.inverse(point), axes.by, bounds());
+        const auto near = [&](const TrianglePacket& packet, double bound) {
+            return kernels_.lanes_near_weighted(packet, probe, probe.limit(bound));
+        };
+        bvh_.nearest(probe, max_distance, [&](uint32_t number, double& bound) { visit(number, bound, near); });
+    }
     triangle = nearest;
     return nearest != GPHYS_NO_TRIANGLE;
 }
 
 template <class Visit>
-void Mesh::for_each_overlap(const Shape& shape, Visit&& visit) const {
-    std::visit([&](const auto& s) { for_each_overlap_of(s, visit); }, shape);
+void Mesh::for_each_overlap(const Shape& shape, Visit&& visit, const AxisScale& axes) const {
+    std::visit([&](const auto& s) { for_each_overlap_of(s, visit, axes); }, shape);
 }
 
 template <class Bounded, class Visit>
-void Mesh::for_each_overlap_of(const Bounded& shape, Visit&& visit) const {
-    const Box box = gphys::bounds(shape);
+void Mesh::for_each_overlap_of(const Bounded& shape, Visit&& visit, const AxisScale& axes) const {
+    const Box box = axes.inverse(gphys::bounds(shape));
     bvh_.overlap_box(box, [&](uint32_t number, bool) {
         const TrianglePacket& packet = packets_[number];
         return for_each_lane(lanes_in_box(packet, box), [&](int lane) {
-            const bool meets = with_item(packet, lane, [&](const auto& item) { return gphys::overlaps(shape, item); });
+            const bool meets =
+                with_item(packet, lane, axes, [&](const auto& item) { return gphys::overlaps(shape, item); });
             return !meets || visit(packet.index[lane]);
         });
     });
 }
 
-template <class Visit>
-void Mesh::for_each_overlap_of(const Plane& plane, Visit&& visit) const {
-    const auto touches = [&](const Box& box) {
-        const Aabb exact{{box.min[0], box.min[1], box.min[2]}, {box.max[0], box.max[1], box.max[2]}};
-        return gphys::overlaps(exact, plane);
-    };
+template <class Unbounded, class Visit>
+void Mesh::for_each_overlap_through_boxes(const Unbounded& shape, Visit&& visit, const AxisScale& axes) const {
+    const auto touches = [&](const Box& box) { return gphys::overlaps(axes(box), shape); };
     bvh_.overlap(touches, [&](uint32_t number) {
         const TrianglePacket& packet = packets_[number];
         return for_each_lane(lanes_of(packet), [&](int lane) {
-            const bool meets = with_item(packet, lane, [&](const auto& item) { return gphys::overlaps(plane, item); });
+            const bool meets =
+                with_item(packet, lane, axes, [&](const auto& item) { return gphys::overlaps(shape, item); });
             return !meets || visit(packet.index[lane]);
         });
     });
 }
 
 template <class Visit>
-void Mesh::for_each_overlap_of(const Frustum& frustum, Visit&& visit) const {
+void Mesh::for_each_overlap_of(const Plane& plane, Visit&& visit, const AxisScale& axes) const {
+    for_each_overlap_through_boxes(plane, visit, axes);
+}
+
+template <class Visit>
+void Mesh::for_each_overlap_of(const Frustum& frustum, Visit&& visit, const AxisScale& axes) const {
+    if (!axes.is_one()) return for_each_overlap_through_boxes(frustum, visit, axes);
     bvh_.frustum(frustum, all_of_space, [&](uint32_t number, bool wholly_inside) {
         const TrianglePacket& packet = packets_[number];
         return for_each_lane(lanes_of(packet), [&](int lane) {
-            const bool meets = wholly_inside || with_item(packet, lane, [&](const auto& item) {
+            const bool meets = wholly_inside || with_item(packet, lane, axes, [&](const auto& item) {
                                    return gphys::overlaps(frustum, item);
                                });
             return !meets || visit(packet.index[lane]);

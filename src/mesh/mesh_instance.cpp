@@ -7,10 +7,10 @@ namespace gphys {
 namespace {
 
 /// A segment stays one whose ends are where the mesh has its own points.
-Ray into_mesh(const Ray& ray, const Transform& world) {
-    const Vec3 origin = world.inverse_apply(ray.origin);
-    if (!ray.is_segment) return {origin, world.inverse_apply_to_vector(ray.direction), ray.t_max};
-    Ray local = ray_along({origin, world.inverse_apply(end_of(ray))});
+Ray into_mesh(const Ray& ray, const MeshPlace& place) {
+    const Vec3 origin = place.inverse_apply(ray.origin);
+    if (!ray.is_segment) return {origin, place.inverse_apply_to_vector(ray.direction), ray.t_max};
+    Ray local = ray_along({origin, place.inverse_apply(end_of(ray))});
     local.t_max = ray.t_max;
     return local;
 }
@@ -41,16 +41,14 @@ double magnitude(Vec3 local, const Transform& world) {
 Box bounds(const MeshInstance& instance) {
     const Transform& world = instance.world;
     if (instance.mesh.triangle_count() == 0) return bounds(Aabb{world.position, world.position});
-    const Box local = instance.mesh.bounds();
-    const Obb box = transformed(
-        Aabb{{local.min[0], local.min[1], local.min[2]}, {local.max[0], local.max[1], local.max[2]}}, world);
+    const Obb box = transformed(instance.axes(instance.mesh.bounds()), world);
     // bounds(Obb) answers for the rounding of half extents and axes. The centre, and a triangle that
     // is carried over by itself, go through at most 8 roundings of 2^-53 of what they are summed from.
     const double slack =
         0x1p-50 * (magnitude(box.half / world.scale, world) + magnitude(world.inverse_apply(box.center), world));
     Box result = bounds(Obb{box.center, box.half + Vec3{slack, slack, slack}, box.axes});
     // Turned, the corners of a box stick out; what is round stays within its sphere.
-    const Box sphere = bounds(Sphere{box.center, instance.mesh.radius() * world.scale + slack});
+    const Box sphere = bounds(Sphere{box.center, instance.mesh.radius(instance.axes) * world.scale + slack});
     for (int k = 0; k < 3; ++k) {
         result.min[k] = std::max(result.min[k], sphere.min[k]);
         result.max[k] = std::min(result.max[k], sphere.max[k]);
@@ -59,15 +57,16 @@ Box bounds(const MeshInstance& instance) {
 }
 
 bool raycast(const MeshInstance& instance, const Ray& ray, Hit& hit) {
-    const Ray local = into_mesh(ray, instance.world);
+    const MeshPlace place = instance.place();
+    const Ray local = into_mesh(ray, place);
     if (misses(local, instance.mesh.bounds()) || !instance.mesh.raycast(local, hit)) return false;
-    out_of_mesh(hit, instance.world);
+    instance.mesh.carry_out(hit, ray, place);
     return true;
 }
 
 bool comes_near(const MeshInstance& instance, const Ray& ray) {
-    const Vec3 to_center = instance.world.apply(instance.mesh.center()) - ray.origin;
-    const double radius = instance.mesh.radius() * instance.world.scale, radius_squared = radius * radius;
+    const Vec3 to_center = instance.place().apply(instance.mesh.center()) - ray.origin;
+    const double radius = instance.mesh.radius(instance.axes) * instance.world.scale, radius_squared = radius * radius;
     if (length_squared(to_center) <= radius_squared) return true;
     const double along = dot(to_center, ray.direction), speed_squared = length_squared(ray.direction);
     // Before the ball, by the time that its nearest point could be reached.
@@ -77,19 +76,20 @@ bool comes_near(const MeshInstance& instance, const Ray& ray) {
 }
 
 bool raycast_any(const MeshInstance& instance, const Ray& ray) {
-    const Ray local = into_mesh(ray, instance.world);
+    const Ray local = into_mesh(ray, instance.place());
     return !misses(local, instance.mesh.bounds()) && instance.mesh.raycast_any(local);
 }
 
 bool raycast_distance(const MeshInstance& instance, const Ray& ray, gphys_distance& out) {
-    const Ray local = into_mesh(ray, instance.world);
+    const Ray local = into_mesh(ray, instance.place());
     return !misses(local, instance.mesh.bounds()) && instance.mesh.raycast_distance(local, out);
 }
 
 bool sweep(const MeshInstance& instance, const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties) {
     const Transform& world = instance.world;
     const Sphere local{world.inverse_apply(moving.center), moving.radius / world.scale};
-    if (!instance.mesh.sweep(local, world.inverse_apply_to_vector(displacement), hit, ties)) return false;
+    if (!instance.mesh.sweep(local, world.inverse_apply_to_vector(displacement), hit, ties, instance.axes))
+        return false;
     out_of_mesh(hit, world);
     return true;
 }
@@ -97,20 +97,20 @@ bool sweep(const MeshInstance& instance, const Sphere& moving, Vec3 displacement
 bool sweep(const MeshInstance& instance, const Shape& moving, Vec3 displacement, Hit& hit) {
     const Transform& world = instance.world;
     const Vec3 local = world.inverse_apply_to_vector(displacement);
-    if (!instance.mesh.sweep(inverse_transformed(moving, world), local, hit)) return false;
+    if (!instance.mesh.sweep(inverse_transformed(moving, world), local, hit, instance.axes)) return false;
     out_of_mesh(hit, world);
     return true;
 }
 
 bool overlaps(const MeshInstance& instance, const Shape& shape) {
-    return instance.mesh.overlaps(inverse_transformed(shape, instance.world));
+    return instance.mesh.overlaps(inverse_transformed(shape, instance.world), instance.axes);
 }
 
 bool closest_point(const MeshInstance& instance, Vec3 point, double max_distance, Vec3& out, uint32_t& triangle,
                    Ties ties) {
     const Transform& world = instance.world;
     const Vec3 local = world.inverse_apply(point);
-    if (instance.mesh.contains(local)) {
+    if (instance.mesh.contains(local, instance.axes)) {
         out = point;
         triangle = GPHYS_NO_TRIANGLE;
         return true;
@@ -129,7 +129,8 @@ bool closest_point(const MeshInstance& instance, Vec3 point, double max_distance
     const auto as_computed = [](Vec3, double squared) { return squared; };
     const auto limit_of_computed = [](double squared) { return std::sqrt(squared) * (1 + 0x1p-50); };
     const auto find = [&](const auto& distance_of, const auto& limit_of) {
-        return instance.mesh.closest_point(local, within(max_distance), distance_of, limit_of, out, triangle);
+        return instance.mesh.closest_point(local, within(max_distance), distance_of, limit_of, out, triangle,
+                                           instance.axes);
     };
     const bool found =
         ties == Ties::as_reported ? find(as_reported, limit_of_reported) : find(as_computed, limit_of_computed);

@@ -1,5 +1,6 @@
-// A mesh with a world transform. Queries are transformed to the local space of the mesh in double precision and results
-// back; t does not change, because the direction is transformed with the origin.
+// A mesh with a world transform and a scale for each axis. Queries are transformed to the local space of the mesh, as
+// it is or scaled (mesh_place.h), in double precision and results back; t does not change, because the direction is
+// transformed with the origin.
 #pragma once
 
 #include "mesh/mesh.h"
@@ -9,6 +10,9 @@ namespace gphys {
 struct MeshInstance {
     const Mesh& mesh;
     const Transform& world;
+    AxisScale axes = {};
+
+    MeshPlace place() const { return {world, axes}; }
 };
 
 /// Of an empty mesh: the point where it stands.
@@ -17,7 +21,7 @@ bool raycast(const MeshInstance& instance, const Ray& ray, Hit& hit);
 /// Up to Mesh::rays_at_once rays that are no segments, rounded: bit i of the result is set if rays[i] hits, as *out[i]
 /// tells.
 inline uint64_t raycast_many(const MeshInstance& instance, const Ray* rays, uint32_t count, gphys_hit* const* out) {
-    return instance.mesh.raycast_many(rays, count, instance.world, out);
+    return instance.mesh.raycast_many(rays, count, instance.place(), out);
 }
 /// Whether a ray comes near a mesh: within the ball around it, but for rounding.
 bool comes_near(const MeshInstance& instance, const Ray& ray);
@@ -37,10 +41,10 @@ bool closest_point(const MeshInstance& instance, Vec3 point, double max_distance
 template <class Visit>
 void for_each_penetration(const MeshInstance& instance, const Shape& moving, Visit&& visit) {
     const Transform& world = instance.world;
-    instance.mesh.for_each_penetration(
-        inverse_transformed(moving, world), [&](const Penetration& way, uint32_t triangle) {
-            visit(Penetration{way.depth * world.scale, world.rotation * way.normal, world.apply(way.point)}, triangle);
-        });
+    const auto carry_out = [&](const Penetration& way, uint32_t triangle) {
+        visit(Penetration{way.depth * world.scale, world.rotation * way.normal, world.apply(way.point)}, triangle);
+    };
+    instance.mesh.for_each_penetration(inverse_transformed(moving, world), carry_out, instance.axes);
 }
 
 }  // namespace gphys

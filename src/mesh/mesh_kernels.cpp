@@ -71,17 +71,17 @@ void prepare(const gphys_ray* const* rays, uint32_t count, const RaysRoot& root,
 Vec<Double8> splat3(const Vec3& v) { return {v.x, v.y, v.z}; }
 Matrix<Double8> splat3(const Mat3& m) { return {splat3(m.x), splat3(m.y), splat3(m.z)}; }
 
-void prepare_placed(const Ray* rays, uint32_t count, const Transform& world, const RaysRoot& root, PreparedRay* to) {
-    const Vec<Double8> position = splat3(world.position);
-    const Matrix<Double8> rotation = splat3(world.rotation);
-    const Double8 scale = world.scale;
+void prepare_placed(const Ray* rays, uint32_t count, const MeshPlace& place, const RaysRoot& root, PreparedRay* to) {
+    const Vec<Double8> position = splat3(place.world.position);
+    const Matrix<Double8> rotation = splat3(place.world.rotation);
+    const Vec<Double8> scale = splat3(place.scale);
     for (uint32_t first = 0; first < count; first += 8) {
         const Rays8 eight(rays + first, count - first);
         const Vec<Double8> from{eight.origin[0], eight.origin[1], eight.origin[2]};
         const Vec<Double8> along{eight.direction[0], eight.direction[1], eight.direction[2]};
-        // Transform::inverse_apply and inverse_apply_to_vector
-        const Vec<Double8> origin = transpose_times(rotation, from - position) / scale;
-        const Vec<Double8> direction = transpose_times(rotation, along) / scale;
+        // MeshPlace::inverse_apply and inverse_apply_to_vector
+        const Vec<Double8> origin = quotients(transpose_times(rotation, from - position), scale);
+        const Vec<Double8> direction = quotients(transpose_times(rotation, along), scale);
         prepare_eight({origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}, eight.t_max, root,
                       to + first);
     }
@@ -251,15 +251,24 @@ uint32_t lanes_along(const TrianglePacket& packet, const RayProbe& probe, float 
     return RayTest(probe).hits(boxes_of(packet), limit, entry) & used_lanes(packet);
 }
 
-uint32_t lanes_near(const TrianglePacket& packet, const PointProbe& probe, float limit) {
+template <class Test, class Probe>
+uint32_t lanes_near(const TrianglePacket& packet, const Probe& probe, float limit) {
     Float8 distance_squared;
-    return PointTest(probe).hits(boxes_of(packet), limit, distance_squared) & used_lanes(packet);
+    return Test(probe).hits(boxes_of(packet), limit, distance_squared) & used_lanes(packet);
 }
 
 }  // namespace
 
-extern const MeshKernels mesh_kernels{prepare,           prepare_placed, walk_ray,     walk_rays<ClosestHit>,
-                                      walk_rays<AnyHit>, hits,           lanes_in_box, lanes_along,
-                                      lanes_near,        placed_hits};
+extern const MeshKernels mesh_kernels{prepare,
+                                      prepare_placed,
+                                      walk_ray,
+                                      walk_rays<ClosestHit>,
+                                      walk_rays<AnyHit>,
+                                      hits,
+                                      lanes_in_box,
+                                      lanes_along,
+                                      lanes_near<PointTest, PointProbe>,
+                                      lanes_near<WeightedPointTest, WeightedPointProbe>,
+                                      placed_hits};
 
 }  // namespace gphys::GPHYS_ISA

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bvh/bvh_kernels.h"
+#include "mesh/mesh_place.h"
 #include "mesh/mesh_ray.h"
 
 namespace gphys {
@@ -21,8 +22,8 @@ struct MeshKernels {
     /// Prepares many rays with the same bits as one by one. `count` is at least 1; what is written is rounded up to a
     /// multiple of eight.
     void (*prepare)(const gphys_ray* const* rays, uint32_t count, const RaysRoot& root, PreparedRay* to);
-    /// The same of rays in double precision that are no segments, carried into a mesh that stands at `world`.
-    void (*prepare_placed)(const Ray* rays, uint32_t count, const Transform& world, const RaysRoot& root,
+    /// The same of rays in double precision that are no segments, carried into a mesh that stands at `place`.
+    void (*prepare_placed)(const Ray* rays, uint32_t count, const MeshPlace& place, const RaysRoot& root,
                            PreparedRay* to);
     /// Roughly nearest first, through an BVH whose items are the numbers of `packets`.
     void (*ray)(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay& ray,
@@ -40,7 +41,8 @@ struct MeshKernels {
     uint32_t (*lanes_in_box)(const TrianglePacket& packet, const Box& box);
     uint32_t (*lanes_along)(const TrianglePacket& packet, const RayProbe& probe, float limit);
     uint32_t (*lanes_near)(const TrianglePacket& packet, const PointProbe& probe, float limit);
-    /// As hits, of a mesh that stands at `world`.
+    uint32_t (*lanes_near_weighted)(const TrianglePacket& packet, const WeightedPointProbe& probe, float limit);
+    /// As hits, of a mesh that stands at `world`, with one scale.
     uint64_t (*placed_hits)(const PreparedRay* rays, const NearestCrossing* nearest, uint32_t count,
                             const Transform& world, gphys_hit* const* out);
 };

@@ -11,27 +11,30 @@ bool ClosestFeatures::add(const Scene& scene, gphys_model_id model, uint32_t tag
     scene_ = &scene;
     const Mesh* const mesh = scene.mesh(model);
     if (mesh && !mesh->is_hull()) {
-        return add_mesh(*mesh, widen(scene.world(model)), model, tag, balls);
+        return add_mesh(*mesh, scene.world_transform(model), AxisScale(widen(scene.scale(model))), model, tag, balls);
     }
     if (primitive_count_ == most_exact) return false;
     primitives_[primitive_count_++] = {model, tag, balls};
     return true;
 }
 
-bool ClosestFeatures::add_mesh(const Mesh& mesh, const Transform& world, gphys_model_id model, uint32_t tag,
-                               const Sphere* balls) {
+bool ClosestFeatures::add_mesh(const Mesh& mesh, const Transform& world, const AxisScale& axes, gphys_model_id model,
+                               uint32_t tag, const Sphere* balls) {
     if (mesh.triangle_count() == 0) return true;
     if (mesh_count_ == most_meshes) return false;
     PlacedMesh& placed = meshes_[mesh_count_];
     placed.model = model;
     placed.tag = tag;
     placed.world = world;
+    placed.axes = axes;
     placed.balls = balls;
-    Aabb centers{world.inverse_apply(balls[0].center), world.inverse_apply(balls[0].center)};
+    placed.unit = axes.least() * world.scale;
+    const MeshPlace place = placed.place();
+    Aabb centers{place.inverse_apply(balls[0].center), place.inverse_apply(balls[0].center)};
     double reach = 0;
     for (uint32_t i = 0; i < point_count_; ++i) {
-        const Vec3 center = world.inverse_apply(balls[i].center);
-        placed.probes[i] = NearProbe(center, balls[i].radius / world.scale);
+        const Vec3 center = place.inverse_apply(balls[i].center);
+        placed.probes[i] = NearProbe(center, balls[i].radius / placed.unit);
         centers = {min(centers.min, center), max(centers.max, center)};
         reach = std::max<double>(reach, placed.probes[i].radius);
     }
@@ -63,7 +66,7 @@ uint32_t ClosestFeatures::select_point(uint32_t point) {
     uint32_t near_count = 0;
     for (uint32_t i = 0; i < mesh_count_; ++i) {
         PlacedMesh& mesh = meshes_[i];
-        mesh.probes[point].shrink(mesh.balls[point].radius / mesh.world.scale);
+        mesh.probes[point].shrink(mesh.balls[point].radius / mesh.unit);
         mesh.first_near = near_count;
         mesh.near_count = kernels_.find(boxes_ + mesh.first_packet / 8, packets_ + mesh.first_packet, mesh.packet_count,
                                         mesh.probes[point], near_ + near_count);
@@ -98,7 +101,7 @@ void ClosestFeatures::compute(const PlacedMesh& mesh, uint32_t place) {
     const int lane = static_cast<int>(place % 8);
     near.distance[lane] = std::numeric_limits<float>::infinity();
     const Sphere& ball = mesh.balls[point_];
-    ClosestFeature part{mesh.model, mesh.tag, {}, {}, 0, true, transformed(near.packet->triangle(lane), mesh.world)};
+    ClosestFeature part{mesh.model, mesh.tag, {}, {}, 0, true, mesh.triangle(*near.packet, lane)};
     closest_point_triangle(part.triangle, ball.center, part.closest, part.normal, part.distance);
     if (part.distance <= ball.radius) known_[known_count_++] = part;
 }
@@ -120,7 +123,7 @@ bool ClosestFeatures::take_nearest(ClosestFeature& out) {
         uint32_t place = 0;
         for (uint32_t i = 0; i < mesh_count_; ++i) {
             uint32_t at;
-            const double distance = nearest_in(meshes_[i], at) * meshes_[i].world.scale;
+            const double distance = nearest_in(meshes_[i], at) * meshes_[i].unit;
             if (distance < bound) bound = distance, nearest = &meshes_[i], place = at;
         }
         const uint32_t known = nearest_known();
@@ -148,15 +151,17 @@ void ClosestFeatures::cull_behind(Vec3 normal, double height, uint32_t tag) {
         PlacedMesh& mesh = meshes_[i];
         if (mesh.tag != tag || mesh.near_count == 0) continue;
         // As the mesh sees it, from the point.
-        const Vec3 local = transpose_times(mesh.world.rotation, normal);
-        const double above = (height - dot(normal, mesh.balls[point_].center)) / mesh.world.scale;
+        const Vec3 across = mesh.axes(transpose_times(mesh.world.rotation, normal));
+        const double slope = mesh.axes.is_one() ? 1 : length(across);
+        const Vec3 local = mesh.axes.is_one() ? across : across / slope;
+        const double above = (height - dot(normal, mesh.balls[point_].center)) / (mesh.world.scale * slope);
         uint32_t open[most_packets];
         NearPacket* const near = near_ + mesh.first_near;
         mesh.near_count =
             kernels_.leave_out(near, mesh.near_count, mesh.probes[point_], HalfSpaceProbe(local, above), open);
         for (uint32_t k = 0; k < mesh.near_count; ++k) {
             for_each_lane(open[k], [&](int lane) {
-                if (is_behind(transformed(near[k].packet->triangle(lane), mesh.world))) {
+                if (is_behind(mesh.triangle(*near[k].packet, lane))) {
                     near[k].distance[lane] = std::numeric_limits<float>::infinity();
                 }
                 return true;

@@ -49,10 +49,17 @@ private:
         gphys_model_id model;
         uint32_t tag;
         Transform world;
+        AxisScale axes;
+        double unit;  // that a distance in the mesh as it is has in the world, at least
         const Sphere* balls;
         uint32_t first_packet, packet_count;  // in packets_
         uint32_t first_near, near_count;      // in near_
         NearProbe probes[most_points];
+
+        MeshPlace place() const { return {world, axes}; }
+        Triangle triangle(const TrianglePacket& packet, int lane) const {
+            return transformed(axes(packet.triangle(lane)), world);
+        }
     };
     struct Primitive {
         gphys_model_id model;
@@ -60,7 +67,8 @@ private:
         const Sphere* balls;
     };
 
-    bool add_mesh(const Mesh& mesh, const Transform& world, gphys_model_id model, uint32_t tag, const Sphere* balls);
+    bool add_mesh(const Mesh& mesh, const Transform& world, const AxisScale& axes, gphys_model_id model, uint32_t tag,
+                  const Sphere* balls);
     uint32_t nearest_known() const;
     void take_out(uint32_t known);
     void compute(const PlacedMesh& mesh, uint32_t place);
@@ -84,7 +92,7 @@ void ClosestFeatures::for_each_left(Visit&& visit) {
     for (uint32_t i = 0; i < mesh_count_; ++i) {
         uint32_t place;
         const float distance = nearest_in(meshes_[i], place);
-        if (distance < std::numeric_limits<float>::infinity()) visit(meshes_[i].tag, distance * meshes_[i].world.scale);
+        if (distance < std::numeric_limits<float>::infinity()) visit(meshes_[i].tag, distance * meshes_[i].unit);
     }
 }
 

@@ -118,10 +118,9 @@ inline ConservativeBox conservative_shape(const gphys_obb& box, const gphys_tran
     return result;
 }
 /// The bounding box of a mesh: a miss of the box is a miss of the mesh.
-inline ConservativeBox conservative_shape(const Mesh* mesh, const gphys_transform& world) {
-    const Box box = mesh->bvh().bounds();
-    const Vec3 low{box.min[0], box.min[1], box.min[2]}, high{box.max[0], box.max[1], box.max[2]};
-    return conservative_box(center_and_half(low, high), world);
+inline ConservativeBox conservative_shape(const ModelMesh& stored, const gphys_transform& world) {
+    const Aabb box = stored.axes()(stored.mesh->bvh().bounds());
+    return conservative_box(center_and_half(box.min, box.max), world);
 }
 
 /// Half the sum and half the difference of the faces of a stored box.
@@ -244,11 +243,15 @@ private:
 
 /// The box of a mesh when asked for: rays are quicker with the sphere that holds the mesh.
 struct ConservativeMesh {
-    const Mesh* mesh;
+    const ModelMesh& stored;
     const gphys_transform& world;
 
-    operator ConservativeBox() const { return conservative_shape(mesh, world); }
-    ConservativeSphere sphere() const { return conservative_sphere(mesh->center(), mesh->radius(), world); }
+    operator ConservativeBox() const { return conservative_shape(stored, world); }
+    ConservativeSphere sphere() const {
+        if (!stored.is_scaled) return conservative_sphere(stored.mesh->center(), stored.mesh->radius(), world);
+        const AxisScale axes = stored.axes();
+        return conservative_sphere(axes(stored.mesh->center()), stored.mesh->radius(axes), world);
+    }
 };
 
 template <class Stored>
@@ -263,7 +266,7 @@ template <class Stored, class Test>
 TriState conservative_verdict(const Stored& shape, const gphys_transform& world, Test&& test) {
     if constexpr (!has_quick_shape<Stored>) {
         return TriState::open;
-    } else if constexpr (std::is_pointer_v<Stored>) {
+    } else if constexpr (std::is_same_v<Stored, ModelMesh>) {
         return unless_no(test(ConservativeMesh{shape, world}));
     } else if constexpr (is_box<Stored>) {
         return test(ConservativePlacedBox<Stored>{shape, world});

@@ -4,6 +4,7 @@
 #include "foundation/float4.h"
 #include "geometry/intersect.h"
 #include "mesh/mesh_instance.h"
+#include "scene/model_scale.h"
 
 namespace gphys {
 
@@ -35,9 +36,9 @@ auto with_placed(const gphys_aabb& shape, const gphys_transform& world, Visit&& 
 }
 
 template <class Visit>
-auto with_placed(const Mesh* mesh, const gphys_transform& world, Visit&& visit) {
+auto with_placed(const ModelMesh& stored, const gphys_transform& world, Visit&& visit) {
     const Transform wide = widen(world);
-    return visit(MeshInstance{*mesh, wide});
+    return visit(MeshInstance{*stored.mesh, wide, stored.axes()});
 }
 
 }  // namespace gphys

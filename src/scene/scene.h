@@ -30,6 +30,7 @@
 #include "scene/bounds_kernels.h"
 #include "scene/conservative_shape.h"
 #include "scene/hit_kernels.h"
+#include "scene/model_scale.h"
 #include "scene/query_filter.h"
 #include "scene/scene_kernels.h"
 #include "scene/slot_set.h"
@@ -77,6 +78,8 @@ public:
     void clear();
     /// A public struct of the type, or a Mesh.
     gphys_status set_shape(gphys_model_id model, gphys_shape_type type, const void* shape);
+    /// A valid one.
+    gphys_status set_scale(gphys_model_id model, const gphys_vec3& scale);
     gphys_status set_parent(gphys_model_id model, gphys_model_id parent, bool keep_world);
     gphys_status set_transforms(const gphys_model_id* models, const gphys_transform* transforms,
                                 uint32_t transform_stride, uint32_t count);
@@ -105,8 +108,11 @@ public:
     const gphys_transform& local(gphys_model_id model) const { return local_of(IdTable::slot_of(model)); }
     const gphys_transform& world(gphys_model_id model) const { return at(model).world; }
     Transform world_transform(gphys_model_id model) const { return widen(at(model).world); }
-    /// The public struct that add was given; a mesh's is a pointer to the Mesh.
+    /// The public struct that queries see: scaled. Not for meshes.
     void copy_shape(gphys_model_id model, void* out) const;
+    /// The one that add was given.
+    void copy_unscaled_shape(gphys_model_id model, void* out) const;
+    gphys_vec3 scale(gphys_model_id model) const { return scale_of(IdTable::slot_of(model)); }
     /// False if the model is unbounded.
     bool bounds(gphys_model_id model, Box& out) const;
 
@@ -184,7 +190,7 @@ public:
     /// False only for a mesh without triangles.
     bool closest_point_model(gphys_model_id model, Vec3 point, Vec3& out, Vec3& normal, double& signed_distance) const;
     /// Null if it is a primitive.
-    const Mesh* mesh(gphys_model_id model) const;
+    const Mesh* mesh(gphys_model_id model) const { return stored_mesh(IdTable::slot_of(model)); }
 
 private:
     static constexpr uint32_t none = 0xffffffff;
@@ -204,15 +210,22 @@ private:
         uint32_t family : 24;  // in families_, or no_family: then local and world are the same
         uint32_t type_ : 6;
         uint32_t moving : 1, carried : 1;  // marks of set_transforms and remove, 0 between calls
-        uint32_t shape[6];                 // the public struct, or as much of it as fits
+        uint32_t shape[6];                 // the public struct, or as much of it as fits, or a ModelMesh
 
         gphys_shape_type type() const { return static_cast<gphys_shape_type>(type_); }
         bool has_family() const { return family != no_family; }
     };
     static constexpr uint32_t no_family = (1u << 24) - 1;
-    /// The rest of a struct that is larger than Model::shape: of a capsule, box or triangle.
+    /// The rest of a struct that is larger than Model::shape: of a capsule, box or triangle. Of a scaled mesh the ball
+    /// around it.
     struct ShapeTail {
         uint32_t words[4];
+    };
+    static constexpr size_t largest_shape_words = sizeof(gphys_obb) / sizeof(uint32_t);
+    /// What a model that is no mesh was given, if its scale is not one.
+    struct Unscaled {
+        gphys_vec3 scale = no_scale;
+        uint32_t shape[largest_shape_words] = {};
     };
     /// The word of Model::shape, unused by planes, that holds where in unbounded_ a plane stands.
     static constexpr size_t position_in_list = sizeof(gphys_plane) / sizeof(uint32_t);
@@ -289,7 +302,7 @@ private:
     }
     const Model& at(gphys_model_id model) const { return models_[IdTable::slot_of(model)]; }
 
-    // Shapes. visit gets some public struct, or const Mesh*, of the type; the model's; the same placed
+    // Shapes. visit gets some public struct, or ModelMesh, of the type; the model's; the same placed
     // in the world.
     template <class Visit>
     static auto with_type(gphys_shape_type type, Visit&& visit);
@@ -307,7 +320,15 @@ private:
     bool meets_unbounded(const Ray& ray, const Filter& filter) const;
     template <class Answers, class Met>
     uint32_t hit_at_once(const EightPairs& pairs, const Ray* rays, const Met& met) const;
-    void store_shape(uint32_t slot, const void* shape);
+    void make_room_for_shapes(gphys_shape_type type, bool scaled, size_t size);
+    void store_shape(uint32_t slot, const void* shape, const gphys_vec3& scale);
+    void store_ball(uint32_t slot, const ModelMesh& stored);
+    gphys_status change_shape(uint32_t slot, gphys_shape_type type, const void* shape, const gphys_vec3& scale);
+    gphys_vec3 scale_of(uint32_t slot) const;
+    /// Null if it is a primitive.
+    const Mesh* stored_mesh(uint32_t slot) const {
+        return models_[slot].type() == GPHYS_SHAPE_MESH ? stored<ModelMesh>(slot).mesh : nullptr;
+    }
     void discard_shape(uint32_t slot);
     void let_go(const Mesh* mesh, uint32_t slot);
     void list_large_mesh(uint32_t slot);
@@ -315,7 +336,8 @@ private:
     double mesh_radius(uint32_t slot) const;
     /// Whether it has the form of a body of a solver, which collides with other bodies by itself.
     bool is_body(uint32_t slot) const {
-        return models_[slot].type() == GPHYS_SHAPE_MESH && stored<const Mesh*>(slot)->is_body();
+        const Mesh* const mesh = stored_mesh(slot);
+        return mesh && mesh->is_body();
     }
     void list_unbounded(uint32_t slot);
     void unlist_unbounded(uint32_t position);
@@ -385,7 +407,8 @@ private:
     void write_state(Sink& sink, const PutMesh& put_mesh) const;
     const char* find_meshes(const Vector<UsedMesh>& wanted, const uint32_t* embedded, uint32_t embedded_words,
                             const Scene& library, HeldMeshes& found);
-    const char* read_models(Reader& reader, const HeldMeshes& meshes, bool has_places);
+    const char* read_models(Reader& reader, const HeldMeshes& meshes, uint32_t parts);
+    bool any_scaled() const;
     const char* hang_up(const Vector<uint32_t>& parents);
     const char* lay_out(const BvhLayout& layout);
 
@@ -402,6 +425,8 @@ private:
     Bvh8 bvh_{&memory, chosen_isa(), &workers_};  // items are slots
     Vec3 origin_;                                 // in the world, of all coordinates
     Vector<WorldPlace> places_{&memory};          // by slot, of models without a parent; since set_origin
+    Vector<Unscaled> unscaled_{&memory};          // by slot, up to the last that needed one
+    float widest_scale_ = 1;                      // of all meshes that there were, their largest number or inverse
     float farthest_point_ = 0;                    // of all shapes that there were, from the origins of their models
     // That each model is in, a change of layers may leave some out; none if there is a model without
     // any point, an empty mesh.
@@ -430,7 +455,7 @@ auto Scene::with_type(gphys_shape_type type, Visit&& visit) {
         case GPHYS_SHAPE_TRIANGLE:
             return visit(gphys_triangle());
         default:
-            return visit(static_cast<const Mesh*>(nullptr));
+            return visit(ModelMesh());
     }
 }
 

@@ -86,21 +86,21 @@ bool find_contact(const Primitive& shape, Vec3 point, Contact& out) {
 /// Of a hull that holds the point: on its nearest face.
 Contact contact_within(const MeshInstance& hull, Vec3 point, Vec3 local) {
     Vec3 normal;
-    const double depth = hull.mesh.hull().depth(local, normal) * hull.world.scale;
+    const double depth = hull.mesh.hull().depth(local, normal, hull.axes) * hull.world.scale;
     normal = hull.world.rotation * normal;
     return {point + normal * depth, normal, -depth};
 }
 
 bool find_contact(const MeshInstance& instance, Vec3 point, Contact& out) {
     const Vec3 local = instance.world.inverse_apply(point);
-    if (instance.mesh.contains(local)) {
+    if (instance.mesh.contains(local, instance.axes)) {
         out = contact_within(instance, point, local);
         return true;
     }
     Vec3 closest;
     uint32_t triangle;
     if (!closest_point(instance, point, infinity, closest, triangle, Ties::as_computed)) return false;
-    const Triangle nearest = transformed(instance.mesh.triangle(triangle), instance.world);
+    const Triangle nearest = transformed(instance.axes(instance.mesh.triangle(triangle)), instance.world);
     out = contact_of_surface(nearest, closest, point, instance.mesh.is_hull());
     return true;
 }
@@ -116,11 +116,6 @@ bool Scene::closest_point_model(gphys_model_id model, Vec3 point, Vec3& out, Vec
     normal = contact.normal;
     signed_distance = contact.signed_distance;
     return true;
-}
-
-const Mesh* Scene::mesh(gphys_model_id model) const {
-    const uint32_t slot = IdTable::slot_of(model);
-    return models_[slot].type() == GPHYS_SHAPE_MESH ? stored<const Mesh*>(slot) : nullptr;
 }
 
 void closest_point_triangle(const Triangle& triangle, Vec3 point, Vec3& out, Vec3& normal, double& distance) {

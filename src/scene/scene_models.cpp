@@ -36,13 +36,31 @@ gphys_status Scene::check(gphys_model_id model) const {
     return has(model) ? GPHYS_OK : fail(GPHYS_ERROR_INVALID_ID, "model: no such model, or no longer");
 }
 
-void Scene::store_shape(uint32_t slot, const void* shape) {
+/// Room for what store_shape writes for slots below `size`.
+void Scene::make_room_for_shapes(gphys_shape_type type, bool scaled, size_t size) {
+    const bool is_mesh = type == GPHYS_SHAPE_MESH;
+    if (is_mesh ? scaled : with_type(type, [](auto stored) { return sizeof stored > sizeof Model::shape; })) {
+        grow(shape_tails_, size);
+    }
+    if (scaled && !is_mesh) grow(unscaled_, size);
+}
+
+void Scene::store_shape(uint32_t slot, const void* shape, const gphys_vec3& scale) {
+    const bool is_scaled = !is_one(scale), is_mesh = models_[slot].type() == GPHYS_SHAPE_MESH;
+    if (slot < unscaled_.size()) unscaled_[slot] = Unscaled();
+    if (is_scaled) widest_scale_ = std::max(widest_scale_, is_mesh ? width_of(scale) : 1);
     with_type(models_[slot].type(), [&](auto stored) {
-        if constexpr (std::is_pointer_v<decltype(stored)>) {
-            stored = static_cast<const Mesh*>(shape);
-            stored->retain();
+        if constexpr (std::is_same_v<decltype(stored), ModelMesh>) {
+            stored = ModelMesh(static_cast<const Mesh*>(shape), scale);
+            stored.mesh->retain();
+            if (is_scaled) store_ball(slot, stored);
         } else {
             std::memcpy(&stored, shape, sizeof stored);
+            if (is_scaled) {
+                unscaled_[slot].scale = scale;
+                std::memcpy(unscaled_[slot].shape, shape, sizeof stored);
+                stored = scaled(stored, scale);
+            }
         }
         constexpr size_t head = head_size<decltype(stored)>;
         std::memcpy(models_[slot].shape, &stored, head);
@@ -53,7 +71,19 @@ void Scene::store_shape(uint32_t slot, const void* shape) {
 }
 
 void Scene::discard_shape(uint32_t slot) {
-    if (models_[slot].type() == GPHYS_SHAPE_MESH) let_go(stored<const Mesh*>(slot), slot);
+    if (const Mesh* mesh = stored_mesh(slot)) let_go(mesh, slot);
+}
+
+/// Which batches of rays read as they do that of a mesh with scale one.
+void Scene::store_ball(uint32_t slot, const ModelMesh& stored) {
+    const gphys_sphere ball = ball_around(*stored.mesh, stored.axes());
+    static_assert(sizeof ball == sizeof(ShapeTail));
+    std::memcpy(&shape_tails_[slot], &ball, sizeof ball);
+}
+
+gphys_vec3 Scene::scale_of(uint32_t slot) const {
+    if (models_[slot].type() == GPHYS_SHAPE_MESH) return stored<ModelMesh>(slot).scale;
+    return slot < unscaled_.size() ? unscaled_[slot].scale : no_scale;
 }
 
 void Scene::let_go(const Mesh* mesh, uint32_t slot) {
@@ -62,11 +92,15 @@ void Scene::let_go(const Mesh* mesh, uint32_t slot) {
 }
 
 const char* Scene::MeshFollower::refusal_of_mesh(uint32_t slot) const {
+    const ModelMesh stored = scene_.stored<ModelMesh>(slot);
+    if (const ScaleRefusal refusal = refusal_of_scale(*stored.mesh, stored.scale)) return refusal.why;
     Box box;
     return scene_.place(slot, scene_.models_[slot].world, box);
 }
 
 void Scene::MeshFollower::mesh_changed(uint32_t slot) noexcept {
+    const ModelMesh stored = scene_.stored<ModelMesh>(slot);
+    if (stored.is_scaled) scene_.store_ball(slot, stored);
     scene_.bvh_.update(slot, scene_.world_box(slot, scene_.models_[slot].world));
     scene_.farthest_point_ = std::max(scene_.farthest_point_, scene_.farthest_point(slot));
 }
@@ -75,7 +109,8 @@ void Scene::MeshFollower::mesh_changed(uint32_t slot) noexcept {
 void Scene::MeshFollower::mesh_shifted(uint32_t slot, Vec3 by) noexcept {
     gphys_transform local = scene_.local_of(slot);
     const Transform wide = widen(local);
-    const Vec3 back = -(wide.rotation * (by * wide.scale));
+    const AxisScale axes = scene_.stored<ModelMesh>(slot).axes();
+    const Vec3 back = -(wide.rotation * (axes(by) * wide.scale));
     const bool placed = slot < scene_.places_.size() && scene_.parent_of(slot) == none;
     WorldPlace place = placed ? scene_.places_[slot] : WorldPlace();
     const Vec3 position = place.move(scene_.origin_, local.position, back);
@@ -92,7 +127,13 @@ gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shap
                         const gphys_transform* transforms, uint32_t transform_stride, uint32_t count,
                         Strided<gphys_model_desc> descs, gphys_model_id* out_models) {
     uint32_t with_parent = 0, common_layers = ~0u;
+    bool is_scaled = false;
+    const Strided<char> shape(static_cast<const char*>(shapes), shape_stride);
     for (uint32_t i = 0; i < count; ++i) {
+        if (const ScaleRefusal refusal = refusal_of_scale(type, &shape[i], descs[i].scale)) {
+            return fail(refusal.status, refusal.why);
+        }
+        is_scaled = is_scaled || !is_one(descs[i].scale);
         if (descs[i].parent != 0 && !has(descs[i].parent)) {
             return fail(GPHYS_ERROR_INVALID_ID, "desc.parent: no such model, or no longer");
         }
@@ -108,14 +149,12 @@ gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shap
     const size_t slots_needed = *std::max_element(slots.begin(), slots.end()) + size_t{1};
     grow(models_, slots_needed);
     grow(tags_, slots_needed);
-    if (with_type(type, [](auto stored) { return sizeof stored > sizeof Model::shape; }))
-        grow(shape_tails_, slots_needed);
+    make_room_for_shapes(type, is_scaled, slots_needed);
     const bool bounded = type != GPHYS_SHAPE_PLANE;
     if (!bounded) reserve_more(unbounded_, count);
     families_.reserve(2 * with_parent);  // parents may become such by it
 
     // Until the ids exist, nobody sees what is written to their slots.
-    const Strided<char> shape(static_cast<const char*>(shapes), shape_stride);
     constexpr gphys_transform identity{{0, 0, 0}, {0, 0, 0, 1}, 1};
     const Strided<gphys_transform> local(transforms ? transforms : &identity, transforms ? transform_stride : 0);
     uint32_t placed = 0;
@@ -136,7 +175,7 @@ gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shap
         model.family = no_family;
         model.type_ = static_cast<uint32_t>(type);
         tags_[slot] = desc.tag;
-        store_shape(slot, &shape[placed]);
+        store_shape(slot, &shape[placed], desc.scale);
         ++placed;
         farthest_point_ = std::max(farthest_point_, farthest_point(slot));
         const char* wrong = place(slot, model.world, boxes[placed - 1]);
@@ -168,13 +207,28 @@ gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shap
     return GPHYS_OK;
 }
 
-/// As add, of the one thing that changes. The new shape is stored in the place of the old one, where all that is asked
-/// of it finds it, and put back if it cannot stand there.
 gphys_status Scene::set_shape(gphys_model_id id, gphys_shape_type type, const void* shape) {
     const gphys_status status = check(id);
     if (status != GPHYS_OK) return status;
     const uint32_t slot = IdTable::slot_of(id);
-    if (with_type(type, [](auto stored) { return sizeof stored > sizeof Model::shape; })) grow(shape_tails_, slot + 1);
+    return change_shape(slot, type, shape, scale_of(slot));
+}
+
+gphys_status Scene::set_scale(gphys_model_id id, const gphys_vec3& scale) {
+    const gphys_status status = check(id);
+    if (status != GPHYS_OK) return status;
+    const uint32_t slot = IdTable::slot_of(id);
+    if (const Mesh* mesh = stored_mesh(slot)) return change_shape(slot, type(id), mesh, scale);
+    uint32_t shape[largest_shape_words];
+    copy_unscaled_shape(id, shape);
+    return change_shape(slot, type(id), shape, scale);
+}
+
+/// As add, of the one thing that changes. The new shape is stored in the place of the old one, where all that is asked
+/// of it finds it, and put back if it cannot stand there.
+gphys_status Scene::change_shape(uint32_t slot, gphys_shape_type type, const void* shape, const gphys_vec3& scale) {
+    if (const ScaleRefusal refusal = refusal_of_scale(type, shape, scale)) return fail(refusal.status, refusal.why);
+    make_room_for_shapes(type, !is_one(scale), slot + size_t{1});
     const bool bounded = type != GPHYS_SHAPE_PLANE, was_bounded = models_[slot].type() != GPHYS_SHAPE_PLANE;
     if (was_bounded && !bounded) reserve_more(unbounded_, 1);
     if (type == GPHYS_SHAPE_MESH) static_cast<const Mesh*>(shape)->join(mesh_follower_, &slot, 1);
@@ -182,12 +236,14 @@ gphys_status Scene::set_shape(gphys_model_id id, gphys_shape_type type, const vo
     Model& model = models_[slot];
     const Model old = model;
     const ShapeTail old_tail = slot < shape_tails_.size() ? shape_tails_[slot] : ShapeTail();
+    const Unscaled old_unscaled = slot < unscaled_.size() ? unscaled_[slot] : Unscaled();
     model.type_ = static_cast<uint32_t>(type);
-    store_shape(slot, shape);  // a mesh is held before the old one, which may be the same, is let go
+    store_shape(slot, shape, scale);  // a mesh is held before the old one, which may be the same, is let go
     const auto put_back = [&] {
         discard_shape(slot);
         model = old;
         if (slot < shape_tails_.size()) shape_tails_[slot] = old_tail;
+        if (slot < unscaled_.size()) unscaled_[slot] = old_unscaled;
     };
     Box box;
     if (const char* wrong = place(slot, model.world, box)) {
@@ -214,9 +270,9 @@ gphys_status Scene::set_shape(gphys_model_id id, gphys_shape_type type, const vo
     }
     farthest_point_ = std::max(farthest_point_, farthest_point(slot));
     if (old.type() == GPHYS_SHAPE_MESH) {
-        const Mesh* mesh = nullptr;
-        std::memcpy(&mesh, old.shape, sizeof mesh);
-        let_go(mesh, slot);
+        ModelMesh was;
+        std::memcpy(&was, old.shape, sizeof was);
+        let_go(was.mesh, slot);
     }
     return GPHYS_OK;
 }
@@ -264,7 +320,8 @@ void Scene::forget_place(uint32_t slot) {
 }
 
 double Scene::mesh_radius(uint32_t slot) const {
-    return stored<const Mesh*>(slot)->radius() * double{models_[slot].world.scale};
+    const ModelMesh model = stored<ModelMesh>(slot);
+    return model.mesh->radius(model.axes()) * double{models_[slot].world.scale};
 }
 
 void Scene::list_large_mesh(uint32_t slot) {
@@ -321,7 +378,9 @@ void Scene::clear() {
     });
     families_.clear();
     places_.clear();
+    unscaled_.clear();
     farthest_point_ = 0;
+    widest_scale_ = 1;
 }
 
 gphys_status Scene::set_layers(gphys_model_id model, uint32_t layers) {
@@ -349,6 +408,12 @@ uint32_t Scene::child_count(gphys_model_id model) const {
 
 void Scene::copy_shape(gphys_model_id model, void* out) const {
     with_stored(IdTable::slot_of(model), [&](const auto& stored) { std::memcpy(out, &stored, sizeof stored); });
+}
+
+void Scene::copy_unscaled_shape(gphys_model_id model, void* out) const {
+    const uint32_t slot = IdTable::slot_of(model);
+    if (is_one(scale_of(slot))) return copy_shape(model, out);
+    with_type(type(model), [&](auto shape) { std::memcpy(out, unscaled_[slot].shape, sizeof shape); });
 }
 
 bool Scene::bounds(gphys_model_id model, Box& out) const {

@@ -138,7 +138,7 @@ public:
         for (uint32_t i = 0; i < scene.large_mesh_count_; ++i) {
             const uint32_t slot = scene.large_meshes_[i];
             if (!all_see(scene, slot, count, filters)) continue;
-            with_placed(scene.stored<const Mesh*>(slot), scene.models_[slot].world, [&](const MeshInstance& mesh) {
+            with_placed(scene.stored<ModelMesh>(slot), scene.models_[slot].world, [&](const MeshInstance& mesh) {
                 if (!most_come_near(mesh, rays, count)) return;
                 ask(mesh, rays, count, [&](uint32_t i, const auto& answer) { take(i, slot, answer); });
                 slots_[count_++] = slot;
@@ -191,12 +191,12 @@ template <class Met>
 GPHYS_NOINLINE void ask_first(const MeshInstance& mesh, const Ray* rays, uint32_t count, gphys_distance*,
                               const Met& met) {
     gphys_distance found[Scene::rays_at_once];
-    const uint64_t bits = mesh.mesh.raycast_distance_many(rays, count, mesh.world, found);
+    const uint64_t bits = mesh.mesh.raycast_distance_many(rays, count, mesh.place(), found);
     for_each_met(bits, [&](uint32_t i) { met(i, found[i]); });
 }
 template <class Met>
 GPHYS_NOINLINE void ask_any(const MeshInstance& mesh, const Ray* rays, uint32_t count, const Met& met) {
-    for_each_met(mesh.mesh.raycast_any_many(rays, count, mesh.world), [&](uint32_t i) { met(i, true); });
+    for_each_met(mesh.mesh.raycast_any_many(rays, count, mesh.place()), [&](uint32_t i) { met(i, true); });
 }
 
 // A hit of eight as it is answered.
@@ -258,14 +258,17 @@ public:
     }
 
 private:
+    const float* tail(uint32_t slot) const { return reinterpret_cast<const float*>(scene_.shape_tails_[slot].words); }
     const float* other_words(gphys_shape_type type, uint32_t slot) const {
         switch (type) {
             case GPHYS_SHAPE_SPHERE:
                 return reinterpret_cast<const float*>(scene_.models_[slot].shape);
             case GPHYS_SHAPE_OBB:
-                return reinterpret_cast<const float*>(scene_.shape_tails_[slot].words);
-            case GPHYS_SHAPE_MESH:
-                return &scene_.stored<const Mesh*>(slot)->ball().center.x;
+                return tail(slot);
+            case GPHYS_SHAPE_MESH: {
+                const ModelMesh stored = scene_.stored<ModelMesh>(slot);
+                return stored.is_scaled ? tail(slot) : &stored.mesh->ball().center.x;
+            }
             default:
                 return nullptr;
         }

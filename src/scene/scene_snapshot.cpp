@@ -133,6 +133,7 @@ struct Scene::Contents {
           tags(memory),
           shape_tails(memory),
           families(memory),
+          unscaled(memory),
           places(memory),
           unbounded(memory) {}
 
@@ -141,10 +142,11 @@ struct Scene::Contents {
     Vector<uint32_t> tags;
     Vector<ShapeTail> shape_tails;
     Pool<Family> families;
+    Vector<Unscaled> unscaled;
     Vector<WorldPlace> places;
     Vector<uint32_t> unbounded;
     Vec3 origin;
-    float farthest_point = 0;
+    float widest_scale = 1, farthest_point = 0;
     uint32_t common_layers = ~0u, large_mesh_count = 0;
     uint32_t large_meshes[most_large_meshes];
 };
@@ -155,9 +157,11 @@ void Scene::exchange(Contents& other) noexcept {
     tags_.swap(other.tags);
     shape_tails_.swap(other.shape_tails);
     std::swap(families_, other.families);
+    unscaled_.swap(other.unscaled);
     places_.swap(other.places);
     unbounded_.swap(other.unbounded);
     std::swap(origin_, other.origin);
+    std::swap(widest_scale_, other.widest_scale);
     std::swap(farthest_point_, other.farthest_point);
     std::swap(common_layers_, other.common_layers);
     std::swap(large_mesh_count_, other.large_mesh_count);
@@ -167,8 +171,16 @@ void Scene::exchange(Contents& other) noexcept {
 template <class Visit>
 void Scene::for_each_mesh(Visit&& visit) const {
     for (uint32_t slot = 0; slot < ids_.slots(); ++slot) {
-        if (ids_.live(slot) && models_[slot].type() == GPHYS_SHAPE_MESH) visit(stored<const Mesh*>(slot));
+        if (!ids_.live(slot)) continue;
+        if (const Mesh* mesh = stored_mesh(slot)) visit(mesh);
     }
+}
+
+bool Scene::any_scaled() const {
+    for (uint32_t slot = 0; slot < ids_.slots(); ++slot) {
+        if (ids_.live(slot) && !is_one(scale_of(slot))) return true;
+    }
+    return false;
 }
 
 /// put_mesh(mesh) writes what stands for a mesh.
@@ -177,6 +189,7 @@ void Scene::write_state(Sink& sink, const PutMesh& put_mesh) const {
     Writer<Sink> writer(sink);
     writer.value(origin_);
     IdTable::visit(writer, ids_);
+    const bool scaled = any_scaled();
     for (uint32_t slot = 0; slot < ids_.slots(); ++slot) {
         if (!ids_.live(slot)) continue;
         const Model& model = models_[slot];
@@ -185,10 +198,12 @@ void Scene::write_state(Sink& sink, const PutMesh& put_mesh) const {
             const bool placed = slot < places_.size() && parent_of(slot) == none;
             writer.value(placed ? places_[slot].world() : Vec3());
         }
-        with_stored(slot, [&](const auto& shape) {
-            if constexpr (std::is_pointer_v<std::decay_t<decltype(shape)>>) {
-                put_mesh(shape);
+        if (scaled) writer.value(scale_of(slot));
+        with_type(model.type(), [&](auto shape) {
+            if constexpr (std::is_same_v<decltype(shape), ModelMesh>) {
+                put_mesh(stored_mesh(slot));
             } else {
+                copy_unscaled_shape(ids_.id(slot), &shape);
                 writer.value(shape);
             }
         });
@@ -218,7 +233,7 @@ gphys_status Scene::snapshot(bool embed_meshes, uint32_t* out, uint32_t capacity
     const auto put_all = [&](auto& sink) {
         Writer<std::decay_t<decltype(sink)>> writer(sink);
         writer.value(Sizes{meshes.size(), bvh_.node_count(), bvh_.size(), static_cast<uint32_t>(embedded),
-                           places_.empty() ? 0u : 1u});
+                           (places_.empty() ? 0 : has_places) | (any_scaled() ? has_scales : 0)});
         for (const UsedMesh& mesh : used) writer.value(mesh);
         write_state(sink, [&](const Mesh* mesh) { writer.value(meshes.number_of(mesh)); });
     };
@@ -301,7 +316,7 @@ const char* Scene::find_meshes(const Vector<UsedMesh>& wanted, const uint32_t* e
 }
 
 /// Into a scene without contents. Returns what is wrong.
-const char* Scene::read_models(Reader& reader, const HeldMeshes& meshes, bool has_places) {
+const char* Scene::read_models(Reader& reader, const HeldMeshes& meshes, uint32_t parts) {
     reader.value(origin_);
     IdTable::visit(reader, ids_);
     if (!reader.good()) return cut_short;
@@ -310,19 +325,24 @@ const char* Scene::read_models(Reader& reader, const HeldMeshes& meshes, bool ha
     const uint32_t slots = ids_.slots();
     models_.resize(slots);
     tags_.resize(slots);
-    if (has_places) places_.resize(slots);
+    const bool placed = (parts & has_places) != 0;
+    if (placed) places_.resize(slots);
     Vector<uint32_t> parents(slots, none, &memory);
     for (uint32_t slot = 0; slot < slots; ++slot) {
         if (!ids_.live(slot)) continue;
         ModelWords words{};
         reader.value(words);
         WorldPlace place;
-        if (has_places) reader.value(place);
+        if (placed) reader.value(place);
+        gphys_vec3 scale = no_scale;
+        if ((parts & has_scales) != 0) reader.value(scale);
         if (!reader.good()) return cut_short;
         if (!is_model_type(words.type)) return "words: a model's shape is of no type";
         if (gphys::defect(words.local)) return "words: a model's transform is out of range";
         if (!is_place_in_world(place.world())) return "words: a model is in no place of the world";
-        if (has_places) places_[slot] = place;
+        if (defect_of_scale(scale)) return "words: a model's scale is out of range";
+        make_room_for_shapes(static_cast<gphys_shape_type>(words.type), !is_one(scale), slots);
+        if (placed) places_[slot] = place;
         tags_[slot] = words.tag;
         parents[slot] = words.parent;
         Model& model = models_[slot];
@@ -331,23 +351,25 @@ const char* Scene::read_models(Reader& reader, const HeldMeshes& meshes, bool ha
         model.family = no_family;
         common_layers_ &= words.layers;
         const char* wrong = with_type(static_cast<gphys_shape_type>(words.type), [&](auto shape) -> const char* {
-            if constexpr (std::is_pointer_v<decltype(shape)>) {
+            constexpr const char* wrong_scale = "words: a model's shape cannot have its scale";
+            if constexpr (std::is_same_v<decltype(shape), ModelMesh>) {
                 uint32_t number = 0;
                 reader.value(number);
                 if (!reader.good() || number >= meshes.size()) return "words: a model uses a mesh that is none";
-                shape = meshes[number];
-                shape->join(mesh_follower_, &slot, 1);
+                const Mesh* const mesh = meshes[number];
+                if (refusal_of_scale(*mesh, scale)) return wrong_scale;
+                mesh->join(mesh_follower_, &slot, 1);
                 model.type_ = words.type;
-                store_shape(slot, shape);
-                if (shape->triangle_count() == 0) common_layers_ = 0;
+                store_shape(slot, mesh, scale);
+                if (mesh->triangle_count() == 0) common_layers_ = 0;
                 return nullptr;
             } else {
                 reader.value(shape);
                 if (!reader.good()) return cut_short;
                 if (gphys::defect(shape)) return "words: a model's shape is out of range";
-                if (sizeof shape > sizeof Model::shape) shape_tails_.resize(slots);
+                if (refusal_of_scale(static_cast<gphys_shape_type>(words.type), &shape, scale)) return wrong_scale;
                 model.type_ = words.type;
-                store_shape(slot, &shape);
+                store_shape(slot, &shape, scale);
                 return nullptr;
             }
         });
@@ -425,7 +447,7 @@ gphys_status Scene::restore(const Scene& library, const uint32_t* words, uint32_
     all.value(sizes);
     const uint64_t behind = uint64_t{sizes.nodes} + sizes.items + sizes.embedded_words;
     const uint64_t before = snapshot_header_words + sizeof sizes / 4;
-    if (!all.good() || before + behind > count || sizes.has_places > 1) return refused(cut_short);
+    if (!all.good() || before + behind > count || sizes.parts > (has_places | has_scales)) return refused(cut_short);
     Reader reader(words + before, static_cast<size_t>(count - before - behind));
     const uint32_t* const nodes = words + (count - behind);
     const BvhLayout layout{nodes, sizes.nodes, nodes + sizes.nodes, sizes.items};
@@ -447,7 +469,7 @@ gphys_status Scene::restore(const Scene& library, const uint32_t* words, uint32_
         exchange(old);
     };
     try {
-        const char* wrong = read_models(reader, meshes, sizes.has_places != 0);
+        const char* wrong = read_models(reader, meshes, sizes.parts);
         if (!wrong && !reader.finished()) wrong = cut_short;
         if (!wrong) wrong = lay_out(layout);
         if (wrong) {

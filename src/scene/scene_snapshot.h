@@ -26,8 +26,11 @@ struct SceneSnapshotSizes {
     uint32_t meshes;
     uint32_t nodes, items;  // of the BVH
     uint32_t embedded_words;
-    uint32_t has_places;  // of models in the world (set_origin): 0 or 1
+    uint32_t parts;  // that models have besides: has_places, has_scales
 };
+constexpr uint32_t has_places = 1;  // in the world (set_origin)
+constexpr uint32_t has_scales = 2;  // per axis; else all are one
+
 constexpr uint32_t scene_snapshot_magic = 0x67706873;
 constexpr uint32_t scene_snapshot_format = 1;
 

@@ -49,6 +49,12 @@ GPHYS_NOINLINE const char* Scene::place(uint32_t slot, const gphys_transform& wo
     if (gphys::defect(world)) return "transform: the world transform is out of range";
     if (world.scale < 1 / max_scale) return "transform.scale: below 1 / GPHYS_MAX_COORDINATE";
     if (models_[slot].type() == GPHYS_SHAPE_PLANE) return nullptr;
+    if (models_[slot].type() == GPHYS_SHAPE_MESH) {
+        const AxisScale axes = stored<ModelMesh>(slot).axes();
+        if (axes.largest() * world.scale > max_scale || axes.least() * world.scale < 1 / max_scale) {
+            return "scale: in the world, not from 1e-15 to 1e15";
+        }
+    }
     box = world_box(slot, world);
     for (int k = 0; k < 3; ++k) {
         if (box.min[k] < -max_box_coordinate || box.max[k] > max_box_coordinate) {
@@ -62,7 +68,10 @@ GPHYS_NOINLINE const char* Scene::place(uint32_t slot, const gphys_transform& wo
 /// position is beyond GPHYS_MAX_COORDINATE.
 inline const char* Scene::place(uint32_t slot, const gphys_transform& world) const {
     constexpr float max_reach = max_box_coordinate / 2 - GPHYS_MAX_COORDINATE;
-    if (farthest_point_ * world.scale < max_reach && world.scale >= 1 / max_scale) return nullptr;
+    constexpr double few_roundings = 1 - 0x1p-20;
+    const double widest = widest_scale_, scale = world.scale;
+    const bool usual_scale = scale * widest <= max_scale * few_roundings && scale * few_roundings >= widest / max_scale;
+    if (farthest_point_ * world.scale < max_reach && usual_scale) return nullptr;
     Box box;
     return place(slot, world, box);
 }

@@ -7,13 +7,47 @@ using namespace test;
 
 namespace {
 
+/// The same hull as a model: of points that are divided by a scale, which the model has. Powers of two, so that the
+/// truth is that of the points.
+class ScaledHull {
+public:
+    using Target = gphys_scene;
+
+    explicit ScaledHull(const std::vector<gphys_vec3>& points) : status(GPHYS_ERROR_INVALID_ARGUMENT) {
+        constexpr gphys_vec3 scale{4, 0.5f, 0x1p-10f};
+        std::vector<gphys_vec3> divided;
+        for (const gphys_vec3& p : points) {
+            divided.push_back({p.x / scale.x, p.y / scale.y, p.z / scale.z});
+            const gphys_vec3& d = divided.back();
+            if (d.x * scale.x != p.x || d.y * scale.y != p.y || d.z * scale.z != p.z) return;
+        }
+        const MadeHull hull(divided);
+        status = hull.status;
+        if (status != GPHYS_OK) return;
+        gphys_model_desc desc;
+        gphys_model_id model;
+        REQUIRE(gphys_model_desc_init(&desc, sizeof desc) == GPHYS_OK);
+        desc.scale = scale;
+        REQUIRE(gphys_scene_create(nullptr, &scene_) == GPHYS_OK);
+        status = gphys_scene_add(scene_, GPHYS_SHAPE_MESH, *hull, nullptr, &desc, &model);
+    }
+    ~ScaledHull() { gphys_scene_destroy(scene_); }
+    ScaledHull(const ScaledHull&) = delete;
+    const gphys_scene* operator*() const { return scene_; }
+    gphys_status status;
+
+private:
+    gphys_scene* scene_ = nullptr;
+};
+
 gphys_vec3 by(Cases& c, const std::vector<gphys_vec3>& all) {
     const auto any = [&] { return all[c.random.index(static_cast<uint32_t>(all.size()))]; };
     const gphys_vec3 p = any(), q = any(), r = any();
     return c.point_by(p, q, r);
 }
 
-using Holds = bool (*)(const gphys_mesh* hull, const gphys_vec3& point);
+template <class Hull>
+using Holds = bool (*)(const typename Hull::Target* hull, const gphys_vec3& point);
 bool library(const gphys_mesh* hull, const gphys_vec3& point) {
     int32_t contains = -1;
     REQUIRE(gphys_shape_contains(GPHYS_SHAPE_MESH, hull, &point, 0, &contains) == GPHYS_OK);
@@ -29,20 +63,34 @@ bool by_planes(const gphys_mesh* hull, const gphys_vec3& point) {
     });
 }
 
-Score contains(Holds holds, long count) {
-    Cases c(81);
-    Score score("contains hull");
+/// As a ray that goes nowhere.
+bool in_scaled(const gphys_scene* scene, const gphys_vec3& point) {
+    const gphys_ray ray{point, {1, 0, 0}, 0};
+    gphys_hit hit{};
+    return gphys_scene_raycast(scene, &ray, 1, &hit) == GPHYS_OK;
+}
+bool in_scaled_box(const gphys_scene* scene, const gphys_vec3& point) {
+    gphys_aabb box;
+    REQUIRE(gphys_scene_get_scene_bounds(scene, &box) == GPHYS_OK);
+    return point.x >= box.min.x && point.x <= box.max.x && point.y >= box.min.y && point.y <= box.max.y;
+}
+
+template <class Hull>
+Score contains(Holds<Hull> holds, long count) {
+    constexpr bool scaled = std::is_same_v<Hull, ScaledHull>;
+    Cases c(scaled ? 87 : 81);
+    Score score(scaled ? "contains scaled hull" : "contains hull");
     for (long i = 0; i < count; c.next()) {
         const std::vector<gphys_vec3> all = points(c, 14);
         const TrueHull truth(all);
-        const MadeHull hull(all);
+        const Hull hull(all);
         if (hull.status != GPHYS_OK) {
             // Only flat ones are refused.
-            REQUIRE(truth.planes.empty());
+            if constexpr (!scaled) REQUIRE(truth.planes.empty());
             ++i;
             continue;
         }
-        REQUIRE(hull.faces() == truth.face_count());
+        if constexpr (!scaled) REQUIRE(hull.faces() == truth.face_count());
         for (int k = 0; k < 20; ++k, ++i) {
             const gphys_vec3 point = by(c, all);
             score.answer(holds(*hull, point), truth.holds(exact(point)), point, all[0], all[1], all[2], all[3]);
@@ -51,7 +99,16 @@ Score contains(Holds holds, long count) {
     return score;
 }
 
-using Cast = bool (*)(const gphys_mesh* hull, const gphys_ray& ray, gphys_hit& hit);
+template <class Hull>
+using Cast = bool (*)(const typename Hull::Target* hull, const gphys_ray& ray, gphys_hit& hit);
+bool cast_at_scaled(const gphys_scene* scene, const gphys_ray& ray, gphys_hit& hit) {
+    return gphys_scene_raycast(scene, &ray, 1, &hit) == GPHYS_OK;
+}
+bool cast_late_at_scaled(const gphys_scene* scene, const gphys_ray& ray, gphys_hit& hit) {
+    if (!cast_at_scaled(scene, ray, hit)) return false;
+    hit.t *= 1 + 0x1p-21f;
+    return true;
+}
 bool cast(const gphys_mesh* hull, const gphys_ray& ray, gphys_hit& hit) {
     return gphys_shape_raycast(GPHYS_SHAPE_MESH, hull, &ray, &hit) == GPHYS_OK;
 }
@@ -65,13 +122,15 @@ bool cast_late(const gphys_mesh* hull, const gphys_ray& ray, gphys_hit& hit) {
     return true;
 }
 
-Score raycast(Cast meets, long count) {
-    Cases c(82);
-    Score score("raycast hull", 1, "ulp of t");
+template <class Hull>
+Score raycast(Cast<Hull> meets, long count) {
+    constexpr bool scaled = std::is_same_v<Hull, ScaledHull>;
+    Cases c(scaled ? 88 : 82);
+    Score score(scaled ? "raycast scaled hull" : "raycast hull", 1, "ulp of t");
     for (long i = 0; i < count; c.next()) {
         const std::vector<gphys_vec3> all = points(c, 14);
         const TrueHull truth(all);
-        const MadeHull hull(all);
+        const Hull hull(all);
         if (hull.status != GPHYS_OK) {
             ++i;
             continue;
@@ -171,11 +230,16 @@ auto overlaps(const char* name, uint64_t seed) {
 }  // namespace
 
 TEST_CASE("points are in the hull of points exactly when they are", "[hull]") {
-    prove(cases(20000, 2000000), contains, library, by_planes);
+    prove(cases(20000, 2000000), contains<MadeHull>, library, by_planes);
 }
 
 TEST_CASE("rays meet hulls exactly when they do", "[hull]") {
-    prove(cases(20000, 2000000), raycast, cast, cast_at_surface, cast_late);
+    prove(cases(20000, 2000000), raycast<MadeHull>, cast, cast_at_surface, cast_late);
+}
+
+TEST_CASE("a hull that is scaled per axis as a model holds points and meets rays exactly when it does", "[hull]") {
+    prove(cases(20000, 1000000), contains<ScaledHull>, in_scaled, in_scaled_box);
+    prove(cases(20000, 1000000), raycast<ScaledHull>, cast_at_scaled, cast_late_at_scaled);
 }
 
 TEST_CASE("solids overlap hulls when they do, but for 2^-40 of the coordinates", "[hull]") {

@@ -91,6 +91,7 @@ private:
 
 class MadeHull {
 public:
+    using Target = gphys_mesh;
     explicit MadeHull(const std::vector<gphys_vec3>& points) {
         status = gphys_mesh_create_hull(nullptr, &points[0].x, sizeof points[0], static_cast<uint32_t>(points.size()),
                                         &mesh_);

@@ -341,6 +341,9 @@ TEST_CASE("shapes change, trees and cameras are read") {
     const gphys_model_id head = scene.add(ball, nullptr, &on_body);
     scene.set_shape(body, Sphere{zero, 5});
     CHECK(scene.get_bounds(body)->max.x == 5);
+    scene.set_scale(body, Vec3{2, 2, 2});
+    CHECK(scene.get_bounds(body)->max.x == 10);
+    CHECK(scene.get_scale(body).y == 2);
     CHECK(scene.get_roots() == std::vector<gphys_model_id>{body});
     CHECK(scene.get_children(body) == std::vector<gphys_model_id>{head});
     Camera camera;

@@ -76,6 +76,8 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_scene_get_bounds(SceneHandle scene, uint model, Aabb* out_bounds);
     [DllImport(Library)] internal static extern Status gphys_scene_get_scene_bounds(SceneHandle scene, Aabb* out_bounds);
     [DllImport(Library)] internal static extern Status gphys_scene_set_shape(SceneHandle scene, uint model, ShapeType type, void* shape);
+    [DllImport(Library)] internal static extern Status gphys_scene_set_scale(SceneHandle scene, uint model, Vec3* scale);
+    [DllImport(Library)] internal static extern Status gphys_scene_get_scale(SceneHandle scene, uint model, Vec3* out_scale);
     [DllImport(Library)] internal static extern Status gphys_scene_set_layers(SceneHandle scene, uint model, uint layers);
     [DllImport(Library)] internal static extern Status gphys_scene_set_tag(SceneHandle scene, uint model, uint tag);
     [DllImport(Library)] internal static extern Status gphys_scene_set_parent(SceneHandle scene, uint model, uint parent, int keep_world);

@@ -383,7 +383,8 @@ public sealed partial class Scene : IDisposable {
     /// <param name="shape">in the model's own coordinates</param>
     /// <param name="transform">local; null is the identity</param>
     /// <param name="desc">null: no parent, layer 1, tag 0</param>
-    /// <exception cref="GamephysException">Status.ErrorUnsupported: for another type</exception>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: for another type, or a scale that the
+    /// shape cannot have (Scene.SetScale)</exception>
     /// <exception cref="GamephysException">Status.ErrorInvalidId: for a stale parent</exception>
     /// <exception cref="GamephysException">Status.ErrorCapacity: beyond 2^24 - 1 models</exception>
     public unsafe uint Add(Shape shape, Transform? transform = null, ModelDesc? desc = null) {
@@ -548,15 +549,16 @@ public sealed partial class Scene : IDisposable {
     }
 
     /// <summary>Give a model another shape, or another mesh, of any type that Scene.Add takes: a character crouches,
-    /// a level of detail changes, a wall breaks. Its id, parent, children, tag, layers and transforms stay.
-    /// Sleeping bodies near it wake, and particles that are inside then come out as they do of any solid.
+    /// a level of detail changes, a wall breaks. Its id, parent, children, tag, layers, scale and
+    /// transforms stay. Sleeping bodies near it wake, and particles that are inside then come out as they
+    /// do of any solid.
     /// Cost: as Scene.SetTransform of a model without children, whatever the size of a mesh.</summary>
     /// <param name="shape">as in Scene.Add: a struct, copied, or a mesh with ShapeType.Mesh. The scene
     /// holds the new mesh and no longer the old one, which may be the same.</param>
     /// <param name="shape">as in Scene.Add: a struct, copied, or a mesh with ShapeType.Mesh. The scene
     /// holds the new mesh and no longer the old one, which may be the same.</param>
-    /// <exception cref="GamephysException">Status.ErrorUnsupported: for a frustum, ray or
-    /// segment</exception>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: for a frustum, ray or segment, and for
+    /// a shape that cannot have the model's scale (Scene.SetScale)</exception>
     /// <exception cref="GamephysException">Status.ErrorInvalidArgument: also if the model would leave the
     /// range of the world</exception>
     /// <exception cref="GamephysException">Status.ErrorOutOfMemory: </exception>
@@ -565,6 +567,35 @@ public sealed partial class Scene : IDisposable {
         var status = Low.gphys_scene_set_shape(Handle, model, shape.Type, shape_);
         GC.KeepAlive(shape.Mesh);
         Check(status);
+    }
+
+    /// <summary>Scale a model's own shape along the three axes of the model, before its transform: a tree grows, a
+    /// unit box becomes a wall, a rock is stretched. Every query, and solvers, see the scaled shape;
+    /// normals are those of its surface. Children are not affected: they follow the transform, whose scale
+    /// is one number. What is set replaces what was set before. A mesh or a hull is scaled exactly, without
+    /// a copy: answers are those of a mesh of the scaled vertices. Of a box or a triangle each number is
+    /// multiplied and rounded to float32. A sphere, capsule or plane, and an OBB whose own rotation is not
+    /// the identity, take three equal numbers only.
+    /// Cost: as Scene.SetTransform of a model without children. Models that have a scale take 16 bytes more
+    /// if they are meshes, else 52, up to the highest id. Queries of a scaled mesh or hull take 1 to 11 %
+    /// more.</summary>
+    /// <param name="scale">x, y, z, each from 1e-15 to 1e15</param>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: for numbers that are not equal where
+    /// they have to be, and for the mesh of a rope or of particles (Mesh) unless it is 1 1 1</exception>
+    /// <exception cref="GamephysException">Status.ErrorInvalidArgument: also if a coordinate of the scaled
+    /// shape would exceed MaxCoordinate, if a number times that of a mesh's world transform is not from
+    /// 1e-15 to 1e15, or if the model would leave the range of the world</exception>
+    /// <exception cref="GamephysException">Status.ErrorOutOfMemory: </exception>
+    public unsafe void SetScale(uint model, Vec3 scale) {
+        Check(Low.gphys_scene_set_scale(Handle, model, &scale));
+    }
+
+    /// <summary>The scale of a model's own shape, 1 1 1 unless another was set.
+    /// Cost: O(1).</summary>
+    public unsafe Vec3 GetScale(uint model) {
+        var scale = default(Vec3);
+        Check(Low.gphys_scene_get_scale(Handle, model, &scale));
+        return scale;
     }
 
     /// <summary>Change which queries see a model: those with a mask m of which layers &amp; m is not 0. Children are not

@@ -483,6 +483,8 @@ public partial struct ModelDesc {
     public uint Layers;
     /// <summary>any number of the caller's, returned with each hit; 0</summary>
     public uint Tag;
+    /// <summary>as Scene.SetScale sets it; 1 1 1, and 0 0 0 is the same. Since 1.1</summary>
+    public Vec3 Scale;
     /// <summary>The defaults of the loaded library, to be changed.</summary>
     public static unsafe ModelDesc Default {
         get {

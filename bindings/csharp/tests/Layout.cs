@@ -29,7 +29,7 @@ static class Layout {
         (typeof(OctreeStats), 32, new string[] { "ItemCount", "UnboundedCount", "NodeCount", "LeafCount", "Depth", "Rebuilds", "Cost", "MemoryBytes" }, new int[] { 0, 4, 8, 12, 16, 20, 24, 28 }),
         (typeof(OctreeBox), 32, new string[] { "Bounds", "Depth", "ItemCount" }, new int[] { 0, 24, 28 }),
         (typeof(SceneDesc), 40, new string[] { "StructSize", "Allocator", "ReserveModels", "TaskRunner", "WorkerCount", "Reserved" }, new int[] { 0, 8, 16, 24, 32, 36 }),
-        (typeof(ModelDesc), 16, new string[] { "StructSize", "Parent", "Layers", "Tag" }, new int[] { 0, 4, 8, 12 }),
+        (typeof(ModelDesc), 28, new string[] { "StructSize", "Parent", "Layers", "Tag", "Scale" }, new int[] { 0, 4, 8, 12, 16 }),
         (typeof(ModelInfo), 20, new string[] { "Type", "Parent", "Layers", "Tag", "ChildCount" }, new int[] { 0, 4, 8, 12, 16 }),
         (typeof(QueryFilterDesc), 32, new string[] { "StructSize", "Layers", "IgnoredModel", "Flags", "IgnoredModels", "IgnoredCount", "Reserved" }, new int[] { 0, 4, 8, 12, 16, 24, 28 }),
         (typeof(CameraDesc), 40, new string[] { "StructSize", "Allocator", "Handedness", "DepthRange", "ReverseZ", "ViewportWidth", "ViewportHeight", "Reserved" }, new int[] { 0, 8, 16, 20, 24, 28, 32, 36 }),

@@ -162,6 +162,9 @@ public class SceneTests {
         var head = scene.Add(new Sphere((0, 0, 0), 1), null, onBody);
         scene.SetShape(body, new Sphere((0, 0, 0), 5));
         Assert.AreEqual(5, scene.GetBounds(body).Value.Max.X);
+        scene.SetScale(body, (2, 2, 2));
+        Assert.AreEqual(10, scene.GetBounds(body).Value.Max.X);
+        Assert.AreEqual(2, scene.GetScale(body).Y);
         CollectionAssert.AreEqual(new[] { body }, scene.GetRoots());
         CollectionAssert.AreEqual(new[] { head }, scene.GetChildren(body));
         var camera = new Camera();

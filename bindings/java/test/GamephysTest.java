@@ -304,6 +304,9 @@ public class GamephysTest {
         int body = scene.add(BALL), head = scene.add(BALL, null, new ModelDesc().parent(body));
         scene.setShape(body, new Sphere(ZERO, 5));
         assertEquals(5, scene.getBounds(body).orElseThrow().max().x(), 0);
+        scene.setScale(body, new Vec3(2, 2, 2));
+        assertEquals(10, scene.getBounds(body).orElseThrow().max().x(), 0);
+        assertEquals(2, scene.getScale(body).y(), 0);
         assertEquals(List.of(body), scene.getRoots());
         assertEquals(List.of(head), scene.getChildren(body));
         Camera camera = new Camera();

@@ -130,15 +130,15 @@ export function objects(memory) {
         }
         add(shape, transform, desc) {
             if (transform != null) { writeTransform(v, 28, transform); }
-            if (desc != null) { check(native.gphys_model_desc_init(base + 144, 16)); writeModelDesc(v, 36, desc); }
-            check(native.gphys_scene_add(this.pointer, typeOf(shape), putShape(shape, 0), transform == null ? 0 : base + 112, desc == null ? 0 : base + 144, base + 160));
-            return v.u32[40];
+            if (desc != null) { check(native.gphys_model_desc_init(base + 144, 28)); writeModelDesc(v, 36, desc); }
+            check(native.gphys_scene_add(this.pointer, typeOf(shape), putShape(shape, 0), transform == null ? 0 : base + 112, desc == null ? 0 : base + 144, base + 172));
+            return v.u32[43];
         }
         addBatch(shapes, transforms, desc, out) {
             begin();
             const shapes_ = inputShapes(shapes);
             const transforms_ = transforms == null ? nothing : input(transforms, 32, 'transforms');
-            if (desc != null) { check(native.gphys_model_desc_init(base, 16)); writeModelDesc(v, 0, desc); }
+            if (desc != null) { check(native.gphys_model_desc_init(base, 28)); writeModelDesc(v, 0, desc); }
             const count = common(shapes_, transforms_);
             const out_models_ = output(out, 'uint32_t', count);
             check(native.gphys_scene_add_batch(this.pointer, shapes_.type, pass(shapes_), shapes_.stride, pass(transforms_), transforms_.stride, count, desc == null ? 0 : base, pass(out_models_)));
@@ -148,7 +148,7 @@ export function objects(memory) {
             begin();
             const shapes_ = inputShapes(shapes);
             const transforms_ = transforms == null ? nothing : input(transforms, 32, 'transforms');
-            const descs_ = descs == null ? nothing : inputDescs(descs, 0, 16, native.gphys_model_desc_init, writeModelDesc, 'descs');
+            const descs_ = descs == null ? nothing : inputDescs(descs, 0, 28, native.gphys_model_desc_init, writeModelDesc, 'descs');
             const count = common(shapes_, transforms_, descs_);
             const out_models_ = output(out, 'uint32_t', count);
             check(native.gphys_scene_add_described_batch(this.pointer, shapes_.type, pass(shapes_), shapes_.stride, pass(transforms_), transforms_.stride, pass(descs_), descs_.stride, count, pass(out_models_)));
@@ -199,6 +199,14 @@ export function objects(memory) {
         }
         setShape(model, shape) {
             check(native.gphys_scene_set_shape(this.pointer, model, typeOf(shape), putShape(shape, 0)));
+        }
+        setScale(model, scale) {
+            writeVec3(v, 0, scale);
+            check(native.gphys_scene_set_scale(this.pointer, model, base));
+        }
+        getScale(model) {
+            check(native.gphys_scene_get_scale(this.pointer, model, base));
+            return readVec3(v, 0);
         }
         setLayers(model, layers = ALL_LAYERS) {
             check(native.gphys_scene_set_layers(this.pointer, model, layers));

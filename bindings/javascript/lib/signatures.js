@@ -71,6 +71,8 @@ export const signatures = {
     gphys_scene_get_bounds: 'ipup',
     gphys_scene_get_scene_bounds: 'ipp',
     gphys_scene_set_shape: 'ipuip',
+    gphys_scene_set_scale: 'ipup',
+    gphys_scene_get_scale: 'ipup',
     gphys_scene_set_layers: 'ipuu',
     gphys_scene_set_tag: 'ipuu',
     gphys_scene_set_parent: 'ipuui',

@@ -194,6 +194,7 @@ export function writeModelDesc(v, at, value) {
             case 'parent': v.u32[at + 1] = number(value[name], 'parent'); break;
             case 'layers': v.u32[at + 2] = number(value[name], 'layers'); break;
             case 'tag': v.u32[at + 3] = number(value[name], 'tag'); break;
+            case 'scale': writeVec3(v, at + 4, value[name]); break;
             default: throw new TypeError(`model_desc has no field ${name}`);
         }
     }

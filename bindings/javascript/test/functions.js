@@ -202,6 +202,8 @@ test('shapes change, trees and cameras are read', () => {
     const body = scene.add(ball), head = scene.add(ball, null, { parent: body });
     scene.setShape(body, gp.sphere([0, 0, 0], 5));
     same(scene.getBounds(body).max, [5, 5, 5]);
+    scene.setScale(body, [2, 2, 2]);
+    same([scene.getBounds(body).max, scene.getScale(body)], [[10, 10, 10], [2, 2, 2]]);
     same([...scene.getRoots()], [body]);
     same([...scene.getChildren(body)], [head]);
     const camera = new gp.Camera();

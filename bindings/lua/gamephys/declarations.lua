@@ -43,7 +43,7 @@ typedef struct gphys_mesh_desc { uint32_t struct_size; const gphys_allocator *al
 typedef struct gphys_octree_stats { uint32_t item_count; uint32_t unbounded_count; uint32_t node_count; uint32_t leaf_count; uint32_t depth; uint32_t rebuilds; float cost; uint32_t memory_bytes; } gphys_octree_stats;
 typedef struct gphys_octree_box { gphys_aabb bounds; uint32_t depth; uint32_t item_count; } gphys_octree_box;
 typedef struct gphys_scene_desc { uint32_t struct_size; const gphys_allocator *allocator; uint32_t reserve_models; const gphys_task_runner *task_runner; uint32_t worker_count; uint32_t reserved; } gphys_scene_desc;
-typedef struct gphys_model_desc { uint32_t struct_size; gphys_model_id parent; uint32_t layers; uint32_t tag; } gphys_model_desc;
+typedef struct gphys_model_desc { uint32_t struct_size; gphys_model_id parent; uint32_t layers; uint32_t tag; gphys_vec3 scale; } gphys_model_desc;
 typedef struct gphys_model_info { gphys_shape_type type; gphys_model_id parent; uint32_t layers; uint32_t tag; uint32_t child_count; } gphys_model_info;
 typedef struct gphys_query_filter_desc { uint32_t struct_size; uint32_t layers; gphys_model_id ignored_model; uint32_t flags; const gphys_model_id *ignored_models; uint32_t ignored_count; uint32_t reserved; } gphys_query_filter_desc;
 typedef struct gphys_camera_desc { uint32_t struct_size; const gphys_allocator *allocator; gphys_handedness handedness; gphys_depth_range depth_range; int32_t reverse_z; float viewport_width; float viewport_height; uint32_t reserved; } gphys_camera_desc;
@@ -129,6 +129,8 @@ gphys_status gphys_scene_get_shape(const gphys_scene *scene, gphys_model_id mode
 gphys_status gphys_scene_get_bounds(const gphys_scene *scene, gphys_model_id model, gphys_aabb *out_bounds);
 gphys_status gphys_scene_get_scene_bounds(const gphys_scene *scene, gphys_aabb *out_bounds);
 gphys_status gphys_scene_set_shape(gphys_scene *scene, gphys_model_id model, gphys_shape_type type, const void *shape);
+gphys_status gphys_scene_set_scale(gphys_scene *scene, gphys_model_id model, const gphys_vec3 *scale);
+gphys_status gphys_scene_get_scale(const gphys_scene *scene, gphys_model_id model, gphys_vec3 *out_scale);
 gphys_status gphys_scene_set_layers(gphys_scene *scene, gphys_model_id model, uint32_t layers);
 gphys_status gphys_scene_set_tag(gphys_scene *scene, gphys_model_id model, uint32_t tag);
 gphys_status gphys_scene_set_parent(gphys_scene *scene, gphys_model_id model, gphys_model_id parent, int32_t keep_world);
@@ -385,7 +387,7 @@ gphys_status gphys_solver_get_hash(const gphys_solver *solver, uint32_t *out_has
         { name = "octree_stats", fields = { "item_count", "unbounded_count", "node_count", "leaf_count", "depth", "rebuilds", "cost", "memory_bytes" } },
         { name = "octree_box", fields = { "bounds", "depth", "item_count" } },
         { name = "scene_desc", fields = { "struct_size", "allocator", "reserve_models", "task_runner", "worker_count", "reserved" } },
-        { name = "model_desc", fields = { "struct_size", "parent", "layers", "tag" } },
+        { name = "model_desc", fields = { "struct_size", "parent", "layers", "tag", "scale" } },
         { name = "model_info", fields = { "type", "parent", "layers", "tag", "child_count" } },
         { name = "query_filter_desc", fields = { "struct_size", "layers", "ignored_model", "flags", "ignored_models", "ignored_count", "reserved" } },
         { name = "camera_desc", fields = { "struct_size", "allocator", "handedness", "depth_range", "reverse_z", "viewport_width", "viewport_height", "reserved" } },

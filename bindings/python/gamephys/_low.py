@@ -359,10 +359,11 @@ class ModelDesc(Desc, Structure):
     parent: int  # 0: none
     layers: int  # a query with mask m sees the model if layers & m; default 1
     tag: int  # any number of the caller's, returned with each hit; 0
-    _fields_ = [("struct_size", c_uint32), ("parent", c_uint32), ("layers", c_uint32), ("tag", c_uint32)]
+    scale: Vec3  # as Scene.set_scale sets it; 1 1 1, and 0 0 0 is the same. Since 1.1
+    _fields_ = [("struct_size", c_uint32), ("parent", c_uint32), ("layers", c_uint32), ("tag", c_uint32), ("scale", Vec3)]
 
 
-model_desc_dtype = dtype([("struct_size", "<u4"), ("parent", "<u4"), ("layers", "<u4"), ("tag", "<u4")])
+model_desc_dtype = dtype([("struct_size", "<u4"), ("parent", "<u4"), ("layers", "<u4"), ("tag", "<u4"), ("scale", "<f4", (3,))])
 ModelDesc.dtype = model_desc_dtype
 
 
@@ -701,6 +702,8 @@ gphys_scene_get_shape = function("gphys_scene_get_shape", c_int32, [c_void_p, c_
 gphys_scene_get_bounds = function("gphys_scene_get_bounds", c_int32, [c_void_p, c_uint32, c_void_p])
 gphys_scene_get_scene_bounds = function("gphys_scene_get_scene_bounds", c_int32, [c_void_p, c_void_p])
 gphys_scene_set_shape = function("gphys_scene_set_shape", c_int32, [c_void_p, c_uint32, c_int32, c_void_p])
+gphys_scene_set_scale = function("gphys_scene_set_scale", c_int32, [c_void_p, c_uint32, c_void_p])
+gphys_scene_get_scale = function("gphys_scene_get_scale", c_int32, [c_void_p, c_uint32, c_void_p])
 gphys_scene_set_layers = function("gphys_scene_set_layers", c_int32, [c_void_p, c_uint32, c_uint32])
 gphys_scene_set_tag = function("gphys_scene_set_tag", c_int32, [c_void_p, c_uint32, c_uint32])
 gphys_scene_set_parent = function("gphys_scene_set_parent", c_int32, [c_void_p, c_uint32, c_uint32, c_int32])

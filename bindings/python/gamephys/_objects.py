@@ -313,7 +313,8 @@ class Scene(Models):
             desc: None: no parent, layer 1, tag 0
 
         Raises:
-            Error, status ERROR_UNSUPPORTED: for another type
+            Error, status ERROR_UNSUPPORTED: for another type, or a scale that the shape cannot have
+                (Scene.set_scale)
             InvalidId: for a stale parent
             Error, status ERROR_CAPACITY: beyond 2^24 - 1 models"""
         type_, shape_ = shape_of(shape)
@@ -433,9 +434,9 @@ class Scene(Models):
 
     def set_shape(self, model: int, shape: Shape) -> None:
         """Give a model another shape, or another mesh, of any type that Scene.add takes: a character
-        crouches, a level of detail changes, a wall breaks. Its id, parent, children, tag, layers and
-        transforms stay. Sleeping bodies near it wake, and particles that are inside then come out as
-        they do of any solid.
+        crouches, a level of detail changes, a wall breaks. Its id, parent, children, tag, layers, scale
+        and transforms stay. Sleeping bodies near it wake, and particles that are inside then come out
+        as they do of any solid.
         Cost: as Scene.set_transform of a model without children, whatever the size of a mesh.
 
         Args:
@@ -443,11 +444,44 @@ class Scene(Models):
                 the new mesh and no longer the old one, which may be the same.
 
         Raises:
-            Error, status ERROR_UNSUPPORTED: for a frustum, ray or segment
+            Error, status ERROR_UNSUPPORTED: for a frustum, ray or segment, and for a shape that cannot
+                have the model's scale (Scene.set_scale)
             InvalidArgument: also if the model would leave the range of the world
             OutOfMemory:"""
         type_, shape_ = shape_of(shape)
         check(low.gphys_scene_set_shape(self._handle, model, type_, shape_.address))
+
+    def set_scale(self, model: int, scale: low.Vec3 | Sequence) -> None:
+        """Scale a model's own shape along the three axes of the model, before its transform: a tree grows,
+        a unit box becomes a wall, a rock is stretched. Every query, and solvers, see the scaled shape;
+        normals are those of its surface. Children are not affected: they follow the transform, whose
+        scale is one number. What is set replaces what was set before. A mesh or a hull is scaled
+        exactly, without a copy: answers are those of a mesh of the scaled vertices. Of a box or a
+        triangle each number is multiplied and rounded to float32. A sphere, capsule or plane, and an
+        OBB whose own rotation is not the identity, take three equal numbers only.
+        Cost: as Scene.set_transform of a model without children. Models that have a scale take 16 bytes
+        more if they are meshes, else 52, up to the highest id. Queries of a scaled mesh or hull take 1
+        to 11 % more.
+
+        Args:
+            scale: x, y, z, each from 1e-15 to 1e15
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: for numbers that are not equal where they have to be, and
+                for the mesh of a rope or of particles (Mesh) unless it is 1 1 1
+            InvalidArgument: also if a coordinate of the scaled shape would exceed MAX_COORDINATE, if a
+                number times that of a mesh's world transform is not from 1e-15 to 1e15, or if the model
+                would leave the range of the world
+            OutOfMemory:"""
+        scale_ = value_of(scale, low.Vec3)
+        check(low.gphys_scene_set_scale(self._handle, model, scale_.address))
+
+    def get_scale(self, model: int) -> low.Vec3:
+        """The scale of a model's own shape, 1 1 1 unless another was set.
+        Cost: O(1)."""
+        out_scale = low.Vec3()
+        check(low.gphys_scene_get_scale(self._handle, model, ctypes.byref(out_scale)))
+        return out_scale
 
     def set_layers(self, model: int, layers: int = low.ALL_LAYERS) -> None:
         """Change which queries see a model: those with a mask m of which layers & m is not 0. Children are

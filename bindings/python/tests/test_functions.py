@@ -231,6 +231,8 @@ class Functions(unittest.TestCase):
         head = scene.add(BALL, None, gp.ModelDesc(parent=body))
         scene.set_shape(body, gp.Sphere((0, 0, 0), 5))
         self.assertEqual(scene.get_bounds(body).max.x, 5)
+        scene.set_scale(body, (2, 2, 2))
+        self.assertEqual((scene.get_bounds(body).max.x, scene.get_scale(body).y), (10, 2))
         self.assertEqual(scene.get_roots().tolist(), [body])
         self.assertEqual(scene.get_children(body).tolist(), [head])
         camera = gp.Camera()

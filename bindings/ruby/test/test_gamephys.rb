@@ -227,6 +227,8 @@ class TestGamephys < Minitest::Test
     head = scene.add(BALL, parent: body)
     scene.set_shape(body, Sphere.new([0, 0, 0], 5))
     assert_equal 5, scene.get_bounds(body).max[0]
+    scene.set_scale(body, [2, 2, 2])
+    assert_equal [10, 2], [scene.get_bounds(body).max[0], scene.get_scale(body)[1]]
     assert_equal [[body], [head]], [scene.get_roots.to_a, scene.get_children(body).to_a]
     camera = Camera.new
     camera.set_orthographic(10, 1, 100)

@@ -92,6 +92,8 @@ extern "C" {
     pub fn gphys_scene_get_bounds(scene: *mut gphys_scene, model: ModelId, out_bounds: *mut Aabb) -> Status;
     pub fn gphys_scene_get_scene_bounds(scene: *mut gphys_scene, out_bounds: *mut Aabb) -> Status;
     pub fn gphys_scene_set_shape(scene: *mut gphys_scene, model: ModelId, type_: ShapeType, shape: *const c_void) -> Status;
+    pub fn gphys_scene_set_scale(scene: *mut gphys_scene, model: ModelId, scale: *const Vec3) -> Status;
+    pub fn gphys_scene_get_scale(scene: *mut gphys_scene, model: ModelId, out_scale: *mut Vec3) -> Status;
     pub fn gphys_scene_set_layers(scene: *mut gphys_scene, model: ModelId, layers: u32) -> Status;
     pub fn gphys_scene_set_tag(scene: *mut gphys_scene, model: ModelId, tag: u32) -> Status;
     pub fn gphys_scene_set_parent(scene: *mut gphys_scene, model: ModelId, parent: ModelId, keep_world: i32) -> Status;

@@ -487,6 +487,8 @@ pub struct ModelDesc {
     pub layers: u32,
     /// any number of the caller's, returned with each hit; 0
     pub tag: u32,
+    /// as `Scene::set_scale` sets it; 1 1 1, and 0 0 0 is the same. Since 1.1
+    pub scale: Vec3,
 }
 
 /// What a model is. Frozen.
@@ -849,7 +851,7 @@ const _: () = {
     assert!(std::mem::size_of::<OctreeStats>() == 32);
     assert!(std::mem::size_of::<OctreeBox>() == 32);
     assert!(std::mem::size_of::<SceneDesc>() == 40);
-    assert!(std::mem::size_of::<ModelDesc>() == 16);
+    assert!(std::mem::size_of::<ModelDesc>() == 28);
     assert!(std::mem::size_of::<ModelInfo>() == 20);
     assert!(std::mem::size_of::<QueryFilterDesc>() == 32);
     assert!(std::mem::size_of::<CameraDesc>() == 40);
@@ -894,7 +896,7 @@ const _: () = {
     assert!(std::mem::size_of::<OctreeStats>() == 32);
     assert!(std::mem::size_of::<OctreeBox>() == 32);
     assert!(std::mem::size_of::<SceneDesc>() == 24);
-    assert!(std::mem::size_of::<ModelDesc>() == 16);
+    assert!(std::mem::size_of::<ModelDesc>() == 28);
     assert!(std::mem::size_of::<ModelInfo>() == 20);
     assert!(std::mem::size_of::<QueryFilterDesc>() == 28);
     assert!(std::mem::size_of::<CameraDesc>() == 32);
@@ -1060,6 +1062,7 @@ fn fields_stand_where_c_has_them() {
     assert_eq!(unsafe { std::ptr::addr_of!((*p).parent) } as usize - p as usize, 4);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).layers) } as usize - p as usize, 8);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).tag) } as usize - p as usize, 12);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).scale) } as usize - p as usize, 16);
     let s = std::mem::MaybeUninit::<ModelInfo>::uninit();
     let p = s.as_ptr();
     assert_eq!(unsafe { std::ptr::addr_of!((*p).type_) } as usize - p as usize, 0);

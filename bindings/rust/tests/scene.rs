@@ -150,6 +150,9 @@ fn shapes_change_and_trees_and_cameras_are_read() {
     let head = scene.add(&ball, None, Some(&ModelDesc { parent: body, ..Default::default() })).unwrap();
     scene.set_shape(body, &Sphere::new([0.0; 3], 5.0)).unwrap();
     assert_eq!(scene.get_bounds(body).unwrap().unwrap().max.x, 5.0);
+    scene.set_scale(body, [2.0; 3]).unwrap();
+    assert_eq!(scene.get_bounds(body).unwrap().unwrap().max.x, 10.0);
+    assert_eq!(scene.get_scale(body).unwrap().y, 2.0);
     assert_eq!(scene.get_roots().unwrap(), [body]);
     assert_eq!(scene.get_children(body).unwrap(), [head]);
     let mut camera = Camera::new(None).unwrap();

@@ -14,6 +14,8 @@ uint64_t hash_of(const Scene& scene, gphys_model_id model) {
     if (const Mesh* const mesh = scene.mesh(model)) {
         const uint64_t contents = mesh->hash();
         hash.put(&contents, sizeof contents / 4);
+        const gphys_vec3 scale = scene.scale(model);
+        hash.put(&scale, sizeof scale / 4);
     } else {
         uint32_t shape[sizeof(gphys_obb) / 4] = {};  // the largest
         scene.copy_shape(model, shape);

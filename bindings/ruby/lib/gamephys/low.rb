@@ -13,7 +13,7 @@ module Gamephys
     end
 
     class ModelDesc < FFI::Struct
-      layout :struct_size, :uint32, :parent, :uint32, :layers, :uint32, :tag, :uint32
+      layout :struct_size, :uint32, :parent, :uint32, :layers, :uint32, :tag, :uint32, :scale, [:float, 3]
     end
 
     class QueryFilterDesc < FFI::Struct
@@ -100,6 +100,8 @@ module Gamephys
     attach_function :gphys_scene_get_bounds, [:pointer, :uint32, :pointer], :int32
     attach_function :gphys_scene_get_scene_bounds, [:pointer, :pointer], :int32
     attach_function :gphys_scene_set_shape, [:pointer, :uint32, :int32, :pointer], :int32
+    attach_function :gphys_scene_set_scale, [:pointer, :uint32, :pointer], :int32
+    attach_function :gphys_scene_get_scale, [:pointer, :uint32, :pointer], :int32
     attach_function :gphys_scene_set_layers, [:pointer, :uint32, :uint32], :int32
     attach_function :gphys_scene_set_tag, [:pointer, :uint32, :uint32], :int32
     attach_function :gphys_scene_set_parent, [:pointer, :uint32, :uint32, :int32], :int32

@@ -77,6 +77,8 @@ class LowFunctions {
     static native int gphys_scene_get_bounds(Pointer scene, int model, Pointer outBounds);
     static native int gphys_scene_get_scene_bounds(Pointer scene, Pointer outBounds);
     static native int gphys_scene_set_shape(Pointer scene, int model, int type, Pointer shape);
+    static native int gphys_scene_set_scale(Pointer scene, int model, Pointer scale);
+    static native int gphys_scene_get_scale(Pointer scene, int model, Pointer outScale);
     static native int gphys_scene_set_layers(Pointer scene, int model, int layers);
     static native int gphys_scene_set_tag(Pointer scene, int model, int tag);
     static native int gphys_scene_set_parent(Pointer scene, int model, int parent, int keepWorld);

@@ -7,9 +7,9 @@ import java.nio.ByteBuffer;
 /** Settings: the library's defaults, until one is changed. */
 public final class ModelDesc {
     /** For a Batch of copies: Batch.copyOf, or Batch.shared for one that stands for all. */
-    public static final Layout<ModelDesc> LAYOUT = new Layout<>(16, 0, ModelDesc::read, ModelDesc::write);
+    public static final Layout<ModelDesc> LAYOUT = new Layout<>(28, 0, ModelDesc::read, ModelDesc::write);
 
-    private final ByteBuffer memory = Batch.direct(16);
+    private final ByteBuffer memory = Batch.direct(28);
 
     public ModelDesc() {
         Low.check(Low.gphys_model_desc_init(pointer(), memory.capacity()));
@@ -61,13 +61,27 @@ public final class ModelDesc {
         return memory.getInt(12);
     }
 
+    /**
+     * <pre>
+     * as Scene.setScale sets it; 1 1 1, and 0 0 0 is the same. Since 1.1
+     * </pre>
+     */
+    public ModelDesc scale(Vec3 value) {
+        value.write(memory, 16);
+        return this;
+    }
+
+    public Vec3 scale() {
+        return Vec3.read(memory, 16);
+    }
+
     private static ModelDesc read(ByteBuffer memory, int at) {
         ModelDesc copy = new ModelDesc();
-        copy.memory.put(0, memory, at, 16);
+        copy.memory.put(0, memory, at, 28);
         return copy;
     }
 
     private void write(ByteBuffer to, int at) {
-        to.put(at, memory, 0, 16);
+        to.put(at, memory, 0, 28);
     }
 }

@@ -70,7 +70,8 @@ public final class Scene extends SceneBase {
      * @param shape in the model's own coordinates
      * @param transform local; null is the identity
      * @param desc null: no parent, layer 1, tag 0
-     * @throws GamephysException with ERROR_UNSUPPORTED: for another type
+     * @throws GamephysException with ERROR_UNSUPPORTED: for another type, or a scale that the shape cannot
+     *     have (Scene.setScale)
      * @throws GamephysException with ERROR_INVALID_ID: for a stale parent
      * @throws GamephysException with ERROR_CAPACITY: beyond 2^24 - 1 models
      */
@@ -285,14 +286,16 @@ public final class Scene extends SceneBase {
 
     /**
      * Give a model another shape, or another mesh, of any type that Scene.add takes: a character crouches,
-     * a level of detail changes, a wall breaks. Its id, parent, children, tag, layers and transforms stay.
-     * Sleeping bodies near it wake, and particles that are inside then come out as they do of any solid.
+     * a level of detail changes, a wall breaks. Its id, parent, children, tag, layers, scale and
+     * transforms stay. Sleeping bodies near it wake, and particles that are inside then come out as they
+     * do of any solid.
      * Cost: as Scene.setTransform of a model without children, whatever the size of a mesh.
      * @param shape as in Scene.add: a struct, copied, or a mesh with SHAPE_MESH. The scene holds the new
      *     mesh and no longer the old one, which may be the same.
      * @param shape as in Scene.add: a struct, copied, or a mesh with SHAPE_MESH. The scene holds the new
      *     mesh and no longer the old one, which may be the same.
-     * @throws GamephysException with ERROR_UNSUPPORTED: for a frustum, ray or segment
+     * @throws GamephysException with ERROR_UNSUPPORTED: for a frustum, ray or segment, and for a shape
+     *     that cannot have the model's scale (Scene.setScale)
      * @throws GamephysException with ERROR_INVALID_ARGUMENT: also if the model would leave the range of
      *     the world
      * @throws GamephysException with ERROR_OUT_OF_MEMORY:
@@ -302,6 +305,44 @@ public final class Scene extends SceneBase {
         int status = Low.gphys_scene_set_shape(opened(), model, shape.kind(), Low.shape(shape, scratch, 3));
         Low.keep(this, shape);
         Low.check(status);
+    }
+
+    /**
+     * Scale a model's own shape along the three axes of the model, before its transform: a tree grows, a
+     * unit box becomes a wall, a rock is stretched. Every query, and solvers, see the scaled shape;
+     * normals are those of its surface. Children are not affected: they follow the transform, whose scale
+     * is one number. What is set replaces what was set before. A mesh or a hull is scaled exactly, without
+     * a copy: answers are those of a mesh of the scaled vertices. Of a box or a triangle each number is
+     * multiplied and rounded to float32. A sphere, capsule or plane, and an OBB whose own rotation is not
+     * the identity, take three equal numbers only.
+     * Cost: as Scene.setTransform of a model without children. Models that have a scale take 16 bytes more
+     * if they are meshes, else 52, up to the highest id. Queries of a scaled mesh or hull take 1 to 11 %
+     * more.
+     * @param scale x, y, z, each from 1e-15 to 1e15
+     * @throws GamephysException with ERROR_UNSUPPORTED: for numbers that are not equal where they have to
+     *     be, and for the mesh of a rope or of particles (Mesh) unless it is 1 1 1
+     * @throws GamephysException with ERROR_INVALID_ARGUMENT: also if a coordinate of the scaled shape
+     *     would exceed MAX_COORDINATE, if a number times that of a mesh's world transform is not from
+     *     1e-15 to 1e15, or if the model would leave the range of the world
+     * @throws GamephysException with ERROR_OUT_OF_MEMORY:
+     */
+    public void setScale(int model, Vec3 scale) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_scene_set_scale(opened(), model, scratch.put(2, scale));
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /**
+     * The scale of a model's own shape, 1 1 1 unless another was set.
+     * Cost: O(1).
+     */
+    public Vec3 getScale(int model) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_scene_get_scale(opened(), model, scratch.slot(2));
+        Low.keep(this);
+        Low.check(status);
+        return Vec3.read(scratch.memory, Scratch.at(2));
     }
 
     /**
