@@ -40,7 +40,7 @@ Defect defect_of_scale(const gphys_vec3& scale) {
     const auto is_good = [](float s) {
         return std::isgreaterequal(s, 1 / GPHYS_MAX_COORDINATE) && std::islessequal(s, GPHYS_MAX_COORDINATE);
     };
-    constexpr char range[] = "from 1e-15 to 1e15";
+    constexpr const char* range = "from 1e-15 to 1e15";
     if (!is_good(scale.x)) return {"", 'x', scale.x, range};
     if (!is_good(scale.y)) return {"", 'y', scale.y, range};
     if (!is_good(scale.z)) return {"", 'z', scale.z, range};
