@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
 # Times the library and others beside it.
 #   ./bench.sh                     the quick report, about five minutes: build/bench/report.md
-#   ./bench.sh --report [--quick]  the report in full, some hours: docs/report.md and its figures. An interrupted run
-#                                  goes on where it was; --quick is a part of the work, in five minutes.
+#   ./bench.sh --report [--quick]  the report in full, some hours: docs/report.md, its figures and the README's table.
+#                                  An interrupted run goes on where it was; --quick is a part of the work, in five
+#                                  minutes.
 #   ./bench.sh SUITE...            of scene mesh query update accuracy batches solver: build/bench/<suite>.csv with a
 #                                  plot beside each, the machine's description and ratios.md
 #   ./bench.sh energy              energy over a million steps, beside the book's integrators: build/bench/energy.csv and
 #                                  the figure docs/images/energy, which is the same on every machine
 # and with suites: --peers measures Embree, Bullet, FCL and nanoflann in the same run (a report always does); --quick is
-# a few seconds of smaller work; --docs puts the results into docs/benchmarks.md and the README, those of the accuracy
-# suite into docs/accuracy.md, those of the solver into docs/solver_figures.md. The batches suite fails if a batch of
-# rays takes longer than single calls.
+# a few seconds of smaller work; --docs puts the results of the accuracy suite into docs/accuracy.md and those of the
+# solver into docs/solver_figures.md. The batches suite fails if a batch of rays takes longer than single calls.
 # Installs what it needs and builds with the flags that users get.
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -28,6 +28,7 @@ fi
 
 usage="usage: ./bench.sh [--report] [--quick], ./bench.sh energy, or ./bench.sh [scene mesh query update accuracy batches solver] [--peers] [--quick] [--docs]"
 report=
+readme=()
 [ $# -gt 0 ] || report=build/bench/report.md
 peers=OFF
 docs=OFF
@@ -39,7 +40,7 @@ for argument in "$@"; do
     case $argument in
         --peers) peers=ON ;;
         --docs) docs=ON ;;
-        --report) report=docs/report.md ;;
+        --report) report=docs/report.md readme=(README.md) ;;
         --quick) arguments+=("$argument") ;;
         scene | mesh | query | update | accuracy) suites+=("$argument") ;;
         solver) solver=ON ;;
@@ -88,7 +89,7 @@ if [ -n "$report" ]; then
     mkdir -p "$work"
     describe_machine | tee "$work/machine.txt"
     python3 bench/run_report.py build/release/bench "$work" "${arguments[@]}"
-    /usr/bin/python3 bench/make_report.py "$work" "$report" "$(dirname "$report")/images"
+    /usr/bin/python3 bench/make_report.py "$work" "$report" "$(dirname "$report")/images" "${readme[@]}"
     echo "the report: $report"
     exit
 fi
@@ -171,25 +172,6 @@ if [ $docs = ON ] && [ -f $accuracy ]; then
     python3 bench/accuracy.py build/bench docs/accuracy_scores.csv >build/bench/accuracy.md
     cp build/bench/accuracy.md docs/accuracy.md
     cp build/bench/accuracy_*.png docs/images/
-fi
-if [ $docs = ON ] && [ -f build/bench/scene.csv ]; then
-    python3 bench/report.py build/bench --docs >docs/benchmarks.md
-    python3 bench/report.py build/bench --summary README.md
-    gnuplot - <<PLOT
-set terminal pngcairo size 800,480
-set output "docs/images/growth.png"
-set datafile separator ","
-set logscale xy
-set key left top
-set grid
-set xlabel "boxes"
-set ylabel "ns per ray"
-of(name, ray) = sprintf("< awk -F, -v OFS=, '\$2==\"scene_ray_%s\" && \$3==\"%s\" {print \$4,\$5}' build/bench/scene.csv", ray, name)
-plot of("embree", "random") using 1:2 with linespoints lw 2 lc 2 title "Embree, random rays", \
-    of("gamephys", "random") using 1:2 with linespoints lw 2 lc 1 title "gamephys, random rays", \
-    of("embree", "camera") using 1:2 with linespoints lw 2 lc 2 dt 2 title "Embree, camera rays", \
-    of("gamephys", "camera") using 1:2 with linespoints lw 2 lc 1 dt 2 title "gamephys, camera rays"
-PLOT
 fi
 if [ $docs = ON ] && [ $solver = ON ]; then
     python3 bench/report.py build/bench --docs-solver >docs/solver_figures.md

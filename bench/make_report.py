@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""The report from its measurements: make_report.py DIRECTORY PAGE IMAGES
+"""The report from its measurements: make_report.py DIRECTORY PAGE IMAGES [README]
 
-Reads what run_report.py measured in DIRECTORY, and machine.txt there; writes the page (Markdown) and its figures (SVG
-and PNG) into IMAGES. Every number on the page comes from those files. Fails if a label of a figure has no room.
+Reads what run_report.py measured in DIRECTORY, and machine.txt there; writes the page (Markdown), its figures (SVG
+and PNG) into IMAGES, and the table of the README between the marks in that file. Every number comes from those files.
+Fails if a label of a figure has no room.
 """
 import csv
 import json
@@ -19,7 +20,7 @@ import matplotlib.pyplot as plt
 sys.path.insert(0, str(Path(__file__).parent / "figures"))
 from cost_error import figure as cost_error_figure
 from marks import look, shown
-from report import SUMMARY, number, table
+from report import number, read, table, tables
 
 WRONG = ("WRONG_FRACTION", "DIFFERS", "FALSE_FRACTION")
 # Panels of ordinary work: title, then (case, what its label says behind the name of the library).
@@ -43,23 +44,44 @@ SOLVER = {"chain_30": "Swinging chain: error after a second", "rope_1e3": "Rope 
           "ropes_1000x30": "1000 ropes of 30 links", "cloth_100": "Cloth of 100 x 100 on two corners"}
 
 
+# Rows of the summary: what it is, and the case.
+SUMMARY = [
+    ("a random ray at boxes, one call", "scene_single_random"),
+    ("the same in a batch", "scene_ray_random"),
+    ("a ray of a camera at boxes, one call", "scene_single_rows"),
+    ("the same in a batch", "scene_ray_rows"),
+    ("whether a random ray meets a box, one call", "scene_single_any"),
+    ("the same in a batch", "scene_ray_any"),
+    ("a random ray at spheres, in a batch", "sphere_ray_random"),
+    ("a random ray at copies of a mesh, in a batch", "instance_ray_random"),
+    ("a random ray at a mesh, by triangles, one call", "mesh_single_random"),
+    ("the same in a batch", "mesh_ray_random"),
+    ("the same, the mesh a model of a scene", "mesh_model_ray_random"),
+    ("a ray of a camera at a mesh, in a batch", "mesh_ray_rows"),
+    ("which boxes a sphere overlaps, in a batch", "overlap_sphere"),
+    ("which boxes a box overlaps, in a batch", "overlap_box"),
+    ("the nearest box to a point, in a batch", "nearest_box"),
+    ("the nearest point to a point, in a batch", "nearest_point"),
+    ("a segment at boxes, in a batch", "segment"),
+    ("a sphere swept at boxes, in a batch", "sweep_sphere"),
+    ("culling boxes, per box", "cull"),
+    ("moving all boxes, per box", "update_all"),
+    ("building a scene of boxes, per box", "build_scene"),
+]
+MARKS = ("<!-- summary: written by ./bench.sh --report -->\n", "<!-- end of summary -->\n")
+
+
 def load(directory):
-    """(rows of gamephys_bench by (case, n) and implementation, rows of the solver, seconds, largest load)"""
-    rows, solver, seconds, load_average = {}, [], 0.0, 0.0
+    """(rows of gamephys_bench by suite, rows of the solver, seconds, largest load)"""
+    solver, seconds, load_average = [], 0.0, 0.0
     for part in sorted(directory.glob("*/took.json")):
         took = json.loads(part.read_text())
         seconds += took["seconds"]
         load_average = max(load_average, took["load"])
-        for path in part.parent.glob("*.csv"):
-            with path.open(newline="") as file:
-                for row in csv.DictReader(file):
-                    if path.name == "solver.csv":
-                        solver.append(row)
-                        continue
-                    for field in ("value", "error", "median"):
-                        row[field] = float(row[field] or 0)
-                    rows.setdefault((row["case"], int(row["n"])), {})[row["implementation"]] = row
-    return rows, solver, seconds, load_average
+        if (part.parent / "solver.csv").exists():
+            with (part.parent / "solver.csv").open(newline="") as file:
+                solver += csv.DictReader(file)
+    return read(directory), solver, seconds, load_average
 
 
 def largest(rows, case):
@@ -230,7 +252,24 @@ The error is the largest strain of rigid links, or the distance from a reference
 gamephys beside the fastest other library that gave no wrong answer. The ratio is the time of gamephys divided by that of the other: below 1 gamephys is faster. The error is as in *Ordinary work*; where there is none, the answers are not distances and were all right, or nothing is answered.
 
 {summary}
-Each figure is also there as SVG, beside the PNG. [benchmarks.md](benchmarks.md) says what each case is, [accuracy.md](accuracy.md) what is promised, [solver.md](solver.md) what the solver's cases are.
+## Every row
+
+The same as ratios, time of gamephys divided by that of the other. † marks those whose answers are not those of a loop over everything in double precision.
+
+gamephys is built with the flags that users get and called through its C interface, in batches where there are some. The time ends when the answers are in memory. What a user writes for Embree, the tests of boxes, is compiled for this processor; its packets are of sixteen rays with its flag for coherent ones.
+
+- `_camera` are the rays of a picture in tiles of 8 by 8 pixels, `_rows` the same row by row, `_single_` calls for one ray each, `_miss` rays that point away from everything, `mesh_model_` rays at a mesh that is the one model of a scene, beside others that have the mesh without a scene.
+- Bytes are all that is allocated, by the allocators that the libraries offer, and the boxes that Embree's tests read; `memory_peak_` is the most while it is built.
+- `simd_blocks` is a sweep over blocks of 64 boxes that are near each other, with a box around each.
+- `gamephys_fresh` is a scene built of the same boxes in one batch, beside one that was added to or changed a call at a time (`after_`).
+- `gamephys_plain` is the same query without a filter, beside one that leaves out a model.
+- `add_`, `churn_` and `latency_` are single calls, the fastest of three runs of each, and of all of a row those that a half, 99 % and 99.9 % of them do not exceed, and the longest; the library's own allocator serves them.
+- `gamephys_2_apart` are two independent threads, each with half of the queries: what the machine allows.
+
+[What limits the speed](limits_of_speed.md) has the profiles of rows in which gamephys is not as far ahead as was aimed for.
+
+{rows}
+Each figure is also there as SVG, beside the PNG. [accuracy.md](accuracy.md) says what is promised, [solver.md](solver.md) what the solver's cases are.
 """
 
 WRONG_ANSWERS = """These libraries are not drawn, because some of their answers were wrong: another model was met first, or another number of models. Their errors of distance would not mean anything.
@@ -238,11 +277,17 @@ WRONG_ANSWERS = """These libraries are not drawn, because some of their answers 
 """
 
 
+def put_summary(readme, text):
+    before, rest = readme.read_text().split(MARKS[0])
+    readme.write_text(before + MARKS[0] + "\n" + text + MARKS[1] + rest.split(MARKS[1])[1])
+
+
 def main():
     directory, page, images = Path(sys.argv[1]), Path(sys.argv[2]), Path(sys.argv[3])
     images.mkdir(parents=True, exist_ok=True)
     plt.style.use(str(Path(__file__).parent / "figures/style.mplstyle"))
-    rows, solver, seconds, load_average = load(directory)
+    suites, solver, seconds, load_average = load(directory)
+    rows = {key: by for cases in suites.values() for key, by in cases.items()}
     ordinary, wrong = ordinary_panels(rows)
     lost = cost_error_figure(images / "report_ordinary", ordinary, "ns per operation", "largest relative error")
     lost += cost_error_figure(images / "report_hard", hard_panels(rows), "ns per operation", "false answers", percent=True)
@@ -259,7 +304,10 @@ def main():
     busy = ", so times are too long and ratios less certain: repeat it on a quiet machine" if load_average > 0.7 * os.cpu_count() else ""
     wrong_table = WRONG_ANSWERS + table(["work", "library", "time", "wrong answers", "gamephys", "wrong answers"], wrong) + "\n" if wrong else ""
     page.write_text(PAGE.format(machine="  \n".join(machine) + "  ", minutes=math.ceil(seconds / 60), load=load_average, busy=busy,
-                                quick=" --quick" if quick else "", wrong=wrong_table, price=price(rows), summary=summary(rows)))
+                                quick=" --quick" if quick else "", wrong=wrong_table, price=price(rows), summary=summary(rows),
+                                rows=tables(suites).replace("## ", "### ")))
+    for readme in sys.argv[4:]:
+        put_summary(Path(readme), "  \n".join(machine) + "\n\n" + summary(rows))
 
 
 main()

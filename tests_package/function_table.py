@@ -69,7 +69,7 @@ functions = subprocess.run(["bash", source / "tests_package/functions.sh"], env=
 fuzzed = {target: words(source / "fuzz" / name for name in [*names, "check.cpp"]) for target, names in fuzz_sources.items()}
 c_tests = {path.stem: words([path]) for path in files("tests_c", "test_*.c")}
 cpp_tests = words(files("tests_cpp", "*.cpp", "*.h"))
-figures = "\n".join(path.read_text() for path in files("docs", "benchmarks.md", "solver_figures.md"))
+figures = "\n".join(path.read_text() for path in files("docs", "report.md", "solver_figures.md"))
 bound = {language: words(files(f"bindings/{folder}", "*")) if (source / "bindings" / folder).is_dir() else set()
          for language, folder in languages.items()}
 

@@ -23,7 +23,7 @@ CHAPTERS = [
     ("Languages", ["docs/bindings", *(f"bindings/{name}/README" for name in
                    ("cpp", "python", "javascript", "rust", "go", "csharp", "java", "lua", "ruby"))]),
     ("How it works", ["docs/architecture", "docs/code_paths", "docs/solver", "docs/limits_of_speed"]),
-    ("Measured", ["docs/report", "docs/benchmarks", "docs/solver_figures", "docs/accuracy"]),
+    ("Measured", ["docs/report", "docs/solver_figures", "docs/accuracy"]),
     ("Project", ["docs/reliability", "docs/functions", "docs/releasing", "CHANGELOG", "CONTRIBUTING"]),
 ]
 
