@@ -48,7 +48,7 @@ public:
     bool load(const std::vector<gphys_obb>& boxes) override {
         clear();
         for (const gphys_obb& b : boxes) {
-            add(std::make_unique<btBoxShape>(vector(b.half_extents)), placement(b.center, b.rotation));
+            add(box_of(b.half_extents), placement(b.center, b.rotation));
         }
         return true;
     }
@@ -136,8 +136,7 @@ public:
         answers_.resize(sweeps.size());
         for (size_t i = 0; i < sweeps.size(); ++i) {
             const gphys_obb& box = sweeps[i].solid;
-            btBoxShape shape(vector(box.half_extents));
-            answers_[i] = sweep(shape, placement(box.center, box.rotation), sweeps[i].displacement);
+            answers_[i] = sweep(*box_of(box.half_extents), placement(box.center, box.rotation), sweeps[i].displacement);
         }
         return true;
     }
@@ -167,6 +166,13 @@ public:
     }
 
 private:
+    /// Without a margin: Bullet rounds the edges and corners of a box by it.
+    static std::unique_ptr<btBoxShape> box_of(gphys_vec3 half_extents) {
+        auto box = std::make_unique<btBoxShape>(vector(half_extents));
+        box->setMargin(0);
+        return box;
+    }
+
     Answer sweep(const btConvexShape& shape, const btTransform& from, gphys_vec3 way) const {
         btTransform to = from;
         to.setOrigin(from.getOrigin() + vector(way));

@@ -7,16 +7,19 @@ namespace bench {
 namespace {
 
 /// Peers must agree with the exact answers of the first, whose tests hold them against CGAL: to a thousandth of the
-/// way, as they end within a tolerance, and they may see another object where two are met within that.
+/// way, as they end within a tolerance, and they may see another object where two are met within that. Libraries mean
+/// different things by a sweep that begins in an object, so those are left out.
 template <class Query>
 Check agrees(const std::vector<Query>& queries, const std::vector<Answer>& truth,
              bool (Implementation::*ask)(const std::vector<Query>&)) {
     return [&queries, &truth, ask](Implementation& implementation) -> std::pair<double, std::string> {
         (implementation.*ask)(queries);
         const std::vector<Answer> answers = implementation.answers();
-        size_t wrong = 0;
+        size_t wrong = 0, compared = 0;
         double worst = 0;
         for (size_t i = 0; i < answers.size(); ++i) {
+            if (truth[i].t == 0) continue;
+            ++compared;
             if (answers[i].object == no_object || truth[i].object == no_object) {
                 wrong += answers[i].object != truth[i].object;
                 continue;
@@ -25,7 +28,7 @@ Check agrees(const std::vector<Query>& queries, const std::vector<Answer>& truth
             wrong += difference > 1e-3;
             if (difference <= 1e-3) worst = std::max(worst, difference);
         }
-        if (wrong > 0) return {static_cast<double>(wrong) / static_cast<double>(answers.size()), "WRONG_FRACTION"};
+        if (wrong > 0) return {static_cast<double>(wrong) / static_cast<double>(compared), "WRONG_FRACTION"};
         return {worst, "of the way"};
     };
 }
