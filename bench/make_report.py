@@ -272,7 +272,7 @@ gamephys is built with the flags that users get and called through its C interfa
 Each figure is also there as SVG, beside the PNG. [accuracy.md](accuracy.md) says what is promised, [solver.md](solver.md) what the solver's cases are.
 """
 
-WRONG_ANSWERS = """These libraries are not drawn, because some of their answers were wrong: another model was met first, or another number of models. Their errors of distance would not mean anything.
+WRONG_ANSWERS = """These libraries are not drawn, because some of their answers were wrong: something was hit that is not there, or missed, or another model was hit at another distance, or another number of models was found. Their errors of distance would not mean anything.
 
 """
 
