@@ -3,14 +3,12 @@
 // One mesh serves models of many scales: nothing of it is copied. It is asked in one of two frames.
 //
 // - Rays are carried into the mesh as it is. The map is affine, so t stays, and so do the signs that decide: each
-// product
-//   of three coordinates, one of each axis, grows by the same factor. The trees, packets and kernels do not know of the
-//   scale. Normals are divided by it.
+//   product of three coordinates, one of each axis, grows by the same factor. The trees, packets and kernels do not
+//   know of the scale. Normals are divided by it.
 // - Distances are not those of the mesh as it is. What asks for them (nearest points, overlaps, sweeps, penetrations)
-// is
-//   in the frame of the scaled mesh. Triangles are scaled when they are read, which is exact: the product of two floats
-//   is a double. The tree stays that of the mesh: its boxes, which are parallel to the same axes, are scaled where they
-//   are measured, or the query is divided by the scale.
+//   is in the frame of the scaled mesh. Triangles are scaled when they are read, which is exact: the product of two
+//   floats is a double. The tree stays that of the mesh: its boxes, which are parallel to the same axes, are scaled
+//   where they are measured, or the query is divided by the scale.
 //
 // A copy of the mesh for each scale would give the same answers, from 100 bytes a triangle and the time of building its
 // tree at each change.
