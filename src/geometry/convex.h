@@ -33,6 +33,10 @@ inline Vec3 reference_point(const Obb& box) { return box.center; }
 
 /// Relative to the size of a difference and its way: shapes closer than this touch.
 constexpr double touching = 0x1p-46;
+/// Relative to the size of a difference: the direction of a longer offset has an error below 2^-16, so that a ball that
+/// is pushed out along it keeps a penetration below the square of that, relative to its radius. Of a smaller radius the
+/// cores touch within rounding when the shapes do.
+constexpr double has_direction = 0x1p-32;
 
 /// The point of the difference that is nearest to the origin, and the point of the other core that belongs to it.
 struct NearestDifference {

@@ -8,9 +8,6 @@ namespace {
 
 // Relative to the size of the difference. The error of a projection or an offset is about 2^-48.
 constexpr double certain = 0x1p-44;
-// The direction of a longer offset has an error below 2^-16: a ball that is pushed out along it keeps a penetration
-// below the square of that, relative to its radius.
-constexpr double has_direction = 0x1p-32;
 
 /// The distance is the maximum of the gap over all directions; if the origin is inside, it is reached at a face
 /// normal. So the largest gap found is a lower bound.

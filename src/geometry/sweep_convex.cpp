@@ -16,10 +16,6 @@ namespace gphys {
 
 namespace {
 
-// Relative to the size of the difference. Of a smaller radius the cores touch within rounding when the shapes do, and
-// the offset between them has no direction (convex_separation.cpp).
-constexpr double has_direction = 0x1p-32;
-
 class Course {
 public:
     Course(const ConvexDifference& set, Vec3 displacement)

@@ -1,9 +1,8 @@
 #include "mesh/mesh.h"
 
-#include "foundation/exact.h"
-
 #include <new>
 
+#include "foundation/exact.h"
 #include "geometry/raycast_box.h"
 
 namespace gphys {
