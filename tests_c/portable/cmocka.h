@@ -40,6 +40,7 @@ static inline void portable_check(int condition, const char* text, const char* f
 #define assert_non_null(p) PORTABLE_CHECK((p) != NULL, #p " != NULL")
 #define assert_ptr_equal(a, b) PORTABLE_CHECK((const void*)(a) == (const void*)(b), #a " == " #b)
 #define assert_memory_equal(a, b, size) PORTABLE_CHECK(memcmp(a, b, size) == 0, #a " holds what " #b " holds")
+#define assert_memory_not_equal(a, b, size) PORTABLE_CHECK(memcmp(a, b, size) != 0, #a " differs from " #b)
 #define assert_string_equal(a, b) PORTABLE_CHECK(strcmp(a, b) == 0, #a " is " #b)
 #define assert_string_not_equal(a, b) PORTABLE_CHECK(strcmp(a, b) != 0, #a " is not " #b)
 
