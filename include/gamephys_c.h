@@ -639,7 +639,7 @@ GPHYS_API gphys_status gphys_mesh_get_hull_faces(const gphys_mesh* mesh, uint32_
  *  Threads: an edit of the mesh and of every scene that has a model of it: not beside other calls on these.
  *  Cost: O(vertices + triangles + log n for each model), some percent of a creation: the tree is refitted, and built
  *  again by parts where it has degraded. If the triangles have come apart so that their groups of eight have boxes of
- *  twice the area, once that of a creation.  Since 1.1. */
+ *  twice the area, once that of a creation. Allocates.  Since 1.1. */
 GPHYS_API gphys_status gphys_mesh_set_vertices(gphys_mesh* mesh, const float* vertices, uint32_t vertex_stride,
                                                uint32_t vertex_count);
 
@@ -794,7 +794,7 @@ GPHYS_API void gphys_scene_destroy(gphys_scene* scene);
  *  @param origin  x, y, z in the world, within GPHYS_MAX_COORDINATE; before the first call 0 0 0
  *  @return GPHYS_ERROR_INVALID_ARGUMENT also if a model would leave the range of coordinates
  *  Cost: that of gphys_scene_set_transforms of all models, and 24 bytes a model from the first call
- *  on. Queries cost nothing more. */
+ *  on. Queries cost nothing more. Allocates. */
 GPHYS_API gphys_status gphys_scene_set_origin(gphys_scene* scene, const double origin[3]);
 /** Where in the world the scene's coordinates count from. Cost: O(1). */
 GPHYS_API gphys_status gphys_scene_get_origin(const gphys_scene* scene, double out_origin[3]);
@@ -853,13 +853,14 @@ GPHYS_API gphys_status gphys_scene_add_described_batch(gphys_scene* scene, gphys
                                                        gphys_model_id* out_models);
 
 /** Remove a model. Its children stay where they are in the world and lose their parent.
- *  Cost: O(log n) amortised, and O(1) a child. */
+ *  Cost: O(log n) amortised, and O(1) a child. Renews the octree as far as there is memory. */
 GPHYS_API gphys_status gphys_scene_remove(gphys_scene* scene, gphys_model_id model);
 /** Remove models, all or none.
  *  @param models  count ids; an id that appears twice is GPHYS_ERROR_INVALID_ID
- *  Cost: that of count calls of gphys_scene_remove. */
+ *  Cost: that of count calls of gphys_scene_remove. Renews the octree as far as there is memory. */
 GPHYS_API gphys_status gphys_scene_remove_batch(gphys_scene* scene, const gphys_model_id* models, uint32_t count);
-/** Remove a model and all its descendants. Cost: O(log n) amortised for each. */
+/** Remove a model and all its descendants. Cost: O(log n) amortised for each.
+ *  Renews the octree as far as there is memory. */
 GPHYS_API gphys_status gphys_scene_remove_subtree(gphys_scene* scene, gphys_model_id model);
 /** Remove all models. Ids given out before stay invalid. Cost: O(n). */
 GPHYS_API gphys_status gphys_scene_clear(gphys_scene* scene);
@@ -953,21 +954,23 @@ GPHYS_API gphys_status gphys_scene_set_tag(gphys_scene* scene, gphys_model_id mo
  *  @param keep_world  0: the local transform is kept, the model jumps; 1: the local transform is
  *                     changed so that the world transform stays (within float32 rounding)
  *  @return GPHYS_ERROR_CYCLE if parent is the model or one of its descendants
- *  Cost: O(depth of the tree of models), and as gphys_scene_set_transform for what moves. */
+ *  Cost: O(depth of the tree of models), and as gphys_scene_set_transform for what moves.
+ *  Renews the octree as far as there is memory. */
 GPHYS_API gphys_status gphys_scene_set_parent(gphys_scene* scene, gphys_model_id model, gphys_model_id parent,
                                               int32_t keep_world);
 
 /** Set a model's local transform. Descendants follow.
  *  @param transform  relative to the parent; scale > 0
  *  @return GPHYS_ERROR_INVALID_ARGUMENT also if it, or a descendant, would leave the range of the world
- *  Cost: O(log n) for each model that moves. */
+ *  Cost: O(log n) for each model that moves. Renews the octree as far as there is memory. */
 GPHYS_API gphys_status gphys_scene_set_transform(gphys_scene* scene, gphys_model_id model,
                                                  const gphys_transform* transform);
 /** Set the local transforms of many models, all or none; a model that appears twice gets the last.
  *  Descendants follow.
  *  @param models      count ids
  *  @param transforms  as in gphys_scene_set_transform; a stride of 0 gives all the same
- *  Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers. */
+ *  Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.
+ *  Renews the octree as far as there is memory. */
 GPHYS_API gphys_status gphys_scene_set_transforms(gphys_scene* scene, const gphys_model_id* models,
                                                   const gphys_transform* transforms, uint32_t transform_stride,
                                                   uint32_t count);
@@ -2200,7 +2203,7 @@ GPHYS_API gphys_status gphys_solver_get_air_velocities(const gphys_solver* solve
  *  @param scene        of the same origin as the solver; not modified
  *  @param local_point  metres, in the model's coordinates; NULL: where the particle is now
  *  @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist
- *  Cost: O(1). */
+ *  Cost: O(1); allocates. */
 GPHYS_API gphys_status gphys_solver_attach(gphys_solver* solver, const gphys_scene* scene, gphys_body_id body,
                                            uint32_t particle, gphys_model_id model, const gphys_vec3* local_point);
 /** Release an attached particle.
@@ -2243,7 +2246,7 @@ GPHYS_API gphys_status gphys_solver_set_constraint_damping(gphys_solver* solver,
  *                      which keeps its volume; INFINITY: none, which ends the constraint
  *  @return GPHYS_ERROR_UNSUPPORTED if the triangles do not close (each side is that of two triangles), are
  *          not all turned the same way, or face inward when the present volume is asked for
- *  Cost: O(triangles) in each substep, twice. */
+ *  Cost: O(triangles) in each substep, twice. Allocates. */
 GPHYS_API gphys_status gphys_solver_set_volume(gphys_solver* solver, gphys_body_id body, float rest_volume,
                                                float compliance);
 /** The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
@@ -2255,7 +2258,7 @@ GPHYS_API gphys_status gphys_solver_get_volume(const gphys_solver* solver, gphys
                                                float* out_pressure);
 /** End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
  *  @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist, or no longer
- *  Cost: as gphys_solver_add_distance. */
+ *  Cost: as gphys_solver_add_distance; allocates. */
 GPHYS_API gphys_status gphys_solver_remove_constraint(gphys_solver* solver, gphys_body_id body,
                                                       gphys_constraint_id constraint);
 
@@ -2294,7 +2297,7 @@ GPHYS_API gphys_status gphys_solver_get_constraint_settings(const gphys_solver* 
  *  @param constraints  count ids; one that stands twice gets the last
  *  @param settings     count elements; a stride of 0 gives all the same
  *  Cost: O(count); in the next step O(constraints) to pack them again, of rigid cloth with pins that gets longer
- *  links O(n log n). Chains are not planned again. */
+ *  links O(n log n). Chains are not planned again. Allocates. */
 GPHYS_API gphys_status gphys_solver_set_constraint_settings(gphys_solver* solver, gphys_body_id body,
                                                             const gphys_constraint_id* constraints,
                                                             const gphys_constraint_settings* settings,
@@ -2313,7 +2316,7 @@ typedef uint32_t gphys_joint_id;
  *  @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same body (see
  *          gphys_solver_add_distance); GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints
  *  Cost: the next step plans all joined ropes again. A link of them takes some three times as long as one
- *  of a rope that is not joined. */
+ *  of a rope that is not joined. Allocates. */
 GPHYS_API gphys_status gphys_solver_join(gphys_solver* solver, gphys_body_id body_a, uint32_t particle_a,
                                          gphys_body_id body_b, uint32_t particle_b, float rest_length, float compliance,
                                          gphys_joint_id* out_joint);
@@ -2346,7 +2349,7 @@ GPHYS_API gphys_status gphys_solver_get_joints(const gphys_solver* solver, gphys
  *  @param scene  to collide with and to follow attachments; NULL: none. Not modified.
  *  @param dt     seconds, 1e-6 .. 0.5
  *  Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
- *  through particles. May allocate.
+ *  through particles. Allocates when what it steps has changed.
  *  Cost: O(particles + constraints) a substep, and a scene query for particles near models. */
 GPHYS_API gphys_status gphys_solver_step(gphys_solver* solver, const gphys_scene* scene, float dt);
 /** Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next
