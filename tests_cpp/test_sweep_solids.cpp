@@ -144,3 +144,37 @@ TEST_CASE("sweep of solids: a triangle tells where and from which side", "[sweep
     CHECK(hit.t == 0.5);
     CHECK(hit.flags == 0);
 }
+
+TEST_CASE("sweep of solids: a thin capsule is met although its offset is too short for a direction", "[sweep]") {
+    const NoTraps watch;
+    struct Encounter {
+        Shape other, moving;
+        Vec3 way;
+    };
+    const Encounter encounters[] = {
+        {Capsule{{0x1p+0, -0x1p+22, 0x1p+13}, {0x1.000002p-1, 0x1p-149, -0x1p+0}, 0x1.0624dep-10},
+         Aabb{{0x1p-1, -0x1.cb0c28p-2, -0x1.8p-1}, {0x1.ff8p-1, 0x1.a79eb8p-5, -0x1p-2}},
+         {0x1.9d76aep-1, -0x1.9cf3ecp+22, 0x1.9cf4d6p+13}},
+        {Capsule{{0x1p-147, 0x1p-147, -0x1.1a6264p-52}, {-0x1.a79396p-53, 0x0p+0, -0x1p-147}, 0x1p-30},
+         Capsule{{-0x1.3377dap-2, 0x1.32cc38p-30, 0x1.8p-148}, {-0x1.4cddf6p+0, -0x1.334cf2p-28, 0x1p-149}, 0x0p+0},
+         {0x1.8e93fep-2, 0x1.2b898cp-35, 0x1.5de4f2p-31}},
+        {Capsule{
+             {-0x1p-148, 0x1.1a6264p-54, 0x1.fffffep-1}, {-0x1p-148, 0x1.1a6264p-54, 0x1.fffffep-1}, 0x1.1a6264p-55},
+         Capsule{{-0x1.2f491ep-52, 0x1.b7eadap-23, -0x1.205488p-3},
+                 {0x1.8d8ef8p-55, -0x1.205498p-25, -0x1.240a94p+0},
+                 0x1p-35},
+         {0x0p+0, -0x1.547874p-55, 0x1.000002p+1}},
+        {Triangle{{-0x1.fffffep-1, -0x1p+0, 0x1p+0}, {0x1.8p-148, 0x1p+0, 0x1.1a6264p-54}, {-0x1p+1, 0x1p-30, -0x1p-1}},
+         Capsule{{0x1.1f2094p-31, 0x1.80f2e4p-1, -0x1.ab569ep-37},
+                 {-0x1.837dc4p-33, -0x1.fc3492p-3, -0x1.ab58d4p-37},
+                 0x1p-36},
+         {0x1.a79396p-53, 0x1p+0, 0x1.1a6266p-53}},
+    };
+    for (const auto& [other, moving, way] : encounters) {
+        Hit hit;
+        REQUIRE(sweep(other, moving, way, hit));
+        CHECK(hit.t > 0);
+        CHECK(overlaps(other, grown(moved(moving, way * hit.t), 0x1p-40 * length(way))));
+        CHECK(dot(hit.normal, way) <= 1e-15 * length(way));
+    }
+}
