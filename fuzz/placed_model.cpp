@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "foundation/exact.h"
+
 namespace fuzz {
 
 using namespace gphys;
@@ -11,11 +13,53 @@ namespace {
 
 Triangle triangle_of(const MeshSource& mesh, uint32_t i) { return widen(mesh.triangle(i)); }
 
+/// Each number of a shape that a scale may have, times that of its axis, rounded once.
+AnyShape scaled(const AnyShape& shape, const gphys_vec3& scale) {
+    const auto times = [&](const gphys_vec3& v) { return gphys_vec3{v.x * scale.x, v.y * scale.y, v.z * scale.z}; };
+    const auto of = [&](const auto& s) { return AnyShape::of(shape.type, s); };
+    switch (shape.type) {
+        case GPHYS_SHAPE_SPHERE: {
+            const auto s = shape.as<gphys_sphere>();
+            return of(gphys_sphere{times(s.center), s.radius * scale.x});
+        }
+        case GPHYS_SHAPE_CAPSULE: {
+            const auto s = shape.as<gphys_capsule>();
+            return of(gphys_capsule{times(s.a), times(s.b), s.radius * scale.x});
+        }
+        case GPHYS_SHAPE_AABB: {
+            const auto s = shape.as<gphys_aabb>();
+            return of(gphys_aabb{times(s.min), times(s.max)});
+        }
+        case GPHYS_SHAPE_OBB: {
+            const auto s = shape.as<gphys_obb>();
+            return of(gphys_obb{times(s.center), times(s.half_extents), s.rotation});
+        }
+        case GPHYS_SHAPE_PLANE: {
+            const auto s = shape.as<gphys_plane>();
+            return of(gphys_plane{s.normal, s.distance * scale.x});
+        }
+        default: {
+            const auto s = shape.as<gphys_triangle>();
+            return of(gphys_triangle{times(s.a), times(s.b), times(s.c)});
+        }
+    }
+}
+
 /// A segment is what its ends say, in the space of a mesh too: t is 1 exactly at its end there.
-Ray into_mesh(const Ray& ray, const Transform& world) {
-    const Vec3 origin = world.inverse_apply(ray.origin);
-    if (!ray.is_segment) return {origin, world.inverse_apply_to_vector(ray.direction), ray.t_max};
-    return ray_along({origin, world.inverse_apply(end_of(ray))});
+Ray into_mesh(const Ray& ray, const MeshPlace& place) {
+    const Vec3 origin = place.inverse_apply(ray.origin);
+    if (!ray.is_segment) return {origin, place.inverse_apply_to_vector(ray.direction), ray.t_max};
+    return ray_along({origin, place.inverse_apply(end_of(ray))});
+}
+
+/// The normal of a hit in the world: that of the triangle divided by the scale, or against a ray along it.
+Vec3 normal_of(const Hit& hit, const MeshSource& mesh, const Ray& ray, const MeshPlace& place) {
+    if (place.axes.is_one()) return place.world.rotation * hit.normal;
+    const Triangle t = triangle_of(mesh, hit.triangle);
+    const Vec3 face = accurate_cross(t.a, t.b, t.a, t.c);
+    if (face == Vec3{}) return ray.direction == Vec3{} ? hit.normal : -normalized(ray.direction);
+    const Vec3 normal = place.axes.normal(normalized(face));
+    return place.world.rotation * ((hit.flags & GPHYS_HIT_BACK) != 0 ? -normal : normal);
 }
 
 /// The largest coordinate as seen from a point; of a plane or frustum the distances that define it.
@@ -102,10 +146,11 @@ Shape widened(const AnyShape& shape) {
     }
 }
 
-PlacedModel placed(gphys_model_id id, uint32_t tag, const gphys_transform& world, const AnyShape& shape,
-                   const MeshSource* source) {
-    PlacedModel model{id, tag, widen(world), source};
+PlacedModel placed(gphys_model_id id, uint32_t tag, const gphys_transform& world, const AnyShape& given,
+                   const MeshSource* source, const gphys_vec3& scale) {
+    PlacedModel model{id, tag, widen(world), source, AxisScale(widen(scale))};
     if (source) return model;
+    const AnyShape shape = scaled(given, scale);
     const Transform& t = model.world;
     const bool turned = world.rotation.x != 0 || world.rotation.y != 0 || world.rotation.z != 0;
     if (shape.type == GPHYS_SHAPE_AABB && !turned) {  // keeps its faces
@@ -124,7 +169,8 @@ bool raycast(const PlacedModel& model, const Ray& ray, gphys_hit& out) {
         found = gphys::raycast(*shape, ray, first);
     } else {
         const MeshSource& mesh = *std::get<1>(model.shape);
-        const Ray local = into_mesh(ray, model.world);
+        const MeshPlace place{model.world, model.axes};
+        const Ray local = into_mesh(ray, place);
         for (uint32_t i = 0; i < mesh.triangles(); ++i) {
             Hit hit;
             if (!gphys::raycast(triangle_of(mesh, i), local, hit)) continue;
@@ -133,8 +179,10 @@ bool raycast(const PlacedModel& model, const Ray& ray, gphys_hit& out) {
             first.triangle = i;
             found = true;
         }
-        first.point = model.world.apply(first.point);
-        first.normal = model.world.rotation * first.normal;
+        if (found) {
+            first.point = place.apply(first.point);
+            first.normal = normal_of(first, mesh, ray, place);
+        }
     }
     if (found) out = to_hit(first, model.id, model.tag);
     return found;
@@ -153,7 +201,8 @@ bool sweep_model(const PlacedModel& model, const Solid& moving, const Solid& loc
         const MeshSource& mesh = *std::get<1>(model.shape);
         for (uint32_t i = 0; i < mesh.triangles(); ++i) {
             Hit hit;
-            if (!gphys::sweep(triangle_of(mesh, i), local, model.world.inverse_apply_to_vector(displacement), hit))
+            if (!gphys::sweep(model.axes(triangle_of(mesh, i)), local,
+                              model.world.inverse_apply_to_vector(displacement), hit))
                 continue;
             if (found && to_hit(hit).t >= to_hit(first).t) continue;
             first = hit;
@@ -188,7 +237,7 @@ void add_ways_out(const PlacedModel& model, const Shape& moving, std::vector<gph
     const MeshSource& mesh = *std::get<1>(model.shape);
     const Shape local = inverse_transformed(moving, model.world);
     for (uint32_t i = 0; i < mesh.triangles(); ++i) {
-        const Triangle triangle = triangle_of(mesh, i);
+        const Triangle triangle = model.axes(triangle_of(mesh, i));
         if (!gphys::overlaps(Shape(triangle), local)) continue;
         const Penetration way = penetration(triangle, local);
         const Penetration world{way.depth * model.world.scale, model.world.rotation * way.normal,
@@ -202,7 +251,7 @@ bool overlaps(const PlacedModel& model, const Shape& query) {
     const MeshSource& mesh = *std::get<1>(model.shape);
     const Shape local = inverse_transformed(query, model.world);
     for (uint32_t i = 0; i < mesh.triangles(); ++i) {
-        if (gphys::overlaps(Shape(triangle_of(mesh, i)), local)) return true;
+        if (gphys::overlaps(Shape(model.axes(triangle_of(mesh, i))), local)) return true;
     }
     return false;
 }
@@ -215,7 +264,8 @@ bool is_clear(const PlacedModel& model, const Shape& query) {
         of_model = reach(*shape, from);
     } else {
         const MeshSource& mesh = *std::get<1>(model.shape);
-        for (uint32_t i = 0; i < mesh.triangles(); ++i) of_model = std::max(of_model, reach(triangle_of(mesh, i), {}));
+        for (uint32_t i = 0; i < mesh.triangles(); ++i)
+            of_model = std::max(of_model, reach(model.axes(triangle_of(mesh, i)), {}));
         of_model *= 2 * model.world.scale;  // turned, a coordinate is at most sqrt(3) of the largest
     }
     // No coordinates differ by more than the sum. The bound is 2^-40 of it, also for the larger or smaller shapes.
@@ -237,7 +287,7 @@ bool has_clear_parts(const PlacedModel& model, const Shape& query) {
     const MeshSource& mesh = *std::get<1>(model.shape);
     const Shape local = inverse_transformed(query, model.world);
     for (uint32_t i = 0; i < mesh.triangles(); ++i) {
-        if (!is_clear({model.id, model.tag, Transform{}, Shape(triangle_of(mesh, i))}, local)) return false;
+        if (!is_clear({model.id, model.tag, Transform{}, Shape(model.axes(triangle_of(mesh, i)))}, local)) return false;
     }
     return true;
 }
@@ -257,7 +307,7 @@ bool nearest(const PlacedModel& model, Vec3 point, double within, gphys_nearest&
         // Of triangles that are reported at the same distance in the world the lowest is the nearest.
         float least = std::numeric_limits<float>::infinity();
         for (uint32_t i = 0; i < mesh.triangles(); ++i) {
-            const Vec3 candidate = model.world.apply(closest_point(triangle_of(mesh, i), local));
+            const Vec3 candidate = model.world.apply(closest_point(model.axes(triangle_of(mesh, i)), local));
             const double squared = length_squared(candidate - point);
             const float distance = reported(std::sqrt(squared));
             if (squared > within * within || distance >= least) continue;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/intersect.h"
+#include "mesh/mesh_place.h"
 #include "mesh_source.h"
 
 namespace fuzz {
@@ -14,11 +15,12 @@ struct PlacedModel {
     gphys_model_id id;
     uint32_t tag;
     gphys::Transform world;
-    std::variant<gphys::Shape, const MeshSource*> shape;
+    std::variant<gphys::Shape, const MeshSource*> shape;  // a shape is scaled already
+    gphys::AxisScale axes = {};                           // of a mesh
 };
 
 PlacedModel placed(gphys_model_id id, uint32_t tag, const gphys_transform& world, const AnyShape& shape,
-                   const MeshSource* source);
+                   const MeshSource* source, const gphys_vec3& scale);
 
 bool raycast(const PlacedModel& model, const gphys::Ray& ray, gphys_hit& hit);
 bool sweep(const PlacedModel& model, const gphys::Sphere& moving, gphys::Vec3 displacement, gphys_hit& hit);

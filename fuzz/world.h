@@ -23,6 +23,7 @@ struct Model {
     AnyShape shape;            // type GPHYS_SHAPE_MESH: mesh is set
     const MeshSource* source;  // of a mesh
     gphys_transform local, world;
+    gphys_vec3 scale{1, 1, 1};
 };
 
 class World {
@@ -51,12 +52,8 @@ private:
     void set_properties();
     void set_shape();
     void set_scale();
+    gphys_vec3 any_scale();
     void set_scene_origin();
-    void save_scene();
-    void restore_scene();
-    void restore_forged_scene();
-    uint64_t scene_hash() const;
-    std::vector<uint32_t> scene_snapshot(int32_t embed_meshes) const;
     void inspect_scene();
     void misuse_scene();
     gphys_model_id any_id();  // mostly of a model, sometimes stale or never given out
@@ -66,6 +63,13 @@ private:
     void forget(gphys_model_id id);
     void follow_parents();  // world transforms of the models, parents first
     void read_locals();
+
+    // world_scene_snapshot.cpp
+    void save_scene();
+    void restore_scene();
+    void restore_forged_scene();
+    uint64_t scene_hash() const;
+    std::vector<uint32_t> scene_snapshot(int32_t embed_meshes) const;
 
     // world_queries.cpp: the scene against all models, one by one
     uint32_t mask();

@@ -30,7 +30,7 @@ uint32_t World::mask() { return p_.one_in(3) ? p_.below(8) : GPHYS_ALL_LAYERS; }
 std::vector<PlacedModel> World::placed(uint32_t layers) const {
     std::vector<PlacedModel> seen;
     for (const Model& m : models_) {
-        if (m.layers & layers) seen.push_back(fuzz::placed(m.id, m.tag, m.world, m.shape, m.source));
+        if (m.layers & layers) seen.push_back(fuzz::placed(m.id, m.tag, m.world, m.shape, m.source, m.scale));
     }
     return seen;
 }

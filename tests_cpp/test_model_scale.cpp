@@ -100,11 +100,60 @@ public:
         gphys_model_desc desc;
         REQUIRE(gphys_model_desc_init(&desc, sizeof desc) == GPHYS_OK);
         desc.scale = scale;
+        desc.parent = parent;
+        desc.layers = 1u << layer;
         gphys_model_id model;
         REQUIRE(gphys_scene_add(scene, type, shape, &place, &desc, &model) == GPHYS_OK);
     }
+    /// Models whose scales are powers of two, below turned parents, in two layers.
+    void fill_by_powers(uint32_t count) {
+        const gphys_sphere hub{{0, 0, 0}, 0.25f};
+        for (uint32_t i = 0; i < count; ++i) {
+            const auto power = [&] { return std::ldexp(1.0f, static_cast<int>(random.index(9)) - 6); };
+            const gphys_vec3 scale{power(), power(), power()};
+            parent = 0;
+            layer = i % 2;
+            add(GPHYS_SHAPE_SPHERE, hub, no_scale, transform());
+            parent = last_model();
+            // Within 6 of the hub, whatever the scale.
+            const auto near_origin = [&] {
+                const gphys_vec3 p = random.point(3);
+                return gphys_vec3{p.x / scale.x, p.y / scale.y, p.z / scale.z};
+            };
+            const gphys_transform place{random.point(2), random.rotation(), random.uniform_float(0.5f, 1.5f)};
+            if (i % 5 == 0) {
+                gphys_aabb box{near_origin(), {}};
+                const gphys_vec3 size{2 / scale.x, 1 / scale.y, 3 / scale.z};
+                box.max = {box.min.x + size.x, box.min.y + size.y, box.min.z + size.z};
+                add(GPHYS_SHAPE_AABB, box, scale, place);
+            } else if (i % 5 == 1) {
+                add(GPHYS_SHAPE_OBB, gphys_obb{near_origin(), {1 / scale.x, 2 / scale.y, 1 / scale.z}, {0, 0, 0, 1}},
+                    scale, place);
+            } else if (i % 5 == 2) {
+                add(GPHYS_SHAPE_TRIANGLE, gphys_triangle{near_origin(), near_origin(), near_origin()}, scale, place);
+            } else {
+                const Kind kind = i % 5 == 3 ? Kind::surface : Kind::hull;
+                test::Arrays arrays;
+                arrays.vertices.resize(30);
+                for (gphys_vec3& v : arrays.vertices) v = near_origin();
+                for (uint32_t k = 0; kind == Kind::surface && k < 60; ++k) arrays.indices.push_back(random.index(30));
+                add(kind, arrays, scale, place);
+            }
+        }
+        parent = layer = 0;
+        REQUIRE(gphys_scene_validate(by_scale) == GPHYS_OK);
+    }
+    /// Both scenes have given the same ids.
+    gphys_model_id last_model() const {
+        std::vector<gphys_model_id> ids(1000);
+        uint32_t total = 0;
+        REQUIRE(gphys_scene_get_models(given, ids.data(), 1000, &total) == GPHYS_OK);
+        return ids[total - 1];
+    }
 
     gphys_scene *by_scale = nullptr, *given = nullptr;
+    gphys_model_id parent = 0;
+    uint32_t layer = 0;
     test::Random random;
 };
 
@@ -339,4 +388,143 @@ TEST_CASE("a deformable mesh with a scale takes new vertices, and refuses those 
     REQUIRE(gphys_mesh_set_vertices(mesh.get(), &arrays.vertices[0].x, sizeof(gphys_vec3), count) ==
             GPHYS_ERROR_INVALID_ARGUMENT);
     REQUIRE(gphys_scene_validate(scenes.by_scale) == GPHYS_OK);
+}
+
+namespace {
+
+template <class Struct>
+bool same_bits(const Struct& a, const Struct& b) {
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
+/// Within an ulp: both are of the exact time.
+bool same_time(float a, float b) { return std::nextafterf(a, b) == b; }
+
+/// A few models, or a layer, to be left out.
+gphys_query_filter_desc filter_of(test::Random& random, const std::vector<gphys_model_id>& ids) {
+    gphys_query_filter_desc filter;
+    REQUIRE(gphys_query_filter_desc_init(&filter, sizeof filter) == GPHYS_OK);
+    if (random.index(3) == 0) filter.layers = 1u << random.index(2);
+    filter.ignored_models = ids.data() + random.index(static_cast<uint32_t>(ids.size() - 4));
+    filter.ignored_count = random.index(5);
+    return filter;
+}
+
+}  // namespace
+
+TEST_CASE("models scaled by powers of two, filtered, answer with the bits of those given scaled; rays within an ulp") {
+    TwoScenes scenes(716);
+    scenes.fill_by_powers(40);
+    test::Random& random = scenes.random;
+    std::vector<gphys_model_id> ids(80);
+    uint32_t total = 0, met = 0, listed = 0, swept = 0, pushed = 0, found = 0, in_view = 0;
+    REQUIRE(gphys_scene_get_models(scenes.by_scale, ids.data(), 80, &total) == GPHYS_OK);
+    REQUIRE(total == 80);
+    // A restored copy stands in for the scaled scene half of the time.
+    REQUIRE(gphys_scene_get_snapshot(scenes.by_scale, 1, nullptr, 0, &total) == GPHYS_INCOMPLETE);
+    std::vector<uint32_t> words(total);
+    REQUIRE(gphys_scene_get_snapshot(scenes.by_scale, 1, words.data(), total, &total) == GPHYS_OK);
+    gphys_scene* restored = nullptr;
+    REQUIRE(gphys_scene_create(nullptr, &restored) == GPHYS_OK);
+    REQUIRE(gphys_scene_restore(restored, nullptr, words.data(), total) == GPHYS_OK);
+    gphys_camera* camera = nullptr;
+    REQUIRE(gphys_camera_create(nullptr, &camera) == GPHYS_OK);
+    REQUIRE(gphys_camera_set_viewport(camera, 800, 600) == GPHYS_OK);
+    for (int i = 0; i < 4000; ++i) {
+        CAPTURE(i);
+        const gphys_scene* const scaled = i % 2 == 0 ? scenes.by_scale : restored;
+        const gphys_query_filter_desc filter = filter_of(random, ids);
+        const gphys_vec3 at = random.point(14), way = random.point(10);
+        const gphys_sphere sphere{at, random.index(4) == 0 ? 0 : random.uniform_float(0, 2)};
+        const gphys_capsule capsule{at, random.point(14), random.index(4) == 0 ? 0 : random.uniform_float(0, 1)};
+        const gphys_aabb box{at, {at.x + 1, at.y + 2, at.z + 0.5f}};
+        const gphys_obb obb{at, {1, 0.2f, 2}, random.rotation()};
+        const gphys_triangle triangle{at, random.point(14), random.point(14)};
+        const gphys_plane plane{narrow(random.direction()), random.uniform_float(-14, 14)};
+        gphys_frustum frustum{random.point(20), {}};
+        for (int p = 0; p < 6; ++p) {
+            const Vec3 axis{p / 2 == 0 ? 1.0 : 0.1, p / 2 == 1 ? 1.0 : 0.2, p / 2 == 2 ? 1.0 : 0.1};
+            const bool back = p % 2 != 0;
+            frustum.planes[p] = {narrow(back ? -axis : axis), back ? -8.0f : 1.0f};
+        }
+        const struct {
+            gphys_shape_type type;
+            const void* shape;
+        } queries[] = {{GPHYS_SHAPE_SPHERE, &sphere},  {GPHYS_SHAPE_CAPSULE, &capsule},   {GPHYS_SHAPE_AABB, &box},
+                       {GPHYS_SHAPE_OBB, &obb},        {GPHYS_SHAPE_TRIANGLE, &triangle}, {GPHYS_SHAPE_PLANE, &plane},
+                       {GPHYS_SHAPE_FRUSTUM, &frustum}};
+        gphys_model_id models[80], expected[80];
+        uint32_t count = 0, expected_count = 0;
+        for (const auto& [type, shape] : queries) {
+            CAPTURE(type);
+            REQUIRE(gphys_scene_overlap_filtered(scaled, type, shape, &filter, models, 80, &count) == GPHYS_OK);
+            REQUIRE(gphys_scene_overlap_filtered(scenes.given, type, shape, &filter, expected, 80, &expected_count) ==
+                    GPHYS_OK);
+            REQUIRE(count == expected_count);
+            REQUIRE(std::equal(models, models + count, expected));
+            listed += count;
+        }
+        // What is in view is culled by neither.
+        REQUIRE(gphys_scene_cull_filtered(scaled, &frustum, &filter, models, 80, &count) == GPHYS_OK);
+        REQUIRE(std::includes(models, models + count, expected, expected + expected_count));
+        for (int k = 0; k < 4; ++k) {
+            const auto& [type, shape] = queries[k];
+            CAPTURE(type);
+            gphys_hit hit{}, other{};
+            const gphys_status moved = gphys_scene_sweep_filtered(scaled, type, shape, &way, &filter, &hit);
+            REQUIRE(moved == gphys_scene_sweep_filtered(scenes.given, type, shape, &way, &filter, &other));
+            REQUIRE(same_bits(hit, other));
+            swept += moved == GPHYS_OK;
+            gphys_penetration ways[400], other_ways[400];
+            REQUIRE(gphys_scene_penetration_filtered(scaled, type, shape, &filter, ways, 400, &count) >= 0);
+            REQUIRE(gphys_scene_penetration_filtered(scenes.given, type, shape, &filter, other_ways, 400,
+                                                     &expected_count) >= 0);
+            REQUIRE(count == expected_count);
+            REQUIRE(count <= 400);
+            REQUIRE(std::equal(ways, ways + count, other_ways, same_bits<gphys_penetration>));
+            pushed += count;
+        }
+        gphys_nearest near{}, other_near{};
+        const float reach = random.index(2) == 0 ? INFINITY : random.uniform_float(0, 3);
+        const gphys_status is_near = gphys_scene_nearest_filtered(scaled, &at, reach, &filter, &near);
+        REQUIRE(is_near == gphys_scene_nearest_filtered(scenes.given, &at, reach, &filter, &other_near));
+        REQUIRE(same_bits(near, other_near));
+        found += is_near == GPHYS_OK;
+        gphys_ray ray = ray_of(random);
+        ray.direction = narrow(widen(random.point(8)) - widen(ray.origin));
+        gphys_hit all[300], other_all[300];
+        REQUIRE(gphys_scene_raycast_all_filtered(scaled, &ray, &filter, all, 300, &count) == GPHYS_OK);
+        REQUIRE(gphys_scene_raycast_all_filtered(scenes.given, &ray, &filter, other_all, 300, &expected_count) ==
+                GPHYS_OK);
+        REQUIRE(count == expected_count);
+        for (uint32_t k = 0; k < count; ++k) {
+            REQUIRE(all[k].model == other_all[k].model);
+            REQUIRE(all[k].triangle == other_all[k].triangle);
+            REQUIRE(same_time(all[k].t, other_all[k].t));
+        }
+        met += count;
+        gphys_hit hit{}, other{};
+        const gphys_segment segment{at, random.point(14)};
+        const gphys_status crossed = gphys_scene_segment_test_filtered(scaled, &segment, &filter, &hit);
+        REQUIRE(crossed == gphys_scene_segment_test_filtered(scenes.given, &segment, &filter, &other));
+        REQUIRE(hit.model == other.model);
+        REQUIRE(same_time(hit.t, other.t));
+        hit = other = {};
+        const gphys_quat turned = random.rotation();
+        REQUIRE(gphys_camera_set_transform(camera, &at, &turned) == GPHYS_OK);
+        const float x = random.uniform_float(0, 800), y = random.uniform_float(0, 600);
+        const gphys_status picked = gphys_camera_pick_filtered(camera, scaled, x, y, &filter, &hit);
+        REQUIRE(picked == gphys_camera_pick_filtered(camera, scenes.given, x, y, &filter, &other));
+        REQUIRE(hit.model == other.model);
+        REQUIRE(same_time(hit.t, other.t));
+        in_view += picked == GPHYS_OK;
+    }
+    CAPTURE(in_view, met, listed, swept, pushed, found);
+    CHECK(in_view > 200);
+    CHECK(met > 2000);
+    CHECK(listed > 20000);
+    CHECK(swept > 4000);
+    CHECK(pushed > 2000);
+    CHECK(found > 2000);
+    gphys_camera_destroy(camera);
+    gphys_scene_destroy(restored);
 }

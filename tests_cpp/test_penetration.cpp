@@ -129,6 +129,15 @@ TEST_CASE("penetration: known ways out", "[penetration]") {
     CHECK(penetration(Capsule{{0, 0, 0}, {0, 4, 0}, 1}, Sphere{{0, 2, 0}, 1}).depth == 2);
 }
 
+TEST_CASE("penetration: a ball beside the long side of a triangle goes out past the side", "[penetration]") {
+    // Its centre is 0.998 of its radius away from the side, which is 2^-32 of the coordinates.
+    const Triangle needle{{0x1p-12, -0x1p-149, 0x1.1a6264p-54}, {0, -0x1.7ffffep+5, 0x1.1a6264p-53}, {-1, 0, 0x1p-149}};
+    const Sphere ball{{0x1.0007fep-13, -0x1.7ffffcp+4, 0x1p-53}, 0x1p-26};
+    const Penetration out = penetration(needle, Shape(ball));
+    CHECK(out.depth < 0x1p-33);
+    CHECK(out.normal.x > 0.999);
+}
+
 TEST_CASE("penetration: the distance by steps is that by features", "[penetration]") {
     const NoTraps watch;
     SolidCases pairs(33);

@@ -16,7 +16,7 @@ source = Path(sys.argv[1])
 fuzz_sources = {
     "shapes": ["shapes.cpp", "shape_relations.cpp"],
     "mesh": ["mesh.cpp", "mesh_source.h", "shape_relations.cpp"],
-    "world": ["world.cpp", "world_scene.cpp", "world_queries.cpp", "world_filter.cpp", "world_camera.cpp", "world_solver.cpp",
+    "world": ["world.cpp", "world_scene.cpp", "world_scene_snapshot.cpp", "world_queries.cpp", "world_filter.cpp", "world_camera.cpp", "world_solver.cpp",
               "mesh_source.h"],
     "snapshot": ["snapshot.cpp", "mesh_source.h"],
     "soak": ["soak.cpp"],

@@ -8,6 +8,10 @@ namespace {
 
 // Relative to the size of the difference. The error of a projection or an offset is about 2^-48.
 constexpr double certain = 0x1p-44;
+// The contract allows the normal of a face where the cores are closer than has_direction times the largest coordinate
+// difference, of which the size is up to four times. A longer offset has a direction with an error below 2^-14: a ball
+// that is pushed out along it keeps a penetration below 2^-29 of its radius.
+constexpr double is_direction = has_direction / 4;
 
 /// The distance is the maximum of the gap over all directions; if the origin is inside, it is reached at a face
 /// normal. So the largest gap found is a lower bound.
@@ -43,7 +47,7 @@ Separation separation(const ConvexDifference& set) {
     // Inside by no more than rounding: the features give the distance, but not the side.
     const NearestDifference near = set.nearest();
     const double distance = length(near.offset);
-    if (!has_faces && distance <= has_direction * set.size()) {
+    if (!has_faces && distance <= is_direction * set.size()) {
         // A point or a segment, whose offset has no direction: across it, unless the origin is beyond an end.
         const Vec3 line = set.line(), offset = near.offset * -1.0, across = offset - line * dot(offset, line);
         const double width = length(across);
@@ -58,7 +62,7 @@ Separation separation(const ConvexDifference& set) {
     }
     const Vec3 unit = near.offset / -distance;
     // An offset that is little more than rounding has an arbitrary direction.
-    if (has_faces && distance < has_direction * set.size() && set.gap(unit) < gaps.widest()) {
+    if (has_faces && distance < is_direction * set.size() && set.gap(unit) < gaps.widest()) {
         return {gaps.widest(), gaps.normal(), near.on_other, true};
     }
     return {distance, unit, near.on_other, true};
