@@ -393,7 +393,7 @@ static float next_number(uint32_t* random) {
 }
 
 static void faces_of_a_mesh_are_those_of_the_list_of_all(void** state) {
-    enum { TRIANGLES = 300, RAYS = 200 };
+    enum { TRIANGLES = 3000, RAYS = 200 };
     static float vertices[9 * TRIANGLES];
     static uint32_t indices[3 * TRIANGLES];
     static gphys_ray rays[RAYS];
@@ -411,7 +411,7 @@ static void faces_of_a_mesh_are_those_of_the_list_of_all(void** state) {
         indices[i] = i;
         for (k = 0; k < 3; ++k)
             vertices[3 * i + k] =
-                next_number(&random) * (i == first ? 1 : 0.3f) + (i == first ? 0 : vertices[3 * first + k]);
+                next_number(&random) * (i == first ? 1 : 0.1f) + (i == first ? 0 : vertices[3 * first + k]);
     }
     for (i = 0; i < RAYS; ++i) {
         const gphys_ray ray = {{2 * next_number(&random), 2 * next_number(&random), 2 * next_number(&random)},
