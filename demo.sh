@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # ./demo.sh [mesh file]: builds the viewer and lets it draw build/demo/scene.png, pick.png and
-# cloth.png. Without a file it takes a mesh from a distribution package. Installs what is missing.
+# cloth.png; examples/04_character.c draws its path, character.svg. Without a file the viewer takes a mesh from a
+# distribution package. Installs what is missing.
 # ./demo.sh --window [mesh file]: opens the viewer in a window instead.
 set -euo pipefail
 window=
@@ -24,7 +25,8 @@ if [ -n "$window" ]; then
     cmake --build build/release --target window
     exec build/release/examples/window "$mesh"
 fi
-cmake --build build/release --target viewer
+cmake --build build/release --target viewer example_04_character
 mkdir -p build/demo
 build/release/examples/viewer "$mesh" --out build/demo
-echo "pictures: build/demo/scene.png build/demo/pick.png build/demo/cloth.png"
+build/release/examples/example_04_character build/demo/character.svg
+echo "pictures: build/demo/scene.png build/demo/pick.png build/demo/cloth.png build/demo/character.svg"

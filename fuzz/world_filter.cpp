@@ -135,7 +135,10 @@ void World::filtered_batches() {
     std::vector<gphys_vec3> points(count), displacements(count);
     std::vector<float> pixels(2 * size_t{count});
     for (uint32_t i = 0; i < count; ++i) {
-        if (i == 0 || !one_for_all) make_filter(filters[i], ignored[i]);
+        if (i == 0 || !one_for_all) {
+            make_filter(filters[i], ignored[i]);
+            filters[i].flags |= 2 * p_.below(4);  // faces
+        }
         rays[i] = p_.ray();
         if (!is_valid(rays[i])) return;
         segments[i] = p_.segment();

@@ -1164,7 +1164,11 @@ GPHYS_API gphys_status gphys_scene_penetration(const gphys_scene* scene, gphys_s
 
 /* Flags of gphys_query_filter_desc. */
 enum {
-    GPHYS_FILTER_SUBTREE = 1 /* ignored_model stands for its descendants, too */
+    GPHYS_FILTER_SUBTREE = 1,       /* ignored_model stands for its descendants, too */
+    GPHYS_FILTER_NO_BACK_FACES = 2, /* planes, triangles and meshes that are no solids are not met from behind, by
+                                       rays with GPHYS_HIT_BACK, nor by sweeps along their normal; other queries,
+                                       which come from no side, take this flag and the next without effect */
+    GPHYS_FILTER_NO_FRONT_FACES = 4 /* they are met from behind only: the inside of a closed mesh */
 };
 
 /** Which models a query sees. Ids of models that are gone, or never were, leave out nothing and are no
@@ -1192,7 +1196,7 @@ GPHYS_API gphys_status gphys_query_filter_desc_init(gphys_query_filter_desc* des
  *  Cost: that of gphys_scene_raycast for one ignored model. For each model that is met within the ray's
  *  reach, besides: O(its depth below its root) with GPHYS_FILTER_SUBTREE if ignored_model has children; of
  *  m ignored_models O(log m) if they are ascending, as all lists of the library are, else O(m). Whether
- *  they are takes O(m) a call. */
+ *  they are takes O(m) a call. Where faces are left out, rays of a batch meet a mesh one by one. */
 GPHYS_API gphys_status gphys_scene_raycast_filtered(const gphys_scene* scene, const gphys_ray* ray,
                                                     const gphys_query_filter_desc* filter, gphys_hit* out_hit);
 /** Closest models on count rays that the filters see, as gphys_scene_raycast_batch.

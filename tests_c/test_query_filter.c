@@ -309,6 +309,156 @@ static void a_camera_sees_behind_a_selection(void** state) {
     gphys_scene_destroy(scene);
 }
 
+/* A horizontal square at height y: both triangles face up, or down. */
+static gphys_mesh* square(float y, int up) {
+    const float v[12] = {-1, y, -1, -1, y, 1, 1, y, 1, 1, y, -1};
+    const uint32_t above[6] = {0, 1, 2, 0, 2, 3}, below[6] = {0, 2, 1, 0, 3, 2};
+    gphys_mesh* mesh = NULL;
+    assert_int_equal(gphys_mesh_create(NULL, v, 12, 4, up ? above : below, 6, &mesh), GPHYS_OK);
+    return mesh;
+}
+
+static void faces_are_left_out_by_side(void** state) {
+    /* From above: a plane that faces up at 3, squares up at 2 and down at 1, a triangle that faces down at 0, a ball.
+     */
+    const gphys_plane plane = {{0, 1, 0}, 3};
+    const gphys_triangle triangle = {{-5, 0, -5}, {5, 0, -5}, {0, 0, 5}};
+    const gphys_sphere ball = {{0, -3, 0}, 1};
+    const gphys_ray down = {{0.2f, 9, 0.1f}, {0, -1, 0}, INFINITY}, up = {{0.2f, -9, 0.1f}, {0, 1, 0}, INFINITY};
+    const gphys_segment through = {{0.2f, 9, 0.1f}, {0.2f, -1, 0.1f}};
+    const gphys_capsule body = {{0, 6, 0}, {0, 7, 0}, 0.5f};
+    const gphys_vec3 fall = {0, -5, 0};
+    gphys_mesh *upper = square(2, 1), *lower = square(1, 0);
+    gphys_scene* scene = NULL;
+    gphys_model_id of_plane, of_upper, of_lower, of_triangle, of_ball;
+    gphys_query_filter_desc filter = defaults();
+    gphys_hit hit, hits[5];
+    uint32_t total = 0;
+    int32_t any = 7;
+    (void)state;
+    assert_int_equal(gphys_scene_create(NULL, &scene), GPHYS_OK);
+    assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_PLANE, &plane, NULL, NULL, &of_plane), GPHYS_OK);
+    assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_MESH, upper, NULL, NULL, &of_upper), GPHYS_OK);
+    assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_MESH, lower, NULL, NULL, &of_lower), GPHYS_OK);
+    assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_TRIANGLE, &triangle, NULL, NULL, &of_triangle), GPHYS_OK);
+    assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_SPHERE, &ball, NULL, NULL, &of_ball), GPHYS_OK);
+    filter.flags = GPHYS_FILTER_NO_BACK_FACES;
+    assert_int_equal(gphys_scene_raycast_all_filtered(scene, &down, &filter, hits, 5, &total), GPHYS_OK);
+    assert_true(total == 3 && hits[0].model == of_plane && hits[1].model == of_upper && hits[2].model == of_ball);
+    assert_int_equal(gphys_scene_raycast_all_filtered(scene, &up, &filter, hits, 5, &total), GPHYS_OK);
+    assert_true(total == 3 && hits[0].model == of_ball && hits[1].model == of_triangle && hits[2].model == of_lower);
+    filter.flags = GPHYS_FILTER_NO_FRONT_FACES;
+    assert_int_equal(gphys_scene_raycast_filtered(scene, &down, &filter, &hit), GPHYS_OK);
+    assert_true(hit.model == of_lower && hit.t == 8 && (hit.flags & GPHYS_HIT_BACK) != 0 && hit.normal.y == 1);
+    assert_int_equal(gphys_scene_segment_test_filtered(scene, &through, &filter, &hit), GPHYS_OK);
+    assert_true(hit.model == of_lower && hit.t == 0.8f);
+    filter.ignored_model = of_lower;
+    assert_int_equal(gphys_scene_raycast_filtered(scene, &down, &filter, &hit), GPHYS_OK);
+    assert_true(hit.model == of_triangle && hit.t == 9);
+    filter.flags |= GPHYS_FILTER_NO_BACK_FACES; /* no surface at all */
+    assert_int_equal(gphys_scene_raycast_filtered(scene, &down, &filter, &hit), GPHYS_OK);
+    assert_true(hit.model == of_ball && hit.t > 11);
+    assert_int_equal(gphys_scene_segment_test_filtered(scene, &through, &filter, &hit), GPHYS_NO_HIT);
+    filter.ignored_model = of_ball;
+    assert_int_equal(gphys_scene_raycast_any_filtered(scene, &down, &filter, &any), GPHYS_OK);
+    assert_int_equal(any, 0);
+
+    /* A platform that lets a character through from one side. */
+    filter = defaults();
+    assert_int_equal(gphys_scene_sweep_filtered(scene, GPHYS_SHAPE_CAPSULE, &body, &fall, &filter, &hit), GPHYS_OK);
+    assert_true(hit.model == of_plane && hit.t == 0.5f);
+    filter.flags = GPHYS_FILTER_NO_FRONT_FACES;
+    assert_int_equal(gphys_scene_sweep_filtered(scene, GPHYS_SHAPE_CAPSULE, &body, &fall, &filter, &hit), GPHYS_OK);
+    assert_true(hit.model == of_lower && hit.t == 0.9f);
+    filter.ignored_model = of_lower;
+    assert_int_equal(gphys_scene_sweep_filtered(scene, GPHYS_SHAPE_CAPSULE, &body, &fall, &filter, &hit), GPHYS_NO_HIT);
+    {
+        const gphys_sphere lowest = {{0, 6, 0}, 0.5f};
+        filter.ignored_model = of_plane;
+        filter.flags = GPHYS_FILTER_NO_BACK_FACES;
+        assert_int_equal(gphys_scene_sweep_sphere_filtered(scene, &lowest, &fall, &filter, &hit), GPHYS_OK);
+        assert_true(hit.model == of_upper && hit.t == 0.7f);
+        filter.flags = GPHYS_FILTER_NO_FRONT_FACES;
+        assert_int_equal(gphys_scene_sweep_sphere_filtered(scene, &lowest, &fall, &filter, &hit), GPHYS_OK);
+        assert_true(hit.model == of_lower && hit.t == 0.9f);
+    }
+    gphys_scene_destroy(scene);
+    gphys_mesh_destroy(upper);
+    gphys_mesh_destroy(lower);
+}
+
+static float next_number(uint32_t* random) {
+    *random = *random * 1664525u + 1013904223u;
+    return (float)(*random >> 8) / 8388608.0f - 1;
+}
+
+static void faces_of_a_mesh_are_those_of_the_list_of_all(void** state) {
+    enum { TRIANGLES = 3000, RAYS = 200 };
+    static float vertices[9 * TRIANGLES];
+    static uint32_t indices[3 * TRIANGLES];
+    static gphys_ray rays[RAYS];
+    static gphys_hit hits[RAYS], all[TRIANGLES];
+    static gphys_distance distances[RAYS];
+    static int32_t any[RAYS];
+    const uint32_t flags[2] = {GPHYS_FILTER_NO_BACK_FACES, GPHYS_FILTER_NO_FRONT_FACES};
+    gphys_mesh* mesh = NULL;
+    gphys_scene* scene = NULL;
+    gphys_model_id model;
+    uint32_t random = 5, i, k, met = 0, passed = 0;
+    (void)state;
+    for (i = 0; i < 3 * TRIANGLES; ++i) {
+        const uint32_t first = i - i % 3;
+        indices[i] = i;
+        for (k = 0; k < 3; ++k)
+            vertices[3 * i + k] =
+                next_number(&random) * (i == first ? 1 : 0.1f) + (i == first ? 0 : vertices[3 * first + k]);
+    }
+    for (i = 0; i < RAYS; ++i) {
+        const gphys_ray ray = {{2 * next_number(&random), 2 * next_number(&random), 2 * next_number(&random)},
+                               {next_number(&random), next_number(&random), next_number(&random)},
+                               INFINITY};
+        rays[i] = ray;
+        rays[i].direction.x -= ray.origin.x; /* to somewhere among the triangles */
+        rays[i].direction.y -= ray.origin.y;
+        rays[i].direction.z -= ray.origin.z;
+    }
+    assert_int_equal(gphys_mesh_create(NULL, vertices, 12, 3 * TRIANGLES, indices, 3 * TRIANGLES, &mesh), GPHYS_OK);
+    assert_int_equal(gphys_scene_create(NULL, &scene), GPHYS_OK);
+    assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_MESH, mesh, NULL, NULL, &model), GPHYS_OK);
+    for (k = 0; k < 2; ++k) {
+        gphys_query_filter_desc filter = defaults();
+        filter.flags = flags[k];
+        assert_int_equal(
+            gphys_scene_raycast_filtered_batch(scene, rays, sizeof *rays, RAYS, &filter, 0, hits, sizeof *hits),
+            GPHYS_OK);
+        assert_int_equal(gphys_scene_raycast_distance_filtered_batch(scene, rays, sizeof *rays, RAYS, &filter, 0,
+                                                                     distances, sizeof *distances),
+                         GPHYS_OK);
+        assert_int_equal(gphys_scene_raycast_any_filtered_batch(scene, rays, sizeof *rays, RAYS, &filter, 0, any, 4),
+                         GPHYS_OK);
+        for (i = 0; i < RAYS; ++i) {
+            uint32_t total = 0, first = 0;
+            gphys_hit single;
+            gphys_status status;
+            assert_int_equal(gphys_mesh_raycast_all(mesh, &rays[i], all, TRIANGLES, &total), GPHYS_OK);
+            while (first < total && ((all[first].flags & GPHYS_HIT_BACK) != 0) == (k == 0)) ++first;
+            status = gphys_scene_raycast_filtered(scene, &rays[i], &filter, &single);
+            assert_int_equal(status, first < total ? GPHYS_OK : GPHYS_NO_HIT);
+            assert_int_equal(any[i], first < total);
+            assert_int_equal(hits[i].triangle, first < total ? all[first].triangle : GPHYS_NO_TRIANGLE);
+            assert_true(distances[i].triangle == hits[i].triangle && distances[i].t == hits[i].t);
+            if (first == total) continue;
+            assert_memory_equal(&single, &hits[i], sizeof single);
+            assert_true(single.t == all[first].t && single.flags == all[first].flags);
+            ++met;
+            passed += first > 0;
+        }
+    }
+    assert_true(met > RAYS / 4 && passed > RAYS / 20);
+    gphys_scene_destroy(scene);
+    gphys_mesh_destroy(mesh);
+}
+
 static void bad_filters_are_refused_and_outputs_stay(void** state) {
     const gphys_ray ray = {{0, 0, 0}, {1, 0, 0}, INFINITY};
     const gphys_segment segment = {{0, 0, 0}, {20, 0, 0}};
@@ -338,7 +488,7 @@ static void bad_filters_are_refused_and_outputs_stay(void** state) {
     expected[0] = GPHYS_ERROR_STRUCT_SIZE;
     bad[1].reserved = 1;
     expected[1] = GPHYS_ERROR_STRUCT_SIZE;
-    bad[2].flags = 2;
+    bad[2].flags = 8;
     expected[2] = GPHYS_ERROR_INVALID_ARGUMENT;
     bad[3].ignored_count = 1;
     expected[3] = GPHYS_ERROR_INVALID_ARGUMENT;
@@ -418,6 +568,8 @@ int main(void) {
         cmocka_unit_test(batches_take_one_filter_or_one_each),
         cmocka_unit_test(a_larger_filter_means_what_its_known_part_says),
         cmocka_unit_test(a_camera_sees_behind_a_selection),
+        cmocka_unit_test(faces_are_left_out_by_side),
+        cmocka_unit_test(faces_of_a_mesh_are_those_of_the_list_of_all),
         cmocka_unit_test(bad_filters_are_refused_and_outputs_stay),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1362,7 +1362,7 @@ func (o *Scene) Penetration(shape Shape, layers uint32) (result []Penetration, e
 // Cost: that of Scene.Raycast for one ignored model. For each model that is met within the ray's
 // reach, besides: O(its depth below its root) with FilterSubtree if ignored_model has children; of m
 // ignored_models O(log m) if they are ascending, as all lists of the library are, else O(m). Whether
-// they are takes O(m) a call.
+// they are takes O(m) a call. Where faces are left out, rays of a batch meet a mesh one by one.
 func (o *Scene) RaycastFiltered(ray Ray, filter *QueryFilterDesc) (hit Hit, found bool, err error) {
 	self, err := o.open()
 	if err != nil {

@@ -103,6 +103,12 @@ const (
 const (
 	// ignored_model stands for its descendants, too
 	FilterSubtree uint32 = 1
+	// planes, triangles and meshes that are no solids are not met from behind, by
+	// rays with HitBack, nor by sweeps along their normal; other queries,
+	// which come from no side, take this flag and the next without effect
+	FilterNoBackFaces uint32 = 2
+	// they are met from behind only: the inside of a closed mesh
+	FilterNoFrontFaces uint32 = 4
 )
 
 type Projection int32

@@ -969,7 +969,7 @@ export class Scene {
      * Cost: that of Scene.raycast for one ignored model. For each model that is met within the ray's
      * reach, besides: O(its depth below its root) with FILTER_SUBTREE if ignored_model has children; of m
      * ignored_models O(log m) if they are ascending, as all lists of the library are, else O(m). Whether
-     * they are takes O(m) a call.
+     * they are takes O(m) a call. Where faces are left out, rays of a batch meet a mesh one by one.
      * @param filter - null: the defaults
      * @returns null if nothing is found.
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: for unknown flags, or ignored_models null with an
@@ -1965,6 +1965,8 @@ export const SIDE_INSIDE: 1;
 export const DEPTH_ZERO_TO_ONE: 0;
 export const DEPTH_MINUS_ONE_TO_ONE: 1;
 export const FILTER_SUBTREE: 1;
+export const FILTER_NO_BACK_FACES: 2;
+export const FILTER_NO_FRONT_FACES: 4;
 export const PROJECTION_PERSPECTIVE: 0;
 export const PROJECTION_ORTHOGRAPHIC: 1;
 export const PROJECTION_USER: 2;

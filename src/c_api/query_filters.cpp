@@ -12,15 +12,17 @@ constexpr size_t filter_desc_size = sizeof(gphys_query_filter_desc);  // of rele
 
 gphys_status check(const gphys_query_filter_desc& desc) noexcept {
     if (desc.reserved != 0) return newer_desc();
-    GPHYS_REQUIRE_IN_RANGE((desc.flags & ~uint32_t{GPHYS_FILTER_SUBTREE}) == 0, "filter.flags", desc.flags,
-                           "0 or GPHYS_FILTER_SUBTREE");
+    constexpr uint32_t known = GPHYS_FILTER_SUBTREE | GPHYS_FILTER_NO_BACK_FACES | GPHYS_FILTER_NO_FRONT_FACES;
+    GPHYS_REQUIRE_IN_RANGE((desc.flags & ~known) == 0, "filter.flags", desc.flags, "a combination of GPHYS_FILTER_...");
     GPHYS_REQUIRE(desc.ignored_models || desc.ignored_count == 0, "filter.ignored_models is null");
     return GPHYS_OK;
 }
 
 QueryFilter filter_of(const Scene& scene, const gphys_query_filter_desc& desc) {
-    return scene.query_filter(desc.layers, desc.ignored_model, (desc.flags & GPHYS_FILTER_SUBTREE) != 0,
-                              IgnoredIds(desc.ignored_models, desc.ignored_count));
+    QueryFilter filter = scene.query_filter(desc.layers, desc.ignored_model, (desc.flags & GPHYS_FILTER_SUBTREE) != 0,
+                                            IgnoredIds(desc.ignored_models, desc.ignored_count));
+    filter.faces = {(desc.flags & GPHYS_FILTER_NO_FRONT_FACES) == 0, (desc.flags & GPHYS_FILTER_NO_BACK_FACES) == 0};
+    return filter;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <new>
 
 #include "foundation/exact.h"
+#include "geometry/faces.h"
 #include "geometry/raycast_box.h"
 
 namespace gphys {
@@ -178,7 +179,7 @@ NearestCrossing Mesh::first_crossing(const PreparedRay& ray) const {
         const float before = nearest.t;
         for_each_lane(lanes, [&](int lane) {
             TriangleCrossing crossing;
-            if (crosses(packet.triangle(lane), ray.sheared, crossing) && counts(crossing)) {
+            if (crosses(packet.triangle(lane), ray.sheared, crossing) && counts(crossing, ray.sheared)) {
                 nearest.take(crossing, reported(crossing.t), packet, static_cast<uint32_t>(lane));
             }
             return true;
@@ -395,7 +396,7 @@ bool Mesh::raycast_any(const Ray& ray) const {
     walk(prepared, [&](const TrianglePacket& packet, uint32_t lanes) {
         for_each_lane(lanes, [&](int lane) {
             TriangleCrossing crossing;
-            found = crosses(packet.triangle(lane), prepared.sheared, crossing) && counts(crossing);
+            found = crosses(packet.triangle(lane), prepared.sheared, crossing) && counts(crossing, prepared.sheared);
             return !found;
         });
         return found ? -1 : prepared.limit;
@@ -449,11 +450,12 @@ bool Mesh::find_contact(Vec3 middle, const Half& half, Vec3 displacement, const 
     return true;
 }
 
-bool Mesh::sweep(const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties, const AxisScale& axes) const {
+bool Mesh::sweep(const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties, const AxisScale& axes,
+                 Faces faces) const {
     if (packets_.empty()) return false;
     if (magnified_) {
         const Sphere larger{moving.center * magnification_, moving.radius * magnification_};
-        return magnified_->sweep(larger, displacement * magnification_, hit, ties, axes) && reduce(hit);
+        return magnified_->sweep(larger, displacement * magnification_, hit, ties, axes, faces) && reduce(hit);
     }
     if (is_hull()) {
         if (is_sharp(moving, displacement, axes))
@@ -464,17 +466,18 @@ bool Mesh::sweep(const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties, c
         }
     }
     const auto sweep_item = [&](const auto& item, Hit& candidate) {
-        return gphys::sweep(item, moving, displacement, candidate);
+        return (is_hull() || meets_side(item, displacement, faces)) &&
+               gphys::sweep(item, moving, displacement, candidate);
     };
     if (axes.is_one()) return find_contact(moving.center, moving.radius, displacement, sweep_item, hit, ties, axes);
     const Vec3 half = axes.inverse(Vec3{moving.radius, moving.radius, moving.radius});
     return find_contact(axes.inverse(moving.center), half, axes.inverse(displacement), sweep_item, hit, ties, axes);
 }
 
-bool Mesh::sweep(const Shape& moving, Vec3 displacement, Hit& hit, const AxisScale& axes) const {
+bool Mesh::sweep(const Shape& moving, Vec3 displacement, Hit& hit, const AxisScale& axes, Faces faces) const {
     if (packets_.empty()) return false;
     if (const auto* sphere = std::get_if<Sphere>(&moving)) {
-        return sweep(*sphere, displacement, hit, Ties::as_reported, axes);
+        return sweep(*sphere, displacement, hit, Ties::as_reported, axes, faces);
     }
     const BoxInMotion box(moving);
     const Aabb extent = axes(bounds());
@@ -492,7 +495,8 @@ bool Mesh::sweep(const Shape& moving, Vec3 displacement, Hit& hit, const AxisSca
         }
     }
     const auto sweep_item = [&](const auto& item, Hit& candidate) {
-        return gphys::sweep(item, moving, displacement, candidate);
+        return (is_hull() || meets_side(item, displacement, faces)) &&
+               gphys::sweep(item, moving, displacement, candidate);
     };
     if (!find_contact(axes.inverse(box.middle), axes.inverse(half), axes.inverse(displacement), sweep_item, hit,
                       Ties::as_reported, axes)) {

@@ -135,10 +135,11 @@ public:
     template <class DistanceOf, class LimitOf>
     bool closest_point(Vec3 point, double max_distance, const DistanceOf& distance_of, const LimitOf& limit_of,
                        Vec3& out, uint32_t& triangle, const AxisScale& axes = {}) const;
+    /// Of surfaces, those triangles alone that face as asked.
     bool sweep(const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties = Ties::as_reported,
-               const AxisScale& axes = {}) const;
+               const AxisScale& axes = {}, Faces faces = {}) const;
     /// For a moving sphere, capsule or box.
-    bool sweep(const Shape& moving, Vec3 displacement, Hit& hit, const AxisScale& axes = {}) const;
+    bool sweep(const Shape& moving, Vec3 displacement, Hit& hit, const AxisScale& axes = {}, Faces faces = {}) const;
     bool overlaps(const Shape& shape, const AxisScale& axes = {}) const;
     /// Both as they are.
     bool overlaps(const Mesh& other) const;
@@ -178,7 +179,9 @@ private:
     bool is_cast_singly() const { return magnified_ || is_links(); }
     /// Whether a ray that crosses a triangle that way meets the mesh there: a ray from outside a hull enters it by its
     /// front, also where it touches an edge only.
-    bool counts(const TriangleCrossing& crossing) const { return !is_hull() || crossing.facing < 0; }
+    bool counts(const TriangleCrossing& crossing, const Ray& ray) const {
+        return is_hull() ? crossing.facing < 0 : ray.faces.include(crossing.facing > 0);
+    }
     /// The solid overlaps the hull.
     Penetration way_out_of_hull(const Shape& moving, const AxisScale& axes) const;
     /// An upper bound of the coordinates of the hull's difference with a core, both relative to `from`.

@@ -9,9 +9,14 @@ namespace {
 /// A segment stays one whose ends are where the mesh has its own points.
 Ray into_mesh(const Ray& ray, const MeshPlace& place) {
     const Vec3 origin = place.inverse_apply(ray.origin);
-    if (!ray.is_segment) return {origin, place.inverse_apply_to_vector(ray.direction), ray.t_max};
-    Ray local = ray_along({origin, place.inverse_apply(end_of(ray))});
-    local.t_max = ray.t_max;
+    Ray local{origin, {}, ray.t_max};
+    if (ray.is_segment) {
+        local = ray_along({origin, place.inverse_apply(end_of(ray))});
+        local.t_max = ray.t_max;
+    } else {
+        local.direction = place.inverse_apply_to_vector(ray.direction);
+    }
+    local.faces = ray.faces;
     return local;
 }
 
@@ -85,19 +90,19 @@ bool raycast_distance(const MeshInstance& instance, const Ray& ray, gphys_distan
     return !misses(local, instance.mesh.bounds()) && instance.mesh.raycast_distance(local, out);
 }
 
-bool sweep(const MeshInstance& instance, const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties) {
+bool sweep(const MeshInstance& instance, const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties, Faces faces) {
     const Transform& world = instance.world;
     const Sphere local{world.inverse_apply(moving.center), moving.radius / world.scale};
-    if (!instance.mesh.sweep(local, world.inverse_apply_to_vector(displacement), hit, ties, instance.axes))
+    if (!instance.mesh.sweep(local, world.inverse_apply_to_vector(displacement), hit, ties, instance.axes, faces))
         return false;
     out_of_mesh(hit, world);
     return true;
 }
 
-bool sweep(const MeshInstance& instance, const Shape& moving, Vec3 displacement, Hit& hit) {
+bool sweep(const MeshInstance& instance, const Shape& moving, Vec3 displacement, Hit& hit, Faces faces) {
     const Transform& world = instance.world;
     const Vec3 local = world.inverse_apply_to_vector(displacement);
-    if (!instance.mesh.sweep(inverse_transformed(moving, world), local, hit, instance.axes)) return false;
+    if (!instance.mesh.sweep(inverse_transformed(moving, world), local, hit, instance.axes, faces)) return false;
     out_of_mesh(hit, world);
     return true;
 }

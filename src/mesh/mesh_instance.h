@@ -29,9 +29,9 @@ bool raycast_any(const MeshInstance& instance, const Ray& ray);
 /// What raycast reports of t and triangle.
 bool raycast_distance(const MeshInstance& instance, const Ray& ray, gphys_distance& out);
 bool sweep(const MeshInstance& instance, const Sphere& moving, Vec3 displacement, Hit& hit,
-           Ties ties = Ties::as_reported);
+           Ties ties = Ties::as_reported, Faces faces = {});
 /// For a moving sphere, capsule or box.
-bool sweep(const MeshInstance& instance, const Shape& moving, Vec3 displacement, Hit& hit);
+bool sweep(const MeshInstance& instance, const Shape& moving, Vec3 displacement, Hit& hit, Faces faces = {});
 bool overlaps(const MeshInstance& instance, const Shape& shape);
 /// As Mesh::closest_point: false if nothing is within max_distance (as computed: or, by rounding, barely beyond it).
 bool closest_point(const MeshInstance& instance, Vec3 point, double max_distance, Vec3& out, uint32_t& triangle,

@@ -51,7 +51,7 @@ GPHYS_INLINE void prepare_eight(const Double8 (&origin)[3], const Double8 (&dire
     alignas(32) float limit[8];
     store(limit, limits);
     for (int i = 0; i < 8; ++i) at(i).limit = limit[i];
-    // Of is_segment nothing asks once a ray is sheared.
+    // Of is_segment nothing asks once a ray is sheared; rays that do not meet all faces are cast one by one.
     const Double8 no_rest[4] = {t_max, 0, 0, 0};
     store_components([&](int i) { return &at(i).sheared.t_max; }, no_rest);
 }

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "gamephys_c.h"
+#include "shapes/shapes.h"
 
 namespace gphys {
 
@@ -55,6 +56,7 @@ struct QueryFilter {
     uint32_t ignored_slot = ~0u;  // of a model, or of none
     bool ignores_below = false;   // its descendants, too; it has some
     IgnoredIds ignored;
+    Faces faces;  // of surfaces, that rays and sweeps meet
 };
 
 /// Those of several rays: one for all with a step of 0, else one for each.
@@ -70,5 +72,18 @@ constexpr uint32_t most_ray_filters = 16;
 
 inline uint32_t filter_of_ray(uint32_t layers, uint32_t) { return layers; }
 inline const QueryFilter& filter_of_ray(const RayFilters& filters, uint32_t ray) { return filters.of(ray); }
+
+inline Faces faces_of(uint32_t) { return {}; }
+inline Faces faces_of(const QueryFilter& filter) { return filter.faces; }
+/// The ray as the filter lets it meet surfaces.
+inline const Ray& filtered(const Ray& ray, uint32_t) { return ray; }
+inline Ray filtered(Ray ray, const QueryFilter& filter) {
+    ray.faces = filter.faces;
+    return ray;
+}
+inline void filter_rays(Ray*, uint32_t, uint32_t) {}
+inline void filter_rays(Ray* rays, uint32_t count, const RayFilters& filters) {
+    for (uint32_t i = 0; i < count; ++i) rays[i].faces = filters.of(i).faces;
+}
 
 }  // namespace gphys

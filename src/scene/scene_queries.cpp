@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "foundation/compiler.h"
+#include "geometry/faces.h"
 #include "scene/best_candidate.h"
 #include "scene/conservative_tests.h"
 #include "scene/scene.h"
@@ -27,6 +28,15 @@ bool closest_point_of(const Primitive& shape, Vec3 point, double, Vec3& out, uin
     triangle = GPHYS_NO_TRIANGLE;
     out = closest_point(shape, point);
     return true;
+}
+
+/// For a moving sphere, with the sides that the motion meets.
+bool sweep_sides(const MeshInstance& instance, const Sphere& moving, Vec3 displacement, Faces faces, Hit& hit) {
+    return sweep(instance, moving, displacement, hit, Ties::as_reported, faces);
+}
+template <class Primitive>
+bool sweep_sides(const Primitive& shape, const Sphere& moving, Vec3 displacement, Faces faces, Hit& hit) {
+    return meets_side(shape, displacement, faces) && sweep(shape, moving, displacement, hit);
 }
 
 /// Whether a box may touch a plane. The error of the sums is below 8 roundings of 2^-53 of what is
@@ -208,7 +218,7 @@ gphys_status Scene::sweep_by(const Sphere& moving, Vec3 displacement, const Filt
     double end = 1;
     const auto exact = [&](const auto& shape) {
         hit = Hit();
-        return gphys::sweep(shape, moving, displacement, hit);
+        return sweep_sides(shape, moving, displacement, faces_of(filter), hit);
     };
     const auto ask = [&](uint32_t slot) {
         if (!may_see(filter, slot) || !sees(filter, slot) || !with_shape(slot, exact)) return;

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "foundation/compiler.h"
+#include "geometry/faces.h"
 #include "scene/best_candidate.h"
 #include "scene/conservative_tests.h"
 #include "scene/scene.h"
@@ -16,11 +17,19 @@ namespace gphys {
 
 namespace {
 
+/// raycast of the sides that the ray meets; meshes see to that themselves.
+template <class Placed>
+bool cast(const Placed& shape, const Ray& ray, Hit& hit) {
+    return raycast(shape, ray, hit) &&
+           (ray.faces.are_all() || !is_surface(shape) || ray.faces.include((hit.flags & GPHYS_HIT_BACK) != 0));
+}
+bool cast(const MeshInstance& instance, const Ray& ray, Hit& hit) { return raycast(instance, ray, hit); }
+
 bool is_met(const MeshInstance& instance, const Ray& ray) { return raycast_any(instance, ray); }
 template <class Primitive>
 bool is_met(const Primitive& shape, const Ray& ray) {
     Hit hit;
-    return raycast(shape, ray, hit);
+    return cast(shape, ray, hit);
 }
 
 }  // namespace
@@ -71,7 +80,7 @@ public:
                    });
         }
         Hit hit;
-        return gphys::raycast(shape, *rest_, hit) &&
+        return cast(shape, *rest_, hit) &&
                take(slot, reported(hit.t), [&](uint32_t model, uint32_t tag) { return answer_of(hit, model, tag); });
     }
     /// A hit that is reported at t, as hit_of(id, tag) makes it.
@@ -109,7 +118,7 @@ private:
 
 template <class Filter>
 gphys_status Scene::raycast_by(const Ray& ray, const Filter& filter, gphys_hit& out) const {
-    Ray rest = ray;
+    Ray rest = filtered(ray, filter);
     const ConservativeRay conservative_ray(ray);
     FirstOfRay<gphys_hit> first(*this, rest, filter, out);
     const auto quick = [&](const auto& shape) { return conservative_ray.rejects(shape, rest.t_max); };
@@ -133,8 +142,7 @@ public:
     template <class Filters, class AskMesh, class Take>
     LargeMeshes(const Scene& scene, const Ray* rays, uint32_t count, const Filters& filters, const AskMesh& ask,
                 const Take& take) {
-        if (count < fewest_rays || std::any_of(rays, rays + count, [](const Ray& ray) { return ray.is_segment; }))
-            return;
+        if (count < fewest_rays || std::any_of(rays, rays + count, is_cast_singly)) return;
         for (uint32_t i = 0; i < scene.large_mesh_count_; ++i) {
             const uint32_t slot = scene.large_meshes_[i];
             if (!all_see(scene, slot, count, filters)) continue;
@@ -152,6 +160,7 @@ public:
 private:
     static constexpr uint32_t fewest_rays = 16;
 
+    static bool is_cast_singly(const Ray& ray) { return ray.is_segment || !ray.faces.are_all(); }
     static bool all_see(const Scene& scene, uint32_t slot, uint32_t, uint32_t layers) {
         return scene.may_see(layers, slot);
     }
@@ -400,6 +409,7 @@ GPHYS_NOINLINE void Scene::raycast_bvh_by(Ray* rays, uint32_t count, const Filte
 template <class Filters, class Answer>
 void Scene::raycast_many_by(Ray* rays, uint32_t count, const Filters& filters, Answer* const* out) const {
     Later<FirstOfRay<Answer>> first[rays_at_once];
+    filter_rays(rays, count, filters);
     for (uint32_t i = 0; i < count; ++i) first[i].make(*this, rays[i], filter_of_ray(filters, i), *out[i]);
     const LargeMeshes asked(
         *this, rays, count, filters,
@@ -427,7 +437,8 @@ bool Scene::meets_unbounded(const Ray& ray, const Filter& filter) const {
 }
 
 template <class Filter>
-bool Scene::raycast_any_by(const Ray& ray, const Filter& filter) const {
+bool Scene::raycast_any_by(const Ray& given, const Filter& filter) const {
+    const Ray& ray = filtered(given, filter);
     if (meets_unbounded(ray, filter)) return true;
     const ConservativeRay conservative_ray(ray);
     const auto quick = [&](const auto& shape) { return conservative_ray(shape, ray.t_max); };
@@ -439,6 +450,7 @@ bool Scene::raycast_any_by(const Ray& ray, const Filter& filter) const {
 template <class Filters>
 uint64_t Scene::raycast_any_many_by(Ray* rays, uint32_t count, const Filters& filters) const {
     uint64_t met = 0;
+    filter_rays(rays, count, filters);
     for (uint32_t i = 0; i < count; ++i) {
         if (!meets_unbounded(rays[i], filter_of_ray(filters, i))) continue;
         met |= uint64_t{1} << i;
@@ -484,13 +496,14 @@ uint64_t Scene::raycast_any_many_by(Ray* rays, uint32_t count, const Filters& fi
 }
 
 template <class Filter>
-void Scene::raycast_all_by(const Ray& ray, const Filter& filter, Smallest<gphys_hit, FirstHit>& out) const {
+void Scene::raycast_all_by(const Ray& given, const Filter& filter, Smallest<gphys_hit, FirstHit>& out) const {
+    const Ray& ray = filtered(given, filter);
     const ConservativeRay conservative_ray(ray);
     Hit hit;
     const auto quick = [&](const auto& shape) { return conservative_ray.rejects(shape, ray.t_max); };
     const auto exact = [&](const auto& shape) {
         hit = Hit();
-        return gphys::raycast(shape, ray, hit);
+        return cast(shape, ray, hit);
     };
     const auto ask = [&](uint32_t slot) {
         if (!may_see(filter, slot) || !decide(filter, slot, quick, exact)) return;

@@ -1,4 +1,5 @@
 // Sweeps and penetrations of spheres, capsules and boxes in the scene.
+#include "geometry/faces.h"
 #include "scene/best_candidate.h"
 #include "scene/scene.h"
 
@@ -6,12 +7,12 @@ namespace gphys {
 
 namespace {
 
-bool sweep_shape(const MeshInstance& instance, const Shape& moving, Vec3 displacement, Hit& hit) {
-    return sweep(instance, moving, displacement, hit);
+bool sweep_shape(const MeshInstance& instance, const Shape& moving, Vec3 displacement, Faces faces, Hit& hit) {
+    return sweep(instance, moving, displacement, hit, faces);
 }
 template <class Primitive>
-bool sweep_shape(const Primitive& shape, const Shape& moving, Vec3 displacement, Hit& hit) {
-    return sweep(Shape(shape), moving, displacement, hit);
+bool sweep_shape(const Primitive& shape, const Shape& moving, Vec3 displacement, Faces faces, Hit& hit) {
+    return meets_side(shape, displacement, faces) && sweep(Shape(shape), moving, displacement, hit);
 }
 
 /// The penetrations into a model: add(Penetration, triangle).
@@ -32,7 +33,9 @@ gphys_status Scene::sweep_by(const Shape& moving, Vec3 displacement, const Filte
     Hit first, hit;
     BestCandidate winner;
     double end = 1;
-    const auto exact = [&](const auto& shape) { return sweep_shape(shape, moving, displacement, hit); };
+    const auto exact = [&](const auto& shape) {
+        return sweep_shape(shape, moving, displacement, faces_of(filter), hit);
+    };
     const auto ask = [&](uint32_t slot) {
         if (!may_see(filter, slot) || !sees(filter, slot) || !with_shape(slot, exact)) return;
         const float t = reported(hit.t);

@@ -9,6 +9,14 @@
 
 namespace gphys {
 
+/// Which sides of surfaces are met: of planes, triangles and meshes that are no solids.
+struct Faces {
+    bool front = true, back = true;
+
+    bool are_all() const { return front && back; }
+    bool include(bool from_behind) const { return from_behind ? back : front; }
+};
+
 struct Ray {
     Vec3 origin, direction;
     double t_max = infinity;
@@ -16,6 +24,8 @@ struct Ray {
     Vec3 rest = {};
     /// A segment as a ray: its end, at t = 1, has double coordinates.
     bool is_segment = false;
+    /// What the scene and meshes leave out; the formulas of single shapes meet both sides.
+    Faces faces = {};
 };
 /// The end of a segment.
 Vec3 end_of(const Ray& segment);

@@ -790,7 +790,8 @@ public:
     // Cost: that of Scene::raycast for one ignored model. For each model that is met within the ray's
     // reach, besides: O(its depth below its root) with GPHYS_FILTER_SUBTREE if ignored_model has children;
     // of m ignored_models O(log m) if they are ascending, as all lists of the library are, else O(m).
-    // Whether they are takes O(m) a call.
+    // Whether they are takes O(m) a call. Where faces are left out, rays of a batch meet a mesh one by
+    // one.
     std::optional<Hit> raycast_filtered(const Ray& ray, const QueryFilterDesc* filter = nullptr) const {
         Hit out_hit{};
         if (!found(gphys_scene_raycast_filtered(handle(), &ray, filter, &out_hit))) return std::nullopt;

@@ -956,7 +956,7 @@ public sealed partial class Scene : IDisposable {
     /// Cost: that of Scene.Raycast for one ignored model. For each model that is met within the ray's
     /// reach, besides: O(its depth below its root) with FilterSubtree if ignored_model has children; of m
     /// ignored_models O(log m) if they are ascending, as all lists of the library are, else O(m). Whether
-    /// they are takes O(m) a call.</summary>
+    /// they are takes O(m) a call. Where faces are left out, rays of a batch meet a mesh one by one.</summary>
     /// <param name="filter">null: the defaults</param>
     /// <returns>null if nothing is found.</returns>
     /// <exception cref="GamephysException">Status.ErrorInvalidArgument: for unknown flags, or

@@ -126,6 +126,14 @@ public static class Constants {
     public const uint HitBack = 2;
     /// <summary>ignored_model stands for its descendants, too</summary>
     public const uint FilterSubtree = 1;
+    /// <summary>
+    /// planes, triangles and meshes that are no solids are not met from behind, by
+    /// rays with HitBack, nor by sweeps along their normal; other queries,
+    /// which come from no side, take this flag and the next without effect
+    /// </summary>
+    public const uint FilterNoBackFaces = 2;
+    /// <summary>they are met from behind only: the inside of a closed mesh</summary>
+    public const uint FilterNoFrontFaces = 4;
     /// <summary>constraints along both diagonals of each grid cell: stiff like paper</summary>
     public const uint ClothShear = 1;
     /// <summary>constraints that resist folding</summary>

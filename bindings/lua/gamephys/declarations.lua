@@ -340,6 +340,8 @@ gphys_status gphys_solver_get_hash(const gphys_solver *solver, uint32_t *out_has
         DEPTH_ZERO_TO_ONE = 0,
         DEPTH_MINUS_ONE_TO_ONE = 1,
         FILTER_SUBTREE = 1,
+        FILTER_NO_BACK_FACES = 2,
+        FILTER_NO_FRONT_FACES = 4,
         PROJECTION_PERSPECTIVE = 0,
         PROJECTION_ORTHOGRAPHIC = 1,
         PROJECTION_USER = 2,

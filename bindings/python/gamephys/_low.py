@@ -51,6 +51,8 @@ DEPTH_ZERO_TO_ONE = 0  # DirectX, Vulkan, Metal, WebGPU
 DEPTH_MINUS_ONE_TO_ONE = 1  # OpenGL, WebGL
 
 FILTER_SUBTREE = 1  # ignored_model stands for its descendants, too
+FILTER_NO_BACK_FACES = 2  # planes, triangles and meshes that are no solids are not met from behind, by rays with HIT_BACK, nor by sweeps along their normal; other queries, which come from no side, take this flag and the next without effect
+FILTER_NO_FRONT_FACES = 4  # they are met from behind only: the inside of a closed mesh
 
 PROJECTION_PERSPECTIVE = 0
 PROJECTION_ORTHOGRAPHIC = 1

@@ -101,6 +101,12 @@ impl DepthRange {
 
 /// ignored_model stands for its descendants, too
 pub const FILTER_SUBTREE: u32 = 1;
+/// planes, triangles and meshes that are no solids are not met from behind, by
+/// rays with `HIT_BACK`, nor by sweeps along their normal; other queries,
+/// which come from no side, take this flag and the next without effect
+pub const FILTER_NO_BACK_FACES: u32 = 2;
+/// they are met from behind only: the inside of a closed mesh
+pub const FILTER_NO_FRONT_FACES: u32 = 4;
 
 /// A later library may have values that are not listed here.
 #[repr(transparent)]

@@ -700,7 +700,7 @@ module Gamephys
     # Cost: that of Scene#raycast for one ignored model. For each model that is met within the ray's
     # reach, besides: O(its depth below its root) with FILTER_SUBTREE if ignored_model has children; of m
     # ignored_models O(log m) if they are ascending, as all lists of the library are, else O(m). Whether
-    # they are takes O(m) a call.
+    # they are takes O(m) a call. Where faces are left out, rays of a batch meet a mesh one by one.
     # @param filter nil: the defaults
     # @return nil if nothing is found.
     # @raise [InvalidArgument] for unknown flags, or ignored_models nil with an ignored_count above 0

@@ -44,6 +44,8 @@ public final class Gamephys extends GamephysBase {
     public static final int DEPTH_ZERO_TO_ONE = 0;
     public static final int DEPTH_MINUS_ONE_TO_ONE = 1;
     public static final int FILTER_SUBTREE = 1;
+    public static final int FILTER_NO_BACK_FACES = 2;
+    public static final int FILTER_NO_FRONT_FACES = 4;
     public static final int PROJECTION_PERSPECTIVE = 0;
     public static final int PROJECTION_ORTHOGRAPHIC = 1;
     public static final int PROJECTION_USER = 2;
