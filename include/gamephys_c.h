@@ -1996,14 +1996,13 @@ GPHYS_API gphys_status gphys_solver_wake(gphys_solver* solver, gphys_body_id bod
 
 /** What all particles of a body share and may change later. Fields as in gphys_body_desc. Frozen. */
 typedef struct gphys_body_settings {
-    float damping;         /* 1/s, >= 0 */
-    float friction;        /* >= 0 */
-    float static_friction; /* at least friction, or 0: as friction */
-    float restitution;     /* 0 .. 1 */
-    uint32_t layers;       /* of models */
-    uint32_t body_layers;  /* of bodies */
-    uint32_t
-        self_collision; /* 0 or 1; particles that are nearer than their radii reach when it is set do not collide */
+    float damping;           /* 1/s, >= 0 */
+    float friction;          /* >= 0 */
+    float static_friction;   /* at least friction, or 0: as friction */
+    float restitution;       /* 0 .. 1 */
+    uint32_t layers;         /* of models */
+    uint32_t body_layers;    /* of bodies */
+    uint32_t self_collision; /* 0 or 1; what is nearer than its radii reach when it is set does not collide */
 } gphys_body_settings;
 
 /** The settings of a body as they are; static_friction as it acts, friction at least.

@@ -232,7 +232,7 @@ func (o *Mesh) HullFaces() (result []uint32, err error) {
 // mesh would reach beyond the range of coordinates.
 // Cost: O(vertices + triangles + log n for each model), some percent of a creation: the tree is
 // refitted, and built again by parts where it has degraded. If the triangles have come apart so that
-// their groups of eight have boxes of twice the area, once that of a creation. Since 1.1.
+// their groups of eight have boxes of twice the area, once that of a creation. Allocates. Since 1.1.
 func (o *Mesh) SetVertices(vertices []Vec3) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -489,7 +489,7 @@ func (o *Scene) open() (unsafe.Pointer, error) {
 //   - origin: x, y, z in the world, within MaxCoordinate; before the first call 0 0 0
 // The error is ErrInvalidArgument also if a model would leave the range of coordinates.
 // Cost: that of Scene.SetTransforms of all models, and 24 bytes a model from the first call on.
-// Queries cost nothing more.
+// Queries cost nothing more. Allocates.
 func (o *Scene) SetOrigin(origin [3]float64) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -607,7 +607,7 @@ func (o *Scene) AddDescribedBatch(shapes Shapes, transforms []Transform, descs [
 }
 
 // Remove a model. Its children stay where they are in the world and lose their parent.
-// Cost: O(log n) amortised, and O(1) a child.
+// Cost: O(log n) amortised, and O(1) a child. Renews the octree as far as there is memory.
 func (o *Scene) Remove(model ModelID) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -621,7 +621,7 @@ func (o *Scene) Remove(model ModelID) (err error) {
 
 // Remove models, all or none.
 //   - models: the ids; an id that appears twice is ErrInvalidID
-// Cost: that of as many calls of Scene.Remove.
+// Cost: that of as many calls of Scene.Remove. Renews the octree as far as there is memory.
 func (o *Scene) RemoveBatch(models []ModelID) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -638,7 +638,7 @@ func (o *Scene) RemoveBatch(models []ModelID) (err error) {
 }
 
 // Remove a model and all its descendants.
-// Cost: O(log n) amortised for each.
+// Cost: O(log n) amortised for each. Renews the octree as far as there is memory.
 func (o *Scene) RemoveSubtree(model ModelID) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -865,7 +865,8 @@ func (o *Scene) SetTag(model ModelID, tag uint32) (err error) {
 //   - keepWorld: false: the local transform is kept, the model jumps; true: the local transform is
 //     changed so that the world transform stays (within float32 rounding)
 // The error is ErrCycle if parent is the model or one of its descendants.
-// Cost: O(depth of the tree of models), and as Scene.SetTransform for what moves.
+// Cost: O(depth of the tree of models), and as Scene.SetTransform for what moves. Renews the octree as
+// far as there is memory.
 func (o *Scene) SetParent(model ModelID, parent ModelID, keepWorld bool) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -880,7 +881,7 @@ func (o *Scene) SetParent(model ModelID, parent ModelID, keepWorld bool) (err er
 // Set a model's local transform. Descendants follow.
 //   - transform: relative to the parent; scale > 0
 // The error is ErrInvalidArgument also if it, or a descendant, would leave the range of the world.
-// Cost: O(log n) for each model that moves.
+// Cost: O(log n) for each model that moves. Renews the octree as far as there is memory.
 func (o *Scene) SetTransform(model ModelID, transform Transform) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -896,7 +897,8 @@ func (o *Scene) SetTransform(model ModelID, transform Transform) (err error) {
 // Descendants follow.
 //   - models: the ids
 //   - transforms: as in Scene.SetTransform
-// Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.
+// Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers. Renews
+// the octree as far as there is memory.
 func (o *Scene) SetTransforms(models []ModelID, transforms []Transform) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -3531,7 +3533,7 @@ func (o *Solver) AirVelocities(body BodyID, first uint32, velocities []Vec3) (er
 //   - scene: of the same origin as the solver; not modified
 //   - localPoint: metres, in the model's coordinates; nil: where the particle is now
 // The error is ErrInvalidArgument for a particle that does not exist.
-// Cost: O(1).
+// Cost: O(1); allocates.
 func (o *Solver) Attach(scene *Scene, body BodyID, particle uint32, model ModelID, localPoint *Vec3) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -3629,7 +3631,7 @@ func (o *Solver) SetConstraintDamping(body BodyID, constraint ConstraintID, damp
 //     which keeps its volume; INFINITY: none, which ends the constraint
 // The error is ErrUnsupported if the triangles do not close (each side is that of two triangles), are
 // not all turned the same way, or face inward when the present volume is asked for.
-// Cost: O(triangles) in each substep, twice.
+// Cost: O(triangles) in each substep, twice. Allocates.
 func (o *Solver) SetVolume(body BodyID, restVolume float32, compliance float32) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -3662,7 +3664,7 @@ func (o *Solver) Volume(body BodyID) (volume float32, pressure float32, err erro
 
 // End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
 // The error is ErrInvalidID for a body or constraint that does not exist, or no longer.
-// Cost: as Solver.AddDistance.
+// Cost: as Solver.AddDistance; allocates.
 func (o *Solver) RemoveConstraint(body BodyID, constraint ConstraintID) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -3715,7 +3717,7 @@ func (o *Solver) ConstraintSettings(body BodyID, constraints []ConstraintID, set
 // that is v dt shorter before each step of dt. Wakes the body.
 //   - constraints: the ids; one that stands twice gets the last
 // Cost: O(elements); in the next step O(constraints) to pack them again, of rigid cloth with pins that
-// gets longer links O(n log n). Chains are not planned again.
+// gets longer links O(n log n). Chains are not planned again. Allocates.
 func (o *Solver) SetConstraintSettings(body BodyID, constraints []ConstraintID, settings []ConstraintSettings) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -3743,7 +3745,7 @@ func (o *Solver) SetConstraintSettings(body BodyID, constraints []ConstraintID, 
 // Solver.AddDistance).
 // The error is ErrCapacity beyond 2^24 - 1 joints.
 // Cost: the next step plans all joined ropes again. A link of them takes some three times as long as
-// one of a rope that is not joined.
+// one of a rope that is not joined. Allocates.
 func (o *Solver) Join(bodyA BodyID, particleA uint32, bodyB BodyID, particleB uint32, restLength float32, compliance float32) (joint JointID, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -3791,7 +3793,7 @@ func (o *Solver) Joints(body BodyID) (result []JointInfo, err error) {
 // Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
 // takes more where they would be longer than 25 ms.
 // Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
-// through particles. May allocate.
+// through particles. Allocates when what it steps has changed.
 //   - scene: to collide with and to follow attachments; nil: none. Not modified.
 //   - dt: seconds, 1e-6 .. 0.5
 // Cost: O(particles + constraints) a substep, and a scene query for particles near models.

@@ -624,7 +624,7 @@ type BodySettings struct {
 	Layers uint32
 	// of bodies
 	BodyLayers uint32
-	// 0 or 1; particles that are nearer than their radii reach when it is set do not collide
+	// 0 or 1; what is nearer than its radii reach when it is set does not collide
 	SelfCollision uint32
 }
 

@@ -435,7 +435,7 @@ export interface BodySettings {
     layers: number;
     /** of bodies */
     body_layers: number;
-    /** 0 or 1; particles that are nearer than their radii reach when it is set do not collide */
+    /** 0 or 1; what is nearer than its radii reach when it is set does not collide */
     self_collision: number;
 }
 /** Frozen. */
@@ -662,7 +662,7 @@ export class Mesh {
      * these.
      * Cost: O(vertices + triangles + log n for each model), some percent of a creation: the tree is
      * refitted, and built again by parts where it has degraded. If the triangles have come apart so that
-     * their groups of eight have boxes of twice the area, once that of a creation. Since 1.1.
+     * their groups of eight have boxes of twice the area, once that of a creation. Allocates. Since 1.1.
      * @param vertices - elements of 3 floats, metres; copied
      * @throws {GamephysError} ERROR_UNSUPPORTED: if the mesh is not deformable
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: for a vertex that is not finite or too large, or if
@@ -731,7 +731,7 @@ export class Scene {
      * however often the origin moves. For worlds beyond some kilometres: keep the origin near the camera,
      * and when the camera has gone a few kilometres, move it together with that of cameras and solvers.
      * Cost: that of Scene.setTransforms of all models, and 24 bytes a model from the first call on.
-     * Queries cost nothing more.
+     * Queries cost nothing more. Allocates.
      * @param origin - x, y, z in the world, within MAX_COORDINATE; before the first call 0 0 0
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: also if a model would leave the range of coordinates */
     setOrigin(origin: ArrayLike<number>): void;
@@ -766,14 +766,14 @@ export class Scene {
      *     before the call */
     addDescribedBatch(shapes: Shapes | AnyShape, transforms?: Elements | null, descs?: readonly Partial<ModelDesc>[] | Partial<ModelDesc> | null, out?: Elements): Records<number>;
     /** Remove a model. Its children stay where they are in the world and lose their parent.
-     * Cost: O(log n) amortised, and O(1) a child. */
+     * Cost: O(log n) amortised, and O(1) a child. Renews the octree as far as there is memory. */
     remove(model: number): void;
     /** Remove models, all or none.
-     * Cost: that of as many calls of Scene.remove.
+     * Cost: that of as many calls of Scene.remove. Renews the octree as far as there is memory.
      * @param models - the ids; an id that appears twice is ERROR_INVALID_ID */
     removeBatch(models: Elements): void;
     /** Remove a model and all its descendants.
-     * Cost: O(log n) amortised for each. */
+     * Cost: O(log n) amortised for each. Renews the octree as far as there is memory. */
     removeSubtree(model: number): void;
     /** Remove all models. Ids given out before stay invalid.
      * Cost: O(n). */
@@ -847,20 +847,22 @@ export class Scene {
      * @param tag - any number of the caller's */
     setTag(model: number, tag: number): void;
     /** Hang a model below another one, or below none (0).
-     * Cost: O(depth of the tree of models), and as Scene.setTransform for what moves.
+     * Cost: O(depth of the tree of models), and as Scene.setTransform for what moves. Renews the octree as
+     * far as there is memory.
      * @param keep_world - false: the local transform is kept, the model jumps; true: the local transform
      *     is changed so that the world transform stays (within float32 rounding)
      * @throws {GamephysError} ERROR_CYCLE: if parent is the model or one of its descendants */
     setParent(model: number, parent: number, keep_world: boolean | number): void;
     /** Set a model's local transform. Descendants follow.
-     * Cost: O(log n) for each model that moves.
+     * Cost: O(log n) for each model that moves. Renews the octree as far as there is memory.
      * @param transform - relative to the parent; scale > 0
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: also if it, or a descendant, would leave the range
      *     of the world */
     setTransform(model: number, transform: Given<Transform>): void;
     /** Set the local transforms of many models, all or none; a model that appears twice gets the last.
      * Descendants follow.
-     * Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.
+     * Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers. Renews
+     * the octree as far as there is memory.
      * @param models - the ids
      * @param transforms - as in Scene.setTransform */
     setTransforms(models: Elements, transforms: Elements): void;
@@ -1617,7 +1619,7 @@ export class Solver {
     getAirVelocities(body: number, first: number, count: number, out?: Elements): Records<number[]>;
     /** Fix a particle to a model: it follows the model's transform in each step, and is released when the
      * model is gone. Steps must then be given this scene.
-     * Cost: O(1).
+     * Cost: O(1); allocates.
      * @param scene - of the same origin as the solver; not modified
      * @param local_point - metres, in the model's coordinates; null: where the particle is now
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: for a particle that does not exist */
@@ -1653,7 +1655,7 @@ export class Solver {
     setConstraintDamping(body: number, constraint: number, damping: number): void;
     /** Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body;
      * setting it again changes it, which inflates a body.
-     * Cost: O(triangles) in each substep, twice.
+     * Cost: O(triangles) in each substep, twice. Allocates.
      * @param rest_volume - m^3, > 0; negative: the present volume
      * @param compliance - m^3 per pascal, >= 0: the volume that a pressure of one pascal takes; 0: as
      *     water, which keeps its volume; INFINITY: none, which ends the constraint
@@ -1666,7 +1668,7 @@ export class Solver {
      * @throws {GamephysError} ERROR_UNSUPPORTED: if none is held */
     getVolume(body: number): [number, number];
     /** End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
-     * Cost: as Solver.addDistance.
+     * Cost: as Solver.addDistance; allocates.
      * @throws {GamephysError} ERROR_INVALID_ID: for a body or constraint that does not exist, or no longer */
     removeConstraint(body: number, constraint: number): void;
     /** All constraints of a body, those of its builder included, by id.
@@ -1680,7 +1682,7 @@ export class Solver {
      * the new one at constant speed during the next step; a winch that reels in at v m/s is given a length
      * that is v dt shorter before each step of dt. Wakes the body.
      * Cost: O(elements); in the next step O(constraints) to pack them again, of rigid cloth with pins that
-     * gets longer links O(n log n). Chains are not planned again.
+     * gets longer links O(n log n). Chains are not planned again. Allocates.
      * @param constraints - the ids; one that stands twice gets the last */
     setConstraintSettings(body: number, constraints: Elements, settings: Elements): void;
     /** Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that
@@ -1689,7 +1691,7 @@ export class Solver {
      * inertia. Free particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined
      * bodies are moved by one thread and fall asleep and wake together. A joint goes with either body.
      * Cost: the next step plans all joined ropes again. A link of them takes some three times as long as
-     * one of a rope that is not joined.
+     * one of a rope that is not joined. Allocates.
      * @param rest_length - metres; 0: at the same place, as below 1e-9; negative: the present distance.
      *     Particles that are not as far apart are drawn there within a step, and get the speed of that.
      * @param compliance - metres per newton, >= 0; 0 is rigid
@@ -1708,7 +1710,7 @@ export class Solver {
     /** Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
      * takes more where they would be longer than 25 ms.
      * Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
-     * through particles. May allocate.
+     * through particles. Allocates when what it steps has changed.
      * Cost: O(particles + constraints) a substep, and a scene query for particles near models.
      * @param scene - to collide with and to follow attachments; null: none. Not modified.
      * @param dt - seconds, 1e-6 .. 0.5 */

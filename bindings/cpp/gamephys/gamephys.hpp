@@ -245,7 +245,7 @@ public:
     // model of the mesh would reach beyond the range of coordinates.
     // Cost: O(vertices + triangles + log n for each model), some percent of a creation: the tree is
     // refitted, and built again by parts where it has degraded. If the triangles have come apart so that
-    // their groups of eight have boxes of twice the area, once that of a creation. Since 1.1.
+    // their groups of eight have boxes of twice the area, once that of a creation. Allocates. Since 1.1.
     void set_vertices(Span<const float> vertices) {
         check(gphys_mesh_set_vertices(handle(), vertices.data, vertices.stride, vertices.size));
     }
@@ -365,7 +365,7 @@ public:
     //   - origin: x, y, z in the world, within GPHYS_MAX_COORDINATE; before the first call 0 0 0
     // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT also if a model would leave the range of coordinates.
     // Cost: that of Scene::set_transforms of all models, and 24 bytes a model from the first call on.
-    // Queries cost nothing more.
+    // Queries cost nothing more. Allocates.
     void set_origin(const std::array<double, 3>& origin) {
         check(gphys_scene_set_origin(handle(), origin.data()));
     }
@@ -421,21 +421,21 @@ public:
     }
 
     // Remove a model. Its children stay where they are in the world and lose their parent.
-    // Cost: O(log n) amortised, and O(1) a child.
+    // Cost: O(log n) amortised, and O(1) a child. Renews the octree as far as there is memory.
     void remove(gphys_model_id model) {
         check(gphys_scene_remove(handle(), model));
     }
 
     // Remove models, all or none.
     //   - models: the ids; an id that appears twice is GPHYS_ERROR_INVALID_ID
-    // Cost: that of as many calls of Scene::remove.
+    // Cost: that of as many calls of Scene::remove. Renews the octree as far as there is memory.
     void remove_batch(Span<const gphys_model_id> models) {
         const uint32_t count = common_size({models.sizes()});
         check(gphys_scene_remove_batch(handle(), models.data, count));
     }
 
     // Remove a model and all its descendants.
-    // Cost: O(log n) amortised for each.
+    // Cost: O(log n) amortised for each. Renews the octree as far as there is memory.
     void remove_subtree(gphys_model_id model) {
         check(gphys_scene_remove_subtree(handle(), model));
     }
@@ -561,7 +561,8 @@ public:
     //   - keep_world: 0: the local transform is kept, the model jumps; 1: the local transform is changed
     //     so that the world transform stays (within float32 rounding)
     // Throws Error with GPHYS_ERROR_CYCLE if parent is the model or one of its descendants.
-    // Cost: O(depth of the tree of models), and as Scene::set_transform for what moves.
+    // Cost: O(depth of the tree of models), and as Scene::set_transform for what moves. Renews the octree
+    // as far as there is memory.
     void set_parent(gphys_model_id model, gphys_model_id parent, int32_t keep_world) {
         check(gphys_scene_set_parent(handle(), model, parent, keep_world));
     }
@@ -570,7 +571,7 @@ public:
     //   - transform: relative to the parent; scale > 0
     // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT also if it, or a descendant, would leave the range of
     // the world.
-    // Cost: O(log n) for each model that moves.
+    // Cost: O(log n) for each model that moves. Renews the octree as far as there is memory.
     void set_transform(gphys_model_id model, const Transform& transform) {
         check(gphys_scene_set_transform(handle(), model, &transform));
     }
@@ -579,7 +580,8 @@ public:
     // Descendants follow.
     //   - models: the ids
     //   - transforms: as in Scene::set_transform
-    // Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.
+    // Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers. Renews
+    // the octree as far as there is memory.
     void set_transforms(Span<const gphys_model_id> models, Span<const Transform> transforms) {
         const uint32_t count = common_size({models.sizes(), transforms.sizes()});
         check(gphys_scene_set_transforms(handle(), models.data, transforms.data, transforms.stride, count));
@@ -1885,7 +1887,7 @@ public:
     //   - scene: of the same origin as the solver; not modified
     //   - local_point: metres, in the model's coordinates; nullptr: where the particle is now
     // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist.
-    // Cost: O(1).
+    // Cost: O(1); allocates.
     void attach(const Scene& scene, gphys_body_id body, uint32_t particle, gphys_model_id model, const Vec3* local_point = nullptr) {
         check(gphys_solver_attach(handle(), scene.handle(), body, particle, model, local_point));
     }
@@ -1942,7 +1944,7 @@ public:
     //     which keeps its volume; INFINITY: none, which ends the constraint
     // Throws Error with GPHYS_ERROR_UNSUPPORTED if the triangles do not close (each side is that of two
     // triangles), are not all turned the same way, or face inward when the present volume is asked for.
-    // Cost: O(triangles) in each substep, twice.
+    // Cost: O(triangles) in each substep, twice. Allocates.
     void set_volume(gphys_body_id body, float rest_volume, float compliance) {
         check(gphys_solver_set_volume(handle(), body, rest_volume, compliance));
     }
@@ -1960,7 +1962,7 @@ public:
 
     // End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
     // Throws Error with GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist, or no longer.
-    // Cost: as Solver::add_distance.
+    // Cost: as Solver::add_distance; allocates.
     void remove_constraint(gphys_body_id body, gphys_constraint_id constraint) {
         check(gphys_solver_remove_constraint(handle(), body, constraint));
     }
@@ -1985,7 +1987,7 @@ public:
     // that is v dt shorter before each step of dt. Wakes the body.
     //   - constraints: the ids; one that stands twice gets the last
     // Cost: O(elements); in the next step O(constraints) to pack them again, of rigid cloth with pins that
-    // gets longer links O(n log n). Chains are not planned again.
+    // gets longer links O(n log n). Chains are not planned again. Allocates.
     void set_constraint_settings(gphys_body_id body, Span<const gphys_constraint_id> constraints, Span<const ConstraintSettings> settings) {
         const uint32_t count = common_size({constraints.sizes(), settings.sizes()});
         check(gphys_solver_set_constraint_settings(handle(), body, constraints.data, settings.data, settings.stride, count));
@@ -2003,7 +2005,7 @@ public:
     // body (see Solver::add_distance).
     // Throws Error with GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints.
     // Cost: the next step plans all joined ropes again. A link of them takes some three times as long as
-    // one of a rope that is not joined.
+    // one of a rope that is not joined. Allocates.
     gphys_joint_id join(gphys_body_id body_a, uint32_t particle_a, gphys_body_id body_b, uint32_t particle_b, float rest_length, float compliance) {
         gphys_joint_id out_joint{};
         check(gphys_solver_join(handle(), body_a, particle_a, body_b, particle_b, rest_length, compliance, &out_joint));
@@ -2027,7 +2029,7 @@ public:
     // Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
     // takes more where they would be longer than 25 ms.
     // Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
-    // through particles. May allocate.
+    // through particles. Allocates when what it steps has changed.
     //   - scene: to collide with and to follow attachments; nullptr: none. Not modified.
     //   - dt: seconds, 1e-6 .. 0.5
     // Cost: O(particles + constraints) a substep, and a scene query for particles near models.

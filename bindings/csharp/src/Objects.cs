@@ -150,7 +150,7 @@ public sealed partial class Mesh : IDisposable {
     /// these.
     /// Cost: O(vertices + triangles + log n for each model), some percent of a creation: the tree is
     /// refitted, and built again by parts where it has degraded. If the triangles have come apart so that
-    /// their groups of eight have boxes of twice the area, once that of a creation. Since 1.1.</summary>
+    /// their groups of eight have boxes of twice the area, once that of a creation. Allocates. Since 1.1.</summary>
     /// <param name="vertices">elements of 3 floats, metres; copied</param>
     /// <exception cref="GamephysException">Status.ErrorUnsupported: if the mesh is not
     /// deformable</exception>
@@ -358,7 +358,7 @@ public sealed partial class Scene : IDisposable {
     /// however often the origin moves. For worlds beyond some kilometres: keep the origin near the camera,
     /// and when the camera has gone a few kilometres, move it together with that of cameras and solvers.
     /// Cost: that of Scene.SetTransforms of all models, and 24 bytes a model from the first call on.
-    /// Queries cost nothing more.</summary>
+    /// Queries cost nothing more. Allocates.</summary>
     /// <param name="origin">x, y, z in the world, within MaxCoordinate; before the first call 0 0 0</param>
     /// <exception cref="GamephysException">Status.ErrorInvalidArgument: also if a model would leave the
     /// range of coordinates</exception>
@@ -441,13 +441,13 @@ public sealed partial class Scene : IDisposable {
     }
 
     /// <summary>Remove a model. Its children stay where they are in the world and lose their parent.
-    /// Cost: O(log n) amortised, and O(1) a child.</summary>
+    /// Cost: O(log n) amortised, and O(1) a child. Renews the octree as far as there is memory.</summary>
     public unsafe void Remove(uint model) {
         Check(Low.gphys_scene_remove(Handle, model));
     }
 
     /// <summary>Remove models, all or none.
-    /// Cost: that of as many calls of Scene.Remove.</summary>
+    /// Cost: that of as many calls of Scene.Remove. Renews the octree as far as there is memory.</summary>
     /// <param name="models">the ids; an id that appears twice is Status.ErrorInvalidId</param>
     public unsafe void RemoveBatch(ReadOnlySpan<uint> models) {
         var count = CommonLength(models.Length, 1);
@@ -456,7 +456,7 @@ public sealed partial class Scene : IDisposable {
     }
 
     /// <summary>Remove a model and all its descendants.
-    /// Cost: O(log n) amortised for each.</summary>
+    /// Cost: O(log n) amortised for each. Renews the octree as far as there is memory.</summary>
     public unsafe void RemoveSubtree(uint model) {
         Check(Low.gphys_scene_remove_subtree(Handle, model));
     }
@@ -614,7 +614,8 @@ public sealed partial class Scene : IDisposable {
     }
 
     /// <summary>Hang a model below another one, or below none (0).
-    /// Cost: O(depth of the tree of models), and as Scene.SetTransform for what moves.</summary>
+    /// Cost: O(depth of the tree of models), and as Scene.SetTransform for what moves. Renews the octree as
+    /// far as there is memory.</summary>
     /// <param name="keepWorld">false: the local transform is kept, the model jumps; true: the local
     /// transform is changed so that the world transform stays (within float32 rounding)</param>
     /// <exception cref="GamephysException">Status.ErrorCycle: if parent is the model or one of its
@@ -624,7 +625,7 @@ public sealed partial class Scene : IDisposable {
     }
 
     /// <summary>Set a model's local transform. Descendants follow.
-    /// Cost: O(log n) for each model that moves.</summary>
+    /// Cost: O(log n) for each model that moves. Renews the octree as far as there is memory.</summary>
     /// <param name="transform">relative to the parent; scale &gt; 0</param>
     /// <exception cref="GamephysException">Status.ErrorInvalidArgument: also if it, or a descendant, would
     /// leave the range of the world</exception>
@@ -634,7 +635,8 @@ public sealed partial class Scene : IDisposable {
 
     /// <summary>Set the local transforms of many models, all or none; a model that appears twice gets the last.
     /// Descendants follow.
-    /// Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.</summary>
+    /// Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers. Renews
+    /// the octree as far as there is memory.</summary>
     /// <param name="models">the ids</param>
     /// <param name="transforms">as in Scene.SetTransform</param>
     public unsafe void SetTransforms(ReadOnlySpan<uint> models, ReadOnlySpan<Transform> transforms) {
@@ -2387,7 +2389,7 @@ public sealed partial class Solver : IDisposable {
 
     /// <summary>Fix a particle to a model: it follows the model's transform in each step, and is released when the
     /// model is gone. Steps must then be given this scene.
-    /// Cost: O(1).</summary>
+    /// Cost: O(1); allocates.</summary>
     /// <param name="scene">of the same origin as the solver; not modified</param>
     /// <param name="localPoint">metres, in the model's coordinates; null: where the particle is now</param>
     /// <exception cref="GamephysException">Status.ErrorInvalidArgument: for a particle that does not
@@ -2448,7 +2450,7 @@ public sealed partial class Solver : IDisposable {
 
     /// <summary>Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body;
     /// setting it again changes it, which inflates a body.
-    /// Cost: O(triangles) in each substep, twice.</summary>
+    /// Cost: O(triangles) in each substep, twice. Allocates.</summary>
     /// <param name="restVolume">m^3, &gt; 0; negative: the present volume</param>
     /// <param name="compliance">m^3 per pascal, &gt;= 0: the volume that a pressure of one pascal takes; 0:
     /// as water, which keeps its volume; INFINITY: none, which ends the constraint</param>
@@ -2471,7 +2473,7 @@ public sealed partial class Solver : IDisposable {
     }
 
     /// <summary>End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
-    /// Cost: as Solver.AddDistance.</summary>
+    /// Cost: as Solver.AddDistance; allocates.</summary>
     /// <exception cref="GamephysException">Status.ErrorInvalidId: for a body or constraint that does not
     /// exist, or no longer</exception>
     public unsafe void RemoveConstraint(uint body, uint constraint) {
@@ -2511,7 +2513,7 @@ public sealed partial class Solver : IDisposable {
     /// the new one at constant speed during the next step; a winch that reels in at v m/s is given a length
     /// that is v dt shorter before each step of dt. Wakes the body.
     /// Cost: O(elements); in the next step O(constraints) to pack them again, of rigid cloth with pins that
-    /// gets longer links O(n log n). Chains are not planned again.</summary>
+    /// gets longer links O(n log n). Chains are not planned again. Allocates.</summary>
     /// <param name="constraints">the ids; one that stands twice gets the last</param>
     public unsafe void SetConstraintSettings(uint body, ReadOnlySpan<uint> constraints, ReadOnlySpan<ConstraintSettings> settings) {
         var count = CommonLength(constraints.Length, settings.Length);
@@ -2526,7 +2528,7 @@ public sealed partial class Solver : IDisposable {
     /// inertia. Free particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined
     /// bodies are moved by one thread and fall asleep and wake together. A joint goes with either body.
     /// Cost: the next step plans all joined ropes again. A link of them takes some three times as long as
-    /// one of a rope that is not joined.</summary>
+    /// one of a rope that is not joined. Allocates.</summary>
     /// <param name="restLength">metres; 0: at the same place, as below 1e-9; negative: the present
     /// distance. Particles that are not as far apart are drawn there within a step, and get the speed of
     /// that.</param>
@@ -2570,7 +2572,7 @@ public sealed partial class Solver : IDisposable {
     /// <summary>Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
     /// takes more where they would be longer than 25 ms.
     /// Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
-    /// through particles. May allocate.
+    /// through particles. Allocates when what it steps has changed.
     /// Cost: O(particles + constraints) a substep, and a scene query for particles near models.</summary>
     /// <param name="scene">to collide with and to follow attachments; null: none. Not modified.</param>
     /// <param name="dt">seconds, 1e-6 .. 0.5</param>

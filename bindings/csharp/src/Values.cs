@@ -762,7 +762,7 @@ public partial struct BodySettings {
     public uint Layers;
     /// <summary>of bodies</summary>
     public uint BodyLayers;
-    /// <summary>0 or 1; particles that are nearer than their radii reach when it is set do not collide</summary>
+    /// <summary>0 or 1; what is nearer than its radii reach when it is set does not collide</summary>
     public uint SelfCollision;
 }
 

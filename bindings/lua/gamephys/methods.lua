@@ -162,7 +162,7 @@ end
 --- these.
 --- Cost: O(vertices + triangles + log n for each model), some percent of a creation: the tree is
 --- refitted, and built again by parts where it has degraded. If the triangles have come apart so that
---- their groups of eight have boxes of twice the area, once that of a creation. Since 1.1.
+--- their groups of eight have boxes of twice the area, once that of a creation. Allocates. Since 1.1.
 --- @param vertices elements of 3 floats, metres; copied
 --- @raise status ERROR_UNSUPPORTED: if the mesh is not deformable
 --- @raise status ERROR_INVALID_ARGUMENT: for a vertex that is not finite or too large, or if a model of
@@ -298,7 +298,7 @@ end
 --- however often the origin moves. For worlds beyond some kilometres: keep the origin near the camera,
 --- and when the camera has gone a few kilometres, move it together with that of cameras and solvers.
 --- Cost: that of Scene:set_transforms of all models, and 24 bytes a model from the first call on.
---- Queries cost nothing more.
+--- Queries cost nothing more. Allocates.
 --- @param origin x, y, z in the world, within MAX_COORDINATE; before the first call 0 0 0
 --- @raise status ERROR_INVALID_ARGUMENT: also if a model would leave the range of coordinates
 function Scene:set_origin(origin)
@@ -365,13 +365,13 @@ function Scene:add_described_batch(shapes, transforms, descs, out)
 end
 
 --- Remove a model. Its children stay where they are in the world and lose their parent.
---- Cost: O(log n) amortised, and O(1) a child.
+--- Cost: O(log n) amortised, and O(1) a child. Renews the octree as far as there is memory.
 function Scene:remove(model)
     check(C.gphys_scene_remove(opened(self), model))
 end
 
 --- Remove models, all or none.
---- Cost: that of as many calls of Scene:remove.
+--- Cost: that of as many calls of Scene:remove. Renews the octree as far as there is memory.
 --- @param models the ids; an id that appears twice is ERROR_INVALID_ID
 function Scene:remove_batch(models)
     local models, models_count, models_stride = to_array(uint32_t, models)
@@ -380,7 +380,7 @@ function Scene:remove_batch(models)
 end
 
 --- Remove a model and all its descendants.
---- Cost: O(log n) amortised for each.
+--- Cost: O(log n) amortised for each. Renews the octree as far as there is memory.
 function Scene:remove_subtree(model)
     check(C.gphys_scene_remove_subtree(opened(self), model))
 end
@@ -508,7 +508,8 @@ function Scene:set_tag(model, tag)
 end
 
 --- Hang a model below another one, or below none (0).
---- Cost: O(depth of the tree of models), and as Scene:set_transform for what moves.
+--- Cost: O(depth of the tree of models), and as Scene:set_transform for what moves. Renews the octree
+--- as far as there is memory.
 --- @param keep_world 0: the local transform is kept, the model jumps; 1: the local transform is changed
 ---     so that the world transform stays (within float32 rounding)
 --- @raise status ERROR_CYCLE: if parent is the model or one of its descendants
@@ -517,7 +518,7 @@ function Scene:set_parent(model, parent, keep_world)
 end
 
 --- Set a model's local transform. Descendants follow.
---- Cost: O(log n) for each model that moves.
+--- Cost: O(log n) for each model that moves. Renews the octree as far as there is memory.
 --- @param transform relative to the parent; scale > 0
 --- @raise status ERROR_INVALID_ARGUMENT: also if it, or a descendant, would leave the range of the
 ---     world
@@ -527,7 +528,8 @@ end
 
 --- Set the local transforms of many models, all or none; a model that appears twice gets the last.
 --- Descendants follow.
---- Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.
+--- Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers. Renews
+--- the octree as far as there is memory.
 --- @param models the ids
 --- @param transforms as in Scene:set_transform
 function Scene:set_transforms(models, transforms)
@@ -1965,7 +1967,7 @@ end
 
 --- Fix a particle to a model: it follows the model's transform in each step, and is released when the
 --- model is gone. Steps must then be given this scene.
---- Cost: O(1).
+--- Cost: O(1); allocates.
 --- @param scene of the same origin as the solver; not modified
 --- @param local_point metres, in the model's coordinates; nil: where the particle is now
 --- @raise status ERROR_INVALID_ARGUMENT: for a particle that does not exist
@@ -2023,7 +2025,7 @@ end
 
 --- Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body;
 --- setting it again changes it, which inflates a body.
---- Cost: O(triangles) in each substep, twice.
+--- Cost: O(triangles) in each substep, twice. Allocates.
 --- @param rest_volume m^3, > 0; negative: the present volume
 --- @param compliance m^3 per pascal, >= 0: the volume that a pressure of one pascal takes; 0: as water,
 ---     which keeps its volume; INFINITY: none, which ends the constraint
@@ -2047,7 +2049,7 @@ do
 end
 
 --- End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
---- Cost: as Solver:add_distance.
+--- Cost: as Solver:add_distance; allocates.
 --- @raise status ERROR_INVALID_ID: for a body or constraint that does not exist, or no longer
 function Solver:remove_constraint(body, constraint)
     check(C.gphys_solver_remove_constraint(opened(self), body, constraint))
@@ -2076,7 +2078,7 @@ end
 --- the new one at constant speed during the next step; a winch that reels in at v m/s is given a length
 --- that is v dt shorter before each step of dt. Wakes the body.
 --- Cost: O(elements); in the next step O(constraints) to pack them again, of rigid cloth with pins that
---- gets longer links O(n log n). Chains are not planned again.
+--- gets longer links O(n log n). Chains are not planned again. Allocates.
 --- @param constraints the ids; one that stands twice gets the last
 function Solver:set_constraint_settings(body, constraints, settings)
     local constraints, constraints_count, constraints_stride = to_array(uint32_t, constraints)
@@ -2093,7 +2095,7 @@ do
     --- inertia. Free particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined
     --- bodies are moved by one thread and fall asleep and wake together. A joint goes with either body.
     --- Cost: the next step plans all joined ropes again. A link of them takes some three times as long as
-    --- one of a rope that is not joined.
+    --- one of a rope that is not joined. Allocates.
     --- @param rest_length metres; 0: at the same place, as below 1e-9; negative: the present distance.
     ---     Particles that are not as far apart are drawn there within a step, and get the speed of that.
     --- @param compliance metres per newton, >= 0; 0 is rigid
@@ -2125,7 +2127,7 @@ end
 --- Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
 --- takes more where they would be longer than 25 ms.
 --- Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
---- through particles. May allocate.
+--- through particles. Allocates when what it steps has changed.
 --- Cost: O(particles + constraints) a substep, and a scene query for particles near models.
 --- @param scene to collide with and to follow attachments; nil: none. Not modified.
 --- @param dt seconds, 1e-6 .. 0.5

@@ -513,7 +513,7 @@ class BodySettings(Value, Structure):
     restitution: float  # 0 .. 1
     layers: int  # of models
     body_layers: int  # of bodies
-    self_collision: int  # 0 or 1; particles that are nearer than their radii reach when it is set do not collide
+    self_collision: int  # 0 or 1; what is nearer than its radii reach when it is set does not collide
     _fields_ = [("damping", c_float), ("friction", c_float), ("static_friction", c_float), ("restitution", c_float), ("layers", c_uint32), ("body_layers", c_uint32), ("self_collision", c_uint32)]
 
 

@@ -149,7 +149,8 @@ class Mesh(Object):
         on these.
         Cost: O(vertices + triangles + log n for each model), some percent of a creation: the tree is
         refitted, and built again by parts where it has degraded. If the triangles have come apart so
-        that their groups of eight have boxes of twice the area, once that of a creation. Since 1.1.
+        that their groups of eight have boxes of twice the area, once that of a creation. Allocates.
+        Since 1.1.
 
         Args:
             vertices: elements of 3 floats, metres; copied
@@ -285,7 +286,7 @@ class Scene(Models):
         near the camera, and when the camera has gone a few kilometres, move it together with that of
         cameras and solvers.
         Cost: that of Scene.set_transforms of all models, and 24 bytes a model from the first call on.
-        Queries cost nothing more.
+        Queries cost nothing more. Allocates.
 
         Args:
             origin: x, y, z in the world, within MAX_COORDINATE; before the first call 0 0 0
@@ -362,12 +363,12 @@ class Scene(Models):
 
     def remove(self, model: int) -> None:
         """Remove a model. Its children stay where they are in the world and lose their parent.
-        Cost: O(log n) amortised, and O(1) a child."""
+        Cost: O(log n) amortised, and O(1) a child. Renews the octree as far as there is memory."""
         check(low.gphys_scene_remove(self._handle, model))
 
     def remove_batch(self, models: ArrayLike) -> None:
         """Remove models, all or none.
-        Cost: that of as many calls of Scene.remove.
+        Cost: that of as many calls of Scene.remove. Renews the octree as far as there is memory.
 
         Args:
             models: the ids; an id that appears twice is ERROR_INVALID_ID"""
@@ -377,7 +378,7 @@ class Scene(Models):
 
     def remove_subtree(self, model: int) -> None:
         """Remove a model and all its descendants.
-        Cost: O(log n) amortised for each."""
+        Cost: O(log n) amortised for each. Renews the octree as far as there is memory."""
         check(low.gphys_scene_remove_subtree(self._handle, model))
 
     def clear(self) -> None:
@@ -502,7 +503,8 @@ class Scene(Models):
 
     def set_parent(self, model: int, parent: int, keep_world: int) -> None:
         """Hang a model below another one, or below none (0).
-        Cost: O(depth of the tree of models), and as Scene.set_transform for what moves.
+        Cost: O(depth of the tree of models), and as Scene.set_transform for what moves. Renews the
+        octree as far as there is memory.
 
         Args:
             keep_world: False: the local transform is kept, the model jumps; True: the local transform
@@ -514,7 +516,7 @@ class Scene(Models):
 
     def set_transform(self, model: int, transform: low.Transform | None = None) -> None:
         """Set a model's local transform. Descendants follow.
-        Cost: O(log n) for each model that moves.
+        Cost: O(log n) for each model that moves. Renews the octree as far as there is memory.
 
         Args:
             transform: relative to the parent; scale > 0
@@ -528,6 +530,7 @@ class Scene(Models):
         """Set the local transforms of many models, all or none; a model that appears twice gets the last.
         Descendants follow.
         Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.
+        Renews the octree as far as there is memory.
 
         Args:
             models: the ids
@@ -2093,7 +2096,7 @@ class Solver(Object):
     def attach(self, scene: Scene | None, body: int, particle: int, model: int, local_point: low.Vec3 | None = None) -> None:
         """Fix a particle to a model: it follows the model's transform in each step, and is released when
         the model is gone. Steps must then be given this scene.
-        Cost: O(1).
+        Cost: O(1); allocates.
 
         Args:
             scene: of the same origin as the solver; not modified
@@ -2159,7 +2162,7 @@ class Solver(Object):
     def set_volume(self, body: int, rest_volume: float, compliance: float = 0) -> None:
         """Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body;
         setting it again changes it, which inflates a body.
-        Cost: O(triangles) in each substep, twice.
+        Cost: O(triangles) in each substep, twice. Allocates.
 
         Args:
             rest_volume: m^3, > 0; negative: the present volume
@@ -2186,7 +2189,7 @@ class Solver(Object):
 
     def remove_constraint(self, body: int, constraint: int) -> None:
         """End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
-        Cost: as Solver.add_distance.
+        Cost: as Solver.add_distance; allocates.
 
         Raises:
             InvalidId: for a body or constraint that does not exist, or no longer"""
@@ -2214,7 +2217,7 @@ class Solver(Object):
         old to the new one at constant speed during the next step; a winch that reels in at v m/s is
         given a length that is v dt shorter before each step of dt. Wakes the body.
         Cost: O(elements); in the next step O(constraints) to pack them again, of rigid cloth with pins
-        that gets longer links O(n log n). Chains are not planned again.
+        that gets longer links O(n log n). Chains are not planned again. Allocates.
 
         Args:
             constraints: the ids; one that stands twice gets the last"""
@@ -2231,7 +2234,7 @@ class Solver(Object):
         exactly. Joined bodies are moved by one thread and fall asleep and wake together. A joint goes
         with either body.
         Cost: the next step plans all joined ropes again. A link of them takes some three times as long
-        as one of a rope that is not joined.
+        as one of a rope that is not joined. Allocates.
 
         Args:
             rest_length: metres; 0: at the same place, as below 1e-9; negative: the present distance.
@@ -2267,7 +2270,7 @@ class Solver(Object):
         """Simulate dt seconds in the set number of substeps, or as many as the error targets ask for;
         cloth takes more where they would be longer than 25 ms.
         Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
-        through particles. May allocate.
+        through particles. Allocates when what it steps has changed.
         Cost: O(particles + constraints) a substep, and a scene query for particles near models.
 
         Args:

@@ -314,7 +314,7 @@ impl Mesh {
     ///
     /// Cost: O(vertices + triangles + log n for each model), some percent of a creation: the tree is
     /// refitted, and built again by parts where it has degraded. If the triangles have come apart so that
-    /// their groups of eight have boxes of twice the area, once that of a creation. Since 1.1.
+    /// their groups of eight have boxes of twice the area, once that of a creation. Allocates. Since 1.1.
     ///
     /// * `vertices`: elements of 3 floats, metres; copied
     ///
@@ -483,7 +483,7 @@ impl Scene {
     /// and when the camera has gone a few kilometres, move it together with that of cameras and solvers.
     ///
     /// Cost: that of `Scene::set_transforms` of all models, and 24 bytes a model from the first call on.
-    /// Queries cost nothing more.
+    /// Queries cost nothing more. Allocates.
     ///
     /// * `origin`: x, y, z in the world, within `MAX_COORDINATE`; before the first call 0 0 0
     ///
@@ -561,14 +561,14 @@ impl Scene {
 
     /// Remove a model. Its children stay where they are in the world and lose their parent.
     ///
-    /// Cost: O(log n) amortised, and O(1) a child.
+    /// Cost: O(log n) amortised, and O(1) a child. Renews the octree as far as there is memory.
     pub fn remove(&mut self, model: ModelId) -> Result<()> {
         check(unsafe { sys::gphys_scene_remove(self.handle.as_ptr(), model) })
     }
 
     /// Remove models, all or none.
     ///
-    /// Cost: that of as many calls of `Scene::remove`.
+    /// Cost: that of as many calls of `Scene::remove`. Renews the octree as far as there is memory.
     ///
     /// * `models`: the ids; an id that appears twice is `Status::ERROR_INVALID_ID`
     pub fn remove_batch(&mut self, models: &[ModelId]) -> Result<()> {
@@ -579,7 +579,7 @@ impl Scene {
 
     /// Remove a model and all its descendants.
     ///
-    /// Cost: O(log n) amortised for each.
+    /// Cost: O(log n) amortised for each. Renews the octree as far as there is memory.
     pub fn remove_subtree(&mut self, model: ModelId) -> Result<()> {
         check(unsafe { sys::gphys_scene_remove_subtree(self.handle.as_ptr(), model) })
     }
@@ -717,7 +717,8 @@ impl Scene {
 
     /// Hang a model below another one, or below none (0).
     ///
-    /// Cost: O(depth of the tree of models), and as `Scene::set_transform` for what moves.
+    /// Cost: O(depth of the tree of models), and as `Scene::set_transform` for what moves. Renews the
+    /// octree as far as there is memory.
     ///
     /// * `keep_world`: false: the local transform is kept, the model jumps; true: the local transform is
     ///   changed so that the world transform stays (within float32 rounding)
@@ -731,7 +732,7 @@ impl Scene {
 
     /// Set a model's local transform. Descendants follow.
     ///
-    /// Cost: O(log n) for each model that moves.
+    /// Cost: O(log n) for each model that moves. Renews the octree as far as there is memory.
     ///
     /// * `transform`: relative to the parent; scale > 0
     ///
@@ -744,7 +745,8 @@ impl Scene {
     /// Set the local transforms of many models, all or none; a model that appears twice gets the last.
     /// Descendants follow.
     ///
-    /// Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.
+    /// Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers. Renews
+    /// the octree as far as there is memory.
     ///
     /// * `models`: the ids
     /// * `transforms`: as in `Scene::set_transform`
@@ -2441,7 +2443,7 @@ impl Solver {
     /// Fix a particle to a model: it follows the model's transform in each step, and is released when the
     /// model is gone. Steps must then be given this scene.
     ///
-    /// Cost: O(1).
+    /// Cost: O(1); allocates.
     ///
     /// * `scene`: of the same origin as the solver; not modified
     /// * `local_point`: metres, in the model's coordinates; None: where the particle is now
@@ -2512,7 +2514,7 @@ impl Solver {
     /// Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body;
     /// setting it again changes it, which inflates a body.
     ///
-    /// Cost: O(triangles) in each substep, twice.
+    /// Cost: O(triangles) in each substep, twice. Allocates.
     ///
     /// * `rest_volume`: m^3, > 0; negative: the present volume
     /// * `compliance`: m^3 per pascal, >= 0: the volume that a pressure of one pascal takes; 0: as water,
@@ -2541,7 +2543,7 @@ impl Solver {
 
     /// End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
     ///
-    /// Cost: as `Solver::add_distance`.
+    /// Cost: as `Solver::add_distance`; allocates.
     ///
     /// # Errors
     /// * `Status::ERROR_INVALID_ID`: for a body or constraint that does not exist, or no longer
@@ -2574,7 +2576,7 @@ impl Solver {
     /// that is v dt shorter before each step of dt. Wakes the body.
     ///
     /// Cost: O(elements); in the next step O(constraints) to pack them again, of rigid cloth with pins that
-    /// gets longer links O(n log n). Chains are not planned again.
+    /// gets longer links O(n log n). Chains are not planned again. Allocates.
     ///
     /// * `constraints`: the ids; one that stands twice gets the last
     pub fn set_constraint_settings<'a>(&mut self, body: BodyId, constraints: &[ConstraintId], settings: impl Into<Batch<'a, ConstraintSettings>>) -> Result<()> {
@@ -2591,7 +2593,7 @@ impl Solver {
     /// bodies are moved by one thread and fall asleep and wake together. A joint goes with either body.
     ///
     /// Cost: the next step plans all joined ropes again. A link of them takes some three times as long as
-    /// one of a rope that is not joined.
+    /// one of a rope that is not joined. Allocates.
     ///
     /// * `rest_length`: metres; 0: at the same place, as below 1e-9; negative: the present distance.
     ///   Particles that are not as far apart are drawn there within a step, and get the speed of that.
@@ -2629,7 +2631,7 @@ impl Solver {
     /// Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
     /// takes more where they would be longer than 25 ms.
     /// Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
-    /// through particles. May allocate.
+    /// through particles. Allocates when what it steps has changed.
     ///
     /// Cost: O(particles + constraints) a substep, and a scene query for particles near models.
     ///

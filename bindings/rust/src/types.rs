@@ -709,7 +709,7 @@ pub struct BodySettings {
     pub layers: u32,
     /// of bodies
     pub body_layers: u32,
-    /// 0 or 1; particles that are nearer than their radii reach when it is set do not collide
+    /// 0 or 1; what is nearer than its radii reach when it is set does not collide
     pub self_collision: u32,
 }
 

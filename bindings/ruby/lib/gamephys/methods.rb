@@ -114,7 +114,7 @@ module Gamephys
     # these.
     # Cost: O(vertices + triangles + log n for each model), some percent of a creation: the tree is
     # refitted, and built again by parts where it has degraded. If the triangles have come apart so that
-    # their groups of eight have boxes of twice the area, once that of a creation. Since 1.1.
+    # their groups of eight have boxes of twice the area, once that of a creation. Allocates. Since 1.1.
     # @param vertices elements of 3 floats, metres; copied
     # @raise [Error] if the mesh is not deformable (ERROR_UNSUPPORTED)
     # @raise [InvalidArgument] for a vertex that is not finite or too large, or if a model of the mesh
@@ -240,7 +240,7 @@ module Gamephys
     # however often the origin moves. For worlds beyond some kilometres: keep the origin near the camera,
     # and when the camera has gone a few kilometres, move it together with that of cameras and solvers.
     # Cost: that of Scene#set_transforms of all models, and 24 bytes a model from the first call on.
-    # Queries cost nothing more.
+    # Queries cost nothing more. Allocates.
     # @param origin x, y, z in the world, within MAX_COORDINATE; before the first call 0 0 0
     # @raise [InvalidArgument] also if a model would leave the range of coordinates
     def set_origin(origin)
@@ -306,14 +306,14 @@ module Gamephys
     end
 
     # Remove a model. Its children stay where they are in the world and lose their parent.
-    # Cost: O(log n) amortised, and O(1) a child.
+    # Cost: O(log n) amortised, and O(1) a child. Renews the octree as far as there is memory.
     def remove(model)
       Low.check(Low.gphys_scene_remove(opened, model))
       nil
     end
 
     # Remove models, all or none.
-    # Cost: that of as many calls of Scene#remove.
+    # Cost: that of as many calls of Scene#remove. Renews the octree as far as there is memory.
     # @param models the ids; an id that appears twice is ERROR_INVALID_ID
     def remove_batch(models)
       models = Low.array(UInt32, models)
@@ -323,7 +323,7 @@ module Gamephys
     end
 
     # Remove a model and all its descendants.
-    # Cost: O(log n) amortised for each.
+    # Cost: O(log n) amortised for each. Renews the octree as far as there is memory.
     def remove_subtree(model)
       Low.check(Low.gphys_scene_remove_subtree(opened, model))
       nil
@@ -451,7 +451,8 @@ module Gamephys
     end
 
     # Hang a model below another one, or below none (0).
-    # Cost: O(depth of the tree of models), and as Scene#set_transform for what moves.
+    # Cost: O(depth of the tree of models), and as Scene#set_transform for what moves. Renews the octree
+    # as far as there is memory.
     # @param keep_world 0: the local transform is kept, the model jumps; 1: the local transform is changed
     #     so that the world transform stays (within float32 rounding)
     # @raise [Error] if parent is the model or one of its descendants (ERROR_CYCLE)
@@ -461,7 +462,7 @@ module Gamephys
     end
 
     # Set a model's local transform. Descendants follow.
-    # Cost: O(log n) for each model that moves.
+    # Cost: O(log n) for each model that moves. Renews the octree as far as there is memory.
     # @param transform relative to the parent; scale > 0
     # @raise [InvalidArgument] also if it, or a descendant, would leave the range of the world
     def set_transform(model, transform)
@@ -471,7 +472,8 @@ module Gamephys
 
     # Set the local transforms of many models, all or none; a model that appears twice gets the last.
     # Descendants follow.
-    # Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.
+    # Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers. Renews
+    # the octree as far as there is memory.
     # @param models the ids
     # @param transforms as in Scene#set_transform
     def set_transforms(models, transforms)
@@ -1884,7 +1886,7 @@ module Gamephys
 
     # Fix a particle to a model: it follows the model's transform in each step, and is released when the
     # model is gone. Steps must then be given this scene.
-    # Cost: O(1).
+    # Cost: O(1); allocates.
     # @param scene of the same origin as the solver; not modified
     # @param local_point metres, in the model's coordinates; nil: where the particle is now
     # @raise [InvalidArgument] for a particle that does not exist
@@ -1941,7 +1943,7 @@ module Gamephys
 
     # Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body;
     # setting it again changes it, which inflates a body.
-    # Cost: O(triangles) in each substep, twice.
+    # Cost: O(triangles) in each substep, twice. Allocates.
     # @param rest_volume m^3, > 0; negative: the present volume
     # @param compliance m^3 per pascal, >= 0: the volume that a pressure of one pascal takes; 0: as water,
     #     which keeps its volume; INFINITY: none, which ends the constraint
@@ -1964,7 +1966,7 @@ module Gamephys
     end
 
     # End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
-    # Cost: as Solver#add_distance.
+    # Cost: as Solver#add_distance; allocates.
     # @raise [InvalidId] for a body or constraint that does not exist, or no longer
     def remove_constraint(body, constraint)
       Low.check(Low.gphys_solver_remove_constraint(opened, body, constraint))
@@ -1992,7 +1994,7 @@ module Gamephys
     # the new one at constant speed during the next step; a winch that reels in at v m/s is given a length
     # that is v dt shorter before each step of dt. Wakes the body.
     # Cost: O(elements); in the next step O(constraints) to pack them again, of rigid cloth with pins that
-    # gets longer links O(n log n). Chains are not planned again.
+    # gets longer links O(n log n). Chains are not planned again. Allocates.
     # @param constraints the ids; one that stands twice gets the last
     def set_constraint_settings(body, constraints, settings)
       constraints = Low.array(UInt32, constraints)
@@ -2008,7 +2010,7 @@ module Gamephys
     # inertia. Free particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined
     # bodies are moved by one thread and fall asleep and wake together. A joint goes with either body.
     # Cost: the next step plans all joined ropes again. A link of them takes some three times as long as
-    # one of a rope that is not joined.
+    # one of a rope that is not joined. Allocates.
     # @param rest_length metres; 0: at the same place, as below 1e-9; negative: the present distance.
     #     Particles that are not as far apart are drawn there within a step, and get the speed of that.
     # @param compliance metres per newton, >= 0; 0 is rigid
@@ -2039,7 +2041,7 @@ module Gamephys
     # Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
     # takes more where they would be longer than 25 ms.
     # Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
-    # through particles. May allocate.
+    # through particles. Allocates when what it steps has changed.
     # Cost: O(particles + constraints) a substep, and a scene query for particles near models.
     # @param scene to collide with and to follow attachments; nil: none. Not modified.
     # @param dt seconds, 1e-6 .. 0.5

@@ -227,7 +227,7 @@ public final class Mesh extends Owned implements Shape {
      * these.
      * Cost: O(vertices + triangles + log n for each model), some percent of a creation: the tree is
      * refitted, and built again by parts where it has degraded. If the triangles have come apart so that
-     * their groups of eight have boxes of twice the area, once that of a creation. Since 1.1.
+     * their groups of eight have boxes of twice the area, once that of a creation. Allocates. Since 1.1.
      * @param vertices elements of 3 floats, metres; copied
      * @throws GamephysException with ERROR_UNSUPPORTED: if the mesh is not deformable
      * @throws GamephysException with ERROR_INVALID_ARGUMENT: for a vertex that is not finite or too large,

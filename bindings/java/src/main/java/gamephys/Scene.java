@@ -39,7 +39,7 @@ public final class Scene extends SceneBase {
      * however often the origin moves. For worlds beyond some kilometres: keep the origin near the camera,
      * and when the camera has gone a few kilometres, move it together with that of cameras and solvers.
      * Cost: that of Scene.setTransforms of all models, and 24 bytes a model from the first call on.
-     * Queries cost nothing more.
+     * Queries cost nothing more. Allocates.
      * @param origin x, y, z in the world, within MAX_COORDINATE; before the first call 0 0 0
      * @throws GamephysException with ERROR_INVALID_ARGUMENT: also if a model would leave the range of
      *     coordinates
@@ -161,7 +161,7 @@ public final class Scene extends SceneBase {
 
     /**
      * Remove a model. Its children stay where they are in the world and lose their parent.
-     * Cost: O(log n) amortised, and O(1) a child.
+     * Cost: O(log n) amortised, and O(1) a child. Renews the octree as far as there is memory.
      */
     public void remove(int model) {
         int status = Low.gphys_scene_remove(opened(), model);
@@ -171,7 +171,7 @@ public final class Scene extends SceneBase {
 
     /**
      * Remove models, all or none.
-     * Cost: that of as many calls of Scene.remove.
+     * Cost: that of as many calls of Scene.remove. Renews the octree as far as there is memory.
      * @param models the ids; an id that appears twice is ERROR_INVALID_ID
      */
     public void removeBatch(Batch<Integer> models) {
@@ -183,7 +183,7 @@ public final class Scene extends SceneBase {
 
     /**
      * Remove a model and all its descendants.
-     * Cost: O(log n) amortised for each.
+     * Cost: O(log n) amortised for each. Renews the octree as far as there is memory.
      */
     public void removeSubtree(int model) {
         int status = Low.gphys_scene_remove_subtree(opened(), model);
@@ -370,7 +370,8 @@ public final class Scene extends SceneBase {
 
     /**
      * Hang a model below another one, or below none (0).
-     * Cost: O(depth of the tree of models), and as Scene.setTransform for what moves.
+     * Cost: O(depth of the tree of models), and as Scene.setTransform for what moves. Renews the octree as
+     * far as there is memory.
      * @param keepWorld false: the local transform is kept, the model jumps; true: the local transform is
      *     changed so that the world transform stays (within float32 rounding)
      * @throws GamephysException with ERROR_CYCLE: if parent is the model or one of its descendants
@@ -383,7 +384,7 @@ public final class Scene extends SceneBase {
 
     /**
      * Set a model's local transform. Descendants follow.
-     * Cost: O(log n) for each model that moves.
+     * Cost: O(log n) for each model that moves. Renews the octree as far as there is memory.
      * @param transform relative to the parent; scale &gt; 0
      * @throws GamephysException with ERROR_INVALID_ARGUMENT: also if it, or a descendant, would leave the
      *     range of the world
@@ -403,7 +404,8 @@ public final class Scene extends SceneBase {
     /**
      * Set the local transforms of many models, all or none; a model that appears twice gets the last.
      * Descendants follow.
-     * Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.
+     * Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers. Renews
+     * the octree as far as there is memory.
      * @param models the ids
      * @param transforms as in Scene.setTransform
      */

@@ -594,7 +594,7 @@ public final class Solver extends Owned {
     /**
      * Fix a particle to a model: it follows the model's transform in each step, and is released when the
      * model is gone. Steps must then be given this scene.
-     * Cost: O(1).
+     * Cost: O(1); allocates.
      * @param scene of the same origin as the solver; not modified
      * @param localPoint metres, in the model's coordinates; null: where the particle is now
      * @throws GamephysException with ERROR_INVALID_ARGUMENT: for a particle that does not exist
@@ -685,7 +685,7 @@ public final class Solver extends Owned {
     /**
      * Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body;
      * setting it again changes it, which inflates a body.
-     * Cost: O(triangles) in each substep, twice.
+     * Cost: O(triangles) in each substep, twice. Allocates.
      * @param restVolume m^3, &gt; 0; negative: the present volume
      * @param compliance m^3 per pascal, &gt;= 0: the volume that a pressure of one pascal takes; 0: as water,
      *     which keeps its volume; INFINITY: none, which ends the constraint
@@ -723,7 +723,7 @@ public final class Solver extends Owned {
 
     /**
      * End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
-     * Cost: as Solver.addDistance.
+     * Cost: as Solver.addDistance; allocates.
      * @throws GamephysException with ERROR_INVALID_ID: for a body or constraint that does not exist, or no
      *     longer
      */
@@ -769,7 +769,7 @@ public final class Solver extends Owned {
      * the new one at constant speed during the next step; a winch that reels in at v m/s is given a length
      * that is v dt shorter before each step of dt. Wakes the body.
      * Cost: O(elements); in the next step O(constraints) to pack them again, of rigid cloth with pins that
-     * gets longer links O(n log n). Chains are not planned again.
+     * gets longer links O(n log n). Chains are not planned again. Allocates.
      * @param constraints the ids; one that stands twice gets the last
      */
     public void setConstraintSettings(int body, Batch<Integer> constraints, Batch<ConstraintSettings> settings) {
@@ -786,7 +786,7 @@ public final class Solver extends Owned {
      * inertia. Free particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined
      * bodies are moved by one thread and fall asleep and wake together. A joint goes with either body.
      * Cost: the next step plans all joined ropes again. A link of them takes some three times as long as
-     * one of a rope that is not joined.
+     * one of a rope that is not joined. Allocates.
      * @param restLength metres; 0: at the same place, as below 1e-9; negative: the present distance.
      *     Particles that are not as far apart are drawn there within a step, and get the speed of that.
      * @param compliance metres per newton, &gt;= 0; 0 is rigid
@@ -835,7 +835,7 @@ public final class Solver extends Owned {
      * Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
      * takes more where they would be longer than 25 ms.
      * Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
-     * through particles. May allocate.
+     * through particles. Allocates when what it steps has changed.
      * Cost: O(particles + constraints) a substep, and a scene query for particles near models.
      * @param scene to collide with and to follow attachments; null: none. Not modified.
      * @param dt seconds, 1e-6 .. 0.5
