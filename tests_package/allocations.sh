@@ -15,6 +15,7 @@ import json, re, sys
 functions = json.load(open("api.json"))["functions"]
 told = {f["name"] for f in functions if re.search(r"_(create|add)(_|$)", f["name"])
         or re.search(r"[Aa]llocates|OUT_OF_MEMORY|as there is memory", f["doc"])}
+told.discard("gphys_mesh_check")  # has no hooks that could fail
 called = set(re.findall(r"\bgphys_\w+", "".join(open(name).read() for name in sys.argv[1:])))
 for name in sorted(set(open("seen.txt").read().split()) - told):
     print(f"{name} allocates, and its comment does not say so")
