@@ -245,7 +245,7 @@ TEST_CASE("rays meet a box as a hull where they meet the box") {
         Ray ray{on_grid ? grid_point(random, 5) : as_floats(random_point(random, 5)),
                 on_grid ? grid_direction(random, 3) : as_floats(random_point(random, 2)), infinity};
         if (i % 3 == 0) ray.t_max = random.index(6);
-        Hit expected, hit, found;
+        Hit expected, hit;
         const bool meets = raycast(box, ray, expected);
         REQUIRE(hull->raycast(ray, hit) == meets);
         REQUIRE(hull->raycast_any(ray) == meets);

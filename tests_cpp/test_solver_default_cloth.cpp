@@ -94,7 +94,8 @@ TEST_CASE("a cell shears as far as shear_compliance says") {
     // Its upper corners are pinned and gravity points aside. With s the sine of the shear, the diagonals are
     // sqrt(2 + 2 s) and sqrt(2 - 2 s) long, and the energy of two masses and two springs is least at s = 2 m g / k,
     // but for a part of s^2.
-    const double mass = 0.25, gravity = 2, compliance = 0.01;
+    const double mass = 0.25, compliance = 0.01;
+    const float gravity = 2;
     test::World world(8, {gravity, 0, 0});
     gphys_body_desc desc = test::World::body_desc();
     desc.shear_compliance = compliance;
