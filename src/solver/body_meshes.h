@@ -19,7 +19,6 @@ public:
     BodyMeshes(const BodyMeshes&) = delete;
     BodyMeshes& operator=(const BodyMeshes&) = delete;
 
-    bool empty() const { return entries_.empty(); }
     /// A new one, which the caller holds. What throws std::bad_alloc has changed nothing.
     Mesh* make(const gphys_allocator* hooks, gphys_body_id id, const Body& body);
 
