@@ -373,6 +373,25 @@ TEST_CASE("sweep: a reported normal is not along the motion, however little is l
     }
 }
 
+TEST_CASE("sweep: a ball smaller than the rounding of its way gets the normal of the face it meets", "[sweep]") {
+    Random random(8);
+    const Aabb box{{-1, -1, -1}, {1, 1, 1}};
+    for (int i = 0; i < cases; ++i) {
+        const int axis = i % 3;
+        const double side = i % 2 ? 1 : -1;
+        Vec3 target = as_floats(random_point(random, 1)), start = as_floats(random_point(random, 1)) + target;
+        target[axis] = side;
+        start[axis] = side * (2 + std::fabs(start[axis]));
+        const Sphere moving{start, std::ldexp(1.0, -40 - static_cast<int>(random.index(100)))};
+        Hit hit;
+        REQUIRE(sweep(box, moving, as_floats((target - start) * 2), hit));
+        if (std::fabs(target[(axis + 1) % 3]) > 0.999 || std::fabs(target[(axis + 2) % 3]) > 0.999) continue;
+        Vec3 normal;
+        normal[axis] = side;
+        CHECK(hit.normal == normal);
+    }
+}
+
 TEST_CASE("sweep: the largest and smallest numbers raise no exception", "[sweep]") {
     const NoTraps watch;
     Random random(29);

@@ -93,6 +93,7 @@ bool sweep(const Aabb& box, const Sphere& moving, Vec3 displacement, Hit& hit) {
         }
     }
     double end = 0;
+    Vec3 inwards;  // the motion in the axes that last mattered
     for (double start = 0; start < 1; start = end) {
         end = 1;
         for (int i = 0; i < face_count; ++i) {
@@ -107,9 +108,12 @@ bool sweep(const Aabb& box, const Sphere& moving, Vec3 displacement, Hit& hit) {
             outside.origin[axis] = (moving.center[axis] - face) + displacement[axis] * start;
             outside.direction[axis] = displacement[axis];
         }
+        if (outside.direction != Vec3{}) inwards = outside.direction;
         if (!raycast(Sphere{{}, moving.radius}, outside, hit)) continue;
         // Contact at the start of an interval: rounding missed it at the end of the previous one.
-        if (hit.flags & GPHYS_HIT_INSIDE && outside.origin != Vec3{}) hit.normal = normalized(outside.origin);
+        if (hit.flags & GPHYS_HIT_INSIDE) {
+            hit.normal = outside.origin != Vec3{} ? normalized(outside.origin) : -normalized(inwards);
+        }
         hit.t = std::min(start + hit.t, 1.0);
         return contact_on(box, moving, displacement, hit);
     }
