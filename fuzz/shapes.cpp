@@ -28,10 +28,10 @@ void check_hit(const gphys_hit& hit, float t_max, gphys_vec3 direction, bool swe
     FUZZ_CHECK(!(hit.flags & GPHYS_HIT_INSIDE) || hit.t == 0, "what starts inside hits at 0");
     FUZZ_CHECK(is_finite(hit.point) && is_finite(hit.normal), "a hit's point and normal are finite");
     const double x = hit.normal.x, y = hit.normal.y, z = hit.normal.z, square = x * x + y * y + z * z;
-    FUZZ_CHECK(std::fabs(square - 1) < 1e-5 || square == 0, "a hit's normal is a unit vector");
-    if (sweep && (hit.flags & GPHYS_HIT_INSIDE)) return;
     const double length = std::sqrt(double{direction.x} * direction.x + double{direction.y} * direction.y +
                                     double{direction.z} * direction.z);
+    FUZZ_CHECK(std::fabs(square - 1) < 1e-5 || (square == 0 && length == 0), "a hit's normal is a unit vector");
+    if (sweep && (hit.flags & GPHYS_HIT_INSIDE)) return;
     FUZZ_CHECK(x * direction.x + y * direction.y + z * direction.z <= (sweep ? 0 : 1e-6 * length),
                "a normal is against the motion");
 }

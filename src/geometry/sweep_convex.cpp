@@ -85,7 +85,7 @@ private:
                 // The offset, off by the resolution, turns the normal by its share of the distance.
                 const double blur = 8 * resolution_ * (1 + length(displacement_) / apart.distance);
                 // Thinner shapes may touch or not.
-                return left <= blur && set_.radius() > 16 * resolution_ && approach_by_distance(apart);
+                return left <= blur && set_.radius() > 16 * resolution_ && approach_by_distance();
             }
             begin_ += gap / approach;
         }
@@ -95,11 +95,8 @@ private:
     /// Where the direction of a short offset does not tell whether the shapes get nearer: by the length, which is known
     /// within the resolution. Thirds of the time for the least distance of this convex function, then halves for the
     /// first contact.
-    bool approach_by_distance(Separation apart) {
-        const auto gap_at = [&](double t) {
-            apart = separation_after(displacement_ * t);
-            return apart.distance - set_.radius();
-        };
+    bool approach_by_distance() {
+        const auto gap_at = [&](double t) { return separation_after(displacement_ * t).distance - set_.radius(); };
         double low = begin_, high = 1;
         for (int step = 0; step < 100 && high - low > 0x1p-53; ++step) {
             const double third = (high - low) / 3;
@@ -120,9 +117,9 @@ private:
             (gap_at(middle) > resolution_ ? begin_ : touches) = middle;
         }
         begin_ = touches;
-        gap_at(begin_);
-        on_other_ = apart.on_other;
-        normal_ = apart.normal;
+        const Separation contact = separation_after(displacement_ * begin_);
+        on_other_ = contact.on_other;
+        normal_ = contact.normal;
         const double along = dot(normal_, displacement_);
         // At the first contact the shapes do not move apart.
         if (along > 0) normal_ = normalized(normal_ - displacement_ * (along / length_squared(displacement_)));
