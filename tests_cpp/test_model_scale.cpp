@@ -40,6 +40,46 @@ test::Arrays scaled_arrays(const test::Arrays& arrays, const gphys_vec3& scale) 
     return result;
 }
 
+/// One shape of each kind that a scene is asked with; the first four are solids.
+struct QueryShapes {
+    gphys_sphere sphere;
+    gphys_capsule capsule;
+    gphys_aabb box;
+    gphys_obb obb;
+    gphys_triangle triangle;
+    gphys_plane plane;
+    gphys_frustum frustum;
+
+    explicit QueryShapes(test::Random& random)
+        : sphere{random.point(14), random.index(4) == 0 ? 0 : random.uniform_float(0, 2)},
+          capsule{sphere.center, random.point(14), random.index(4) == 0 ? 0 : random.uniform_float(0, 1)},
+          box{sphere.center, {sphere.center.x + 1, sphere.center.y + 2, sphere.center.z + 0.5f}},
+          obb{sphere.center, {1, 0.2f, 2}, random.rotation()},
+          triangle{sphere.center, random.point(14), random.point(14)},
+          plane{narrow(random.direction()), random.uniform_float(-14, 14)},
+          frustum{random.point(20), {}} {
+        for (int p = 0; p < 6; ++p) {
+            const Vec3 axis{p / 2 == 0 ? 1.0 : 0.1, p / 2 == 1 ? 1.0 : 0.2, p / 2 == 2 ? 1.0 : 0.1};
+            const bool back = p % 2 != 0;
+            frustum.planes[p] = {narrow(back ? -axis : axis), back ? -8.0f : 1.0f};
+        }
+    }
+
+    struct Query {
+        gphys_shape_type type;
+        const void* shape;
+    };
+    std::array<Query, 7> all() const {
+        return {{{GPHYS_SHAPE_SPHERE, &sphere},
+                 {GPHYS_SHAPE_CAPSULE, &capsule},
+                 {GPHYS_SHAPE_AABB, &box},
+                 {GPHYS_SHAPE_OBB, &obb},
+                 {GPHYS_SHAPE_TRIANGLE, &triangle},
+                 {GPHYS_SHAPE_PLANE, &plane},
+                 {GPHYS_SHAPE_FRUSTUM, &frustum}}};
+    }
+};
+
 /// Two scenes of the same models: scaled by the library, and given scaled.
 class TwoScenes {
 public:
@@ -241,24 +281,8 @@ TEST_CASE("overlaps, nearest points, sweeps and penetrations of scaled models ar
     test::Random& random = scenes.random;
     uint32_t overlapped = 0, found = 0, swept = 0, pushed = 0;
     for (int i = 0; i < 6000; ++i) {
-        const gphys_sphere sphere{random.point(14), random.uniform_float(0, 2)};
-        const gphys_capsule capsule{random.point(14), random.point(14), random.uniform_float(0, 1)};
-        const gphys_aabb box{sphere.center, {sphere.center.x + 1, sphere.center.y + 2, sphere.center.z + 0.5f}};
-        const gphys_obb obb{random.point(14), {1, 0.2f, 2}, random.rotation()};
-        const gphys_triangle triangle{random.point(14), random.point(14), random.point(14)};
-        const gphys_plane plane{narrow(random.direction()), random.uniform_float(-14, 14)};
-        gphys_frustum frustum{random.point(20), {}};
-        for (int p = 0; p < 6; ++p) {
-            const Vec3 axis{p / 2 == 0 ? 1.0 : 0.1, p / 2 == 1 ? 1.0 : 0.2, p / 2 == 2 ? 1.0 : 0.1};
-            const bool back = p % 2 != 0;
-            frustum.planes[p] = {narrow(back ? -axis : axis), back ? -8.0f : 1.0f};
-        }
-        const struct {
-            gphys_shape_type type;
-            const void* shape;
-        } queries[] = {{GPHYS_SHAPE_SPHERE, &sphere},  {GPHYS_SHAPE_CAPSULE, &capsule},   {GPHYS_SHAPE_AABB, &box},
-                       {GPHYS_SHAPE_OBB, &obb},        {GPHYS_SHAPE_TRIANGLE, &triangle}, {GPHYS_SHAPE_PLANE, &plane},
-                       {GPHYS_SHAPE_FRUSTUM, &frustum}};
+        const QueryShapes shapes(random);
+        const auto queries = shapes.all();
         for (const auto& query : queries) {
             CAPTURE(i, query.type);
             gphys_model_id models[64], expected[64];
@@ -272,8 +296,8 @@ TEST_CASE("overlaps, nearest points, sweeps and penetrations of scaled models ar
         }
         const float reach = random.index(2) == 0 ? INFINITY : random.uniform_float(0, 5);
         gphys_nearest near{}, near_expected{};
-        const gphys_status status = gphys_scene_nearest(scenes.by_scale, &sphere.center, reach, 1, &near);
-        REQUIRE(status == gphys_scene_nearest(scenes.given, &sphere.center, reach, 1, &near_expected));
+        const gphys_status status = gphys_scene_nearest(scenes.by_scale, &shapes.sphere.center, reach, 1, &near);
+        REQUIRE(status == gphys_scene_nearest(scenes.given, &shapes.sphere.center, reach, 1, &near_expected));
         if (status == GPHYS_OK) {
             ++found;
             REQUIRE(near.model == near_expected.model);
@@ -433,25 +457,9 @@ TEST_CASE("models scaled by powers of two, filtered, answer with the bits of tho
         CAPTURE(i);
         const gphys_scene* const scaled = i % 2 == 0 ? scenes.by_scale : restored;
         const gphys_query_filter_desc filter = filter_of(random, ids);
-        const gphys_vec3 at = random.point(14), way = random.point(10);
-        const gphys_sphere sphere{at, random.index(4) == 0 ? 0 : random.uniform_float(0, 2)};
-        const gphys_capsule capsule{at, random.point(14), random.index(4) == 0 ? 0 : random.uniform_float(0, 1)};
-        const gphys_aabb box{at, {at.x + 1, at.y + 2, at.z + 0.5f}};
-        const gphys_obb obb{at, {1, 0.2f, 2}, random.rotation()};
-        const gphys_triangle triangle{at, random.point(14), random.point(14)};
-        const gphys_plane plane{narrow(random.direction()), random.uniform_float(-14, 14)};
-        gphys_frustum frustum{random.point(20), {}};
-        for (int p = 0; p < 6; ++p) {
-            const Vec3 axis{p / 2 == 0 ? 1.0 : 0.1, p / 2 == 1 ? 1.0 : 0.2, p / 2 == 2 ? 1.0 : 0.1};
-            const bool back = p % 2 != 0;
-            frustum.planes[p] = {narrow(back ? -axis : axis), back ? -8.0f : 1.0f};
-        }
-        const struct {
-            gphys_shape_type type;
-            const void* shape;
-        } queries[] = {{GPHYS_SHAPE_SPHERE, &sphere},  {GPHYS_SHAPE_CAPSULE, &capsule},   {GPHYS_SHAPE_AABB, &box},
-                       {GPHYS_SHAPE_OBB, &obb},        {GPHYS_SHAPE_TRIANGLE, &triangle}, {GPHYS_SHAPE_PLANE, &plane},
-                       {GPHYS_SHAPE_FRUSTUM, &frustum}};
+        const QueryShapes shapes(random);
+        const auto queries = shapes.all();
+        const gphys_vec3 at = shapes.sphere.center, way = random.point(10);
         gphys_model_id models[80], expected[80];
         uint32_t count = 0, expected_count = 0;
         for (const auto& [type, shape] : queries) {
@@ -464,7 +472,7 @@ TEST_CASE("models scaled by powers of two, filtered, answer with the bits of tho
             listed += count;
         }
         // What is in view is culled by neither.
-        REQUIRE(gphys_scene_cull_filtered(scaled, &frustum, &filter, models, 80, &count) == GPHYS_OK);
+        REQUIRE(gphys_scene_cull_filtered(scaled, &shapes.frustum, &filter, models, 80, &count) == GPHYS_OK);
         REQUIRE(std::includes(models, models + count, expected, expected + expected_count));
         for (int k = 0; k < 4; ++k) {
             const auto& [type, shape] = queries[k];
