@@ -104,7 +104,8 @@ static void add_cloth(world* w) {
     desc.damping = 0.4f;
     desc.friction = 0.6f;
     const gphys_vec3 corner = {-2, 2.95f, -2}, u = {4, 0, 0}, v = {0, 0, 4};
-    desc.cloth_flags = GPHYS_CLOTH_BEND; /* woven: it shears, and so lies on what is round both ways */
+    /* Woven: cells yield in their plane, and so lie on what is round both ways. Springs of 30 rad/s a particle. */
+    desc.shear_compliance = CLOTH_SIDE * CLOTH_SIDE / (desc.mass * 30 * 30);
     check(gphys_solver_add_cloth(w->solver, &desc, &corner, &u, &v, CLOTH_SIDE, CLOTH_SIDE, &w->cloth_body), "cloth");
     show(w, w->cloth_body, TAG(KIND_CLOTH, 0));
 

@@ -52,7 +52,11 @@ export class World {
     #hang() {
         const { size, particles, height } = CLOTH;
         this.cloth = this.solver.addCloth([-size / 2, height, -size / 2], [size, 0, 0], [0, 0, size], particles, particles,
-            { mass: 4, damping: 0.5, radius: 0.05, friction: 0.6, bend_compliance: 0.1, cloth_flags: gp.CLOTH_BEND });
+            {
+                mass: 4, damping: 0.5, radius: 0.05, friction: 0.6, bend_compliance: 0.1,
+                // Woven: cells yield in their plane. Springs of 30 rad/s a particle.
+                shear_compliance: particles ** 2 / (4 * 30 ** 2),
+            });
         this.clothTriangles = this.solver.getTriangles(this.cloth).u32;
         this.clothPositions = gp.records('vec3', particles * particles);
         const mesh = gp.Mesh.fromBody(this.solver, this.cloth); // follows the cloth

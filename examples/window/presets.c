@@ -84,6 +84,14 @@ static gphys_body_desc body(float mass, float radius) {
     return desc;
 }
 
+/* A square sheet whose cells yield in their plane, and so lie on what is round both ways: as woven cloth, by springs of
+ * 30 rad/s a particle. */
+static gphys_body_desc woven(float mass, float radius, uint32_t side) {
+    gphys_body_desc desc = body(mass, radius);
+    desc.shear_compliance = (float)(side * side) / (mass * 30 * 30);
+    return desc;
+}
+
 static void keep(stage* s, gphys_body_id id, float radius, colour c) {
     gphys_mesh* mesh; /* has the form of the body, for the mouse to find */
     gphys_model_id model;
@@ -135,8 +143,7 @@ static void statues(stage* s) {
                    uniform(&random, 0.6f, 1.0f), hue(i));
     }
     add_statue(s, (gphys_vec3){0, 0, 0}, 0.4f, 2.4f, ivory);
-    gphys_body_desc desc = body(2, 0.02f);
-    desc.cloth_flags = GPHYS_CLOTH_BEND;
+    const gphys_body_desc desc = woven(2, 0.02f, 48);
     add_cloth(s, &desc, (gphys_vec3){-1.6f, 2.7f, -1.6f}, (gphys_vec3){3.2f, 0, 0}, (gphys_vec3){0, 0, 3.2f}, 48, 48,
               (colour){0.75f, 0.16f, 0.18f});
     s->view.distance = 9;
@@ -149,7 +156,7 @@ static void cloth_on_anything(stage* s) {
     add_capsule(s, (gphys_vec3){0.9f, 0.6f, -0.7f}, (gphys_vec3){2.1f, 1.4f, 0.7f}, 0.5f, stone);
     add_statue(s, (gphys_vec3){4.0f, 0, 0}, 0.6f, 2.0f, ivory);
     for (int i = 0; i < 4; ++i) {
-        const gphys_body_desc desc = body(1, 0.02f);
+        const gphys_body_desc desc = woven(1, 0.02f, 32);
         add_cloth(s, &desc, (gphys_vec3){-4.6f + 2.4f * (float)i + 0.05f * (float)(i == 3), 2.4f, -1},
                   (gphys_vec3){2, 0, 0}, (gphys_vec3){0, 0, 2}, 32, 32, hue((uint32_t)i + 1));
     }
