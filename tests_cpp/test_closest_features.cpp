@@ -103,6 +103,16 @@ TEST_CASE("distances of a packet's triangles are bounded from below, and closely
     }
 }
 
+TEST_CASE("the height of a half-space is between its two floats") {
+    test::Random random(3);
+    for (int i = 0; i < 10000; ++i) {
+        const double height = random.uniform(-1, 1) * std::pow(10.0, random.uniform(-20, 15));
+        const HalfSpaceProbe probe(random.direction(), height);
+        REQUIRE(double{probe.lowest} <= height);
+        REQUIRE(double{probe.highest} >= height);
+    }
+}
+
 TEST_CASE("of a packet's triangles those behind a plane are left out, and no others") {
     test::Random random(2);
     for (const double size : {1e-20, 1.0, 7e14}) {

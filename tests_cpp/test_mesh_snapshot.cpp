@@ -266,6 +266,17 @@ TEST_CASE("what is no snapshot of a mesh is refused") {
     refused_as(nodes, (good[nodes] + 1) % 8, "words: the tree of the mesh is none");
 }
 
+TEST_CASE("a surface with more vertices than any hull is not taken for one") {
+    for (const int level : {3, 4}) {
+        Words words = snapshot(built(test::sphere(level)).get());
+        words.push_back(static_cast<uint32_t>(MeshKind::hull));
+        mend(words);
+        Handle mesh = handle(nullptr);
+        REQUIRE(load(words, mesh) == GPHYS_ERROR_INVALID_ARGUMENT);
+        CHECK(std::string(gphys_last_error()) == "gphys_mesh_create_from_snapshot: words: the hull is none");
+    }
+}
+
 TEST_CASE("a tree as deep as the queries' stacks hold is taken, a deeper one refused") {
     // A chain of nodes with one child each, and a leaf.
     Words words = snapshot(built(test::sphere(0)).get());

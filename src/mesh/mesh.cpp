@@ -298,7 +298,7 @@ void Mesh::carry_out(Hit& hit, const Ray& ray, const MeshPlace& place) const {
 }
 
 uint64_t Mesh::raycast_many(const Ray* rays, uint32_t count, const MeshPlace& place, gphys_hit* const* out) const {
-    if (packets_.empty() || count == 0) return 0;
+    if (packets_.empty()) return 0;
     const auto placed = [&](uint32_t i, bool found, Hit& hit) {
         if (found) carry_out(hit, rays[i], place);
         return found;
@@ -355,7 +355,7 @@ uint64_t Mesh::raycast_distance_many(const gphys_ray* const* rays, uint32_t coun
 uint64_t Mesh::raycast_distance_many(const Ray* rays, uint32_t count, const MeshPlace& place,
                                      gphys_distance* out) const {
     std::fill_n(out, count, no_distance);
-    if (packets_.empty() || count == 0) return 0;
+    if (packets_.empty()) return 0;
     if (is_cast_singly())
         return bits_of(count, [&](uint32_t i) { return raycast_distance(carried(rays[i], place), out[i]); });
     PreparedRays prepared;
@@ -378,7 +378,7 @@ uint64_t Mesh::raycast_any_many(const gphys_ray* const* rays, uint32_t count) co
 }
 
 uint64_t Mesh::raycast_any_many(const Ray* rays, uint32_t count, const MeshPlace& place) const {
-    if (packets_.empty() || count == 0) return 0;
+    if (packets_.empty()) return 0;
     if (is_cast_singly()) return bits_of(count, [&](uint32_t i) { return raycast_any(carried(rays[i], place)); });
     PreparedRays prepared;
     kernels_.prepare_placed(rays, count, place, rays_root_, prepared.of);
