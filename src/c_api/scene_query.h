@@ -81,7 +81,7 @@ void list_overlaps(const Scene& scene, gphys_shape_type type, const Strided<char
     for (uint32_t k = 0; k < count; ++k) valid &= read_shape(type, &shapes[first + k], queries[k]) == GPHYS_OK;
     QueryFilter storage;
     // The layers only select what is prefetched, so those of the first filter do for all.
-    if (valid) scene.meet(queries, count, layers_of(filter_of(filter, first, storage)), candidates);
+    if (valid) scene.find_candidates(queries, count, layers_of(filter_of(filter, first, storage)), candidates);
     for (uint32_t k = 0; k < count; ++k) {
         list_of(first + k, [&](auto& models) {
             if (valid) scene.overlap(queries[k], filter_of(filter, first + k, storage), models, candidates + k);

@@ -152,14 +152,14 @@ public:
     uint64_t raycast_any_many(Ray* rays, uint32_t count, const RayFilters& filters) const;
     void raycast_all(const Ray& ray, uint32_t layers, Smallest<gphys_hit, FirstHit>& out) const;
     void raycast_all(const Ray& ray, const QueryFilter& filter, Smallest<gphys_hit, FirstHit>& out) const;
-    /// `met` is what meet has found of the shape.
+    /// `candidates`: what find_candidates has found for the shape.
     void overlap(const Shape& shape, uint32_t layers, Smallest<gphys_model_id>& out,
-                 const OverlapItems* met = nullptr) const;
+                 const OverlapItems* candidates = nullptr) const;
     void overlap(const Shape& shape, const QueryFilter& filter, Smallest<gphys_model_id>& out,
-                 const OverlapItems* met = nullptr) const;
+                 const OverlapItems* candidates = nullptr) const;
     /// The first step of overlap for 1 to OverlapItems::most_queries shapes of one type, which takes less time side by
     /// side.
-    void meet(const Shape* shapes, uint32_t count, uint32_t layers, OverlapItems* met) const;
+    void find_candidates(const Shape* shapes, uint32_t count, uint32_t layers, OverlapItems* candidates) const;
     gphys_status nearest(Vec3 point, double max_distance, uint32_t layers, gphys_nearest& out) const;
     gphys_status nearest(Vec3 point, double max_distance, const QueryFilter& filter, gphys_nearest& out) const;
     gphys_status sweep(const Sphere& moving, Vec3 displacement, uint32_t layers, gphys_hit& out) const;
@@ -182,8 +182,8 @@ public:
 
     // One model, in world space; the id is valid.
 
-    /// Whether the shape itself has a point in the box; a mesh is asked through its tree.
-    bool touches_box(gphys_model_id model, const Box& box) const;
+    /// Whether the shape itself has a point in the box; a mesh is tested through its tree.
+    bool overlaps_box(gphys_model_id model, const Box& box) const;
     bool sweep_model(gphys_model_id model, const Sphere& moving, Vec3 displacement, Hit& hit) const;
     /// Where to push a point to. normal: unit, outward of a solid, towards the point's side of a
     /// surface. signed_distance: < 0 inside a solid, and `out` is the nearest point of its surface.
@@ -257,9 +257,9 @@ private:
 
     // The queries; Filter is uint32_t, for layers, or QueryFilter, and Filters is uint32_t or RayFilters.
     template <class T>
-    class Later;
+    class Storage;
     template <class Answer>
-    class FirstOfRay;
+    class FirstHitOfRay;
     class LargeMeshes;
     template <class Filter>
     gphys_status raycast_by(const Ray& ray, const Filter& filter, gphys_hit& out) const;
@@ -267,8 +267,8 @@ private:
     template <class Filters, class Answer>
     void raycast_many_by(Ray* rays, uint32_t count, const Filters& filters, Answer* const* out) const;
     template <class Filters, class Answer>
-    void raycast_bvh_by(Ray* rays, uint32_t count, const Filters& filters, const LargeMeshes& asked,
-                        Later<FirstOfRay<Answer>>* first) const;
+    void raycast_bvh_by(Ray* rays, uint32_t count, const Filters& filters, const LargeMeshes& large,
+                        Storage<FirstHitOfRay<Answer>>* first) const;
     template <class Filter>
     bool raycast_any_by(const Ray& ray, const Filter& filter) const;
     template <class Filters>
@@ -277,7 +277,7 @@ private:
     void raycast_all_by(const Ray& ray, const Filter& filter, Smallest<gphys_hit, FirstHit>& out) const;
     template <class Filter>
     void overlap_by(const Shape& shape, const Filter& filter, Smallest<gphys_model_id>& out,
-                    const OverlapItems* met) const;
+                    const OverlapItems* candidates) const;
     template <class Filter>
     gphys_status nearest_by(Vec3 point, double max_distance, const Filter& filter, gphys_nearest& out) const;
     template <class Filter>
@@ -295,7 +295,7 @@ private:
 
     ItemMemory model_memory() const { return {models_.data(), sizeof(Model)}; }
     ItemMemory id_memory() const { return {ids_.ids(), sizeof(uint32_t)}; }
-    /// Whether of a model wholly inside a solid nothing but its id is asked: all models are in the layers.
+    /// Whether of a model wholly inside a solid only its id is read: all models are in the layers.
     bool inside_is_enough(uint32_t layers) const { return (common_layers_ & layers) != 0; }
     ItemMemory memory_of_inside(uint32_t layers) const {
         return inside_is_enough(layers) ? id_memory() : model_memory();
@@ -314,12 +314,12 @@ private:
     Stored stored(uint32_t slot) const;
     /// Test a model that has passed the layer mask: the conservative test of the stored shape, then, if undecided, the
     /// filter and the exact test of the shape in world space.
-    template <class Filter, class Quick, class Exact>
-    bool decide(const Filter& filter, uint32_t slot, Quick&& quick, Exact&& exact) const;
+    template <class Filter, class Conservative, class Exact>
+    bool decide(const Filter& filter, uint32_t slot, Conservative&& conservative, Exact&& exact) const;
     template <class Filter>
-    bool meets_unbounded(const Ray& ray, const Filter& filter) const;
-    template <class Answers, class Met>
-    uint32_t hit_at_once(const EightPairs& pairs, const Ray* rays, const Met& met) const;
+    bool hits_unbounded(const Ray& ray, const Filter& filter) const;
+    template <class Answers, class OnHit>
+    uint32_t hits_by_kernels(const EightPairs& pairs, const Ray* rays, const OnHit& hit) const;
     void make_room_for_shapes(gphys_shape_type type, bool scaled, size_t size);
     void store_shape(uint32_t slot, const void* shape, const gphys_vec3& scale);
     void store_ball(uint32_t slot, const ModelMesh& stored);
@@ -355,9 +355,9 @@ private:
     uint32_t next_beside(uint32_t slot, uint32_t top) const;
     void remove_slot(uint32_t slot);
 
-    template <class Filter, class AskEight, class Ask>
-    void overlap_each(const AskEight& ask_eight, const uint32_t* slots, uint32_t count, const Filter& filter,
-                      const Ask& ask, Smallest<gphys_model_id>& out) const;
+    template <class Filter, class TestEight, class Test>
+    void overlap_each(const TestEight& test_eight, const uint32_t* slots, uint32_t count, const Filter& filter,
+                      const Test& test, Smallest<gphys_model_id>& out) const;
 
     // Placement.
     const gphys_transform& local_of(uint32_t slot) const;
@@ -481,11 +481,11 @@ auto Scene::with_shape(uint32_t slot, Visit&& visit) const {
     return with_stored(slot, [&](const auto& shape) { return with_placed(shape, models_[slot].world, visit); });
 }
 
-template <class Filter, class Quick, class Exact>
-bool Scene::decide(const Filter& filter, uint32_t slot, Quick&& quick, Exact&& exact) const {
+template <class Filter, class Conservative, class Exact>
+bool Scene::decide(const Filter& filter, uint32_t slot, Conservative&& conservative, Exact&& exact) const {
     return with_stored(slot, [&](const auto& shape) {
         const gphys_transform& world = models_[slot].world;
-        const TriState verdict = conservative_verdict(shape, world, quick);
+        const TriState verdict = conservative_verdict(shape, world, conservative);
         if (verdict == TriState::no || !sees(filter, slot)) return false;
         return verdict == TriState::open ? with_placed(shape, world, exact) : verdict == TriState::yes;
     });
@@ -544,7 +544,7 @@ void Scene::for_each_in_box(const Box& box, uint32_t layers, Visit&& visit) cons
         return true;
     };
     for (const uint32_t slot : unbounded_) {
-        if (touches_box(ids_.id(slot), box)) offer(slot);
+        if (overlaps_box(ids_.id(slot), box)) offer(slot);
     }
     bvh_.overlap_box(
         box, [&](uint32_t slot, bool) { return offer(slot); }, model_memory(), model_memory());

@@ -30,7 +30,7 @@ bool closest_point_of(const Primitive& shape, Vec3 point, double, Vec3& out, uin
     return true;
 }
 
-/// For a moving sphere, with the sides that the motion meets.
+/// For a moving sphere, with the sides that the filter lets pass.
 bool sweep_sides(const MeshInstance& instance, const Sphere& moving, Vec3 displacement, Faces faces, Hit& hit) {
     return sweep(instance, moving, displacement, hit, Ties::as_reported, faces);
 }
@@ -39,9 +39,9 @@ bool sweep_sides(const Primitive& shape, const Sphere& moving, Vec3 displacement
     return meets_side(shape, displacement, faces) && sweep(shape, moving, displacement, hit);
 }
 
-/// Whether a box may touch a plane. The error of the sums is below 8 roundings of 2^-53 of what is
+/// Whether a box may overlap a plane. The error of the sums is below 8 roundings of 2^-53 of what is
 /// added up.
-bool may_touch(const Plane& plane, const Box& box) {
+bool may_overlap(const Plane& plane, const Box& box) {
     double middle = -plane.distance, reach = 0, magnitude = std::fabs(plane.distance);
     for (int k = 0; k < 3; ++k) {
         const double low = box.min[k], high = box.max[k], normal = plane.normal[k];
@@ -59,33 +59,33 @@ Box box_around(const Frustum& frustum) {
 
 }  // namespace
 
-bool Scene::touches_box(gphys_model_id model, const Box& box) const {
+bool Scene::overlaps_box(gphys_model_id model, const Box& box) const {
     const Shape query = Aabb{{box.min[0], box.min[1], box.min[2]}, {box.max[0], box.max[1], box.max[2]}};
     return with_shape(IdTable::slot_of(model), [&](const auto& shape) { return overlaps_shape(shape, query); });
 }
 
-/// Those of a list that meet a query: Aabbs by ask_eight(quads, first_quad), others by ask(slot).
-template <class Filter, class AskEight, class Ask>
-void Scene::overlap_each(const AskEight& ask_eight, const uint32_t* slots, uint32_t count, const Filter& filter,
-                         const Ask& ask, Smallest<gphys_model_id>& out) const {
+/// Those of a list that overlap a query: Aabbs by test_eight(quads, first_quad), others by test(slot).
+template <class Filter, class TestEight, class Test>
+void Scene::overlap_each(const TestEight& test_eight, const uint32_t* slots, uint32_t count, const Filter& filter,
+                         const Test& test, Smallest<gphys_model_id>& out) const {
     constexpr uint32_t quads = sizeof(Model) / (4 * sizeof(float));
     static_assert(quads == 4);
     uint32_t boxes[8], first_quad[8], waiting = 0;
     const auto decide_boxes = [&] {
         for (uint32_t k = waiting; k < 8; ++k) first_quad[k] = first_quad[0];
-        const TriStates8 verdicts = ask_eight(reinterpret_cast<const float*>(models_.data()), first_quad);
+        const TriStates8 verdicts = test_eight(reinterpret_cast<const float*>(models_.data()), first_quad);
         for (uint32_t k = 0; k < waiting; ++k) {
             out.add_if((verdicts.yes >> k & 1) && sees(filter, boxes[k]), ids_.id(boxes[k]));
         }
         uint32_t open = ~(verdicts.no | verdicts.yes) & ((1u << waiting) - 1);
-        for (; open != 0; open &= open - 1) ask(boxes[lowest_bit(open)]);
+        for (; open != 0; open &= open - 1) test(boxes[lowest_bit(open)]);
         waiting = 0;
     };
     for (uint32_t i = 0; i < count; ++i) {
         const uint32_t slot = slots[i];
         if (!may_see(filter, slot)) continue;
         if (models_[slot].type() != GPHYS_SHAPE_AABB) {
-            ask(slot);
+            test(slot);
             continue;
         }
         boxes[waiting] = slot;
@@ -95,21 +95,21 @@ void Scene::overlap_each(const AskEight& ask_eight, const uint32_t* slots, uint3
     if (waiting > 0) decide_boxes();
 }
 
-void Scene::meet(const Shape* shapes, uint32_t count, uint32_t layers, OverlapItems* met) const {
+void Scene::find_candidates(const Shape* shapes, uint32_t count, uint32_t layers, OverlapItems* candidates) const {
     const ItemMemory models = model_memory(), if_inside = memory_of_inside(layers);
     std::visit(
         [&](const auto& first) {
             using Query = std::decay_t<decltype(first)>;
             if constexpr (std::is_same_v<Query, Plane> || std::is_same_v<Query, Frustum>) {
-                for (uint32_t i = 0; i < count; ++i) met[i].complete = false;
+                for (uint32_t i = 0; i < count; ++i) candidates[i].complete = false;
             } else if constexpr (std::is_same_v<Query, Sphere>) {
                 Sphere balls[OverlapItems::most_queries];
                 for (uint32_t i = 0; i < count; ++i) balls[i] = std::get<Sphere>(shapes[i]);
-                bvh_.overlap_balls(balls, count, models, if_inside, met);
+                bvh_.overlap_balls(balls, count, models, if_inside, candidates);
             } else {
                 Box boxes[OverlapItems::most_queries];
                 for (uint32_t i = 0; i < count; ++i) boxes[i] = gphys::bounds(std::get<Query>(shapes[i]));
-                bvh_.overlap_boxes(boxes, count, models, std::is_same_v<Query, Aabb> ? if_inside : models, met);
+                bvh_.overlap_boxes(boxes, count, models, std::is_same_v<Query, Aabb> ? if_inside : models, candidates);
             }
         },
         shapes[0]);
@@ -117,42 +117,43 @@ void Scene::meet(const Shape* shapes, uint32_t count, uint32_t layers, OverlapIt
 
 template <class Filter>
 void Scene::overlap_by(const Shape& query, const Filter& filter, Smallest<gphys_model_id>& out,
-                       const OverlapItems* met) const {
+                       const OverlapItems* candidates) const {
     const uint32_t layers = layers_of(filter);
     const auto exact = [&](const auto& shape) { return overlaps_shape(shape, query); };
     std::visit(
         [&](const auto& shape) {
             using Query = std::decay_t<decltype(shape)>;
-            const auto quick = conservative_overlap(shape);
-            const auto ask = [&](uint32_t slot) {
-                out.add_if(may_see(filter, slot) && decide(filter, slot, quick, exact), ids_.id(slot));
+            const auto conservative = conservative_overlap(shape);
+            const auto test = [&](uint32_t slot) {
+                out.add_if(may_see(filter, slot) && decide(filter, slot, conservative, exact), ids_.id(slot));
                 return true;
             };
-            for (const uint32_t slot : unbounded_) ask(slot);
+            for (const uint32_t slot : unbounded_) test(slot);
             // A box inside the query shape is a result without a test of the model.
             const bool inside_is_found = inside_is_enough(layers);
             const auto find = [&](uint32_t slot, bool wholly_inside) {
-                if (!wholly_inside || !inside_is_found) return ask(slot);
+                if (!wholly_inside || !inside_is_found) return test(slot);
                 for_each_seen_of_layers(filter, &slot, 1, [&](uint32_t seen) { out.add(ids_.id(seen)); });
                 return true;
             };
             const ItemMemory models = model_memory(), if_inside = memory_of_inside(layers);
-            const bool is_met = met && met->complete;
-            const auto find_by = [&](const auto& ask_eight) {
+            const bool has_candidates = candidates && candidates->complete;
+            const auto find_by = [&](const auto& test_eight) {
                 return [&](const uint32_t* slots, uint32_t count, bool wholly_inside) {
                     if (wholly_inside && inside_is_found) {
                         for_each_seen_of_layers(filter, slots, count, [&](uint32_t slot) { out.add(ids_.id(slot)); });
                     } else {
-                        overlap_each(ask_eight, slots, count, filter, ask, out);
+                        overlap_each(test_eight, slots, count, filter, test, out);
                     }
                     return true;
                 };
             };
-            const auto find_met = [&](const auto& find_all) {
-                return find_all(met->items[0], met->count[0], false) && find_all(met->items[1], met->count[1], true);
+            const auto find_among_candidates = [&](const auto& find_all) {
+                return find_all(candidates->items[0], candidates->count[0], false) &&
+                       find_all(candidates->items[1], candidates->count[1], true);
             };
             if constexpr (std::is_same_v<Query, Plane>) {
-                bvh_.overlap([&](const Box& box) { return may_touch(shape, box); }, ask);
+                bvh_.overlap([&](const Box& box) { return may_overlap(shape, box); }, test);
             } else if constexpr (std::is_same_v<Query, Frustum>) {
                 bvh_.frustum(shape, box_around(shape), find, models, if_inside);
             } else if constexpr (std::is_same_v<Query, Sphere>) {
@@ -161,20 +162,22 @@ void Scene::overlap_by(const Shape& query, const Filter& filter, Smallest<gphys_
                     return kernels_.boxes_near(quads, first, ball);
                 };
                 const auto find_all = find_by(near_ball);
-                is_met ? find_met(find_all)
-                       : bvh_.overlap_ball(shape.center, shape.radius, find_all, models, if_inside);
+                has_candidates ? find_among_candidates(find_all)
+                               : bvh_.overlap_ball(shape.center, shape.radius, find_all, models, if_inside);
             } else if constexpr (std::is_same_v<Query, Aabb>) {
                 const BlockLanes block(shape);
                 const auto in_block = [&](const float* quads, const uint32_t* first) {
                     return kernels_.boxes_in_block(quads, first, block);
                 };
                 const auto find_all = find_by(in_block);
-                is_met ? find_met(find_all) : bvh_.overlap_box(gphys::bounds(shape), find_all, models, if_inside);
+                has_candidates ? find_among_candidates(find_all)
+                               : bvh_.overlap_box(gphys::bounds(shape), find_all, models, if_inside);
             } else {
-                const auto ask_all = [&](const uint32_t* slots, uint32_t count, bool) {
-                    return std::all_of(slots, slots + count, ask);
+                const auto test_all = [&](const uint32_t* slots, uint32_t count, bool) {
+                    return std::all_of(slots, slots + count, test);
                 };
-                is_met ? find_met(ask_all) : bvh_.overlap_box(gphys::bounds(shape), ask_all, models, models);
+                has_candidates ? find_among_candidates(test_all)
+                               : bvh_.overlap_box(gphys::bounds(shape), test_all, models, models);
             }
         },
         query);
@@ -183,59 +186,59 @@ void Scene::overlap_by(const Shape& query, const Filter& filter, Smallest<gphys_
 template <class Filter>
 gphys_status Scene::nearest_by(Vec3 point, double max_distance, const Filter& filter, gphys_nearest& out) const {
     const ConservativePoint conservative_point(point);
-    BestCandidate winner;
+    BestCandidate best;
     double reach = max_distance;
     Vec3 closest, candidate;
     uint32_t closest_triangle = GPHYS_NO_TRIANGLE, triangle = GPHYS_NO_TRIANGLE;
-    const auto quick = [&](const auto& shape) { return unless_no(conservative_point(shape, reach)); };
+    const auto conservative = [&](const auto& shape) { return unless_no(conservative_point(shape, reach)); };
     const auto exact = [&](const auto& shape) { return closest_point_of(shape, point, reach, candidate, triangle); };
-    const auto ask = [&](uint32_t slot) {
-        if (!may_see(filter, slot) || !decide(filter, slot, quick, exact)) return;
+    const auto test = [&](uint32_t slot) {
+        if (!may_see(filter, slot) || !decide(filter, slot, conservative, exact)) return;
         const double square = length_squared(candidate - point);
         if (square > reach * reach) return;
         const float distance = reported(std::sqrt(square));
-        if (!winner.is_beaten_by(distance, slot, ids_)) return;
-        winner = {distance, slot};
+        if (!best.is_beaten_by(distance, slot, ids_)) return;
+        best = {distance, slot};
         reach = std::min(max_distance, limit_of_ties<double>(distance));
         closest = candidate;
         closest_triangle = triangle;
     };
-    for (const uint32_t slot : unbounded_) ask(slot);
+    for (const uint32_t slot : unbounded_) test(slot);
     const auto visit = [&](uint32_t slot, double& within) {
-        ask(slot);
+        test(slot);
         within = reach;
     };
     bvh_.nearest(point, reach, visit, model_memory());
-    if (!winner.exists()) return GPHYS_NO_HIT;
-    out = to_nearest(closest, winner.value, closest_triangle, ids_.id(winner.slot), tags_[winner.slot]);
+    if (!best.exists()) return GPHYS_NO_HIT;
+    out = to_nearest(closest, best.value, closest_triangle, ids_.id(best.slot), tags_[best.slot]);
     return GPHYS_OK;
 }
 
 template <class Filter>
 gphys_status Scene::sweep_by(const Sphere& moving, Vec3 displacement, const Filter& filter, gphys_hit& out) const {
     Hit first, hit;
-    BestCandidate winner;
+    BestCandidate best;
     double end = 1;
     const auto exact = [&](const auto& shape) {
         hit = Hit();
         return sweep_sides(shape, moving, displacement, faces_of(filter), hit);
     };
-    const auto ask = [&](uint32_t slot) {
+    const auto test = [&](uint32_t slot) {
         if (!may_see(filter, slot) || !sees(filter, slot) || !with_shape(slot, exact)) return;
         const float t = reported(hit.t);
-        if (!winner.is_beaten_by(t, slot, ids_)) return;
-        winner = {t, slot};
+        if (!best.is_beaten_by(t, slot, ids_)) return;
+        best = {t, slot};
         end = std::min(1.0, limit_of_ties<double>(t));
         first = hit;
     };
-    for (const uint32_t slot : unbounded_) ask(slot);
+    for (const uint32_t slot : unbounded_) test(slot);
     const auto visit = [&](uint32_t slot, double& t_max) {
-        ask(slot);
+        test(slot);
         t_max = end;
     };
     bvh_.sweep(moving.center, displacement, moving.radius, visit, model_memory());
-    if (!winner.exists()) return GPHYS_NO_HIT;
-    out = to_contact(first, displacement, ids_.id(winner.slot), tags_[winner.slot]);
+    if (!best.exists()) return GPHYS_NO_HIT;
+    out = to_contact(first, displacement, ids_.id(best.slot), tags_[best.slot]);
     return GPHYS_OK;
 }
 
@@ -285,12 +288,13 @@ uint32_t Scene::cull_by(const Frustum& frustum, const Filter& filter, gphys_mode
     return lowest.finish();
 }
 
-void Scene::overlap(const Shape& shape, uint32_t layers, Smallest<gphys_model_id>& out, const OverlapItems* met) const {
-    overlap_by(shape, layers, out, met);
+void Scene::overlap(const Shape& shape, uint32_t layers, Smallest<gphys_model_id>& out,
+                    const OverlapItems* candidates) const {
+    overlap_by(shape, layers, out, candidates);
 }
 void Scene::overlap(const Shape& shape, const QueryFilter& filter, Smallest<gphys_model_id>& out,
-                    const OverlapItems* met) const {
-    overlap_by(shape, filter, out, met);
+                    const OverlapItems* candidates) const {
+    overlap_by(shape, filter, out, candidates);
 }
 
 gphys_status Scene::nearest(Vec3 point, double max_distance, uint32_t layers, gphys_nearest& out) const {

@@ -17,7 +17,7 @@ namespace gphys {
 
 namespace {
 
-/// raycast of the sides that the ray meets; meshes see to that themselves.
+/// raycast of the sides that the filter lets pass; meshes see to that themselves.
 template <class Placed>
 bool cast(const Placed& shape, const Ray& ray, Hit& hit) {
     return raycast(shape, ray, hit) &&
@@ -25,9 +25,9 @@ bool cast(const Placed& shape, const Ray& ray, Hit& hit) {
 }
 bool cast(const MeshInstance& instance, const Ray& ray, Hit& hit) { return raycast(instance, ray, hit); }
 
-bool is_met(const MeshInstance& instance, const Ray& ray) { return raycast_any(instance, ray); }
+bool is_hit(const MeshInstance& instance, const Ray& ray) { return raycast_any(instance, ray); }
 template <class Primitive>
-bool is_met(const Primitive& shape, const Ray& ray) {
+bool is_hit(const Primitive& shape, const Ray& ray) {
     Hit hit;
     return cast(shape, ray, hit);
 }
@@ -36,7 +36,7 @@ bool is_met(const Primitive& shape, const Ray& ray) {
 
 /// Uninitialised storage for one T.
 template <class T>
-class Scene::Later {
+class Scene::Storage {
 public:
     template <class... Arguments>
     void make(Arguments&&... arguments) {
@@ -52,53 +52,53 @@ private:
 
 /// The first hit of one ray, among candidates in any order. Answer is gphys_hit, or gphys_distance for less of it.
 template <class Answer>
-class Scene::FirstOfRay {
+class Scene::FirstHitOfRay {
     static constexpr bool only_distance = std::is_same_v<Answer, gphys_distance>;
 
 public:
     /// The ray must outlive this; its t_max is reduced at each hit. `out` gets the first hit so far and is not written
     /// without one.
     template <class Filter>
-    FirstOfRay(const Scene& scene, Ray& ray, const Filter& filter, Answer& out)
+    FirstHitOfRay(const Scene& scene, Ray& ray, const Filter& filter, Answer& out)
         : scene_(&scene), rest_(&ray), t_max_(ray.t_max), out_(&out) {
         for (const uint32_t slot : scene.unbounded_) {
-            if (scene.may_see(filter, slot) && scene.sees(filter, slot)) ask(slot);
+            if (scene.may_see(filter, slot) && scene.sees(filter, slot)) test(slot);
         }
     }
 
     // Tests of models that pass the filter. Each returns whether t_max was reduced.
 
-    bool ask(uint32_t slot) {
-        return scene_->with_shape(slot, [&](const auto& shape) { return ask(slot, shape); });
+    bool test(uint32_t slot) {
+        return scene_->with_shape(slot, [&](const auto& shape) { return test(slot, shape); });
     }
     template <class Placed>
-    bool ask(uint32_t slot, const Placed& shape) {
+    bool test(uint32_t slot, const Placed& shape) {
         if constexpr (only_distance && std::is_same_v<Placed, MeshInstance>) {
             gphys_distance found;
-            return raycast_distance(shape, *rest_, found) && take(slot, found.t, [&](uint32_t model, uint32_t) {
+            return raycast_distance(shape, *rest_, found) && accept(slot, found.t, [&](uint32_t model, uint32_t) {
                        return gphys_distance{found.t, model, found.triangle};
                    });
         }
         Hit hit;
         return cast(shape, *rest_, hit) &&
-               take(slot, reported(hit.t), [&](uint32_t model, uint32_t tag) { return answer_of(hit, model, tag); });
+               accept(slot, reported(hit.t), [&](uint32_t model, uint32_t tag) { return answer_of(hit, model, tag); });
     }
     /// A hit that is reported at t, as hit_of(id, tag) makes it.
     template <class HitOf>
-    bool take(uint32_t slot, float t, const HitOf& hit_of) {
-        return take_if_seen(uint32_t{GPHYS_ALL_LAYERS}, slot, t, hit_of);
+    bool accept(uint32_t slot, float t, const HitOf& hit_of) {
+        return accept_if_seen(uint32_t{GPHYS_ALL_LAYERS}, slot, t, hit_of);
     }
     template <class Filter, class HitOf>
-    bool take_if_seen(const Filter& filter, uint32_t slot, float t, const HitOf& hit_of) {
-        if (!winner_.is_beaten_by(t, slot, scene_->ids_) || !scene_->sees(filter, slot)) return false;
-        winner_ = {t, slot};
+    bool accept_if_seen(const Filter& filter, uint32_t slot, float t, const HitOf& hit_of) {
+        if (!best_.is_beaten_by(t, slot, scene_->ids_) || !scene_->sees(filter, slot)) return false;
+        best_ = {t, slot};
         *out_ = hit_of(scene_->ids_.id(slot), scene_->tags_[slot]);
         // Others may be reported at the same t, and have a lower id.
         rest_->t_max = std::min(t_max_, limit_of_ties<double>(t));
         return true;
     }
 
-    gphys_status status() const { return winner_.exists() ? GPHYS_OK : GPHYS_NO_HIT; }
+    gphys_status status() const { return best_.exists() ? GPHYS_OK : GPHYS_NO_HIT; }
 
 private:
     static Answer answer_of(const Hit& hit, uint32_t model, uint32_t tag) {
@@ -112,7 +112,7 @@ private:
     const Scene* scene_;
     Ray* rest_;     // how far other models can still come before the hit
     double t_max_;  // of the ray as it was given
-    BestCandidate winner_;
+    BestCandidate best_;
     Answer* out_;
 };
 
@@ -120,12 +120,12 @@ template <class Filter>
 gphys_status Scene::raycast_by(const Ray& ray, const Filter& filter, gphys_hit& out) const {
     Ray rest = filtered(ray, filter);
     const ConservativeRay conservative_ray(ray);
-    FirstOfRay<gphys_hit> first(*this, rest, filter, out);
-    const auto quick = [&](const auto& shape) { return conservative_ray.rejects(shape, rest.t_max); };
+    FirstHitOfRay<gphys_hit> first(*this, rest, filter, out);
+    const auto conservative = [&](const auto& shape) { return conservative_ray.rejects(shape, rest.t_max); };
     const auto visit = [&](uint32_t slot, double& t_max) {
         if (!may_see(filter, slot)) return;
-        decide(filter, slot, quick, [&](const auto& shape) {
-            first.ask(slot, shape);
+        decide(filter, slot, conservative, [&](const auto& shape) {
+            first.test(slot, shape);
             return true;
         });
         t_max = rest.t_max;
@@ -138,24 +138,25 @@ gphys_status Scene::raycast_by(const Ray& ray, const Filter& filter, gphys_hit& 
 /// of the scene's BVH, for all rays at once, so that coherent rays share the traversal of the mesh as well.
 class Scene::LargeMeshes {
 public:
-    /// ask(mesh, rays, count, met) asks a mesh by met(ray, answer), and take(ray, slot, answer) gets what it says.
-    template <class Filters, class AskMesh, class Take>
-    LargeMeshes(const Scene& scene, const Ray* rays, uint32_t count, const Filters& filters, const AskMesh& ask,
-                const Take& take) {
+    /// cast_mesh(mesh, rays, count, hit) calls hit(ray, answer) for rays that hit the mesh; accept(ray, slot, answer)
+    /// gets these.
+    template <class Filters, class CastMesh, class Accept>
+    LargeMeshes(const Scene& scene, const Ray* rays, uint32_t count, const Filters& filters, const CastMesh& cast_mesh,
+                const Accept& accept) {
         if (count < fewest_rays || std::any_of(rays, rays + count, is_cast_singly)) return;
         for (uint32_t i = 0; i < scene.large_mesh_count_; ++i) {
             const uint32_t slot = scene.large_meshes_[i];
             if (!all_see(scene, slot, count, filters)) continue;
             with_placed(scene.stored<ModelMesh>(slot), scene.models_[slot].world, [&](const MeshInstance& mesh) {
                 if (!most_come_near(mesh, rays, count)) return;
-                ask(mesh, rays, count, [&](uint32_t i, const auto& answer) { take(i, slot, answer); });
+                cast_mesh(mesh, rays, count, [&](uint32_t i, const auto& answer) { accept(i, slot, answer); });
                 slots_[count_++] = slot;
             });
         }
     }
 
     uint32_t count() const { return count_; }
-    bool hold(uint32_t slot) const { return std::find(slots_, slots_ + count_, slot) != slots_ + count_; }
+    bool contain(uint32_t slot) const { return std::find(slots_, slots_ + count_, slot) != slots_ + count_; }
 
 private:
     static constexpr uint32_t fewest_rays = 16;
@@ -182,33 +183,35 @@ private:
 
 namespace {
 
-// What large meshes are asked, apart, so that arrays are on the stack only while they are needed.
+// Raycasts of large meshes. Apart, so that their arrays are on the stack only while they are needed. Each ray that hits
+// gets hit(ray, answer).
 
-template <class Met>
-void for_each_met(uint64_t bits, const Met& met) {
-    for (; bits != 0; bits &= bits - 1) met(static_cast<uint32_t>(lowest_bit(bits)));
+template <class Visit>
+void for_each_bit(uint64_t bits, const Visit& visit) {
+    for (; bits != 0; bits &= bits - 1) visit(static_cast<uint32_t>(lowest_bit(bits)));
 }
 
-template <class Met>
-GPHYS_NOINLINE void ask_first(const MeshInstance& mesh, const Ray* rays, uint32_t count, gphys_hit*, const Met& met) {
+template <class OnHit>
+GPHYS_NOINLINE void raycast_mesh(const MeshInstance& mesh, const Ray* rays, uint32_t count, gphys_hit*,
+                                 const OnHit& hit) {
     gphys_hit hits[Scene::rays_at_once];
     gphys_hit* out[Scene::rays_at_once];
     for (uint32_t i = 0; i < count; ++i) out[i] = hits + i;
-    for_each_met(gphys::raycast_many(mesh, rays, count, out), [&](uint32_t i) { met(i, hits[i]); });
+    for_each_bit(gphys::raycast_many(mesh, rays, count, out), [&](uint32_t i) { hit(i, hits[i]); });
 }
-template <class Met>
-GPHYS_NOINLINE void ask_first(const MeshInstance& mesh, const Ray* rays, uint32_t count, gphys_distance*,
-                              const Met& met) {
+template <class OnHit>
+GPHYS_NOINLINE void raycast_mesh(const MeshInstance& mesh, const Ray* rays, uint32_t count, gphys_distance*,
+                                 const OnHit& hit) {
     gphys_distance found[Scene::rays_at_once];
     const uint64_t bits = mesh.mesh.raycast_distance_many(rays, count, mesh.place(), found);
-    for_each_met(bits, [&](uint32_t i) { met(i, found[i]); });
+    for_each_bit(bits, [&](uint32_t i) { hit(i, found[i]); });
 }
-template <class Met>
-GPHYS_NOINLINE void ask_any(const MeshInstance& mesh, const Ray* rays, uint32_t count, const Met& met) {
-    for_each_met(mesh.mesh.raycast_any_many(rays, count, mesh.place()), [&](uint32_t i) { met(i, true); });
+template <class OnHit>
+GPHYS_NOINLINE void raycast_any_of_mesh(const MeshInstance& mesh, const Ray* rays, uint32_t count, const OnHit& hit) {
+    for_each_bit(mesh.mesh.raycast_any_many(rays, count, mesh.place()), [&](uint32_t i) { hit(i, true); });
 }
 
-// A hit of eight as it is answered.
+// One of eight hits as the answer of a ray.
 
 gphys_hit answer_of(const Hits8& hits, uint32_t k, uint32_t model, uint32_t tag) {
     const Hits8::Rounded& hit = hits.rounded[k];
@@ -236,13 +239,13 @@ class Scene::EightPairs {
 public:
     template <class Filters>
     EightPairs(const Scene& scene, const uint32_t* numbers, const uint32_t* slots, uint32_t count,
-               const Filters& filters, const LargeMeshes& asked)
+               const Filters& filters, const LargeMeshes& large)
         : scene_(scene), numbers_(numbers), slots_(slots) {
         static_assert(offsetof(Model, world) == 0 && offsetof(Model, shape) == shape_at * sizeof(float));
         for (uint32_t k = 0; k < count; ++k) {
             const Model& model = scene.models_[slots[k]];
             const bool may_be_seen = scene.may_see(filter_of_ray(filters, numbers[k]), slots[k]);
-            of_type_[model.type()] |= uint32_t{may_be_seen && !asked.hold(slots[k])} << k;
+            of_type_[model.type()] |= uint32_t{may_be_seen && !large.contain(slots[k])} << k;
         }
     }
 
@@ -250,11 +253,11 @@ public:
     uint32_t seen() const { return std::accumulate(std::begin(of_type_), std::end(of_type_), 0u, std::bit_or<>()); }
     /// What kernel(pairs) says of those of a type.
     template <class RayForm, class Kernel>
-    TriStates8 ask(gphys_shape_type type, const RayForm* rays, const Kernel& kernel) const {
+    TriStates8 test(gphys_shape_type type, const RayForm* rays, const Kernel& kernel) const {
         const uint32_t some = of_type_[type];
         if (some == 0) return {0, 0};
         RaysAndModels<RayForm> pairs;
-        // Lanes of another type ask what the first of this type does.
+        // Lanes of another type repeat the first of this type.
         const auto first = static_cast<uint32_t>(lowest_bit(some));
         for (uint32_t k = 0; k < 8; ++k) {
             const uint32_t pair = (some >> k & 1) != 0 ? k : first, slot = slots_[pair];
@@ -296,16 +299,16 @@ public:
         if (count > 0) kernels_.ray_quads(rays, count, quads_);
     }
 
-    TriStates8 ask(const EightPairs& pairs) const {
+    TriStates8 test(const EightPairs& pairs) const {
         TriStates8 all = {0, 0};
-        for (const TriStates8& verdicts : {pairs.ask(GPHYS_SHAPE_SPHERE, quads_, kernels_.rays_and_spheres),
-                                           pairs.ask(GPHYS_SHAPE_AABB, quads_, kernels_.rays_and_aabbs),
-                                           pairs.ask(GPHYS_SHAPE_OBB, quads_, kernels_.rays_and_obbs)}) {
+        for (const TriStates8& verdicts : {pairs.test(GPHYS_SHAPE_SPHERE, quads_, kernels_.rays_and_spheres),
+                                           pairs.test(GPHYS_SHAPE_AABB, quads_, kernels_.rays_and_aabbs),
+                                           pairs.test(GPHYS_SHAPE_OBB, quads_, kernels_.rays_and_obbs)}) {
             all.no |= verdicts.no;
             all.yes |= verdicts.yes;
         }
         // Of a mesh the ball is around it.
-        all.no |= pairs.ask(GPHYS_SHAPE_MESH, quads_, kernels_.rays_and_spheres).no;
+        all.no |= pairs.test(GPHYS_SHAPE_MESH, quads_, kernels_.rays_and_spheres).no;
         return all;
     }
     /// The ray ends earlier.
@@ -322,7 +325,7 @@ class Scene::SharedModel {
 public:
     explicit SharedModel(const Scene& scene) : scene_(scene) {}
 
-    /// What is about to be asked about.
+    /// The models of the tests that follow.
     void expect(const uint32_t* slots, uint32_t count) {
         expected_ = count > 1 && (slots[0] == slots[1] || slots[count - 2] == slots[count - 1]);
     }
@@ -345,51 +348,51 @@ private:
     std::optional<Shape> placed_;
 };
 
-/// met(k, answers) for those that are answered at once with a hit. Returns those that are answered. Answers is Hits8,
-/// or eight floats for distances.
-template <class Answers, class Met>
-uint32_t Scene::hit_at_once(const EightPairs& pairs, const Ray* rays, const Met& met) const {
-    uint32_t answered = pairs
-                            .ask(GPHYS_SHAPE_MESH, rays,
+/// Decides pairs by the kernels that compute hits: hit(k, answers) for those that hit. Returns those decided. Answers
+/// is Hits8, or eight floats for distances.
+template <class Answers, class OnHit>
+uint32_t Scene::hits_by_kernels(const EightPairs& pairs, const Ray* rays, const OnHit& hit) const {
+    uint32_t decided = pairs
+                           .test(GPHYS_SHAPE_MESH, rays,
                                  [&](const auto& some) {
                                      return TriStates8{hit_kernels_->miss_balls(some), 0};
                                  })
-                            .no;
-    const auto ask = [&](gphys_shape_type type, auto kernel) {
+                           .no;
+    const auto test = [&](gphys_shape_type type, auto kernel) {
         Answers hits;
-        const TriStates8 verdicts = pairs.ask(type, rays, [&](const auto& some) { return kernel(some, hits); });
-        answered |= verdicts.no | verdicts.yes;
+        const TriStates8 verdicts = pairs.test(type, rays, [&](const auto& some) { return kernel(some, hits); });
+        decided |= verdicts.no | verdicts.yes;
         for (uint32_t rest = verdicts.yes; rest != 0; rest &= rest - 1) {
-            met(static_cast<uint32_t>(lowest_bit(rest)), hits);
+            hit(static_cast<uint32_t>(lowest_bit(rest)), hits);
         }
     };
     const auto kernels = kernels_for<Answers>(*hit_kernels_);
-    ask(GPHYS_SHAPE_SPHERE, kernels[0]);
-    ask(GPHYS_SHAPE_AABB, kernels[1]);
-    ask(GPHYS_SHAPE_OBB, kernels[2]);
-    return answered;
+    test(GPHYS_SHAPE_SPHERE, kernels[0]);
+    test(GPHYS_SHAPE_AABB, kernels[1]);
+    test(GPHYS_SHAPE_OBB, kernels[2]);
+    return decided;
 }
 
-/// The models of the BVH that large meshes are not. Apart, so that its arrays are not on the stack beside theirs.
+/// Models of the BVH other than the large meshes. Apart, so that its arrays are not on the stack beside theirs.
 template <class Filters, class Answer>
-GPHYS_NOINLINE void Scene::raycast_bvh_by(Ray* rays, uint32_t count, const Filters& filters, const LargeMeshes& asked,
-                                          Later<FirstOfRay<Answer>>* first) const {
-    using First = FirstOfRay<Answer>;
-    ConservativeRays quick(*this, rays, hit_kernels_ ? 0 : count);
+GPHYS_NOINLINE void Scene::raycast_bvh_by(Ray* rays, uint32_t count, const Filters& filters, const LargeMeshes& large,
+                                          Storage<FirstHitOfRay<Answer>>* first) const {
+    using First = FirstHitOfRay<Answer>;
+    ConservativeRays conservative(*this, rays, hit_kernels_ ? 0 : count);
     SharedModel shared(*this);
     const auto visit = [&](const uint32_t* numbers, const uint32_t* slots, uint32_t size) {
-        const EightPairs pairs(*this, numbers, slots, size, filters, asked);
+        const EightPairs pairs(*this, numbers, slots, size, filters, large);
         uint32_t open = pairs.seen(), shorter = 0;
         if (hit_kernels_) {
             using Answers = std::conditional_t<std::is_same_v<Answer, gphys_distance>, float[8], Hits8>;
-            open &= ~hit_at_once<Answers>(pairs, rays, [&](uint32_t k, const auto& hits) {
+            open &= ~hits_by_kernels<Answers>(pairs, rays, [&](uint32_t k, const auto& hits) {
                 const auto hit_of = [&](uint32_t model, uint32_t tag) { return answer_of(hits, k, model, tag); };
-                shorter |= uint32_t{first[numbers[k]]->take_if_seen(filter_of_ray(filters, numbers[k]), slots[k],
-                                                                    reported_t(hits, k), hit_of)}
+                shorter |= uint32_t{first[numbers[k]]->accept_if_seen(filter_of_ray(filters, numbers[k]), slots[k],
+                                                                      reported_t(hits, k), hit_of)}
                            << k;
             });
         } else {
-            open &= ~quick.ask(pairs).no;
+            open &= ~conservative.test(pairs).no;
             shared.expect(slots, size);
         }
         for (; open != 0; open &= open - 1) {
@@ -397,9 +400,9 @@ GPHYS_NOINLINE void Scene::raycast_bvh_by(Ray* rays, uint32_t count, const Filte
             First& of = *first[numbers[k]];
             if (!sees(filter_of_ray(filters, numbers[k]), slots[k])) continue;
             const Shape* placed = shared.place(slots[k]);
-            if (!(placed ? of.ask(slots[k], *placed) : of.ask(slots[k]))) continue;
+            if (!(placed ? of.test(slots[k], *placed) : of.test(slots[k]))) continue;
             shorter |= 1u << k;
-            quick.shorten(numbers[k]);
+            conservative.shorten(numbers[k]);
         }
         return shorter;
     };
@@ -408,30 +411,30 @@ GPHYS_NOINLINE void Scene::raycast_bvh_by(Ray* rays, uint32_t count, const Filte
 
 template <class Filters, class Answer>
 void Scene::raycast_many_by(Ray* rays, uint32_t count, const Filters& filters, Answer* const* out) const {
-    Later<FirstOfRay<Answer>> first[rays_at_once];
+    Storage<FirstHitOfRay<Answer>> first[rays_at_once];
     filter_rays(rays, count, filters);
     for (uint32_t i = 0; i < count; ++i) first[i].make(*this, rays[i], filter_of_ray(filters, i), *out[i]);
-    const LargeMeshes asked(
+    const LargeMeshes large(
         *this, rays, count, filters,
-        [](const MeshInstance& mesh, const Ray* of, uint32_t some, const auto& met) {
-            ask_first(mesh, of, some, static_cast<Answer*>(nullptr), met);
+        [](const MeshInstance& mesh, const Ray* of, uint32_t some, const auto& hit) {
+            raycast_mesh(mesh, of, some, static_cast<Answer*>(nullptr), hit);
         },
         [&](uint32_t i, uint32_t slot, auto answer) {
-            first[i]->take(slot, answer.t, [&](uint32_t model, uint32_t tag) {
+            first[i]->accept(slot, answer.t, [&](uint32_t model, uint32_t tag) {
                 answer.model = model;
                 if constexpr (std::is_same_v<Answer, gphys_hit>) answer.tag = tag;
                 return answer;
             });
         });
-    if (asked.count() < bvh_.size()) raycast_bvh_by(rays, count, filters, asked, first);
+    if (large.count() < bvh_.size()) raycast_bvh_by(rays, count, filters, large, first);
 }
 
 /// Whether a ray hits a plane. Planes are unbounded and not in the BVH.
 template <class Filter>
-bool Scene::meets_unbounded(const Ray& ray, const Filter& filter) const {
-    const auto meets = [&](const auto& shape) { return is_met(shape, ray); };
+bool Scene::hits_unbounded(const Ray& ray, const Filter& filter) const {
+    const auto exact = [&](const auto& shape) { return is_hit(shape, ray); };
     for (const uint32_t slot : unbounded_) {
-        if (may_see(filter, slot) && with_shape(slot, meets) && sees(filter, slot)) return true;
+        if (may_see(filter, slot) && with_shape(slot, exact) && sees(filter, slot)) return true;
     }
     return false;
 }
@@ -439,38 +442,40 @@ bool Scene::meets_unbounded(const Ray& ray, const Filter& filter) const {
 template <class Filter>
 bool Scene::raycast_any_by(const Ray& given, const Filter& filter) const {
     const Ray& ray = filtered(given, filter);
-    if (meets_unbounded(ray, filter)) return true;
+    if (hits_unbounded(ray, filter)) return true;
     const ConservativeRay conservative_ray(ray);
-    const auto quick = [&](const auto& shape) { return conservative_ray(shape, ray.t_max); };
-    const auto exact = [&](const auto& shape) { return is_met(shape, ray); };
-    const auto ask = [&](uint32_t slot) { return may_see(filter, slot) && decide(filter, slot, quick, exact); };
-    return bvh_.raycast_any(ray, ask, model_memory());
+    const auto conservative = [&](const auto& shape) { return conservative_ray(shape, ray.t_max); };
+    const auto exact = [&](const auto& shape) { return is_hit(shape, ray); };
+    const auto visit = [&](uint32_t slot) {
+        return may_see(filter, slot) && decide(filter, slot, conservative, exact);
+    };
+    return bvh_.raycast_any(ray, visit, model_memory());
 }
 
 template <class Filters>
 uint64_t Scene::raycast_any_many_by(Ray* rays, uint32_t count, const Filters& filters) const {
-    uint64_t met = 0;
+    uint64_t hits = 0;
     filter_rays(rays, count, filters);
     for (uint32_t i = 0; i < count; ++i) {
-        if (!meets_unbounded(rays[i], filter_of_ray(filters, i))) continue;
-        met |= uint64_t{1} << i;
+        if (!hits_unbounded(rays[i], filter_of_ray(filters, i))) continue;
+        hits |= uint64_t{1} << i;
         // Those that are done already have no way to go.
         rays[i].t_max = -1;
     }
-    const LargeMeshes asked(
+    const LargeMeshes large(
         *this, rays, count, filters,
-        [](const MeshInstance& mesh, const Ray* of, uint32_t some, const auto& is_met) {
-            ask_any(mesh, of, some, is_met);
+        [](const MeshInstance& mesh, const Ray* of, uint32_t some, const auto& hit) {
+            raycast_any_of_mesh(mesh, of, some, hit);
         },
         [&](uint32_t i, uint32_t, bool) {
-            met |= uint64_t{1} << i;
+            hits |= uint64_t{1} << i;
             rays[i].t_max = -1;
         });
-    if (asked.count() == bvh_.size()) return met;
-    const ConservativeRays quick(*this, rays, count);
+    if (large.count() == bvh_.size()) return hits;
+    const ConservativeRays conservative(*this, rays, count);
     const auto visit = [&](const uint32_t* numbers, const uint32_t* slots, uint32_t size) {
-        const EightPairs pairs(*this, numbers, slots, size, filters, asked);
-        const TriStates8 verdicts = quick.ask(pairs);
+        const EightPairs pairs(*this, numbers, slots, size, filters, large);
+        const TriStates8 verdicts = conservative.test(pairs);
         const auto is_seen = [&](uint32_t k) { return sees(filter_of_ray(filters, numbers[k]), slots[k]); };
         uint32_t done = verdicts.yes;
         if constexpr (std::is_same_v<Filters, RayFilters>) {
@@ -481,18 +486,18 @@ uint64_t Scene::raycast_any_many_by(Ray* rays, uint32_t count, const Filters& fi
         }
         for (uint32_t open = pairs.seen() & ~(verdicts.no | verdicts.yes); open != 0; open &= open - 1) {
             const auto k = static_cast<uint32_t>(lowest_bit(open));
-            const auto exact = [&](const auto& shape) { return is_met(shape, rays[numbers[k]]); };
-            if ((met >> numbers[k] & 1) == 0 && is_seen(k) && with_shape(slots[k], exact)) done |= 1u << k;
+            const auto exact = [&](const auto& shape) { return is_hit(shape, rays[numbers[k]]); };
+            if ((hits >> numbers[k] & 1) == 0 && is_seen(k) && with_shape(slots[k], exact)) done |= 1u << k;
         }
         for (uint32_t rest = done; rest != 0; rest &= rest - 1) {
             const uint32_t ray = numbers[lowest_bit(rest)];
-            met |= uint64_t{1} << ray;
+            hits |= uint64_t{1} << ray;
             rays[ray].t_max = -1;
         }
         return done;
     };
     bvh_.raycast_any_many(rays, count, visit, model_memory());
-    return met;
+    return hits;
 }
 
 template <class Filter>
@@ -500,18 +505,18 @@ void Scene::raycast_all_by(const Ray& given, const Filter& filter, Smallest<gphy
     const Ray& ray = filtered(given, filter);
     const ConservativeRay conservative_ray(ray);
     Hit hit;
-    const auto quick = [&](const auto& shape) { return conservative_ray.rejects(shape, ray.t_max); };
+    const auto conservative = [&](const auto& shape) { return conservative_ray.rejects(shape, ray.t_max); };
     const auto exact = [&](const auto& shape) {
         hit = Hit();
         return cast(shape, ray, hit);
     };
-    const auto ask = [&](uint32_t slot) {
-        if (!may_see(filter, slot) || !decide(filter, slot, quick, exact)) return;
+    const auto test = [&](uint32_t slot) {
+        if (!may_see(filter, slot) || !decide(filter, slot, conservative, exact)) return;
         out.add(to_hit(hit, ids_.id(slot), tags_[slot]));
     };
-    for (const uint32_t slot : unbounded_) ask(slot);
+    for (const uint32_t slot : unbounded_) test(slot);
     bvh_.raycast(
-        ray, [&](uint32_t slot, double&) { ask(slot); }, model_memory());
+        ray, [&](uint32_t slot, double&) { test(slot); }, model_memory());
 }
 
 gphys_status Scene::raycast(const Ray& ray, uint32_t layers, gphys_hit& out) const {

@@ -31,35 +31,35 @@ template <class Filter>
 gphys_status Scene::sweep_by(const Shape& moving, Vec3 displacement, const Filter& filter, gphys_hit& out) const {
     if (const auto* sphere = std::get_if<Sphere>(&moving)) return sweep(*sphere, displacement, filter, out);
     Hit first, hit;
-    BestCandidate winner;
+    BestCandidate best;
     double end = 1;
     const auto exact = [&](const auto& shape) {
         return sweep_shape(shape, moving, displacement, faces_of(filter), hit);
     };
-    const auto ask = [&](uint32_t slot) {
+    const auto test = [&](uint32_t slot) {
         if (!may_see(filter, slot) || !sees(filter, slot) || !with_shape(slot, exact)) return;
         const float t = reported(hit.t);
-        if (!winner.is_beaten_by(t, slot, ids_)) return;
-        winner = {t, slot};
+        if (!best.is_beaten_by(t, slot, ids_)) return;
+        best = {t, slot};
         end = std::min(1.0, limit_of_ties<double>(t));
         first = hit;
     };
-    for (const uint32_t slot : unbounded_) ask(slot);
+    for (const uint32_t slot : unbounded_) test(slot);
     const auto visit = [&](uint32_t slot, double& t_max) {
-        ask(slot);
+        test(slot);
         t_max = end;
     };
     const BoxInMotion box(moving);
     const Vec3 half = box.half_with_rounding(bvh_.bounds(), displacement);
     bvh_.sweep(box.middle, displacement, half, visit, model_memory());
-    if (!winner.exists()) return GPHYS_NO_HIT;
-    out = to_contact(first, displacement, ids_.id(winner.slot), tags_[winner.slot]);
+    if (!best.exists()) return GPHYS_NO_HIT;
+    out = to_contact(first, displacement, ids_.id(best.slot), tags_[best.slot]);
     return GPHYS_OK;
 }
 
 template <class Filter>
 void Scene::penetration_by(const Shape& moving, const Filter& filter, DeepestPenetrations& out) const {
-    const auto ask = [&](uint32_t slot) {
+    const auto test = [&](uint32_t slot) {
         if (!may_see(filter, slot) || !sees(filter, slot)) return true;
         with_shape(slot, [&](const auto& shape) {
             each_way_out(shape, moving, [&](const Penetration& way, uint32_t triangle) {
@@ -68,8 +68,8 @@ void Scene::penetration_by(const Shape& moving, const Filter& filter, DeepestPen
         });
         return true;
     };
-    for (const uint32_t slot : unbounded_) ask(slot);
-    const auto visit = [&](uint32_t slot, bool) { return ask(slot); };
+    for (const uint32_t slot : unbounded_) test(slot);
+    const auto visit = [&](uint32_t slot, bool) { return test(slot); };
     bvh_.overlap_box(BoxInMotion(moving).box, visit, model_memory(), model_memory());
 }
 

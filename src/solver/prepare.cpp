@@ -225,10 +225,10 @@ void Solver::look_around(const Scene& scene, double dt) {
         const size_t before = next_seen_.size();
         scene.for_each_in_box(moving.nearby, state_.bodies[moving.slot].settings.layers, [&](gphys_model_id model) {
             // The box around a terrain or a turned slab holds bodies that are far from its surface.
-            if (!scene.touches_box(model, moving.nearby)) return;
+            if (!scene.overlaps_box(model, moving.nearby)) return;
             next_seen_.push_back({model, scene.world(model)});
             // One that has moved is met on its way (find_disturbed).
-            if (moving.undisturbed && scene.touches_box(model, moving.close)) moving.undisturbed = false;
+            if (moving.undisturbed && scene.overlaps_box(model, moving.close)) moving.undisturbed = false;
         });
         moving.models_near = static_cast<uint32_t>(next_seen_.size() - before);
         if (moving.models_near == 0) continue;
