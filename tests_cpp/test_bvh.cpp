@@ -625,9 +625,17 @@ TEST_CASE("octree statistics and boxes agree with each other") {
     build(tree, boxes);
     const gphys_octree_stats stats = tree.stats();
     uint32_t nodes = 0, leaves = 0, items = 0, deepest = 0;
+    double root_area = 0, area = 0;
+    const auto half_area_of = [](const gphys_aabb& box) {
+        const double x = double{box.max.x} - box.min.x, y = double{box.max.y} - box.min.y,
+                     z = double{box.max.z} - box.min.z;
+        return x * y + y * z + z * x;
+    };
     tree.for_each_box([&](const gphys_octree_box& box) {
         REQUIRE(box.bounds.min.x <= box.bounds.max.x);
         REQUIRE((nodes == 0) == (box.depth == 0));
+        if (nodes == 0) root_area = half_area_of(box.bounds);
+        area += half_area_of(box.bounds);
         ++nodes;
         leaves += box.item_count > 0;
         items += box.item_count;
@@ -639,7 +647,11 @@ TEST_CASE("octree statistics and boxes agree with each other") {
     REQUIRE(stats.leaf_count == leaves);
     REQUIRE(stats.depth == deepest + 1);
     REQUIRE(stats.memory_bytes > 0);
-    REQUIRE(stats.cost > 1);
+    for (const auto& [item, box] : boxes) {
+        area += half_area_of({{box.min[0], box.min[1], box.min[2]}, {box.max[0], box.max[1], box.max[2]}});
+    }
+    // What a line that meets the root box meets of each box is its share of the area. Rounded to a float.
+    REQUIRE(std::fabs(stats.cost / (area / root_area) - 1) < 1e-6);
 }
 
 TEST_CASE("pairs of two octrees are all overlapping pairs, each once") {
