@@ -2,11 +2,11 @@
 // measured here, from positions: how much too long and how much too short the sides of the grid are, and how much too
 // long its diagonals. A run writes a row for each scene to standard output:
 //   gamephys_bench_cloth [--only NAME] [--seconds S] [--substeps N] [--max_strain PART] [--damping RATE] [--flags N]
-//   [--woven RATE] [--sleep_speed SPEED] [--vary N] [MESH.obj]
+//   [--woven RATE] [--shear RATE] [--sleep_speed SPEED] [--vary N] [MESH.obj]
 // "moved" is how far a particle is at the end from where it was a second before. Motion of cloth is chaotic: --vary
 // begins N tenths of a millimetre aside, so that runs differ. With --woven, diagonals and bending are springs on which
-// a particle would swing at so many radians a second. The mesh, if one is given, is made 1.2 m high, and a sheet falls
-// on it.
+// a particle would swing at so many radians a second; with --shear, diagonals alone. The mesh, if one is given, is made
+// 1.2 m high, and a sheet falls on it.
 #include <time.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ constexpr float frame = 1.0f / 60;
 struct Options {
     std::string only, mesh;
     uint32_t varied = 0;
-    double seconds = 0, max_strain = -1, damping = -1, sleep_speed = 0, woven = 0;
+    double seconds = 0, max_strain = -1, damping = -1, sleep_speed = 0, woven = 0, shear = 0;
     int substeps = 0, flags = -1;
 };
 
@@ -62,11 +62,11 @@ struct World {
         check(gphys_scene_create(nullptr, &scene));
         check(gphys_body_desc_init(&body_desc, sizeof body_desc));
         if (options.damping >= 0) body_desc.damping = static_cast<float>(options.damping);
-        if (options.woven > 0) {
-            const double mass = double{body_desc.mass} / (columns * rows);
-            body_desc.shear_compliance = body_desc.bend_compliance =
-                static_cast<float>(1 / (mass * options.woven * options.woven));
-        }
+        const auto spring = [&](double rate) {
+            return static_cast<float>(columns * rows / (double{body_desc.mass} * rate * rate));
+        };
+        if (options.woven > 0) body_desc.shear_compliance = body_desc.bend_compliance = spring(options.woven);
+        if (options.shear > 0) body_desc.shear_compliance = spring(options.shear);
         varied = 1e-4f * static_cast<float>(options.varied);
         if (options.flags >= 0) body_desc.cloth_flags = static_cast<uint32_t>(options.flags);
     }
@@ -341,6 +341,8 @@ int main(int count, char** arguments) {
             options.sleep_speed = std::atof(value());
         } else if (word == "--woven") {
             options.woven = std::atof(value());
+        } else if (word == "--shear") {
+            options.shear = std::atof(value());
         } else if (word == "--vary") {
             options.varied = static_cast<uint32_t>(std::atoi(value()));
         } else if (word == "--flags") {
