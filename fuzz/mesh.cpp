@@ -337,6 +337,11 @@ private:
         std::vector<gphys_octree_box> boxes(stats.node_count + 1);
         call(gphys_mesh_get_octree_boxes, mesh(), boxes.data(), stats.node_count, &total);
         FUZZ_CHECK(total <= stats.node_count + stats.leaf_count, "a tree has a box for each node");
+        gphys_mesh_info info;
+        call(gphys_mesh_get_info, mesh(), &info);
+        FUZZ_CHECK(
+            info.vertex_count == vertex_count && info.triangle_count == source_.triangles() && info.follows_body == 0,
+            "a mesh knows what it is made of");
         gphys_mesh_report report;
         call(gphys_mesh_get_report, mesh(), &report);
         note(report);
@@ -420,6 +425,7 @@ private:
                                         call(gphys_mesh_raycast_any, mesh(), &ray, nullptr),
                                         call(gphys_mesh_overlap, mesh(), shape.type, nullptr, &triangle, 1u, &total),
                                         call(gphys_mesh_overlap, mesh(), type(), mesh(), &triangle, 1u, &total),
+                                        call(gphys_mesh_get_info, mesh(), nullptr),
                                         call(gphys_mesh_get_report, mesh(), nullptr),
                                         call(gphys_mesh_get_report, nullptr, nullptr),
                                         call(gphys_mesh_get_vertices, mesh(), nullptr, 1u, &total),

@@ -58,6 +58,12 @@ void World::create_camera() {
     const gphys_status status = call(gphys_camera_create, &desc, &made);
     FUZZ_CHECK((status == GPHYS_OK) == (made != nullptr), "a camera is there if it was created");
     if (!made) return;
+    gphys_handedness handedness = -1;
+    gphys_depth_range range = -1;
+    int32_t reverse_z = -1;
+    call(gphys_camera_get_conventions, made, &handedness, &range, &reverse_z);
+    FUZZ_CHECK(handedness == desc.handedness && range == desc.depth_range && reverse_z == desc.reverse_z,
+               "a camera tells what it was created with");
     double origin[3];
     call(gphys_scene_get_origin, scene_, origin);
     call(gphys_camera_set_origin, made, static_cast<const double*>(origin));

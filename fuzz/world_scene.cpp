@@ -433,6 +433,18 @@ void World::inspect_scene() {
         FUZZ_CHECK(copied == (m.source ? GPHYS_ERROR_UNSUPPORTED : GPHYS_OK), "shapes are returned, but for meshes");
         FUZZ_CHECK(m.source || std::memcmp(shape.bytes, m.shape.bytes, m.shape.size) == 0,
                    "a model has the shape that it was given");
+        gphys_mesh* mesh = nullptr;
+        const gphys_status held = call(gphys_scene_get_mesh, scene_, m.id, &mesh);
+        FUZZ_CHECK(held == (m.source ? GPHYS_OK : GPHYS_ERROR_UNSUPPORTED) && (held == GPHYS_OK) == (mesh != nullptr),
+                   "a model of a mesh gives a handle of it");
+        if (mesh) {
+            gphys_mesh_info about;
+            call(gphys_mesh_get_info, mesh, &about);
+            FUZZ_CHECK(about.vertex_count == m.source->vertices().size() &&
+                           about.triangle_count == m.source->triangles() && about.follows_body == 0,
+                       "a model has the mesh that it was given");
+            call(gphys_mesh_destroy, mesh);
+        }
         Output<gphys_aabb> box;
         const gphys_status bounded = call(gphys_scene_get_bounds, scene_, m.id, &box.value);
         box.after(bounded);
@@ -491,6 +503,8 @@ void World::misuse_scene() {
         call(gphys_scene_get_models, scene_, nullptr, 3u, &total),
         call(gphys_scene_get_info, scene_, id, nullptr),
         call(gphys_scene_get_shape, scene_, id, static_cast<void*>(&box), 3u),
+        call(gphys_scene_get_mesh, scene_, id, nullptr),
+        call(gphys_mesh_get_info, nullptr, nullptr),
         call(gphys_scene_get_bounds, scene_, id, nullptr),
         call(gphys_scene_get_scene_bounds, none, &box),
         call(gphys_scene_set_layers, none, id, 1u),

@@ -238,6 +238,10 @@ void World::change_constraints() {
     std::vector<gphys_constraint_settings> settings(count + 1);
     const gphys_status read =
         call(gphys_solver_get_constraint_settings, solver_, body, ids.data(), count, settings.data(), 12u);
+    std::vector<gphys_constraint_kind> kinds(count + 1, -1);
+    FUZZ_CHECK(call(gphys_solver_get_constraint_kinds, solver_, body, ids.data(), count, kinds.data(), 4u) == read &&
+                   std::all_of(kinds.begin(), kinds.end(), [](gphys_constraint_kind kind) { return kind <= 1; }),
+               "each constraint has a kind");
     for (gphys_constraint_settings& each : settings) {
         if (read != GPHYS_OK || p_.one_in(2)) each.rest_length = p_.one_in(6) ? -1 : p_.size();
         if (p_.one_in(4)) each.compliance = p_.one_in(2) ? 0 : 1e-3f;
@@ -307,6 +311,16 @@ void World::attach() {
         return ends ? call(gphys_solver_detach, s, body, particle)
                     : call(gphys_solver_attach, s, scene_, body, particle, to, here ? nullptr : &local);
     });
+    gphys_attachment attached[8];
+    uint32_t total = 0;
+    const gphys_status listed = call(gphys_solver_get_attachments, solver_, body, attached, 8u, &total);
+    if (listed < 0) return;
+    for (uint32_t i = 0; i < std::min(total, 8u); ++i) {
+        int32_t pinned = 0;
+        call(gphys_solver_get_pinned, solver_, body, attached[i].particle, 1u, &pinned, 4u);
+        FUZZ_CHECK(pinned == 1 && (i == 0 || attached[i - 1].particle < attached[i].particle),
+                   "attachments are listed by particle");
+    }
 }
 
 void World::volume() {
@@ -315,12 +329,19 @@ void World::volume() {
     float rest = p_.one_in(2) ? -1 : p_.size();
     const float compliance = p_.one_in(4) ? INFINITY : p_.one_in(2) ? 0 : 1e-4f;
     if (p_.one_in(12)) rest = p_.hostile();
+    gphys_status set = GPHYS_NO_HIT;
     on_both("set_volume that fails changes nothing",
-            [&](gphys_solver* s) { return call(gphys_solver_set_volume, s, body, rest, compliance); });
+            [&](gphys_solver* s) { return set = call(gphys_solver_set_volume, s, body, rest, compliance); });
     Output<float> held, pressure;
     const gphys_status status = call(gphys_solver_get_volume, solver_, body, &held.value, &pressure.value);
     held.after(status);
     pressure.after(status);
+    Output<float> given, softness;
+    const gphys_status told = call(gphys_solver_get_volume_settings, solver_, body, &given.value, &softness.value);
+    given.after(told);
+    softness.after(told);
+    FUZZ_CHECK(told == status && (told != GPHYS_OK || set != GPHYS_OK || softness.value == compliance),
+               "what holds a volume is read as it was set");
 }
 
 void World::settings() {
@@ -575,6 +596,9 @@ void World::solver_misuse() {
         call(gphys_solver_set_pinned, solver_, body, 0u, 1u, 2),
         call(gphys_solver_attach, solver_, nullptr, body, 0u, 1u, nullptr),
         call(gphys_solver_detach, solver_, body, 1000u),
+        call(gphys_solver_get_attachments, none, body, nullptr, 1u, &total),
+        call(gphys_solver_get_volume_settings, none, body, nullptr, nullptr),
+        call(gphys_solver_get_constraint_kinds, solver_, body, nullptr, 1u, nullptr, 4u),
         call(gphys_solver_add_distance, solver_, body, 0u, 0u, 1.0f, 0.0f, &made),
         call(gphys_solver_add_max_distance, solver_, body, 0u, 1000u, 1.0f, 0.0f, &made),
         call(gphys_solver_set_constraint_damping, solver_, body, 0u, 1.0f),

@@ -643,11 +643,32 @@ GPHYS_API gphys_status gphys_mesh_get_hull_faces(const gphys_mesh* mesh, uint32_
 GPHYS_API gphys_status gphys_mesh_set_vertices(gphys_mesh* mesh, const float* vertices, uint32_t vertex_stride,
                                                uint32_t vertex_count);
 
-/** Release the caller's reference to a mesh; NULL does nothing. The handle is invalid from then on. Models
- *  that use the mesh keep it alive as long as they exist.
+/** Release a reference to a mesh; NULL does nothing. The handle is invalid once as many have been released as there
+ *  were: one of the function that created the mesh, and one of each gphys_scene_get_mesh. Models that use the mesh
+ *  keep it alive as long as they exist.
  *  Cost: O(1); O(n) to free a mesh that no model uses. */
 GPHYS_API void gphys_mesh_destroy(gphys_mesh* mesh);
 
+/** What a mesh consists of. */
+typedef int32_t gphys_mesh_kind;
+enum {
+    GPHYS_MESH_SURFACE = 0,      /* triangles */
+    GPHYS_MESH_BODY_SURFACE = 1, /* the triangles of a cloth: gphys_mesh_create_from_body */
+    GPHYS_MESH_BODY_LINKS = 2,   /* the links and particles of a rope, or free particles: likewise */
+    GPHYS_MESH_HULL = 3          /* a solid: gphys_mesh_create_hull */
+};
+
+/** What a mesh is. Frozen.  Since 1.1. */
+typedef struct gphys_mesh_info {
+    gphys_mesh_kind kind;
+    uint32_t vertex_count;
+    uint32_t triangle_count;
+    int32_t deformable;   /* 1: as gphys_mesh_desc.deformable, or in the form of a body */
+    int32_t follows_body; /* 1: a body gives it its form, and gphys_mesh_set_vertices does not */
+} gphys_mesh_info;
+
+/** Kind and size of a mesh, and whether its vertices change. Cost: O(1).  Since 1.1. */
+GPHYS_API gphys_status gphys_mesh_get_info(const gphys_mesh* mesh, gphys_mesh_info* out_info);
 /** What the mesh was built from: the report that gphys_mesh_check makes of its arrays.
  *  Cost: O(1); O(triangles) for a deformable mesh. */
 GPHYS_API gphys_status gphys_mesh_get_report(const gphys_mesh* mesh, gphys_mesh_report* out_report);
@@ -894,10 +915,17 @@ GPHYS_API gphys_status gphys_scene_get_info(const gphys_scene* scene, gphys_mode
 /** Copy a model's shape as it was given, in its own coordinates and without its scale.
  *  @param out_shape  has room for the struct of the model's type (gphys_scene_get_info)
  *  @param out_size   that room, in bytes
- *  @return GPHYS_ERROR_UNSUPPORTED for a mesh
+ *  @return GPHYS_ERROR_UNSUPPORTED for a mesh (gphys_scene_get_mesh)
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_scene_get_shape(const gphys_scene* scene, gphys_model_id model, void* out_shape,
                                              uint32_t out_size);
+/** A handle of a model's mesh: of the mesh itself, not of a copy, so that what gphys_mesh_set_vertices does to it is
+ *  seen by all its models. It gives the meshes of a restored scene, which are not deformable if they were embedded in
+ *  its snapshot.
+ *  @param out_mesh  another reference, to be released by gphys_mesh_destroy, as that of gphys_mesh_create is
+ *  @return GPHYS_ERROR_UNSUPPORTED if the model's shape is no mesh
+ *  Cost: O(1).  Since 1.1. */
+GPHYS_API gphys_status gphys_scene_get_mesh(const gphys_scene* scene, gphys_model_id model, gphys_mesh** out_mesh);
 /** World box of a model, by which queries find it: holds it, and is at most 3 ulps and 2^-19 of the sum
  *  of its sizes wider. That of an empty mesh is its position.
  *  @return GPHYS_UNBOUNDED for a plane
@@ -1557,6 +1585,12 @@ GPHYS_API gphys_status gphys_camera_get_image_size(const gphys_camera* camera, f
 /** Where the rays of a perspective begin, as it was set. Cost: O(1).  Since 1.1. */
 GPHYS_API gphys_status gphys_camera_get_pick_start(const gphys_camera* camera, gphys_pick_start* out_start);
 
+/** What the camera was created with, as in gphys_camera_desc.
+ *  @param out_reverse_z  0 or 1
+ *  Cost: O(1).  Since 1.1. */
+GPHYS_API gphys_status gphys_camera_get_conventions(const gphys_camera* camera, gphys_handedness* out_handedness,
+                                                    gphys_depth_range* out_depth_range, int32_t* out_reverse_z);
+
 /** Place the camera.
  *  @param position  metres, of its centre
  *  @param rotation  from its own axes to those of the world
@@ -2214,6 +2248,20 @@ GPHYS_API gphys_status gphys_solver_attach(gphys_solver* solver, const gphys_sce
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_solver_detach(gphys_solver* solver, gphys_body_id body, uint32_t particle);
 
+/** A particle that is attached to a model. Frozen.  Since 1.1. */
+typedef struct gphys_attachment {
+    uint32_t particle;
+    gphys_model_id model;
+    gphys_vec3 local_point; /* metres, in the model's coordinates */
+} gphys_attachment;
+
+/** The attachments of a body, by particle. One to a model that is gone is listed until the next step. Kept when too
+ *  many: the first.
+ *  Cost: O(attachments).  Since 1.1. */
+GPHYS_API gphys_status gphys_solver_get_attachments(const gphys_solver* solver, gphys_body_id body,
+                                                    gphys_attachment* out_attachments, uint32_t capacity,
+                                                    uint32_t* out_total);
+
 /** Hold two different particles of a body at a distance.
  *  @param rest_length  metres, >= 0; negative: the present distance
  *  @param compliance   metres per newton, >= 0; 0 is rigid
@@ -2259,6 +2307,12 @@ GPHYS_API gphys_status gphys_solver_set_volume(gphys_solver* solver, gphys_body_
  *  Cost: O(triangles). */
 GPHYS_API gphys_status gphys_solver_get_volume(const gphys_solver* solver, gphys_body_id body, float* out_volume,
                                                float* out_pressure);
+/** What was given to gphys_solver_set_volume: m^3, of a negative volume that which there was, and m^3 per pascal.
+ *  @param out_rest_volume, out_compliance  may be NULL
+ *  @return GPHYS_ERROR_UNSUPPORTED if none is held
+ *  Cost: O(1).  Since 1.1. */
+GPHYS_API gphys_status gphys_solver_get_volume_settings(const gphys_solver* solver, gphys_body_id body,
+                                                        float* out_rest_volume, float* out_compliance);
 /** End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
  *  @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist, or no longer
  *  Cost: as gphys_solver_add_distance; allocates. */
@@ -2278,6 +2332,21 @@ typedef struct gphys_constraint_info {
 GPHYS_API gphys_status gphys_solver_get_constraints(const gphys_solver* solver, gphys_body_id body,
                                                     gphys_constraint_info* out_constraints, uint32_t capacity,
                                                     uint32_t* out_total);
+
+/** What a constraint holds. */
+typedef int32_t gphys_constraint_kind;
+enum {
+    GPHYS_CONSTRAINT_DISTANCE = 0,    /* its length: gphys_solver_add_distance, and those of builders */
+    GPHYS_CONSTRAINT_MAX_DISTANCE = 1 /* at most its length; it may go slack: gphys_solver_add_max_distance */
+};
+
+/** Which constraints keep a length, and which a maximum.
+ *  @param constraints  count ids; one may stand twice
+ *  @param out_kinds    count elements
+ *  Cost: O(count).  Since 1.1. */
+GPHYS_API gphys_status gphys_solver_get_constraint_kinds(const gphys_solver* solver, gphys_body_id body,
+                                                         const gphys_constraint_id* constraints, uint32_t count,
+                                                         gphys_constraint_kind* out_kinds, uint32_t out_stride);
 
 /** What a constraint is like and may become. Frozen. */
 typedef struct gphys_constraint_settings {

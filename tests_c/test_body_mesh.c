@@ -73,6 +73,36 @@ static void arguments_of_create_from_body(void** state) {
     end_world(&w);
 }
 
+/* The handle of a model's mesh goes on following the body when the model is gone. */
+static void the_mesh_of_a_body_is_had_back(void** state) {
+    world w = make_world();
+    const gphys_model_id model = show(&w, w.rope, 3);
+    gphys_mesh *rope = NULL, *cloth = mesh_of(&w, w.cloth);
+    gphys_mesh_info info;
+    gphys_vec3 before[3], after[3];
+    uint32_t total;
+    (void)state;
+    assert_int_equal(gphys_mesh_get_info(cloth, &info), GPHYS_OK);
+    assert_true(info.kind == GPHYS_MESH_BODY_SURFACE && info.vertex_count == 25 && info.triangle_count == 32);
+    assert_true(info.deformable == 1 && info.follows_body == 1);
+    assert_int_equal(gphys_scene_get_mesh(w.scene, model, &rope), GPHYS_OK);
+    assert_int_equal(gphys_scene_remove(w.scene, model), GPHYS_OK);
+    assert_int_equal(gphys_mesh_get_info(rope, &info), GPHYS_OK);
+    assert_true(info.kind == GPHYS_MESH_BODY_LINKS && info.vertex_count == 3 && info.triangle_count == 5);
+    assert_int_equal(gphys_mesh_get_vertices(rope, before, 3, &total), GPHYS_OK);
+    assert_int_equal(gphys_solver_step(w.solver, w.scene, 0.1f), GPHYS_OK);
+    assert_int_equal(gphys_mesh_get_vertices(rope, after, 3, &total), GPHYS_OK);
+    assert_true(after[0].y < before[0].y);
+    assert_int_equal(gphys_mesh_set_vertices(rope, &before[0].x, sizeof *before, 3), GPHYS_ERROR_UNSUPPORTED);
+    assert_int_equal(gphys_solver_remove_body(w.solver, w.rope), GPHYS_OK);
+    assert_int_equal(gphys_mesh_get_info(rope, &info), GPHYS_OK);
+    assert_true(info.kind == GPHYS_MESH_BODY_LINKS && info.deformable == 1 && info.follows_body == 0);
+    assert_int_equal(gphys_mesh_set_vertices(rope, &before[0].x, sizeof *before, 3), GPHYS_OK);
+    gphys_mesh_destroy(rope);
+    gphys_mesh_destroy(cloth);
+    end_world(&w);
+}
+
 static void arguments_of_get_nearest_particle(void** state) {
     world w = make_world();
     const gphys_vec3 point = {0, 0, 0}, bad = {NAN, 0, 0};
@@ -226,9 +256,10 @@ static void solver_and_scene_go_in_any_order(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(arguments_of_create_from_body),       cmocka_unit_test(arguments_of_get_nearest_particle),
-        cmocka_unit_test(bodies_are_met_where_they_are),       cmocka_unit_test(a_mesh_of_links_is_no_cloth),
-        cmocka_unit_test(a_mesh_of_links_is_saved_and_loaded), cmocka_unit_test(solver_and_scene_go_in_any_order),
+        cmocka_unit_test(arguments_of_create_from_body),    cmocka_unit_test(arguments_of_get_nearest_particle),
+        cmocka_unit_test(the_mesh_of_a_body_is_had_back),   cmocka_unit_test(bodies_are_met_where_they_are),
+        cmocka_unit_test(a_mesh_of_links_is_no_cloth),      cmocka_unit_test(a_mesh_of_links_is_saved_and_loaded),
+        cmocka_unit_test(solver_and_scene_go_in_any_order),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -141,6 +141,32 @@ static void pixels_count_from_the_windows_corner(void** state) {
     assert_true(x == 800 && y == 64);
 }
 
+static void a_camera_tells_what_it_was_created_with(void** state) {
+    gphys_camera_desc desc;
+    int32_t i, reverse_z = 7;
+    gphys_handedness handedness = 7;
+    gphys_depth_range range = 7;
+    gphys_camera* other = NULL;
+    (void)state;
+    REFUSED(gphys_camera_get_conventions(NULL, &handedness, &range, &reverse_z));
+    REFUSED(gphys_camera_get_conventions(camera, NULL, &range, &reverse_z));
+    REFUSED(gphys_camera_get_conventions(camera, &handedness, NULL, &reverse_z));
+    REFUSED(gphys_camera_get_conventions(camera, &handedness, &range, NULL));
+    assert_true(handedness == 7 && range == 7 && reverse_z == 7);
+    assert_int_equal(gphys_camera_desc_init(&desc, sizeof desc), GPHYS_OK);
+    for (i = 0; i < 8; ++i) {
+        desc.handedness = i & 1 ? GPHYS_RIGHT_HANDED : GPHYS_LEFT_HANDED;
+        desc.depth_range = i & 2 ? GPHYS_DEPTH_MINUS_ONE_TO_ONE : GPHYS_DEPTH_ZERO_TO_ONE;
+        desc.reverse_z = i >> 2;
+        assert_int_equal(gphys_camera_create(&desc, &other), GPHYS_OK);
+        assert_int_equal(gphys_camera_get_conventions(other, &handedness, &range, &reverse_z), GPHYS_OK);
+        assert_int_equal(handedness, desc.handedness);
+        assert_int_equal(range, desc.depth_range);
+        assert_int_equal(reverse_z, desc.reverse_z);
+        gphys_camera_destroy(other);
+    }
+}
+
 /* A ball between the camera and its near plane, one behind: what is drawn is picked. */
 static void sight_begins_at_the_near_plane_or_at_the_camera(void** state) {
     const gphys_sphere before = {{0, 0, 0.5f}, 0.25f}, behind = {{0, 0, 5}, 1};
@@ -399,6 +425,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(a_projection_has_an_aspect_of_its_own, set_up, tear_down),
         cmocka_unit_test_setup_teardown(pixels_count_from_the_windows_corner, set_up, tear_down),
         cmocka_unit_test_setup_teardown(sight_begins_at_the_near_plane_or_at_the_camera, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(a_camera_tells_what_it_was_created_with, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_view_matrix_puts_the_camera_back, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_rectangle_has_a_frustum_and_corners, set_up, tear_down),
         cmocka_unit_test_setup_teardown(each_input_of_an_orbit_has_its_speed, set_up, tear_down),

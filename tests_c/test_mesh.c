@@ -29,6 +29,31 @@ static void test_report(void** state) {
     gphys_mesh_destroy(mesh);
 }
 
+static void a_mesh_tells_what_it_is(void** state) {
+    gphys_mesh *surface = make_cube(), *hull = NULL, *soft = NULL;
+    gphys_mesh_desc desc;
+    gphys_mesh_info info = {7, 7, 7, 7, 7};
+    (void)state;
+    assert_int_equal(gphys_mesh_get_info(NULL, &info), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_get_info(surface, NULL), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(info.kind, 7);
+    assert_int_equal(gphys_mesh_get_info(surface, &info), GPHYS_OK);
+    assert_true(info.kind == GPHYS_MESH_SURFACE && info.vertex_count == 8 && info.triangle_count == 12);
+    assert_true(info.deformable == 0 && info.follows_body == 0);
+    assert_int_equal(gphys_mesh_create_hull(NULL, cube_vertices, 12, 7, &hull), GPHYS_OK);
+    assert_int_equal(gphys_mesh_get_info(hull, &info), GPHYS_OK);
+    assert_true(info.kind == GPHYS_MESH_HULL && info.vertex_count == 7 && info.triangle_count == 10);
+    assert_true(info.deformable == 0 && info.follows_body == 0);
+    assert_int_equal(gphys_mesh_desc_init(&desc, sizeof desc), GPHYS_OK);
+    desc.deformable = 1;
+    assert_int_equal(gphys_mesh_create(&desc, cube_vertices, 12, 8, cube_indices, 36, &soft), GPHYS_OK);
+    assert_int_equal(gphys_mesh_get_info(soft, &info), GPHYS_OK);
+    assert_true(info.kind == GPHYS_MESH_SURFACE && info.deformable == 1 && info.follows_body == 0);
+    gphys_mesh_destroy(surface);
+    gphys_mesh_destroy(hull);
+    gphys_mesh_destroy(soft);
+}
+
 static void test_check_finds_what_create_refuses(void** state) {
     float vertices[24];
     uint32_t indices[36];
@@ -695,6 +720,7 @@ int main(void) {
         cmocka_unit_test(particles_stay_outside_of_a_hull),
         cmocka_unit_test(cloth_is_carried_by_a_hull),
         cmocka_unit_test(test_report),
+        cmocka_unit_test(a_mesh_tells_what_it_is),
         cmocka_unit_test(test_check_finds_what_create_refuses),
         cmocka_unit_test(test_arguments_of_create),
         cmocka_unit_test(test_a_mesh_without_triangles),

@@ -404,6 +404,74 @@ static void a_snapshot_brings_back_the_scene(void** state) {
     gphys_scene_destroy(scene);
 }
 
+static const float tent_vertices[4][3] = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}};
+static const uint32_t tent_indices[6] = {0, 1, 2, 0, 2, 3};
+
+/* A scene that is restored has meshes of its own: handles of them serve like those that created the first ones. */
+static void the_mesh_of_a_model_is_had_back(void** state) {
+    static uint32_t words[1024];
+    gphys_scene *scene = NULL, *copy = NULL;
+    gphys_mesh *mesh = NULL, *got = NULL, *again = NULL, *untouched = (gphys_mesh*)words;
+    gphys_mesh_desc desc;
+    gphys_mesh_info info;
+    gphys_model_id tent = 0, box = 0, other = 0;
+    gphys_vec3 vertices[4];
+    const gphys_ray ray = {{0.5f, 0.5f, -1}, {0, 0, 1}, 100};
+    gphys_hit hit, moved;
+    uint32_t indices[6], total = 0;
+    (void)state;
+    assert_int_equal(gphys_mesh_desc_init(&desc, sizeof desc), GPHYS_OK);
+    desc.deformable = 1;
+    assert_int_equal(gphys_mesh_create(&desc, tent_vertices[0], 12, 4, tent_indices, 6, &mesh), GPHYS_OK);
+    assert_int_equal(gphys_scene_create(NULL, &scene), GPHYS_OK);
+    assert_int_equal(gphys_scene_create(NULL, &copy), GPHYS_OK);
+    assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_MESH, mesh, NULL, NULL, &tent), GPHYS_OK);
+    assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_AABB, &unit_box, NULL, NULL, &box), GPHYS_OK);
+    assert_int_equal(gphys_scene_set_layers(scene, box, 2), GPHYS_OK);
+
+    /* The mesh itself, held by three: the creator, the model and the new handle. */
+    assert_int_equal(gphys_scene_get_mesh(scene, tent, &got), GPHYS_OK);
+    assert_ptr_equal(got, mesh);
+    gphys_mesh_destroy(mesh);
+    vertices[0].x = vertices[0].y = 0, vertices[0].z = 4;
+    vertices[1].x = 2, vertices[1].y = 0, vertices[1].z = 4;
+    vertices[2].x = 0, vertices[2].y = 2, vertices[2].z = 4;
+    vertices[3].x = vertices[3].y = 0, vertices[3].z = 6;
+    assert_int_equal(gphys_scene_raycast(scene, &ray, 1, &hit), GPHYS_OK);
+    assert_int_equal(gphys_mesh_set_vertices(got, &vertices[0].x, 12, 4), GPHYS_OK);
+    assert_int_equal(gphys_scene_raycast(scene, &ray, 1, &moved), GPHYS_OK);
+    assert_true(hit.t == 1 && moved.t == 5);
+    gphys_mesh_destroy(got);
+    assert_int_equal(gphys_scene_raycast(scene, &ray, 1, &moved), GPHYS_OK);
+
+    /* Of a restored scene. The handle outlives the scene and goes on in another one. */
+    assert_int_equal(gphys_scene_get_snapshot(scene, 1, words, 1024, &total), GPHYS_OK);
+    assert_int_equal(gphys_scene_restore(copy, NULL, words, total), GPHYS_OK);
+    assert_int_equal(gphys_scene_get_mesh(copy, tent, &got), GPHYS_OK);
+    assert_ptr_not_equal(got, mesh);
+    gphys_scene_destroy(copy);
+    assert_int_equal(gphys_mesh_get_info(got, &info), GPHYS_OK);
+    assert_true(info.kind == GPHYS_MESH_SURFACE && info.vertex_count == 4 && info.triangle_count == 2);
+    assert_true(info.follows_body == 0);
+    assert_int_equal(gphys_mesh_get_indices(got, indices, 6, &total), GPHYS_OK);
+    assert_memory_equal(indices, tent_indices, sizeof indices);
+    assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_MESH, got, NULL, NULL, &other), GPHYS_OK);
+    assert_int_equal(gphys_scene_get_mesh(scene, other, &again), GPHYS_OK);
+    assert_ptr_equal(again, got);
+    gphys_mesh_destroy(again);
+    gphys_mesh_destroy(got);
+    assert_int_equal(gphys_scene_remove(scene, tent), GPHYS_OK);
+    assert_int_equal(gphys_scene_raycast(scene, &ray, 1, &hit), GPHYS_OK);
+    assert_true(hit.model == other && hit.t == moved.t);
+
+    assert_int_equal(gphys_scene_get_mesh(scene, box, &untouched), GPHYS_ERROR_UNSUPPORTED);
+    assert_int_equal(gphys_scene_get_mesh(scene, tent, &untouched), GPHYS_ERROR_INVALID_ID);
+    assert_invalid(gphys_scene_get_mesh(NULL, other, &untouched));
+    assert_invalid(gphys_scene_get_mesh(scene, other, NULL));
+    assert_ptr_equal(untouched, (gphys_mesh*)words);
+    gphys_scene_destroy(scene);
+}
+
 /* The same models as by single calls: the two scenes have one hash. */
 static void a_batch_gives_each_model_its_own_desc(void** state) {
     enum { COUNT = 6 };
@@ -490,6 +558,7 @@ int main(void) {
         cmocka_unit_test(what_was_set_is_what_one_gets),
         cmocka_unit_test(the_tree_of_models_can_be_read),
         cmocka_unit_test(a_snapshot_brings_back_the_scene),
+        cmocka_unit_test(the_mesh_of_a_model_is_had_back),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

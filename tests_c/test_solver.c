@@ -307,9 +307,14 @@ static void test_pins_and_attachments(void** state) {
     fixture* f = *state;
     const gphys_sphere ball = {{0, 0, 0}, 1};
     gphys_vec3 local = {0, NAN, 0};
-    gphys_model_id model = 0;
+    gphys_model_id model = 0, other = 0;
     gphys_solver_stats stats;
+    gphys_attachment attachments[3];
+    uint32_t total = 7;
     assert_int_equal(gphys_scene_add(f->scene, GPHYS_SHAPE_SPHERE, &ball, NULL, NULL, &model), GPHYS_OK);
+    assert_int_equal(gphys_scene_add(f->scene, GPHYS_SHAPE_SPHERE, &ball, NULL, NULL, &other), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_attachments(f->solver, f->rope, NULL, 0, &total), GPHYS_OK);
+    assert_int_equal(total, 0);
     assert_int_equal(gphys_solver_set_pinned(NULL, f->rope, 0, 1, 1), BAD);
     assert_int_equal(gphys_solver_set_pinned(f->solver, f->removed, 0, 1, 1), STALE);
     assert_int_equal(gphys_solver_set_pinned(f->solver, f->rope, 3, 2, 1), BAD);
@@ -324,6 +329,31 @@ static void test_pins_and_attachments(void** state) {
     assert_int_equal(gphys_solver_attach(f->solver, f->scene, f->rope, 0, model, NULL), GPHYS_OK);
     assert_int_equal(gphys_solver_get_stats(f->solver, f->rope, &stats), GPHYS_OK);
     assert_int_equal(stats.pinned_count, 1);
+    /* By particle, whatever the order in which they were attached; pins are no attachments. */
+    local.y = 0.25f;
+    assert_int_equal(gphys_solver_attach(f->solver, f->scene, f->rope, 3, other, &local), GPHYS_OK);
+    assert_int_equal(gphys_solver_attach(f->solver, f->scene, f->rope, 2, other, NULL), GPHYS_OK);
+    assert_int_equal(gphys_solver_set_pinned(f->solver, f->rope, 1, 1, 1), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_attachments(f->solver, f->rope, attachments, 3, &total), GPHYS_OK);
+    assert_int_equal(total, 3);
+    assert_true(attachments[0].particle == 0 && attachments[0].model == model && attachments[0].local_point.x == 0);
+    assert_true(attachments[1].particle == 2 && attachments[1].model == other && attachments[1].local_point.x == 2);
+    assert_true(attachments[2].particle == 3 && attachments[2].model == other && attachments[2].local_point.y == 0.25f);
+    attachments[1].particle = 9;
+    assert_int_equal(gphys_solver_get_attachments(f->solver, f->rope, attachments, 1, &total), GPHYS_INCOMPLETE);
+    assert_true(total == 3 && attachments[0].particle == 0 && attachments[1].particle == 9);
+    assert_int_equal(gphys_solver_get_attachments(NULL, f->rope, attachments, 3, &total), BAD);
+    assert_int_equal(gphys_solver_get_attachments(f->solver, f->removed, attachments, 3, &total), STALE);
+    assert_int_equal(gphys_solver_get_attachments(f->solver, f->rope, NULL, 3, &total), BAD);
+    assert_int_equal(gphys_solver_get_attachments(f->solver, f->rope, attachments, 3, NULL), BAD);
+    /* One whose model is gone is there until the next step. */
+    assert_int_equal(gphys_scene_remove(f->scene, other), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_attachments(f->solver, f->rope, attachments, 3, &total), GPHYS_OK);
+    assert_int_equal(total, 3);
+    assert_int_equal(gphys_solver_step(f->solver, f->scene, 0.01f), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_attachments(f->solver, f->rope, attachments, 3, &total), GPHYS_OK);
+    assert_true(total == 1 && attachments[0].particle == 0);
+    assert_int_equal(gphys_solver_set_pinned(f->solver, f->rope, 1, 1, 0), GPHYS_OK);
     assert_int_equal(gphys_solver_detach(NULL, f->rope, 0), BAD);
     assert_int_equal(gphys_solver_detach(f->solver, f->removed, 0), STALE);
     assert_int_equal(gphys_solver_detach(f->solver, f->rope, 4), BAD);
@@ -371,7 +401,8 @@ static void test_constraints(void** state) {
 static void test_max_distances_and_damping(void** state) {
     fixture* f = *state;
     gphys_constraint_info infos[4];
-    gphys_constraint_id id = 7;
+    gphys_constraint_id id = 7, ids[2];
+    gphys_constraint_kind kinds[4] = {7, 7, 7, 7};
     uint32_t total = 0;
     size_t i;
     assert_int_equal(gphys_solver_add_max_distance(NULL, f->rope, 0, 1, 1, 0, &id), BAD);
@@ -389,6 +420,18 @@ static void test_max_distances_and_damping(void** state) {
     assert_int_equal(gphys_solver_get_constraints(f->solver, f->rope, infos, 4, &total), GPHYS_OK);
     assert_int_equal(total, 4);
     assert_true(infos[3].id == id && infos[3].rest_length == 3 && infos[3].compliance == 0.5f);
+    ids[0] = id;
+    ids[1] = infos[1].id;
+    assert_int_equal(gphys_solver_get_constraint_kinds(NULL, f->rope, ids, 2, kinds, 4), BAD);
+    assert_int_equal(gphys_solver_get_constraint_kinds(f->solver, f->removed, ids, 2, kinds, 4), STALE);
+    assert_int_equal(gphys_solver_get_constraint_kinds(f->solver, f->rope, NULL, 2, kinds, 4), BAD);
+    assert_int_equal(gphys_solver_get_constraint_kinds(f->solver, f->rope, ids, 2, NULL, 4), BAD);
+    assert_int_equal(gphys_solver_get_constraint_kinds(f->solver, f->rope, ids, 2, kinds, 2), BAD);
+    assert_true(kinds[0] == 7 && kinds[1] == 7);
+    assert_int_equal(gphys_solver_get_constraint_kinds(f->solver, f->rope, ids, 2, kinds, 8), GPHYS_OK);
+    assert_true(kinds[0] == GPHYS_CONSTRAINT_MAX_DISTANCE && kinds[1] == 7);
+    assert_true(kinds[2] == GPHYS_CONSTRAINT_DISTANCE && kinds[3] == 7);
+    assert_int_equal(gphys_solver_get_constraint_kinds(f->solver, f->rope, NULL, 0, NULL, 4), GPHYS_OK);
     assert_int_equal(gphys_solver_set_constraint_damping(NULL, f->rope, id, 1), BAD);
     assert_int_equal(gphys_solver_set_constraint_damping(f->solver, f->removed, id, 1), STALE);
     assert_int_equal(gphys_solver_set_constraint_damping(f->solver, f->rope, 0, 1), STALE);
@@ -399,6 +442,8 @@ static void test_max_distances_and_damping(void** state) {
     assert_int_equal(gphys_solver_set_constraint_damping(f->solver, f->rope, id, 1), GPHYS_OK);
     assert_int_equal(gphys_solver_remove_constraint(f->solver, f->rope, id), GPHYS_OK);
     assert_int_equal(gphys_solver_set_constraint_damping(f->solver, f->rope, id, 1), STALE);
+    assert_int_equal(gphys_solver_get_constraint_kinds(f->solver, f->rope, ids, 2, kinds, 4), STALE);
+    assert_true(kinds[0] == GPHYS_CONSTRAINT_MAX_DISTANCE);
 }
 
 static void test_volumes(void** state) {
@@ -407,7 +452,7 @@ static void test_volumes(void** state) {
     static const uint32_t faces[12] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
     gphys_mesh* mesh = NULL;
     gphys_body_id body = 0;
-    float volume = 7, pressure = 7;
+    float volume = 7, pressure = 7, rest = 7, compliance = 7;
     size_t i;
     assert_int_equal(gphys_mesh_create(NULL, &corners[0].x, 12, 4, faces, 12, &mesh), GPHYS_OK);
     assert_int_equal(gphys_solver_add_cloth_mesh(f->solver, NULL, mesh, NULL, &body), GPHYS_OK);
@@ -422,7 +467,17 @@ static void test_volumes(void** state) {
         assert_int_equal(gphys_solver_set_volume(f->solver, body, bad_values[i], 0), BAD);
     }
     assert_int_equal(gphys_solver_get_volume(f->solver, body, &volume, &pressure), GPHYS_ERROR_UNSUPPORTED);
+    assert_int_equal(gphys_solver_get_volume_settings(f->solver, body, &rest, &compliance), GPHYS_ERROR_UNSUPPORTED);
+    assert_int_equal(gphys_solver_set_volume(f->solver, body, 2, 0.25f), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_volume_settings(NULL, body, &rest, &compliance), BAD);
+    assert_int_equal(gphys_solver_get_volume_settings(f->solver, f->removed, &rest, &compliance), STALE);
+    assert_true(rest == 7 && compliance == 7);
+    assert_int_equal(gphys_solver_get_volume_settings(f->solver, body, &rest, &compliance), GPHYS_OK);
+    assert_true(rest == 2 && compliance == 0.25f);
     assert_int_equal(gphys_solver_set_volume(f->solver, body, -1, 0), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_volume_settings(f->solver, body, &rest, NULL), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_volume_settings(f->solver, body, NULL, &compliance), GPHYS_OK);
+    assert_true(fabsf(rest - 1.0f / 6) < 1e-7f && compliance == 0);
     assert_int_equal(gphys_solver_get_volume(NULL, body, &volume, &pressure), BAD);
     assert_int_equal(gphys_solver_get_volume(f->solver, f->removed, &volume, &pressure), STALE);
     assert_true(volume == 7 && pressure == 7);
@@ -431,6 +486,7 @@ static void test_volumes(void** state) {
     assert_int_equal(gphys_solver_get_volume(f->solver, body, NULL, NULL), GPHYS_OK);
     assert_int_equal(gphys_solver_set_volume(f->solver, body, 1, INFINITY), GPHYS_OK);
     assert_int_equal(gphys_solver_get_volume(f->solver, body, &volume, &pressure), GPHYS_ERROR_UNSUPPORTED);
+    assert_int_equal(gphys_solver_get_volume_settings(f->solver, body, NULL, NULL), GPHYS_ERROR_UNSUPPORTED);
 }
 
 static void test_impulses(void** state) {

@@ -85,13 +85,17 @@ def creations(api):
 
 
 def other_creations(api, handle):
-    """What else makes such an object: Calls with names such as 'from_snapshot', without an owner."""
+    """What else makes such an object, or gives another reference to one: Calls without an owner, with names such as
+    'from_snapshot' or, of the object that has it, 'from_scene'."""
     for f in api["functions"]:
-        start = f"{handle}_create_"
-        if is_created(f) and created_handle(f) == handle and f["name"].startswith(start):
-            call = as_call(api, f)
-            call.name = f["name"][len(start):]
-            yield call
+        if not is_created(f) or created_handle(f) != handle or f["name"] == f"{handle}_create":
+            continue
+        call = as_call(api, f)
+        call.name = f["name"].removeprefix(f"{handle}_create_")
+        if call.owner:
+            call.name, call.owner = f"from_{plain(call.owner)}", None
+            call.inputs.insert(0, f["parameters"][0])
+        yield call
 
 
 def as_call(api, function):

@@ -377,6 +377,18 @@ gphys_status gphys_camera_look_at(gphys_camera* camera, const gphys_vec3* eye, c
     });
 }
 
+gphys_status gphys_camera_get_conventions(const gphys_camera* camera, gphys_handedness* out_handedness,
+                                          gphys_depth_range* out_depth_range, int32_t* out_reverse_z) {
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(camera, out_handedness, out_depth_range, out_reverse_z);
+        const DepthRange& depth = unwrap(camera)->depth_range();
+        *out_handedness = unwrap(camera)->handedness();
+        *out_depth_range = depth.range();
+        *out_reverse_z = depth.is_reversed();
+        return GPHYS_OK;
+    });
+}
+
 gphys_status gphys_camera_get_transform(const gphys_camera* camera, gphys_vec3* out_position,
                                         gphys_quat* out_rotation) {
     return guarded(__func__, [&]() -> gphys_status {

@@ -165,6 +165,16 @@ void gphys_mesh_destroy(gphys_mesh* mesh) {
     });
 }
 
+gphys_status gphys_mesh_get_info(const gphys_mesh* mesh, gphys_mesh_info* out_info) {
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(mesh, out_info);
+        const Mesh& m = *unwrap(mesh);
+        *out_info = {static_cast<gphys_mesh_kind>(m.kind()), static_cast<uint32_t>(m.vertices().size()),
+                     m.triangle_count(), m.deformable(), m.led()};
+        return GPHYS_OK;
+    });
+}
+
 gphys_status gphys_mesh_get_report(const gphys_mesh* mesh, gphys_mesh_report* out_report) {
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_REQUIRE_POINTERS(mesh);

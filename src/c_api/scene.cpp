@@ -300,11 +300,23 @@ gphys_status gphys_scene_get_shape(const gphys_scene* scene, gphys_model_id mode
         const Scene& s = *unwrap(scene);
         GPHYS_TRY(s.check(model));
         if (s.type(model) == GPHYS_SHAPE_MESH) {
-            return fail(GPHYS_ERROR_UNSUPPORTED, "model: its shape is a mesh (see gphys_mesh_get_vertices)");
+            return fail(GPHYS_ERROR_UNSUPPORTED, "model: its shape is a mesh (see gphys_scene_get_mesh)");
         }
         const size_t size = shape_struct_size(s.type(model));
         GPHYS_REQUIRE_IN_RANGE(out_size >= size, "out_size", out_size, "at least the size of the model's shape");
         s.copy_unscaled_shape(model, out_shape);
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_scene_get_mesh(const gphys_scene* scene, gphys_model_id model, gphys_mesh** out_mesh) {
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(scene, out_mesh);
+        GPHYS_TRY(unwrap(scene)->check(model));
+        const Mesh* const mesh = unwrap(scene)->mesh(model);
+        if (!mesh) return fail(GPHYS_ERROR_UNSUPPORTED, "model: its shape is no mesh (see gphys_scene_get_shape)");
+        mesh->retain();
+        *out_mesh = wrap(const_cast<Mesh*>(mesh));  // scenes change no meshes, but callers may
         return GPHYS_OK;
     });
 }

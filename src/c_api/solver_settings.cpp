@@ -119,6 +119,23 @@ gphys_status gphys_solver_set_body_settings(gphys_solver* solver, gphys_body_id 
     });
 }
 
+gphys_status gphys_solver_get_constraint_kinds(const gphys_solver* solver, gphys_body_id body,
+                                               const gphys_constraint_id* constraints, uint32_t count,
+                                               gphys_constraint_kind* out_kinds, uint32_t out_stride) {
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_TRY(check_ids(solver, body, constraints, count));
+        if (count != 0) GPHYS_REQUIRE_POINTERS(out_kinds);
+        GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof *out_kinds));
+        const StridedOut<gphys_constraint_kind> to(out_kinds, out_stride);
+        const Vector<DistanceConstraint>& by_slot = unwrap(solver)->body(body).constraints.by_slot;
+        for (uint32_t i = 0; i < count; ++i) {
+            const bool is_limit = by_slot[IdTable::slot_of(constraints[i])].limit != 0;
+            to[i] = is_limit ? GPHYS_CONSTRAINT_MAX_DISTANCE : GPHYS_CONSTRAINT_DISTANCE;
+        }
+        return GPHYS_OK;
+    });
+}
+
 gphys_status gphys_solver_get_constraint_settings(const gphys_solver* solver, gphys_body_id body,
                                                   const gphys_constraint_id* constraints, uint32_t count,
                                                   gphys_constraint_settings* out_settings, uint32_t out_stride) {

@@ -238,6 +238,22 @@ gphys_status gphys_solver_detach(gphys_solver* solver, gphys_body_id body, uint3
     });
 }
 
+gphys_status gphys_solver_get_attachments(const gphys_solver* solver, gphys_body_id body,
+                                          gphys_attachment* out_attachments, uint32_t capacity, uint32_t* out_total) {
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
+        GPHYS_TRY(unwrap(solver)->check(body));
+        GPHYS_TRY(check_list("out_attachments", out_attachments, capacity, out_total));
+        const Vector<Attachment>& attachments = unwrap(solver)->body(body).constraints.attachments;
+        const uint32_t total = static_cast<uint32_t>(attachments.size());
+        for (uint32_t i = 0; i < std::min(total, capacity); ++i) {
+            const Attachment& from = attachments[i];
+            out_attachments[i] = {from.particle, from.model, narrow(from.local)};
+        }
+        return listed(total, capacity, out_total);
+    });
+}
+
 namespace {
 
 /// A distance, or with limit = 1 a maximum distance.
@@ -298,15 +314,35 @@ gphys_status gphys_solver_set_volume(gphys_solver* solver, gphys_body_id body, f
     });
 }
 
+namespace {
+
+gphys_status check_held_volume(const gphys_solver* solver, gphys_body_id body) {
+    GPHYS_REQUIRE_POINTERS(solver);
+    GPHYS_TRY(unwrap(solver)->check(body));
+    if (unwrap(solver)->body(body).cloth.volume.held) return GPHYS_OK;
+    return fail(GPHYS_ERROR_UNSUPPORTED, "body: gphys_solver_set_volume was not called");
+}
+
+}  // namespace
+
 gphys_status gphys_solver_get_volume(const gphys_solver* solver, gphys_body_id body, float* out_volume,
                                      float* out_pressure) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_REQUIRE_POINTERS(solver);
-        GPHYS_TRY(unwrap(solver)->check(body));
+        GPHYS_TRY(check_held_volume(solver, body));
         const Body& b = unwrap(solver)->body(body);
-        if (!b.cloth.volume.held) return fail(GPHYS_ERROR_UNSUPPORTED, "body: gphys_solver_set_volume was not called");
         if (out_volume) *out_volume = to_float(volume_of(b));
         if (out_pressure) *out_pressure = to_float(b.cloth.volume.pressure);
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_solver_get_volume_settings(const gphys_solver* solver, gphys_body_id body, float* out_rest_volume,
+                                              float* out_compliance) {
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_TRY(check_held_volume(solver, body));
+        const Volume& volume = unwrap(solver)->body(body).cloth.volume;
+        if (out_rest_volume) *out_rest_volume = to_float(volume.rest);
+        if (out_compliance) *out_compliance = to_float(volume.compliance);
         return GPHYS_OK;
     });
 }

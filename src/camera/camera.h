@@ -36,6 +36,8 @@ public:
         double size, near_distance, far_distance;
     };
     ProjectionSettings projection_settings() const;
+    gphys_handedness handedness() const { return handedness_; }
+    const DepthRange& depth_range() const { return depth_range_; }
     double viewport_width() const { return width_; }
     double viewport_height() const { return height_; }
     double viewport_left() const { return left_; }

@@ -36,6 +36,10 @@ struct DepthRange {
         : near_depth(range == GPHYS_DEPTH_ZERO_TO_ONE ? 0 : -1), far_depth(1) {
         if (reverse_z) std::swap(near_depth, far_depth);
     }
+    gphys_depth_range range() const {
+        return std::min(near_depth, far_depth) < 0 ? GPHYS_DEPTH_MINUS_ONE_TO_ONE : GPHYS_DEPTH_ZERO_TO_ONE;
+    }
+    bool is_reversed() const { return near_depth > far_depth; }
 
     /// 1 on the near plane, 0 on the far plane; the sum of both weights is 1. Two formulas rather
     /// than 1 - weight, so that the small one of the two keeps its relative accuracy: that is what

@@ -10,12 +10,12 @@ namespace gphys {
 /// What the triangles of a mesh stand for. With the form of a body of a solver it is not collided with by solvers.
 /// Snapshots hold these numbers.
 enum class MeshKind : uint32_t {
-    surface,
-    body_surface,
+    surface = GPHYS_MESH_SURFACE,
+    body_surface = GPHYS_MESH_BODY_SURFACE,
     /// Of a body: a triangle a, b, b is the capsule from a to b.
-    body_links,
+    body_links = GPHYS_MESH_BODY_LINKS,
     /// The surface of a convex solid, made by make_hull (convex_hull.h).
-    hull
+    hull = GPHYS_MESH_HULL
 };
 
 /// The caller's arrays: vertex_count vertices `vertex_stride` bytes apart, three indices a triangle.
