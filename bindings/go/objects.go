@@ -148,6 +148,27 @@ func NewMeshFromSnapshot(words []uint32, desc *MeshDesc) (o *Mesh, err error) {
 	return
 }
 
+// A handle of a model's mesh: of the mesh itself, not of a copy, so that what Mesh.SetVertices does to
+// it is seen by all its models. It gives the meshes of a restored scene, which are not deformable if
+// they were embedded in its snapshot.
+// Result: another reference, to be released by Mesh, as that of Mesh is.
+// The error is ErrUnsupported if the model's shape is no mesh.
+// Cost: O(1). Since 1.1.
+func NewMeshFromScene(scene *Scene, model ModelID) (o *Mesh, err error) {
+	sceneHandle, err := scene.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_scene_get_mesh(sceneHandle, C.gphys_model_id(model))
+	runtime.KeepAlive(scene)
+	if err = check(r.status, r.message); err != nil {
+		return
+	}
+	o = &Mesh{r.out_mesh}
+	runtime.SetFinalizer(o, (*Mesh).Close)
+	return
+}
+
 // Make a mesh that has the form of a body and follows it by itself: cloth, ropes and particles can be
 // met by rays, picked, overlapped and culled as models of scenes (Scene.Add with ShapeMesh; without a
 // transform the model is where the body is) or asked by shape_* and mesh_* functions. Vertex p is
@@ -244,6 +265,22 @@ func (o *Mesh) SetVertices(vertices []Vec3) (err error) {
 	r := C.go_gphys_mesh_set_vertices(self, (*C.float)(data(vertices)), size(vertices), C.uint32_t(len(vertices)))
 	runtime.KeepAlive(o)
 	err = check(r.status, r.message)
+	return
+}
+
+// Kind and size of a mesh, and whether its vertices change.
+// Cost: O(1). Since 1.1.
+func (o *Mesh) Info() (info MeshInfo, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_mesh_get_info(self)
+	runtime.KeepAlive(o)
+	if err = check(r.status, r.message); err != nil {
+		return
+	}
+	info = *(*MeshInfo)(unsafe.Pointer(&r.out_info))
 	return
 }
 
@@ -2193,6 +2230,24 @@ func (o *Camera) PickStart() (start PickStart, err error) {
 	return
 }
 
+// What the camera was created with, as in CameraDesc.
+// Cost: O(1). Since 1.1.
+func (o *Camera) Conventions() (handedness Handedness, depthRange DepthRange, reverseZ bool, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_camera_get_conventions(self)
+	runtime.KeepAlive(o)
+	if err = check(r.status, r.message); err != nil {
+		return
+	}
+	handedness = *(*Handedness)(unsafe.Pointer(&r.out_handedness))
+	depthRange = *(*DepthRange)(unsafe.Pointer(&r.out_depth_range))
+	reverseZ = r.out_reverse_z != 0
+	return
+}
+
 // Place the camera.
 //   - position: metres, of its centre
 //   - rotation: from its own axes to those of the world
@@ -3564,6 +3619,21 @@ func (o *Solver) Detach(body BodyID, particle uint32) (err error) {
 	return
 }
 
+// The attachments of a body, by particle. One to a model that is gone is listed until the next step.
+// Cost: O(attachments). Since 1.1.
+func (o *Solver) Attachments(body BodyID) (result []Attachment, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	result, err = list[Attachment](func(out unsafe.Pointer, capacity C.uint32_t) (C.gphys_status, *C.char, C.uint32_t) {
+		r := C.go_gphys_solver_get_attachments(self, C.gphys_body_id(body), (*C.gphys_attachment)(out), capacity)
+		return r.status, r.message, r.out_total
+	})
+	runtime.KeepAlive(o)
+	return
+}
+
 // Hold two different particles of a body at a distance.
 //   - restLength: metres, >= 0; negative: the present distance
 //   - compliance: metres per newton, >= 0; 0 is rigid
@@ -3662,6 +3732,25 @@ func (o *Solver) Volume(body BodyID) (volume float32, pressure float32, err erro
 	return
 }
 
+// What was given to Solver.SetVolume: m^3, of a negative volume that which there was, and m^3 per
+// pascal.
+// The error is ErrUnsupported if none is held.
+// Cost: O(1). Since 1.1.
+func (o *Solver) VolumeSettings(body BodyID) (restVolume float32, compliance float32, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_solver_get_volume_settings(self, C.gphys_body_id(body))
+	runtime.KeepAlive(o)
+	if err = check(r.status, r.message); err != nil {
+		return
+	}
+	restVolume = *(*float32)(unsafe.Pointer(&r.out_rest_volume))
+	compliance = *(*float32)(unsafe.Pointer(&r.out_compliance))
+	return
+}
+
 // End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
 // The error is ErrInvalidID for a body or constraint that does not exist, or no longer.
 // Cost: as Solver.AddDistance; allocates.
@@ -3688,6 +3777,27 @@ func (o *Solver) Constraints(body BodyID) (result []ConstraintInfo, err error) {
 		return r.status, r.message, r.out_total
 	})
 	runtime.KeepAlive(o)
+	return
+}
+
+// Which constraints keep a length, and which a maximum.
+//   - constraints: the ids; one may stand twice
+// Cost: O(elements). Since 1.1.
+func (o *Solver) ConstraintKinds(body BodyID, constraints []ConstraintID, kinds []ConstraintKind) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	count, err := commonLength([]int{len(constraints)}, 1)
+	if err != nil {
+		return
+	}
+	if err = requireLength(len(kinds), count); err != nil {
+		return
+	}
+	r := C.go_gphys_solver_get_constraint_kinds(self, C.gphys_body_id(body), (*C.gphys_constraint_id)(data(constraints)), C.uint32_t(count), (*C.gphys_constraint_kind)(data(kinds)), size(kinds))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
 	return
 }
 

@@ -368,6 +368,18 @@ static inline go_gphys_mesh_set_vertices_result go_gphys_mesh_set_vertices(void*
     return r;
 }
 
+typedef struct go_gphys_mesh_get_info_result {
+    gphys_status status;
+    char* message;
+    gphys_mesh_info out_info;
+} go_gphys_mesh_get_info_result;
+static inline go_gphys_mesh_get_info_result go_gphys_mesh_get_info(void* mesh) {
+    go_gphys_mesh_get_info_result r = {0};
+    r.status = gphys_mesh_get_info(mesh, &r.out_info);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_mesh_get_report_result {
     gphys_status status;
     char* message;
@@ -713,6 +725,18 @@ typedef struct go_gphys_scene_get_shape_result {
 static inline go_gphys_scene_get_shape_result go_gphys_scene_get_shape(void* scene, gphys_model_id model, void * out_shape, uint32_t out_size) {
     go_gphys_scene_get_shape_result r = {0};
     r.status = gphys_scene_get_shape(scene, model, out_shape, out_size);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_get_mesh_result {
+    gphys_status status;
+    char* message;
+    void* out_mesh;
+} go_gphys_scene_get_mesh_result;
+static inline go_gphys_scene_get_mesh_result go_gphys_scene_get_mesh(void* scene, gphys_model_id model) {
+    go_gphys_scene_get_mesh_result r = {0};
+    r.status = gphys_scene_get_mesh(scene, model, (gphys_mesh **)&r.out_mesh);
     r.message = go_message(r.status);
     return r;
 }
@@ -1582,6 +1606,20 @@ typedef struct go_gphys_camera_get_pick_start_result {
 static inline go_gphys_camera_get_pick_start_result go_gphys_camera_get_pick_start(void* camera) {
     go_gphys_camera_get_pick_start_result r = {0};
     r.status = gphys_camera_get_pick_start(camera, &r.out_start);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_camera_get_conventions_result {
+    gphys_status status;
+    char* message;
+    gphys_handedness out_handedness;
+    gphys_depth_range out_depth_range;
+    int32_t out_reverse_z;
+} go_gphys_camera_get_conventions_result;
+static inline go_gphys_camera_get_conventions_result go_gphys_camera_get_conventions(void* camera) {
+    go_gphys_camera_get_conventions_result r = {0};
+    r.status = gphys_camera_get_conventions(camera, &r.out_handedness, &r.out_depth_range, &r.out_reverse_z);
     r.message = go_message(r.status);
     return r;
 }
@@ -2472,6 +2510,18 @@ static inline go_gphys_solver_detach_result go_gphys_solver_detach(void* solver,
     return r;
 }
 
+typedef struct go_gphys_solver_get_attachments_result {
+    gphys_status status;
+    char* message;
+    uint32_t out_total;
+} go_gphys_solver_get_attachments_result;
+static inline go_gphys_solver_get_attachments_result go_gphys_solver_get_attachments(void* solver, gphys_body_id body, gphys_attachment * out_attachments, uint32_t capacity) {
+    go_gphys_solver_get_attachments_result r = {0};
+    r.status = gphys_solver_get_attachments(solver, body, out_attachments, capacity, &r.out_total);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_solver_add_distance_result {
     gphys_status status;
     char* message;
@@ -2531,6 +2581,19 @@ static inline go_gphys_solver_get_volume_result go_gphys_solver_get_volume(void*
     return r;
 }
 
+typedef struct go_gphys_solver_get_volume_settings_result {
+    gphys_status status;
+    char* message;
+    float out_rest_volume;
+    float out_compliance;
+} go_gphys_solver_get_volume_settings_result;
+static inline go_gphys_solver_get_volume_settings_result go_gphys_solver_get_volume_settings(void* solver, gphys_body_id body) {
+    go_gphys_solver_get_volume_settings_result r = {0};
+    r.status = gphys_solver_get_volume_settings(solver, body, &r.out_rest_volume, &r.out_compliance);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_solver_remove_constraint_result {
     gphys_status status;
     char* message;
@@ -2550,6 +2613,17 @@ typedef struct go_gphys_solver_get_constraints_result {
 static inline go_gphys_solver_get_constraints_result go_gphys_solver_get_constraints(void* solver, gphys_body_id body, gphys_constraint_info * out_constraints, uint32_t capacity) {
     go_gphys_solver_get_constraints_result r = {0};
     r.status = gphys_solver_get_constraints(solver, body, out_constraints, capacity, &r.out_total);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_solver_get_constraint_kinds_result {
+    gphys_status status;
+    char* message;
+} go_gphys_solver_get_constraint_kinds_result;
+static inline go_gphys_solver_get_constraint_kinds_result go_gphys_solver_get_constraint_kinds(void* solver, gphys_body_id body, const gphys_constraint_id * constraints, uint32_t count, gphys_constraint_kind * out_kinds, uint32_t out_stride) {
+    go_gphys_solver_get_constraint_kinds_result r = {0};
+    r.status = gphys_solver_get_constraint_kinds(solver, body, constraints, count, out_kinds, out_stride);
     r.message = go_message(r.status);
     return r;
 }

@@ -100,6 +100,20 @@ const (
 	DepthMinusOneToOne DepthRange = 1
 )
 
+// What a mesh consists of.
+type MeshKind int32
+
+const (
+	// triangles
+	MeshSurface MeshKind = 0
+	// the triangles of a cloth: Mesh
+	MeshBodySurface MeshKind = 1
+	// the links and particles of a rope, or free particles: likewise
+	MeshBodyLinks MeshKind = 2
+	// a solid: Mesh
+	MeshHull MeshKind = 3
+)
+
 const (
 	// ignored_model stands for its descendants, too
 	FilterSubtree uint32 = 1
@@ -164,6 +178,16 @@ const (
 	// what has rings, volume, or a particle with more than 64 constraints: coloured
 	// batches of chains, then the rest, then reach limits
 	SolveGraph SolveMethod = 2
+)
+
+// What a constraint holds.
+type ConstraintKind int32
+
+const (
+	// its length: Solver.AddDistance, and those of builders
+	ConstraintDistance ConstraintKind = 0
+	// at most its length; it may go slack: Solver.AddMaxDistance
+	ConstraintMaxDistance ConstraintKind = 1
 )
 
 const (
@@ -369,6 +393,17 @@ type MeshDesc struct {
 	Deformable int32
 	// 0
 	reserved uint32
+}
+
+// What a mesh is. Frozen.  Since 1.1.
+type MeshInfo struct {
+	Kind MeshKind
+	VertexCount uint32
+	TriangleCount uint32
+	// 1: as MeshDesc.deformable, or in the form of a body
+	Deformable int32
+	// 1: a body gives it its form, and Mesh.SetVertices does not
+	FollowsBody int32
 }
 
 // How an octree is made up. Frozen.
@@ -650,6 +685,14 @@ type Wind struct {
 	Lift float32
 }
 
+// A particle that is attached to a model. Frozen.  Since 1.1.
+type Attachment struct {
+	Particle uint32
+	Model ModelID
+	// metres, in the model's coordinates
+	LocalPoint Vec3
+}
+
 // One constraint. Frozen.
 type ConstraintInfo struct {
 	ID ConstraintID
@@ -817,6 +860,12 @@ var (
 	_ [unsafe.Offsetof(C.gphys_mesh_desc{}.allocator)]byte = [unsafe.Offsetof(MeshDesc{}.Allocator)]byte{}
 	_ [unsafe.Offsetof(C.gphys_mesh_desc{}.deformable)]byte = [unsafe.Offsetof(MeshDesc{}.Deformable)]byte{}
 	_ [unsafe.Offsetof(C.gphys_mesh_desc{}.reserved)]byte = [unsafe.Offsetof(MeshDesc{}.reserved)]byte{}
+	_ [C.sizeof_gphys_mesh_info]byte = [unsafe.Sizeof(MeshInfo{})]byte{}
+	_ [unsafe.Offsetof(C.gphys_mesh_info{}.kind)]byte = [unsafe.Offsetof(MeshInfo{}.Kind)]byte{}
+	_ [unsafe.Offsetof(C.gphys_mesh_info{}.vertex_count)]byte = [unsafe.Offsetof(MeshInfo{}.VertexCount)]byte{}
+	_ [unsafe.Offsetof(C.gphys_mesh_info{}.triangle_count)]byte = [unsafe.Offsetof(MeshInfo{}.TriangleCount)]byte{}
+	_ [unsafe.Offsetof(C.gphys_mesh_info{}.deformable)]byte = [unsafe.Offsetof(MeshInfo{}.Deformable)]byte{}
+	_ [unsafe.Offsetof(C.gphys_mesh_info{}.follows_body)]byte = [unsafe.Offsetof(MeshInfo{}.FollowsBody)]byte{}
 	_ [C.sizeof_gphys_octree_stats]byte = [unsafe.Sizeof(OctreeStats{})]byte{}
 	_ [unsafe.Offsetof(C.gphys_octree_stats{}.item_count)]byte = [unsafe.Offsetof(OctreeStats{}.ItemCount)]byte{}
 	_ [unsafe.Offsetof(C.gphys_octree_stats{}.unbounded_count)]byte = [unsafe.Offsetof(OctreeStats{}.UnboundedCount)]byte{}
@@ -942,6 +991,10 @@ var (
 	_ [unsafe.Offsetof(C.gphys_wind{}.density)]byte = [unsafe.Offsetof(Wind{}.Density)]byte{}
 	_ [unsafe.Offsetof(C.gphys_wind{}.drag)]byte = [unsafe.Offsetof(Wind{}.Drag)]byte{}
 	_ [unsafe.Offsetof(C.gphys_wind{}.lift)]byte = [unsafe.Offsetof(Wind{}.Lift)]byte{}
+	_ [C.sizeof_gphys_attachment]byte = [unsafe.Sizeof(Attachment{})]byte{}
+	_ [unsafe.Offsetof(C.gphys_attachment{}.particle)]byte = [unsafe.Offsetof(Attachment{}.Particle)]byte{}
+	_ [unsafe.Offsetof(C.gphys_attachment{}.model)]byte = [unsafe.Offsetof(Attachment{}.Model)]byte{}
+	_ [unsafe.Offsetof(C.gphys_attachment{}.local_point)]byte = [unsafe.Offsetof(Attachment{}.LocalPoint)]byte{}
 	_ [C.sizeof_gphys_constraint_info]byte = [unsafe.Sizeof(ConstraintInfo{})]byte{}
 	_ [unsafe.Offsetof(C.gphys_constraint_info{}.id)]byte = [unsafe.Offsetof(ConstraintInfo{}.ID)]byte{}
 	_ [unsafe.Offsetof(C.gphys_constraint_info{}.particle_a)]byte = [unsafe.Offsetof(ConstraintInfo{}.ParticleA)]byte{}

@@ -224,6 +224,16 @@ export interface MeshDesc {
     /** 1: Mesh.setVertices will be called; 12 bytes a vertex more. Since 1.1 */
     deformable: number;
 }
+/** What a mesh is. Frozen.  Since 1.1. */
+export interface MeshInfo {
+    kind: number;
+    vertex_count: number;
+    triangle_count: number;
+    /** 1: as MeshDesc.deformable, or in the form of a body */
+    deformable: number;
+    /** 1: a body gives it its form, and Mesh.setVertices does not */
+    follows_body: number;
+}
 /** How an octree is made up. Frozen. */
 export interface OctreeStats {
     /** models or triangles in the tree */
@@ -458,6 +468,13 @@ export interface Wind {
     /** coefficient C_L of cloth, >= 0; a plate has as much lift as drag */
     lift: number;
 }
+/** A particle that is attached to a model. Frozen.  Since 1.1. */
+export interface Attachment {
+    particle: number;
+    model: number;
+    /** metres, in the model's coordinates */
+    local_point: number[];
+}
 /** One constraint. Frozen. */
 export interface ConstraintInfo {
     id: number;
@@ -555,6 +572,7 @@ export interface Kinds {
     distance: Distance;
     penetration: Penetration;
     mesh_report: MeshReport;
+    mesh_info: MeshInfo;
     octree_stats: OctreeStats;
     octree_box: OctreeBox;
     model_info: ModelInfo;
@@ -564,6 +582,7 @@ export interface Kinds {
     body_settings: BodySettings;
     body_info: BodyInfo;
     wind: Wind;
+    attachment: Attachment;
     constraint_info: ConstraintInfo;
     constraint_settings: ConstraintSettings;
     joint_info: JointInfo;
@@ -620,6 +639,13 @@ export class Mesh {
      * Throws GamephysError with ERROR_UNSUPPORTED for a deformable hull.
      * Cost: O(n), a small part of Mesh's; allocates. */
     static fromSnapshot(words: Elements, desc?: Partial<MeshDesc> | null): Mesh;
+    /** A handle of a model's mesh: of the mesh itself, not of a copy, so that what Mesh.setVertices does to
+     * it is seen by all its models. It gives the meshes of a restored scene, which are not deformable if
+     * they were embedded in its snapshot.
+     * Result: another reference, to be released by Mesh, as that of Mesh is.
+     * Throws GamephysError with ERROR_UNSUPPORTED if the model's shape is no mesh.
+     * Cost: O(1). Since 1.1. */
+    static fromScene(scene: Scene, model: number): Mesh;
     /** Make a mesh that has the form of a body and follows it by itself: cloth, ropes and particles can be
      * met by rays, picked, overlapped and culled as models of scenes (Scene.add with SHAPE_MESH; without a
      * transform the model is where the body is) or asked by shape_* and mesh_* functions. Vertex p is
@@ -668,6 +694,9 @@ export class Mesh {
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: for a vertex that is not finite or too large, or if
      *     a model of the mesh would reach beyond the range of coordinates */
     setVertices(vertices: Elements): void;
+    /** Kind and size of a mesh, and whether its vertices change.
+     * Cost: O(1). Since 1.1. */
+    getInfo(): MeshInfo;
     /** What the mesh was built from: the report that meshCheck makes of its arrays.
      * Cost: O(1); O(triangles) for a deformable mesh. */
     getReport(): MeshReport;
@@ -1211,6 +1240,9 @@ export class Camera {
     /** Where the rays of a perspective begin, as it was set.
      * Cost: O(1). Since 1.1. */
     getPickStart(): number;
+    /** What the camera was created with, as in CameraDesc.
+     * Cost: O(1). Since 1.1. */
+    getConventions(): [number, number, boolean];
     /** Place the camera.
      * Cost: O(1).
      * @param position - metres, of its centre
@@ -1628,6 +1660,9 @@ export class Solver {
      * Cost: O(1).
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: if it is not attached, or does not exist */
     detach(body: number, particle: number): void;
+    /** The attachments of a body, by particle. One to a model that is gone is listed until the next step.
+     * Cost: O(attachments). Since 1.1. */
+    getAttachments(body: number): Records<Attachment>;
     /** Hold two different particles of a body at a distance.
      * Cost: O(1); the next step plans the body again, O(constraints).
      * @param rest_length - metres, >= 0; negative: the present distance
@@ -1667,6 +1702,11 @@ export class Solver {
      * Cost: O(triangles).
      * @throws {GamephysError} ERROR_UNSUPPORTED: if none is held */
     getVolume(body: number): [number, number];
+    /** What was given to Solver.setVolume: m^3, of a negative volume that which there was, and m^3 per
+     * pascal.
+     * Cost: O(1). Since 1.1.
+     * @throws {GamephysError} ERROR_UNSUPPORTED: if none is held */
+    getVolumeSettings(body: number): [number, number];
     /** End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
      * Cost: as Solver.addDistance; allocates.
      * @throws {GamephysError} ERROR_INVALID_ID: for a body or constraint that does not exist, or no longer */
@@ -1674,6 +1714,10 @@ export class Solver {
     /** All constraints of a body, those of its builder included, by id.
      * Cost: O(constraints). */
     getConstraints(body: number): Records<ConstraintInfo>;
+    /** Which constraints keep a length, and which a maximum.
+     * Cost: O(elements). Since 1.1.
+     * @param constraints - the ids; one may stand twice */
+    getConstraintKinds(body: number, constraints: Elements, out?: Elements): Records<number>;
     /** What constraints are like.
      * Cost: O(elements).
      * @param constraints - the ids; one may stand twice */
@@ -1966,6 +2010,10 @@ export const SIDE_CROSSING: 0;
 export const SIDE_INSIDE: 1;
 export const DEPTH_ZERO_TO_ONE: 0;
 export const DEPTH_MINUS_ONE_TO_ONE: 1;
+export const MESH_SURFACE: 0;
+export const MESH_BODY_SURFACE: 1;
+export const MESH_BODY_LINKS: 2;
+export const MESH_HULL: 3;
 export const FILTER_SUBTREE: 1;
 export const FILTER_NO_BACK_FACES: 2;
 export const FILTER_NO_FRONT_FACES: 4;
@@ -1984,6 +2032,8 @@ export const BODY_CLOTH: 3;
 export const SOLVE_FREE: 0;
 export const SOLVE_DIRECT: 1;
 export const SOLVE_GRAPH: 2;
+export const CONSTRAINT_DISTANCE: 0;
+export const CONSTRAINT_MAX_DISTANCE: 1;
 export const VERSION_MAJOR: number;
 export const VERSION_MINOR: number;
 export const VERSION_PATCH: number;

@@ -27,6 +27,7 @@ using Distance = gphys_distance;
 using Penetration = gphys_penetration;
 using MeshReport = gphys_mesh_report;
 using MeshDesc = gphys_mesh_desc;
+using MeshInfo = gphys_mesh_info;
 using OctreeStats = gphys_octree_stats;
 using OctreeBox = gphys_octree_box;
 using SceneDesc = gphys_scene_desc;
@@ -42,6 +43,7 @@ using BodyDesc = gphys_body_desc;
 using BodySettings = gphys_body_settings;
 using BodyInfo = gphys_body_info;
 using Wind = gphys_wind;
+using Attachment = gphys_attachment;
 using ConstraintInfo = gphys_constraint_info;
 using ConstraintSettings = gphys_constraint_settings;
 using JointInfo = gphys_joint_info;
@@ -192,6 +194,14 @@ public:
         own(made);
     }
 
+    // A handle of a model's mesh: of the mesh itself, not of a copy, so that what Mesh::set_vertices does
+    // to it is seen by all its models. It gives the meshes of a restored scene, which are not deformable
+    // if they were embedded in its snapshot.
+    // Result: another reference, to be released by Mesh, as that of Mesh is.
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED if the model's shape is no mesh.
+    // Cost: O(1). Since 1.1.
+    explicit Mesh(const Scene& scene, gphys_model_id model);
+
     // Make a mesh that has the form of a body and follows it by itself: cloth, ropes and particles can be
     // met by rays, picked, overlapped and culled as models of scenes (Scene::add with GPHYS_SHAPE_MESH;
     // without a transform the model is where the body is) or asked by shape_* and mesh_* functions. Vertex
@@ -248,6 +258,14 @@ public:
     // their groups of eight have boxes of twice the area, once that of a creation. Allocates. Since 1.1.
     void set_vertices(Span<const float> vertices) {
         check(gphys_mesh_set_vertices(handle(), vertices.data, vertices.stride, vertices.size));
+    }
+
+    // Kind and size of a mesh, and whether its vertices change.
+    // Cost: O(1). Since 1.1.
+    MeshInfo get_info() const {
+        MeshInfo out_info{};
+        check(gphys_mesh_get_info(handle(), &out_info));
+        return out_info;
     }
 
     // What the mesh was built from: the report that gamephys::mesh_check makes of its arrays.
@@ -1214,6 +1232,16 @@ public:
         return out_start;
     }
 
+    // What the camera was created with, as in CameraDesc.
+    // Cost: O(1). Since 1.1.
+    std::tuple<gphys_handedness, gphys_depth_range, int32_t> get_conventions() const {
+        gphys_handedness out_handedness{};
+        gphys_depth_range out_depth_range{};
+        int32_t out_reverse_z{};
+        check(gphys_camera_get_conventions(handle(), &out_handedness, &out_depth_range, &out_reverse_z));
+        return std::make_tuple(out_handedness, out_depth_range, out_reverse_z);
+    }
+
     // Place the camera.
     //   - position: metres, of its centre
     //   - rotation: from its own axes to those of the world
@@ -1899,6 +1927,12 @@ public:
         check(gphys_solver_detach(handle(), body, particle));
     }
 
+    // The attachments of a body, by particle. One to a model that is gone is listed until the next step.
+    // Cost: O(attachments). Since 1.1.
+    std::vector<Attachment> get_attachments(gphys_body_id body) const {
+        return list<Attachment>([&](Attachment* out_attachments, uint32_t capacity, uint32_t* total) { return gphys_solver_get_attachments(handle(), body, out_attachments, capacity, total); });
+    }
+
     // Hold two different particles of a body at a distance.
     //   - rest_length: metres, >= 0; negative: the present distance
     //   - compliance: metres per newton, >= 0; 0 is rigid
@@ -1960,6 +1994,17 @@ public:
         return std::make_tuple(out_volume, out_pressure);
     }
 
+    // What was given to Solver::set_volume: m^3, of a negative volume that which there was, and m^3 per
+    // pascal.
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED if none is held.
+    // Cost: O(1). Since 1.1.
+    std::tuple<float, float> get_volume_settings(gphys_body_id body) const {
+        float out_rest_volume{};
+        float out_compliance{};
+        check(gphys_solver_get_volume_settings(handle(), body, &out_rest_volume, &out_compliance));
+        return std::make_tuple(out_rest_volume, out_compliance);
+    }
+
     // End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
     // Throws Error with GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist, or no longer.
     // Cost: as Solver::add_distance; allocates.
@@ -1971,6 +2016,15 @@ public:
     // Cost: O(constraints).
     std::vector<ConstraintInfo> get_constraints(gphys_body_id body) const {
         return list<ConstraintInfo>([&](ConstraintInfo* out_constraints, uint32_t capacity, uint32_t* total) { return gphys_solver_get_constraints(handle(), body, out_constraints, capacity, total); });
+    }
+
+    // Which constraints keep a length, and which a maximum.
+    //   - constraints: the ids; one may stand twice
+    // Cost: O(elements). Since 1.1.
+    void get_constraint_kinds(gphys_body_id body, Span<const gphys_constraint_id> constraints, Span<gphys_constraint_kind> out_kinds) const {
+        const uint32_t count = common_size({constraints.sizes()});
+        require_size(out_kinds.size, count);
+        check(gphys_solver_get_constraint_kinds(handle(), body, constraints.data, count, out_kinds.data, out_kinds.stride));
     }
 
     // What constraints are like.
@@ -2125,6 +2179,12 @@ public:
     }
 
 };
+
+inline Mesh::Mesh(const Scene& scene, gphys_model_id model) {
+    gphys_mesh* made = nullptr;
+    check(gphys_scene_get_mesh(scene.handle(), model, &made));
+    own(made);
+}
 
 inline Mesh::Mesh(Solver& solver, gphys_body_id body, const MeshDesc* desc) {
     gphys_mesh* made = nullptr;

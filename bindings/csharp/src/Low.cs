@@ -42,6 +42,7 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_mesh_get_hull_faces(MeshHandle mesh, uint* out_faces, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_mesh_set_vertices(MeshHandle mesh, float* vertices, uint vertex_stride, uint vertex_count);
     [DllImport(Library)] internal static extern void gphys_mesh_destroy(IntPtr mesh);
+    [DllImport(Library)] internal static extern Status gphys_mesh_get_info(MeshHandle mesh, MeshInfo* out_info);
     [DllImport(Library)] internal static extern Status gphys_mesh_get_report(MeshHandle mesh, MeshReport* out_report);
     [DllImport(Library)] internal static extern Status gphys_mesh_get_vertices(MeshHandle mesh, Vec3* out_vertices, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_mesh_get_indices(MeshHandle mesh, uint* out_indices, uint capacity, uint* out_total);
@@ -73,6 +74,7 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_scene_get_children(SceneHandle scene, uint model, uint* out_models, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_scene_get_info(SceneHandle scene, uint model, ModelInfo* out_info);
     [DllImport(Library)] internal static extern Status gphys_scene_get_shape(SceneHandle scene, uint model, void* out_shape, uint out_size);
+    [DllImport(Library)] internal static extern Status gphys_scene_get_mesh(SceneHandle scene, uint model, IntPtr* out_mesh);
     [DllImport(Library)] internal static extern Status gphys_scene_get_bounds(SceneHandle scene, uint model, Aabb* out_bounds);
     [DllImport(Library)] internal static extern Status gphys_scene_get_scene_bounds(SceneHandle scene, Aabb* out_bounds);
     [DllImport(Library)] internal static extern Status gphys_scene_set_shape(SceneHandle scene, uint model, ShapeType type, void* shape);
@@ -149,6 +151,7 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_camera_get_aspect(CameraHandle camera, float* out_aspect, int* out_is_fixed);
     [DllImport(Library)] internal static extern Status gphys_camera_get_image_size(CameraHandle camera, float* out_width, float* out_height);
     [DllImport(Library)] internal static extern Status gphys_camera_get_pick_start(CameraHandle camera, PickStart* out_start);
+    [DllImport(Library)] internal static extern Status gphys_camera_get_conventions(CameraHandle camera, Handedness* out_handedness, DepthRange* out_depth_range, int* out_reverse_z);
     [DllImport(Library)] internal static extern Status gphys_camera_set_transform(CameraHandle camera, Vec3* position, Quat* rotation);
     [DllImport(Library)] internal static extern Status gphys_camera_set_world_matrix(CameraHandle camera, Mat4* world);
     [DllImport(Library)] internal static extern Status gphys_camera_set_view_matrix(CameraHandle camera, Mat4* view);
@@ -227,13 +230,16 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_solver_get_air_velocities(SolverHandle solver, uint body, uint first, uint count, Vec3* out_velocities, uint out_stride);
     [DllImport(Library)] internal static extern Status gphys_solver_attach(SolverHandle solver, SceneHandle scene, uint body, uint particle, uint model, Vec3* local_point);
     [DllImport(Library)] internal static extern Status gphys_solver_detach(SolverHandle solver, uint body, uint particle);
+    [DllImport(Library)] internal static extern Status gphys_solver_get_attachments(SolverHandle solver, uint body, Attachment* out_attachments, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_solver_add_distance(SolverHandle solver, uint body, uint particle_a, uint particle_b, float rest_length, float compliance, uint* out_constraint);
     [DllImport(Library)] internal static extern Status gphys_solver_add_max_distance(SolverHandle solver, uint body, uint particle_a, uint particle_b, float max_length, float compliance, uint* out_constraint);
     [DllImport(Library)] internal static extern Status gphys_solver_set_constraint_damping(SolverHandle solver, uint body, uint constraint, float damping);
     [DllImport(Library)] internal static extern Status gphys_solver_set_volume(SolverHandle solver, uint body, float rest_volume, float compliance);
     [DllImport(Library)] internal static extern Status gphys_solver_get_volume(SolverHandle solver, uint body, float* out_volume, float* out_pressure);
+    [DllImport(Library)] internal static extern Status gphys_solver_get_volume_settings(SolverHandle solver, uint body, float* out_rest_volume, float* out_compliance);
     [DllImport(Library)] internal static extern Status gphys_solver_remove_constraint(SolverHandle solver, uint body, uint constraint);
     [DllImport(Library)] internal static extern Status gphys_solver_get_constraints(SolverHandle solver, uint body, ConstraintInfo* out_constraints, uint capacity, uint* out_total);
+    [DllImport(Library)] internal static extern Status gphys_solver_get_constraint_kinds(SolverHandle solver, uint body, uint* constraints, uint count, ConstraintKind* out_kinds, uint out_stride);
     [DllImport(Library)] internal static extern Status gphys_solver_get_constraint_settings(SolverHandle solver, uint body, uint* constraints, uint count, ConstraintSettings* out_settings, uint out_stride);
     [DllImport(Library)] internal static extern Status gphys_solver_set_constraint_settings(SolverHandle solver, uint body, uint* constraints, ConstraintSettings* settings, uint setting_stride, uint count);
     [DllImport(Library)] internal static extern Status gphys_solver_join(SolverHandle solver, uint body_a, uint particle_a, uint body_b, uint particle_b, float rest_length, float compliance, uint* out_joint);

@@ -69,6 +69,19 @@ public sealed partial class Mesh : IDisposable {
         Handle = new MeshHandle(made);
     }
 
+    /// <summary>A handle of a model's mesh: of the mesh itself, not of a copy, so that what Mesh.SetVertices does to
+    /// it is seen by all its models. It gives the meshes of a restored scene, which are not deformable if
+    /// they were embedded in its snapshot.
+    /// Cost: O(1). Since 1.1.</summary>
+    /// <returns>another reference, to be released by Mesh, as that of Mesh is.</returns>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: if the model's shape is no
+    /// mesh</exception>
+    public unsafe Mesh(Scene scene, uint model) {
+        IntPtr made;
+        Check(Low.gphys_scene_get_mesh(scene.Handle, model, &made));
+        Handle = new MeshHandle(made);
+    }
+
     /// <summary>Make a mesh that has the form of a body and follows it by itself: cloth, ropes and particles can be
     /// met by rays, picked, overlapped and culled as models of scenes (Scene.Add with ShapeType.Mesh;
     /// without a transform the model is where the body is) or asked by shape_* and mesh_* functions. Vertex
@@ -159,6 +172,14 @@ public sealed partial class Mesh : IDisposable {
     public unsafe void SetVertices(ReadOnlySpan<Vec3> vertices) {
         fixed (Vec3* vertices_ = &MemoryMarshal.GetReference(vertices))
         Check(Low.gphys_mesh_set_vertices(Handle, (float*)vertices_, SizeOf(vertices), (uint)vertices.Length));
+    }
+
+    /// <summary>Kind and size of a mesh, and whether its vertices change.
+    /// Cost: O(1). Since 1.1.</summary>
+    public unsafe MeshInfo GetInfo() {
+        var info = default(MeshInfo);
+        Check(Low.gphys_mesh_get_info(Handle, &info));
+        return info;
     }
 
     /// <summary>What the mesh was built from: the report that Geometry.MeshCheck makes of its arrays.
@@ -1542,6 +1563,16 @@ public sealed partial class Camera : IDisposable {
         return start;
     }
 
+    /// <summary>What the camera was created with, as in CameraDesc.
+    /// Cost: O(1). Since 1.1.</summary>
+    public unsafe (Handedness Handedness, DepthRange Depthrange, bool Reversez) GetConventions() {
+        var handedness = default(Handedness);
+        var depthRange = default(DepthRange);
+        var reverseZ = default(int);
+        Check(Low.gphys_camera_get_conventions(Handle, &handedness, &depthRange, &reverseZ));
+        return (handedness, depthRange, reverseZ != 0);
+    }
+
     /// <summary>Place the camera.
     /// Cost: O(1).</summary>
     /// <param name="position">metres, of its centre</param>
@@ -2407,6 +2438,24 @@ public sealed partial class Solver : IDisposable {
         Check(Low.gphys_solver_detach(Handle, body, particle));
     }
 
+    /// <summary>The attachments of a body, by particle. One to a model that is gone is listed until the next step.
+    /// Cost: O(attachments). Since 1.1.</summary>
+    public unsafe Attachment[] GetAttachments(uint body) {
+        var result = new Attachment[Guess];
+        for (;;) {
+            uint total;
+            Status status;
+            fixed (Attachment* out_ = result)
+            status = Low.gphys_solver_get_attachments(Handle, body, out_, (uint)result.Length, &total);
+            Check(status);
+            if (status != Status.Incomplete) {
+                Array.Resize(ref result, (int)total);
+                return result;
+            }
+            result = new Attachment[total];
+        }
+    }
+
     /// <summary>Hold two different particles of a body at a distance.
     /// Cost: O(1); the next step plans the body again, O(constraints).</summary>
     /// <param name="restLength">metres, &gt;= 0; negative: the present distance</param>
@@ -2472,6 +2521,17 @@ public sealed partial class Solver : IDisposable {
         return (volume, pressure);
     }
 
+    /// <summary>What was given to Solver.SetVolume: m^3, of a negative volume that which there was, and m^3 per
+    /// pascal.
+    /// Cost: O(1). Since 1.1.</summary>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: if none is held</exception>
+    public unsafe (float Restvolume, float Compliance) GetVolumeSettings(uint body) {
+        var restVolume = default(float);
+        var compliance = default(float);
+        Check(Low.gphys_solver_get_volume_settings(Handle, body, &restVolume, &compliance));
+        return (restVolume, compliance);
+    }
+
     /// <summary>End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
     /// Cost: as Solver.AddDistance; allocates.</summary>
     /// <exception cref="GamephysException">Status.ErrorInvalidId: for a body or constraint that does not
@@ -2496,6 +2556,17 @@ public sealed partial class Solver : IDisposable {
             }
             result = new ConstraintInfo[total];
         }
+    }
+
+    /// <summary>Which constraints keep a length, and which a maximum.
+    /// Cost: O(elements). Since 1.1.</summary>
+    /// <param name="constraints">the ids; one may stand twice</param>
+    public unsafe void GetConstraintKinds(uint body, ReadOnlySpan<uint> constraints, Span<ConstraintKind> kinds) {
+        var count = CommonLength(constraints.Length, 1);
+        RequireLength(kinds.Length, count);
+        fixed (uint* constraints_ = &MemoryMarshal.GetReference(constraints))
+        fixed (ConstraintKind* kinds_ = &MemoryMarshal.GetReference(kinds))
+        Check(Low.gphys_solver_get_constraint_kinds(Handle, body, constraints_, count, kinds_, (uint)sizeof(ConstraintKind)));
     }
 
     /// <summary>What constraints are like.

@@ -73,6 +73,18 @@ public enum DepthRange {
     MinusOneToOne = 1,
 }
 
+/// <summary>What a mesh consists of.</summary>
+public enum MeshKind {
+    /// <summary>triangles</summary>
+    Surface = 0,
+    /// <summary>the triangles of a cloth: Mesh</summary>
+    BodySurface = 1,
+    /// <summary>the links and particles of a rope, or free particles: likewise</summary>
+    BodyLinks = 2,
+    /// <summary>a solid: Mesh</summary>
+    Hull = 3,
+}
+
 public enum Projection {
     Perspective = 0,
     Orthographic = 1,
@@ -111,6 +123,14 @@ public enum SolveMethod {
     /// batches of chains, then the rest, then reach limits
     /// </summary>
     Graph = 2,
+}
+
+/// <summary>What a constraint holds.</summary>
+public enum ConstraintKind {
+    /// <summary>its length: Solver.AddDistance, and those of builders</summary>
+    Distance = 0,
+    /// <summary>at most its length; it may go slack: Solver.AddMaxDistance</summary>
+    MaxDistance = 1,
 }
 
 public static class Constants {
@@ -422,6 +442,18 @@ public partial struct MeshDesc {
             return desc;
         }
     }
+}
+
+/// <summary>What a mesh is. Frozen.  Since 1.1.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public partial struct MeshInfo {
+    public MeshKind Kind;
+    public uint VertexCount;
+    public uint TriangleCount;
+    /// <summary>1: as MeshDesc.deformable, or in the form of a body</summary>
+    public int Deformable;
+    /// <summary>1: a body gives it its form, and Mesh.SetVertices does not</summary>
+    public int FollowsBody;
 }
 
 /// <summary>How an octree is made up. Frozen.</summary>
@@ -788,6 +820,15 @@ public partial struct Wind {
     public float Drag;
     /// <summary>coefficient C_L of cloth, &gt;= 0; a plate has as much lift as drag</summary>
     public float Lift;
+}
+
+/// <summary>A particle that is attached to a model. Frozen.  Since 1.1.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public partial struct Attachment {
+    public uint Particle;
+    public uint Model;
+    /// <summary>metres, in the model's coordinates</summary>
+    public Vec3 LocalPoint;
 }
 
 /// <summary>One constraint. Frozen.</summary>

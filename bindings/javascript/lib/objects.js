@@ -1,6 +1,6 @@
 // Generated from gamephys_api.json by bindings/generate.py. Not for editing.
 import { ALL_LAYERS, ERROR_INVALID_ID, OK } from './constants.js';
-import { readAabb, readBodyInfo, readBodySettings, readFrustum, readHit, readMat4, readMeshReport, readModelInfo, readNearest, readOctreeStats, readOrbit, readOrbitSpeeds, readPenetration, readQuat, readRay, readSolverSettings, readSolverStats, readVec3, readWind, writeBodyDesc, writeBodySettings, writeCameraDesc, writeFrustum, writeMat4, writeMeshDesc, writeModelDesc, writeOrbit, writeOrbitSpeeds, writePlane, writeQuat, writeQueryFilterDesc, writeRay, writeSceneDesc, writeSegment, writeSolverDesc, writeSolverSettings, writeSphere, writeTransform, writeVec3, writeWind } from './structs.js';
+import { readAabb, readBodyInfo, readBodySettings, readFrustum, readHit, readMat4, readMeshInfo, readMeshReport, readModelInfo, readNearest, readOctreeStats, readOrbit, readOrbitSpeeds, readPenetration, readQuat, readRay, readSolverSettings, readSolverStats, readVec3, readWind, writeBodyDesc, writeBodySettings, writeCameraDesc, writeFrustum, writeMat4, writeMeshDesc, writeModelDesc, writeOrbit, writeOrbitSpeeds, writePlane, writeQuat, writeQueryFilterDesc, writeRay, writeSceneDesc, writeSegment, writeSolverDesc, writeSolverSettings, writeSphere, writeTransform, writeVec3, writeWind } from './structs.js';
 import { Shape, runtime } from './runtime.js';
 
 /** Everything of the library but constants, over one way to reach its memory and functions. */
@@ -37,6 +37,12 @@ export function objects(memory) {
                 return made(24);
             }, native.gphys_mesh_destroy], Mesh);
         }
+        static fromScene(scene, model) {
+            return Reflect.construct(Handle, [() => {
+                check(native.gphys_scene_get_mesh(pointer(scene, Scene, 'scene', false), model, base));
+                return made(0);
+            }, native.gphys_mesh_destroy], Mesh);
+        }
         static fromBody(solver, body, desc) {
             return Reflect.construct(Handle, [() => {
                 if (desc != null) { check(native.gphys_mesh_desc_init(base, v.wide ? 24 : 16)); writeMeshDesc(v, 0, desc); }
@@ -56,6 +62,10 @@ export function objects(memory) {
             begin();
             const vertices_ = input(vertices, 12, 'vertices');
             check(native.gphys_mesh_set_vertices(this.pointer, pass(vertices_), 12, vertices_.length));
+        }
+        getInfo() {
+            check(native.gphys_mesh_get_info(this.pointer, base));
+            return readMeshInfo(v, 0);
         }
         getReport() {
             check(native.gphys_mesh_get_report(this.pointer, base));
@@ -604,6 +614,10 @@ export function objects(memory) {
             check(native.gphys_camera_get_pick_start(this.pointer, base));
             return v.i32[0];
         }
+        getConventions() {
+            check(native.gphys_camera_get_conventions(this.pointer, base, base + 4, base + 8));
+            return [v.i32[0], v.i32[1], v.i32[2] !== 0];
+        }
         setTransform(position, rotation) {
             writeVec3(v, 0, position);
             writeQuat(v, 4, rotation);
@@ -960,6 +974,10 @@ export function objects(memory) {
         detach(body, particle) {
             check(native.gphys_solver_detach(this.pointer, body, particle));
         }
+        getAttachments(body) {
+            begin();
+            return list('attachment', 0, (room, capacity) => native.gphys_solver_get_attachments(this.pointer, body, room, capacity, base));
+        }
         addDistance(body, particle_a, particle_b, rest_length, compliance) {
             check(native.gphys_solver_add_distance(this.pointer, body, particle_a, particle_b, rest_length, compliance, base));
             return v.u32[0];
@@ -978,12 +996,24 @@ export function objects(memory) {
             check(native.gphys_solver_get_volume(this.pointer, body, base, base + 4));
             return [v.f32[0], v.f32[1]];
         }
+        getVolumeSettings(body) {
+            check(native.gphys_solver_get_volume_settings(this.pointer, body, base, base + 4));
+            return [v.f32[0], v.f32[1]];
+        }
         removeConstraint(body, constraint) {
             check(native.gphys_solver_remove_constraint(this.pointer, body, constraint));
         }
         getConstraints(body) {
             begin();
             return list('constraint_info', 0, (room, capacity) => native.gphys_solver_get_constraints(this.pointer, body, room, capacity, base));
+        }
+        getConstraintKinds(body, constraints, out) {
+            begin();
+            const constraints_ = input(constraints, 4, 'constraints');
+            const count = common(constraints_);
+            const out_kinds_ = output(out, 'int32_t', count);
+            check(native.gphys_solver_get_constraint_kinds(this.pointer, body, pass(constraints_), count, pass(out_kinds_), 4));
+            return finish(out_kinds_);
         }
         getConstraintSettings(body, constraints, out) {
             begin();

@@ -160,6 +160,15 @@ export function writeMeshDesc(v, at, value) {
         }
     }
 }
+export const readMeshInfo = (v, at) => ({ kind: v.i32[at], vertex_count: v.u32[at + 1], triangle_count: v.u32[at + 2], deformable: v.i32[at + 3], follows_body: v.i32[at + 4] });
+export function writeMeshInfo(v, at, value) {
+    const rows = row(value, 5, 'mesh_info');
+    v.i32[at] = number(rows ? value[0] : value.kind, 'kind');
+    v.u32[at + 1] = number(rows ? value[1] : value.vertex_count, 'vertex_count');
+    v.u32[at + 2] = number(rows ? value[2] : value.triangle_count, 'triangle_count');
+    v.i32[at + 3] = number(rows ? value[3] : value.deformable, 'deformable');
+    v.i32[at + 4] = number(rows ? value[4] : value.follows_body, 'follows_body');
+}
 export const readOctreeStats = (v, at) => ({ item_count: v.u32[at], unbounded_count: v.u32[at + 1], node_count: v.u32[at + 2], leaf_count: v.u32[at + 3], depth: v.u32[at + 4], rebuilds: v.u32[at + 5], cost: v.f32[at + 6], memory_bytes: v.u32[at + 7] });
 export function writeOctreeStats(v, at, value) {
     const rows = row(value, 8, 'octree_stats');
@@ -337,6 +346,13 @@ export function writeWind(v, at, value) {
     v.f32[at + 4] = number(rows ? value[2] : value.drag, 'drag');
     v.f32[at + 5] = number(rows ? value[3] : value.lift, 'lift');
 }
+export const readAttachment = (v, at) => ({ particle: v.u32[at], model: v.u32[at + 1], local_point: readVec3(v, at + 2) });
+export function writeAttachment(v, at, value) {
+    const rows = row(value, 3, 'attachment');
+    v.u32[at] = number(rows ? value[0] : value.particle, 'particle');
+    v.u32[at + 1] = number(rows ? value[1] : value.model, 'model');
+    writeVec3(v, at + 2, rows ? value[2] : value.local_point);
+}
 export const readConstraintInfo = (v, at) => ({ id: v.u32[at], particle_a: v.u32[at + 1], particle_b: v.u32[at + 2], rest_length: v.f32[at + 3], compliance: v.f32[at + 4] });
 export function writeConstraintInfo(v, at, value) {
     const rows = row(value, 5, 'constraint_info');
@@ -419,6 +435,7 @@ export const types = {
     distance: { size: 12, read: readDistance, write: writeDistance },
     penetration: { size: 40, read: readPenetration, write: writePenetration },
     mesh_report: { size: 32, read: readMeshReport, write: writeMeshReport },
+    mesh_info: { size: 20, read: readMeshInfo, write: writeMeshInfo },
     octree_stats: { size: 32, read: readOctreeStats, write: writeOctreeStats },
     octree_box: { size: 32, read: readOctreeBox, write: writeOctreeBox },
     model_info: { size: 20, read: readModelInfo, write: writeModelInfo },
@@ -428,6 +445,7 @@ export const types = {
     body_settings: { size: 28, read: readBodySettings, write: writeBodySettings },
     body_info: { size: 20, read: readBodyInfo, write: writeBodyInfo },
     wind: { size: 24, read: readWind, write: writeWind },
+    attachment: { size: 20, read: readAttachment, write: writeAttachment },
     constraint_info: { size: 20, read: readConstraintInfo, write: writeConstraintInfo },
     constraint_settings: { size: 12, read: readConstraintSettings, write: writeConstraintSettings },
     joint_info: { size: 32, read: readJointInfo, write: writeJointInfo },

@@ -5,6 +5,7 @@ typedef int32_t gphys_status;
 typedef int32_t gphys_shape_type;
 typedef int32_t gphys_side;
 typedef int32_t gphys_depth_range;
+typedef int32_t gphys_mesh_kind;
 typedef uint32_t gphys_model_id;
 typedef int32_t gphys_projection;
 typedef int32_t gphys_handedness;
@@ -13,6 +14,7 @@ typedef uint32_t gphys_body_id;
 typedef uint32_t gphys_constraint_id;
 typedef int32_t gphys_body_kind;
 typedef int32_t gphys_solve_method;
+typedef int32_t gphys_constraint_kind;
 typedef uint32_t gphys_joint_id;
 typedef struct gphys_mesh gphys_mesh;
 typedef struct gphys_scene gphys_scene;
@@ -40,6 +42,7 @@ typedef struct gphys_distance { float t; uint32_t model; uint32_t triangle; } gp
 typedef struct gphys_penetration { uint32_t model; uint32_t tag; gphys_vec3 point; gphys_vec3 normal; float depth; uint32_t triangle; } gphys_penetration;
 typedef struct gphys_mesh_report { uint32_t triangle_count; uint32_t degenerate_count; uint32_t first_degenerate; uint32_t out_of_range_count; uint32_t first_out_of_range; uint32_t bad_vertex_count; uint32_t first_bad_vertex; uint32_t open_edge_count; } gphys_mesh_report;
 typedef struct gphys_mesh_desc { uint32_t struct_size; const gphys_allocator *allocator; int32_t deformable; uint32_t reserved; } gphys_mesh_desc;
+typedef struct gphys_mesh_info { gphys_mesh_kind kind; uint32_t vertex_count; uint32_t triangle_count; int32_t deformable; int32_t follows_body; } gphys_mesh_info;
 typedef struct gphys_octree_stats { uint32_t item_count; uint32_t unbounded_count; uint32_t node_count; uint32_t leaf_count; uint32_t depth; uint32_t rebuilds; float cost; uint32_t memory_bytes; } gphys_octree_stats;
 typedef struct gphys_octree_box { gphys_aabb bounds; uint32_t depth; uint32_t item_count; } gphys_octree_box;
 typedef struct gphys_scene_desc { uint32_t struct_size; const gphys_allocator *allocator; uint32_t reserve_models; const gphys_task_runner *task_runner; uint32_t worker_count; uint32_t reserved; } gphys_scene_desc;
@@ -55,6 +58,7 @@ typedef struct gphys_body_desc { uint32_t struct_size; float mass; float radius;
 typedef struct gphys_body_settings { float damping; float friction; float static_friction; float restitution; uint32_t layers; uint32_t body_layers; uint32_t self_collision; } gphys_body_settings;
 typedef struct gphys_body_info { gphys_body_kind kind; gphys_solve_method method; uint32_t particle_count; uint32_t constraint_count; uint32_t triangle_count; } gphys_body_info;
 typedef struct gphys_wind { gphys_vec3 velocity; float density; float drag; float lift; } gphys_wind;
+typedef struct gphys_attachment { uint32_t particle; gphys_model_id model; gphys_vec3 local_point; } gphys_attachment;
 typedef struct gphys_constraint_info { gphys_constraint_id id; uint32_t particle_a; uint32_t particle_b; float rest_length; float compliance; } gphys_constraint_info;
 typedef struct gphys_constraint_settings { float rest_length; float compliance; float damping; } gphys_constraint_settings;
 typedef struct gphys_joint_info { gphys_joint_id id; gphys_body_id body_a; uint32_t particle_a; gphys_body_id body_b; uint32_t particle_b; float rest_length; float compliance; float force; } gphys_joint_info;
@@ -95,6 +99,7 @@ gphys_status gphys_mesh_get_hull_planes(const gphys_mesh *mesh, gphys_plane *out
 gphys_status gphys_mesh_get_hull_faces(const gphys_mesh *mesh, uint32_t *out_faces, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_mesh_set_vertices(gphys_mesh *mesh, const float *vertices, uint32_t vertex_stride, uint32_t vertex_count);
 void gphys_mesh_destroy(gphys_mesh *mesh);
+gphys_status gphys_mesh_get_info(const gphys_mesh *mesh, gphys_mesh_info *out_info);
 gphys_status gphys_mesh_get_report(const gphys_mesh *mesh, gphys_mesh_report *out_report);
 gphys_status gphys_mesh_get_vertices(const gphys_mesh *mesh, gphys_vec3 *out_vertices, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_mesh_get_indices(const gphys_mesh *mesh, uint32_t *out_indices, uint32_t capacity, uint32_t *out_total);
@@ -126,6 +131,7 @@ gphys_status gphys_scene_get_roots(const gphys_scene *scene, gphys_model_id *out
 gphys_status gphys_scene_get_children(const gphys_scene *scene, gphys_model_id model, gphys_model_id *out_models, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_scene_get_info(const gphys_scene *scene, gphys_model_id model, gphys_model_info *out_info);
 gphys_status gphys_scene_get_shape(const gphys_scene *scene, gphys_model_id model, void *out_shape, uint32_t out_size);
+gphys_status gphys_scene_get_mesh(const gphys_scene *scene, gphys_model_id model, gphys_mesh **out_mesh);
 gphys_status gphys_scene_get_bounds(const gphys_scene *scene, gphys_model_id model, gphys_aabb *out_bounds);
 gphys_status gphys_scene_get_scene_bounds(const gphys_scene *scene, gphys_aabb *out_bounds);
 gphys_status gphys_scene_set_shape(gphys_scene *scene, gphys_model_id model, gphys_shape_type type, const void *shape);
@@ -202,6 +208,7 @@ gphys_status gphys_camera_get_viewport_origin(const gphys_camera *camera, float 
 gphys_status gphys_camera_get_aspect(const gphys_camera *camera, float *out_aspect, int32_t *out_is_fixed);
 gphys_status gphys_camera_get_image_size(const gphys_camera *camera, float *out_width, float *out_height);
 gphys_status gphys_camera_get_pick_start(const gphys_camera *camera, gphys_pick_start *out_start);
+gphys_status gphys_camera_get_conventions(const gphys_camera *camera, gphys_handedness *out_handedness, gphys_depth_range *out_depth_range, int32_t *out_reverse_z);
 gphys_status gphys_camera_set_transform(gphys_camera *camera, const gphys_vec3 *position, const gphys_quat *rotation);
 gphys_status gphys_camera_set_world_matrix(gphys_camera *camera, const gphys_mat4 *world);
 gphys_status gphys_camera_set_view_matrix(gphys_camera *camera, const gphys_mat4 *view);
@@ -280,13 +287,16 @@ gphys_status gphys_solver_set_air_velocities(gphys_solver *solver, gphys_body_id
 gphys_status gphys_solver_get_air_velocities(const gphys_solver *solver, gphys_body_id body, uint32_t first, uint32_t count, gphys_vec3 *out_velocities, uint32_t out_stride);
 gphys_status gphys_solver_attach(gphys_solver *solver, const gphys_scene *scene, gphys_body_id body, uint32_t particle, gphys_model_id model, const gphys_vec3 *local_point);
 gphys_status gphys_solver_detach(gphys_solver *solver, gphys_body_id body, uint32_t particle);
+gphys_status gphys_solver_get_attachments(const gphys_solver *solver, gphys_body_id body, gphys_attachment *out_attachments, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_solver_add_distance(gphys_solver *solver, gphys_body_id body, uint32_t particle_a, uint32_t particle_b, float rest_length, float compliance, gphys_constraint_id *out_constraint);
 gphys_status gphys_solver_add_max_distance(gphys_solver *solver, gphys_body_id body, uint32_t particle_a, uint32_t particle_b, float max_length, float compliance, gphys_constraint_id *out_constraint);
 gphys_status gphys_solver_set_constraint_damping(gphys_solver *solver, gphys_body_id body, gphys_constraint_id constraint, float damping);
 gphys_status gphys_solver_set_volume(gphys_solver *solver, gphys_body_id body, float rest_volume, float compliance);
 gphys_status gphys_solver_get_volume(const gphys_solver *solver, gphys_body_id body, float *out_volume, float *out_pressure);
+gphys_status gphys_solver_get_volume_settings(const gphys_solver *solver, gphys_body_id body, float *out_rest_volume, float *out_compliance);
 gphys_status gphys_solver_remove_constraint(gphys_solver *solver, gphys_body_id body, gphys_constraint_id constraint);
 gphys_status gphys_solver_get_constraints(const gphys_solver *solver, gphys_body_id body, gphys_constraint_info *out_constraints, uint32_t capacity, uint32_t *out_total);
+gphys_status gphys_solver_get_constraint_kinds(const gphys_solver *solver, gphys_body_id body, const gphys_constraint_id *constraints, uint32_t count, gphys_constraint_kind *out_kinds, uint32_t out_stride);
 gphys_status gphys_solver_get_constraint_settings(const gphys_solver *solver, gphys_body_id body, const gphys_constraint_id *constraints, uint32_t count, gphys_constraint_settings *out_settings, uint32_t out_stride);
 gphys_status gphys_solver_set_constraint_settings(gphys_solver *solver, gphys_body_id body, const gphys_constraint_id *constraints, const gphys_constraint_settings *settings, uint32_t setting_stride, uint32_t count);
 gphys_status gphys_solver_join(gphys_solver *solver, gphys_body_id body_a, uint32_t particle_a, gphys_body_id body_b, uint32_t particle_b, float rest_length, float compliance, gphys_joint_id *out_joint);
@@ -339,6 +349,10 @@ gphys_status gphys_solver_get_hash(const gphys_solver *solver, uint32_t *out_has
         SIDE_INSIDE = 1,
         DEPTH_ZERO_TO_ONE = 0,
         DEPTH_MINUS_ONE_TO_ONE = 1,
+        MESH_SURFACE = 0,
+        MESH_BODY_SURFACE = 1,
+        MESH_BODY_LINKS = 2,
+        MESH_HULL = 3,
         FILTER_SUBTREE = 1,
         FILTER_NO_BACK_FACES = 2,
         FILTER_NO_FRONT_FACES = 4,
@@ -357,6 +371,8 @@ gphys_status gphys_solver_get_hash(const gphys_solver *solver, uint32_t *out_has
         SOLVE_FREE = 0,
         SOLVE_DIRECT = 1,
         SOLVE_GRAPH = 2,
+        CONSTRAINT_DISTANCE = 0,
+        CONSTRAINT_MAX_DISTANCE = 1,
         VERSION_MAJOR = 1,
         VERSION_MINOR = 1,
         VERSION_PATCH = 0,
@@ -386,6 +402,7 @@ gphys_status gphys_solver_get_hash(const gphys_solver *solver, uint32_t *out_has
         { name = "penetration", fields = { "model", "tag", "point", "normal", "depth", "triangle" } },
         { name = "mesh_report", fields = { "triangle_count", "degenerate_count", "first_degenerate", "out_of_range_count", "first_out_of_range", "bad_vertex_count", "first_bad_vertex", "open_edge_count" } },
         { name = "mesh_desc", fields = { "struct_size", "allocator", "deformable", "reserved" } },
+        { name = "mesh_info", fields = { "kind", "vertex_count", "triangle_count", "deformable", "follows_body" } },
         { name = "octree_stats", fields = { "item_count", "unbounded_count", "node_count", "leaf_count", "depth", "rebuilds", "cost", "memory_bytes" } },
         { name = "octree_box", fields = { "bounds", "depth", "item_count" } },
         { name = "scene_desc", fields = { "struct_size", "allocator", "reserve_models", "task_runner", "worker_count", "reserved" } },
@@ -401,6 +418,7 @@ gphys_status gphys_solver_get_hash(const gphys_solver *solver, uint32_t *out_has
         { name = "body_settings", fields = { "damping", "friction", "static_friction", "restitution", "layers", "body_layers", "self_collision" } },
         { name = "body_info", fields = { "kind", "method", "particle_count", "constraint_count", "triangle_count" } },
         { name = "wind", fields = { "velocity", "density", "drag", "lift" } },
+        { name = "attachment", fields = { "particle", "model", "local_point" } },
         { name = "constraint_info", fields = { "id", "particle_a", "particle_b", "rest_length", "compliance" } },
         { name = "constraint_settings", fields = { "rest_length", "compliance", "damping" } },
         { name = "joint_info", fields = { "id", "body_a", "particle_a", "body_b", "particle_b", "rest_length", "compliance", "force" } },

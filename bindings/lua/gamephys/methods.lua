@@ -28,6 +28,7 @@ local Distance = runtime.element 'gphys_distance'
 local Penetration = runtime.element 'gphys_penetration'
 local MeshReport = runtime.element 'gphys_mesh_report'
 local MeshDesc = runtime.element 'gphys_mesh_desc'
+local MeshInfo = runtime.element 'gphys_mesh_info'
 local OctreeStats = runtime.element 'gphys_octree_stats'
 local OctreeBox = runtime.element 'gphys_octree_box'
 local SceneDesc = runtime.element 'gphys_scene_desc'
@@ -43,6 +44,7 @@ local BodyDesc = runtime.element 'gphys_body_desc'
 local BodySettings = runtime.element 'gphys_body_settings'
 local BodyInfo = runtime.element 'gphys_body_info'
 local Wind = runtime.element 'gphys_wind'
+local Attachment = runtime.element 'gphys_attachment'
 local ConstraintInfo = runtime.element 'gphys_constraint_info'
 local ConstraintSettings = runtime.element 'gphys_constraint_settings'
 local JointInfo = runtime.element 'gphys_joint_info'
@@ -102,6 +104,18 @@ function gp.Mesh_from_snapshot(words, desc)
     local words, words_count, words_stride = to_array(uint32_t, words)
     return Mesh.create(function(made)
         return C.gphys_mesh_create_from_snapshot(desc and to_desc(MeshDesc, desc), words, words_count, made)
+    end)
+end
+
+--- A handle of a model's mesh: of the mesh itself, not of a copy, so that what Mesh:set_vertices does
+--- to it is seen by all its models. It gives the meshes of a restored scene, which are not deformable
+--- if they were embedded in its snapshot.
+--- Cost: O(1). Since 1.1.
+--- @return another reference, to be released by Mesh, as that of Mesh is.
+--- @raise status ERROR_UNSUPPORTED: if the model's shape is no mesh
+function gp.Mesh_from_scene(scene, model)
+    return Mesh.create(function(made)
+        return C.gphys_scene_get_mesh(opened(scene), model, made)
     end)
 end
 
@@ -170,6 +184,14 @@ end
 function Mesh:set_vertices(vertices)
     local vertices, vertices_count, vertices_stride = to_array(float, vertices, 3)
     check(C.gphys_mesh_set_vertices(opened(self), vertices, vertices_stride, vertices_count))
+end
+
+--- Kind and size of a mesh, and whether its vertices change.
+--- Cost: O(1). Since 1.1.
+function Mesh:get_info(out_info)
+    out_info = out_info or MeshInfo.new()
+    check(C.gphys_mesh_get_info(opened(self), out_info))
+    return out_info
 end
 
 --- What the mesh was built from: the report that gp.mesh_check makes of its arrays.
@@ -1230,6 +1252,18 @@ do
     end
 end
 
+do
+    local out_handedness = int32_t.array(1)
+    local out_depth_range = int32_t.array(1)
+    local out_reverse_z = int32_t.array(1)
+    --- What the camera was created with, as in CameraDesc.
+    --- Cost: O(1). Since 1.1.
+    function Camera:get_conventions()
+        check(C.gphys_camera_get_conventions(opened(self), out_handedness, out_depth_range, out_reverse_z))
+        return out_handedness[0], out_depth_range[0], out_reverse_z[0] ~= 0
+    end
+end
+
 --- Place the camera.
 --- Cost: O(1).
 --- @param position metres, of its centre
@@ -1982,6 +2016,14 @@ function Solver:detach(body, particle)
     check(C.gphys_solver_detach(opened(self), body, particle))
 end
 
+--- The attachments of a body, by particle. One to a model that is gone is listed until the next step.
+--- Cost: O(attachments). Since 1.1.
+function Solver:get_attachments(body)
+    return list(Attachment, function(out, capacity, total)
+        return C.gphys_solver_get_attachments(opened(self), body, out, capacity, total)
+    end)
+end
+
 do
     local out_constraint = uint32_t.array(1)
     --- Hold two different particles of a body at a distance.
@@ -2048,6 +2090,19 @@ do
     end
 end
 
+do
+    local out_rest_volume = float.array(1)
+    local out_compliance = float.array(1)
+    --- What was given to Solver:set_volume: m^3, of a negative volume that which there was, and m^3 per
+    --- pascal.
+    --- Cost: O(1). Since 1.1.
+    --- @raise status ERROR_UNSUPPORTED: if none is held
+    function Solver:get_volume_settings(body)
+        check(C.gphys_solver_get_volume_settings(opened(self), body, out_rest_volume, out_compliance))
+        return out_rest_volume[0], out_compliance[0]
+    end
+end
+
 --- End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
 --- Cost: as Solver:add_distance; allocates.
 --- @raise status ERROR_INVALID_ID: for a body or constraint that does not exist, or no longer
@@ -2061,6 +2116,17 @@ function Solver:get_constraints(body)
     return list(ConstraintInfo, function(out, capacity, total)
         return C.gphys_solver_get_constraints(opened(self), body, out, capacity, total)
     end)
+end
+
+--- Which constraints keep a length, and which a maximum.
+--- Cost: O(elements). Since 1.1.
+--- @param constraints the ids; one may stand twice
+function Solver:get_constraint_kinds(body, constraints, out)
+    local constraints, constraints_count, constraints_stride = to_array(uint32_t, constraints)
+    local count = common(constraints_count)
+    out = results(int32_t, out, count)
+    check(C.gphys_solver_get_constraint_kinds(opened(self), body, constraints, count, out, int32_t.size))
+    return out
 end
 
 --- What constraints are like.

@@ -50,6 +50,11 @@ SIDE_INSIDE = 1  # wholly in front of the plane, wholly inside the frustum
 DEPTH_ZERO_TO_ONE = 0  # DirectX, Vulkan, Metal, WebGPU
 DEPTH_MINUS_ONE_TO_ONE = 1  # OpenGL, WebGL
 
+MESH_SURFACE = 0  # triangles
+MESH_BODY_SURFACE = 1  # the triangles of a cloth: Mesh
+MESH_BODY_LINKS = 2  # the links and particles of a rope, or free particles: likewise
+MESH_HULL = 3  # a solid: Mesh
+
 FILTER_SUBTREE = 1  # ignored_model stands for its descendants, too
 FILTER_NO_BACK_FACES = 2  # planes, triangles and meshes that are no solids are not met from behind, by rays with HIT_BACK, nor by sweeps along their normal; other queries, which come from no side, take this flag and the next without effect
 FILTER_NO_FRONT_FACES = 4  # they are met from behind only: the inside of a closed mesh
@@ -74,6 +79,9 @@ BODY_CLOTH = 3
 SOLVE_FREE = 0  # no constraints: exact flight
 SOLVE_DIRECT = 1  # chains and trees: Newton on the whole body at once
 SOLVE_GRAPH = 2  # what has rings, volume, or a particle with more than 64 constraints: coloured batches of chains, then the rest, then reach limits
+
+CONSTRAINT_DISTANCE = 0  # its length: Solver.add_distance, and those of builders
+CONSTRAINT_MAX_DISTANCE = 1  # at most its length; it may go slack: Solver.add_max_distance
 
 VERSION_MAJOR = 1
 VERSION_MINOR = 1
@@ -317,6 +325,20 @@ class MeshDesc(Desc, Structure):
     _fields_ = [("struct_size", c_uint32), ("allocator", c_void_p), ("deformable", c_int32), ("reserved", c_uint32)]
 
 
+class MeshInfo(Value, Structure):
+    """What a mesh is. Frozen.  Since 1.1."""
+    kind: int
+    vertex_count: int
+    triangle_count: int
+    deformable: int  # 1: as MeshDesc.deformable, or in the form of a body
+    follows_body: int  # 1: a body gives it its form, and Mesh.set_vertices does not
+    _fields_ = [("kind", c_int32), ("vertex_count", c_uint32), ("triangle_count", c_uint32), ("deformable", c_int32), ("follows_body", c_int32)]
+
+
+mesh_info_dtype = dtype([("kind", "<i4"), ("vertex_count", "<u4"), ("triangle_count", "<u4"), ("deformable", "<i4"), ("follows_body", "<i4")])
+MeshInfo.dtype = mesh_info_dtype
+
+
 class OctreeStats(Value, Structure):
     """How an octree is made up. Frozen."""
     item_count: int  # models or triangles in the tree
@@ -548,6 +570,18 @@ wind_dtype = dtype([("velocity", "<f4", (3,)), ("density", "<f4"), ("drag", "<f4
 Wind.dtype = wind_dtype
 
 
+class Attachment(Value, Structure):
+    """A particle that is attached to a model. Frozen.  Since 1.1."""
+    particle: int
+    model: int
+    local_point: Vec3  # metres, in the model's coordinates
+    _fields_ = [("particle", c_uint32), ("model", c_uint32), ("local_point", Vec3)]
+
+
+attachment_dtype = dtype([("particle", "<u4"), ("model", "<u4"), ("local_point", "<f4", (3,))])
+Attachment.dtype = attachment_dtype
+
+
 class ConstraintInfo(Value, Structure):
     """One constraint. Frozen."""
     id: int
@@ -670,6 +704,7 @@ gphys_mesh_get_hull_planes = function("gphys_mesh_get_hull_planes", c_int32, [c_
 gphys_mesh_get_hull_faces = function("gphys_mesh_get_hull_faces", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
 gphys_mesh_set_vertices = function("gphys_mesh_set_vertices", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32])
 gphys_mesh_destroy = function("gphys_mesh_destroy", None, [c_void_p])
+gphys_mesh_get_info = function("gphys_mesh_get_info", c_int32, [c_void_p, c_void_p])
 gphys_mesh_get_report = function("gphys_mesh_get_report", c_int32, [c_void_p, c_void_p])
 gphys_mesh_get_vertices = function("gphys_mesh_get_vertices", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
 gphys_mesh_get_indices = function("gphys_mesh_get_indices", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
@@ -701,6 +736,7 @@ gphys_scene_get_roots = function("gphys_scene_get_roots", c_int32, [c_void_p, c_
 gphys_scene_get_children = function("gphys_scene_get_children", c_int32, [c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
 gphys_scene_get_info = function("gphys_scene_get_info", c_int32, [c_void_p, c_uint32, c_void_p])
 gphys_scene_get_shape = function("gphys_scene_get_shape", c_int32, [c_void_p, c_uint32, c_void_p, c_uint32])
+gphys_scene_get_mesh = function("gphys_scene_get_mesh", c_int32, [c_void_p, c_uint32, c_void_p])
 gphys_scene_get_bounds = function("gphys_scene_get_bounds", c_int32, [c_void_p, c_uint32, c_void_p])
 gphys_scene_get_scene_bounds = function("gphys_scene_get_scene_bounds", c_int32, [c_void_p, c_void_p])
 gphys_scene_set_shape = function("gphys_scene_set_shape", c_int32, [c_void_p, c_uint32, c_int32, c_void_p])
@@ -777,6 +813,7 @@ gphys_camera_get_viewport_origin = function("gphys_camera_get_viewport_origin", 
 gphys_camera_get_aspect = function("gphys_camera_get_aspect", c_int32, [c_void_p, c_void_p, c_void_p])
 gphys_camera_get_image_size = function("gphys_camera_get_image_size", c_int32, [c_void_p, c_void_p, c_void_p])
 gphys_camera_get_pick_start = function("gphys_camera_get_pick_start", c_int32, [c_void_p, c_void_p])
+gphys_camera_get_conventions = function("gphys_camera_get_conventions", c_int32, [c_void_p, c_void_p, c_void_p, c_void_p])
 gphys_camera_set_transform = function("gphys_camera_set_transform", c_int32, [c_void_p, c_void_p, c_void_p])
 gphys_camera_set_world_matrix = function("gphys_camera_set_world_matrix", c_int32, [c_void_p, c_void_p])
 gphys_camera_set_view_matrix = function("gphys_camera_set_view_matrix", c_int32, [c_void_p, c_void_p])
@@ -855,13 +892,16 @@ gphys_solver_set_air_velocities = function("gphys_solver_set_air_velocities", c_
 gphys_solver_get_air_velocities = function("gphys_solver_get_air_velocities", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
 gphys_solver_attach = function("gphys_solver_attach", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_uint32, c_void_p])
 gphys_solver_detach = function("gphys_solver_detach", c_int32, [c_void_p, c_uint32, c_uint32])
+gphys_solver_get_attachments = function("gphys_solver_get_attachments", c_int32, [c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
 gphys_solver_add_distance = function("gphys_solver_add_distance", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_float, c_float, c_void_p])
 gphys_solver_add_max_distance = function("gphys_solver_add_max_distance", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_float, c_float, c_void_p])
 gphys_solver_set_constraint_damping = function("gphys_solver_set_constraint_damping", c_int32, [c_void_p, c_uint32, c_uint32, c_float])
 gphys_solver_set_volume = function("gphys_solver_set_volume", c_int32, [c_void_p, c_uint32, c_float, c_float])
 gphys_solver_get_volume = function("gphys_solver_get_volume", c_int32, [c_void_p, c_uint32, c_void_p, c_void_p])
+gphys_solver_get_volume_settings = function("gphys_solver_get_volume_settings", c_int32, [c_void_p, c_uint32, c_void_p, c_void_p])
 gphys_solver_remove_constraint = function("gphys_solver_remove_constraint", c_int32, [c_void_p, c_uint32, c_uint32])
 gphys_solver_get_constraints = function("gphys_solver_get_constraints", c_int32, [c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
+gphys_solver_get_constraint_kinds = function("gphys_solver_get_constraint_kinds", c_int32, [c_void_p, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32])
 gphys_solver_get_constraint_settings = function("gphys_solver_get_constraint_settings", c_int32, [c_void_p, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32])
 gphys_solver_set_constraint_settings = function("gphys_solver_set_constraint_settings", c_int32, [c_void_p, c_uint32, c_void_p, c_void_p, c_uint32, c_uint32])
 gphys_solver_join = function("gphys_solver_join", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_uint32, c_float, c_float, c_void_p])

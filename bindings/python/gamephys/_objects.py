@@ -88,6 +88,24 @@ class Mesh(Object):
         return made
 
     @classmethod
+    def from_scene(cls, scene: Scene | None, model: int) -> Mesh:
+        """A handle of a model's mesh: of the mesh itself, not of a copy, so that what Mesh.set_vertices
+        does to it is seen by all its models. It gives the meshes of a restored scene, which are not
+        deformable if they were embedded in its snapshot.
+        Cost: O(1). Since 1.1.
+
+        Returns:
+            another reference, to be released by Mesh, as that of Mesh is.
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: if the model's shape is no mesh"""
+        handle = ctypes.c_void_p()
+        check(low.gphys_scene_get_mesh(handle_of(scene, Scene), model, ctypes.byref(handle)))
+        made = cls.__new__(cls)
+        made._own(handle.value)
+        return made
+
+    @classmethod
     def from_body(cls, solver: Solver | None, body: int, desc: low.MeshDesc | None = None) -> Mesh:
         """Make a mesh that has the form of a body and follows it by itself: cloth, ropes and particles can
         be met by rays, picked, overlapped and culled as models of scenes (Scene.add with SHAPE_MESH;
@@ -161,6 +179,13 @@ class Mesh(Object):
                 would reach beyond the range of coordinates"""
         vertices_ = array_of(vertices, "<f4", 3)
         check(low.gphys_mesh_set_vertices(self._handle, vertices_.address, vertices_.stride, vertices_.length))
+
+    def get_info(self) -> low.MeshInfo:
+        """Kind and size of a mesh, and whether its vertices change.
+        Cost: O(1). Since 1.1."""
+        out_info = low.MeshInfo()
+        check(low.gphys_mesh_get_info(self._handle, ctypes.byref(out_info)))
+        return out_info
 
     def get_report(self) -> low.MeshReport:
         """What the mesh was built from: the report that gamephys.mesh_check makes of its arrays.
@@ -1306,6 +1331,15 @@ class Camera(Object):
         check(low.gphys_camera_get_pick_start(self._handle, ctypes.byref(out_start)))
         return out_start.value
 
+    def get_conventions(self) -> tuple[int, int, bool]:
+        """What the camera was created with, as in CameraDesc.
+        Cost: O(1). Since 1.1."""
+        out_handedness = ctypes.c_int32()
+        out_depth_range = ctypes.c_int32()
+        out_reverse_z = ctypes.c_int32()
+        check(low.gphys_camera_get_conventions(self._handle, ctypes.byref(out_handedness), ctypes.byref(out_depth_range), ctypes.byref(out_reverse_z)))
+        return out_handedness.value, out_depth_range.value, bool(out_reverse_z.value)
+
     def set_transform(self, position: low.Vec3 | Sequence, rotation: low.Quat | Sequence) -> None:
         """Place the camera.
         Cost: O(1).
@@ -2115,6 +2149,12 @@ class Solver(Object):
             InvalidArgument: if it is not attached, or does not exist"""
         check(low.gphys_solver_detach(self._handle, body, particle))
 
+    def get_attachments(self, body: int) -> np.ndarray:
+        """The attachments of a body, by particle. One to a model that is gone is listed until the next
+        step.
+        Cost: O(attachments). Since 1.1."""
+        return list_of(low.gphys_solver_get_attachments, (self._handle, body,), low.attachment_dtype)
+
     def add_distance(self, body: int, particle_a: int, particle_b: int, rest_length: float, compliance: float = 0) -> int:
         """Hold two different particles of a body at a distance.
         Cost: O(1); the next step plans the body again, O(constraints).
@@ -2187,6 +2227,18 @@ class Solver(Object):
         check(low.gphys_solver_get_volume(self._handle, body, ctypes.byref(out_volume), ctypes.byref(out_pressure)))
         return out_volume.value, out_pressure.value
 
+    def get_volume_settings(self, body: int) -> tuple[float, float]:
+        """What was given to Solver.set_volume: m^3, of a negative volume that which there was, and m^3 per
+        pascal.
+        Cost: O(1). Since 1.1.
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: if none is held"""
+        out_rest_volume = ctypes.c_float()
+        out_compliance = ctypes.c_float()
+        check(low.gphys_solver_get_volume_settings(self._handle, body, ctypes.byref(out_rest_volume), ctypes.byref(out_compliance)))
+        return out_rest_volume.value, out_compliance.value
+
     def remove_constraint(self, body: int, constraint: int) -> None:
         """End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
         Cost: as Solver.add_distance; allocates.
@@ -2199,6 +2251,18 @@ class Solver(Object):
         """All constraints of a body, those of its builder included, by id.
         Cost: O(constraints)."""
         return list_of(low.gphys_solver_get_constraints, (self._handle, body,), low.constraint_info_dtype)
+
+    def get_constraint_kinds(self, body: int, constraints: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
+        """Which constraints keep a length, and which a maximum.
+        Cost: O(elements). Since 1.1.
+
+        Args:
+            constraints: the ids; one may stand twice"""
+        constraints_ = array_of(constraints, "<u4")
+        count = common_length(constraints_)
+        out_ = result_array(out, count, "<i4")
+        check(low.gphys_solver_get_constraint_kinds(self._handle, body, constraints_.address, count, out_.address, out_.stride))
+        return out_.array
 
     def get_constraint_settings(self, body: int, constraints: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
         """What constraints are like.

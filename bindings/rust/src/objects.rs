@@ -245,6 +245,22 @@ impl Mesh {
         Ok(Mesh { handle: NonNull::new(made).expect("a created object") })
     }
 
+    /// A handle of a model's mesh: of the mesh itself, not of a copy, so that what `Mesh::set_vertices`
+    /// does to it is seen by all its models. It gives the meshes of a restored scene, which are not
+    /// deformable if they were embedded in its snapshot.
+    ///
+    /// Cost: O(1). Since 1.1.
+    ///
+    /// Returns another reference, to be released by `Mesh`, as that of `Mesh` is.
+    ///
+    /// # Errors
+    /// * `Status::ERROR_UNSUPPORTED`: if the model's shape is no mesh
+    pub fn from_scene(scene: &Scene, model: ModelId) -> Result<Mesh> {
+        let mut made = null_mut();
+        check(unsafe { sys::gphys_scene_get_mesh(scene.handle.as_ptr(), model, &mut made) })?;
+        Ok(Mesh { handle: NonNull::new(made).expect("a created object") })
+    }
+
     /// Make a mesh that has the form of a body and follows it by itself: cloth, ropes and particles can be
     /// met by rays, picked, overlapped and culled as models of scenes (`Scene::add` with `ShapeType::MESH`;
     /// without a transform the model is where the body is) or asked by shape_* and mesh_* functions. Vertex
@@ -328,6 +344,15 @@ impl Mesh {
     pub unsafe fn set_vertices<'a>(&mut self, vertices: impl Into<Batch<'a, Vec3>>) -> Result<()> {
         let vertices = vertices.into();
         check(unsafe { sys::gphys_mesh_set_vertices(self.handle.as_ptr(), vertices.data, vertices.stride, vertices.count()?) })
+    }
+
+    /// Kind and size of a mesh, and whether its vertices change.
+    ///
+    /// Cost: O(1). Since 1.1.
+    pub fn get_info(&self) -> Result<MeshInfo> {
+        let mut out_info = MeshInfo::default();
+        check(unsafe { sys::gphys_mesh_get_info(self.handle.as_ptr(), &mut out_info) })?;
+        Ok(out_info)
     }
 
     /// What the mesh was built from: the report that `mesh_check` makes of its arrays.
@@ -1569,6 +1594,17 @@ impl Camera {
         Ok(out_start)
     }
 
+    /// What the camera was created with, as in `CameraDesc`.
+    ///
+    /// Cost: O(1). Since 1.1.
+    pub fn get_conventions(&self) -> Result<(Handedness, DepthRange, bool)> {
+        let mut out_handedness = Handedness::default();
+        let mut out_depth_range = DepthRange::default();
+        let mut out_reverse_z = i32::default();
+        check(unsafe { sys::gphys_camera_get_conventions(self.handle.as_ptr(), &mut out_handedness, &mut out_depth_range, &mut out_reverse_z) })?;
+        Ok((out_handedness, out_depth_range, out_reverse_z != 0))
+    }
+
     /// Place the camera.
     ///
     /// Cost: O(1).
@@ -2464,6 +2500,13 @@ impl Solver {
         check(unsafe { sys::gphys_solver_detach(self.handle.as_ptr(), body, particle) })
     }
 
+    /// The attachments of a body, by particle. One to a model that is gone is listed until the next step.
+    ///
+    /// Cost: O(attachments). Since 1.1.
+    pub fn get_attachments(&self, body: BodyId) -> Result<Vec<Attachment>> {
+        list(|out_attachments, capacity, total| unsafe { sys::gphys_solver_get_attachments(self.handle.as_ptr(), body, out_attachments, capacity, total) })
+    }
+
     /// Hold two different particles of a body at a distance.
     ///
     /// Cost: O(1); the next step plans the body again, O(constraints).
@@ -2541,6 +2584,20 @@ impl Solver {
         Ok((out_volume, out_pressure))
     }
 
+    /// What was given to `Solver::set_volume`: m^3, of a negative volume that which there was, and m^3 per
+    /// pascal.
+    ///
+    /// Cost: O(1). Since 1.1.
+    ///
+    /// # Errors
+    /// * `Status::ERROR_UNSUPPORTED`: if none is held
+    pub fn get_volume_settings(&self, body: BodyId) -> Result<(f32, f32)> {
+        let mut out_rest_volume = f32::default();
+        let mut out_compliance = f32::default();
+        check(unsafe { sys::gphys_solver_get_volume_settings(self.handle.as_ptr(), body, &mut out_rest_volume, &mut out_compliance) })?;
+        Ok((out_rest_volume, out_compliance))
+    }
+
     /// End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
     ///
     /// Cost: as `Solver::add_distance`; allocates.
@@ -2556,6 +2613,19 @@ impl Solver {
     /// Cost: O(constraints).
     pub fn get_constraints(&self, body: BodyId) -> Result<Vec<ConstraintInfo>> {
         list(|out_constraints, capacity, total| unsafe { sys::gphys_solver_get_constraints(self.handle.as_ptr(), body, out_constraints, capacity, total) })
+    }
+
+    /// Which constraints keep a length, and which a maximum.
+    ///
+    /// Cost: O(elements). Since 1.1.
+    ///
+    /// * `constraints`: the ids; one may stand twice
+    pub fn get_constraint_kinds<'a>(&self, body: BodyId, constraints: &[ConstraintId], out_kinds: impl Into<BatchMut<'a, ConstraintKind>>) -> Result<()> {
+        let constraints = Batch::from(constraints);
+        let out_kinds = out_kinds.into();
+        let count = common_length(&[constraints.length])?;
+        out_kinds.require(count.into())?;
+        check(unsafe { sys::gphys_solver_get_constraint_kinds(self.handle.as_ptr(), body, constraints.data, count, out_kinds.data, out_kinds.stride) })
     }
 
     /// What constraints are like.

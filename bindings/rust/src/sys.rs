@@ -58,6 +58,7 @@ extern "C" {
     pub fn gphys_mesh_get_hull_faces(mesh: *mut gphys_mesh, out_faces: *mut u32, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_mesh_set_vertices(mesh: *mut gphys_mesh, vertices: *const Vec3, vertex_stride: u32, vertex_count: u32) -> Status;
     pub fn gphys_mesh_destroy(mesh: *mut gphys_mesh);
+    pub fn gphys_mesh_get_info(mesh: *mut gphys_mesh, out_info: *mut MeshInfo) -> Status;
     pub fn gphys_mesh_get_report(mesh: *mut gphys_mesh, out_report: *mut MeshReport) -> Status;
     pub fn gphys_mesh_get_vertices(mesh: *mut gphys_mesh, out_vertices: *mut Vec3, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_mesh_get_indices(mesh: *mut gphys_mesh, out_indices: *mut u32, capacity: u32, out_total: *mut u32) -> Status;
@@ -89,6 +90,7 @@ extern "C" {
     pub fn gphys_scene_get_children(scene: *mut gphys_scene, model: ModelId, out_models: *mut ModelId, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_scene_get_info(scene: *mut gphys_scene, model: ModelId, out_info: *mut ModelInfo) -> Status;
     pub fn gphys_scene_get_shape(scene: *mut gphys_scene, model: ModelId, out_shape: *mut c_void, out_size: u32) -> Status;
+    pub fn gphys_scene_get_mesh(scene: *mut gphys_scene, model: ModelId, out_mesh: *mut *mut gphys_mesh) -> Status;
     pub fn gphys_scene_get_bounds(scene: *mut gphys_scene, model: ModelId, out_bounds: *mut Aabb) -> Status;
     pub fn gphys_scene_get_scene_bounds(scene: *mut gphys_scene, out_bounds: *mut Aabb) -> Status;
     pub fn gphys_scene_set_shape(scene: *mut gphys_scene, model: ModelId, type_: ShapeType, shape: *const c_void) -> Status;
@@ -165,6 +167,7 @@ extern "C" {
     pub fn gphys_camera_get_aspect(camera: *mut gphys_camera, out_aspect: *mut f32, out_is_fixed: *mut i32) -> Status;
     pub fn gphys_camera_get_image_size(camera: *mut gphys_camera, out_width: *mut f32, out_height: *mut f32) -> Status;
     pub fn gphys_camera_get_pick_start(camera: *mut gphys_camera, out_start: *mut PickStart) -> Status;
+    pub fn gphys_camera_get_conventions(camera: *mut gphys_camera, out_handedness: *mut Handedness, out_depth_range: *mut DepthRange, out_reverse_z: *mut i32) -> Status;
     pub fn gphys_camera_set_transform(camera: *mut gphys_camera, position: *const Vec3, rotation: *const Quat) -> Status;
     pub fn gphys_camera_set_world_matrix(camera: *mut gphys_camera, world: *const Mat4) -> Status;
     pub fn gphys_camera_set_view_matrix(camera: *mut gphys_camera, view: *const Mat4) -> Status;
@@ -243,13 +246,16 @@ extern "C" {
     pub fn gphys_solver_get_air_velocities(solver: *mut gphys_solver, body: BodyId, first: u32, count: u32, out_velocities: *mut Vec3, out_stride: u32) -> Status;
     pub fn gphys_solver_attach(solver: *mut gphys_solver, scene: *mut gphys_scene, body: BodyId, particle: u32, model: ModelId, local_point: *const Vec3) -> Status;
     pub fn gphys_solver_detach(solver: *mut gphys_solver, body: BodyId, particle: u32) -> Status;
+    pub fn gphys_solver_get_attachments(solver: *mut gphys_solver, body: BodyId, out_attachments: *mut Attachment, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_solver_add_distance(solver: *mut gphys_solver, body: BodyId, particle_a: u32, particle_b: u32, rest_length: f32, compliance: f32, out_constraint: *mut ConstraintId) -> Status;
     pub fn gphys_solver_add_max_distance(solver: *mut gphys_solver, body: BodyId, particle_a: u32, particle_b: u32, max_length: f32, compliance: f32, out_constraint: *mut ConstraintId) -> Status;
     pub fn gphys_solver_set_constraint_damping(solver: *mut gphys_solver, body: BodyId, constraint: ConstraintId, damping: f32) -> Status;
     pub fn gphys_solver_set_volume(solver: *mut gphys_solver, body: BodyId, rest_volume: f32, compliance: f32) -> Status;
     pub fn gphys_solver_get_volume(solver: *mut gphys_solver, body: BodyId, out_volume: *mut f32, out_pressure: *mut f32) -> Status;
+    pub fn gphys_solver_get_volume_settings(solver: *mut gphys_solver, body: BodyId, out_rest_volume: *mut f32, out_compliance: *mut f32) -> Status;
     pub fn gphys_solver_remove_constraint(solver: *mut gphys_solver, body: BodyId, constraint: ConstraintId) -> Status;
     pub fn gphys_solver_get_constraints(solver: *mut gphys_solver, body: BodyId, out_constraints: *mut ConstraintInfo, capacity: u32, out_total: *mut u32) -> Status;
+    pub fn gphys_solver_get_constraint_kinds(solver: *mut gphys_solver, body: BodyId, constraints: *const ConstraintId, count: u32, out_kinds: *mut ConstraintKind, out_stride: u32) -> Status;
     pub fn gphys_solver_get_constraint_settings(solver: *mut gphys_solver, body: BodyId, constraints: *const ConstraintId, count: u32, out_settings: *mut ConstraintSettings, out_stride: u32) -> Status;
     pub fn gphys_solver_set_constraint_settings(solver: *mut gphys_solver, body: BodyId, constraints: *const ConstraintId, settings: *const ConstraintSettings, setting_stride: u32, count: u32) -> Status;
     pub fn gphys_solver_join(solver: *mut gphys_solver, body_a: BodyId, particle_a: u32, body_b: BodyId, particle_b: u32, rest_length: f32, compliance: f32, out_joint: *mut JointId) -> Status;

@@ -99,6 +99,22 @@ impl DepthRange {
     pub const MINUS_ONE_TO_ONE: DepthRange = DepthRange(1);
 }
 
+/// What a mesh consists of.
+/// A later library may have values that are not listed here.
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct MeshKind(pub i32);
+impl MeshKind {
+    /// triangles
+    pub const SURFACE: MeshKind = MeshKind(0);
+    /// the triangles of a cloth: `Mesh`
+    pub const BODY_SURFACE: MeshKind = MeshKind(1);
+    /// the links and particles of a rope, or free particles: likewise
+    pub const BODY_LINKS: MeshKind = MeshKind(2);
+    /// a solid: `Mesh`
+    pub const HULL: MeshKind = MeshKind(3);
+}
+
 /// ignored_model stands for its descendants, too
 pub const FILTER_SUBTREE: u32 = 1;
 /// planes, triangles and meshes that are no solids are not met from behind, by
@@ -169,6 +185,18 @@ impl SolveMethod {
     /// what has rings, volume, or a particle with more than 64 constraints: coloured
     /// batches of chains, then the rest, then reach limits
     pub const GRAPH: SolveMethod = SolveMethod(2);
+}
+
+/// What a constraint holds.
+/// A later library may have values that are not listed here.
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct ConstraintKind(pub i32);
+impl ConstraintKind {
+    /// its length: `Solver::add_distance`, and those of builders
+    pub const DISTANCE: ConstraintKind = ConstraintKind(0);
+    /// at most its length; it may go slack: `Solver::add_max_distance`
+    pub const MAX_DISTANCE: ConstraintKind = ConstraintKind(1);
 }
 
 pub const VERSION_MAJOR: u32 = 1;
@@ -434,6 +462,19 @@ pub struct MeshDesc {
     pub deformable: i32,
     /// 0
     pub reserved: u32,
+}
+
+/// What a mesh is. Frozen.  Since 1.1.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct MeshInfo {
+    pub kind: MeshKind,
+    pub vertex_count: u32,
+    pub triangle_count: u32,
+    /// 1: as `MeshDesc`.deformable, or in the form of a body
+    pub deformable: i32,
+    /// 1: a body gives it its form, and `Mesh::set_vertices` does not
+    pub follows_body: i32,
 }
 
 /// How an octree is made up. Frozen.
@@ -739,6 +780,16 @@ pub struct Wind {
     pub lift: f32,
 }
 
+/// A particle that is attached to a model. Frozen.  Since 1.1.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Attachment {
+    pub particle: u32,
+    pub model: ModelId,
+    /// metres, in the model's coordinates
+    pub local_point: Vec3,
+}
+
 /// One constraint. Frozen.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
@@ -854,6 +905,7 @@ const _: () = {
     assert!(std::mem::size_of::<Penetration>() == 40);
     assert!(std::mem::size_of::<MeshReport>() == 32);
     assert!(std::mem::size_of::<MeshDesc>() == 24);
+    assert!(std::mem::size_of::<MeshInfo>() == 20);
     assert!(std::mem::size_of::<OctreeStats>() == 32);
     assert!(std::mem::size_of::<OctreeBox>() == 32);
     assert!(std::mem::size_of::<SceneDesc>() == 40);
@@ -869,6 +921,7 @@ const _: () = {
     assert!(std::mem::size_of::<BodySettings>() == 28);
     assert!(std::mem::size_of::<BodyInfo>() == 20);
     assert!(std::mem::size_of::<Wind>() == 24);
+    assert!(std::mem::size_of::<Attachment>() == 20);
     assert!(std::mem::size_of::<ConstraintInfo>() == 20);
     assert!(std::mem::size_of::<ConstraintSettings>() == 12);
     assert!(std::mem::size_of::<JointInfo>() == 32);
@@ -899,6 +952,7 @@ const _: () = {
     assert!(std::mem::size_of::<Penetration>() == 40);
     assert!(std::mem::size_of::<MeshReport>() == 32);
     assert!(std::mem::size_of::<MeshDesc>() == 16);
+    assert!(std::mem::size_of::<MeshInfo>() == 20);
     assert!(std::mem::size_of::<OctreeStats>() == 32);
     assert!(std::mem::size_of::<OctreeBox>() == 32);
     assert!(std::mem::size_of::<SceneDesc>() == 24);
@@ -914,6 +968,7 @@ const _: () = {
     assert!(std::mem::size_of::<BodySettings>() == 28);
     assert!(std::mem::size_of::<BodyInfo>() == 20);
     assert!(std::mem::size_of::<Wind>() == 24);
+    assert!(std::mem::size_of::<Attachment>() == 20);
     assert!(std::mem::size_of::<ConstraintInfo>() == 20);
     assert!(std::mem::size_of::<ConstraintSettings>() == 12);
     assert!(std::mem::size_of::<JointInfo>() == 32);
@@ -1039,6 +1094,13 @@ fn fields_stand_where_c_has_them() {
     assert_eq!(unsafe { std::ptr::addr_of!((*p).allocator) } as usize - p as usize, 8);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).deformable) } as usize - p as usize, 16);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).reserved) } as usize - p as usize, 20);
+    let s = std::mem::MaybeUninit::<MeshInfo>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).kind) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).vertex_count) } as usize - p as usize, 4);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).triangle_count) } as usize - p as usize, 8);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).deformable) } as usize - p as usize, 12);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).follows_body) } as usize - p as usize, 16);
     let s = std::mem::MaybeUninit::<OctreeStats>::uninit();
     let p = s.as_ptr();
     assert_eq!(unsafe { std::ptr::addr_of!((*p).item_count) } as usize - p as usize, 0);
@@ -1183,6 +1245,11 @@ fn fields_stand_where_c_has_them() {
     assert_eq!(unsafe { std::ptr::addr_of!((*p).density) } as usize - p as usize, 12);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).drag) } as usize - p as usize, 16);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).lift) } as usize - p as usize, 20);
+    let s = std::mem::MaybeUninit::<Attachment>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).particle) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).model) } as usize - p as usize, 4);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).local_point) } as usize - p as usize, 8);
     let s = std::mem::MaybeUninit::<ConstraintInfo>::uninit();
     let p = s.as_ptr();
     assert_eq!(unsafe { std::ptr::addr_of!((*p).id) } as usize - p as usize, 0);

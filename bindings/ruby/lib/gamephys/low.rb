@@ -66,6 +66,7 @@ module Gamephys
     attach_function :gphys_mesh_get_hull_faces, [:pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_mesh_set_vertices, [:pointer, :pointer, :uint32, :uint32], :int32
     attach_function :gphys_mesh_destroy, [:pointer], :void
+    attach_function :gphys_mesh_get_info, [:pointer, :pointer], :int32
     attach_function :gphys_mesh_get_report, [:pointer, :pointer], :int32
     attach_function :gphys_mesh_get_vertices, [:pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_mesh_get_indices, [:pointer, :pointer, :uint32, :pointer], :int32
@@ -97,6 +98,7 @@ module Gamephys
     attach_function :gphys_scene_get_children, [:pointer, :uint32, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_scene_get_info, [:pointer, :uint32, :pointer], :int32
     attach_function :gphys_scene_get_shape, [:pointer, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_scene_get_mesh, [:pointer, :uint32, :pointer], :int32
     attach_function :gphys_scene_get_bounds, [:pointer, :uint32, :pointer], :int32
     attach_function :gphys_scene_get_scene_bounds, [:pointer, :pointer], :int32
     attach_function :gphys_scene_set_shape, [:pointer, :uint32, :int32, :pointer], :int32
@@ -173,6 +175,7 @@ module Gamephys
     attach_function :gphys_camera_get_aspect, [:pointer, :pointer, :pointer], :int32
     attach_function :gphys_camera_get_image_size, [:pointer, :pointer, :pointer], :int32
     attach_function :gphys_camera_get_pick_start, [:pointer, :pointer], :int32
+    attach_function :gphys_camera_get_conventions, [:pointer, :pointer, :pointer, :pointer], :int32
     attach_function :gphys_camera_set_transform, [:pointer, :pointer, :pointer], :int32
     attach_function :gphys_camera_set_world_matrix, [:pointer, :pointer], :int32
     attach_function :gphys_camera_set_view_matrix, [:pointer, :pointer], :int32
@@ -251,13 +254,16 @@ module Gamephys
     attach_function :gphys_solver_get_air_velocities, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_solver_attach, [:pointer, :pointer, :uint32, :uint32, :uint32, :pointer], :int32
     attach_function :gphys_solver_detach, [:pointer, :uint32, :uint32], :int32
+    attach_function :gphys_solver_get_attachments, [:pointer, :uint32, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_add_distance, [:pointer, :uint32, :uint32, :uint32, :float, :float, :pointer], :int32
     attach_function :gphys_solver_add_max_distance, [:pointer, :uint32, :uint32, :uint32, :float, :float, :pointer], :int32
     attach_function :gphys_solver_set_constraint_damping, [:pointer, :uint32, :uint32, :float], :int32
     attach_function :gphys_solver_set_volume, [:pointer, :uint32, :float, :float], :int32
     attach_function :gphys_solver_get_volume, [:pointer, :uint32, :pointer, :pointer], :int32
+    attach_function :gphys_solver_get_volume_settings, [:pointer, :uint32, :pointer, :pointer], :int32
     attach_function :gphys_solver_remove_constraint, [:pointer, :uint32, :uint32], :int32
     attach_function :gphys_solver_get_constraints, [:pointer, :uint32, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_solver_get_constraint_kinds, [:pointer, :uint32, :pointer, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_solver_get_constraint_settings, [:pointer, :uint32, :pointer, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_solver_set_constraint_settings, [:pointer, :uint32, :pointer, :pointer, :uint32, :uint32], :int32
     attach_function :gphys_solver_join, [:pointer, :uint32, :uint32, :uint32, :uint32, :float, :float, :pointer], :int32

@@ -61,6 +61,18 @@ module Gamephys
       end
     end
 
+    # A handle of a model's mesh: of the mesh itself, not of a copy, so that what Mesh#set_vertices does
+    # to it is seen by all its models. It gives the meshes of a restored scene, which are not deformable
+    # if they were embedded in its snapshot.
+    # Cost: O(1). Since 1.1.
+    # @return another reference, to be released by Mesh, as that of Mesh is.
+    # @raise [Error] if the model's shape is no mesh (ERROR_UNSUPPORTED)
+    def self.from_scene(scene, model)
+      allocate.tap do |object|
+        object.send(:own, Pointer) { |made| Low.gphys_scene_get_mesh(Low.opened(scene, Scene), model, made) }
+      end
+    end
+
     # Make a mesh that has the form of a body and follows it by itself: cloth, ropes and particles can be
     # met by rays, picked, overlapped and culled as models of scenes (Scene#add with SHAPE_MESH; without a
     # transform the model is where the body is) or asked by shape_* and mesh_* functions. Vertex p is
@@ -123,6 +135,14 @@ module Gamephys
       vertices = Low.array(Float32, vertices, 3)
       Low.check(Low.gphys_mesh_set_vertices(opened, vertices.pointer, vertices.stride, vertices.count))
       nil
+    end
+
+    # Kind and size of a mesh, and whether its vertices change.
+    # Cost: O(1). Since 1.1.
+    def get_info
+      out_info = MeshInfo.room
+      Low.check(Low.gphys_mesh_get_info(opened, out_info))
+      MeshInfo.unpack(out_info)
     end
 
     # What the mesh was built from: the report that Gamephys.mesh_check makes of its arrays.
@@ -1145,6 +1165,16 @@ module Gamephys
       Int32.unpack(out_start)
     end
 
+    # What the camera was created with, as in CameraDesc.
+    # Cost: O(1). Since 1.1.
+    def get_conventions
+      out_handedness = Int32.room
+      out_depth_range = Int32.room
+      out_reverse_z = Int32.room
+      Low.check(Low.gphys_camera_get_conventions(opened, out_handedness, out_depth_range, out_reverse_z))
+      [Int32.unpack(out_handedness), Int32.unpack(out_depth_range), Int32.unpack(out_reverse_z) != 0]
+    end
+
     # Place the camera.
     # Cost: O(1).
     # @param position metres, of its centre
@@ -1903,6 +1933,12 @@ module Gamephys
       nil
     end
 
+    # The attachments of a body, by particle. One to a model that is gone is listed until the next step.
+    # Cost: O(attachments). Since 1.1.
+    def get_attachments(body)
+      Low.list(Attachment) { |out, capacity, total| Low.gphys_solver_get_attachments(opened, body, out, capacity, total) }
+    end
+
     # Hold two different particles of a body at a distance.
     # Cost: O(1); the next step plans the body again, O(constraints).
     # @param rest_length metres, >= 0; negative: the present distance
@@ -1965,6 +2001,17 @@ module Gamephys
       [Float32.unpack(out_volume), Float32.unpack(out_pressure)]
     end
 
+    # What was given to Solver#set_volume: m^3, of a negative volume that which there was, and m^3 per
+    # pascal.
+    # Cost: O(1). Since 1.1.
+    # @raise [Error] if none is held (ERROR_UNSUPPORTED)
+    def get_volume_settings(body)
+      out_rest_volume = Float32.room
+      out_compliance = Float32.room
+      Low.check(Low.gphys_solver_get_volume_settings(opened, body, out_rest_volume, out_compliance))
+      [Float32.unpack(out_rest_volume), Float32.unpack(out_compliance)]
+    end
+
     # End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
     # Cost: as Solver#add_distance; allocates.
     # @raise [InvalidId] for a body or constraint that does not exist, or no longer
@@ -1977,6 +2024,17 @@ module Gamephys
     # Cost: O(constraints).
     def get_constraints(body)
       Low.list(ConstraintInfo) { |out, capacity, total| Low.gphys_solver_get_constraints(opened, body, out, capacity, total) }
+    end
+
+    # Which constraints keep a length, and which a maximum.
+    # Cost: O(elements). Since 1.1.
+    # @param constraints the ids; one may stand twice
+    def get_constraint_kinds(body, constraints, out: nil)
+      constraints = Low.array(UInt32, constraints)
+      count = Low.common(constraints)
+      out = Low.results(Int32, out, count)
+      Low.check(Low.gphys_solver_get_constraint_kinds(opened, body, constraints.pointer, count, out.pointer, Int32::BYTES))
+      out
     end
 
     # What constraints are like.

@@ -38,6 +38,10 @@ module Gamephys
   SIDE_INSIDE = 1
   DEPTH_ZERO_TO_ONE = 0
   DEPTH_MINUS_ONE_TO_ONE = 1
+  MESH_SURFACE = 0
+  MESH_BODY_SURFACE = 1
+  MESH_BODY_LINKS = 2
+  MESH_HULL = 3
   FILTER_SUBTREE = 1
   FILTER_NO_BACK_FACES = 2
   FILTER_NO_FRONT_FACES = 4
@@ -56,6 +60,8 @@ module Gamephys
   SOLVE_FREE = 0
   SOLVE_DIRECT = 1
   SOLVE_GRAPH = 2
+  CONSTRAINT_DISTANCE = 0
+  CONSTRAINT_MAX_DISTANCE = 1
   VERSION_MAJOR = 1
   VERSION_MINOR = 1
   VERSION_PATCH = 0
@@ -247,6 +253,15 @@ module Gamephys
   end
   MeshReport::FORMAT, MeshReport::COUNT, MeshReport::BYTES = 'L8', 8, 32
 
+  # What a mesh is. Frozen.  Since 1.1.
+  MeshInfo = ::Struct.new(:kind, :vertex_count, :triangle_count, :deformable, :follows_body) do
+    extend Value
+
+    def self.from(n) = new(n[0], n[1], n[2], n[3], n[4])
+    def numbers = [kind, vertex_count, triangle_count, deformable, follows_body]
+  end
+  MeshInfo::FORMAT, MeshInfo::COUNT, MeshInfo::BYTES = 'lL2l2', 5, 20
+
   # How an octree is made up. Frozen.
   OctreeStats = ::Struct.new(:item_count, :unbounded_count, :node_count, :leaf_count, :depth, :rebuilds, :cost, :memory_bytes) do
     extend Value
@@ -328,6 +343,15 @@ module Gamephys
     def numbers = [*velocity, density, drag, lift]
   end
   Wind::FORMAT, Wind::COUNT, Wind::BYTES = 'f6', 6, 24
+
+  # A particle that is attached to a model. Frozen.  Since 1.1.
+  Attachment = ::Struct.new(:particle, :model, :local_point) do
+    extend Value
+
+    def self.from(n) = new(n[0], n[1], n[2, 3])
+    def numbers = [particle, model, *local_point]
+  end
+  Attachment::FORMAT, Attachment::COUNT, Attachment::BYTES = 'L2f3', 5, 20
 
   # One constraint. Frozen.
   ConstraintInfo = ::Struct.new(:id, :particle_a, :particle_b, :rest_length, :compliance) do

@@ -255,6 +255,21 @@ public final class Camera extends Owned {
         return scratch.getInt(1);
     }
 
+    /** What getConventions returns. */
+    public record ConventionsResult(int handedness, int depthRange, boolean reverseZ) {}
+
+    /**
+     * What the camera was created with, as in CameraDesc.
+     * Cost: O(1). Since 1.1.
+     */
+    public ConventionsResult getConventions() {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_camera_get_conventions(opened(), scratch.slot(1), scratch.slot(2), scratch.slot(3));
+        Low.keep(this);
+        Low.check(status);
+        return new ConventionsResult(scratch.getInt(1), scratch.getInt(2), scratch.getInt(3) != 0);
+    }
+
     /**
      * Place the camera.
      * Cost: O(1).

@@ -43,6 +43,10 @@ public final class Gamephys extends GamephysBase {
     public static final int SIDE_INSIDE = 1;
     public static final int DEPTH_ZERO_TO_ONE = 0;
     public static final int DEPTH_MINUS_ONE_TO_ONE = 1;
+    public static final int MESH_SURFACE = 0;
+    public static final int MESH_BODY_SURFACE = 1;
+    public static final int MESH_BODY_LINKS = 2;
+    public static final int MESH_HULL = 3;
     public static final int FILTER_SUBTREE = 1;
     public static final int FILTER_NO_BACK_FACES = 2;
     public static final int FILTER_NO_FRONT_FACES = 4;
@@ -61,6 +65,8 @@ public final class Gamephys extends GamephysBase {
     public static final int SOLVE_FREE = 0;
     public static final int SOLVE_DIRECT = 1;
     public static final int SOLVE_GRAPH = 2;
+    public static final int CONSTRAINT_DISTANCE = 0;
+    public static final int CONSTRAINT_MAX_DISTANCE = 1;
     public static final int VERSION_MAJOR = 1;
     public static final int VERSION_MINOR = 1;
     public static final int VERSION_PATCH = 0;

@@ -43,6 +43,7 @@ class LowFunctions {
     static native int gphys_mesh_get_hull_faces(Pointer mesh, Pointer outFaces, int capacity, Pointer outTotal);
     static native int gphys_mesh_set_vertices(Pointer mesh, Pointer vertices, int vertexStride, int vertexCount);
     static native void gphys_mesh_destroy(Pointer mesh);
+    static native int gphys_mesh_get_info(Pointer mesh, Pointer outInfo);
     static native int gphys_mesh_get_report(Pointer mesh, Pointer outReport);
     static native int gphys_mesh_get_vertices(Pointer mesh, Pointer outVertices, int capacity, Pointer outTotal);
     static native int gphys_mesh_get_indices(Pointer mesh, Pointer outIndices, int capacity, Pointer outTotal);
@@ -74,6 +75,7 @@ class LowFunctions {
     static native int gphys_scene_get_children(Pointer scene, int model, Pointer outModels, int capacity, Pointer outTotal);
     static native int gphys_scene_get_info(Pointer scene, int model, Pointer outInfo);
     static native int gphys_scene_get_shape(Pointer scene, int model, Pointer outShape, int outSize);
+    static native int gphys_scene_get_mesh(Pointer scene, int model, Pointer outMesh);
     static native int gphys_scene_get_bounds(Pointer scene, int model, Pointer outBounds);
     static native int gphys_scene_get_scene_bounds(Pointer scene, Pointer outBounds);
     static native int gphys_scene_set_shape(Pointer scene, int model, int type, Pointer shape);
@@ -150,6 +152,7 @@ class LowFunctions {
     static native int gphys_camera_get_aspect(Pointer camera, Pointer outAspect, Pointer outIsFixed);
     static native int gphys_camera_get_image_size(Pointer camera, Pointer outWidth, Pointer outHeight);
     static native int gphys_camera_get_pick_start(Pointer camera, Pointer outStart);
+    static native int gphys_camera_get_conventions(Pointer camera, Pointer outHandedness, Pointer outDepthRange, Pointer outReverseZ);
     static native int gphys_camera_set_transform(Pointer camera, Pointer position, Pointer rotation);
     static native int gphys_camera_set_world_matrix(Pointer camera, Pointer world);
     static native int gphys_camera_set_view_matrix(Pointer camera, Pointer view);
@@ -228,13 +231,16 @@ class LowFunctions {
     static native int gphys_solver_get_air_velocities(Pointer solver, int body, int first, int count, Pointer outVelocities, int outStride);
     static native int gphys_solver_attach(Pointer solver, Pointer scene, int body, int particle, int model, Pointer localPoint);
     static native int gphys_solver_detach(Pointer solver, int body, int particle);
+    static native int gphys_solver_get_attachments(Pointer solver, int body, Pointer outAttachments, int capacity, Pointer outTotal);
     static native int gphys_solver_add_distance(Pointer solver, int body, int particleA, int particleB, float restLength, float compliance, Pointer outConstraint);
     static native int gphys_solver_add_max_distance(Pointer solver, int body, int particleA, int particleB, float maxLength, float compliance, Pointer outConstraint);
     static native int gphys_solver_set_constraint_damping(Pointer solver, int body, int constraint, float damping);
     static native int gphys_solver_set_volume(Pointer solver, int body, float restVolume, float compliance);
     static native int gphys_solver_get_volume(Pointer solver, int body, Pointer outVolume, Pointer outPressure);
+    static native int gphys_solver_get_volume_settings(Pointer solver, int body, Pointer outRestVolume, Pointer outCompliance);
     static native int gphys_solver_remove_constraint(Pointer solver, int body, int constraint);
     static native int gphys_solver_get_constraints(Pointer solver, int body, Pointer outConstraints, int capacity, Pointer outTotal);
+    static native int gphys_solver_get_constraint_kinds(Pointer solver, int body, Pointer constraints, int count, Pointer outKinds, int outStride);
     static native int gphys_solver_get_constraint_settings(Pointer solver, int body, Pointer constraints, int count, Pointer outSettings, int outStride);
     static native int gphys_solver_set_constraint_settings(Pointer solver, int body, Pointer constraints, Pointer settings, int settingStride, int count);
     static native int gphys_solver_join(Pointer solver, int bodyA, int particleA, int bodyB, int particleB, float restLength, float compliance, Pointer outJoint);

@@ -126,6 +126,24 @@ public final class Mesh extends Owned implements Shape {
 
     /**
      * <pre>
+     * A handle of a model's mesh: of the mesh itself, not of a copy, so that what Mesh.setVertices does to
+     * it is seen by all its models. It gives the meshes of a restored scene, which are not deformable if
+     * they were embedded in its snapshot.
+     * Result: another reference, to be released by Mesh, as that of Mesh is.
+     * Throws GamephysException with ERROR_UNSUPPORTED if the model's shape is no mesh.
+     * Cost: O(1). Since 1.1.
+     * </pre>
+     */
+    public Mesh(Scene scene, int model) {
+        super(create(scene, model), Low::gphys_mesh_destroy);
+    }
+
+    private static Pointer create(Scene scene, int model) {
+        return Low.create(made -> Low.gphys_scene_get_mesh(scene.opened(), model, made));
+    }
+
+    /**
+     * <pre>
      * Make a mesh that has the form of a body and follows it by itself: cloth, ropes and particles can be
      * met by rays, picked, overlapped and culled as models of scenes (Scene.add with SHAPE_MESH; without a
      * transform the model is where the body is) or asked by shape_* and mesh_* functions. Vertex p is
@@ -237,6 +255,18 @@ public final class Mesh extends Owned implements Shape {
         int status = Low.gphys_mesh_set_vertices(opened(), vertices.pointer(), vertices.stride(12), vertices.size(3));
         Low.keep(this, vertices);
         Low.check(status);
+    }
+
+    /**
+     * Kind and size of a mesh, and whether its vertices change.
+     * Cost: O(1). Since 1.1.
+     */
+    public MeshInfo getInfo() {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_mesh_get_info(opened(), scratch.slot(1));
+        Low.keep(this);
+        Low.check(status);
+        return MeshInfo.read(scratch.memory, Scratch.at(1));
     }
 
     /**

@@ -623,6 +623,18 @@ public final class Solver extends Owned {
     }
 
     /**
+     * The attachments of a body, by particle. One to a model that is gone is listed until the next step.
+     * Cost: O(attachments). Since 1.1.
+     */
+    public Batch<Attachment> getAttachments(int body) {
+        return Low.list(Attachment.LAYOUT, (room, capacity, total) -> {
+                int status = Low.gphys_solver_get_attachments(opened(), body, room, capacity, total);
+                Low.keep(this);
+                return status;
+            });
+    }
+
+    /**
      * Hold two different particles of a body at a distance.
      * Cost: O(1); the next step plans the body again, O(constraints).
      * @param restLength metres, &gt;= 0; negative: the present distance
@@ -721,6 +733,23 @@ public final class Solver extends Owned {
         return new VolumeResult(scratch.getFloat(2), scratch.getFloat(3));
     }
 
+    /** What getVolumeSettings returns. */
+    public record VolumeSettingsResult(float restVolume, float compliance) {}
+
+    /**
+     * What was given to Solver.setVolume: m^3, of a negative volume that which there was, and m^3 per
+     * pascal.
+     * Cost: O(1). Since 1.1.
+     * @throws GamephysException with ERROR_UNSUPPORTED: if none is held
+     */
+    public VolumeSettingsResult getVolumeSettings(int body) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_solver_get_volume_settings(opened(), body, scratch.slot(2), scratch.slot(3));
+        Low.keep(this);
+        Low.check(status);
+        return new VolumeSettingsResult(scratch.getFloat(2), scratch.getFloat(3));
+    }
+
     /**
      * End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
      * Cost: as Solver.addDistance; allocates.
@@ -743,6 +772,25 @@ public final class Solver extends Owned {
                 Low.keep(this);
                 return status;
             });
+    }
+
+    /**
+     * Which constraints keep a length, and which a maximum.
+     * Cost: O(elements). Since 1.1.
+     * @param constraints the ids; one may stand twice
+     */
+    public Batch<Integer> getConstraintKinds(int body, Batch<Integer> constraints, Batch<Integer> out) {
+        int count = Low.common(constraints.common());
+        Batch<Integer> room = Batch.room(Layout.INT, count, out);
+        int status = Low.gphys_solver_get_constraint_kinds(opened(), body, constraints.pointer(), count, room.pointer(), Layout.INT.bytes());
+        Low.keep(this, constraints, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<Integer> getConstraintKinds(int body, Batch<Integer> constraints) {
+        return getConstraintKinds(body, constraints, (Batch<Integer>) null);
     }
 
     /**
