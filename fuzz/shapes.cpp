@@ -307,7 +307,14 @@ void solid_sweeps(Program& p) {
     const bool supported = a.shape.type != GPHYS_SHAPE_FRUSTUM || moving.type == GPHYS_SHAPE_SPHERE;
     FUZZ_CHECK((status >= 0) == (supported && a.valid && is_valid(moving) && is_valid(displacement)),
                "sweep takes valid input only");
+    gphys_hit batch[2];
+    const gphys_status all = call(gphys_shape_sweep_batch, a.shape.type, a.shape.bytes, 0u, moving.type, moving.bytes,
+                                  0u, &displacement, 0u, 2u, batch, uint32_t{sizeof(gphys_hit)});
+    FUZZ_CHECK(all == std::min(status, GPHYS_OK + 0), "a batch takes what a single call takes");
     if (status < 0) return;
+    FUZZ_CHECK(same_bits(batch[0], batch[1]) && (status == GPHYS_OK ? same_bits(batch[0], hit.value)
+                                                                    : batch[0].t > std::numeric_limits<float>::max()),
+               "sweep_batch gives the bits of sweep");
     if (status == GPHYS_OK) check_hit(hit.value, 1, displacement, true);
     const bool says_touching = status == GPHYS_OK && (hit.value.flags & GPHYS_HIT_INSIDE);
     FUZZ_CHECK(says_touching == overlap(moving, a.shape) || !is_clear(moving, a.shape),
@@ -324,7 +331,14 @@ void ways_out(Program& p) {
     out.after(status);
     FUZZ_CHECK((status >= 0) == (a.shape.type != GPHYS_SHAPE_FRUSTUM && a.valid && is_valid(moving)),
                "penetration takes valid input only");
+    gphys_penetration batch[2];
+    const gphys_status all = call(gphys_shape_penetration_batch, a.shape.type, a.shape.bytes, 0u, moving.type,
+                                  moving.bytes, 0u, 2u, batch, uint32_t{sizeof(gphys_penetration)});
+    FUZZ_CHECK(all == std::min(status, GPHYS_OK + 0), "a batch takes what a single call takes");
     if (status < 0) return;
+    FUZZ_CHECK(status != GPHYS_OK ? batch[0].depth < 0 && same_bits(batch[0], batch[1])
+                                  : same_bits(batch[0], out.value) && same_bits(batch[1], out.value),
+               "penetration_batch gives the bits of penetration");
     FUZZ_CHECK((status == GPHYS_OK) == overlap(a.shape, moving), "there is a way out of what is overlapped");
     if (status != GPHYS_OK) return;
     const gphys_vec3& n = out.value.normal;
@@ -491,6 +505,10 @@ void misuse(Program& p) {
         call(gphys_shape_sweep, shape.type, shape.bytes, bad_type, &sphere, &point, &hit),
         call(gphys_shape_penetration, shape.type, shape.bytes, gphys_shape_type{GPHYS_SHAPE_SPHERE}, &sphere, nullptr),
         call(gphys_shape_penetration, shape.type, nullptr, gphys_shape_type{GPHYS_SHAPE_SPHERE}, &sphere, &way),
+        call(gphys_shape_sweep_batch, shape.type, shape.bytes, 0u, gphys_shape_type{GPHYS_SHAPE_SPHERE}, &sphere, 0u,
+             &point, bad_stride, 1u, &hit, 56u),
+        call(gphys_shape_penetration_batch, shape.type, shape.bytes, 0u, gphys_shape_type{GPHYS_SHAPE_SPHERE}, nullptr,
+             0u, 1u, &way, 40u),
         call(gphys_frustum_corners, nullptr, nullptr),
         call(gphys_frustum_from_matrix, nullptr, 0, 0, nullptr),
         call(gphys_shape_classify_plane, shape.type, shape.bytes, nullptr, &flag, nullptr),

@@ -102,6 +102,12 @@ void World::filtered_queries() {
     call(gphys_scene_penetration_filtered, scene_, GPHYS_SHAPE_OBB, &box, &filter, ways, 4u, &way_count);
     for (uint32_t i = 0; i < std::min(way_count, 4u); ++i)
         FUZZ_CHECK(!is_out(ways[i].model), "penetration_filtered names no model that is ignored");
+    gphys_penetration ways_in_batch[4]{};
+    uint32_t offsets[2] = {};
+    call(gphys_scene_penetration_filtered_batch, scene_, GPHYS_SHAPE_OBB, &box, 0u, 1u, &filter, 0u, ways_in_batch, 4u,
+         offsets);
+    FUZZ_CHECK(offsets[1] == way_count && (way_count > 4 || same_bits(ways, ways_in_batch)),
+               "penetration_filtered_batch gives the single call's bits");
     const gphys_vec3 point = p_.point();
     gphys_nearest near = no_nearest;
     call(gphys_scene_nearest_filtered, scene_, &point, near.distance, &filter, &near);

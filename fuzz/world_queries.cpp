@@ -190,6 +190,13 @@ void World::ways_out() {
     call(gphys_scene_penetration, scene_, moving.type, moving.bytes, layers, room ? deepest.data() : nullptr, room,
          &total);
     agree(deepest, std::min<size_t>(room, total));
+    uint32_t offsets[3];
+    std::vector<gphys_penetration> twice(2 * expected.size() + 1);
+    call(gphys_scene_penetration_batch, scene_, moving.type, moving.bytes, 0u, 2u, layers, twice.data(), 2 * total,
+         offsets);
+    FUZZ_CHECK(offsets[0] == 0 && offsets[1] == total && offsets[2] == 2 * total, "each of a batch has its list");
+    agree(twice, total);
+    agree({twice.begin() + total, twice.end()}, total);
 }
 
 void World::cull() {
@@ -355,6 +362,8 @@ void World::query_misuse() {
         call(gphys_scene_sweep_batch, scene_, gphys_shape_type{GPHYS_SHAPE_SPHERE}, &ball, 16u, &zero, bad_stride, 1u,
              7u, &out, 56u),
         call(gphys_scene_penetration, none, gphys_shape_type{GPHYS_SHAPE_SPHERE}, &ball, 7u, nullptr, 0u, &total),
+        call(gphys_scene_penetration_batch, scene_, gphys_shape_type{GPHYS_SHAPE_SPHERE}, &ball, bad_stride, 1u, 7u,
+             nullptr, 0u, &total),
         call(gphys_scene_cull, scene_, nullptr, 7u, &id, 1u, &total)};
     for (const gphys_status status : refused) FUZZ_CHECK(status < 0, "a call that makes no sense is refused");
 }

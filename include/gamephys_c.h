@@ -482,6 +482,19 @@ GPHYS_API gphys_status gphys_shape_sweep_sphere(gphys_shape_type type, const voi
 GPHYS_API gphys_status gphys_shape_sweep(gphys_shape_type type, const void* shape, gphys_shape_type moving_type,
                                          const void* moving, const gphys_vec3* displacement, gphys_hit* out_hit);
 
+/** First contacts of count moving shapes of one type with count shapes of another, as gphys_shape_sweep: moving[i] with
+ *  shapes[i]. One that touches nothing gets t = INFINITY, triangle = GPHYS_NO_TRIANGLE and zeros.
+ *  @param shapes, moving  shapes of one type each; a stride of 0 takes one throughout, and a mesh needs 0
+ *  @param moving_type     sphere, capsule, AABB or OBB
+ *  @param displacements   metres; a stride of 0 moves all alike
+ *  @param out_hits        count elements
+ *  @return GPHYS_ERROR_UNSUPPORTED as gphys_shape_sweep
+ *  Cost: that of count single calls.  Since 1.1. */
+GPHYS_API gphys_status gphys_shape_sweep_batch(gphys_shape_type type, const void* shapes, uint32_t shape_stride,
+                                               gphys_shape_type moving_type, const void* moving, uint32_t moving_stride,
+                                               const gphys_vec3* displacements, uint32_t displacement_stride,
+                                               uint32_t count, gphys_hit* out_hits, uint32_t out_stride);
+
 /** The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule, AABB,
  *  OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle that is nearer. Of a
  *  mesh: out of the triangle that it is deepest in; others may remain, and have translations of their own. Of a hull:
@@ -499,6 +512,19 @@ GPHYS_API gphys_status gphys_shape_sweep(gphys_shape_type type, const void* shap
  *  is round by the distance of its core (Gilbert, Johnson, Keerthi 1988). */
 GPHYS_API gphys_status gphys_shape_penetration(gphys_shape_type type, const void* shape, gphys_shape_type moving_type,
                                                const void* moving, gphys_penetration* out_penetration);
+
+/** The shortest translations that take count shapes of one type out of count shapes of another, as
+ *  gphys_shape_penetration: moving[i] out of shapes[i]. One that overlaps nothing gets depth = -INFINITY,
+ *  triangle = GPHYS_NO_TRIANGLE and zeros.
+ *  @param shapes, moving    shapes of one type each; a stride of 0 takes one throughout, and a mesh needs 0
+ *  @param moving_type       sphere, capsule, AABB or OBB
+ *  @param out_penetrations  count elements
+ *  @return GPHYS_ERROR_UNSUPPORTED as gphys_shape_penetration
+ *  Cost: that of count single calls.  Since 1.1. */
+GPHYS_API gphys_status gphys_shape_penetration_batch(gphys_shape_type type, const void* shapes, uint32_t shape_stride,
+                                                     gphys_shape_type moving_type, const void* moving,
+                                                     uint32_t moving_stride, uint32_t count,
+                                                     gphys_penetration* out_penetrations, uint32_t out_stride);
 
 /** The eight corners, each the intersection of three planes: near then far, each in the order
  *  left-bottom, right-bottom, right-top, left-top.
@@ -922,7 +948,7 @@ GPHYS_API gphys_status gphys_scene_get_shape(const gphys_scene* scene, gphys_mod
 /** A handle of a model's mesh: of the mesh itself, not of a copy, so that what gphys_mesh_set_vertices does to it is
  *  seen by all its models. It gives the meshes of a restored scene, which are not deformable if they were embedded in
  *  its snapshot.
- *  @param out_mesh  another reference, to be released by gphys_mesh_destroy, as that of gphys_mesh_create is
+ *  @param out_mesh  a reference of its own, which keeps the mesh alive, and is to be destroyed like any handle
  *  @return GPHYS_ERROR_UNSUPPORTED if the model's shape is no mesh
  *  Cost: O(1).  Since 1.1. */
 GPHYS_API gphys_status gphys_scene_get_mesh(const gphys_scene* scene, gphys_model_id model, gphys_mesh** out_mesh);
@@ -1181,6 +1207,19 @@ GPHYS_API gphys_status gphys_scene_penetration(const gphys_scene* scene, gphys_s
                                                uint32_t layers, gphys_penetration* out_penetrations, uint32_t capacity,
                                                uint32_t* out_total);
 
+/** What each of count shapes of one type overlaps, and how it gets out, as gphys_scene_penetration: the ways out of
+ *  shape i are at out_penetrations[out_offsets[i]] up to out_offsets[i + 1], as in gphys_scene_raycast_all_batch. So a
+ *  crowd of characters is pushed out in one call.
+ *  @param shapes       a stride of 0 asks for one shape count times
+ *  @param out_offsets  count + 1 numbers, always complete
+ *  @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity; GPHYS_ERROR_UNSUPPORTED as
+ *          gphys_scene_penetration
+ *  Cost: that of count single calls; shared among workers.  Since 1.1. */
+GPHYS_API gphys_status gphys_scene_penetration_batch(const gphys_scene* scene, gphys_shape_type type,
+                                                     const void* shapes, uint32_t shape_stride, uint32_t count,
+                                                     uint32_t layers, gphys_penetration* out_penetrations,
+                                                     uint32_t capacity, uint32_t* out_offsets);
+
 /* The same queries with a filter: a mask of layers and, besides, models to leave out, such as the one that
  * asks, or what is selected. They answer as if the models that are left out were not there, with the same
  * bits and ties as their plain forms would then; nothing in the scene is changed by asking, so that any
@@ -1405,6 +1444,21 @@ GPHYS_API gphys_status gphys_scene_penetration_filtered(const gphys_scene* scene
                                                         const void* shape, const gphys_query_filter_desc* filter,
                                                         gphys_penetration* out_penetrations, uint32_t capacity,
                                                         uint32_t* out_total);
+
+/** What each of count shapes of one type overlaps and its filter sees, and how it gets out, as
+ *  gphys_scene_penetration_batch: each character leaves out its own model.
+ *  @param shapes       a stride of 0 asks for one shape count times
+ *  @param filters      a stride of 0 takes one for all; NULL: the defaults
+ *  @param out_offsets  count + 1 numbers, always complete
+ *  @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity; GPHYS_ERROR_UNSUPPORTED as
+ *          gphys_scene_penetration
+ *  Cost: that of count single calls; shared among workers.  Since 1.1. */
+GPHYS_API gphys_status gphys_scene_penetration_filtered_batch(const gphys_scene* scene, gphys_shape_type type,
+                                                              const void* shapes, uint32_t shape_stride, uint32_t count,
+                                                              const gphys_query_filter_desc* filters,
+                                                              uint32_t filter_stride,
+                                                              gphys_penetration* out_penetrations, uint32_t capacity,
+                                                              uint32_t* out_offsets);
 
 /** How the scene's octree is made up. Cost: O(nodes). */
 GPHYS_API gphys_status gphys_scene_get_octree_stats(const gphys_scene* scene, gphys_octree_stats* out_stats);

@@ -180,6 +180,8 @@ static void questions(session* s) {
     DO(gphys_scene_sweep_filtered_batch(s->scene, GPHYS_SHAPE_SPHERE, &mover, 0, &way, 0, 1, &filter, 0, hits,
                                         sizeof *hits));
     DO(gphys_scene_penetration_filtered(s->scene, GPHYS_SHAPE_SPHERE, &ball, &filter, penetrations, 64, &total));
+    DO(gphys_scene_penetration_filtered_batch(s->scene, GPHYS_SHAPE_SPHERE, &ball, 0, 1, &filter, 0, penetrations, 64,
+                                              offsets));
     DO(gphys_camera_pick_rectangle_filtered(s->camera, s->scene, 0, 0, 9, 9, &filter, met, 64, &total));
     DO(gphys_camera_cull_filtered(s->camera, s->scene, &filter, met, 64, &total));
     assert_int_equal(s->heap.calls, before);

@@ -158,7 +158,8 @@ static void batches_take_one_filter_or_one_each(void** state) {
     const gphys_ray ray = {{0, 0, 0}, {1, 0, 0}, INFINITY};
     const gphys_segment segment = {{0, 0, 0}, {20, 0, 0}};
     const gphys_vec3 origin = {0, 0, 0}, step = {20, 0, 0};
-    const gphys_sphere small = {{0, 0, 0}, 0.5f};
+    const gphys_sphere small = {{0, 0, 0}, 0.5f}, large = {{0, 0, 0}, 50};
+    const gphys_plane ground = {{0, 1, 0}, 0};
     /* As of a later release, whose filters are larger, and at places that are multiples of 4 only. */
     struct wide_filter {
         gphys_query_filter_desc filter;
@@ -171,6 +172,7 @@ static void batches_take_one_filter_or_one_each(void** state) {
     gphys_scene* scene = three_balls(models);
     gphys_hit hits[3];
     gphys_nearest nearest[3];
+    gphys_penetration ways[9];
     gphys_distance distances[3];
     int32_t any[3];
     uint32_t offsets[4], i;
@@ -204,6 +206,30 @@ static void batches_take_one_filter_or_one_each(void** state) {
                                                         sizeof *filters, found, 9, offsets),
                      GPHYS_OK);
     assert_true(offsets[1] == 1 && offsets[2] == 1 && offsets[3] == 1 && found[0] == models[BODY]);
+    assert_int_equal(gphys_scene_penetration_filtered_batch(scene, GPHYS_SHAPE_SPHERE, &small, 0, 3, filters,
+                                                            sizeof *filters, ways, 9, offsets),
+                     GPHYS_OK);
+    assert_true(offsets[1] == 1 && offsets[2] == 1 && offsets[3] == 1 && ways[0].model == models[BODY]);
+    assert_int_equal(gphys_scene_penetration_filtered_batch(scene, GPHYS_SHAPE_SPHERE, &large, 0, 3, filters,
+                                                            sizeof *filters, ways, 9, offsets),
+                     GPHYS_OK);
+    assert_true(offsets[0] == 0 && offsets[1] == 3 && offsets[2] == 5 && offsets[3] == 6);
+    for (i = 0; i < 3; ++i) {
+        gphys_penetration single[3];
+        uint32_t total = 0;
+        assert_int_equal(
+            gphys_scene_penetration_filtered(scene, GPHYS_SHAPE_SPHERE, &large, &filters[i], single, 3, &total),
+            GPHYS_OK);
+        assert_int_equal(total, 3 - i);
+        assert_memory_equal(single, ways + offsets[i], total * sizeof *ways);
+    }
+    assert_int_equal(gphys_scene_penetration_filtered_batch(scene, GPHYS_SHAPE_SPHERE, &large, 0, 2, &filters[1], 0,
+                                                            ways, 3, offsets),
+                     GPHYS_INCOMPLETE);
+    assert_true(offsets[1] == 2 && offsets[2] == 4);
+    assert_int_equal(gphys_scene_penetration_filtered_batch(scene, GPHYS_SHAPE_PLANE, &ground, 0, 2, &filters[1], 0,
+                                                            ways, 3, offsets),
+                     GPHYS_ERROR_UNSUPPORTED);
     filters[2].layers = 1;
     assert_int_equal(
         gphys_scene_raycast_any_filtered_batch(scene, &ray, 0, 3, filters, sizeof *filters, any, sizeof *any),
@@ -534,6 +560,9 @@ static void bad_filters_are_refused_and_outputs_stay(void** state) {
             expected[i]);
         assert_int_equal(gphys_scene_sweep_filtered_batch(scene, GPHYS_SHAPE_SPHERE, &ball, 0, &point, 0, 2, mixed,
                                                           size, hits, sizeof *hits),
+                         expected[i]);
+        assert_int_equal(gphys_scene_penetration_filtered_batch(scene, GPHYS_SHAPE_SPHERE, &ball, 0, 2, mixed, size,
+                                                                &way, 1, offsets),
                          expected[i]);
         assert_int_equal(gphys_camera_pick_filtered_batch(camera, scene, pixel, 0, 2, mixed, size, hits, sizeof *hits),
                          expected[i]);

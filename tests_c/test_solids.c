@@ -1,4 +1,4 @@
-/* gphys_shape_sweep, _penetration, gphys_scene_sweep, _sweep_batch and _penetration: known answers for every kind of
+/* gphys_shape_sweep, _penetration, gphys_scene_sweep, _penetration and their batches: known answers for every kind of
  * shape, lists in order and cut short, batches equal to singles, bad input refused with outputs untouched. */
 #include "test.h"
 
@@ -189,13 +189,190 @@ static void a_list_has_the_deepest_first(void** state) {
     assert_true(all[1].depth == 0.25f);
 }
 
+/* One shape against many, many against one, and pairs. */
+static void batches_of_shapes_equal_single_calls(void** state) {
+    enum { COUNT = 5 };
+    struct {
+        gphys_capsule pill;
+        uint32_t beyond;
+    } pills[COUNT];
+    gphys_sphere balls[COUNT];
+    gphys_vec3 ways[COUNT];
+    struct {
+        gphys_hit hit;
+        uint32_t beyond;
+    } hits[COUNT];
+    gphys_penetration outs[COUNT];
+    const uint32_t pill_step = sizeof *pills, hit_step = sizeof *hits, out_step = sizeof *outs;
+    (void)state;
+    memset(hits, 0x5a, sizeof hits);
+    for (int i = 0; i < COUNT; ++i) {
+        pills[i].pill = pill;
+        pills[i].pill.a.z = pills[i].pill.b.z = 0.5f * (float)i;
+        balls[i].center.x = balls[i].center.y = 0;
+        balls[i].center.z = 3 - 0.25f * (float)i;
+        balls[i].radius = 0.5f + 0.25f * (float)i;
+        ways[i].x = 0.125f * (float)i;
+        ways[i].y = 0;
+        ways[i].z = i == 1 ? -4.0f : 4.0f;
+    }
+    for (int t = 0; t < TARGETS; ++t) {
+        const gphys_shape_type type = targets[t].type;
+        const void* shape = targets[t].shape;
+        uint32_t met = 0, overlapped = 0;
+        assert_int_equal(gphys_shape_sweep_batch(type, shape, 0, GPHYS_SHAPE_CAPSULE, pills, pill_step, ways,
+                                                 sizeof *ways, COUNT, &hits[0].hit, hit_step),
+                         GPHYS_OK);
+        assert_int_equal(
+            gphys_shape_penetration_batch(type, shape, 0, GPHYS_SHAPE_CAPSULE, pills, pill_step, COUNT, outs, out_step),
+            GPHYS_OK);
+        for (int i = 0; i < COUNT; ++i) {
+            gphys_hit hit = {0, 0, INFINITY, {0, 0, 0}, {0, 0, 0}, GPHYS_NO_TRIANGLE, 0, 0, 0};
+            gphys_penetration out = {0, 0, {0, 0, 0}, {0, 0, 0}, -INFINITY, GPHYS_NO_TRIANGLE};
+            met += gphys_shape_sweep(type, shape, GPHYS_SHAPE_CAPSULE, &pills[i], &ways[i], &hit) == GPHYS_OK;
+            overlapped += gphys_shape_penetration(type, shape, GPHYS_SHAPE_CAPSULE, &pills[i], &out) == GPHYS_OK;
+            assert_memory_equal(&hits[i].hit, &hit, sizeof hit);
+            assert_int_equal(hits[i].beyond, 0x5a5a5a5a);
+            assert_memory_equal(&outs[i], &out, sizeof out);
+        }
+        assert_true(met > 0 && met < COUNT && overlapped > 0 && overlapped < COUNT);
+    }
+    /* Pairs, and the same way for all. */
+    assert_int_equal(gphys_shape_sweep_batch(GPHYS_SHAPE_SPHERE, balls, sizeof *balls, GPHYS_SHAPE_CAPSULE, pills,
+                                             pill_step, ways, 0, COUNT, &hits[0].hit, hit_step),
+                     GPHYS_OK);
+    assert_int_equal(gphys_shape_penetration_batch(GPHYS_SHAPE_SPHERE, balls, sizeof *balls, GPHYS_SHAPE_AABB, &block,
+                                                   0, COUNT, outs, out_step),
+                     GPHYS_OK);
+    for (int i = 0; i < COUNT; ++i) {
+        gphys_hit hit;
+        gphys_penetration out = {0, 0, {0, 0, 0}, {0, 0, 0}, -INFINITY, GPHYS_NO_TRIANGLE};
+        assert_int_equal(
+            gphys_shape_sweep(GPHYS_SHAPE_SPHERE, &balls[i], GPHYS_SHAPE_CAPSULE, &pills[i], &ways[0], &hit), GPHYS_OK);
+        assert_memory_equal(&hits[i].hit, &hit, sizeof hit);
+        assert_int_equal(
+            gphys_shape_penetration(GPHYS_SHAPE_SPHERE, &balls[i], GPHYS_SHAPE_AABB, &block, &out) == GPHYS_OK, i == 4);
+        assert_memory_equal(&outs[i], &out, sizeof out);
+    }
+    assert_int_equal(
+        gphys_shape_sweep_batch(GPHYS_SHAPE_MESH, mesh, 0, GPHYS_SHAPE_CAPSULE, pills, pill_step, NULL, 0, 0, NULL, 56),
+        GPHYS_OK);
+    assert_int_equal(
+        gphys_shape_penetration_batch(GPHYS_SHAPE_MESH, mesh, 0, GPHYS_SHAPE_CAPSULE, pills, pill_step, 0, NULL, 40),
+        GPHYS_OK);
+}
+
+static void bad_batches_of_shapes_are_refused(void** state) {
+    const gphys_shape_type box = GPHYS_SHAPE_AABB, moves = GPHYS_SHAPE_CAPSULE, surface = GPHYS_SHAPE_MESH;
+    const gphys_vec3 way = {0, 0, 1};
+    gphys_vec3 ways[2] = {{0, 0, 1}, {0, NAN, 0}};
+    gphys_capsule pills[2];
+    gphys_hit hits[2], no_hits[2];
+    gphys_penetration outs[2], none[2];
+    const uint32_t pill_step = sizeof *pills, hit_step = sizeof *hits, out_step = sizeof *outs;
+    (void)state;
+    pills[0] = pills[1] = pill;
+    pills[1].radius = -1;
+    memset(hits, 0x5a, sizeof hits);
+    memset(outs, 0x5a, sizeof outs);
+    memcpy(no_hits, hits, sizeof hits);
+    memcpy(none, outs, sizeof outs);
+#define SWEPT(...) assert_int_equal(gphys_shape_sweep_batch(__VA_ARGS__), GPHYS_ERROR_INVALID_ARGUMENT)
+#define PUSHED(...) assert_int_equal(gphys_shape_penetration_batch(__VA_ARGS__), GPHYS_ERROR_INVALID_ARGUMENT)
+    SWEPT(box, NULL, 0, moves, &pill, 0, &way, 0, 2, hits, hit_step);
+    SWEPT(box, &aabb, 0, moves, NULL, 0, &way, 0, 2, hits, hit_step);
+    SWEPT(box, &aabb, 0, moves, &pill, 0, NULL, 0, 2, hits, hit_step);
+    SWEPT(box, &aabb, 0, moves, &pill, 0, &way, 0, 2, NULL, hit_step);
+    SWEPT(box, &aabb, 8, moves, &pill, 0, &way, 0, 2, hits, hit_step);
+    SWEPT(box, &aabb, 0, moves, pills, 24, &way, 0, 2, hits, hit_step);
+    SWEPT(box, &aabb, 0, moves, pills, pill_step, &way, 0, 2, hits, hit_step);
+    SWEPT(moves, pills, pill_step, box, &aabb, 0, &way, 0, 2, hits, hit_step);
+    SWEPT(box, &aabb, 0, moves, &pill, 0, ways, sizeof *ways, 2, hits, hit_step);
+    SWEPT(box, &aabb, 0, moves, &pill, 0, &way, 8, 2, hits, hit_step);
+    SWEPT(box, &aabb, 0, moves, &pill, 0, &way, 0, 2, hits, 48);
+    SWEPT(surface, mesh, 64, moves, &pill, 0, &way, 0, 2, hits, hit_step);
+    SWEPT(99, &aabb, 0, moves, &pill, 0, &way, 0, 2, hits, hit_step);
+    PUSHED(box, NULL, 0, moves, &pill, 0, 2, outs, out_step);
+    PUSHED(box, &aabb, 0, moves, NULL, 0, 2, outs, out_step);
+    PUSHED(box, &aabb, 0, moves, &pill, 0, 2, NULL, out_step);
+    PUSHED(box, &aabb, 8, moves, &pill, 0, 2, outs, out_step);
+    PUSHED(box, &aabb, 0, moves, pills, 24, 2, outs, out_step);
+    PUSHED(box, &aabb, 0, moves, pills, pill_step, 2, outs, out_step);
+    PUSHED(moves, pills, pill_step, box, &aabb, 0, 2, outs, out_step);
+    PUSHED(box, &aabb, 0, moves, &pill, 0, 2, outs, 36);
+    PUSHED(surface, mesh, 64, moves, &pill, 0, 2, outs, out_step);
+#undef SWEPT
+#undef PUSHED
+    assert_int_equal(gphys_shape_sweep_batch(GPHYS_SHAPE_FRUSTUM, &frustum, 0, moves, &pill, 0, &way, 0, 2, hits, 56),
+                     GPHYS_ERROR_UNSUPPORTED);
+    assert_int_equal(gphys_shape_sweep_batch(box, &aabb, 0, GPHYS_SHAPE_PLANE, &plane, 0, &way, 0, 2, hits, 56),
+                     GPHYS_ERROR_UNSUPPORTED);
+    assert_int_equal(gphys_shape_penetration_batch(GPHYS_SHAPE_FRUSTUM, &frustum, 0, moves, &pill, 0, 2, outs, 40),
+                     GPHYS_ERROR_UNSUPPORTED);
+    assert_int_equal(gphys_shape_penetration_batch(box, &aabb, 0, surface, mesh, 0, 2, outs, 40),
+                     GPHYS_ERROR_UNSUPPORTED);
+    assert_memory_equal(hits, no_hits, sizeof hits);
+    assert_memory_equal(outs, none, sizeof outs);
+}
+
+/* A crowd, in more than one chunk, from before the box to behind the mesh. */
+static void a_crowd_gets_out_in_one_call(void** state) {
+    enum { COUNT = 1000, ROOM = 4096, CUT = 301 };
+    static gphys_capsule crowd[COUNT];
+    static gphys_penetration single[ROOM], batch[ROOM];
+    static uint32_t offsets[COUNT + 1];
+    uint32_t total = 0, busy = 0;
+    (void)state;
+    for (int i = 0; i < COUNT; ++i) {
+        crowd[i] = pill;
+        crowd[i].a.z = 0.03f * (float)i;
+        crowd[i].b.z = crowd[i].a.z + 0.75f;
+    }
+    assert_int_equal(
+        gphys_scene_penetration_batch(scene, GPHYS_SHAPE_CAPSULE, crowd, sizeof *crowd, COUNT, 3, batch, ROOM, offsets),
+        GPHYS_OK);
+    for (int i = 0; i < COUNT; ++i) {
+        uint32_t some = 0;
+        assert_int_equal(offsets[i], total);
+        assert_int_equal(
+            gphys_scene_penetration(scene, GPHYS_SHAPE_CAPSULE, &crowd[i], 3, single + total, ROOM - total, &some),
+            GPHYS_OK);
+        total += some;
+        busy += some > 1;
+    }
+    assert_int_equal(offsets[COUNT], total);
+    assert_true(busy > 20 && total > CUT && total < ROOM);
+    assert_memory_equal(batch, single, total * sizeof *batch);
+    /* All offsets, and the first ways out, of an array that is too small; none. */
+    memset(batch, 0x5a, sizeof batch);
+    memset(offsets, 0, sizeof offsets);
+    assert_int_equal(
+        gphys_scene_penetration_batch(scene, GPHYS_SHAPE_CAPSULE, crowd, sizeof *crowd, COUNT, 3, batch, CUT, offsets),
+        GPHYS_INCOMPLETE);
+    assert_int_equal(offsets[COUNT], total);
+    assert_memory_equal(batch, single, CUT * sizeof *batch);
+    assert_int_equal(((const unsigned char*)&batch[CUT])[0], 0x5a);
+    assert_int_equal(
+        gphys_scene_penetration_batch(scene, GPHYS_SHAPE_CAPSULE, crowd, sizeof *crowd, COUNT, 3, NULL, 0, offsets),
+        GPHYS_INCOMPLETE);
+    assert_int_equal(offsets[COUNT], total);
+    /* One shape count times, and none. */
+    assert_int_equal(
+        gphys_scene_penetration_batch(scene, GPHYS_SHAPE_CAPSULE, &crowd[40], 0, 3, 3, batch, ROOM, offsets), GPHYS_OK);
+    assert_true(offsets[1] > 0 && offsets[2] == 2 * offsets[1] && offsets[3] == 3 * offsets[1]);
+    assert_memory_equal(batch, batch + offsets[1], offsets[1] * sizeof *batch);
+    assert_int_equal(gphys_scene_penetration_batch(scene, GPHYS_SHAPE_CAPSULE, NULL, 0, 0, 3, NULL, 0, offsets),
+                     GPHYS_OK);
+    assert_int_equal(offsets[0], 0);
+}
+
 static void bad_input_is_refused(void** state) {
     const float bad[] = {NAN, INFINITY, 1.1e15f};
     const gphys_vec3 way = {0, 0, 1};
     const gphys_ray ray = {{0, 0, 0}, {0, 0, 1}, 1};
     gphys_hit hit, no_hit;
     gphys_penetration out, none;
-    uint32_t total = 77;
+    uint32_t total = 77, offsets[2] = {77, 77};
     (void)state;
     memset(&hit, 0x5a, sizeof hit);
     memset(&out, 0x5a, sizeof out);
@@ -221,7 +398,22 @@ static void bad_input_is_refused(void** state) {
                          GPHYS_ERROR_INVALID_ARGUMENT);
         assert_int_equal(gphys_scene_penetration(scene, moves, &wrong, 1, &out, 1, &total),
                          GPHYS_ERROR_INVALID_ARGUMENT);
+        assert_int_equal(gphys_scene_penetration_batch(scene, moves, &wrong, 0, 1, 1, &out, 1, offsets),
+                         GPHYS_ERROR_INVALID_ARGUMENT);
     }
+    assert_int_equal(gphys_scene_penetration_batch(NULL, moves, &pill, 0, 1, 1, &out, 1, offsets),
+                     GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_scene_penetration_batch(scene, moves, NULL, 0, 1, 1, &out, 1, offsets),
+                     GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_scene_penetration_batch(scene, moves, &pill, 24, 1, 1, &out, 1, offsets),
+                     GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_scene_penetration_batch(scene, moves, &pill, 0, 1, 1, NULL, 1, offsets),
+                     GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_scene_penetration_batch(scene, moves, &pill, 0, 1, 1, &out, 1, NULL),
+                     GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_scene_penetration_batch(scene, GPHYS_SHAPE_PLANE, &plane, 0, 1, 1, &out, 1, offsets),
+                     GPHYS_ERROR_UNSUPPORTED);
+    assert_int_equal(offsets[0], 77);
     assert_int_equal(gphys_shape_sweep(box, NULL, moves, &pill, &way, &hit), GPHYS_ERROR_INVALID_ARGUMENT);
     assert_int_equal(gphys_shape_sweep(box, &aabb, moves, NULL, &way, &hit), GPHYS_ERROR_INVALID_ARGUMENT);
     assert_int_equal(gphys_shape_sweep(box, &aabb, moves, &pill, NULL, &hit), GPHYS_ERROR_INVALID_ARGUMENT);
@@ -283,6 +475,9 @@ int main(void) {
         cmocka_unit_test(every_solid_gets_out_of_every_shape),
         cmocka_unit_test(a_scene_is_swept),
         cmocka_unit_test(a_list_has_the_deepest_first),
+        cmocka_unit_test(batches_of_shapes_equal_single_calls),
+        cmocka_unit_test(bad_batches_of_shapes_are_refused),
+        cmocka_unit_test(a_crowd_gets_out_in_one_call),
         cmocka_unit_test(bad_input_is_refused),
     };
     return cmocka_run_group_tests(tests, make_models, free_models);

@@ -86,6 +86,8 @@ typedef struct answers {
     gphys_model_id overlap[LIST], overlap_cut[CUT], overlap_exact[LIST];
     uint32_t raycast_all_offsets[QUERIES + 1], raycast_all_cut_offsets[QUERIES + 1];
     uint32_t overlap_offsets[QUERIES + 1], overlap_cut_offsets[QUERIES + 1];
+    gphys_penetration penetration[LIST];
+    uint32_t penetration_offsets[QUERIES + 1];
 } answers;
 
 /* Ask for lists with more room than they need, with just enough, with too little, and with none. */
@@ -164,6 +166,11 @@ static answers* ask_everything(uint32_t worker_count, const gphys_task_runner* r
     assert_int_equal(gphys_scene_sweep_batch(scene, GPHYS_SHAPE_OBB, &brick, 0, input.points, sizeof *input.points,
                                              QUERIES, layers, all->solid_sweep, sizeof *all->solid_sweep),
                      GPHYS_OK);
+    assert_int_equal(gphys_scene_penetration_batch(scene, GPHYS_SHAPE_SPHERE, input.spheres, sizeof *input.spheres,
+                                                   QUERIES, layers, all->penetration, LIST, all->penetration_offsets),
+                     GPHYS_OK);
+    memset(all->penetration + all->penetration_offsets[QUERIES], 0,
+           (LIST - all->penetration_offsets[QUERIES]) * sizeof *all->penetration);
     assert_int_equal(gphys_camera_pick_batch(camera, scene, input.pixels[0], sizeof *input.pixels, QUERIES, layers,
                                              all->pick, sizeof *all->pick),
                      GPHYS_OK);
@@ -176,6 +183,7 @@ static answers* ask_everything(uint32_t worker_count, const gphys_task_runner* r
 /* Lists that fit into CUT are not cut. */
 static void assert_worth_comparing(const answers* all) {
     assert_in_range(all->overlap_offsets[QUERIES], CUT + 1, LIST);
+    assert_in_range(all->penetration_offsets[QUERIES], CUT + 1, LIST);
     assert_in_range(all->raycast_all_offsets[QUERIES], CUT + 1, LIST);
 }
 

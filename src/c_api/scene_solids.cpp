@@ -1,4 +1,4 @@
-// gphys_scene_sweep, gphys_scene_penetration and their filtered forms: solids that move in a scene.
+// gphys_scene_sweep, gphys_scene_penetration, their batches and filtered forms: solids that move in a scene.
 #include "c_api/scene_query.h"
 
 using namespace gphys;
@@ -66,6 +66,31 @@ gphys_status scene_penetration(const gphys_scene* scene, gphys_shape_type type, 
     return listed(deepest.finish(), capacity, out_total);
 }
 
+template <class Filter>
+gphys_status scene_penetration_batch(const gphys_scene* scene, gphys_shape_type type, const void* shapes,
+                                     uint32_t shape_stride, uint32_t count, const Filter& filter,
+                                     gphys_penetration* out_penetrations, uint32_t capacity, uint32_t* out_offsets) {
+    GPHYS_REQUIRE_POINTERS(scene);
+    const Workers& workers = unwrap(scene)->workers();
+    GPHYS_TRY(check_filters(workers, filter, count));
+    GPHYS_TRY(check_moving(workers, type, shapes, shape_stride, count));
+    GPHYS_TRY(check_concatenation("out_penetrations", out_penetrations, capacity, out_offsets));
+    const Strided<char> shape(static_cast<const char*>(shapes), shape_stride);
+    return concatenate<gphys_penetration, DeepestFirst>(
+        workers, out_penetrations, capacity, count, out_offsets,
+        [&](uint32_t begin, uint32_t end, const auto& list_of) {
+            for (uint32_t i = begin; i < end; ++i) {
+                list_of(i, [&](DeepestPenetrations& deepest) {
+                    QueryFilter storage;
+                    Shape moving;
+                    // Valid when it was checked. If another thread has made it invalid since, it overlaps nothing.
+                    if (read_moving(type, &shape[i], moving) != GPHYS_OK) return;
+                    unwrap(scene)->penetration(moving, filter_of(filter, i, storage), deepest);
+                });
+            }
+        });
+}
+
 }  // namespace
 
 gphys_status gphys_scene_sweep(const gphys_scene* scene, gphys_shape_type type, const void* shape,
@@ -120,6 +145,29 @@ gphys_status gphys_scene_penetration_filtered(const gphys_scene* scene, gphys_sh
     return guarded(__func__, [&] {
         return with_filter(scene, filter, [&](const QueryFilter& parsed) {
             return scene_penetration(scene, type, shape, parsed, out_penetrations, capacity, out_total);
+        });
+    });
+}
+
+gphys_status gphys_scene_penetration_batch(const gphys_scene* scene, gphys_shape_type type, const void* shapes,
+                                           uint32_t shape_stride, uint32_t count, uint32_t layers,
+                                           gphys_penetration* out_penetrations, uint32_t capacity,
+                                           uint32_t* out_offsets) {
+    return guarded(__func__, [&] {
+        return scene_penetration_batch(scene, type, shapes, shape_stride, count, layers, out_penetrations, capacity,
+                                       out_offsets);
+    });
+}
+
+gphys_status gphys_scene_penetration_filtered_batch(const gphys_scene* scene, gphys_shape_type type, const void* shapes,
+                                                    uint32_t shape_stride, uint32_t count,
+                                                    const gphys_query_filter_desc* filters, uint32_t filter_stride,
+                                                    gphys_penetration* out_penetrations, uint32_t capacity,
+                                                    uint32_t* out_offsets) {
+    return guarded(__func__, [&] {
+        return with_filters(scene, filters, filter_stride, [&](const Filters& parsed) {
+            return scene_penetration_batch(scene, type, shapes, shape_stride, count, parsed, out_penetrations, capacity,
+                                           out_offsets);
         });
     });
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <type_traits>
 
 #include "c_api/api.h"
 #include "geometry/intersect.h"
@@ -33,11 +34,53 @@ gphys_status read_moving(gphys_shape_type type, const void* shape, Shape& out, S
 /// Size of the public struct in bytes; 0 for a mesh and for unknown types.
 size_t shape_struct_size(gphys_shape_type type) noexcept;
 
+/// The shapes of one side of a batch of pairs: Read is Shape for those that move, else ShapeOrMesh. With a stride of 0
+/// the only shape is read and checked once.
+template <class Read>
+class Shapes {
+public:
+    Shapes(ShapeNames names, gphys_shape_type type, const void* first, uint32_t stride)
+        : names_(names), type_(type), first_(first), stride_(stride) {}
+
+    gphys_status check(const char* stride_name, uint32_t count) {
+        GPHYS_TRY(type_ == GPHYS_SHAPE_MESH ? check_mesh_stride(stride_name, stride_)
+                                            : check_stride(stride_name, stride_, shape_struct_size(type_)));
+        if (stride_ == 0) return read(0);
+        for (uint32_t i = 0; i < count; ++i) GPHYS_TRY(read(i));
+        return GPHYS_OK;
+    }
+    /// Element i; only after check.
+    const Read& operator[](uint32_t i) {
+        if (stride_ != 0) read(i);
+        return current_;
+    }
+
+private:
+    gphys_status read(uint32_t i) {
+        const char* const first = static_cast<const char*>(first_);
+        const void* const at = first ? first + size_t{stride_} * i : nullptr;
+        if constexpr (std::is_same_v<Read, Shape>) {
+            return read_moving(type_, at, current_, names_);
+        } else {
+            return read_shape(type_, at, current_, names_);
+        }
+    }
+
+    ShapeNames names_;
+    gphys_shape_type type_;
+    const void* first_;
+    uint32_t stride_;
+    Read current_;
+};
+
 /// The floats at the beginning of a ray or segment that say where it goes.
 constexpr uint32_t ray_coordinates = 6;
 
 /// What a batch holds for a miss: t = INFINITY, no triangle, the rest 0.
 inline constexpr gphys_hit no_hit{0, 0, std::numeric_limits<float>::infinity(), {}, {}, GPHYS_NO_TRIANGLE, 0, 0, 0};
+/// What a batch holds for shapes that do not overlap: depth = -INFINITY, no triangle, the rest 0.
+inline constexpr gphys_penetration no_penetration{
+    0, 0, {}, {}, -std::numeric_limits<float>::infinity(), GPHYS_NO_TRIANGLE};
 /// What a batch holds if there is no nearest model: distance = INFINITY, no triangle, the rest 0.
 inline constexpr gphys_nearest no_nearest{0, 0, {}, std::numeric_limits<float>::infinity(), GPHYS_NO_TRIANGLE};
 

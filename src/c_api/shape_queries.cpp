@@ -81,38 +81,6 @@ gphys_status check_points(const gphys_vec3* points, uint32_t stride, uint32_t co
     return GPHYS_OK;
 }
 
-/// The shapes of one side of a batch of pairs. With a stride of 0 the only shape is read and checked once.
-class Shapes {
-public:
-    Shapes(ShapeNames names, gphys_shape_type type, const void* first, uint32_t stride)
-        : names_(names), type_(type), first_(first), stride_(stride) {}
-
-    gphys_status check(const char* stride_name, uint32_t count) {
-        GPHYS_TRY(type_ == GPHYS_SHAPE_MESH ? check_mesh_stride(stride_name, stride_)
-                                            : check_stride(stride_name, stride_, shape_struct_size(type_)));
-        if (stride_ == 0) return read(0);
-        for (uint32_t i = 0; i < count; ++i) GPHYS_TRY(read(i));
-        return GPHYS_OK;
-    }
-    /// Element i; only after check.
-    const ShapeOrMesh& operator[](uint32_t i) {
-        if (stride_ != 0) read(i);
-        return current_;
-    }
-
-private:
-    gphys_status read(uint32_t i) {
-        const char* first = static_cast<const char*>(first_);
-        return read_shape(type_, first ? first + size_t{stride_} * i : nullptr, current_, names_);
-    }
-
-    ShapeNames names_;
-    gphys_shape_type type_;
-    const void* first_;
-    uint32_t stride_;
-    ShapeOrMesh current_;
-};
-
 /// A shape that can be classified against a plane or frustum: no plane, frustum or mesh.
 gphys_status read_classifiable(gphys_shape_type type, const void* shape, Shape& out) {
     if (type == GPHYS_SHAPE_PLANE || type == GPHYS_SHAPE_FRUSTUM) {
@@ -141,7 +109,7 @@ gphys_status overlaps_batch(gphys_shape_type a_type, const void* a, uint32_t a_s
                             uint32_t out_stride) {
     if (count != 0) GPHYS_REQUIRE_POINTERS(out_overlaps);
     GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof(int32_t)));
-    Shapes first({"a_type", "a"}, a_type, a, a_stride), second({"b_type", "b"}, b_type, b, b_stride);
+    Shapes<ShapeOrMesh> first({"a_type", "a"}, a_type, a, a_stride), second({"b_type", "b"}, b_type, b, b_stride);
     GPHYS_TRY(first.check("a_stride", count));
     GPHYS_TRY(second.check("b_stride", count));
     const StridedOut<int32_t> out(out_overlaps, out_stride);

@@ -1,4 +1,4 @@
-// gphys_shape_sweep and gphys_shape_penetration: a solid that moves against one shape or mesh.
+// gphys_shape_sweep, gphys_shape_penetration and their batches: solids that move against shapes or meshes.
 #include "c_api/shape_input.h"
 #include "foundation/results.h"
 #include "mesh/mesh.h"
@@ -6,32 +6,38 @@
 namespace gphys {
 namespace {
 
-struct Pair {
-    ShapeOrMesh other;
-    Shape moving;
-};
+constexpr ShapeNames moving_names{"moving_type", "moving"};
 
-gphys_status read_pair(gphys_shape_type type, const void* shape, gphys_shape_type moving_type, const void* moving,
-                       Pair& out) {
-    GPHYS_TRY(read_shape(type, shape, out.other));
-    return read_moving(moving_type, moving, out.moving, {"moving_type", "moving"});
+bool sweep(const ShapeOrMesh& other, const Shape& moving, Vec3 displacement, gphys_hit& out) {
+    Hit hit;
+    const bool met =
+        other.mesh ? other.mesh->sweep(moving, displacement, hit) : sweep(other.shape, moving, displacement, hit);
+    if (met) out = to_contact(hit, displacement);
+    return met;
 }
 
-bool sweep(const Pair& pair, Vec3 displacement, Hit& hit) {
-    return pair.other.mesh ? pair.other.mesh->sweep(pair.moving, displacement, hit)
-                           : sweep(pair.other.shape, pair.moving, displacement, hit);
-}
-
-bool penetration(const Pair& pair, gphys_penetration& out) {
-    if (!pair.other.mesh) {
-        if (!overlaps(pair.other.shape, pair.moving)) return false;
-        out = to_penetration(penetration(pair.other.shape, pair.moving));
+bool penetration(const ShapeOrMesh& other, const Shape& moving, gphys_penetration& out) {
+    if (!other.mesh) {
+        if (!overlaps(other.shape, moving)) return false;
+        out = to_penetration(penetration(other.shape, moving));
         return true;
     }
-    Smallest<gphys_penetration, DeepestFirst> deepest(&out, 1);
-    pair.other.mesh->for_each_penetration(
-        pair.moving, [&](const Penetration& way, uint32_t triangle) { deepest.add(to_penetration(way, triangle)); });
+    gphys_penetration found;
+    Smallest<gphys_penetration, DeepestFirst> deepest(&found, 1);
+    other.mesh->for_each_penetration(
+        moving, [&](const Penetration& way, uint32_t triangle) { deepest.add(to_penetration(way, triangle)); });
+    if (deepest.total() > 0) out = found;
     return deepest.total() > 0;
+}
+
+gphys_status check_sweep(gphys_shape_type type, gphys_shape_type moving_type) {
+    if (type != GPHYS_SHAPE_FRUSTUM || moving_type == GPHYS_SHAPE_SPHERE) return GPHYS_OK;
+    return fail(GPHYS_ERROR_UNSUPPORTED, "type: only a sphere can be swept against a frustum");
+}
+
+gphys_status check_penetration(gphys_shape_type type) {
+    if (type != GPHYS_SHAPE_FRUSTUM) return GPHYS_OK;
+    return fail(GPHYS_ERROR_UNSUPPORTED, "type: there is no penetration into a frustum");
 }
 
 }  // namespace
@@ -43,15 +49,35 @@ gphys_status gphys_shape_sweep(gphys_shape_type type, const void* shape, gphys_s
                                const void* moving, const gphys_vec3* displacement, gphys_hit* out_hit) {
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_REQUIRE_POINTERS(displacement, out_hit);
-        Pair pair;
-        GPHYS_TRY(read_pair(type, shape, moving_type, moving, pair));
-        if (type == GPHYS_SHAPE_FRUSTUM && moving_type != GPHYS_SHAPE_SPHERE) {
-            return fail(GPHYS_ERROR_UNSUPPORTED, "type: only a sphere can be swept against a frustum");
-        }
+        ShapeOrMesh other;
+        Shape solid;
+        GPHYS_TRY(read_shape(type, shape, other));
+        GPHYS_TRY(read_moving(moving_type, moving, solid, moving_names));
+        GPHYS_TRY(check_sweep(type, moving_type));
         GPHYS_REQUIRE_VALID(*displacement);
-        Hit hit;
-        if (!sweep(pair, widen(*displacement), hit)) return GPHYS_NO_HIT;
-        *out_hit = to_contact(hit, widen(*displacement));
+        return sweep(other, solid, widen(*displacement), *out_hit) ? GPHYS_OK : GPHYS_NO_HIT;
+    });
+}
+
+gphys_status gphys_shape_sweep_batch(gphys_shape_type type, const void* shapes, uint32_t shape_stride,
+                                     gphys_shape_type moving_type, const void* moving, uint32_t moving_stride,
+                                     const gphys_vec3* displacements, uint32_t displacement_stride, uint32_t count,
+                                     gphys_hit* out_hits, uint32_t out_stride) {
+    return guarded(__func__, [&]() -> gphys_status {
+        if (count != 0) GPHYS_REQUIRE_POINTERS(displacements, out_hits);
+        GPHYS_TRY(check_stride("displacement_stride", displacement_stride, sizeof *displacements));
+        GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof *out_hits));
+        Shapes<ShapeOrMesh> other({"type", "shapes"}, type, shapes, shape_stride);
+        Shapes<Shape> solid(moving_names, moving_type, moving, moving_stride);
+        GPHYS_TRY(other.check("shape_stride", count));
+        GPHYS_TRY(solid.check("moving_stride", count));
+        GPHYS_TRY(check_sweep(type, moving_type));
+        const Strided<gphys_vec3> displacement(displacements, displacement_stride);
+        for (uint32_t i = 0; i < count; ++i) GPHYS_TRY(check_element("displacements", i, displacement[i]));
+        const StridedOut<gphys_hit> out(out_hits, out_stride);
+        for (uint32_t i = 0; i < count; ++i) {
+            if (!sweep(other[i], solid[i], widen(displacement[i]), out[i])) out[i] = no_hit;
+        }
         return GPHYS_OK;
     });
 }
@@ -60,13 +86,30 @@ gphys_status gphys_shape_penetration(gphys_shape_type type, const void* shape, g
                                      const void* moving, gphys_penetration* out_penetration) {
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_REQUIRE_POINTERS(out_penetration);
-        Pair pair;
-        GPHYS_TRY(read_pair(type, shape, moving_type, moving, pair));
-        if (type == GPHYS_SHAPE_FRUSTUM)
-            return fail(GPHYS_ERROR_UNSUPPORTED, "type: there is no penetration into a frustum");
-        gphys_penetration found;
-        if (!penetration(pair, found)) return GPHYS_NO_HIT;
-        *out_penetration = found;
+        ShapeOrMesh other;
+        Shape solid;
+        GPHYS_TRY(read_shape(type, shape, other));
+        GPHYS_TRY(read_moving(moving_type, moving, solid, moving_names));
+        GPHYS_TRY(check_penetration(type));
+        return penetration(other, solid, *out_penetration) ? GPHYS_OK : GPHYS_NO_HIT;
+    });
+}
+
+gphys_status gphys_shape_penetration_batch(gphys_shape_type type, const void* shapes, uint32_t shape_stride,
+                                           gphys_shape_type moving_type, const void* moving, uint32_t moving_stride,
+                                           uint32_t count, gphys_penetration* out_penetrations, uint32_t out_stride) {
+    return guarded(__func__, [&]() -> gphys_status {
+        if (count != 0) GPHYS_REQUIRE_POINTERS(out_penetrations);
+        GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof *out_penetrations));
+        Shapes<ShapeOrMesh> other({"type", "shapes"}, type, shapes, shape_stride);
+        Shapes<Shape> solid(moving_names, moving_type, moving, moving_stride);
+        GPHYS_TRY(other.check("shape_stride", count));
+        GPHYS_TRY(solid.check("moving_stride", count));
+        GPHYS_TRY(check_penetration(type));
+        const StridedOut<gphys_penetration> out(out_penetrations, out_stride);
+        for (uint32_t i = 0; i < count; ++i) {
+            if (!penetration(other[i], solid[i], out[i])) out[i] = no_penetration;
+        }
         return GPHYS_OK;
     });
 }
