@@ -151,7 +151,7 @@ func NewMeshFromSnapshot(words []uint32, desc *MeshDesc) (o *Mesh, err error) {
 // A handle of a model's mesh: of the mesh itself, not of a copy, so that what Mesh.SetVertices does to
 // it is seen by all its models. It gives the meshes of a restored scene, which are not deformable if
 // they were embedded in its snapshot.
-// Result: another reference, to be released by Mesh, as that of Mesh is.
+// Result: a reference of its own, which keeps the mesh alive, and is to be destroyed like any handle.
 // The error is ErrUnsupported if the model's shape is no mesh.
 // Cost: O(1). Since 1.1.
 func NewMeshFromScene(scene *Scene, model ModelID) (o *Mesh, err error) {
@@ -1393,6 +1393,33 @@ func (o *Scene) Penetration(shape Shape, layers uint32) (result []Penetration, e
 	return
 }
 
+// What each of the shapes of one type overlaps, and how it gets out, as Scene.Penetration: the ways
+// out of shape i are at penetrations[offsets[i]] up to offsets[i + 1], as in Scene.RaycastAllBatch. So
+// a crowd of characters is pushed out in one call.
+// The error is ErrUnsupported as Scene.Penetration.
+// Cost: that of as many single calls; shared among workers. Since 1.1.
+func (o *Scene) PenetrationBatch(shapes Shapes, layers uint32) (result Ragged[Penetration], err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	shapesGiven, err := shapesOf(shapes)
+	if err != nil {
+		return
+	}
+	count, err := commonLength([]int{}, shapesGiven.count)
+	if err != nil {
+		return
+	}
+	result, err = ragged[Penetration](count, func(out unsafe.Pointer, capacity C.uint32_t, offsets *C.uint32_t) (C.gphys_status, *C.char) {
+		r := C.go_gphys_scene_penetration_batch(self, shapesGiven.kind, shapesGiven.data, shapesGiven.stride, C.uint32_t(count), C.uint32_t(layers), (*C.gphys_penetration)(out), capacity, offsets)
+		return r.status, r.message
+	})
+	runtime.KeepAlive(o)
+	runtime.KeepAlive(shapes)
+	return
+}
+
 // Closest model on a ray that the filter sees, as Scene.Raycast.
 //   - filter: nil: the defaults
 // Result: found is false if nothing is found.
@@ -1802,6 +1829,33 @@ func (o *Scene) PenetrationFiltered(shape Shape, filter *QueryFilterDesc) (resul
 	})
 	runtime.KeepAlive(o)
 	runtime.KeepAlive(shape)
+	return
+}
+
+// What each of the shapes of one type overlaps and its filter sees, and how it gets out, as
+// Scene.PenetrationBatch: each character leaves out its own model.
+//   - filters: nil: the defaults
+// The error is ErrUnsupported as Scene.Penetration.
+// Cost: that of as many single calls; shared among workers. Since 1.1.
+func (o *Scene) PenetrationFilteredBatch(shapes Shapes, filters *QueryFilterDesc) (result Ragged[Penetration], err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	shapesGiven, err := shapesOf(shapes)
+	if err != nil {
+		return
+	}
+	count, err := commonLength([]int{}, shapesGiven.count)
+	if err != nil {
+		return
+	}
+	result, err = ragged[Penetration](count, func(out unsafe.Pointer, capacity C.uint32_t, offsets *C.uint32_t) (C.gphys_status, *C.char) {
+		r := C.go_gphys_scene_penetration_filtered_batch(self, shapesGiven.kind, shapesGiven.data, shapesGiven.stride, C.uint32_t(count), (*C.gphys_query_filter_desc)(unsafe.Pointer(filters)), 0, (*C.gphys_penetration)(out), capacity, offsets)
+		return r.status, r.message
+	})
+	runtime.KeepAlive(o)
+	runtime.KeepAlive(shapes)
 	return
 }
 
@@ -4438,6 +4492,35 @@ func Sweep(shape Shape, moving Shape, displacement Vec3) (hit Hit, found bool, e
 	return
 }
 
+// First contacts of count moving shapes of one type with the shapes of another, as Sweep: moving[i]
+// with shapes[i]. One that touches nothing gets t = INFINITY, triangle = NoTriangle and zeros.
+//   - shapes, moving: shapes of one type each
+//   - displacements: metres
+// The error is ErrUnsupported as Sweep.
+// Cost: that of as many single calls. Since 1.1.
+func SweepBatch(shapes Shapes, moving Shapes, displacements []Vec3, hits []Hit) (err error) {
+	shapesGiven, err := shapesOf(shapes)
+	if err != nil {
+		return
+	}
+	movingGiven, err := shapesOf(moving)
+	if err != nil {
+		return
+	}
+	count, err := commonLength([]int{}, shapesGiven.count, movingGiven.count, len(displacements))
+	if err != nil {
+		return
+	}
+	if err = requireLength(len(hits), count); err != nil {
+		return
+	}
+	r := C.go_gphys_shape_sweep_batch(shapesGiven.kind, shapesGiven.data, shapesGiven.stride, movingGiven.kind, movingGiven.data, movingGiven.stride, (*C.gphys_vec3)(data(displacements)), step(displacements), C.uint32_t(count), (*C.gphys_hit)(data(hits)), size(hits))
+	runtime.KeepAlive(shapes)
+	runtime.KeepAlive(moving)
+	err = check(r.status, r.message)
+	return
+}
+
 // The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule, AABB,
 // OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle that is
 // nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and have
@@ -4469,6 +4552,35 @@ func ShapePenetration(shape Shape, moving Shape) (penetration Penetration, found
 	}
 	penetration = *(*Penetration)(unsafe.Pointer(&r.out_penetration))
 	found = true
+	return
+}
+
+// The shortest translations that take the shapes of one type out of the shapes of another, as
+// Penetration: moving[i] out of shapes[i]. One that overlaps nothing gets depth = -INFINITY, triangle
+// = NoTriangle and zeros.
+//   - shapes, moving: shapes of one type each
+// The error is ErrUnsupported as Penetration.
+// Cost: that of as many single calls. Since 1.1.
+func PenetrationBatch(shapes Shapes, moving Shapes, penetrations []Penetration) (err error) {
+	shapesGiven, err := shapesOf(shapes)
+	if err != nil {
+		return
+	}
+	movingGiven, err := shapesOf(moving)
+	if err != nil {
+		return
+	}
+	count, err := commonLength([]int{}, shapesGiven.count, movingGiven.count)
+	if err != nil {
+		return
+	}
+	if err = requireLength(len(penetrations), count); err != nil {
+		return
+	}
+	r := C.go_gphys_shape_penetration_batch(shapesGiven.kind, shapesGiven.data, shapesGiven.stride, movingGiven.kind, movingGiven.data, movingGiven.stride, C.uint32_t(count), (*C.gphys_penetration)(data(penetrations)), size(penetrations))
+	runtime.KeepAlive(shapes)
+	runtime.KeepAlive(moving)
+	err = check(r.status, r.message)
 	return
 }
 

@@ -214,6 +214,17 @@ static inline go_gphys_shape_sweep_result go_gphys_shape_sweep(gphys_shape_type 
     return r;
 }
 
+typedef struct go_gphys_shape_sweep_batch_result {
+    gphys_status status;
+    char* message;
+} go_gphys_shape_sweep_batch_result;
+static inline go_gphys_shape_sweep_batch_result go_gphys_shape_sweep_batch(gphys_shape_type type, const void * shapes, uint32_t shape_stride, gphys_shape_type moving_type, const void * moving, uint32_t moving_stride, const gphys_vec3 * displacements, uint32_t displacement_stride, uint32_t count, gphys_hit * out_hits, uint32_t out_stride) {
+    go_gphys_shape_sweep_batch_result r = {0};
+    r.status = gphys_shape_sweep_batch(type, shapes, shape_stride, moving_type, moving, moving_stride, displacements, displacement_stride, count, out_hits, out_stride);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_shape_penetration_result {
     gphys_status status;
     char* message;
@@ -222,6 +233,17 @@ typedef struct go_gphys_shape_penetration_result {
 static inline go_gphys_shape_penetration_result go_gphys_shape_penetration(gphys_shape_type type, const void * shape, gphys_shape_type moving_type, const void * moving) {
     go_gphys_shape_penetration_result r = {0};
     r.status = gphys_shape_penetration(type, shape, moving_type, moving, &r.out_penetration);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_shape_penetration_batch_result {
+    gphys_status status;
+    char* message;
+} go_gphys_shape_penetration_batch_result;
+static inline go_gphys_shape_penetration_batch_result go_gphys_shape_penetration_batch(gphys_shape_type type, const void * shapes, uint32_t shape_stride, gphys_shape_type moving_type, const void * moving, uint32_t moving_stride, uint32_t count, gphys_penetration * out_penetrations, uint32_t out_stride) {
+    go_gphys_shape_penetration_batch_result r = {0};
+    r.status = gphys_shape_penetration_batch(type, shapes, shape_stride, moving_type, moving, moving_stride, count, out_penetrations, out_stride);
     r.message = go_message(r.status);
     return r;
 }
@@ -1095,6 +1117,17 @@ static inline go_gphys_scene_penetration_result go_gphys_scene_penetration(void*
     return r;
 }
 
+typedef struct go_gphys_scene_penetration_batch_result {
+    gphys_status status;
+    char* message;
+} go_gphys_scene_penetration_batch_result;
+static inline go_gphys_scene_penetration_batch_result go_gphys_scene_penetration_batch(void* scene, gphys_shape_type type, const void * shapes, uint32_t shape_stride, uint32_t count, uint32_t layers, gphys_penetration * out_penetrations, uint32_t capacity, uint32_t * out_offsets) {
+    go_gphys_scene_penetration_batch_result r = {0};
+    r.status = gphys_scene_penetration_batch(scene, type, shapes, shape_stride, count, layers, out_penetrations, capacity, out_offsets);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_query_filter_desc_init_result {
     gphys_status status;
     char* message;
@@ -1322,6 +1355,17 @@ typedef struct go_gphys_scene_penetration_filtered_result {
 static inline go_gphys_scene_penetration_filtered_result go_gphys_scene_penetration_filtered(void* scene, gphys_shape_type type, const void * shape, const gphys_query_filter_desc * filter, gphys_penetration * out_penetrations, uint32_t capacity) {
     go_gphys_scene_penetration_filtered_result r = {0};
     r.status = gphys_scene_penetration_filtered(scene, type, shape, filter, out_penetrations, capacity, &r.out_total);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_penetration_filtered_batch_result {
+    gphys_status status;
+    char* message;
+} go_gphys_scene_penetration_filtered_batch_result;
+static inline go_gphys_scene_penetration_filtered_batch_result go_gphys_scene_penetration_filtered_batch(void* scene, gphys_shape_type type, const void * shapes, uint32_t shape_stride, uint32_t count, const gphys_query_filter_desc * filters, uint32_t filter_stride, gphys_penetration * out_penetrations, uint32_t capacity, uint32_t * out_offsets) {
+    go_gphys_scene_penetration_filtered_batch_result r = {0};
+    r.status = gphys_scene_penetration_filtered_batch(scene, type, shapes, shape_stride, count, filters, filter_stride, out_penetrations, capacity, out_offsets);
     r.message = go_message(r.status);
     return r;
 }

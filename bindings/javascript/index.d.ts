@@ -642,7 +642,7 @@ export class Mesh {
     /** A handle of a model's mesh: of the mesh itself, not of a copy, so that what Mesh.setVertices does to
      * it is seen by all its models. It gives the meshes of a restored scene, which are not deformable if
      * they were embedded in its snapshot.
-     * Result: another reference, to be released by Mesh, as that of Mesh is.
+     * Result: a reference of its own, which keeps the mesh alive, and is to be destroyed like any handle.
      * Throws GamephysError with ERROR_UNSUPPORTED if the model's shape is no mesh.
      * Cost: O(1). Since 1.1. */
     static fromScene(scene: Scene, model: number): Mesh;
@@ -996,6 +996,12 @@ export class Scene {
      * Cost: O(log n + k log k) expected.
      * @throws {GamephysError} ERROR_UNSUPPORTED: for other types */
     penetration(shape: AnyShape, layers?: number): Records<Penetration>;
+    /** What each of the shapes of one type overlaps, and how it gets out, as Scene.penetration: the ways
+     * out of shape i are at penetrations[offsets[i]] up to offsets[i + 1], as in Scene.raycastAllBatch. So
+     * a crowd of characters is pushed out in one call.
+     * Cost: that of as many single calls; shared among workers. Since 1.1.
+     * @throws {GamephysError} ERROR_UNSUPPORTED: as Scene.penetration */
+    penetrationBatch(shapes: Shapes | AnyShape, layers?: number): { values: Records<Penetration>; offsets: Uint32Array };
     /** Closest model on a ray that the filter sees, as Scene.raycast.
      * Cost: that of Scene.raycast for one ignored model. For each model that is met within the ray's
      * reach, besides: O(its depth below its root) with FILTER_SUBTREE if ignored_model has children; of m
@@ -1101,6 +1107,12 @@ export class Scene {
      * @param filter - null: the defaults
      * @throws {GamephysError} ERROR_UNSUPPORTED: for other types */
     penetrationFiltered(shape: AnyShape, filter?: Partial<QueryFilterDesc> | null): Records<Penetration>;
+    /** What each of the shapes of one type overlaps and its filter sees, and how it gets out, as
+     * Scene.penetrationBatch: each character leaves out its own model.
+     * Cost: that of as many single calls; shared among workers. Since 1.1.
+     * @param filters - null: the defaults
+     * @throws {GamephysError} ERROR_UNSUPPORTED: as Scene.penetration */
+    penetrationFilteredBatch(shapes: Shapes | AnyShape, filters?: Partial<QueryFilterDesc> | null): { values: Records<Penetration>; offsets: Uint32Array };
     /** How the scene's octree is made up.
      * Cost: O(nodes). */
     getOctreeStats(): OctreeStats;
@@ -1921,6 +1933,14 @@ export function sweepSphere(shape: AnyShape, sphere: Given<Sphere>, displacement
  * @throws {GamephysError} ERROR_UNSUPPORTED: for a ray or a segment as the shape, for a frustum unless
  *     a sphere moves, and for other types that move */
 export function sweep(shape: AnyShape, moving: AnyShape, displacement: Given<number[]>): Hit | null;
+/** First contacts of count moving shapes of one type with the shapes of another, as sweep: moving[i]
+ * with shapes[i]. One that touches nothing gets t = INFINITY, triangle = NO_TRIANGLE and zeros.
+ * Cost: that of as many single calls. Since 1.1.
+ * @param shapes - shapes of one type each
+ * @param moving - shapes of one type each
+ * @param displacements - metres
+ * @throws {GamephysError} ERROR_UNSUPPORTED: as sweep */
+export function sweepBatch(shapes: Shapes | AnyShape, moving: Shapes | AnyShape, displacements: Elements, out?: Elements): Records<Hit>;
 /** The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule, AABB,
  * OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle that is
  * nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and have
@@ -1937,6 +1957,14 @@ export function sweep(shape: AnyShape, moving: AnyShape, displacement: Given<num
  * @throws {GamephysError} ERROR_UNSUPPORTED: for rays, segments and frusta, and for other types that
  *     move */
 export function penetration(shape: AnyShape, moving: AnyShape): Penetration | null;
+/** The shortest translations that take the shapes of one type out of the shapes of another, as
+ * penetration: moving[i] out of shapes[i]. One that overlaps nothing gets depth = -INFINITY, triangle
+ * = NO_TRIANGLE and zeros.
+ * Cost: that of as many single calls. Since 1.1.
+ * @param shapes - shapes of one type each
+ * @param moving - shapes of one type each
+ * @throws {GamephysError} ERROR_UNSUPPORTED: as penetration */
+export function penetrationBatch(shapes: Shapes | AnyShape, moving: Shapes | AnyShape, out?: Elements): Records<Penetration>;
 /** The eight corners, each the intersection of three planes: near then far, each in the order
  * left-bottom, right-bottom, right-top, left-top.
  * Cost: O(1).

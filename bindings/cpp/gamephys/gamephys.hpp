@@ -197,7 +197,7 @@ public:
     // A handle of a model's mesh: of the mesh itself, not of a copy, so that what Mesh::set_vertices does
     // to it is seen by all its models. It gives the meshes of a restored scene, which are not deformable
     // if they were embedded in its snapshot.
-    // Result: another reference, to be released by Mesh, as that of Mesh is.
+    // Result: a reference of its own, which keeps the mesh alive, and is to be destroyed like any handle.
     // Throws Error with GPHYS_ERROR_UNSUPPORTED if the model's shape is no mesh.
     // Cost: O(1). Since 1.1.
     explicit Mesh(const Scene& scene, gphys_model_id model);
@@ -802,6 +802,16 @@ public:
         return list<Penetration>([&](Penetration* out_penetrations, uint32_t capacity, uint32_t* total) { return gphys_scene_penetration(handle(), shape.type, shape.pointer, layers, out_penetrations, capacity, total); });
     }
 
+    // What each of the shapes of one type overlaps, and how it gets out, as Scene::penetration: the ways
+    // out of shape i are at penetrations[offsets[i]] up to offsets[i + 1], as in Scene::raycast_all_batch.
+    // So a crowd of characters is pushed out in one call.
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED as Scene::penetration.
+    // Cost: that of as many single calls; shared among workers. Since 1.1.
+    Ragged<Penetration> penetration_batch(ShapeSpan shapes, uint32_t layers = GPHYS_ALL_LAYERS) const {
+        const uint32_t count = common_size({shapes.sizes()});
+        return ragged<Penetration>([&](Penetration* out_penetrations, uint32_t capacity, uint32_t* offsets) { return gphys_scene_penetration_batch(handle(), shapes.type, shapes.data, shapes.stride, count, layers, out_penetrations, capacity, offsets); }, count);
+    }
+
     // Closest model on a ray that the filter sees, as Scene::raycast.
     //   - filter: nullptr: the defaults
     // Result: std::nullopt if nothing is found.
@@ -991,6 +1001,16 @@ public:
     // Cost: that of Scene::penetration, and for each model as Scene::raycast_filtered.
     std::vector<Penetration> penetration_filtered(ShapeRef shape, const QueryFilterDesc* filter = nullptr) const {
         return list<Penetration>([&](Penetration* out_penetrations, uint32_t capacity, uint32_t* total) { return gphys_scene_penetration_filtered(handle(), shape.type, shape.pointer, filter, out_penetrations, capacity, total); });
+    }
+
+    // What each of the shapes of one type overlaps and its filter sees, and how it gets out, as
+    // Scene::penetration_batch: each character leaves out its own model.
+    //   - filters: nullptr: the defaults
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED as Scene::penetration.
+    // Cost: that of as many single calls; shared among workers. Since 1.1.
+    Ragged<Penetration> penetration_filtered_batch(ShapeSpan shapes, const QueryFilterDesc* filters = nullptr) const {
+        const uint32_t count = common_size({shapes.sizes()});
+        return ragged<Penetration>([&](Penetration* out_penetrations, uint32_t capacity, uint32_t* offsets) { return gphys_scene_penetration_filtered_batch(handle(), shapes.type, shapes.data, shapes.stride, count, filters, 0, out_penetrations, capacity, offsets); }, count);
     }
 
     // How the scene's octree is made up.
@@ -2380,6 +2400,19 @@ inline std::optional<Hit> sweep(ShapeRef shape, ShapeRef moving, const Vec3& dis
     return out_hit;
 }
 
+// First contacts of count moving shapes of one type with the shapes of another, as gamephys::sweep:
+// moving[i] with shapes[i]. One that touches nothing gets t = INFINITY, triangle = GPHYS_NO_TRIANGLE
+// and zeros.
+//   - shapes, moving: shapes of one type each
+//   - displacements: metres
+// Throws Error with GPHYS_ERROR_UNSUPPORTED as gamephys::sweep.
+// Cost: that of as many single calls. Since 1.1.
+inline void sweep_batch(ShapeSpan shapes, ShapeSpan moving, Span<const Vec3> displacements, Span<Hit> out_hits) {
+    const uint32_t count = common_size({shapes.sizes(), moving.sizes(), displacements.sizes()});
+    require_size(out_hits.size, count);
+    check(gphys_shape_sweep_batch(shapes.type, shapes.data, shapes.stride, moving.type, moving.data, moving.stride, displacements.data, displacements.stride, count, out_hits.data, out_hits.stride));
+}
+
 // The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule, AABB,
 // OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle that is
 // nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and have
@@ -2399,6 +2432,18 @@ inline std::optional<Penetration> penetration(ShapeRef shape, ShapeRef moving) {
     Penetration out_penetration{};
     if (!found(gphys_shape_penetration(shape.type, shape.pointer, moving.type, moving.pointer, &out_penetration))) return std::nullopt;
     return out_penetration;
+}
+
+// The shortest translations that take the shapes of one type out of the shapes of another, as
+// gamephys::penetration: moving[i] out of shapes[i]. One that overlaps nothing gets depth = -INFINITY,
+// triangle = GPHYS_NO_TRIANGLE and zeros.
+//   - shapes, moving: shapes of one type each
+// Throws Error with GPHYS_ERROR_UNSUPPORTED as gamephys::penetration.
+// Cost: that of as many single calls. Since 1.1.
+inline void penetration_batch(ShapeSpan shapes, ShapeSpan moving, Span<Penetration> out_penetrations) {
+    const uint32_t count = common_size({shapes.sizes(), moving.sizes()});
+    require_size(out_penetrations.size, count);
+    check(gphys_shape_penetration_batch(shapes.type, shapes.data, shapes.stride, moving.type, moving.data, moving.stride, count, out_penetrations.data, out_penetrations.stride));
 }
 
 // The eight corners, each the intersection of three planes: near then far, each in the order

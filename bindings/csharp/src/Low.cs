@@ -28,7 +28,9 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_shape_segment_test(ShapeType type, void* shape, Segment* segment, Hit* out_hit);
     [DllImport(Library)] internal static extern Status gphys_shape_sweep_sphere(ShapeType type, void* shape, Sphere* sphere, Vec3* displacement, Hit* out_hit);
     [DllImport(Library)] internal static extern Status gphys_shape_sweep(ShapeType type, void* shape, ShapeType moving_type, void* moving, Vec3* displacement, Hit* out_hit);
+    [DllImport(Library)] internal static extern Status gphys_shape_sweep_batch(ShapeType type, void* shapes, uint shape_stride, ShapeType moving_type, void* moving, uint moving_stride, Vec3* displacements, uint displacement_stride, uint count, Hit* out_hits, uint out_stride);
     [DllImport(Library)] internal static extern Status gphys_shape_penetration(ShapeType type, void* shape, ShapeType moving_type, void* moving, Penetration* out_penetration);
+    [DllImport(Library)] internal static extern Status gphys_shape_penetration_batch(ShapeType type, void* shapes, uint shape_stride, ShapeType moving_type, void* moving, uint moving_stride, uint count, Penetration* out_penetrations, uint out_stride);
     [DllImport(Library)] internal static extern Status gphys_frustum_corners(Frustum* frustum, Vec3* out_corners);
     [DllImport(Library)] internal static extern Status gphys_planes_intersection(Plane* a, Plane* b, Plane* c, Vec3* out_point);
     [DllImport(Library)] internal static extern Status gphys_planes_intersection_batch(Plane* a, uint a_stride, Plane* b, uint b_stride, Plane* c, uint c_stride, uint count, Vec3* out_points, uint out_stride);
@@ -106,6 +108,7 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_scene_sweep(SceneHandle scene, ShapeType type, void* shape, Vec3* displacement, uint layers, Hit* out_hit);
     [DllImport(Library)] internal static extern Status gphys_scene_sweep_batch(SceneHandle scene, ShapeType type, void* shapes, uint shape_stride, Vec3* displacements, uint displacement_stride, uint count, uint layers, Hit* out_hits, uint out_stride);
     [DllImport(Library)] internal static extern Status gphys_scene_penetration(SceneHandle scene, ShapeType type, void* shape, uint layers, Penetration* out_penetrations, uint capacity, uint* out_total);
+    [DllImport(Library)] internal static extern Status gphys_scene_penetration_batch(SceneHandle scene, ShapeType type, void* shapes, uint shape_stride, uint count, uint layers, Penetration* out_penetrations, uint capacity, uint* out_offsets);
     [DllImport(Library)] internal static extern Status gphys_query_filter_desc_init(QueryFilterDesc* desc, uint size);
     [DllImport(Library)] internal static extern Status gphys_scene_raycast_filtered(SceneHandle scene, Ray* ray, QueryFilterDesc* filter, Hit* out_hit);
     [DllImport(Library)] internal static extern Status gphys_scene_raycast_filtered_batch(SceneHandle scene, Ray* rays, uint ray_stride, uint count, QueryFilterDesc* filters, uint filter_stride, Hit* out_hits, uint out_stride);
@@ -126,6 +129,7 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_scene_sweep_filtered(SceneHandle scene, ShapeType type, void* shape, Vec3* displacement, QueryFilterDesc* filter, Hit* out_hit);
     [DllImport(Library)] internal static extern Status gphys_scene_sweep_filtered_batch(SceneHandle scene, ShapeType type, void* shapes, uint shape_stride, Vec3* displacements, uint displacement_stride, uint count, QueryFilterDesc* filters, uint filter_stride, Hit* out_hits, uint out_stride);
     [DllImport(Library)] internal static extern Status gphys_scene_penetration_filtered(SceneHandle scene, ShapeType type, void* shape, QueryFilterDesc* filter, Penetration* out_penetrations, uint capacity, uint* out_total);
+    [DllImport(Library)] internal static extern Status gphys_scene_penetration_filtered_batch(SceneHandle scene, ShapeType type, void* shapes, uint shape_stride, uint count, QueryFilterDesc* filters, uint filter_stride, Penetration* out_penetrations, uint capacity, uint* out_offsets);
     [DllImport(Library)] internal static extern Status gphys_scene_get_octree_stats(SceneHandle scene, OctreeStats* out_stats);
     [DllImport(Library)] internal static extern Status gphys_scene_get_octree_boxes(SceneHandle scene, OctreeBox* out_boxes, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_scene_validate(SceneHandle scene);

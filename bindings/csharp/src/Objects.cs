@@ -73,7 +73,8 @@ public sealed partial class Mesh : IDisposable {
     /// it is seen by all its models. It gives the meshes of a restored scene, which are not deformable if
     /// they were embedded in its snapshot.
     /// Cost: O(1). Since 1.1.</summary>
-    /// <returns>another reference, to be released by Mesh, as that of Mesh is.</returns>
+    /// <returns>a reference of its own, which keeps the mesh alive, and is to be destroyed like any
+    /// handle.</returns>
     /// <exception cref="GamephysException">Status.ErrorUnsupported: if the model's shape is no
     /// mesh</exception>
     public unsafe Mesh(Scene scene, uint model) {
@@ -975,6 +976,33 @@ public sealed partial class Scene : IDisposable {
         }
     }
 
+    /// <summary>What each of the shapes of one type overlaps, and how it gets out, as Scene.Penetration: the ways
+    /// out of shape i are at penetrations[offsets[i]] up to offsets[i + 1], as in Scene.RaycastAllBatch. So
+    /// a crowd of characters is pushed out in one call.
+    /// Cost: that of as many single calls; shared among workers. Since 1.1.</summary>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: as Scene.Penetration</exception>
+    public unsafe Ragged<Penetration> PenetrationBatch(Shapes shapes, uint layers = Constants.AllLayers) {
+        var shapesOne = shapes.One;
+        var count = CommonLength(-1, shapes.Count);
+        var result = new Penetration[Guess + count];
+        var offsets = new uint[count + 1];
+        for (;;) {
+            Status status;
+            fixed (byte* shapesFirst = &MemoryMarshal.GetReference(shapes.Bytes))
+            fixed (Penetration* out_ = result)
+            fixed (uint* offsets_ = offsets)
+            status = Low.gphys_scene_penetration_batch(Handle, shapes.Type, shapes.IsOne ? (shapesOne.Mesh == null ? (void*)&shapesOne.Data : shapesOne.Mesh.Pointer) : shapesFirst, shapes.Stride, count, layers, out_, (uint)result.Length, offsets_);
+            GC.KeepAlive(shapesOne.Mesh);
+            Check(status);
+            var total = offsets[count];
+            if (status != Status.Incomplete) {
+                Array.Resize(ref result, (int)total);
+                return new Ragged<Penetration>(result, offsets);
+            }
+            result = new Penetration[total];
+        }
+    }
+
     /// <summary>Closest model on a ray that the filter sees, as Scene.Raycast.
     /// Cost: that of Scene.Raycast for one ignored model. For each model that is met within the ray's
     /// reach, besides: O(its depth below its root) with FilterSubtree if ignored_model has children; of m
@@ -1287,6 +1315,34 @@ public sealed partial class Scene : IDisposable {
             if (status != Status.Incomplete) {
                 Array.Resize(ref result, (int)total);
                 return result;
+            }
+            result = new Penetration[total];
+        }
+    }
+
+    /// <summary>What each of the shapes of one type overlaps and its filter sees, and how it gets out, as
+    /// Scene.PenetrationBatch: each character leaves out its own model.
+    /// Cost: that of as many single calls; shared among workers. Since 1.1.</summary>
+    /// <param name="filters">null: the defaults</param>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: as Scene.Penetration</exception>
+    public unsafe Ragged<Penetration> PenetrationFilteredBatch(Shapes shapes, QueryFilterDesc? filters = null) {
+        var shapesOne = shapes.One;
+        var filters_ = filters.GetValueOrDefault();
+        var count = CommonLength(-1, shapes.Count);
+        var result = new Penetration[Guess + count];
+        var offsets = new uint[count + 1];
+        for (;;) {
+            Status status;
+            fixed (byte* shapesFirst = &MemoryMarshal.GetReference(shapes.Bytes))
+            fixed (Penetration* out_ = result)
+            fixed (uint* offsets_ = offsets)
+            status = Low.gphys_scene_penetration_filtered_batch(Handle, shapes.Type, shapes.IsOne ? (shapesOne.Mesh == null ? (void*)&shapesOne.Data : shapesOne.Mesh.Pointer) : shapesFirst, shapes.Stride, count, filters.HasValue ? &filters_ : null, 0, out_, (uint)result.Length, offsets_);
+            GC.KeepAlive(shapesOne.Mesh);
+            Check(status);
+            var total = offsets[count];
+            if (status != Status.Incomplete) {
+                Array.Resize(ref result, (int)total);
+                return new Ragged<Penetration>(result, offsets);
             }
             result = new Penetration[total];
         }
@@ -3033,6 +3089,30 @@ public static partial class Geometry {
         return Found(status) ? hit : (Hit?)null;
     }
 
+    /// <summary>First contacts of count moving shapes of one type with the shapes of another, as Geometry.Sweep:
+    /// moving[i] with shapes[i]. One that touches nothing gets t = INFINITY, triangle = NoTriangle and
+    /// zeros.
+    /// Cost: that of as many single calls. Since 1.1.</summary>
+    /// <param name="shapes">shapes of one type each</param>
+    /// <param name="moving">shapes of one type each</param>
+    /// <param name="displacements">metres</param>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: as Geometry.Sweep</exception>
+    public static unsafe void SweepBatch(Shapes shapes, Shapes moving, ReadOnlySpan<Vec3> displacements, Span<Hit> hits) {
+        var shapesOne = shapes.One;
+        var movingOne = moving.One;
+        var count = CommonLength(-1, shapes.Count, moving.Count, displacements.Length);
+        RequireLength(hits.Length, count);
+        Status status;
+        fixed (byte* shapesFirst = &MemoryMarshal.GetReference(shapes.Bytes))
+        fixed (byte* movingFirst = &MemoryMarshal.GetReference(moving.Bytes))
+        fixed (Vec3* displacements_ = &MemoryMarshal.GetReference(displacements))
+        fixed (Hit* hits_ = &MemoryMarshal.GetReference(hits))
+        status = Low.gphys_shape_sweep_batch(shapes.Type, shapes.IsOne ? (shapesOne.Mesh == null ? (void*)&shapesOne.Data : shapesOne.Mesh.Pointer) : shapesFirst, shapes.Stride, moving.Type, moving.IsOne ? (movingOne.Mesh == null ? (void*)&movingOne.Data : movingOne.Mesh.Pointer) : movingFirst, moving.Stride, displacements_, StrideOf(displacements), count, hits_, (uint)sizeof(Hit));
+        GC.KeepAlive(shapesOne.Mesh);
+        GC.KeepAlive(movingOne.Mesh);
+        Check(status);
+    }
+
     /// <summary>The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule, AABB,
     /// OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle that is
     /// nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and have
@@ -3056,6 +3136,28 @@ public static partial class Geometry {
         GC.KeepAlive(shape.Mesh);
         GC.KeepAlive(moving.Mesh);
         return Found(status) ? penetration : (Penetration?)null;
+    }
+
+    /// <summary>The shortest translations that take the shapes of one type out of the shapes of another, as
+    /// Geometry.Penetration: moving[i] out of shapes[i]. One that overlaps nothing gets depth = -INFINITY,
+    /// triangle = NoTriangle and zeros.
+    /// Cost: that of as many single calls. Since 1.1.</summary>
+    /// <param name="shapes">shapes of one type each</param>
+    /// <param name="moving">shapes of one type each</param>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: as Geometry.Penetration</exception>
+    public static unsafe void PenetrationBatch(Shapes shapes, Shapes moving, Span<Penetration> penetrations) {
+        var shapesOne = shapes.One;
+        var movingOne = moving.One;
+        var count = CommonLength(-1, shapes.Count, moving.Count);
+        RequireLength(penetrations.Length, count);
+        Status status;
+        fixed (byte* shapesFirst = &MemoryMarshal.GetReference(shapes.Bytes))
+        fixed (byte* movingFirst = &MemoryMarshal.GetReference(moving.Bytes))
+        fixed (Penetration* penetrations_ = &MemoryMarshal.GetReference(penetrations))
+        status = Low.gphys_shape_penetration_batch(shapes.Type, shapes.IsOne ? (shapesOne.Mesh == null ? (void*)&shapesOne.Data : shapesOne.Mesh.Pointer) : shapesFirst, shapes.Stride, moving.Type, moving.IsOne ? (movingOne.Mesh == null ? (void*)&movingOne.Data : movingOne.Mesh.Pointer) : movingFirst, moving.Stride, count, penetrations_, (uint)sizeof(Penetration));
+        GC.KeepAlive(shapesOne.Mesh);
+        GC.KeepAlive(movingOne.Mesh);
+        Check(status);
     }
 
     /// <summary>The eight corners, each the intersection of three planes: near then far, each in the order

@@ -379,6 +379,15 @@ export function objects(memory) {
             begin();
             return list('penetration', 27, (room, capacity) => native.gphys_scene_penetration(this.pointer, typeOf(shape), putShape(shape, 0), layers, room, capacity, base + 108));
         }
+        penetrationBatch(shapes, layers = ALL_LAYERS) {
+            begin();
+            const shapes_ = inputShapes(shapes);
+            const count = common(shapes_);
+            const offsets = output(undefined, 'uint32_t', count + 1);
+            const shapesAt = pass(shapes_);
+            const out_offsetsAt = pass(offsets);
+            return ragged('penetration', offsets, (room, capacity) => native.gphys_scene_penetration_batch(this.pointer, shapes_.type, shapesAt, shapes_.stride, count, layers, room, capacity, out_offsetsAt));
+        }
         raycastFiltered(ray, filter) {
             writeRay(v, 0, ray);
             if (filter != null) { check(native.gphys_query_filter_desc_init(base + 32, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 8, filter); }
@@ -522,6 +531,16 @@ export function objects(memory) {
             begin();
             if (filter != null) { check(native.gphys_query_filter_desc_init(base + 112, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 28, filter); }
             return list('penetration', 36, (room, capacity) => native.gphys_scene_penetration_filtered(this.pointer, typeOf(shape), putShape(shape, 0), filter == null ? 0 : base + 112, room, capacity, base + 144));
+        }
+        penetrationFilteredBatch(shapes, filters) {
+            begin();
+            const shapes_ = inputShapes(shapes);
+            if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
+            const count = common(shapes_);
+            const offsets = output(undefined, 'uint32_t', count + 1);
+            const shapesAt = pass(shapes_);
+            const out_offsetsAt = pass(offsets);
+            return ragged('penetration', offsets, (room, capacity) => native.gphys_scene_penetration_filtered_batch(this.pointer, shapes_.type, shapesAt, shapes_.stride, count, filters == null ? 0 : base, 0, room, capacity, out_offsetsAt));
         }
         getOctreeStats() {
             check(native.gphys_scene_get_octree_stats(this.pointer, base));
@@ -1170,9 +1189,28 @@ export function objects(memory) {
         if (check(native.gphys_shape_sweep(typeOf(shape), putShape(shape, 0), typeOf(moving), putShape(moving, 27), base + 216, base + 228)) !== OK) return null;
         return readHit(v, 57);
     }
+    function sweepBatch(shapes, moving, displacements, out) {
+        begin();
+        const shapes_ = inputShapes(shapes);
+        const moving_ = inputShapes(moving);
+        const displacements_ = input(displacements, 12, 'displacements');
+        const count = common(shapes_, moving_, displacements_);
+        const out_hits_ = output(out, 'hit', count);
+        check(native.gphys_shape_sweep_batch(shapes_.type, pass(shapes_), shapes_.stride, moving_.type, pass(moving_), moving_.stride, pass(displacements_), 12, count, pass(out_hits_), 52));
+        return finish(out_hits_);
+    }
     function penetration(shape, moving) {
         if (check(native.gphys_shape_penetration(typeOf(shape), putShape(shape, 0), typeOf(moving), putShape(moving, 27), base + 216)) !== OK) return null;
         return readPenetration(v, 54);
+    }
+    function penetrationBatch(shapes, moving, out) {
+        begin();
+        const shapes_ = inputShapes(shapes);
+        const moving_ = inputShapes(moving);
+        const count = common(shapes_, moving_);
+        const out_penetrations_ = output(out, 'penetration', count);
+        check(native.gphys_shape_penetration_batch(shapes_.type, pass(shapes_), shapes_.stride, moving_.type, pass(moving_), moving_.stride, count, pass(out_penetrations_), 40));
+        return finish(out_penetrations_);
     }
     function frustumCorners(frustum) {
         writeFrustum(v, 0, frustum);
@@ -1214,7 +1252,7 @@ export function objects(memory) {
         return readMeshReport(v, 0);
     }
     return {
-        Mesh, Scene, Camera, Solver, validate, bounds, contains, containsBatch, closestPoint, closestPointBatch, segmentClosestPoints, overlaps, overlapsBatch, classifyPlane, classifyFrustum, raycast, raycastBatch, segmentTest, sweepSphere, sweep, penetration, frustumCorners, planesIntersection, planesIntersectionBatch, mat4Orthonormality, frustumFromMatrix, meshCheck,
+        Mesh, Scene, Camera, Solver, validate, bounds, contains, containsBatch, closestPoint, closestPointBatch, segmentClosestPoints, overlaps, overlapsBatch, classifyPlane, classifyFrustum, raycast, raycastBatch, segmentTest, sweepSphere, sweep, sweepBatch, penetration, penetrationBatch, frustumCorners, planesIntersection, planesIntersectionBatch, mat4Orthonormality, frustumFromMatrix, meshCheck,
         sphere: (...fields) => new Shape('sphere', fields),
         capsule: (...fields) => new Shape('capsule', fields),
         aabb: (...fields) => new Shape('aabb', fields),

@@ -85,7 +85,9 @@ gphys_status gphys_shape_raycast_batch(gphys_shape_type type, const void *shape,
 gphys_status gphys_shape_segment_test(gphys_shape_type type, const void *shape, const gphys_segment *segment, gphys_hit *out_hit);
 gphys_status gphys_shape_sweep_sphere(gphys_shape_type type, const void *shape, const gphys_sphere *sphere, const gphys_vec3 *displacement, gphys_hit *out_hit);
 gphys_status gphys_shape_sweep(gphys_shape_type type, const void *shape, gphys_shape_type moving_type, const void *moving, const gphys_vec3 *displacement, gphys_hit *out_hit);
+gphys_status gphys_shape_sweep_batch(gphys_shape_type type, const void *shapes, uint32_t shape_stride, gphys_shape_type moving_type, const void *moving, uint32_t moving_stride, const gphys_vec3 *displacements, uint32_t displacement_stride, uint32_t count, gphys_hit *out_hits, uint32_t out_stride);
 gphys_status gphys_shape_penetration(gphys_shape_type type, const void *shape, gphys_shape_type moving_type, const void *moving, gphys_penetration *out_penetration);
+gphys_status gphys_shape_penetration_batch(gphys_shape_type type, const void *shapes, uint32_t shape_stride, gphys_shape_type moving_type, const void *moving, uint32_t moving_stride, uint32_t count, gphys_penetration *out_penetrations, uint32_t out_stride);
 gphys_status gphys_frustum_corners(const gphys_frustum *frustum, gphys_vec3 *out_corners);
 gphys_status gphys_planes_intersection(const gphys_plane *a, const gphys_plane *b, const gphys_plane *c, gphys_vec3 *out_point);
 gphys_status gphys_planes_intersection_batch(const gphys_plane *a, uint32_t a_stride, const gphys_plane *b, uint32_t b_stride, const gphys_plane *c, uint32_t c_stride, uint32_t count, gphys_vec3 *out_points, uint32_t out_stride);
@@ -163,6 +165,7 @@ gphys_status gphys_scene_sweep_sphere_batch(const gphys_scene *scene, const gphy
 gphys_status gphys_scene_sweep(const gphys_scene *scene, gphys_shape_type type, const void *shape, const gphys_vec3 *displacement, uint32_t layers, gphys_hit *out_hit);
 gphys_status gphys_scene_sweep_batch(const gphys_scene *scene, gphys_shape_type type, const void *shapes, uint32_t shape_stride, const gphys_vec3 *displacements, uint32_t displacement_stride, uint32_t count, uint32_t layers, gphys_hit *out_hits, uint32_t out_stride);
 gphys_status gphys_scene_penetration(const gphys_scene *scene, gphys_shape_type type, const void *shape, uint32_t layers, gphys_penetration *out_penetrations, uint32_t capacity, uint32_t *out_total);
+gphys_status gphys_scene_penetration_batch(const gphys_scene *scene, gphys_shape_type type, const void *shapes, uint32_t shape_stride, uint32_t count, uint32_t layers, gphys_penetration *out_penetrations, uint32_t capacity, uint32_t *out_offsets);
 gphys_status gphys_query_filter_desc_init(gphys_query_filter_desc *desc, uint32_t size);
 gphys_status gphys_scene_raycast_filtered(const gphys_scene *scene, const gphys_ray *ray, const gphys_query_filter_desc *filter, gphys_hit *out_hit);
 gphys_status gphys_scene_raycast_filtered_batch(const gphys_scene *scene, const gphys_ray *rays, uint32_t ray_stride, uint32_t count, const gphys_query_filter_desc *filters, uint32_t filter_stride, gphys_hit *out_hits, uint32_t out_stride);
@@ -183,6 +186,7 @@ gphys_status gphys_scene_sweep_sphere_filtered_batch(const gphys_scene *scene, c
 gphys_status gphys_scene_sweep_filtered(const gphys_scene *scene, gphys_shape_type type, const void *shape, const gphys_vec3 *displacement, const gphys_query_filter_desc *filter, gphys_hit *out_hit);
 gphys_status gphys_scene_sweep_filtered_batch(const gphys_scene *scene, gphys_shape_type type, const void *shapes, uint32_t shape_stride, const gphys_vec3 *displacements, uint32_t displacement_stride, uint32_t count, const gphys_query_filter_desc *filters, uint32_t filter_stride, gphys_hit *out_hits, uint32_t out_stride);
 gphys_status gphys_scene_penetration_filtered(const gphys_scene *scene, gphys_shape_type type, const void *shape, const gphys_query_filter_desc *filter, gphys_penetration *out_penetrations, uint32_t capacity, uint32_t *out_total);
+gphys_status gphys_scene_penetration_filtered_batch(const gphys_scene *scene, gphys_shape_type type, const void *shapes, uint32_t shape_stride, uint32_t count, const gphys_query_filter_desc *filters, uint32_t filter_stride, gphys_penetration *out_penetrations, uint32_t capacity, uint32_t *out_offsets);
 gphys_status gphys_scene_get_octree_stats(const gphys_scene *scene, gphys_octree_stats *out_stats);
 gphys_status gphys_scene_get_octree_boxes(const gphys_scene *scene, gphys_octree_box *out_boxes, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_scene_validate(const gphys_scene *scene);

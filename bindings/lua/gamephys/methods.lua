@@ -111,7 +111,7 @@ end
 --- to it is seen by all its models. It gives the meshes of a restored scene, which are not deformable
 --- if they were embedded in its snapshot.
 --- Cost: O(1). Since 1.1.
---- @return another reference, to be released by Mesh, as that of Mesh is.
+--- @return a reference of its own, which keeps the mesh alive, and is to be destroyed like any handle.
 --- @raise status ERROR_UNSUPPORTED: if the model's shape is no mesh
 function gp.Mesh_from_scene(scene, model)
     return Mesh.create(function(made)
@@ -788,6 +788,19 @@ function Scene:penetration(shape, layers)
     end)
 end
 
+--- What each of the shapes of one type overlaps, and how it gets out, as Scene:penetration: the ways
+--- out of shape i are at penetrations[offsets[i]] up to offsets[i + 1], as in Scene:raycast_all_batch.
+--- So a crowd of characters is pushed out in one call.
+--- Cost: that of as many single calls; shared among workers. Since 1.1.
+--- @raise status ERROR_UNSUPPORTED: as Scene:penetration
+function Scene:penetration_batch(shapes, layers)
+    local shapes, shapes_kind, shapes_count, shapes_stride = to_shapes(shapes)
+    local count = common(shapes_count)
+    return ragged(Penetration, function(out, capacity, offsets)
+        return C.gphys_scene_penetration_batch(opened(self), shapes_kind, shapes, shapes_stride, count, layers or ALL_LAYERS, out, capacity, offsets)
+    end, count)
+end
+
 --- Closest model on a ray that the filter sees, as Scene:raycast.
 --- Cost: that of Scene:raycast for one ignored model. For each model that is met within the ray's
 --- reach, besides: O(its depth below its root) with FILTER_SUBTREE if ignored_model has children; of m
@@ -1003,6 +1016,19 @@ function Scene:penetration_filtered(shape, filter)
     return list(Penetration, function(out, capacity, total)
         return C.gphys_scene_penetration_filtered(opened(self), kind(shape), address(shape), filter and to_desc(QueryFilterDesc, filter), out, capacity, total)
     end)
+end
+
+--- What each of the shapes of one type overlaps and its filter sees, and how it gets out, as
+--- Scene:penetration_batch: each character leaves out its own model.
+--- Cost: that of as many single calls; shared among workers. Since 1.1.
+--- @param filters nil: the defaults
+--- @raise status ERROR_UNSUPPORTED: as Scene:penetration
+function Scene:penetration_filtered_batch(shapes, filters)
+    local shapes, shapes_kind, shapes_count, shapes_stride = to_shapes(shapes)
+    local count = common(shapes_count)
+    return ragged(Penetration, function(out, capacity, offsets)
+        return C.gphys_scene_penetration_filtered_batch(opened(self), shapes_kind, shapes, shapes_stride, count, filters and to_desc(QueryFilterDesc, filters), 0, out, capacity, offsets)
+    end, count)
 end
 
 --- How the scene's octree is made up.
@@ -2501,6 +2527,23 @@ function gp.sweep(shape, moving, displacement, out_hit)
     if found(C.gphys_shape_sweep(kind(shape), address(shape), kind(moving), address(moving), to_value(Vec3, displacement), out_hit)) then return out_hit end
 end
 
+--- First contacts of count moving shapes of one type with the shapes of another, as gp.sweep: moving[i]
+--- with shapes[i]. One that touches nothing gets t = INFINITY, triangle = NO_TRIANGLE and zeros.
+--- Cost: that of as many single calls. Since 1.1.
+--- @param shapes shapes of one type each
+--- @param moving shapes of one type each
+--- @param displacements metres
+--- @raise status ERROR_UNSUPPORTED: as gp.sweep
+function gp.sweep_batch(shapes, moving, displacements, out)
+    local shapes, shapes_kind, shapes_count, shapes_stride = to_shapes(shapes)
+    local moving, moving_kind, moving_count, moving_stride = to_shapes(moving)
+    local displacements, displacements_count, displacements_stride = to_array(Vec3, displacements)
+    local count = common(shapes_count, moving_count, displacements_count)
+    out = results(Hit, out, count)
+    check(C.gphys_shape_sweep_batch(shapes_kind, shapes, shapes_stride, moving_kind, moving, moving_stride, displacements, displacements_stride, count, out, Hit.size))
+    return out
+end
+
 --- The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule, AABB,
 --- OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle that is
 --- nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and have
@@ -2518,6 +2561,22 @@ end
 function gp.penetration(shape, moving, out_penetration)
     out_penetration = out_penetration or Penetration.new()
     if found(C.gphys_shape_penetration(kind(shape), address(shape), kind(moving), address(moving), out_penetration)) then return out_penetration end
+end
+
+--- The shortest translations that take the shapes of one type out of the shapes of another, as
+--- gp.penetration: moving[i] out of shapes[i]. One that overlaps nothing gets depth = -INFINITY,
+--- triangle = NO_TRIANGLE and zeros.
+--- Cost: that of as many single calls. Since 1.1.
+--- @param shapes shapes of one type each
+--- @param moving shapes of one type each
+--- @raise status ERROR_UNSUPPORTED: as gp.penetration
+function gp.penetration_batch(shapes, moving, out)
+    local shapes, shapes_kind, shapes_count, shapes_stride = to_shapes(shapes)
+    local moving, moving_kind, moving_count, moving_stride = to_shapes(moving)
+    local count = common(shapes_count, moving_count)
+    out = results(Penetration, out, count)
+    check(C.gphys_shape_penetration_batch(shapes_kind, shapes, shapes_stride, moving_kind, moving, moving_stride, count, out, Penetration.size))
+    return out
 end
 
 --- The eight corners, each the intersection of three planes: near then far, each in the order

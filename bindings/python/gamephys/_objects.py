@@ -95,7 +95,7 @@ class Mesh(Object):
         Cost: O(1). Since 1.1.
 
         Returns:
-            another reference, to be released by Mesh, as that of Mesh is.
+            a reference of its own, which keeps the mesh alive, and is to be destroyed like any handle.
 
         Raises:
             Error, status ERROR_UNSUPPORTED: if the model's shape is no mesh"""
@@ -809,6 +809,18 @@ class Scene(Models):
         type_, shape_ = shape_of(shape)
         return list_of(low.gphys_scene_penetration, (self._handle, type_, shape_.address, layers,), low.penetration_dtype)
 
+    def penetration_batch(self, shapes: ArrayLike, layers: int = low.ALL_LAYERS) -> tuple[np.ndarray, np.ndarray]:
+        """What each of the shapes of one type overlaps, and how it gets out, as Scene.penetration: the
+        ways out of shape i are at penetrations[offsets[i]] up to offsets[i + 1], as in
+        Scene.raycast_all_batch. So a crowd of characters is pushed out in one call.
+        Cost: that of as many single calls; shared among workers. Since 1.1.
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: as Scene.penetration"""
+        type_, shapes_ = shapes_of(shapes)
+        count = common_length(shapes_)
+        return ragged_of(low.gphys_scene_penetration_batch, (self._handle, type_, shapes_.address, shapes_.stride, count, layers,), low.penetration_dtype, count)
+
     def raycast_filtered(self, ray: low.Ray | Sequence, filter: low.QueryFilterDesc | None = None) -> low.Hit | None:
         """Closest model on a ray that the filter sees, as Scene.raycast.
         Cost: that of Scene.raycast for one ignored model. For each model that is met within the ray's
@@ -1084,6 +1096,21 @@ class Scene(Models):
         type_, shape_ = shape_of(shape)
         filter_ = value_of(filter, low.QueryFilterDesc)
         return list_of(low.gphys_scene_penetration_filtered, (self._handle, type_, shape_.address, filter_.address,), low.penetration_dtype)
+
+    def penetration_filtered_batch(self, shapes: ArrayLike, filters: low.QueryFilterDesc | None = None) -> tuple[np.ndarray, np.ndarray]:
+        """What each of the shapes of one type overlaps and its filter sees, and how it gets out, as
+        Scene.penetration_batch: each character leaves out its own model.
+        Cost: that of as many single calls; shared among workers. Since 1.1.
+
+        Args:
+            filters: None: the defaults
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: as Scene.penetration"""
+        type_, shapes_ = shapes_of(shapes)
+        filters_ = value_of(filters, low.QueryFilterDesc)
+        count = common_length(shapes_)
+        return ragged_of(low.gphys_scene_penetration_filtered_batch, (self._handle, type_, shapes_.address, shapes_.stride, count, filters_.address, 0,), low.penetration_dtype, count)
 
     def get_octree_stats(self) -> low.OctreeStats:
         """How the scene's octree is made up.
@@ -2705,6 +2732,27 @@ def sweep(shape: Shape, moving: Shape, displacement: low.Vec3 | Sequence) -> low
     return out_hit if found(low.gphys_shape_sweep(type_, shape_.address, moving_type_, moving_.address, displacement_.address, ctypes.byref(out_hit))) else None
 
 
+def sweep_batch(shapes: ArrayLike, moving: ArrayLike, displacements: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
+    """First contacts of count moving shapes of one type with the shapes of another, as gamephys.sweep:
+    moving[i] with shapes[i]. One that touches nothing gets t = INFINITY, triangle = NO_TRIANGLE and
+    zeros.
+    Cost: that of as many single calls. Since 1.1.
+
+    Args:
+        shapes, moving: shapes of one type each
+        displacements: metres
+
+    Raises:
+        Error, status ERROR_UNSUPPORTED: as gamephys.sweep"""
+    type_, shapes_ = shapes_of(shapes)
+    moving_type_, moving_ = shapes_of(moving)
+    displacements_ = array_of(displacements, low.vec3_dtype)
+    count = common_length(shapes_, moving_, displacements_)
+    out_ = result_array(out, count, low.hit_dtype)
+    check(low.gphys_shape_sweep_batch(type_, shapes_.address, shapes_.stride, moving_type_, moving_.address, moving_.stride, displacements_.address, displacements_.stride, count, out_.address, out_.stride))
+    return out_.array
+
+
 def penetration(shape: Shape, moving: Shape) -> low.Penetration | None:
     """The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule,
     AABB, OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle
@@ -2729,6 +2777,25 @@ def penetration(shape: Shape, moving: Shape) -> low.Penetration | None:
     moving_type_, moving_ = shape_of(moving)
     out_penetration = low.Penetration()
     return out_penetration if found(low.gphys_shape_penetration(type_, shape_.address, moving_type_, moving_.address, ctypes.byref(out_penetration))) else None
+
+
+def penetration_batch(shapes: ArrayLike, moving: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
+    """The shortest translations that take the shapes of one type out of the shapes of another, as
+    gamephys.penetration: moving[i] out of shapes[i]. One that overlaps nothing gets depth =
+    -INFINITY, triangle = NO_TRIANGLE and zeros.
+    Cost: that of as many single calls. Since 1.1.
+
+    Args:
+        shapes, moving: shapes of one type each
+
+    Raises:
+        Error, status ERROR_UNSUPPORTED: as gamephys.penetration"""
+    type_, shapes_ = shapes_of(shapes)
+    moving_type_, moving_ = shapes_of(moving)
+    count = common_length(shapes_, moving_)
+    out_ = result_array(out, count, low.penetration_dtype)
+    check(low.gphys_shape_penetration_batch(type_, shapes_.address, shapes_.stride, moving_type_, moving_.address, moving_.stride, count, out_.address, out_.stride))
+    return out_.array
 
 
 def frustum_corners(frustum: low.Frustum | Sequence) -> np.ndarray | None:

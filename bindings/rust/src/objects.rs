@@ -251,7 +251,7 @@ impl Mesh {
     ///
     /// Cost: O(1). Since 1.1.
     ///
-    /// Returns another reference, to be released by `Mesh`, as that of `Mesh` is.
+    /// Returns a reference of its own, which keeps the mesh alive, and is to be destroyed like any handle.
     ///
     /// # Errors
     /// * `Status::ERROR_UNSUPPORTED`: if the model's shape is no mesh
@@ -1043,6 +1043,20 @@ impl Scene {
         list(|out_penetrations, capacity, total| unsafe { sys::gphys_scene_penetration(self.handle.as_ptr(), shape.shape_type(), shape.pointer(), layers, out_penetrations, capacity, total) })
     }
 
+    /// What each of the shapes of one type overlaps, and how it gets out, as `Scene::penetration`: the ways
+    /// out of shape i are at `penetrations[offsets[i]]` up to offsets[i + 1], as in
+    /// `Scene::raycast_all_batch`. So a crowd of characters is pushed out in one call.
+    ///
+    /// Cost: that of as many single calls; shared among workers. Since 1.1.
+    ///
+    /// # Errors
+    /// * `Status::ERROR_UNSUPPORTED`: as `Scene::penetration`
+    pub fn penetration_batch<'a>(&self, shapes: impl Into<Shapes<'a>>, layers: u32) -> Result<Ragged<Penetration>> {
+        let shapes = shapes.into();
+        let count = common_length(&[shapes.length])?;
+        ragged(count, |out_penetrations, capacity, offsets| unsafe { sys::gphys_scene_penetration_batch(self.handle.as_ptr(), shapes.shape_type(), shapes.data, shapes.stride, count, layers, out_penetrations, capacity, offsets) })
+    }
+
     /// Closest model on a ray that the filter sees, as `Scene::raycast`.
     ///
     /// Cost: that of `Scene::raycast` for one ignored model. For each model that is met within the ray's
@@ -1303,6 +1317,21 @@ impl Scene {
     /// * `Status::ERROR_UNSUPPORTED`: for other types
     pub fn penetration_filtered(&self, shape: &dyn Shape, filter: Option<&QueryFilterDesc>) -> Result<Vec<Penetration>> {
         list(|out_penetrations, capacity, total| unsafe { sys::gphys_scene_penetration_filtered(self.handle.as_ptr(), shape.shape_type(), shape.pointer(), pointer(filter), out_penetrations, capacity, total) })
+    }
+
+    /// What each of the shapes of one type overlaps and its filter sees, and how it gets out, as
+    /// `Scene::penetration_batch`: each character leaves out its own model.
+    ///
+    /// Cost: that of as many single calls; shared among workers. Since 1.1.
+    ///
+    /// * `filters`: None: the defaults
+    ///
+    /// # Errors
+    /// * `Status::ERROR_UNSUPPORTED`: as `Scene::penetration`
+    pub fn penetration_filtered_batch<'a>(&self, shapes: impl Into<Shapes<'a>>, filters: Option<&QueryFilterDesc>) -> Result<Ragged<Penetration>> {
+        let shapes = shapes.into();
+        let count = common_length(&[shapes.length])?;
+        ragged(count, |out_penetrations, capacity, offsets| unsafe { sys::gphys_scene_penetration_filtered_batch(self.handle.as_ptr(), shapes.shape_type(), shapes.data, shapes.stride, count, pointer(filters), 0, out_penetrations, capacity, offsets) })
     }
 
     /// How the scene's octree is made up.
@@ -3065,6 +3094,26 @@ pub fn sweep(shape: &dyn Shape, moving: &dyn Shape, displacement: impl Into<Vec3
     Ok(found(unsafe { sys::gphys_shape_sweep(shape.shape_type(), shape.pointer(), moving.shape_type(), moving.pointer(), displacement, &mut out_hit) })?.then_some(out_hit))
 }
 
+/// First contacts of count moving shapes of one type with the shapes of another, as `sweep`: `moving[i]`
+/// with `shapes[i]`. One that touches nothing gets t = INFINITY, triangle = `NO_TRIANGLE` and zeros.
+///
+/// Cost: that of as many single calls. Since 1.1.
+///
+/// * `shapes`, `moving`: shapes of one type each
+/// * `displacements`: metres
+///
+/// # Errors
+/// * `Status::ERROR_UNSUPPORTED`: as `sweep`
+pub fn sweep_batch<'a>(shapes: impl Into<Shapes<'a>>, moving: impl Into<Shapes<'a>>, displacements: impl Into<Batch<'a, Vec3>>, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
+    let shapes = shapes.into();
+    let moving = moving.into();
+    let displacements = displacements.into();
+    let out_hits = out_hits.into();
+    let count = common_length(&[shapes.length, moving.length, displacements.length])?;
+    out_hits.require(count.into())?;
+    check(unsafe { sys::gphys_shape_sweep_batch(shapes.shape_type(), shapes.data, shapes.stride, moving.shape_type(), moving.data, moving.stride, displacements.data, displacements.stride, count, out_hits.data, out_hits.stride) })
+}
+
 /// The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule, AABB,
 /// OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle that is
 /// nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and have
@@ -3087,6 +3136,25 @@ pub fn sweep(shape: &dyn Shape, moving: &dyn Shape, displacement: impl Into<Vec3
 pub fn penetration(shape: &dyn Shape, moving: &dyn Shape) -> Result<Option<Penetration>> {
     let mut out_penetration = Penetration::default();
     Ok(found(unsafe { sys::gphys_shape_penetration(shape.shape_type(), shape.pointer(), moving.shape_type(), moving.pointer(), &mut out_penetration) })?.then_some(out_penetration))
+}
+
+/// The shortest translations that take the shapes of one type out of the shapes of another, as
+/// `penetration`: `moving[i]` out of `shapes[i]`. One that overlaps nothing gets depth = -INFINITY,
+/// triangle = `NO_TRIANGLE` and zeros.
+///
+/// Cost: that of as many single calls. Since 1.1.
+///
+/// * `shapes`, `moving`: shapes of one type each
+///
+/// # Errors
+/// * `Status::ERROR_UNSUPPORTED`: as `penetration`
+pub fn penetration_batch<'a>(shapes: impl Into<Shapes<'a>>, moving: impl Into<Shapes<'a>>, out_penetrations: impl Into<BatchMut<'a, Penetration>>) -> Result<()> {
+    let shapes = shapes.into();
+    let moving = moving.into();
+    let out_penetrations = out_penetrations.into();
+    let count = common_length(&[shapes.length, moving.length])?;
+    out_penetrations.require(count.into())?;
+    check(unsafe { sys::gphys_shape_penetration_batch(shapes.shape_type(), shapes.data, shapes.stride, moving.shape_type(), moving.data, moving.stride, count, out_penetrations.data, out_penetrations.stride) })
 }
 
 /// The eight corners, each the intersection of three planes: near then far, each in the order

@@ -44,7 +44,9 @@ extern "C" {
     pub fn gphys_shape_segment_test(type_: ShapeType, shape: *const c_void, segment: *const Segment, out_hit: *mut Hit) -> Status;
     pub fn gphys_shape_sweep_sphere(type_: ShapeType, shape: *const c_void, sphere: *const Sphere, displacement: *const Vec3, out_hit: *mut Hit) -> Status;
     pub fn gphys_shape_sweep(type_: ShapeType, shape: *const c_void, moving_type: ShapeType, moving: *const c_void, displacement: *const Vec3, out_hit: *mut Hit) -> Status;
+    pub fn gphys_shape_sweep_batch(type_: ShapeType, shapes: *const c_void, shape_stride: u32, moving_type: ShapeType, moving: *const c_void, moving_stride: u32, displacements: *const Vec3, displacement_stride: u32, count: u32, out_hits: *mut Hit, out_stride: u32) -> Status;
     pub fn gphys_shape_penetration(type_: ShapeType, shape: *const c_void, moving_type: ShapeType, moving: *const c_void, out_penetration: *mut Penetration) -> Status;
+    pub fn gphys_shape_penetration_batch(type_: ShapeType, shapes: *const c_void, shape_stride: u32, moving_type: ShapeType, moving: *const c_void, moving_stride: u32, count: u32, out_penetrations: *mut Penetration, out_stride: u32) -> Status;
     pub fn gphys_frustum_corners(frustum: *const Frustum, out_corners: *mut Vec3) -> Status;
     pub fn gphys_planes_intersection(a: *const Plane, b: *const Plane, c: *const Plane, out_point: *mut Vec3) -> Status;
     pub fn gphys_planes_intersection_batch(a: *const Plane, a_stride: u32, b: *const Plane, b_stride: u32, c: *const Plane, c_stride: u32, count: u32, out_points: *mut Vec3, out_stride: u32) -> Status;
@@ -122,6 +124,7 @@ extern "C" {
     pub fn gphys_scene_sweep(scene: *mut gphys_scene, type_: ShapeType, shape: *const c_void, displacement: *const Vec3, layers: u32, out_hit: *mut Hit) -> Status;
     pub fn gphys_scene_sweep_batch(scene: *mut gphys_scene, type_: ShapeType, shapes: *const c_void, shape_stride: u32, displacements: *const Vec3, displacement_stride: u32, count: u32, layers: u32, out_hits: *mut Hit, out_stride: u32) -> Status;
     pub fn gphys_scene_penetration(scene: *mut gphys_scene, type_: ShapeType, shape: *const c_void, layers: u32, out_penetrations: *mut Penetration, capacity: u32, out_total: *mut u32) -> Status;
+    pub fn gphys_scene_penetration_batch(scene: *mut gphys_scene, type_: ShapeType, shapes: *const c_void, shape_stride: u32, count: u32, layers: u32, out_penetrations: *mut Penetration, capacity: u32, out_offsets: *mut u32) -> Status;
     pub fn gphys_query_filter_desc_init(desc: *mut QueryFilterDesc, size: u32) -> Status;
     pub fn gphys_scene_raycast_filtered(scene: *mut gphys_scene, ray: *const Ray, filter: *const QueryFilterDesc, out_hit: *mut Hit) -> Status;
     pub fn gphys_scene_raycast_filtered_batch(scene: *mut gphys_scene, rays: *const Ray, ray_stride: u32, count: u32, filters: *const QueryFilterDesc, filter_stride: u32, out_hits: *mut Hit, out_stride: u32) -> Status;
@@ -142,6 +145,7 @@ extern "C" {
     pub fn gphys_scene_sweep_filtered(scene: *mut gphys_scene, type_: ShapeType, shape: *const c_void, displacement: *const Vec3, filter: *const QueryFilterDesc, out_hit: *mut Hit) -> Status;
     pub fn gphys_scene_sweep_filtered_batch(scene: *mut gphys_scene, type_: ShapeType, shapes: *const c_void, shape_stride: u32, displacements: *const Vec3, displacement_stride: u32, count: u32, filters: *const QueryFilterDesc, filter_stride: u32, out_hits: *mut Hit, out_stride: u32) -> Status;
     pub fn gphys_scene_penetration_filtered(scene: *mut gphys_scene, type_: ShapeType, shape: *const c_void, filter: *const QueryFilterDesc, out_penetrations: *mut Penetration, capacity: u32, out_total: *mut u32) -> Status;
+    pub fn gphys_scene_penetration_filtered_batch(scene: *mut gphys_scene, type_: ShapeType, shapes: *const c_void, shape_stride: u32, count: u32, filters: *const QueryFilterDesc, filter_stride: u32, out_penetrations: *mut Penetration, capacity: u32, out_offsets: *mut u32) -> Status;
     pub fn gphys_scene_get_octree_stats(scene: *mut gphys_scene, out_stats: *mut OctreeStats) -> Status;
     pub fn gphys_scene_get_octree_boxes(scene: *mut gphys_scene, out_boxes: *mut OctreeBox, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_scene_validate(scene: *mut gphys_scene) -> Status;

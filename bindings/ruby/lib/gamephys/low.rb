@@ -52,7 +52,9 @@ module Gamephys
     attach_function :gphys_shape_segment_test, [:int32, :pointer, :pointer, :pointer], :int32
     attach_function :gphys_shape_sweep_sphere, [:int32, :pointer, :pointer, :pointer, :pointer], :int32
     attach_function :gphys_shape_sweep, [:int32, :pointer, :int32, :pointer, :pointer, :pointer], :int32
+    attach_function :gphys_shape_sweep_batch, [:int32, :pointer, :uint32, :int32, :pointer, :uint32, :pointer, :uint32, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_shape_penetration, [:int32, :pointer, :int32, :pointer, :pointer], :int32
+    attach_function :gphys_shape_penetration_batch, [:int32, :pointer, :uint32, :int32, :pointer, :uint32, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_frustum_corners, [:pointer, :pointer], :int32
     attach_function :gphys_planes_intersection, [:pointer, :pointer, :pointer, :pointer], :int32
     attach_function :gphys_planes_intersection_batch, [:pointer, :uint32, :pointer, :uint32, :pointer, :uint32, :uint32, :pointer, :uint32], :int32
@@ -130,6 +132,7 @@ module Gamephys
     attach_function :gphys_scene_sweep, [:pointer, :int32, :pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_scene_sweep_batch, [:pointer, :int32, :pointer, :uint32, :pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_scene_penetration, [:pointer, :int32, :pointer, :uint32, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_scene_penetration_batch, [:pointer, :int32, :pointer, :uint32, :uint32, :uint32, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_query_filter_desc_init, [:pointer, :uint32], :int32
     attach_function :gphys_scene_raycast_filtered, [:pointer, :pointer, :pointer, :pointer], :int32
     attach_function :gphys_scene_raycast_filtered_batch, [:pointer, :pointer, :uint32, :uint32, :pointer, :uint32, :pointer, :uint32], :int32
@@ -150,6 +153,7 @@ module Gamephys
     attach_function :gphys_scene_sweep_filtered, [:pointer, :int32, :pointer, :pointer, :pointer, :pointer], :int32
     attach_function :gphys_scene_sweep_filtered_batch, [:pointer, :int32, :pointer, :uint32, :pointer, :uint32, :uint32, :pointer, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_scene_penetration_filtered, [:pointer, :int32, :pointer, :pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_scene_penetration_filtered_batch, [:pointer, :int32, :pointer, :uint32, :uint32, :pointer, :uint32, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_scene_get_octree_stats, [:pointer, :pointer], :int32
     attach_function :gphys_scene_get_octree_boxes, [:pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_scene_validate, [:pointer], :int32

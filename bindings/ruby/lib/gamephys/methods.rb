@@ -65,7 +65,7 @@ module Gamephys
     # to it is seen by all its models. It gives the meshes of a restored scene, which are not deformable
     # if they were embedded in its snapshot.
     # Cost: O(1). Since 1.1.
-    # @return another reference, to be released by Mesh, as that of Mesh is.
+    # @return a reference of its own, which keeps the mesh alive, and is to be destroyed like any handle.
     # @raise [Error] if the model's shape is no mesh (ERROR_UNSUPPORTED)
     def self.from_scene(scene, model)
       allocate.tap do |object|
@@ -718,6 +718,17 @@ module Gamephys
       Low.list(Penetration) { |out, capacity, total| Low.gphys_scene_penetration(opened, Low.kind(shape), Low.shape(shape), layers, out, capacity, total) }
     end
 
+    # What each of the shapes of one type overlaps, and how it gets out, as Scene#penetration: the ways
+    # out of shape i are at penetrations[offsets[i]] up to offsets[i + 1], as in Scene#raycast_all_batch.
+    # So a crowd of characters is pushed out in one call.
+    # Cost: that of as many single calls; shared among workers. Since 1.1.
+    # @raise [Error] as Scene#penetration (ERROR_UNSUPPORTED)
+    def penetration_batch(shapes, layers: ALL_LAYERS)
+      shapes = Low.shapes(shapes)
+      count = Low.common(shapes)
+      Low.ragged(Penetration, count) { |out, capacity, offsets| Low.gphys_scene_penetration_batch(opened, shapes.kind::KIND, shapes.pointer, shapes.stride, count, layers, out, capacity, offsets) }
+    end
+
     # Closest model on a ray that the filter sees, as Scene#raycast.
     # Cost: that of Scene#raycast for one ignored model. For each model that is met within the ray's
     # reach, besides: O(its depth below its root) with FILTER_SUBTREE if ignored_model has children; of m
@@ -918,6 +929,17 @@ module Gamephys
     # @raise [Error] for other types (ERROR_UNSUPPORTED)
     def penetration_filtered(shape, filter = nil)
       Low.list(Penetration) { |out, capacity, total| Low.gphys_scene_penetration_filtered(opened, Low.kind(shape), Low.shape(shape), filter && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filter), out, capacity, total) }
+    end
+
+    # What each of the shapes of one type overlaps and its filter sees, and how it gets out, as
+    # Scene#penetration_batch: each character leaves out its own model.
+    # Cost: that of as many single calls; shared among workers. Since 1.1.
+    # @param filters nil: the defaults
+    # @raise [Error] as Scene#penetration (ERROR_UNSUPPORTED)
+    def penetration_filtered_batch(shapes, filters = nil)
+      shapes = Low.shapes(shapes)
+      count = Low.common(shapes)
+      Low.ragged(Penetration, count) { |out, capacity, offsets| Low.gphys_scene_penetration_filtered_batch(opened, shapes.kind::KIND, shapes.pointer, shapes.stride, count, filters && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters), 0, out, capacity, offsets) }
     end
 
     # How the scene's octree is made up.
@@ -2390,6 +2412,24 @@ module Gamephys
     Hit.unpack(out_hit) if Low.found(Low.gphys_shape_sweep(Low.kind(shape), Low.shape(shape), Low.kind(moving), Low.shape(moving), Vec3.pack(displacement), out_hit))
   end
 
+  # First contacts of count moving shapes of one type with the shapes of another, as Gamephys.sweep:
+  # moving[i] with shapes[i]. One that touches nothing gets t = INFINITY, triangle = NO_TRIANGLE and
+  # zeros.
+  # Cost: that of as many single calls. Since 1.1.
+  # @param shapes shapes of one type each
+  # @param moving shapes of one type each
+  # @param displacements metres
+  # @raise [Error] as Gamephys.sweep (ERROR_UNSUPPORTED)
+  def self.sweep_batch(shapes, moving, displacements, out: nil)
+    shapes = Low.shapes(shapes)
+    moving = Low.shapes(moving)
+    displacements = Low.array(Vec3, displacements)
+    count = Low.common(shapes, moving, displacements)
+    out = Low.results(Hit, out, count)
+    Low.check(Low.gphys_shape_sweep_batch(shapes.kind::KIND, shapes.pointer, shapes.stride, moving.kind::KIND, moving.pointer, moving.stride, displacements.pointer, displacements.stride, count, out.pointer, Hit::BYTES))
+    out
+  end
+
   # The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule, AABB,
   # OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle that is
   # nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and have
@@ -2407,6 +2447,22 @@ module Gamephys
   def self.penetration(shape, moving)
     out_penetration = Penetration.room
     Penetration.unpack(out_penetration) if Low.found(Low.gphys_shape_penetration(Low.kind(shape), Low.shape(shape), Low.kind(moving), Low.shape(moving), out_penetration))
+  end
+
+  # The shortest translations that take the shapes of one type out of the shapes of another, as
+  # Gamephys.penetration: moving[i] out of shapes[i]. One that overlaps nothing gets depth = -INFINITY,
+  # triangle = NO_TRIANGLE and zeros.
+  # Cost: that of as many single calls. Since 1.1.
+  # @param shapes shapes of one type each
+  # @param moving shapes of one type each
+  # @raise [Error] as Gamephys.penetration (ERROR_UNSUPPORTED)
+  def self.penetration_batch(shapes, moving, out: nil)
+    shapes = Low.shapes(shapes)
+    moving = Low.shapes(moving)
+    count = Low.common(shapes, moving)
+    out = Low.results(Penetration, out, count)
+    Low.check(Low.gphys_shape_penetration_batch(shapes.kind::KIND, shapes.pointer, shapes.stride, moving.kind::KIND, moving.pointer, moving.stride, count, out.pointer, Penetration::BYTES))
+    out
   end
 
   # The eight corners, each the intersection of three planes: near then far, each in the order

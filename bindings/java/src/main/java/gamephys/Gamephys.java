@@ -362,6 +362,30 @@ public final class Gamephys extends GamephysBase {
     }
 
     /**
+     * First contacts of count moving shapes of one type with the shapes of another, as Gamephys.sweep:
+     * moving[i] with shapes[i]. One that touches nothing gets t = INFINITY, triangle = NO_TRIANGLE and
+     * zeros.
+     * Cost: that of as many single calls. Since 1.1.
+     * @param shapes shapes of one type each
+     * @param moving shapes of one type each
+     * @param displacements metres
+     * @throws GamephysException with ERROR_UNSUPPORTED: as Gamephys.sweep
+     */
+    public static Batch<Hit> sweepBatch(Shapes shapes, Shapes moving, Batch<Vec3> displacements, Batch<Hit> out) {
+        int count = Low.common(shapes.common(), moving.common(), displacements.common());
+        Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
+        int status = Low.gphys_shape_sweep_batch(shapes.kind(), shapes.pointer(), shapes.stride(), moving.kind(), moving.pointer(), moving.stride(), displacements.pointer(), displacements.stride(), count, room.pointer(), Hit.LAYOUT.bytes());
+        Low.keep(shapes, moving, displacements, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public static Batch<Hit> sweepBatch(Shapes shapes, Shapes moving, Batch<Vec3> displacements) {
+        return sweepBatch(shapes, moving, displacements, (Batch<Hit>) null);
+    }
+
+    /**
      * The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule, AABB,
      * OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle that is
      * nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and have
@@ -383,6 +407,29 @@ public final class Gamephys extends GamephysBase {
         int status = Low.gphys_shape_penetration(shape.kind(), Low.shape(shape, scratch, 1), moving.kind(), Low.shape(moving, scratch, 3), scratch.slot(4));
         Low.keep(shape, moving);
         return Low.found(status) ? Optional.of(Penetration.read(scratch.memory, Scratch.at(4))) : Optional.empty();
+    }
+
+    /**
+     * The shortest translations that take the shapes of one type out of the shapes of another, as
+     * Gamephys.penetration: moving[i] out of shapes[i]. One that overlaps nothing gets depth = -INFINITY,
+     * triangle = NO_TRIANGLE and zeros.
+     * Cost: that of as many single calls. Since 1.1.
+     * @param shapes shapes of one type each
+     * @param moving shapes of one type each
+     * @throws GamephysException with ERROR_UNSUPPORTED: as Gamephys.penetration
+     */
+    public static Batch<Penetration> penetrationBatch(Shapes shapes, Shapes moving, Batch<Penetration> out) {
+        int count = Low.common(shapes.common(), moving.common());
+        Batch<Penetration> room = Batch.room(Penetration.LAYOUT, count, out);
+        int status = Low.gphys_shape_penetration_batch(shapes.kind(), shapes.pointer(), shapes.stride(), moving.kind(), moving.pointer(), moving.stride(), count, room.pointer(), Penetration.LAYOUT.bytes());
+        Low.keep(shapes, moving, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public static Batch<Penetration> penetrationBatch(Shapes shapes, Shapes moving) {
+        return penetrationBatch(shapes, moving, (Batch<Penetration>) null);
     }
 
     /**

@@ -29,7 +29,9 @@ class LowFunctions {
     static native int gphys_shape_segment_test(int type, Pointer shape, Pointer segment, Pointer outHit);
     static native int gphys_shape_sweep_sphere(int type, Pointer shape, Pointer sphere, Pointer displacement, Pointer outHit);
     static native int gphys_shape_sweep(int type, Pointer shape, int movingType, Pointer moving, Pointer displacement, Pointer outHit);
+    static native int gphys_shape_sweep_batch(int type, Pointer shapes, int shapeStride, int movingType, Pointer moving, int movingStride, Pointer displacements, int displacementStride, int count, Pointer outHits, int outStride);
     static native int gphys_shape_penetration(int type, Pointer shape, int movingType, Pointer moving, Pointer outPenetration);
+    static native int gphys_shape_penetration_batch(int type, Pointer shapes, int shapeStride, int movingType, Pointer moving, int movingStride, int count, Pointer outPenetrations, int outStride);
     static native int gphys_frustum_corners(Pointer frustum, Pointer outCorners);
     static native int gphys_planes_intersection(Pointer a, Pointer b, Pointer c, Pointer outPoint);
     static native int gphys_planes_intersection_batch(Pointer a, int aStride, Pointer b, int bStride, Pointer c, int cStride, int count, Pointer outPoints, int outStride);
@@ -107,6 +109,7 @@ class LowFunctions {
     static native int gphys_scene_sweep(Pointer scene, int type, Pointer shape, Pointer displacement, int layers, Pointer outHit);
     static native int gphys_scene_sweep_batch(Pointer scene, int type, Pointer shapes, int shapeStride, Pointer displacements, int displacementStride, int count, int layers, Pointer outHits, int outStride);
     static native int gphys_scene_penetration(Pointer scene, int type, Pointer shape, int layers, Pointer outPenetrations, int capacity, Pointer outTotal);
+    static native int gphys_scene_penetration_batch(Pointer scene, int type, Pointer shapes, int shapeStride, int count, int layers, Pointer outPenetrations, int capacity, Pointer outOffsets);
     static native int gphys_query_filter_desc_init(Pointer desc, int size);
     static native int gphys_scene_raycast_filtered(Pointer scene, Pointer ray, Pointer filter, Pointer outHit);
     static native int gphys_scene_raycast_filtered_batch(Pointer scene, Pointer rays, int rayStride, int count, Pointer filters, int filterStride, Pointer outHits, int outStride);
@@ -127,6 +130,7 @@ class LowFunctions {
     static native int gphys_scene_sweep_filtered(Pointer scene, int type, Pointer shape, Pointer displacement, Pointer filter, Pointer outHit);
     static native int gphys_scene_sweep_filtered_batch(Pointer scene, int type, Pointer shapes, int shapeStride, Pointer displacements, int displacementStride, int count, Pointer filters, int filterStride, Pointer outHits, int outStride);
     static native int gphys_scene_penetration_filtered(Pointer scene, int type, Pointer shape, Pointer filter, Pointer outPenetrations, int capacity, Pointer outTotal);
+    static native int gphys_scene_penetration_filtered_batch(Pointer scene, int type, Pointer shapes, int shapeStride, int count, Pointer filters, int filterStride, Pointer outPenetrations, int capacity, Pointer outOffsets);
     static native int gphys_scene_get_octree_stats(Pointer scene, Pointer outStats);
     static native int gphys_scene_get_octree_boxes(Pointer scene, Pointer outBoxes, int capacity, Pointer outTotal);
     static native int gphys_scene_validate(Pointer scene);

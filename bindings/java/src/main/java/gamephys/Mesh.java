@@ -129,7 +129,7 @@ public final class Mesh extends Owned implements Shape {
      * A handle of a model's mesh: of the mesh itself, not of a copy, so that what Mesh.setVertices does to
      * it is seen by all its models. It gives the meshes of a restored scene, which are not deformable if
      * they were embedded in its snapshot.
-     * Result: another reference, to be released by Mesh, as that of Mesh is.
+     * Result: a reference of its own, which keeps the mesh alive, and is to be destroyed like any handle.
      * Throws GamephysException with ERROR_UNSUPPORTED if the model's shape is no mesh.
      * Cost: O(1). Since 1.1.
      * </pre>

@@ -873,6 +873,27 @@ public final class Scene extends SceneBase {
     }
 
     /**
+     * What each of the shapes of one type overlaps, and how it gets out, as Scene.penetration: the ways
+     * out of shape i are at penetrations[offsets[i]] up to offsets[i + 1], as in Scene.raycastAllBatch. So
+     * a crowd of characters is pushed out in one call.
+     * Cost: that of as many single calls; shared among workers. Since 1.1.
+     * @throws GamephysException with ERROR_UNSUPPORTED: as Scene.penetration
+     */
+    public Ragged<Penetration> penetrationBatch(Shapes shapes, int layers) {
+        int count = Low.common(shapes.common());
+        return Low.ragged(Penetration.LAYOUT, count, (room, capacity, offsets) -> {
+                int status = Low.gphys_scene_penetration_batch(opened(), shapes.kind(), shapes.pointer(), shapes.stride(), count, layers, room, capacity, offsets);
+                Low.keep(this, shapes);
+                return status;
+            });
+    }
+
+    /** The same with defaults. */
+    public Ragged<Penetration> penetrationBatch(Shapes shapes) {
+        return penetrationBatch(shapes, Gamephys.ALL_LAYERS);
+    }
+
+    /**
      * Closest model on a ray that the filter sees, as Scene.raycast.
      * Cost: that of Scene.raycast for one ignored model. For each model that is met within the ray's
      * reach, besides: O(its depth below its root) with FILTER_SUBTREE if ignored_model has children; of m
@@ -1295,6 +1316,27 @@ public final class Scene extends SceneBase {
     /** The same with defaults. */
     public Batch<Penetration> penetrationFiltered(Shape shape) {
         return penetrationFiltered(shape, (QueryFilterDesc) null);
+    }
+
+    /**
+     * What each of the shapes of one type overlaps and its filter sees, and how it gets out, as
+     * Scene.penetrationBatch: each character leaves out its own model.
+     * Cost: that of as many single calls; shared among workers. Since 1.1.
+     * @param filters null: the defaults
+     * @throws GamephysException with ERROR_UNSUPPORTED: as Scene.penetration
+     */
+    public Ragged<Penetration> penetrationFilteredBatch(Shapes shapes, QueryFilterDesc filters) {
+        int count = Low.common(shapes.common());
+        return Low.ragged(Penetration.LAYOUT, count, (room, capacity, offsets) -> {
+                int status = Low.gphys_scene_penetration_filtered_batch(opened(), shapes.kind(), shapes.pointer(), shapes.stride(), count, filters == null ? null : filters.pointer(), 0, room, capacity, offsets);
+                Low.keep(this, shapes, filters);
+                return status;
+            });
+    }
+
+    /** The same with defaults. */
+    public Ragged<Penetration> penetrationFilteredBatch(Shapes shapes) {
+        return penetrationFilteredBatch(shapes, (QueryFilterDesc) null);
     }
 
     /**
