@@ -205,6 +205,10 @@ func TestAStringHoldsAWeightAndATetrahedronKeepsItsVolume(t *testing.T) {
 	try(t, solver.Attach(scene, weights, 0, hook, &Vec3{}))
 	line := must(solver.AddMaxDistance(weights, 0, 1, 2, 1e-6))
 	try(t, solver.SetConstraintDamping(weights, line, 50))
+	kinds := make([]ConstraintKind, 1)
+	try(t, solver.ConstraintKinds(weights, []ConstraintID{line}, kinds))
+	same(t, kinds[0], ConstraintMaxDistance)
+	same(t, must(solver.Attachments(weights))[0].Model, hook)
 	for i := 0; i < 300; i++ {
 		try(t, solver.Step(scene, 0.01))
 	}
@@ -220,6 +224,8 @@ func TestAStringHoldsAWeightAndATetrahedronKeepsItsVolume(t *testing.T) {
 	volume, pressure, err := solver.Volume(ball)
 	try(t, err)
 	same(t, close(volume, 1.0/6, 1e-6) && pressure == 0, true)
+	rest, compliance, err := solver.VolumeSettings(ball)
+	same(t, []any{rest, compliance, err}, []any{volume, float32(0), nil})
 	try(t, solver.SetVolume(ball, 1, infinity))
 	_, _, err = solver.Volume(ball)
 	refused(t, ErrUnsupported, err)

@@ -142,6 +142,16 @@ func TestSolidsMoveUpToWhatTheyTouchAndOutOfWhatTheyOverlap(t *testing.T) {
 	same(t, hits[1].Model, ModelID(0))
 	same(t, must(scene.Penetration(deep, AllLayers))[0].Depth, float32(0.5))
 	same(t, len(must(scene.PenetrationFiltered(deep, &filter))), 0)
+	crowd, above, inside := Spheres{deep, moving}, Sphere{Vec(0, 4, 0), 1}, Sphere{Vec(0, 0, 1.5), 1}
+	waysOut := must(scene.PenetrationBatch(crowd, AllLayers))
+	same(t, []int{len(waysOut.At(0)), len(waysOut.At(1))}, []int{1, 0})
+	same(t, waysOut.At(0)[0].Model, target)
+	same(t, len(must(scene.PenetrationFilteredBatch(crowd, &filter)).At(0)), 0)
+	try(t, SweepBatch(ball, Spheres{above, inside}, []Vec3{Vec(0, -4, 0)}, hits))
+	same(t, []float32{hits[0].T, hits[1].T}, []float32{0.5, 0})
+	outs := make([]Penetration, 2)
+	try(t, PenetrationBatch(ball, Spheres{inside, above}, outs))
+	same(t, []float32{outs[0].Depth, outs[1].Depth}, []float32{0.5, -infinity})
 }
 
 func TestShapesChangeAndTreesAndCamerasAreRead(t *testing.T) {
@@ -171,6 +181,8 @@ func TestCamerasSeeByAspectInAWindowFromTheNearPlaneOn(t *testing.T) {
 	try(t, camera.SetPerspectiveAspect(1, 2, 1, 100))
 	aspect, fixed, err := camera.Aspect()
 	same(t, []any{aspect, fixed, err}, []any{float32(2), true, nil})
+	handedness, depthRange, reverseZ, err := camera.Conventions()
+	same(t, []any{handedness, depthRange, reverseZ, err}, []any{LeftHanded, DepthZeroToOne, false, nil})
 	try(t, camera.SetOrthographicSize(8, 6, 1, 100))
 	width, height, err := camera.ImageSize()
 	same(t, []any{width, height, err}, []any{float32(8), float32(6), nil})
@@ -207,6 +219,18 @@ func TestAMeshDeformsAndItsModelsWithIt(t *testing.T) {
 	try(t, mesh.SetVertices([]Vec3{{0, 0, 7}, {1, 0, 7}, {0, 1, 7}}))
 	hit := found(scene.Raycast(Ray{Vec(0.2, 0.2, 0), Vec(0, 0, 1), infinity}, AllLayers))
 	same(t, []any{hit.Model, hit.T}, []any{model, float32(7)})
+	same(t, must(mesh.Info()).Deformable, int32(1))
+	// The mesh of a restored scene, met from behind, or not.
+	copied := must(NewScene(nil))
+	try(t, copied.Restore(nil, must(scene.Snapshot(true))))
+	info := must(must(NewMeshFromScene(copied, model)).Info())
+	same(t, []any{info.Kind, info.VertexCount, info.TriangleCount}, []any{MeshSurface, uint32(3), uint32(1)})
+	fromBehind, filter := Ray{Vec(0.2, 0.2, 0), Vec(0, 0, 1), infinity}, DefaultQueryFilterDesc()
+	filter.Flags = FilterNoFrontFaces
+	same(t, found(copied.RaycastFiltered(fromBehind, &filter)).Flags, HitBack)
+	filter.Flags = FilterNoBackFaces
+	_, met, err := copied.RaycastFiltered(fromBehind, &filter)
+	same(t, []any{met, err}, []any{false, nil})
 }
 
 func TestAHullIsASolidMesh(t *testing.T) {

@@ -332,6 +332,15 @@ TEST_CASE("solids move up to what they touch, and out of what they overlap") {
     CHECK(hits[1].model == 0);
     CHECK(scene.penetration(deep).at(0).depth == 0.5f);
     CHECK(scene.penetration_filtered(deep, &filter).empty());
+    const std::vector<Sphere> crowd{deep, moving[0]};
+    const auto [ways_out, ends] = scene.penetration_batch(crowd);
+    CHECK((ways_out.size() == 1 && ways_out[0].model == target && ends == std::vector<uint32_t>{0, 1, 1}));
+    CHECK(scene.penetration_filtered_batch(crowd, &filter).offsets.back() == 0);
+    sweep_batch(centred, std::vector<Sphere>{above, inside}, Vec3{0, -4, 0}, hits);
+    CHECK((hits[0].t == 0.5f && hits[1].t == 0));
+    std::vector<Penetration> outs(2);
+    penetration_batch(centred, std::vector<Sphere>{inside, above}, outs);
+    CHECK((outs[0].depth == 0.5f && outs[1].depth == -INF));
 }
 
 TEST_CASE("shapes change, trees and cameras are read") {
@@ -360,6 +369,8 @@ TEST_CASE("cameras see by aspect, in a window, from the near plane on") {
     camera.set_perspective_aspect(1, 2, 1, 100);
     const auto [aspect, fixed] = camera.get_aspect();
     CHECK((aspect == 2 && fixed));
+    const auto [handedness, range, reverse_z] = camera.get_conventions();
+    CHECK((handedness == GPHYS_LEFT_HANDED && range == GPHYS_DEPTH_ZERO_TO_ONE && reverse_z == 0));
     camera.set_orthographic_size(8, 6, 1, 100);
     const auto [width, height] = camera.get_image_size();
     CHECK((width == 8 && height == 6));
@@ -414,6 +425,18 @@ TEST_CASE("a mesh deforms, and its models with it") {
     for (Vec3& corner : corners) corner.z = 7;
     mesh.set_vertices(numbers());
     CHECK(std::fabs(scene.get_bounds(model)->min.z - 7) < 1e-3f);
+    CHECK(mesh.get_info().deformable == 1);
+    // The mesh of a restored scene, met from behind, or not.
+    Scene copy;
+    copy.restore(nullptr, scene.get_snapshot(1));
+    const MeshInfo info = Mesh(copy, model).get_info();
+    CHECK((info.kind == GPHYS_MESH_SURFACE && info.vertex_count == 3 && info.triangle_count == 1));
+    const Ray from_behind{{0.2f, 0.2f, 0}, {0, 0, 1}, INFINITY};
+    QueryFilterDesc filter = query_filter_desc();
+    filter.flags = GPHYS_FILTER_NO_FRONT_FACES;
+    CHECK(copy.raycast_filtered(from_behind, &filter)->flags == GPHYS_HIT_BACK);
+    filter.flags = GPHYS_FILTER_NO_BACK_FACES;
+    CHECK(!copy.raycast_filtered(from_behind, &filter));
 }
 
 TEST_CASE("a rope is picked as a model that follows it") {
@@ -615,6 +638,10 @@ TEST_CASE("a string holds a weight, its hook feels both, a pyramid keeps its vol
     solver.attach(scene, weights, 0, hook, &zero);
     const auto string = solver.add_max_distance(weights, 0, 1, 2, 1e-6f);
     solver.set_constraint_damping(weights, string, 50);
+    std::vector<gphys_constraint_kind> kinds(1);
+    solver.get_constraint_kinds(weights, std::vector<gphys_constraint_id>{string}, kinds);
+    CHECK(kinds[0] == GPHYS_CONSTRAINT_MAX_DISTANCE);
+    CHECK(solver.get_attachments(weights).at(0).model == hook);
     for (int i = 0; i < 300; ++i) solver.step(&scene, 0.01f);
     std::vector<Vec3> end(1);
     solver.get_positions(weights, 1, 1, end);
@@ -628,6 +655,8 @@ TEST_CASE("a string holds a weight, its hook feels both, a pyramid keeps its vol
     solver.set_volume(ball, -1, 0);
     const auto [volume, pressure] = solver.get_volume(ball);
     CHECK((volume == Approx(8.0 / 3) && pressure == 0));
+    const auto [rest_volume, compliance] = solver.get_volume_settings(ball);
+    CHECK((rest_volume == volume && compliance == 0));
     solver.set_volume(ball, 1, INFINITY);
     failure(GPHYS_ERROR_UNSUPPORTED, [&] { solver.get_volume(ball); });
 }

@@ -213,6 +213,10 @@ public class MotionTests {
         solver.Attach(scene, weights, 0, hook, (0, 0, 0));
         var line = solver.AddMaxDistance(weights, 0, 1, 2, 1e-6f);
         solver.SetConstraintDamping(weights, line, 50);
+        var kinds = new ConstraintKind[1];
+        solver.GetConstraintKinds(weights, new[] { line }, kinds);
+        Assert.AreEqual(ConstraintKind.MaxDistance, kinds[0]);
+        Assert.AreEqual(hook, solver.GetAttachments(weights).Single().Model);
         for (var i = 0; i < 300; ++i) solver.Step(0.01f, scene);
         var end = new Vec3[1];
         solver.GetPositions(weights, 1, end);
@@ -225,6 +229,7 @@ public class MotionTests {
         var (volume, pressure) = solver.GetVolume(ball);
         Assert.AreEqual(1.0 / 6, volume, 1e-6);
         Assert.AreEqual(0, pressure);
+        Assert.AreEqual((volume, 0f), solver.GetVolumeSettings(ball));
         solver.SetVolume(ball, 1, float.PositiveInfinity);
         Refused(Status.ErrorUnsupported, () => solver.GetVolume(ball));
     }

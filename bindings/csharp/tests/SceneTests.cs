@@ -151,6 +151,17 @@ public class SceneTests {
         Assert.AreEqual(0u, hits[1].Model);
         Assert.AreEqual(0.5f, scene.Penetration(deep)[0].Depth);
         Assert.IsEmpty(scene.PenetrationFiltered(deep, filter));
+        var crowd = new[] { deep, moving };
+        var waysOut = scene.PenetrationBatch(crowd);
+        CollectionAssert.AreEqual(new[] { 0, 1, 1 }, waysOut.Offsets);
+        Assert.AreEqual(target, waysOut[0][0].Model);
+        CollectionAssert.AreEqual(new[] { 0, 0, 0 }, scene.PenetrationFilteredBatch(crowd, filter).Offsets);
+        Sphere above = new Sphere((0, 4, 0), 1), inside = new Sphere((0, 0, 1.5f), 1);
+        Geometry.SweepBatch(ball, new[] { above, inside }, new Vec3[] { (0, -4, 0) }, hits);
+        Assert.AreEqual((0.5f, 0f), (hits[0].T, hits[1].T));
+        var outs = new Penetration[2];
+        Geometry.PenetrationBatch(ball, new[] { inside, above }, outs);
+        Assert.AreEqual((0.5f, float.NegativeInfinity), (outs[0].Depth, outs[1].Depth));
     }
 
     [Test]
@@ -179,6 +190,7 @@ public class SceneTests {
         var camera = new Camera();
         camera.SetPerspectiveAspect(1, 2, 1, 100);
         Assert.AreEqual((2f, true), camera.GetAspect());
+        Assert.AreEqual((Handedness.LeftHanded, DepthRange.ZeroToOne, false), camera.GetConventions());
         camera.SetOrthographicSize(8, 6, 1, 100);
         Assert.AreEqual((8f, 6f), camera.GetImageSize());
         camera.SetViewportOrigin(800, 0);
@@ -215,6 +227,18 @@ public class SceneTests {
         var model = scene.Add(mesh);
         mesh.SetVertices(new Vec3[] { (0, 0, 7), (1, 0, 7), (0, 1, 7) });
         Assert.AreEqual(7, scene.GetBounds(model).Value.Min.Z, 1e-3);
+        Assert.AreEqual(1, mesh.GetInfo().Deformable);
+        // The mesh of a restored scene, met from behind, or not.
+        var copy = new Scene();
+        copy.Restore(scene.GetSnapshot(true));
+        var info = new Mesh(copy, model).GetInfo();
+        Assert.AreEqual((MeshKind.Surface, 3u, 1u), (info.Kind, info.VertexCount, info.TriangleCount));
+        var fromBehind = new Ray((0.2f, 0.2f, 0), (0, 0, 1), Far);
+        var filter = QueryFilterDesc.Default;
+        filter.Flags = Constants.FilterNoFrontFaces;
+        Assert.AreEqual(Constants.HitBack, copy.RaycastFiltered(fromBehind, filter).Value.Flags);
+        filter.Flags = Constants.FilterNoBackFaces;
+        Assert.IsNull(copy.RaycastFiltered(fromBehind, filter));
     }
 
     [Test]

@@ -296,6 +296,17 @@ public class GamephysTest {
         assertEquals(0, scene.sweepFilteredBatch(Shapes.of(spheres), points(way, way), filter).get(1).model());
         assertEquals(0.5, scene.penetration(deep).get(0).depth(), 0);
         assertEquals(0, scene.penetrationFiltered(deep, filter).size());
+        Shapes crowd = Shapes.of(List.of(deep, moving));
+        assertEquals(List.of(0, 1, 1), scene.penetrationBatch(crowd).offsets());
+        assertEquals(target, scene.penetrationBatch(crowd).get(0).get(0).model());
+        assertEquals(List.of(0, 0, 0), scene.penetrationFilteredBatch(crowd, filter).offsets());
+        Sphere above = new Sphere(v(0, 4, 0), 1), inside = new Sphere(v(0, 0, 1.5f), 1);
+        Batch<Hit> hits = sweepBatch(Shapes.of(centred), Shapes.of(List.of(above, inside)), points(v(0, -4, 0), v(0, -4, 0)));
+        assertEquals(0.5, hits.get(0).t(), 0);
+        assertEquals(0, hits.get(1).t(), 0);
+        Batch<Penetration> outs = penetrationBatch(Shapes.of(centred), Shapes.of(List.of(inside, above)));
+        assertEquals(0.5, outs.get(0).depth(), 0);
+        assertEquals(Float.NEGATIVE_INFINITY, outs.get(1).depth(), 0);
     }
 
     @Test
@@ -321,6 +332,7 @@ public class GamephysTest {
         Camera camera = new Camera();
         camera.setPerspectiveAspect(1, 2, 1, 100);
         assertEquals(new Camera.AspectResult(2, true), camera.getAspect());
+        assertEquals(new Camera.ConventionsResult(Gamephys.LEFT_HANDED, Gamephys.DEPTH_ZERO_TO_ONE, false), camera.getConventions());
         camera.setOrthographicSize(8, 6, 1, 100);
         assertEquals(new Camera.ImageSizeResult(8, 6), camera.getImageSize());
         camera.setViewportOrigin(800, 0);
@@ -355,6 +367,15 @@ public class GamephysTest {
         int model = scene.add(mesh);
         mesh.setVertices(Batch.floats(0, 0, 7, 1, 0, 7, 0, 1, 7));
         assertEquals(7, scene.getBounds(model).orElseThrow().min().z(), 1e-3);
+        assertEquals(new MeshInfo(Gamephys.MESH_SURFACE, 3, 1, 1, 0), mesh.getInfo());
+        // The mesh of a restored scene, met from behind, or not.
+        Scene copy = new Scene();
+        copy.restore(null, scene.getSnapshot(true));
+        assertEquals(new MeshInfo(Gamephys.MESH_SURFACE, 3, 1, 0, 0), new Mesh(copy, model).getInfo());
+        Ray fromBehind = new Ray(v(0.2f, 0.2f, 0), v(0, 0, 1), Float.POSITIVE_INFINITY);
+        QueryFilterDesc filter = new QueryFilterDesc().flags(Gamephys.FILTER_NO_FRONT_FACES);
+        assertEquals(Gamephys.HIT_BACK, copy.raycastFiltered(fromBehind, filter).orElseThrow().flags());
+        assertTrue(copy.raycastFiltered(fromBehind, filter.flags(Gamephys.FILTER_NO_BACK_FACES)).isEmpty());
     }
 
     @Test
@@ -546,6 +567,8 @@ public class GamephysTest {
         solver.attach(scene, weights, 0, hook, ZERO);
         int string = solver.addMaxDistance(weights, 0, 1, 2, 1e-6f);
         solver.setConstraintDamping(weights, string, 50);
+        assertEquals(List.of(Gamephys.CONSTRAINT_MAX_DISTANCE), solver.getConstraintKinds(weights, Batch.ints(string)));
+        assertEquals(hook, solver.getAttachments(weights).get(0).model());
         for (int step = 0; step < 300; ++step) solver.step(scene, 0.01f);
         assertEquals(-2, solver.getPositions(weights, 1, 1).get(0).y(), 1e-3);
         Batch<Impulse> impulses = solver.getImpulses();
@@ -557,6 +580,7 @@ public class GamephysTest {
         solver.setVolume(ball, -1, 0);
         assertEquals(8.0 / 3, solver.getVolume(ball).volume(), 1e-5);
         assertEquals(0, solver.getVolume(ball).pressure(), 0);
+        assertEquals(new Solver.VolumeSettingsResult(solver.getVolume(ball).volume(), 0), solver.getVolumeSettings(ball));
         solver.setVolume(ball, 1, Float.POSITIVE_INFINITY);
         assertFails(ERROR_UNSUPPORTED, () -> solver.getVolume(ball));
     }

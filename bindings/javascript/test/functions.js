@@ -162,6 +162,12 @@ test('solids move up to what they touch, and out of what they overlap', () => {
     assert.strictEqual(scene.sweepFilteredBatch(moving, ways, filter).get(1).model, 0);
     assert.strictEqual(scene.penetration(deep).get(0).depth, 0.5);
     assert.strictEqual([...scene.penetrationFiltered(deep, filter)].length, 0);
+    const crowd = gp.shapes('sphere', floats(0, 0, 8.5, 1, 0, 0, 5, 1)), { values, offsets } = scene.penetrationBatch(crowd);
+    same([values.get(0).model, [...offsets]], [target, [0, 1, 1]]);
+    same([...scene.penetrationFilteredBatch(crowd, filter).offsets], [0, 0, 0]);
+    const others = gp.shapes('sphere', floats(0, 4, 0, 1, 0, 0, 1.5, 1));
+    same([...gp.sweepBatch(ball, others, floats(0, -4, 0, 0, -4, 0))].map((hit) => hit.t), [0.5, 0]);
+    same([...gp.penetrationBatch(ball, others)].map((way) => way.depth), [-Infinity, 0.5]);
 });
 
 test('filters leave out models', () => {
@@ -217,6 +223,7 @@ test('cameras see by aspect, in a window, from the near plane on', () => {
     const camera = new gp.Camera();
     camera.setPerspectiveAspect(1, 2, 1, 100);
     same(camera.getAspect(), [2, true]);
+    same(camera.getConventions(), [gp.LEFT_HANDED, gp.DEPTH_ZERO_TO_ONE, false]);
     camera.setOrthographicSize(8, 6, 1, 100);
     same(camera.getImageSize(), [8, 6]);
     camera.setViewportOrigin(800, 0);
@@ -245,6 +252,15 @@ test('a mesh deforms, and its models with it', () => {
     const scene = new gp.Scene(), model = scene.add(mesh);
     mesh.setVertices(floats(0, 0, 7, 1, 0, 7, 0, 1, 7));
     near([scene.getBounds(model).min[2]], [7], 1e-3);
+    assert.strictEqual(mesh.getInfo().deformable, 1);
+    // The mesh of a restored scene, met from behind, or not.
+    const copy = new gp.Scene();
+    copy.restore(null, scene.getSnapshot(1));
+    const { kind, vertex_count, triangle_count } = gp.Mesh.fromScene(copy, model).getInfo();
+    same([kind, vertex_count, triangle_count], [gp.MESH_SURFACE, 3, 1]);
+    const fromBehind = [[0.2, 0.2, 0], [0, 0, 1], Infinity];
+    assert.strictEqual(copy.raycastFiltered(fromBehind, { flags: gp.FILTER_NO_FRONT_FACES }).flags, gp.HIT_BACK);
+    assert.strictEqual(copy.raycastFiltered(fromBehind, { flags: gp.FILTER_NO_BACK_FACES }), null);
 });
 
 test('a hull is a solid mesh', () => {
@@ -362,6 +378,8 @@ test('a string holds a weight, a tetrahedron keeps its volume', () => {
     solver.attach(scene, weights, 0, hook, [0, 0, 0]);
     const string = solver.addMaxDistance(weights, 0, 1, 2, 1e-6);
     solver.setConstraintDamping(weights, string, 50);
+    same([...solver.getConstraintKinds(weights, Uint32Array.of(string))], [gp.CONSTRAINT_MAX_DISTANCE]);
+    same([...solver.getAttachments(weights)].map((attachment) => attachment.model), [hook]);
     for (let i = 0; i < 300; ++i) solver.step(scene, 0.01);
     near(solver.getPositions(weights, 1, 1).get(0), [0, -2, 0], 1e-3);
     const [impulse, ...others] = solver.getImpulses();
@@ -370,6 +388,7 @@ test('a string holds a weight, a tetrahedron keeps its volume', () => {
     const ball = solver.addClothMesh(someMesh(), at(0, 0, 0));
     solver.setVolume(ball, -1, 0);
     near(solver.getVolume(ball), [1 / 6, 0]);
+    near(solver.getVolumeSettings(ball), [1 / 6, 0]);
     solver.setVolume(ball, 1, Infinity);
     assert.throws(() => solver.getVolume(ball), { status: gp.ERROR_UNSUPPORTED });
 });

@@ -224,6 +224,12 @@ class Functions(unittest.TestCase):
         self.assertEqual(scene.sweep_filtered_batch([moving, moving], np.float32([way] * 2), others)["model"].tolist(), [0, 0])
         self.assertEqual(scene.penetration(deep)["depth"].tolist(), [0.5])
         self.assertEqual(len(scene.penetration_filtered(deep, others)), 0)
+        ways_out, ends = scene.penetration_batch([deep, moving])
+        self.assertEqual((ways_out["model"].tolist(), ends.tolist()), ([target], [0, 1, 1]))
+        self.assertEqual(scene.penetration_filtered_batch([deep, moving], others)[1].tolist(), [0, 0, 0])
+        solids = [gp.Sphere((0, 4, 0), 1), gp.Sphere((0, 0, 1.5), 1)]
+        self.assertEqual(gp.sweep_batch(centred, solids, np.float32([(0, -4, 0)] * 2))["t"].tolist(), [0.5, 0])
+        self.assertEqual(gp.penetration_batch(centred, solids)["depth"].tolist(), [-math.inf, 0.5])
 
     def test_shapes_change_and_trees_and_cameras_are_read(self):
         scene = gp.Scene()
@@ -245,6 +251,7 @@ class Functions(unittest.TestCase):
         camera = gp.Camera()
         camera.set_perspective_aspect(1, 2, 1, 100)
         self.assertEqual(camera.get_aspect(), (2, True))
+        self.assertEqual(camera.get_conventions(), (gp.LEFT_HANDED, gp.DEPTH_ZERO_TO_ONE, False))
         camera.set_orthographic_size(8, 6, 1, 100)
         self.assertEqual(camera.get_image_size(), (8, 6))
         camera.set_viewport_origin(800, 0)
@@ -275,6 +282,16 @@ class Functions(unittest.TestCase):
         model = scene.add(mesh)
         mesh.set_vertices([[0, 0, 7], [1, 0, 7], [0, 1, 7]])
         self.assertAlmostEqual(scene.get_bounds(model).min.z, 7, 3)
+        self.assertEqual(mesh.get_info().deformable, 1)
+        # The mesh of a restored scene, met from behind, or not.
+        copy = gp.Scene()
+        copy.restore(None, scene.get_snapshot(True))
+        info = gp.Mesh.from_scene(copy, model).get_info()
+        self.assertEqual((info.kind, info.vertex_count, info.triangle_count), (gp.MESH_SURFACE, 3, 1))
+        from_behind = gp.Ray((0.2, 0.2, 0), (0, 0, 1), math.inf)
+        fronts, backs = (gp.QueryFilterDesc(flags=f) for f in (gp.FILTER_NO_BACK_FACES, gp.FILTER_NO_FRONT_FACES))
+        self.assertEqual(copy.raycast_filtered(from_behind, backs).flags, gp.HIT_BACK)
+        self.assertIsNone(copy.raycast_filtered(from_behind, fronts))
 
     def test_a_hull_is_a_solid_mesh(self):
         hull = gp.Mesh.hull([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0.1, 0.1, 0.1]])
@@ -423,6 +440,8 @@ class Functions(unittest.TestCase):
         solver.attach(scene, weights, 0, hook, (0, 0, 0))
         string = solver.add_max_distance(weights, 0, 1, 2, 1e-6)
         solver.set_constraint_damping(weights, string, 50)
+        self.assertEqual(solver.get_constraint_kinds(weights, [string]).tolist(), [gp.CONSTRAINT_MAX_DISTANCE])
+        self.assertEqual(solver.get_attachments(weights)["model"].tolist(), [hook])
         for _ in range(300):
             solver.step(scene, 0.01)
         self.assertAlmostEqual(solver.get_positions(weights, 1, 1)[0][1], -2, 3)
@@ -434,6 +453,7 @@ class Functions(unittest.TestCase):
         volume, pressure = solver.get_volume(ball)
         self.assertAlmostEqual(volume, 8 / 3, 5)
         self.assertEqual(pressure, 0)
+        self.assertEqual(solver.get_volume_settings(ball), (volume, 0))
         solver.set_volume(ball, 1, float("inf"))
         with self.assertRaises(gp.Error) as caught:
             solver.get_volume(ball)

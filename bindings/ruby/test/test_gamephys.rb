@@ -219,6 +219,12 @@ class TestGamephys < Minitest::Test
     assert_equal [0, 0], scene.sweep_filtered_batch([moving, moving], [way, way], filter).map(&:model)
     assert_equal [0.5], scene.penetration(deep).map(&:depth)
     assert_empty scene.penetration_filtered(deep, filter).to_a
+    ways_out, ends = scene.penetration_batch([deep, moving])
+    assert_equal [[target], [0, 1, 1]], [ways_out.map(&:model), ends.to_a]
+    assert_equal [0, 0, 0], scene.penetration_filtered_batch([deep, moving], filter)[1].to_a
+    others = [Sphere.new([0, 4, 0], 1), Sphere.new([0, 0, 1.5], 1)]
+    assert_equal [0.5, 0], Gamephys.sweep_batch(centred, others, [[0, -4, 0], [0, -4, 0]]).map(&:t)
+    assert_equal [-Float::INFINITY, 0.5], Gamephys.penetration_batch(centred, others).map(&:depth)
   end
 
   def test_shapes_change_and_trees_and_cameras_are_read
@@ -241,6 +247,7 @@ class TestGamephys < Minitest::Test
     camera = Camera.new
     camera.set_perspective_aspect(1, 2, 1, 100)
     assert_equal [2, true], camera.get_aspect
+    assert_equal [LEFT_HANDED, DEPTH_ZERO_TO_ONE, false], camera.get_conventions
     camera.set_orthographic_size(8, 6, 1, 100)
     assert_equal [8, 6], camera.get_image_size
     camera.set_viewport_origin(800, 0)
@@ -271,6 +278,15 @@ class TestGamephys < Minitest::Test
     model = scene.add(mesh)
     mesh.set_vertices([[0, 0, 7], [1, 0, 7], [0, 1, 7]])
     assert_in_delta 7, scene.get_bounds(model).min[2], 1e-3
+    assert_equal 1, mesh.get_info.deformable
+    # The mesh of a restored scene, met from behind, or not.
+    copy = Scene.new
+    copy.restore(nil, scene.get_snapshot(true))
+    info = Mesh.from_scene(copy, model).get_info
+    assert_equal [MESH_SURFACE, 3, 1], [info.kind, info.vertex_count, info.triangle_count]
+    from_behind = Ray.new([0.2, 0.2, 0], [0, 0, 1], Float::INFINITY)
+    assert_equal HIT_BACK, copy.raycast_filtered(from_behind, { flags: FILTER_NO_FRONT_FACES }).flags
+    assert_nil copy.raycast_filtered(from_behind, { flags: FILTER_NO_BACK_FACES })
   end
 
   def test_a_hull_is_a_solid_mesh
@@ -442,6 +458,8 @@ class TestGamephys < Minitest::Test
     solver.attach(scene, weights, 0, hook, [0, 0, 0])
     string = solver.add_max_distance(weights, 0, 1, 2, compliance: 1e-6)
     solver.set_constraint_damping(weights, string, 50)
+    assert_equal [CONSTRAINT_MAX_DISTANCE], solver.get_constraint_kinds(weights, [string]).to_a
+    assert_equal [hook], solver.get_attachments(weights).map(&:model)
     300.times { solver.step(scene, 0.01) }
     assert_in_delta(-2, solver.get_positions(weights, 1, 1)[0][1], 1e-3)
     impulses = solver.get_impulses.to_a
@@ -452,6 +470,7 @@ class TestGamephys < Minitest::Test
     volume, pressure = solver.get_volume(ball)
     assert_in_delta 8.0 / 3, volume, 1e-5
     assert_equal 0, pressure
+    assert_equal [volume, 0], solver.get_volume_settings(ball)
     solver.set_volume(ball, 1, compliance: Float::INFINITY)
     assert_fails(ERROR_UNSUPPORTED) { solver.get_volume(ball) }
   end

@@ -189,6 +189,10 @@ fn a_string_holds_a_weight_and_a_tetrahedron_keeps_its_volume() {
     solver.attach(&scene, weights, 0, hook, Some(&[0.0; 3].into())).unwrap();
     let string = solver.add_max_distance(weights, 0, 1, 2.0, 1e-6).unwrap();
     solver.set_constraint_damping(weights, string, 50.0).unwrap();
+    let mut kinds = [ConstraintKind::default()];
+    solver.get_constraint_kinds(weights, &[string], &mut kinds).unwrap();
+    assert_eq!(kinds, [ConstraintKind::MAX_DISTANCE]);
+    assert_eq!(solver.get_attachments(weights).unwrap()[0].model, hook);
     (0..300).for_each(|_| solver.step(Some(&scene), 0.01).unwrap());
     let mut end = [Vec3::default()];
     solver.get_positions(weights, 1, &mut end).unwrap();
@@ -200,6 +204,7 @@ fn a_string_holds_a_weight_and_a_tetrahedron_keeps_its_volume() {
     solver.set_volume(ball, -1.0, 0.0).unwrap();
     let (volume, pressure) = solver.get_volume(ball).unwrap();
     assert!((volume - 1.0 / 6.0).abs() < 1e-6 && pressure == 0.0);
+    assert_eq!(solver.get_volume_settings(ball).unwrap(), (volume, 0.0));
     solver.set_volume(ball, 1.0, f32::INFINITY).unwrap();
     assert_eq!(solver.get_volume(ball).unwrap_err().status, Status::ERROR_UNSUPPORTED);
 }

@@ -140,6 +140,15 @@ fn solids_move_up_to_what_they_touch_and_out_of_what_they_overlap() {
     assert_eq!(hits[1].model, 0);
     assert_eq!(scene.penetration(&deep, ALL_LAYERS).unwrap()[0].depth, 0.5);
     assert!(scene.penetration_filtered(&deep, Some(&others)).unwrap().is_empty());
+    let ways_out = scene.penetration_batch(&[deep, moving], ALL_LAYERS).unwrap();
+    assert_eq!((ways_out[0].len(), ways_out[0][0].model, ways_out[1].len()), (1, target, 0));
+    assert!(scene.penetration_filtered_batch(&[deep, moving], Some(&others)).unwrap()[0].is_empty());
+    let solids = [Sphere::new([0.0, 4.0, 0.0], 1.0), Sphere::new([0.0, 0.0, 1.5], 1.0)];
+    sweep_batch(Shapes::one(&ball), &solids, Batch::one(&Vec3::new(0.0, -4.0, 0.0)), &mut hits).unwrap();
+    assert_eq!((hits[0].t, hits[1].t), (0.5, 0.0));
+    let mut outs = [Penetration::default(); 2];
+    penetration_batch(Shapes::one(&ball), &solids, &mut outs).unwrap();
+    assert_eq!((outs[0].depth, outs[1].depth), (f32::NEG_INFINITY, 0.5));
 }
 
 #[test]
@@ -167,6 +176,7 @@ fn cameras_see_by_aspect_in_a_window_from_the_near_plane_on() {
     let mut camera = Camera::new(None).unwrap();
     camera.set_perspective_aspect(1.0, 2.0, 1.0, 100.0).unwrap();
     assert_eq!(camera.get_aspect().unwrap(), (2.0, true));
+    assert_eq!(camera.get_conventions().unwrap(), (Handedness::LEFT_HANDED, DepthRange::ZERO_TO_ONE, false));
     camera.set_orthographic_size(8.0, 6.0, 1.0, 100.0).unwrap();
     assert_eq!(camera.get_image_size().unwrap(), (8.0, 6.0));
     camera.set_viewport_origin(800.0, 0.0).unwrap();
@@ -204,6 +214,17 @@ fn a_mesh_deforms_and_its_models_with_it() {
     // Nobody else has the scene.
     unsafe { mesh.set_vertices(&[[0.0, 0.0, 7.0], [1.0, 0.0, 7.0], [0.0, 1.0, 7.0]]) }.unwrap();
     assert!((scene.get_bounds(model).unwrap().unwrap().min.z - 7.0).abs() < 1e-3);
+    assert_eq!(mesh.get_info().unwrap().deformable, 1);
+    // The mesh of a restored scene, met from behind, or not.
+    let mut copy = Scene::new(None).unwrap();
+    copy.restore(None, &scene.get_snapshot(true).unwrap()).unwrap();
+    let info = Mesh::from_scene(&copy, model).unwrap().get_info().unwrap();
+    assert_eq!((info.kind, info.vertex_count, info.triangle_count), (MeshKind::SURFACE, 3, 1));
+    let from_behind = Ray::new([0.2, 0.2, 0.0], [0.0, 0.0, 1.0], f32::INFINITY);
+    let mut filter = QueryFilterDesc { flags: FILTER_NO_FRONT_FACES, ..Default::default() };
+    assert_eq!(copy.raycast_filtered(&from_behind, Some(&filter)).unwrap().unwrap().flags, HIT_BACK);
+    filter.flags = FILTER_NO_BACK_FACES;
+    assert_eq!(copy.raycast_filtered(&from_behind, Some(&filter)).unwrap(), None);
 }
 
 #[test]
