@@ -78,11 +78,20 @@ public:
 
     bool load(const Triangles& mesh) override {
         clear();
-        mesh_ = mesh;
-        arrays_ = std::make_unique<btTriangleIndexVertexArray>(
-            static_cast<int>(mesh_.count()), reinterpret_cast<int*>(mesh_.indices.data()), 12,
-            static_cast<int>(mesh_.vertices.size()), &mesh_.vertices[0].x, static_cast<int>(sizeof(gphys_vec3)));
+        arrays_ = arrays_of(mesh);
         add(std::make_unique<btBvhTriangleMeshShape>(arrays_.get(), true), btTransform::getIdentity());
+        return true;
+    }
+
+    /// One tree for all, which is what its scaled mesh shape is for.
+    bool load(const Triangles& mesh, const std::vector<Stretched>& stretched) override {
+        clear();
+        shared_arrays_ = arrays_of(mesh);
+        shared_ = std::make_unique<btBvhTriangleMeshShape>(shared_arrays_.get(), true);
+        for (const Stretched& s : stretched) {
+            add(std::make_unique<btScaledBvhTriangleMeshShape>(shared_.get(), vector(s.scale) * s.place.scale),
+                placement(s.place.position, s.place.rotation));
+        }
         return true;
     }
 
@@ -182,10 +191,19 @@ private:
         return {hit.m_closestHitFraction, static_cast<uint32_t>(hit.m_hitCollisionObject->getUserIndex())};
     }
 
+    std::unique_ptr<btTriangleIndexVertexArray> arrays_of(const Triangles& mesh) {
+        mesh_ = mesh;
+        return std::make_unique<btTriangleIndexVertexArray>(
+            static_cast<int>(mesh_.count()), reinterpret_cast<int*>(mesh_.indices.data()), 12,
+            static_cast<int>(mesh_.vertices.size()), &mesh_.vertices[0].x, static_cast<int>(sizeof(gphys_vec3)));
+    }
+
     void clear() {
         for (auto& object : objects_) world_->removeCollisionObject(object.get());
         objects_.clear();
         shapes_.clear();
+        shared_.reset();
+        shared_arrays_.reset();
         arrays_.reset();
         world_ = std::make_unique<btCollisionWorld>(&dispatcher_, &broadphase_, &configuration_);
     }
@@ -206,7 +224,9 @@ private:
     std::unique_ptr<btCollisionWorld> world_ =
         std::make_unique<btCollisionWorld>(&dispatcher_, &broadphase_, &configuration_);
     Triangles mesh_;
-    std::unique_ptr<btTriangleIndexVertexArray> arrays_;
+    std::unique_ptr<btTriangleIndexVertexArray> arrays_;         // of a mesh that is the whole content
+    std::unique_ptr<btTriangleIndexVertexArray> shared_arrays_;  // of one that all objects share
+    std::unique_ptr<btBvhTriangleMeshShape> shared_;
     std::vector<std::unique_ptr<btCollisionShape>> shapes_;
     std::vector<std::unique_ptr<btCollisionObject>> objects_;
 };

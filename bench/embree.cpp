@@ -259,18 +259,25 @@ public:
     }
 
     bool load(const Triangles& mesh, const std::vector<gphys_transform>& placements) override {
+        std::vector<Stretched> even;
+        for (const gphys_transform& place : placements) even.push_back({place, {1, 1, 1}});
+        return load(mesh, even);
+    }
+
+    bool load(const Triangles& mesh, const std::vector<Stretched>& stretched) override {
         start();
         inner_ = rtcNewScene(device_);
         attach(inner_, triangles(mesh));
         rtcCommitScene(inner_);
-        for (const gphys_transform& t : placements) {
+        for (const Stretched& s : stretched) {
+            const gphys_transform& t = s.place;
             RTCGeometry instance = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_INSTANCE);
             rtcSetGeometryInstancedScene(instance, inner_);
             const Box axes = prepare({{0, 0, 0}, {0, 0, 0}, t.rotation});
-            const float s = t.scale;
-            const float m[12] = {axes.axis[0].x * s, axes.axis[0].y * s, axes.axis[0].z * s, axes.axis[1].x * s,
-                                 axes.axis[1].y * s, axes.axis[1].z * s, axes.axis[2].x * s, axes.axis[2].y * s,
-                                 axes.axis[2].z * s, t.position.x,       t.position.y,       t.position.z};
+            const float x = t.scale * s.scale.x, y = t.scale * s.scale.y, z = t.scale * s.scale.z;
+            const float m[12] = {axes.axis[0].x * x, axes.axis[0].y * x, axes.axis[0].z * x, axes.axis[1].x * y,
+                                 axes.axis[1].y * y, axes.axis[1].z * y, axes.axis[2].x * z, axes.axis[2].y * z,
+                                 axes.axis[2].z * z, t.position.x,       t.position.y,       t.position.z};
             rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, m);
             attach(scene_, instance);
         }

@@ -119,6 +119,16 @@ public:
         return true;
     }
 
+    bool load(const Triangles& mesh, const std::vector<Stretched>& stretched) override {
+        std::vector<gphys_transform> places;
+        for (const Stretched& s : stretched) places.push_back(s.place);
+        load(mesh, places);
+        for (size_t i = 0; i < stretched.size(); ++i) {
+            check(gphys_scene_set_scale(scene_, models_[i], &stretched[i].scale));
+        }
+        return true;
+    }
+
     bool load_hull(const Triangles& mesh, const std::vector<gphys_transform>& placements) override {
         clear();
         gphys_mesh* hull = nullptr;

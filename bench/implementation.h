@@ -88,6 +88,7 @@ public:
     virtual bool load(const std::vector<gphys_vec3>&) { return false; }
     virtual bool load(const Triangles&) { return false; }
     virtual bool load(const Triangles&, const std::vector<gphys_transform>&) { return false; }
+    virtual bool load(const Triangles&, const std::vector<Stretched>&) { return false; }
     /// Triangles that will move, and where their vertices go.
     /// A convex hull, as the solid that the library has for it.
     virtual bool load_hull(const Triangles&, const std::vector<gphys_transform>&) { return false; }
@@ -174,6 +175,7 @@ Answer reference(const std::vector<gphys_obb>&, const gphys_ray&);
 Answer reference(const std::vector<gphys_sphere>&, const gphys_ray&);
 Answer reference(const Triangles&, const gphys_ray&);
 Answer reference(const Triangles&, const std::vector<gphys_transform>&, const gphys_ray&);
+Answer reference(const Triangles&, const std::vector<Stretched>&, const gphys_ray&);
 /// Of a point: the nearest and its distance.
 Answer reference(const std::vector<gphys_obb>&, const gphys_vec3&);
 Answer reference(const std::vector<gphys_vec3>&, const gphys_vec3&);

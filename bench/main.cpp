@@ -135,6 +135,44 @@ void moving_meshes(Bench& bench) {
     }
 }
 
+/// Meshes that are stretched along their axes: a forest of one tree, and a prop that is flattened, beside a mesh of
+/// the multiplied vertices.
+void stretched_meshes(Bench& bench) {
+    const auto rays_at = [&](const std::string& name, uint32_t n, float half, std::vector<Entry>& entries,
+                             double tests_per_ray, const auto& truth) {
+        for (const bool of_camera : {false, true}) {
+            const std::string row = name + (of_camera ? "_ray_camera" : "_ray_random");
+            if (!bench.wants(row, n)) continue;
+            const std::vector<gphys_ray> rays =
+                of_camera ? bench.camera_rays(half) : random_rays(half, bench.ray_count(n));
+            entries.front().implementation->closest(rays);
+            demand_variety(row, rays, entries.front().implementation->answers());
+            const RaySample sample(rays, tests_per_ray, truth);
+            bench.measure("mesh", row, n, entries, closest_hits(rays), closest_right(sample));
+        }
+    };
+    const uint32_t trees = bench.quick() ? 1000 : 10000;
+    if (bench.wants(trees)) {
+        const Triangles tree = bumpy_sphere(3);
+        const std::vector<Stretched> content = forest(trees);
+        std::vector<Entry> entries = everybody();
+        load(entries, tree, content);
+        rays_at("forest", trees, half_side(trees), entries, trees * 20.0,
+                [&](const gphys_ray& r) { return reference(tree, content, r); });
+    }
+    const Triangles prop = bumpy_sphere(bench.quick() ? 5 : 6);
+    if (!bench.wants(prop.count())) return;
+    const std::vector<Stretched> flat{{{{0, 0, 0}, {0, 0, 0, 1}, 1}, {1, 0.05f, 1}}};
+    Triangles multiplied = prop;
+    for (gphys_vec3& vertex : multiplied.vertices) vertex.y *= flat[0].scale.y;
+    std::vector<Entry> entries = everybody();
+    load(entries, prop, flat);
+    entries.push_back({"gamephys_multiplied", make_gamephys(1)});
+    entries.back().implementation->load(multiplied, std::vector<gphys_transform>{flat[0].place});
+    rays_at("flattened", prop.count(), 1.1f, entries, prop.count(),
+            [&](const gphys_ray& r) { return reference(prop, flat, r); });
+}
+
 void mesh_suite(Bench& bench) {
     for (const int level : bench.sizes().size() > 2 ? std::vector<int>{6, 8} : std::vector<int>{5}) {
         const Triangles mesh = bumpy_sphere(level);
@@ -154,6 +192,7 @@ void mesh_suite(Bench& bench) {
         ray_cases(bench, "mesh", "mesh_model", mesh.count(), 1.1f, entries, mesh.count(), truth, true);
     }
     moving_meshes(bench);
+    stretched_meshes(bench);
 }
 
 /// All implementations must count the same; the first is taken as right. Of 100000 pairs one may be

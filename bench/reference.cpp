@@ -127,6 +127,18 @@ Answer first_of(const std::vector<Object>& objects, const Query& query, Cast cas
     return {static_cast<float>(best), object};
 }
 
+/// Of a mesh that lies within 1.2 of its origin.
+double ray_placed_mesh(const gphys_ray& r, const Triangles& mesh, const gphys_transform& t, gphys_vec3 scale) {
+    const double x = double{t.scale} * scale.x, y = double{t.scale} * scale.y, z = double{t.scale} * scale.z;
+    const auto scaled = [&](V a) { return V{a.x / x, a.y / y, a.z / z}; };
+    const V o = scaled(turn_back(t.rotation, v(r.origin) - v(t.position)));
+    const V d = scaled(turn_back(t.rotation, v(r.direction)));
+    const double along = -dot(o, d) / dot(d, d);
+    const V nearest{o.x + along * d.x, o.y + along * d.y, o.z + along * d.z};
+    uint32_t triangle = 0;
+    return dot(nearest, nearest) > 1.44 ? infinity : ray_mesh(o, d, r.t_max, mesh, triangle);
+}
+
 }  // namespace
 
 Answer reference(const std::vector<gphys_obb>& boxes, const gphys_ray& ray) {
@@ -166,15 +178,13 @@ Answer reference(const Triangles& mesh, const gphys_ray& ray) {
 
 Answer reference(const Triangles& mesh, const std::vector<gphys_transform>& placements, const gphys_ray& ray) {
     return first_of(placements, ray, [&](const gphys_ray& r, const gphys_transform& t) {
-        const auto scaled = [&](V a) { return V{a.x / t.scale, a.y / t.scale, a.z / t.scale}; };
-        const V o = scaled(turn_back(t.rotation, v(r.origin) - v(t.position)));
-        const V d = scaled(turn_back(t.rotation, v(r.direction)));
-        // Everything of the mesh lies within 1.2 of its origin.
-        const double along = -dot(o, d) / dot(d, d);
-        const V nearest{o.x + along * d.x, o.y + along * d.y, o.z + along * d.z};
-        uint32_t triangle = 0;
-        return dot(nearest, nearest) > 1.44 ? infinity : ray_mesh(o, d, r.t_max, mesh, triangle);
+        return ray_placed_mesh(r, mesh, t, {1, 1, 1});
     });
+}
+
+Answer reference(const Triangles& mesh, const std::vector<Stretched>& placements, const gphys_ray& ray) {
+    return first_of(placements, ray,
+                    [&](const gphys_ray& r, const Stretched& s) { return ray_placed_mesh(r, mesh, s.place, s.scale); });
 }
 
 }  // namespace bench

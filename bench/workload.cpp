@@ -102,6 +102,16 @@ std::vector<gphys_transform> placements(uint32_t n) {
     return result;
 }
 
+std::vector<Stretched> forest(uint32_t n) {
+    Random random(8765 + n);
+    std::vector<Stretched> result;
+    for (const gphys_transform& place : placements(n)) {
+        const float x = random.uniform(0.3f, 1), y = random.uniform(0.3f, 1);
+        result.push_back({place, {x, y, random.uniform(0.3f, 1)}});
+    }
+    return result;
+}
+
 void jiggle(std::vector<gphys_obb>& boxes, uint64_t frame) {
     Random random(99 + frame);
     for (gphys_obb& b : boxes) {

@@ -36,6 +36,13 @@ std::vector<gphys_obb> boxes(uint32_t n);
 std::vector<gphys_sphere> spheres(uint32_t n);
 /// Placements of unit-sized meshes.
 std::vector<gphys_transform> placements(uint32_t n);
+/// A mesh that is stretched along its own axes before it is placed.
+struct Stretched {
+    gphys_transform place;
+    gphys_vec3 scale;
+};
+/// The placements, each with a scale per axis from 0.3 to 1.
+std::vector<Stretched> forest(uint32_t n);
 /// A step of random motion for all boxes; at most 0.1 m and a few degrees.
 void jiggle(std::vector<gphys_obb>& boxes, uint64_t frame);
 
