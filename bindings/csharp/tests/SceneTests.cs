@@ -157,10 +157,10 @@ public class SceneTests {
         Assert.AreEqual(target, waysOut[0][0].Model);
         CollectionAssert.AreEqual(new[] { 0, 0, 0 }, scene.PenetrationFilteredBatch(crowd, filter).Offsets);
         Sphere above = new Sphere((0, 4, 0), 1), inside = new Sphere((0, 0, 1.5f), 1);
-        Geometry.SweepBatch(ball, new[] { above, inside }, new Vec3[] { (0, -4, 0) }, hits);
+        Geometry.SweepBatch((Shape)ball, new[] { above, inside }, new Vec3[] { (0, -4, 0) }, hits);
         Assert.AreEqual((0.5f, 0f), (hits[0].T, hits[1].T));
         var outs = new Penetration[2];
-        Geometry.PenetrationBatch(ball, new[] { inside, above }, outs);
+        Geometry.PenetrationBatch((Shape)ball, new[] { inside, above }, outs);
         Assert.AreEqual((0.5f, float.NegativeInfinity), (outs[0].Depth, outs[1].Depth));
     }
 
