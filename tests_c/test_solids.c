@@ -315,7 +315,7 @@ static void bad_batches_of_shapes_are_refused(void** state) {
     assert_memory_equal(outs, none, sizeof outs);
 }
 
-/* A crowd, in more than one chunk, from before the box to behind the mesh. */
+/* A crowd, in more than one chunk, from before the box to behind the mesh; some at the ends of chunks overlap. */
 static void a_crowd_gets_out_in_one_call(void** state) {
     enum { COUNT = 1000, ROOM = 4096, CUT = 301 };
     static gphys_capsule crowd[COUNT];
@@ -325,7 +325,7 @@ static void a_crowd_gets_out_in_one_call(void** state) {
     (void)state;
     for (int i = 0; i < COUNT; ++i) {
         crowd[i] = pill;
-        crowd[i].a.z = 0.03f * (float)i;
+        crowd[i].a.z = 0.03f * (float)(39 * i % COUNT);
         crowd[i].b.z = crowd[i].a.z + 0.75f;
     }
     assert_int_equal(
@@ -358,7 +358,7 @@ static void a_crowd_gets_out_in_one_call(void** state) {
     assert_int_equal(offsets[COUNT], total);
     /* One shape count times, and none. */
     assert_int_equal(
-        gphys_scene_penetration_batch(scene, GPHYS_SHAPE_CAPSULE, &crowd[40], 0, 3, 3, batch, ROOM, offsets), GPHYS_OK);
+        gphys_scene_penetration_batch(scene, GPHYS_SHAPE_CAPSULE, &crowd[1], 0, 3, 3, batch, ROOM, offsets), GPHYS_OK);
     assert_true(offsets[1] > 0 && offsets[2] == 2 * offsets[1] && offsets[3] == 3 * offsets[1]);
     assert_memory_equal(batch, batch + offsets[1], offsets[1] * sizeof *batch);
     assert_int_equal(gphys_scene_penetration_batch(scene, GPHYS_SHAPE_CAPSULE, NULL, 0, 0, 3, NULL, 0, offsets),
