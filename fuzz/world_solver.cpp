@@ -166,12 +166,17 @@ void World::set_state() {
     const uint32_t first = p_.below(6), count = p_.below(6);
     std::vector<gphys_vec3> vectors(count + 1);
     std::vector<float> scalars(count + 1);
+    std::vector<gphys_animation_target> targets(count + 1), aimed(count + 1);
     for (gphys_vec3& v : vectors) v = p_.point();
     for (float& s : scalars) s = p_.size() + 0.01f;
     if (p_.one_in(10)) p_.spoil(vectors[p_.below(count + 1)], 1);
     if (p_.one_in(10)) scalars[p_.below(count + 1)] = p_.hostile();
     const uint32_t strides[] = {12, 12, 12, 0, 7}, stride = strides[p_.below(5)];
-    const uint32_t choice = p_.below(7);
+    const uint32_t choice = p_.below(8);
+    for (uint32_t i = 0; i <= count; ++i) {
+        const float distances[] = {0, scalars[i], INFINITY};
+        targets[i] = {vectors[i], vectors[count - i], distances[p_.below(3)], distances[p_.below(3)]};
+    }
     const int32_t pinned = static_cast<int32_t>(p_.below(8) ? p_.below(2) : 3);
     on_both("a setter that fails changes nothing", [&](gphys_solver* s) {
         switch (choice) {
@@ -187,6 +192,9 @@ void World::set_state() {
                 return call(gphys_solver_set_radii, s, body, first, count, scalars.data(), stride / 3);
             case 5:
                 return call(gphys_solver_set_air_velocities, s, body, first, count, vectors.data(), stride);
+            case 6:
+                return call(gphys_solver_set_animation_targets, s, body, first, count, targets.data(),
+                            stride == 12 ? uint32_t{sizeof targets[0]} : stride);
             default:
                 return call(gphys_solver_set_pinned, s, body, first, count, pinned);
         }
@@ -196,10 +204,12 @@ void World::set_state() {
     std::vector<int32_t> held(count + 1);
     const gphys_status status = call(gphys_solver_get_forces, solver_, body, first, count, read.data(), 12u);
     FUZZ_CHECK(call(gphys_solver_get_air_velocities, solver_, body, first, count, read.data(), 12u) == status &&
+                   call(gphys_solver_get_animation_targets, solver_, body, first, count, aimed.data(),
+                        uint32_t{sizeof aimed[0]}) == status &&
                    call(gphys_solver_get_radii, solver_, body, first, count, radii.data(), 4u) == status &&
                    call(gphys_solver_get_pinned, solver_, body, first, count, held.data(), 4u) == status,
                "what is set of particles is read");
-    if (status == GPHYS_OK && count > 0) note(held[0]);
+    if (status == GPHYS_OK && count > 0) note(held[0]), note(aimed[0]);
 }
 
 void World::change_body() {
@@ -629,6 +639,8 @@ void World::solver_misuse() {
         call(gphys_solver_set_wind, none, body, nullptr),
         call(gphys_solver_set_air_velocities, solver_, body, 0u, 1u, nullptr, 12u),
         call(gphys_solver_get_air_velocities, solver_, body, 1000u, 1u, &out, 12u),
+        call(gphys_solver_set_animation_targets, solver_, body, 0u, 1u, nullptr, 32u),
+        call(gphys_solver_get_animation_targets, none, body, 0u, 1u, nullptr, 32u),
         call(gphys_solver_get_radii, none, body, 0u, 1u, &value, 4u),
         call(gphys_solver_get_forces, solver_, body, 0u, 1u, &out, 5u),
         call(gphys_solver_get_pinned, solver_, body, 1000u, 1u, nullptr, 4u)};

@@ -2289,6 +2289,47 @@ GPHYS_API gphys_status gphys_solver_set_air_velocities(gphys_solver* solver, gph
 GPHYS_API gphys_status gphys_solver_get_air_velocities(const gphys_solver* solver, gphys_body_id body, uint32_t first,
                                                        uint32_t count, gphys_vec3* out_velocities, uint32_t out_stride);
 
+/** Where an animation wants a particle, and how far from there the particle may be. Frozen. */
+typedef struct gphys_animation_target {
+    gphys_vec3 position; /* metres */
+    gphys_vec3 normal;   /* of the animated surface, away from the character; any length but 0; not read without
+                            a backstop */
+    float max_distance;  /* metres from position, >= 0; INFINITY: any */
+    float backstop;      /* metres that the particle may go behind the plane through position across normal, >= 0;
+                            INFINITY: any */
+} gphys_animation_target;
+
+/** Give particles animation targets, before each step that is to follow an animation: a cape or skirt that is skinned
+ *  to its character stays within max_distance of the skinned vertices and does not sink into the body behind them.
+ *  In the next step position and normal go evenly from the old target to the new one, substep by substep; distances
+ *  act at once. A target that is not set again stands still. A first target, and that of a particle which
+ *  gphys_solver_set_positions has moved since the last step, is at once where it is set: a teleport is that call and
+ *  this one.
+ *  max_distance 0 carries a particle: it is at its target, as if attached there, and moves links with infinite mass;
+ *  this also moves a pinned particle, which stays pinned, at constant speed during a step. Otherwise particles that are
+ *  pinned or attached are not moved. A particle that is out of its bounds at the end of a substep is put on the nearest
+ *  place within both, without friction, and does not go on out of them: relative to the target it loses the speed with
+ *  which it would. What lies within its bounds is not touched.
+ *  Bounds act after constraints and before models: where a target is inside a model, or behind one, the particle stays
+ *  outside. Links yield to bounds that contradict them. In ropes and in cloth what a bound holds carries what hangs
+ *  from it; where bodies are joined, collide with each other or with themselves, bounds move particles alone, and
+ *  links beside them may be strained by the way of a substep.
+ *  Wakes the body if a target changes.
+ *  @param first, count  as in gphys_solver_get_positions
+ *  @param targets       max_distance and backstop INFINITY: no target any more; a stride of 0 gives all the same
+ *  Cost: O(count); the first time O(particles), and it allocates. In each substep some 100 ns a particle; ropes with
+ *  targets are solved one by one, as those that touch models.  Since 1.1. */
+GPHYS_API gphys_status gphys_solver_set_animation_targets(gphys_solver* solver, gphys_body_id body, uint32_t first,
+                                                          uint32_t count, const gphys_animation_target* targets,
+                                                          uint32_t stride);
+/** Animation targets of particles as they were set; 0 and INFINITY of what has none.
+ *  @param first, count  as in gphys_solver_get_positions
+ *  @param out_targets   count elements
+ *  Cost: O(count).  Since 1.1. */
+GPHYS_API gphys_status gphys_solver_get_animation_targets(const gphys_solver* solver, gphys_body_id body,
+                                                          uint32_t first, uint32_t count,
+                                                          gphys_animation_target* out_targets, uint32_t out_stride);
+
 /** Fix a particle to a model: it follows the model's transform in each step, and is released when
  *  the model is gone. Steps must then be given this scene.
  *  @param scene        of the same origin as the solver; not modified

@@ -111,6 +111,7 @@ static void changes(session* s) {
     static const gphys_vec3 corner = {0, 1, 0}, u = {0.5f, 0, 0}, v = {0, 0, 0.5f}, wind = {1, 0, 0};
     static const gphys_vec3 place = {0, 1.1f, 0};
     static const float radius = 0.02f;
+    static const gphys_animation_target target = {{0, 1.1f, 0}, {0, 1, 0}, 0.05f, 0.01f};
     const double origin[3] = {0.5, 0, -0.25};
     gphys_body_id sheet, rope;
     gphys_body_info info;
@@ -131,6 +132,7 @@ static void changes(session* s) {
         DO(gphys_solver_set_positions(s->solver, body, 0, 1, &place, 12));
         DO(gphys_solver_set_radii(s->solver, body, 0, 1, &radius, 4));
         DO(gphys_solver_set_air_velocities(s->solver, body, 0, 1, &wind, 12));
+        DO(gphys_solver_set_animation_targets(s->solver, body, 0, 2, &target, 0));
         settings.self_collision = 1;
         settings.friction = 0.1f;
         DO(gphys_solver_set_body_settings(s->solver, body, &settings));

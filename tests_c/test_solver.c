@@ -923,6 +923,58 @@ static void test_wind(void** state) {
     assert_true(air[1].z > 0);
 }
 
+static void test_animation_targets(void** state) {
+    fixture* f = *state;
+    gphys_animation_target given = {{0.1f, 0.2f, 0.3f}, {0, 2, 0}, 0.5f, 0.25f}, got[4];
+    const gphys_animation_target none = {{0, 0, 0}, {0, 0, 0}, INFINITY, INFINITY};
+    float* const fields[] = {&given.position.y, &given.normal.x, &given.max_distance, &given.backstop};
+    gphys_vec3 at[4];
+    size_t field, i;
+    assert_int_equal(gphys_solver_get_animation_targets(f->solver, f->rope, 0, 4, got, sizeof *got), GPHYS_OK);
+    assert_memory_equal(&got[3], &none, sizeof none);
+    for (field = 0; field < sizeof fields / sizeof *fields; ++field) {
+        const float fine = *fields[field];
+        for (i = 0; i < BAD_COUNT; ++i) {
+            if (field >= 2 && bad_values[i] == INFINITY) continue;
+            *fields[field] = bad_values[i];
+            assert_int_equal(gphys_solver_set_animation_targets(f->solver, f->rope, 0, 4, &given, 0), BAD);
+        }
+        *fields[field] = fine;
+    }
+    given.max_distance = -1;
+    assert_int_equal(gphys_solver_set_animation_targets(f->solver, f->rope, 0, 4, &given, 0), BAD);
+    given.max_distance = 0.5f;
+    given.normal.y = 0;
+    assert_int_equal(gphys_solver_set_animation_targets(f->solver, f->rope, 0, 4, &given, 0), BAD);
+    assert_non_null(strstr(gphys_last_error(), "targets[0].normal: length 0 is not above 0"));
+    given.normal.y = 2;
+    assert_int_equal(gphys_solver_set_animation_targets(NULL, f->rope, 0, 4, &given, 0), BAD);
+    assert_int_equal(gphys_solver_set_animation_targets(f->solver, f->rope, 0, 4, NULL, 0), BAD);
+    assert_int_equal(gphys_solver_set_animation_targets(f->solver, f->rope, 0, 4, &given, 28), BAD);
+    assert_int_equal(gphys_solver_set_animation_targets(f->solver, f->rope, 3, 2, &given, 0), BAD);
+    assert_int_equal(gphys_solver_set_animation_targets(f->solver, f->removed, 0, 1, &given, 0), STALE);
+    assert_int_equal(gphys_solver_get_animation_targets(f->solver, f->rope, 0, 4, NULL, sizeof *got), BAD);
+    assert_int_equal(gphys_solver_get_animation_targets(f->solver, f->rope, 3, 2, got, sizeof *got), BAD);
+    assert_int_equal(gphys_solver_get_animation_targets(f->solver, f->removed, 0, 1, got, sizeof *got), STALE);
+    assert_int_equal(gphys_solver_set_animation_targets(f->solver, f->rope, 1, 2, &given, 0), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_animation_targets(f->solver, f->rope, 0, 4, got, sizeof *got), GPHYS_OK);
+    assert_memory_equal(&got[0], &none, sizeof none);
+    assert_memory_equal(&got[1], &given, sizeof given);
+    assert_memory_equal(&got[2], &given, sizeof given);
+    assert_int_equal(gphys_solver_step(f->solver, NULL, 0.01f), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_positions(f->solver, f->rope, 0, 4, at, 12), GPHYS_OK);
+    assert_true(at[1].y > -0.051f && at[1].x < 0.601f);
+    /* Carried. */
+    given.max_distance = 0;
+    assert_int_equal(gphys_solver_set_animation_targets(f->solver, f->rope, 1, 1, &given, 0), GPHYS_OK);
+    assert_int_equal(gphys_solver_step(f->solver, NULL, 0.01f), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_positions(f->solver, f->rope, 0, 4, at, 12), GPHYS_OK);
+    assert_memory_equal(&at[1], &given.position, sizeof at[1]);
+    assert_int_equal(gphys_solver_set_animation_targets(f->solver, f->rope, 0, 4, &none, 0), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_animation_targets(f->solver, f->rope, 0, 4, got, sizeof *got), GPHYS_OK);
+    assert_memory_equal(&got[1], &none, sizeof none);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_origin_is_checked_kept_and_returned),
@@ -947,6 +999,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_constraint_settings, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_reading_particles, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_wind, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_animation_targets, set_up, tear_down),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

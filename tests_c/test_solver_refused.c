@@ -166,6 +166,7 @@ static void test_changes_of_settings(void** state) {
     const gphys_constraint_settings link = {1, 0, -1};
     const gphys_wind wind = {{0, 0, 0}, -1, 0, 0};
     const gphys_vec3 nowhere = {NAN, 0, 0};
+    const gphys_animation_target target = {{0, 0, 0}, {0, 0, 0}, 1, 1};
     const gphys_constraint_id none = NONE;
     assert_int_equal(gphys_solver_get_settings(s, &solver), GPHYS_OK);
     solver.fixed_step = 1;
@@ -178,6 +179,7 @@ static void test_changes_of_settings(void** state) {
     REFUSED(gphys_solver_set_constraint_settings(s, f->rope, &none, &link, 0, 1), STALE);
     REFUSED(gphys_solver_set_wind(s, f->rope, &wind), BAD);
     REFUSED(gphys_solver_set_air_velocities(s, f->rope, 0, 1, &nowhere, 12), BAD);
+    REFUSED(gphys_solver_set_animation_targets(s, f->rope, 0, 1, &target, 0), BAD);
 }
 
 int main(void) {

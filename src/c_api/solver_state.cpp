@@ -47,6 +47,17 @@ Defect defect_of_mass(float value) {
 }
 Defect defect_of_radius(float value) { return is_amount(value) ? Defect{} : Defect{"", 0, value, amount_range}; }
 
+constexpr char distance_range[] = "from 0 to 1e15 or INFINITY";
+Defect defect_of_target(const gphys_animation_target& target) {
+    const auto is_distance = [](float value) { return is_amount(value) || value == INFINITY; };
+    if (Defect wrong = defect(target.position)) return wrong.field = ".position", wrong;
+    if (!is_distance(target.max_distance)) return {".max_distance", 0, target.max_distance, distance_range};
+    if (!is_distance(target.backstop)) return {".backstop", 0, target.backstop, distance_range};
+    if (target.backstop == INFINITY) return {};
+    if (Defect wrong = defect(target.normal)) return wrong.field = ".normal", wrong;
+    return widen(target.normal) == Vec3{} ? Defect{".normal: length", 0, 0, "above 0"} : Defect{};
+}
+
 template <class T>
 gphys_status check_out(const char* name, const T* out, uint32_t stride, uint32_t count) {
     if (count != 0) GPHYS_TRY(check_pointers(name, out));
@@ -187,6 +198,29 @@ gphys_status gphys_solver_get_air_velocities(const gphys_solver* solver, gphys_b
         GPHYS_TRY(check_out("out_velocities", out_velocities, out_stride, count));
         const StridedOut<gphys_vec3> to(out_velocities, out_stride);
         for (uint32_t i = 0; i < count; ++i) to[i] = {0, 0, 0};
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_solver_set_animation_targets(gphys_solver* solver, gphys_body_id body, uint32_t first,
+                                                uint32_t count, const gphys_animation_target* targets,
+                                                uint32_t stride) {
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_TRY(check_range(solver, body, first, count));
+        GPHYS_TRY(check_array("targets", targets, stride, count, defect_of_target));
+        set_animation_targets(unwrap(solver)->body(body), first, count, targets, stride);
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_solver_get_animation_targets(const gphys_solver* solver, gphys_body_id body, uint32_t first,
+                                                uint32_t count, gphys_animation_target* out_targets,
+                                                uint32_t out_stride) {
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_TRY(check_range(solver, body, first, count));
+        GPHYS_TRY(check_out("out_targets", out_targets, out_stride, count));
+        const StridedOut<gphys_animation_target> to(out_targets, out_stride);
+        for (uint32_t i = 0; i < count; ++i) to[i] = animation_target(unwrap(solver)->body(body), first + i);
         return GPHYS_OK;
     });
 }

@@ -1,6 +1,7 @@
 // What a body is composed of. Each part has a header of its own in the folder of its owner.
 #pragma once
 
+#include "solver/animation_targets.h"
 #include "solver/cloth/cloth.h"
 #include "solver/constraints.h"
 #include "solver/contact/contacts.h"
@@ -25,7 +26,8 @@ struct Body {
           contacts(memory),
           rope(memory),
           cloth(memory),
-          air(memory) {}
+          air(memory),
+          targets(memory) {}
 
     gphys_body_kind kind = GPHYS_BODY_PARTICLES;
     BodySettings settings;
@@ -38,6 +40,7 @@ struct Body {
     Rope rope;
     Cloth cloth;
     Air air;
+    AnimationTargets targets;
     Sleep sleep;
 };
 

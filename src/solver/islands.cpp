@@ -24,7 +24,8 @@ void Solver::unite_near_bodies(DisjointSets& sets, double dt) {
             radius = std::max(radius, body.particles.radius[p]);
         }
         // Twice as far as it flies: constraints may make a part of it faster.
-        const double room = radius + 2 * dt * (std::sqrt(fastest) + dt * length(state_.settings.gravity));
+        const double room =
+            radius + 2 * dt * (std::sqrt(fastest) + dt * length(state_.settings.gravity)) + way_to_targets(body);
         const Vec3 around{room, room, room};
         reaches_.push_back({slot, {box.min - around, box.max + around}});
     }
@@ -204,6 +205,7 @@ void Solver::move_island(const Island& island, const Scene* scene, double dt) {
     each_body([&](Body& body) {
         if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body, whole);
         body.constraints.length_changes.clear();
+        end_targets(body);
         stay_in_range(body);
         meet_targets(body, state_.settings, dt, substeps);
         give_attached(body, whole, -1, gravity, dt);

@@ -15,7 +15,8 @@ void move(Body& body, const CollisionContext& around, Vec3 gravity, double h, Ro
 void begin_move(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 void end_move(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 
-/// Attached particles, of those from first to end, after their models to some fraction of the step, in h seconds.
+/// Attached particles, of those from first to end, after their models to some fraction of the step, in h seconds; and
+/// those that animation targets carry, after these.
 void follow_models(Body& body, double fraction, double h, uint32_t first, uint32_t end);
 
 /// One of the substeps of a step, or of the rest of one.

@@ -147,6 +147,7 @@ void Solver::prepare_body(uint32_t slot, const Scene* scene, double dt) {
     if (body.settings.self_collision && (changed || body.contacts.self.linked_begin.empty())) list_linked(body);
     make_room(body, scene && body.settings.layers != 0);
     reserve_air(body);
+    reserve_targets(body);
     // What falls asleep loses its speed.
     if (body.sleep.asleep) body.particles.extent.reset();
     if (body.particles.largest_radius < 0) {
@@ -183,6 +184,7 @@ void Solver::begin_step(const Scene* scene) noexcept {
         Body& body = state_.bodies[moving.slot];
         if (body.sleep.asleep) wake(body);
         aim_attachments(body, scene);
+        begin_targets(body);
         each_kept_array(body, scene && body.settings.layers != 0,
                         [](auto& values, size_t size) { values.resize(size); });
     }
@@ -213,8 +215,8 @@ void Solver::look_around(const Scene& scene, double dt) {
         const Aabb box = body.particles.extent->box;
         body.particles.extent.reset();
         // Twice as far as a particle may come in this step; and a model in the next: what it can meet then.
-        const double way =
-            2 * body.particles.largest_radius + 2 * dt * (fastest + dt * length(state_.settings.gravity));
+        const double way = 2 * body.particles.largest_radius +
+                           2 * dt * (fastest + dt * length(state_.settings.gravity)) + way_to_targets(body);
         const auto within = [&](double room) {
             return bounds(Aabb{box.min - Vec3{room, room, room}, box.max + Vec3{room, room, room}});
         };

@@ -14,6 +14,7 @@
 //   islands.cpp        bodies that influence each other, moved together
 //   sleep.cpp          bodies at rest
 //   wind.cpp           drag and lift
+//   animation_targets.cpp  where an animation wants particles, and how far from there they may be
 //   state_range.cpp    the range of numbers that a step ends in
 //   error_targets.cpp  how many substeps a body takes
 //   stats.cpp          strain, energy, contacts
@@ -32,6 +33,7 @@
 //     plan_cloth.cpp     chains and limits, packed for the kernels
 //     cloth.cpp          a substep
 //     cloth_contacts.cpp what cloth touches, as part of its chains
+//     cloth_targets.cpp  its animation targets, as part of its chains
 //     relax_links.cpp    what chains have left strained: kept_links.cpp has which links, all but braces
 //     contact_cache.cpp     what of it holds from step to step
 //     reach_limits.cpp   how far cloth can be from its pins

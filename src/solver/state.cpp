@@ -25,6 +25,7 @@ void hold(Particles& particles, uint32_t particle) {
 void set_positions(Body& body, uint32_t first, uint32_t count, const gphys_vec3* positions, uint32_t stride) {
     const Strided<gphys_vec3> from(positions, stride);
     for (uint32_t i = 0; i < count; ++i) body.particles.position[first + i] = widen(from[i]);
+    restart_targets(body, first, count);
     interrupt(body);
 }
 
@@ -116,6 +117,7 @@ bool Solver::set_origin(Vec3 origin) {
             if (touch.model != 0) touch.point = narrow(widen(touch.point) + shift);
         }
         for (Attachment& attachment : b.constraints.attachments) attachment.begin += shift, attachment.end += shift;
+        for (AnimationTarget& target : b.targets.all) target.from += shift, target.to += shift;
     }
     for (PlacedModel& seen : state_.seen) seen.world.position = narrow(widen(seen.world.position) + shift);
     state_.origin = origin;

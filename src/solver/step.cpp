@@ -46,6 +46,12 @@ void follow_models(Body& body, double fraction, double h, uint32_t first, uint32
         body.particles.velocity[attachment->particle] = (next - position) / h;
         position = next;
     }
+    for (uint32_t p = first; p < end && !body.targets.empty(); ++p) {
+        if (body.targets.all[p].carries == 0) continue;
+        const Vec3 next = place_of(body.targets.all[p], fraction);
+        body.particles.velocity[p] = (next - body.particles.position[p]) / h;
+        body.particles.position[p] = next;
+    }
 }
 
 void move(Body& body, const CollisionContext& around, Vec3 gravity, double h, RopeContacts* contacts) {
@@ -106,6 +112,7 @@ void Solver::end_moving(const ActiveBody& moving, const Scene* scene, double dt,
         body.particles.extent->add(part.extent);
     }
     body.constraints.length_changes.clear();
+    end_targets(body);
     stay_in_range(body);
     meet_targets(body, state_.settings, dt, substeps);
     give_attached(body, {scene, &moved_, dt, 0, 1}, -1, state_.settings.gravity, dt);
@@ -150,9 +157,10 @@ void Solver::move_through(const ActiveBody& moving, uint32_t worker, const Scene
         RopeContacts* contacts = nullptr;
         if (body.plan.method == GPHYS_SOLVE_DIRECT) {
             choose_stages(body, room, {gravity, dt, substeps, false});
-            if (moving.models_near > 0 && !moving.models_move) contacts = &room.contacts;
+            const bool beside_models = moving.models_near > 0 && !moving.models_move;
+            if (beside_models || !body.targets.empty()) contacts = &room.contacts;
+            if (contacts) contacts->begin_step(body, beside_models);
         }
-        if (contacts) contacts->begin_step();
         substeps = move_in_substeps(body, substeps, whole, contacts);
         if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body, whole);
         end_touches(body);

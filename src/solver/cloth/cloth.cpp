@@ -7,6 +7,7 @@
 // During a step the state is float32, relative to the middle of the body when the step began, with
 // displacements and velocities of their own: positions of a sheet of two metres are rounded to
 // 6e-8 m wherever it is.
+#include "solver/cloth/cloth_targets.h"
 #include "solver/cloth/contact_cache.h"
 #include "solver/cloth/relax_links.h"
 #include "solver/cloth/whole_motion.h"
@@ -20,14 +21,10 @@ namespace {
 
 // Masses differ by no more than this from the average: beyond, float32 shows no difference.
 constexpr double most_mass_ratio = 1e6;
-// As in cloth_kernels.cpp; accelerations times the rest must stay a float as well.
-constexpr double farthest = 2e15, fastest = 1e9, hardest = 1e12;
+// Accelerations times the rest must stay a float as well.
+constexpr double hardest = 1e12;
 // Softer than this is not there: it yields 1e20 times as far as the heaviest particle.
 constexpr double softest = 1e26;
-
-void put(float* to, Vec3 value, double limit) {
-    for (int k = 0; k < 3; ++k) to[k] = to_float(value[k], limit);
-}
 
 ClothMotion motion_of(Cloth& cloth) {
     return {static_cast<uint32_t>(cloth.at.size()),
@@ -125,7 +122,7 @@ void damp_links(Body& body, const TimeScheme& scheme) {
         const Vec3 now = get(&cloth.start[4 * size_t{link.b}]) - get(&cloth.start[4 * size_t{link.a}]);
         const Vec3 before = now - (get(&cloth.moved[4 * size_t{link.b}]) - get(&cloth.moved[4 * size_t{link.a}]));
         const DampedLink as = damped(link.rest, link.compliance, link.damping, scheme, length(now), length(before), 0);
-        batches.target[link.link] = to_float(as.rest, farthest);
+        batches.target[link.link] = to_float(as.rest, farthest_in_cloth);
         batches.softness[link.link] = to_float(as.compliance * batches.scale, softest);
     }
 }
@@ -157,8 +154,8 @@ bool capture_limits(Body& body, const CollisionContext& around, const TimeScheme
         any = true;
         const Vec3 apart =
             along * (dot(get(&cloth.velocity[b]) - get(&cloth.velocity[a]), along) / (length * length * mobility));
-        put(&cloth.velocity[a], get(&cloth.velocity[a]) + apart * cloth.at[a + 3], fastest);
-        put(&cloth.velocity[b], get(&cloth.velocity[b]) - apart * cloth.at[b + 3], fastest);
+        put(&cloth.velocity[a], get(&cloth.velocity[a]) + apart * cloth.at[a + 3], fastest_in_cloth);
+        put(&cloth.velocity[b], get(&cloth.velocity[b]) - apart * cloth.at[b + 3], fastest_in_cloth);
         give_to_model(limit.a, apart);
         give_to_model(limit.b, -apart);
     }
@@ -207,7 +204,7 @@ void follow_models(Body& body, const CollisionContext& around) {
             const Vec3 aside = attachment.begin - widen(moved->world).apply(attachment.local);
             next = now.apply(attachment.local) + aside * (1 - around.end);
         }
-        put(&body.cloth.at[4 * size_t{attachment.particle}], next - body.cloth.origin, farthest);
+        put(&body.cloth.at[4 * size_t{attachment.particle}], next - body.cloth.origin, farthest_in_cloth);
     }
     for (const Attachment& attachment : body.constraints.attachments) {
         put(&body.cloth.contacts.pulls[4 * size_t{attachment.particle}], {}, 0);
@@ -244,6 +241,7 @@ void take_back(Body& body, double gain) {
 bool is_accounted_for(const Body& body, bool collides) {
     const ClothContacts& contacts = body.cloth.contacts;
     if (body.cloth.held || body.plan.joined || body.contacts.near) return false;
+    if (body.targets.act()) return false;
     if (body.air.blows()) return false;  // its force depends on the velocity that would be given back
     if (!collides || !(contacts.touches() || contacts.sunk)) return true;
     return body.cloth.volume.held && !contacts.sunk && !contacts.pushed;
@@ -347,7 +345,7 @@ Motion motion_of_cloth(const Body& body) {
 double inner_energy_of_cloth(Body& body, Vec3 drift) {
     const ClothKernels& kernels = cloth_kernels(chosen_isa());
     float common[3];
-    put(common, drift, fastest);
+    put(common, drift, fastest_in_cloth);
     return body.cloth.average_mass *
            sum_of_blocks(body.cloth, [&](const ClothMotion& block) { return kernels.kinetic(block, common); });
 }
@@ -355,7 +353,7 @@ double inner_energy_of_cloth(Body& body, Vec3 drift) {
 void slow_cloth(Body& body, Vec3 drift, double kept) {
     const ClothKernels& kernels = cloth_kernels(chosen_isa());
     float common[3];
-    put(common, drift, fastest);
+    put(common, drift, fastest_in_cloth);
     share_motion(body.cloth,
                  [&](const ClothMotion& motion, uint32_t) { kernels.slow(motion, common, static_cast<float>(kept)); });
 }
@@ -380,6 +378,10 @@ void reserve_cloth(Body& body) {
     cloth.extents.resize((4 * size_t{body.particles.size()} + share_floats - 1) / share_floats);
     cloth.ways.resize(cloth.extents.size());
     if (!body.constraints.attachments.empty()) body.cloth.contacts.pulls.resize(floats);
+    if (!body.targets.empty()) {
+        body.cloth.contacts.normals.resize(floats);
+        body.cloth.contacts.pulls.resize(floats);
+    }
     if (body.cloth.volume.held) body.cloth.volume.gradient.resize(body.particles.size());
 }
 
@@ -399,8 +401,8 @@ void begin_cloth(Body& body, const CollisionContext& around, Vec3 gravity) {
                  body.particles.inverse_mass.end();
     share_particles(body, [&](uint32_t p) {
         const size_t i = 4 * size_t{p};
-        put(&cloth.at[i], body.particles.position[p] - cloth.origin, farthest);
-        put(&cloth.velocity[i], body.particles.velocity[p], fastest);
+        put(&cloth.at[i], body.particles.position[p] - cloth.origin, farthest_in_cloth);
+        put(&cloth.velocity[i], body.particles.velocity[p], fastest_in_cloth);
         const bool free = !body.particles.pinned(p);
         const double relative =
             std::clamp(body.particles.mass[p] / cloth.average_mass, 1 / most_mass_ratio, most_mass_ratio);
@@ -420,6 +422,7 @@ void begin_cloth(Body& body, const CollisionContext& around, Vec3 gravity) {
         look_around_cloth(body, around, gravity);
     } else {
         cloth.search_balls.clear();
+        if (!body.targets.empty()) std::fill(cloth.contacts.normals.begin(), cloth.contacts.normals.end(), 0.0f);
     }
 }
 
@@ -432,19 +435,23 @@ void predict_cloth(Body& body, const CollisionContext& around, double h) {
     // Moving models and other bodies do work.
     const bool carried = std::any_of(body.constraints.attachments.begin(), body.constraints.attachments.end(),
                                      [](const Attachment& attachment) { return attachment.begin != attachment.end; });
-    const bool closed = !carried && !cloth.pulled;
+    const bool closed = !carried && !cloth.pulled && !body.targets.moves;
     if (closed && !cloth.balance.current) cloth.balance.stored = stored_energy(kernels, body);
     cloth.balance.closed = closed;
     if (body.air.blows()) blow_cloth(body, around, h);
     predict(kernels, cloth, cloth_step(body, h));
     damp_links(body, TimeScheme(h, body.history.earlier_step));
     follow_models(body, around);
+    aim_targets(body, around);
+    carry_by_targets(body);
 }
 
 void solve_cloth(Body& body) {
     const ClothKernels& kernels = cloth_kernels(chosen_isa());
     ClothBatches& batches = body.cloth.batches;
     ClothContacts& contacts = body.cloth.contacts;
+    press_on_targets(body, contacts.touches());
+    const bool touches = contacts.touches() || !body.targets.pressing.empty();
     // Before the chains, which need it for their shape, and after them, which leave an error in it.
     body.cloth.volume.given = 0;
     if (body.cloth.volume.held) solve_volume(body, batches.scale);
@@ -452,10 +459,10 @@ void solve_cloth(Body& body) {
         float* const at = body.cloth.at.data();
         const ClothSurfaces surfaces{contacts.normals.data(), contacts.pulls.data()};
         if (body.plan.joined) {
-            kernels.solve_joined(
-                at, {body.cloth.tether_diagonal.data(), body.cloth.tether_off.data(), surfaces, contacts.touches()},
-                chains, batch, rows);
-        } else if (contacts.touches()) {
+            kernels.solve_joined(at,
+                                 {body.cloth.tether_diagonal.data(), body.cloth.tether_off.data(), surfaces, touches},
+                                 chains, batch, rows);
+        } else if (touches) {
             kernels.solve_touching(at, surfaces, chains, batch, rows);
         } else if (batch.attached) {
             kernels.solve_pulling(at, contacts.pulls.data(), chains, batch, rows);
@@ -487,6 +494,7 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
     const TimeScheme scheme(h, body.history.earlier_step);
     const bool collides = gphys::collides(body, around);
     if (!body.constraints.attachments.empty()) give_pulls(body, around, scheme.step(body.settings.damping), h);
+    keep_cloth_to_targets(body);
     if (collides) leave_planes(body);
     const ClothStep step = cloth_step(body, h);
     const double gain = sum_of_blocks(cloth, [&](const ClothMotion& block) { return kernels.finish(block, step); });
@@ -494,7 +502,8 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
     if (collides) count_contacts(body, around, scheme.next / h);
     const bool captured = capture_limits(body, around, scheme);
     if (body.cloth.contacts.sunk && collides && !cloth.held) keep_calm(body, gain * cloth.average_mass);
-    cloth.balance.closed = cloth.balance.closed && !(collides && body.cloth.contacts.pushed);
+    const bool bounded = body.targets.act();
+    cloth.balance.closed = cloth.balance.closed && !(collides && body.cloth.contacts.pushed) && !bounded;
     const bool accounted = is_accounted_for(body, collides);
     const double before = cloth.balance.stored;
     if (cloth.balance.closed && !accounted) {
@@ -502,9 +511,10 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
         cloth.balance.gain = (gain + cloth.balance.stored - before) * cloth.average_mass;
         if (cloth.balance.gain > 0 && !body.plan.joined) take_back(body, cloth.balance.gain);
     }
-    body.contacts.touched = captured;
+    stop_cloth_at_targets(body);
+    body.contacts.touched = captured || bounded;
     if (collides) {
-        body.contacts.touched = captured || body.cloth.contacts.touches();
+        body.contacts.touched = body.contacts.touched || body.cloth.contacts.touches();
         turn_velocities(body, around, h);
         if (body.cloth.contacts.pushed) ease_links(body);
     }

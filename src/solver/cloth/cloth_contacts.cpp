@@ -1,5 +1,6 @@
 #include "solver/cloth/cloth_contacts.h"
 
+#include "solver/cloth/cloth_targets.h"
 #include "solver/cloth/contact_cache.h"
 #include "solver/cloth/contact_search.h"
 #include "solver/contact/collision.h"
@@ -356,6 +357,7 @@ bool is_held(const Body& body, uint32_t particle) {
 void shift(Body& body, uint32_t particle, Vec3 way, bool collides) {
     float* const at = &body.cloth.at[4 * size_t{particle}];
     put(at, get(at) + way);
+    stay_near_target(body, particle);
     if (collides) stay_outside(body, particle);
 }
 

@@ -125,7 +125,7 @@ void stop_taken_back(Body& body, const CollisionContext& around, double h);
 /// Whether friction has kept a particle at its place in this substep, on a model that stands still and while none of
 /// the body is in one.
 bool is_held(const Body& body, uint32_t particle);
-/// Moves a particle aside, but not into its contact planes.
+/// Moves a particle aside, but not into its contact planes, nor out of what its target allows.
 void shift(Body& body, uint32_t particle, Vec3 way, bool collides);
 void catch_escaped(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 void record_touches(Body& body, const CollisionContext& around);

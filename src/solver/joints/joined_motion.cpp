@@ -183,6 +183,7 @@ void finish_joined(const Joined& joined, const CollisionContext& around, Vec3 gr
             if (!body.constraints.attachments.empty())
                 give_tensions(body, around, TimeScheme(h, body.history.earlier_step));
             end_friction(body);
+            body.contacts.touched = body.contacts.touched || !body.targets.reached.empty();
             body.history.earlier_step = body.contacts.touched || captured ? 0 : h;
         }
     });

@@ -58,6 +58,7 @@ private:
     /// Where particles may touch something, and where they rest.
     void list_obstacles(const Collider& collider, const Aabb& region);
     void fly_one(const Collider* collider, uint32_t p, uint32_t obstacle);
+    void keep_to_targets(uint32_t first, uint32_t count);
     void fly_freely(uint32_t p);
     void fly_among(const Collider& collider, uint32_t p);
     /// What it meets first on the whole path of the substep.
@@ -204,6 +205,41 @@ void FreeFlight::fly_one(const Collider* collider, uint32_t p, uint32_t obstacle
     keep_in_range(body_.particles.position[p], body_.particles.velocity[p]);
 }
 
+/// Those that have flown out of what their targets allow, back to it; models on the way stop them.
+void FreeFlight::keep_to_targets(uint32_t first, uint32_t count) {
+    const auto each_outside = [&](auto&& visit) {
+        for (uint32_t p = first; p < first + count; ++p) {
+            const AnimationTarget& target = body_.targets.all[p];
+            if (!target.bounds() || body_.particles.pinned(p)) continue;
+            TargetBounds out_of;
+            const Vec3 at = body_.particles.position[p];
+            const Vec3 place = allowed_place(target, around_.end, around_.step_time, at, out_of);
+            if (out_of.count > 0) visit(p, at, place, out_of);
+        }
+    };
+    Extent ways;
+    double longest = 0;
+    each_outside([&](uint32_t, Vec3 at, Vec3 place, const TargetBounds&) {
+        ways.add({{min(at, place), max(at, place)}, {}});
+        longest = std::max(longest, distance(at, place));
+    });
+    if (longest == 0) return;
+    const double room = 2 * body_.particles.largest_radius + longest;
+    const Vec3 reach{room, room, room};
+    std::optional<Collider> collider;
+    if (collides(body_, around_))
+        collider.emplace(around_, body_, gphys::bounds(Aabb{ways.box.min - reach, ways.box.max + reach}), tally_);
+    each_outside([&](uint32_t p, Vec3 at, Vec3 place, const TargetBounds& out_of) {
+        body_.particles.velocity[p] = out_of.turned(body_.particles.velocity[p]);
+        if (collider && !collider->idle()) {
+            collider->slide(body_, p, at, place - at, around_.end, quiet_speed(gravity_, h_));
+        } else {
+            body_.particles.position[p] = place;
+            keep_in_range(body_.particles.position[p], body_.particles.velocity[p]);
+        }
+    });
+}
+
 void FreeFlight::fly_block(const CollisionContext& around, uint32_t first, uint32_t count) {
     around_ = around;
     follow_models(body_, around.end, h_, first, first + count);
@@ -258,6 +294,7 @@ void FreeFlight::fly_block(const CollisionContext& around, uint32_t first, uint3
             fly_one(meets ? &*collider : nullptr, first + i, obstacle_of_[i]);
         }
     }
+    if (!body_.targets.empty()) keep_to_targets(first, count);
     end_friction(body_, first, first + count);
 }
 

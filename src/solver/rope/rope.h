@@ -56,12 +56,12 @@ bool solve_touching(Body& body, double step, RopeContacts* contacts);
 constexpr double in_shape = 0.05;
 
 /// The parts of a substep for chains (rope_substep.cpp): free particles to where they would go without constraints,
-/// attached ones after their models; the velocities that the time scheme gives for the solved positions; and tensions
-/// to the models that ropes hang from.
+/// attached ones after their models; the velocities that the time scheme gives for the solved positions, once these are
+/// where targets and contacts (or null) allow them to be; and tensions to the models that ropes hang from.
 void begin_chains(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme);
 /// As it was before begin_chains, before anything else has been done.
 void take_back_chains(Body& body);
-void finish_chains(Body& body, const TimeScheme& scheme);
+void finish_chains(Body& body, const TimeScheme& scheme, const RopeContacts* contacts = nullptr);
 void give_tensions(Body& body, const CollisionContext& around, const TimeScheme& scheme);
 
 /// All of them for a rope alone; and what follows begin_chains.

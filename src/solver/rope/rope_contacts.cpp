@@ -17,8 +17,9 @@ constexpr double pressure_settled = 1e-4;
 // Among more parts a particle sees less far.
 constexpr uint32_t many_parts = 64;
 
-double friction_of(const Body& body, uint32_t p) {
+double friction_of(const Body& body, uint32_t p, const RopeContact& contact) {
     const BodySettings& settings = body.settings;
+    if (contact.model == 0) return 0;
     return settings.sticks() && body.contacts.stuck[p] ? settings.static_friction : settings.friction;
 }
 
@@ -47,6 +48,19 @@ void RopeContacts::reserve(uint32_t particles) {
     contacts_.reserve(size_t{most_parts} * particles);
     if (first_.size() < particles + 1) first_.resize(particles + 1);
     if (balls_.size() < particles) balls_.resize(particles);
+    if (bounds_.size() < size_t{bounds_per_particle} * particles)
+        bounds_.resize(size_t{bounds_per_particle} * particles);
+}
+
+void RopeContacts::begin_step(const Body& body, bool beside_models) {
+    const std::ptrdiff_t size = body.particles.size();
+    beside_models_ = beside_models;
+    looked_ = !beside_models;
+    bounded_ = !body.targets.empty();
+    if (bounded_) std::fill_n(bounds_.begin(), bounds_per_particle * size, RopeContact{});
+    if (beside_models) return;
+    contacts_.clear();
+    std::fill_n(first_.begin(), size + 1, 0u);
 }
 
 /// Models that the balls around some particles touch. False if there is too much.
@@ -142,6 +156,13 @@ void RopeContacts::look(const Body& body, const CollisionContext& around, Vec3 g
 }
 
 void RopeContacts::place_plane(RopeContact& contact, const Body& body, uint32_t p, Vec3 at) const {
+    if (contact.model == 0) {
+        const AnimationTargets& targets = body.targets;
+        const TargetBound ball = ball_of(targets.all[p], targets.fraction, targets.time, at);
+        contact.normal = ball.normal;
+        contact.outside = ball.offset;
+        return;
+    }
     Vec3 closest, normal;
     double distance;
     if (!scene_->closest_point_model(contact.model, at, closest, normal, distance)) return;
@@ -156,25 +177,41 @@ void RopeContacts::allow_within_skin(RopeContact& contact, const Body& body, uin
     contact.depth = missing - allowed;
 }
 
+/// Of a target, where its particle is predicted.
+void RopeContacts::place_bounds(const Body& body, uint32_t p) {
+    const Vec3 at = body.particles.position[p];
+    const AnimationTargets& targets = body.targets;
+    RopeContact &ball = bounds_[bounds_per_particle * p], &backstop = bounds_[bounds_per_particle * p + 1];
+    const TargetBound behind = backstop_of(targets.all[p], targets.fraction, targets.time, at);
+    place_plane(ball, body, p, at);
+    ball.offset = ball.outside;
+    backstop.normal = behind.normal;
+    backstop.outside = backstop.offset = behind.offset;
+    backstop.is_fixed = true;
+}
+
 bool RopeContacts::begin(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     const auto stays = [&] {
+        if (!beside_models_) return true;
         for (uint32_t p = 0; p < body.particles.size(); ++p) {
             if (!body.particles.pinned(p) && !in_ball(body, p)) return false;
         }
         return true;
     };
     if (!looked_ || !stays()) look(body, around, gravity, h);
-    active_ = !contacts_.empty();
+    active_ = bounded_ || !contacts_.empty();
     const double most_push = leaving_speed * around.step_time * (around.end - around.begin);
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (body.particles.pinned(p)) continue;
         bool sunk = false;
+        if (bounded_) place_bounds(body, p);
         each(p, [&](RopeContact& contact) {
+            contact.iterations = 0;
+            contact.force = {};
+            if (contact.model == 0) return;
             if (!contact.is_fixed) place_plane(contact, body, p, body.history.start[p]);
             allow_within_skin(contact, body, p);
             contact.approach = -dot(contact.normal, body.particles.velocity[p]);
-            contact.iterations = 0;
-            contact.force = {};
             sunk = sunk || contact.depth > most_push;
         });
         if (!sunk) continue;
@@ -193,7 +230,7 @@ ContactTerm RopeContacts::term(const Body& body, uint32_t p, double mass) {
         const Vec3 n = contact.normal, way = slid(contact, body, p);
         add_along(term, n, contact.stiffness);
         term.force += n * (contact.stiffness * (contact.offset - dot(n, body.particles.position[p])));
-        const double hold = friction_of(body, p) * contact.pressed, length = gphys::length(way);
+        const double hold = friction_of(body, p, contact) * contact.pressed, length = gphys::length(way);
         if (hold == 0) return;
         // Across its way what slides is held by this, as friction turns with it.
         const double turning = length * contact.stiffness > hold ? hold / length : contact.stiffness;
@@ -215,7 +252,7 @@ ContactTerm RopeContacts::term(const Body& body, uint32_t p, double mass) {
 bool RopeContacts::update(RopeContact& contact, const Body& body, uint32_t p, int iteration) const {
     const Vec3 at = body.particles.position[p];
     const double gap = dot(contact.normal, at) - contact.offset, room = skin(body.particles.radius[p], at);
-    const double friction = friction_of(body, p);
+    const double friction = friction_of(body, p, contact);
     bool settled = true;
     if (contact.state == RopeContact::apart) {
         if (gap >= 0) return true;
@@ -249,8 +286,8 @@ bool RopeContacts::update(RopeContact& contact, const Body& body, uint32_t p, in
         ++contact.iterations;
         if (friction > 0 && std::fabs(pressed - before) > pressure_settled * pressed) settled = false;
     }
-    // From behind a plane the nearest point may be on the far side.
-    if (contact.is_fixed || iteration >= most_turns || gap < -room) return settled;
+    // From behind a plane the nearest point of a model may be on the far side.
+    if (contact.is_fixed || iteration >= most_turns || (gap < -room && contact.model != 0)) return settled;
     RopeContact turned = contact;
     place_plane(turned, body, p, at);
     turned.offset = turned.outside - (contact.outside - contact.offset);
@@ -274,7 +311,7 @@ bool RopeContacts::update(const Body& body, int iteration) {
 
 void RopeContacts::keep_out(Body& body) const {
     constexpr int most_passes = 8;
-    for (uint32_t p = 0; p < body.particles.size() && active_; ++p) {
+    for (uint32_t p = 0; p < body.particles.size() && !contacts_.empty(); ++p) {
         if (body.particles.pinned(p)) continue;
         const double room = skin(body.particles.radius[p], body.particles.position[p]) / 8;
         bool out = false;
@@ -348,10 +385,11 @@ void RopeContacts::finish(Body& body, const CollisionContext& around, double qui
                 contact.force = contact.normal * std::max(0.0, dot(contact.normal, rest));
             }
             rest -= contact.force;
+            if (contact.model == 0) return;
             if (!most || length_squared(contact.force) > length_squared(most->force)) most = &contact;
         });
         each(p, [&](RopeContact& contact) {
-            if (contact.force == Vec3{}) return;
+            if (contact.force == Vec3{} || contact.model == 0) return;
             Vec3& velocity = body.particles.velocity[p];
             const Vec3 before = velocity;
             // What brings it out of a model is no speed, and with what is left of its approach it does not go on.
@@ -361,7 +399,7 @@ void RopeContacts::finish(Body& body, const CollisionContext& around, double qui
             if (given > 0) {
                 velocity += contact.normal * given;
                 const Vec3 along = velocity - contact.normal * dot(velocity, contact.normal);
-                const double speed = length(along), taken = friction_of(body, p) * given;
+                const double speed = length(along), taken = friction_of(body, p, contact) * given;
                 velocity -= speed > taken ? along * (taken / speed) : along;
             }
             const Vec3 point = body.particles.position[p] - contact.normal * body.particles.radius[p];

@@ -23,7 +23,7 @@ namespace gphys {
 struct RopeContact {
     enum State : uint8_t { apart, slides, sticks };
 
-    gphys_model_id model;
+    gphys_model_id model = 0;  // 0: a bound of its animation target
     State state = apart;
     bool is_fixed = false;   // the plane, which then does not follow the particle
     uint8_t iterations = 0;  // of this substep in which it has acted
@@ -48,16 +48,19 @@ struct ContactTerm {
 
 class RopeContacts {
 public:
-    explicit RopeContacts(std::pmr::memory_resource* memory) : contacts_(memory), first_(memory), balls_(memory) {}
+    explicit RopeContacts(std::pmr::memory_resource* memory)
+        : contacts_(memory), first_(memory), balls_(memory), bounds_(memory) {}
 
     /// Room for a rope. Throws std::bad_alloc.
     void reserve(uint32_t particles);
-    /// Before the substeps of a step.
-    void begin_step() { looked_ = false; }
+    /// Before the substeps of a step. Not beside models: only targets count.
+    void begin_step(const Body& body, bool beside_models);
+    void look_again() { looked_ = false; }
+    bool beside_models() const { return beside_models_; }
     /// Once the particles are predicted. False if one of them is in a solid deeper than it comes out at once.
     bool begin(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 
-    bool any(uint32_t particle) const { return first_[particle] < first_[particle + 1]; }
+    bool any(uint32_t particle) const { return bounded_ || first_[particle] < first_[particle + 1]; }
     /// `mass`: of the particle, and what its links resist sideways.
     ContactTerm term(const Body& body, uint32_t particle, double mass);
     /// After an iteration. Whether all contacts are what they were taken for.
@@ -69,6 +72,7 @@ public:
 
 private:
     static constexpr uint32_t most_parts = 4;  // of a particle
+    static constexpr uint32_t bounds_per_particle = 2;
 
     struct Ball {
         Vec3 center;
@@ -77,6 +81,8 @@ private:
     template <class Visit>
     void each(uint32_t particle, Visit&& visit) {
         for (uint32_t i = first_[particle]; i < first_[particle + 1]; ++i) visit(contacts_[i]);
+        for (uint32_t i = 0; i < bounds_per_particle && bounded_; ++i)
+            visit(bounds_[bounds_per_particle * particle + i]);
     }
     bool in_ball(const Body& body, uint32_t p) const {
         return length_squared(body.particles.position[p] - balls_[p].center) < balls_[p].reach * balls_[p].reach;
@@ -86,14 +92,17 @@ private:
     void settle(const Body& body, uint32_t particle, uint32_t point);
     void place_plane(RopeContact& contact, const Body& body, uint32_t particle, Vec3 at) const;
     void allow_within_skin(RopeContact& contact, const Body& body, uint32_t particle) const;
+    void place_bounds(const Body& body, uint32_t particle);
     bool update(RopeContact& contact, const Body& body, uint32_t particle, int iteration) const;
     void sweep_escaped(Body& body, const CollisionContext& around, double quiet);
 
     const Scene* scene_ = nullptr;
-    bool looked_ = false, active_ = false;
+    bool beside_models_ = false, looked_ = false, active_ = false;
+    bool bounded_ = false;          // whether the rope has targets
     Vector<RopeContact> contacts_;  // by particle
     Vector<uint32_t> first_;        // in contacts_, of each particle and of none behind the last
     Vector<Ball> balls_;
+    Vector<RopeContact> bounds_;  // of targets: the ball of each particle, and its backstop
     ClosestFeatures parts_;
     Sphere probes_[ClosestFeatures::most_points];
 };

@@ -204,7 +204,8 @@ void move_lanes(const RopeKernelsOf<lanes>& kernels, RopeNode<lanes>* nodes, Und
 bool is_plain_rope(const Body& body) {
     const Plan& plan = body.plan;
     return plan.method == GPHYS_SOLVE_DIRECT && plan.particles.size() == body.particles.size() && !plan.limited &&
-           !plan.damped && body.constraints.attachments.empty() && body.constraints.length_changes.empty();
+           !plan.damped && body.constraints.attachments.empty() && body.constraints.length_changes.empty() &&
+           body.targets.empty();
 }
 
 void move_ropes(UndisturbedRope* ropes, uint32_t count, RopeRoom& room, const StepOfRopes& step) {

@@ -90,6 +90,7 @@ void damp_chains(Body& body, const TimeScheme& scheme) {
 void begin_chains(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme) {
     body.rope.earlier_tension = body.rope.tension;
     if (!body.constraints.length_changes.empty()) change_lengths(body, around.end);
+    aim_targets(body, around);
     predict_chains(body, scheme, gravity);
     follow_models(body, around.end, scheme.advance, 0, body.particles.size());
     if (body.plan.damped) damp_chains(body, scheme);
@@ -103,7 +104,9 @@ void take_back_chains(Body& body) {
     body.rope.tension = body.rope.earlier_tension;
 }
 
-void finish_chains(Body& body, const TimeScheme& scheme) {
+void finish_chains(Body& body, const TimeScheme& scheme, const RopeContacts* contacts) {
+    keep_to_targets(body);
+    if (contacts) contacts->keep_out(body);
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (body.particles.pinned(p)) continue;
         Vec3 &position = body.particles.position[p], &velocity = body.particles.velocity[p];
@@ -117,6 +120,7 @@ void finish_chains(Body& body, const TimeScheme& scheme) {
         }
         keep_in_range(position, velocity);
     }
+    stop_at_targets(body);
 }
 
 void hold_touching(Body& body) {
@@ -157,37 +161,52 @@ void leave_solids(Body& body, const CollisionContext& around, double step) {
     end_leaving(body, around, found);
 }
 
-/// Once they are solved.
-void end_chains(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme) {
-    const double step = scheme.step(body.settings.damping);
-    finish_chains(body, scheme);
-    const bool captured = body.plan.limited && capture(body, around, scheme);
-    const double quiet = quiet_speed(gravity, scheme.advance);
+/// What they meet on their way, and the links again beside that. `limits`: what holds them to their targets, or null.
+void meet_models(Body& body, RopeContacts* limits, const CollisionContext& around, Vec3 gravity,
+                 const TimeScheme& scheme) {
+    const double step = scheme.step(body.settings.damping), quiet = quiet_speed(gravity, scheme.advance);
     collide(body, around, quiet);
     if (body.contacts.touched) {
         ease_contacts(body, around);
         hold_touching(body);
-        solve_directly(body, step);
+        solve_touching(body, step, limits);
         let_go_touching(body);
         // What a shape at the border pushes out, and what hangs on it, may have left the range.
         for (uint32_t p = 0; p < body.particles.size(); ++p)
             keep_in_range(body.particles.position[p], body.particles.velocity[p], body.history.start[p]);
         collide_again(body, around, quiet, {step, scheme.next / scheme.h});
     }
-    if (!body.constraints.attachments.empty()) give_tensions(body, around, scheme);
-    leave_solids(body, around, step);
+}
+
+/// How the next substep begins.
+void end_motion(Body& body, bool captured, const TimeScheme& scheme) {
+    body.contacts.touched = body.contacts.touched || !body.targets.reached.empty();
     body.history.earlier_step = body.contacts.touched || captured ? 0 : scheme.advance;
+}
+
+/// Once they are solved.
+void end_chains(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme) {
+    finish_chains(body, scheme);
+    const bool captured = body.plan.limited && capture(body, around, scheme);
+    meet_models(body, nullptr, around, gravity, scheme);
+    if (!body.constraints.attachments.empty()) give_tensions(body, around, scheme);
+    leave_solids(body, around, scheme.step(body.settings.damping));
+    end_motion(body, captured, scheme);
 }
 
 /// The same of a rope that has been solved with its contacts.
 void end_touching(Body& body, RopeContacts& contacts, const CollisionContext& around, Vec3 gravity,
                   const TimeScheme& scheme) {
-    contacts.keep_out(body);
-    finish_chains(body, scheme);
+    finish_chains(body, scheme, &contacts);
     const bool captured = body.plan.limited && capture(body, around, scheme);
-    contacts.finish(body, around, quiet_speed(gravity, scheme.advance), scheme);
+    if (contacts.beside_models()) {
+        contacts.finish(body, around, quiet_speed(gravity, scheme.advance), scheme);
+    } else {
+        meet_models(body, &contacts, around, gravity, scheme);
+    }
     if (!body.constraints.attachments.empty()) give_tensions(body, around, scheme);
-    body.history.earlier_step = body.contacts.touched || captured ? 0 : scheme.advance;
+    if (!contacts.beside_models()) leave_solids(body, around, scheme.step(body.settings.damping));
+    end_motion(body, captured, scheme);
 }
 
 bool began_in_shape(const Body& body) {
@@ -222,7 +241,7 @@ void restore_shape(Body& body, RopeContacts& contacts, double step) {
         body.history.earlier[p] += way;
         body.particles.position[p] = body.history.predicted[p] = body.rope.solved[p] + way;
     }
-    contacts.begin_step();  // from where they are now
+    contacts.look_again();  // from where they are now
 }
 
 /// Of a rope alone.

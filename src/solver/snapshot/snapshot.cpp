@@ -25,7 +25,7 @@ constexpr uint32_t format = 8;
 
 // Copied as they lie in memory, so they must have no padding.
 static_assert(sizeof(Vec3) == 24 && sizeof(DistanceConstraint) == 40 && sizeof(LengthChange) == 16 &&
-              sizeof(Attachment) == 80);
+              sizeof(Attachment) == 80 && sizeof(AnimationTarget) == 120);
 static_assert(sizeof(Touch) == 32 && sizeof(ModelImpulse) == 56 && sizeof(PlacedModel) == 36 && sizeof(Chain) == 12 &&
               sizeof(ReachLimit) == 16);
 static_assert(sizeof(Joint) == 56);
@@ -126,6 +126,12 @@ void write(Sink& sink, const SolverState& state) {
     for (uint32_t slot = 0; slot < state.ids.slots(); ++slot) {
         if (state.ids.live(slot)) visit_body(archive, state.bodies[slot]);
     }
+    // What few bodies have: slots and arrays, to the end.
+    for (uint32_t slot = 0; slot < state.ids.slots(); ++slot) {
+        if (!state.ids.live(slot) || state.bodies[slot].targets.empty()) continue;
+        archive.value(slot);
+        archive.array(state.bodies[slot].targets.all);
+    }
 }
 
 /// What is not in a snapshot, but for the plan. Throws std::bad_alloc.
@@ -141,6 +147,20 @@ void complete(Body& body) {
         if (body.contacts.touches[i].model != 0)
             body.contacts.touch_count[i / touches_per_particle] = i % touches_per_particle + 1;
     }
+}
+
+/// Each of a body, in their order.
+const char* read_targets(Reader& archive, SolverState& state) {
+    for (uint32_t next = 0; !archive.finished();) {
+        uint32_t slot = 0;
+        archive.value(slot);
+        if (!archive.good() || slot < next || slot >= state.ids.slots() || !state.ids.live(slot)) return cut_short;
+        archive.array(state.bodies[slot].targets.all);
+        if (!archive.good()) return cut_short;
+        if (const char* wrong = defect_of_targets(state.bodies[slot])) return wrong;
+        next = slot + 1;
+    }
+    return nullptr;
 }
 
 const char* read(Reader& archive, SolverState& state) {
@@ -159,7 +179,7 @@ const char* read(Reader& archive, SolverState& state) {
         complete_plan(body);
     }
     if (const char* wrong = defect_of_joints(state)) return wrong;
-    return archive.finished() ? nullptr : cut_short;
+    return read_targets(archive, state);
 }
 
 void split(uint64_t hash, uint32_t (&out)[2]) {

@@ -265,6 +265,18 @@ const char* defect(const Body& body) {
     return nullptr;
 }
 
+const char* defect_of_targets(const Body& body) {
+    const auto is_distance = [](double value) { return is_amount(value) || value == infinity; };
+    const auto is_normal = [](Vec3 normal) { return is_within(range, normal) && normal != Vec3{}; };
+    const auto is_target = [&](const AnimationTarget& target) {
+        return is_earlier_place(target.from) && is_earlier_place(target.to) && is_distance(target.max_distance) &&
+               is_distance(target.backstop) && target.fresh <= 1 && target.carries == 0 &&
+               (target.backstop == infinity || (is_normal(target.from_normal) && is_normal(target.to_normal)));
+    };
+    const bool fine = body.targets.all.size() == body.particles.size() && all(body.targets.all, is_target);
+    return fine ? nullptr : "words: an animation target is none";
+}
+
 const char* defect_of_plan(const Body& body) {
     constexpr const char* wrong = "words: the plan of a body is none";
     const Plan& plan = body.plan;

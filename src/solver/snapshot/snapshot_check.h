@@ -15,5 +15,7 @@ const char* defect_of_globals(const SolverState& state);
 const char* defect_of_joints(const SolverState& state);
 const char* defect(const Body& body);
 const char* defect_of_plan(const Body& body);
+/// Of its animation targets, of which there are some.
+const char* defect_of_targets(const Body& body);
 
 }  // namespace gphys
