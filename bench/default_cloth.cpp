@@ -277,15 +277,18 @@ void walk_through(World& world) {
 }
 
 /// A cape on a capsule that runs at 6 m/s, turns about within a fifth of a second and stops after six seconds. Then it
-/// turns once more or, if it `jumps`, is turned about from one frame to the next.
-void wear(World& world, bool jumps) {
+/// turns once more or, if it `jumps`, is turned about from one frame to the next. If it is `aimed`, an animation
+/// carries the cape as it was sewn: particles stay within a distance of that which grows to half a metre at the hem,
+/// and go no more than 2 cm towards the runner.
+void wear(World& world, bool jumps, bool aimed) {
     static const gphys_capsule body{{0, 0.3f, 0}, {0, 1.5f, 0}, 0.25f};
     const gphys_model_id runner = world.add(GPHYS_SHAPE_CAPSULE, &body);
     world.add_sheet({-0.4f, 1.5f, 0.28f}, {0.8f, 0, 0}, {0, -1.1f, 0.1f});
     for (uint32_t p = 0; p < world.columns; ++p) {
         world.attach(p, runner);
     }
-    world.act = [&world, runner, jumps](double time) {
+    const std::vector<gphys_vec3> sewn = world.positions();
+    world.act = [&world, runner, jumps, aimed, sewn](double time) {
         // To and fro along z: half of each two seconds this way, half that way, turned by half a turn between.
         const double running = std::min(std::max(time - 0.5, 0.0), 6.0), phase = std::fmod(running, 2.0);
         const double way = phase < 1 ? 6 * phase : 6 * (2 - phase);
@@ -295,6 +298,17 @@ void wear(World& world, bool jumps) {
                                                            : turning(phase - 1);
         const gphys_transform place = at(0, 0, static_cast<float>(-way), static_cast<float>(turned));
         check(gphys_scene_set_transform(world.scene, runner, &place));
+        if (!aimed) return;
+        const float c = static_cast<float>(std::cos(turned)), s = static_cast<float>(std::sin(turned));
+        std::vector<gphys_animation_target> targets(sewn.size());
+        for (uint32_t p = 0; p < sewn.size(); ++p) {
+            const gphys_vec3 q = sewn[p];
+            const float down = static_cast<float>(p / world.columns) / static_cast<float>(world.rows - 1);
+            targets[p] = {
+                {c * q.x + s * q.z, q.y, c * q.z - s * q.x - static_cast<float>(way)}, {s, 0, c}, 0.5f * down, 0.02f};
+        }
+        check(gphys_solver_set_animation_targets(world.solver, world.body, 0, world.size(), targets.data(),
+                                                 sizeof targets[0]));
     };
 }
 
@@ -355,8 +369,9 @@ int main(int count, char** arguments) {
                               {"sphere", 100, 100, fall_on_sphere},
                               {"box", 30, 30, fall_on_box},
                               {"curtain", 60, 60, walk_through},
-                              {"cape", 30, 40, [](World& world) { wear(world, false); }},
-                              {"cape_jump", 30, 40, [](World& world) { wear(world, true); }},
+                              {"cape", 30, 40, [](World& world) { wear(world, false, false); }},
+                              {"cape_jump", 30, 40, [](World& world) { wear(world, true, false); }},
+                              {"cape_aimed", 30, 40, [](World& world) { wear(world, false, true); }},
                               {"jump", 30, 30, jump}};
     if (!options.mesh.empty()) {
         scenes.push_back({"mesh", 100, 100, [&](World& world) { fall_on_mesh(world, options); }});

@@ -2188,7 +2188,7 @@ GPHYS_API gphys_status gphys_solver_set_positions(gphys_solver* solver, gphys_bo
                                                   uint32_t count, const gphys_vec3* positions, uint32_t stride);
 /** How fast the particles are, m/s.
  *  @param first, count    as in gphys_solver_get_positions
- *  @param out_velocities  count elements; 0 of what is pinned
+ *  @param out_velocities  count elements; 0 of what is pinned and stands still
  *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_get_velocities(const gphys_solver* solver, gphys_body_id body, uint32_t first,
                                                    uint32_t count, gphys_vec3* out_velocities, uint32_t out_stride);
@@ -2242,7 +2242,8 @@ GPHYS_API gphys_status gphys_solver_set_forces(gphys_solver* solver, gphys_body_
 GPHYS_API gphys_status gphys_solver_get_pinned(const gphys_solver* solver, gphys_body_id body, uint32_t first,
                                                uint32_t count, int32_t* out_pinned, uint32_t out_stride);
 /** Pin or release particles. A pinned particle stays where it is put and moves only by
- *  gphys_solver_set_positions; its speed is 0. Both pinning and releasing end an attachment.
+ *  gphys_solver_set_positions, or with an animation target of max_distance 0; else its speed is 0. Both pinning and
+ *  releasing end an attachment.
  *  @param first, count  as in gphys_solver_get_positions
  *  @param pinned        1: pin; 0: release
  *  Cost: O(count). */
@@ -2308,12 +2309,12 @@ typedef struct gphys_animation_target {
  *  max_distance 0 carries a particle: it is at its target, as if attached there, and moves links with infinite mass;
  *  this also moves a pinned particle, which stays pinned, at constant speed during a step. Otherwise particles that are
  *  pinned or attached are not moved. A particle that is out of its bounds at the end of a substep is put on the nearest
- *  place within both, without friction, and does not go on out of them: relative to the target it loses the speed with
- *  which it would. What lies within its bounds is not touched.
+ *  place within both, without friction; its velocity across them is then that of the target. What lies within its
+ *  bounds is not touched.
  *  Bounds act after constraints and before models: where a target is inside a model, or behind one, the particle stays
- *  outside. Links yield to bounds that contradict them. In ropes and in cloth what a bound holds carries what hangs
- *  from it; where bodies are joined, collide with each other or with themselves, bounds move particles alone, and
- *  links beside them may be strained by the way of a substep.
+ *  outside. Links yield to bounds that contradict them. What hangs from a particle at its bounds is carried, in cloth
+ *  and in ropes that are moved alone; ropes and free particles that are joined, or collide with bodies, are put back
+ *  particle by particle, and links beside these may be strained by the way of a substep.
  *  Wakes the body if a target changes.
  *  @param first, count  as in gphys_solver_get_positions
  *  @param targets       max_distance and backstop INFINITY: no target any more; a stride of 0 gives all the same

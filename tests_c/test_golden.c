@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { GROUPS = 9 };
+enum { GROUPS = 10 };
 
 static const struct golden {
     const char* group;
@@ -24,6 +24,7 @@ static const struct golden {
     {"orbits", 0x62b53876, 0x7d2e2ab7},
     {"queries", 0x0825934e, 0x151790c5},
     {"shapes", 0x67a709b4, 0x62fe01be},
+    {"targets", 0x7afeaeea, 0xde3b3ae8},
 };
 
 /* FNV-1a of 64 bits over 32-bit words. */
@@ -579,8 +580,51 @@ static uint64_t shapes(uint32_t workers) {
     return h.value;
 }
 
+/* Cloth, a rope and particles that follow an animation beside a model that moves. */
+static uint64_t targets(uint32_t workers) {
+    enum { COUNT = 9, ROWS = 12 };
+    hash h = begin_hash();
+    gphys_scene* scene = make_scene(1);
+    gphys_solver* solver = make_solver(workers, 4);
+    const gphys_capsule shape = {{0, 0, 0}, {0, 1.5f, 0}, 0.25f};
+    const gphys_vec3 corner = {-0.5f, 1.5f, 0.375f}, u = {1, 0, 0}, v = {0, -1.25f, 0};
+    const gphys_model_id runner = put(scene, GPHYS_SHAPE_CAPSULE, &shape, NULL, 2);
+    gphys_vec3 placed_at[COUNT * ROWS];
+    gphys_body_id bodies[3];
+    int i, k, p;
+    put_floor(scene);
+    for (i = 0; i < COUNT; ++i) placed_at[i] = point((float)(i - 4) / 8, 1.75f, (float)i / 16);
+    assert_int_equal(gphys_solver_add_cloth(solver, NULL, &corner, &u, &v, COUNT, ROWS, &bodies[0]), GPHYS_OK);
+    assert_int_equal(gphys_solver_add_rope(solver, NULL, placed_at, sizeof *placed_at, COUNT, 0, &bodies[1]), GPHYS_OK);
+    assert_int_equal(gphys_solver_add_particles(solver, NULL, placed_at, sizeof *placed_at, COUNT, &bodies[2]),
+                     GPHYS_OK);
+    assert_int_equal(gphys_solver_set_pinned(solver, bodies[1], 0, 1, 1), GPHYS_OK);
+    for (i = 0; i < 40; ++i) {
+        const float way = (float)(i % 20) / 16;
+        const gphys_transform place = placed(point(0, 0, way), 1, 40, i);
+        assert_int_equal(gphys_scene_set_transform(scene, runner, &place), GPHYS_OK);
+        for (k = 0; k < 3; ++k) {
+            for (p = 0; p < (k == 0 ? COUNT * ROWS : COUNT); ++p) {
+                const float x = (float)((k == 0 ? p % COUNT : p) - 4) / 8, down = k == 0 ? (float)(p / COUNT) / 8 : 0;
+                const float distance = p % 7 == 6 ? INFINITY : (float)(p % 7) / 16;
+                const gphys_animation_target target = {{x, 1.5f - down, 0.375f + way},
+                                                       {(float)i / 64, 0, 1},
+                                                       distance,
+                                                       p % 3 == 0 ? INFINITY : (float)(p % 3) / 64};
+                assert_int_equal(
+                    gphys_solver_set_animation_targets(solver, bodies[k], (uint32_t)p, 1, &target, sizeof target),
+                    GPHYS_OK);
+            }
+        }
+        run_steps(&h, solver, scene, 1);
+    }
+    gphys_solver_destroy(solver);
+    gphys_scene_destroy(scene);
+    return h.value;
+}
+
 static uint64_t (*const groups[GROUPS])(uint32_t workers) = {particles, ropes,  cloth,   joints, moving_models,
-                                                             cameras,   orbits, queries, shapes};
+                                                             cameras,   orbits, queries, shapes,  targets};
 
 static int is_as_recorded(int group, uint32_t workers) {
     const uint64_t value = groups[group](workers);
@@ -604,7 +648,7 @@ static void answers_have_the_bits_that_were_recorded(void** state) {
 
 static void so_they_have_with_any_number_of_workers(void** state) {
     static const uint32_t workers[] = {2, 4, 16};
-    static const int shared[] = {1, 2, 3, 4, 7};
+    static const int shared[] = {1, 2, 3, 4, 7, 9};
     size_t i, k;
     int all = 1;
     (void)state;

@@ -280,6 +280,22 @@ func TestWindCarriesBallsAlong(t *testing.T) {
 	same(t, vectors[0].X > 1.8 && vectors[1].Y > 2.7, true)
 }
 
+func TestABallHangsBelowItsAnimationTarget(t *testing.T) {
+	solver := must(NewSolver(nil))
+	balls := must(solver.AddParticles([]Vec3{{}, Vec(1, 0, 0)}, nil))
+	targets := make([]AnimationTarget, 2)
+	try(t, solver.AnimationTargets(balls, 0, targets))
+	same(t, math.IsInf(float64(targets[1].MaxDistance), 1), true)
+	targets[1].Position, targets[1].MaxDistance = Vec(1, 0, 0), 0.25
+	try(t, solver.SetAnimationTargets(balls, 0, targets))
+	for i := 0; i < 60; i++ {
+		try(t, solver.Step(nil, 0.01))
+	}
+	at := make([]Vec3, 1)
+	try(t, solver.Positions(balls, 1, at))
+	same(t, at[0].Y, float32(-0.25))
+}
+
 func TestAJointHoldsAParticleOfAnotherBody(t *testing.T) {
 	solver, body := must(NewSolver(nil)), DefaultBodyDesc()
 	body.Mass = 2

@@ -14,6 +14,12 @@ Vec3 unit(Vec3 v) {
     return v / length(v);
 }
 
+/// Of any length but 0.
+Vec3 normal_of(const AnimationTarget& target, double fraction) {
+    const Vec3 between = target.from_normal + (target.to_normal - target.from_normal) * fraction;
+    return between == Vec3{} ? target.to_normal : between;
+}
+
 bool is_same(const AnimationTarget& target, const gphys_animation_target& given) {
     return target.to == widen(given.position) && target.max_distance == given.max_distance &&
            target.backstop == given.backstop &&
@@ -130,12 +136,13 @@ Vec3 TargetBounds::turned(Vec3 velocity) const {
 
 TargetBound backstop_of(const AnimationTarget& target, double fraction, double time, Vec3 at) {
     if (target.backstop == infinity) return {{0, 1, 0}, -infinity, 0};
-    const Vec3 from = unit(target.from_normal), turn = unit(target.to_normal) - from;
-    const Vec3 between = from + turn * fraction, center = place_of(target, fraction);
-    const Vec3 normal = unit(length_squared(between) > 0 ? between : target.to_normal);
+    const Vec3 center = place_of(target, fraction), off = at - center;
+    const Vec3 across = normal_of(target, fraction), turning = target.to_normal - target.from_normal;
+    const double size = length(across);
+    const Vec3 normal = across / size;
     // As the normal turns the plane moves with it.
-    const double speed = (dot(normal, target.to - target.from) - dot(at - center, turn)) / time;
-    return {normal, dot(normal, center) - target.backstop, speed};
+    const double turned = (dot(off, turning) - dot(off, normal) * dot(normal, turning)) / size;
+    return {normal, dot(normal, center) - target.backstop, (dot(normal, target.to - target.from) - turned) / time};
 }
 
 TargetBound ball_of(const AnimationTarget& target, double fraction, double time, Vec3 at) {
@@ -150,10 +157,15 @@ Vec3 allowed_place(const AnimationTarget& target, double fraction, double time, 
     Vec3 normal;
     bool behind = false;
     if (target.backstop < infinity) {
-        normal = backstop_of(target, fraction, time, at).normal;
-        const double height = dot(off, normal);
-        behind = height < -target.backstop;
-        if (behind) off += normal * (-target.backstop - height);
+        normal = normal_of(target, fraction);
+        // Roots are taken of what is behind alone.
+        const double height = dot(off, normal), square = length_squared(normal);
+        behind = height < 0 && height * height > target.backstop * target.backstop * square;
+        if (behind) {
+            const double size = std::sqrt(square);
+            normal = normal / size;
+            off += normal * (-target.backstop - height / size);
+        }
     }
     const double most = target.max_distance, square = length_squared(off);
     const bool beyond = square > most * most;

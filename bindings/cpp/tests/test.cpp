@@ -708,6 +708,20 @@ TEST_CASE("wind carries balls along") {
     CHECK((vectors[0].x > 1.8f && vectors[1].y > 2.7f));
 }
 
+TEST_CASE("a ball hangs below its animation target") {
+    gamephys::Solver solver;
+    const auto balls = solver.add_particles(std::vector<Vec3>{zero, {1, 0, 0}});
+    std::vector<gamephys::AnimationTarget> targets(2);
+    solver.get_animation_targets(balls, 0, 2, targets);
+    CHECK(targets[1].max_distance == INFINITY);
+    targets[1] = {{1, 0, 0}, zero, 0.25f, INFINITY};
+    solver.set_animation_targets(balls, 0, targets);
+    for (int i = 0; i < 60; ++i) solver.step(nullptr, 0.01f);
+    std::vector<Vec3> at(1);
+    solver.get_positions(balls, 1, 1, at);
+    CHECK(at[0].y == -0.25f);
+}
+
 TEST_CASE("a joint holds a particle of another body") {
     Solver solver;
     auto desc = body_desc();

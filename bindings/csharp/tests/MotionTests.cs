@@ -282,6 +282,22 @@ public class MotionTests {
     }
 
     [Test]
+    public void ABallHangsBelowItsAnimationTarget() {
+        var solver = new Solver();
+        var balls = solver.AddParticles(new Vec3[] { (0, 0, 0), (1, 0, 0) });
+        var targets = new AnimationTarget[2];
+        solver.GetAnimationTargets(balls, 0, targets);
+        Assert.AreEqual(float.PositiveInfinity, targets[1].MaxDistance);
+        targets[1].Position = (1, 0, 0);
+        targets[1].MaxDistance = 0.25f;
+        solver.SetAnimationTargets(balls, 0, targets);
+        for (var i = 0; i < 60; ++i) solver.Step(0.01f);
+        var at = new Vec3[1];
+        solver.GetPositions(balls, 1, at);
+        Assert.AreEqual(-0.25f, at[0].Y);
+    }
+
+    [Test]
     public void AJointHoldsAParticleOfAnotherBody() {
         var solver = new Solver();
         var body = BodyDesc.Default;

@@ -625,6 +625,18 @@ public class GamephysTest {
     }
 
     @Test
+    public void aBallHangsBelowItsAnimationTarget() {
+        Solver solver = new Solver();
+        int balls = solver.addParticles(points(ZERO, v(1, 0, 0)));
+        Batch<AnimationTarget> targets = solver.getAnimationTargets(balls, 1, 1);
+        assertEquals(Float.POSITIVE_INFINITY, targets.get(0).maxDistance(), 0);
+        targets.set(0, new AnimationTarget(v(1, 0, 0), ZERO, 0.25f, Float.POSITIVE_INFINITY));
+        solver.setAnimationTargets(balls, 1, targets);
+        for (int step = 0; step < 60; ++step) solver.step(null, 0.01f);
+        assertEquals(-0.25, solver.getPositions(balls, 1, 1).get(0).y(), 0);
+    }
+
+    @Test
     public void aJointHoldsAParticleOfAnotherBody() {
         Solver solver = new Solver();
         int nail = solver.addParticles(points(ZERO), new BodyDesc().mass(2));

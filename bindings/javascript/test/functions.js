@@ -423,6 +423,15 @@ test('wind carries balls along', () => {
     assert(first[0] > 1.8 && second[1] > 2.7);
 });
 
+test('a ball hangs below its animation target', () => {
+    const solver = new gp.Solver();
+    const balls = solver.addParticles(floats(0, 0, 0, 1, 0, 0));
+    solver.setAnimationTargets(balls, 1, floats(1, 0, 0, 0, 1, 0, 0.25, Infinity));
+    same([...solver.getAnimationTargets(balls, 0, 2)].map((target) => target.max_distance), [Infinity, 0.25]);
+    for (let i = 0; i < 60; ++i) solver.step(null, 0.01);
+    assert.strictEqual(solver.getPositions(balls, 1, 1).get(0)[1], -0.25);
+});
+
 test('a joint holds a particle of another body', () => {
     const solver = new gp.Solver();
     const nail = solver.addParticles(floats(0, 0, 0), { mass: 2 });

@@ -513,6 +513,16 @@ function tests.wind_carries_balls_along()
     assert(speeds[0].x > 1.8 and speeds[1].y > 2.7)
 end
 
+function tests.a_ball_hangs_below_its_animation_target()
+    local solver = gp.Solver()
+    local balls = solver:add_particles(gp.array('vec3', { { 0, 0, 0 }, { 1, 0, 0 } }))
+    solver:set_animation_targets(balls, 1, { { { 1, 0, 0 }, { 0, 1, 0 }, 0.25, math.huge } })
+    local targets = solver:get_animation_targets(balls, 0, 2)
+    assert(targets[0].max_distance == math.huge and targets[1].max_distance == 0.25)
+    for _ = 1, 60 do solver:step(nil, 0.01) end
+    assert(solver:get_positions(balls, 1, 1)[0].y == -0.25)
+end
+
 function tests.a_joint_holds_a_particle_of_another_body()
     local solver = gp.Solver()
     local nail = solver:add_particles(gp.array('vec3', { { 0, 0, 0 } }), { mass = 2 })

@@ -498,6 +498,19 @@ class Functions(unittest.TestCase):
         self.assertGreater(first[0], 1.8)
         self.assertGreater(second[1], 2.7)
 
+    def test_a_ball_hangs_below_its_animation_target(self):
+        solver = gp.Solver()
+        balls = solver.add_particles([(0, 0, 0), (1, 0, 0)])
+        targets = solver.get_animation_targets(balls, 1, 1)
+        self.assertEqual(targets["max_distance"][0], np.inf)
+        targets["position"] = (1, 0, 0)
+        targets["max_distance"] = 0.25
+        solver.set_animation_targets(balls, 1, targets)
+        self.assertEqual(solver.get_animation_targets(balls, 0, 2)["max_distance"].tolist(), [np.inf, 0.25])
+        for _ in range(60):
+            solver.step(None, 0.01)
+        self.assertEqual(solver.get_positions(balls, 1, 1)[0][1], -0.25)
+
     def test_joints(self):
         """A weight hangs from a nail, which is another body."""
         solver = gp.Solver()

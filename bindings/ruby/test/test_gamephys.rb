@@ -511,6 +511,15 @@ class TestGamephys < Minitest::Test
     assert_operator second[1], :>, 2.7
   end
 
+  def test_a_ball_hangs_below_its_animation_target
+    solver = Solver.new
+    balls = solver.add_particles([[0, 0, 0], [1, 0, 0]])
+    solver.set_animation_targets(balls, 1, [AnimationTarget.new([1, 0, 0], [0, 1, 0], 0.25, Float::INFINITY)])
+    assert_equal [Float::INFINITY, 0.25], solver.get_animation_targets(balls, 0, 2).to_a.map(&:max_distance)
+    60.times { solver.step(nil, 0.01) }
+    assert_equal(-0.25, solver.get_positions(balls, 1, 1)[0].to_a[1])
+  end
+
   def test_a_joint_holds_a_particle_of_another_body
     solver = Solver.new
     nail = solver.add_particles([[0, 0, 0]], mass: 2)

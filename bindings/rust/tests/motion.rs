@@ -256,6 +256,22 @@ fn wind_carries_balls_along() {
 }
 
 #[test]
+fn a_ball_hangs_below_its_animation_target() {
+    let mut solver = Solver::new(None).unwrap();
+    let balls = solver.add_particles(&[[0.0; 3], [1.0, 0.0, 0.0]], None).unwrap();
+    let mut targets = [AnimationTarget::default(); 2];
+    solver.get_animation_targets(balls, 0, &mut targets).unwrap();
+    assert_eq!(targets[1].max_distance, f32::INFINITY);
+    targets[1].position = [1.0, 0.0, 0.0].into();
+    targets[1].max_distance = 0.25;
+    solver.set_animation_targets(balls, 0, &targets).unwrap();
+    (0..60).for_each(|_| solver.step(None, 0.01).unwrap());
+    let mut at = [Vec3::default()];
+    solver.get_positions(balls, 1, &mut at).unwrap();
+    assert_eq!(at[0].y, -0.25);
+}
+
+#[test]
 fn a_joint_holds_a_particle_of_another_body() {
     let mut solver = Solver::new(None).unwrap();
     let desc = BodyDesc { mass: 2.0, ..Default::default() };

@@ -55,7 +55,7 @@ public:
     void reserve(uint32_t particles);
     /// Before the substeps of a step. Not beside models: only targets count.
     void begin_step(const Body& body, bool beside_models);
-    void look_again() { looked_ = false; }
+    void look_again() { looked_ = !beside_models_; }
     bool beside_models() const { return beside_models_; }
     /// Once the particles are predicted. False if one of them is in a solid deeper than it comes out at once.
     bool begin(Body& body, const CollisionContext& around, Vec3 gravity, double h);
