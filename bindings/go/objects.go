@@ -3377,7 +3377,7 @@ func (o *Solver) SetPositions(body BodyID, first uint32, positions []Vec3) (err 
 
 // How fast the particles are, m/s.
 //   - first, count: as in Solver.Positions
-// Result: 0 of what is pinned.
+// Result: 0 of what is pinned and stands still.
 // Cost: O(count).
 func (o *Solver) Velocities(body BodyID, first uint32, velocities []Vec3) (err error) {
 	self, err := o.open()
@@ -3544,7 +3544,8 @@ func (o *Solver) Pinned(body BodyID, first uint32, pinned []int32) (err error) {
 }
 
 // Pin or release particles. A pinned particle stays where it is put and moves only by
-// Solver.SetPositions; its speed is 0. Both pinning and releasing end an attachment.
+// Solver.SetPositions, or with an animation target of maxDistance 0; else its speed is 0. Both pinning
+// and releasing end an attachment.
 //   - first, count: as in Solver.Positions
 //   - pinned: true: pin; false: release
 // Cost: O(count).
@@ -3632,6 +3633,59 @@ func (o *Solver) AirVelocities(body BodyID, first uint32, velocities []Vec3) (er
 		return
 	}
 	r := C.go_gphys_solver_get_air_velocities(self, C.gphys_body_id(body), C.uint32_t(first), C.uint32_t(count), (*C.gphys_vec3)(data(velocities)), size(velocities))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
+// Give particles animation targets, before each step that is to follow an animation: a cape or skirt
+// that is skinned to its character stays within maxDistance of the skinned vertices and does not sink
+// into the body behind them. In the next step position and normal go evenly from the old target to the
+// new one, substep by substep; distances act at once. A target that is not set again stands still. A
+// first target, and that of a particle which Solver.SetPositions has moved since the last step, is at
+// once where it is set: a teleport is that call and this one. maxDistance 0 carries a particle: it is
+// at its target, as if attached there, and moves links with infinite mass; this also moves a pinned
+// particle, which stays pinned, at constant speed during a step. Otherwise particles that are pinned
+// or attached are not moved. A particle that is out of its bounds at the end of a substep is put on
+// the nearest place within both, without friction; its velocity across them is then that of the
+// target. What lies within its bounds is not touched. Bounds act after constraints and before models:
+// where a target is inside a model, or behind one, the particle stays outside. Links yield to bounds
+// that contradict them. What hangs from a particle at its bounds is carried, in cloth and in ropes
+// that are moved alone; ropes and free particles that are joined, or collide with bodies, are put back
+// particle by particle, and links beside these may be strained by the way of a substep. Wakes the body
+// if a target changes.
+//   - first: as in Solver.Positions
+//   - targets: maxDistance and backstop INFINITY: no target any more
+// Cost: O(elements); the first time O(particles), and it allocates. In each substep some 100 ns a
+// particle; ropes with targets are solved one by one, as those that touch models. Since 1.1.
+func (o *Solver) SetAnimationTargets(body BodyID, first uint32, targets []AnimationTarget) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	count, err := commonLength([]int{}, len(targets))
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_solver_set_animation_targets(self, C.gphys_body_id(body), C.uint32_t(first), C.uint32_t(count), (*C.gphys_animation_target)(data(targets)), step(targets))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
+// Animation targets of particles as they were set; 0 and INFINITY of what has none.
+//   - first, count: as in Solver.Positions
+// Cost: O(count). Since 1.1.
+func (o *Solver) AnimationTargets(body BodyID, first uint32, targets []AnimationTarget) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	count := len(targets)
+	if err = checkLength(count); err != nil {
+		return
+	}
+	r := C.go_gphys_solver_get_animation_targets(self, C.gphys_body_id(body), C.uint32_t(first), C.uint32_t(count), (*C.gphys_animation_target)(data(targets)), size(targets))
 	runtime.KeepAlive(o)
 	err = check(r.status, r.message)
 	return

@@ -2532,6 +2532,28 @@ static inline go_gphys_solver_get_air_velocities_result go_gphys_solver_get_air_
     return r;
 }
 
+typedef struct go_gphys_solver_set_animation_targets_result {
+    gphys_status status;
+    char* message;
+} go_gphys_solver_set_animation_targets_result;
+static inline go_gphys_solver_set_animation_targets_result go_gphys_solver_set_animation_targets(void* solver, gphys_body_id body, uint32_t first, uint32_t count, const gphys_animation_target * targets, uint32_t stride) {
+    go_gphys_solver_set_animation_targets_result r = {0};
+    r.status = gphys_solver_set_animation_targets(solver, body, first, count, targets, stride);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_solver_get_animation_targets_result {
+    gphys_status status;
+    char* message;
+} go_gphys_solver_get_animation_targets_result;
+static inline go_gphys_solver_get_animation_targets_result go_gphys_solver_get_animation_targets(void* solver, gphys_body_id body, uint32_t first, uint32_t count, gphys_animation_target * out_targets, uint32_t out_stride) {
+    go_gphys_solver_get_animation_targets_result r = {0};
+    r.status = gphys_solver_get_animation_targets(solver, body, first, count, out_targets, out_stride);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_solver_attach_result {
     gphys_status status;
     char* message;

@@ -685,6 +685,20 @@ type Wind struct {
 	Lift float32
 }
 
+// Where an animation wants a particle, and how far from there the particle may be. Frozen.
+type AnimationTarget struct {
+	// metres
+	Position Vec3
+	// of the animated surface, away from the character; any length but 0; not read without
+	// a backstop
+	Normal Vec3
+	// metres from position, >= 0; INFINITY: any
+	MaxDistance float32
+	// metres that the particle may go behind the plane through position across normal, >= 0;
+	// INFINITY: any
+	Backstop float32
+}
+
 // A particle that is attached to a model. Frozen.  Since 1.1.
 type Attachment struct {
 	Particle uint32
@@ -991,6 +1005,11 @@ var (
 	_ [unsafe.Offsetof(C.gphys_wind{}.density)]byte = [unsafe.Offsetof(Wind{}.Density)]byte{}
 	_ [unsafe.Offsetof(C.gphys_wind{}.drag)]byte = [unsafe.Offsetof(Wind{}.Drag)]byte{}
 	_ [unsafe.Offsetof(C.gphys_wind{}.lift)]byte = [unsafe.Offsetof(Wind{}.Lift)]byte{}
+	_ [C.sizeof_gphys_animation_target]byte = [unsafe.Sizeof(AnimationTarget{})]byte{}
+	_ [unsafe.Offsetof(C.gphys_animation_target{}.position)]byte = [unsafe.Offsetof(AnimationTarget{}.Position)]byte{}
+	_ [unsafe.Offsetof(C.gphys_animation_target{}.normal)]byte = [unsafe.Offsetof(AnimationTarget{}.Normal)]byte{}
+	_ [unsafe.Offsetof(C.gphys_animation_target{}.max_distance)]byte = [unsafe.Offsetof(AnimationTarget{}.MaxDistance)]byte{}
+	_ [unsafe.Offsetof(C.gphys_animation_target{}.backstop)]byte = [unsafe.Offsetof(AnimationTarget{}.Backstop)]byte{}
 	_ [C.sizeof_gphys_attachment]byte = [unsafe.Sizeof(Attachment{})]byte{}
 	_ [unsafe.Offsetof(C.gphys_attachment{}.particle)]byte = [unsafe.Offsetof(Attachment{}.Particle)]byte{}
 	_ [unsafe.Offsetof(C.gphys_attachment{}.model)]byte = [unsafe.Offsetof(Attachment{}.Model)]byte{}

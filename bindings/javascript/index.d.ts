@@ -468,6 +468,19 @@ export interface Wind {
     /** coefficient C_L of cloth, >= 0; a plate has as much lift as drag */
     lift: number;
 }
+/** Where an animation wants a particle, and how far from there the particle may be. Frozen. */
+export interface AnimationTarget {
+    /** metres */
+    position: number[];
+    /** of the animated surface, away from the character; any length but 0; not read without
+     * a backstop */
+    normal: number[];
+    /** metres from position, >= 0; INFINITY: any */
+    max_distance: number;
+    /** metres that the particle may go behind the plane through position across normal, >= 0;
+     * INFINITY: any */
+    backstop: number;
+}
 /** A particle that is attached to a model. Frozen.  Since 1.1. */
 export interface Attachment {
     particle: number;
@@ -582,6 +595,7 @@ export interface Kinds {
     body_settings: BodySettings;
     body_info: BodyInfo;
     wind: Wind;
+    animation_target: AnimationTarget;
     attachment: Attachment;
     constraint_info: ConstraintInfo;
     constraint_settings: ConstraintSettings;
@@ -1583,7 +1597,7 @@ export class Solver {
      * Cost: O(count).
      * @param first - as in Solver.getPositions
      * @param count - as in Solver.getPositions
-     * @returns 0 of what is pinned. */
+     * @returns 0 of what is pinned and stands still. */
     getVelocities(body: number, first: number, count: number, out?: Elements): Records<number[]>;
     /** Give particles a velocity, which the next step starts from. Wakes the body. Pinned particles keep 0.
      * Cost: O(elements).
@@ -1627,7 +1641,8 @@ export class Solver {
      * @param count - as in Solver.getPositions */
     getPinned(body: number, first: number, count: number, out?: Elements): Records<number>;
     /** Pin or release particles. A pinned particle stays where it is put and moves only by
-     * Solver.setPositions; its speed is 0. Both pinning and releasing end an attachment.
+     * Solver.setPositions, or with an animation target of max_distance 0; else its speed is 0. Both
+     * pinning and releasing end an attachment.
      * Cost: O(count).
      * @param first - as in Solver.getPositions
      * @param count - as in Solver.getPositions
@@ -1661,6 +1676,32 @@ export class Solver {
      * @param first - as in Solver.getPositions
      * @param count - as in Solver.getPositions */
     getAirVelocities(body: number, first: number, count: number, out?: Elements): Records<number[]>;
+    /** Give particles animation targets, before each step that is to follow an animation: a cape or skirt
+     * that is skinned to its character stays within max_distance of the skinned vertices and does not sink
+     * into the body behind them. In the next step position and normal go evenly from the old target to the
+     * new one, substep by substep; distances act at once. A target that is not set again stands still. A
+     * first target, and that of a particle which Solver.setPositions has moved since the last step, is at
+     * once where it is set: a teleport is that call and this one. max_distance 0 carries a particle: it is
+     * at its target, as if attached there, and moves links with infinite mass; this also moves a pinned
+     * particle, which stays pinned, at constant speed during a step. Otherwise particles that are pinned
+     * or attached are not moved. A particle that is out of its bounds at the end of a substep is put on
+     * the nearest place within both, without friction; its velocity across them is then that of the
+     * target. What lies within its bounds is not touched. Bounds act after constraints and before models:
+     * where a target is inside a model, or behind one, the particle stays outside. Links yield to bounds
+     * that contradict them. What hangs from a particle at its bounds is carried, in cloth and in ropes
+     * that are moved alone; ropes and free particles that are joined, or collide with bodies, are put back
+     * particle by particle, and links beside these may be strained by the way of a substep. Wakes the body
+     * if a target changes.
+     * Cost: O(elements); the first time O(particles), and it allocates. In each substep some 100 ns a
+     * particle; ropes with targets are solved one by one, as those that touch models. Since 1.1.
+     * @param first - as in Solver.getPositions
+     * @param targets - max_distance and backstop INFINITY: no target any more */
+    setAnimationTargets(body: number, first: number, targets: Elements): void;
+    /** Animation targets of particles as they were set; 0 and INFINITY of what has none.
+     * Cost: O(count). Since 1.1.
+     * @param first - as in Solver.getPositions
+     * @param count - as in Solver.getPositions */
+    getAnimationTargets(body: number, first: number, count: number, out?: Elements): Records<AnimationTarget>;
     /** Fix a particle to a model: it follows the model's transform in each step, and is released when the
      * model is gone. Steps must then be given this scene.
      * Cost: O(1); allocates.

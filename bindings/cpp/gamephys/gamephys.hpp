@@ -43,6 +43,7 @@ using BodyDesc = gphys_body_desc;
 using BodySettings = gphys_body_settings;
 using BodyInfo = gphys_body_info;
 using Wind = gphys_wind;
+using AnimationTarget = gphys_animation_target;
 using Attachment = gphys_attachment;
 using ConstraintInfo = gphys_constraint_info;
 using ConstraintSettings = gphys_constraint_settings;
@@ -1802,7 +1803,7 @@ public:
 
     // How fast the particles are, m/s.
     //   - first, count: as in Solver::get_positions
-    // Result: 0 of what is pinned.
+    // Result: 0 of what is pinned and stands still.
     // Cost: O(count).
     void get_velocities(gphys_body_id body, uint32_t first, uint32_t count, Span<Vec3> out_velocities) const {
         require_size(out_velocities.size, count);
@@ -1879,7 +1880,8 @@ public:
     }
 
     // Pin or release particles. A pinned particle stays where it is put and moves only by
-    // Solver::set_positions; its speed is 0. Both pinning and releasing end an attachment.
+    // Solver::set_positions, or with an animation target of max_distance 0; else its speed is 0. Both
+    // pinning and releasing end an attachment.
     //   - first, count: as in Solver::get_positions
     //   - pinned: 1: pin; 0: release
     // Cost: O(count).
@@ -1928,6 +1930,39 @@ public:
     void get_air_velocities(gphys_body_id body, uint32_t first, uint32_t count, Span<Vec3> out_velocities) const {
         require_size(out_velocities.size, count);
         check(gphys_solver_get_air_velocities(handle(), body, first, count, out_velocities.data, out_velocities.stride));
+    }
+
+    // Give particles animation targets, before each step that is to follow an animation: a cape or skirt
+    // that is skinned to its character stays within max_distance of the skinned vertices and does not sink
+    // into the body behind them. In the next step position and normal go evenly from the old target to the
+    // new one, substep by substep; distances act at once. A target that is not set again stands still. A
+    // first target, and that of a particle which Solver::set_positions has moved since the last step, is
+    // at once where it is set: a teleport is that call and this one. max_distance 0 carries a particle: it
+    // is at its target, as if attached there, and moves links with infinite mass; this also moves a pinned
+    // particle, which stays pinned, at constant speed during a step. Otherwise particles that are pinned
+    // or attached are not moved. A particle that is out of its bounds at the end of a substep is put on
+    // the nearest place within both, without friction; its velocity across them is then that of the
+    // target. What lies within its bounds is not touched. Bounds act after constraints and before models:
+    // where a target is inside a model, or behind one, the particle stays outside. Links yield to bounds
+    // that contradict them. What hangs from a particle at its bounds is carried, in cloth and in ropes
+    // that are moved alone; ropes and free particles that are joined, or collide with bodies, are put back
+    // particle by particle, and links beside these may be strained by the way of a substep. Wakes the body
+    // if a target changes.
+    //   - first: as in Solver::get_positions
+    //   - targets: max_distance and backstop INFINITY: no target any more
+    // Cost: O(elements); the first time O(particles), and it allocates. In each substep some 100 ns a
+    // particle; ropes with targets are solved one by one, as those that touch models. Since 1.1.
+    void set_animation_targets(gphys_body_id body, uint32_t first, Span<const AnimationTarget> targets) {
+        const uint32_t count = common_size({targets.sizes()});
+        check(gphys_solver_set_animation_targets(handle(), body, first, count, targets.data, targets.stride));
+    }
+
+    // Animation targets of particles as they were set; 0 and INFINITY of what has none.
+    //   - first, count: as in Solver::get_positions
+    // Cost: O(count). Since 1.1.
+    void get_animation_targets(gphys_body_id body, uint32_t first, uint32_t count, Span<AnimationTarget> out_targets) const {
+        require_size(out_targets.size, count);
+        check(gphys_solver_get_animation_targets(handle(), body, first, count, out_targets.data, out_targets.stride));
     }
 
     // Fix a particle to a model: it follows the model's transform in each step, and is released when the

@@ -232,6 +232,8 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_solver_get_wind(SolverHandle solver, uint body, Wind* out_wind);
     [DllImport(Library)] internal static extern Status gphys_solver_set_air_velocities(SolverHandle solver, uint body, uint first, uint count, Vec3* velocities, uint stride);
     [DllImport(Library)] internal static extern Status gphys_solver_get_air_velocities(SolverHandle solver, uint body, uint first, uint count, Vec3* out_velocities, uint out_stride);
+    [DllImport(Library)] internal static extern Status gphys_solver_set_animation_targets(SolverHandle solver, uint body, uint first, uint count, AnimationTarget* targets, uint stride);
+    [DllImport(Library)] internal static extern Status gphys_solver_get_animation_targets(SolverHandle solver, uint body, uint first, uint count, AnimationTarget* out_targets, uint out_stride);
     [DllImport(Library)] internal static extern Status gphys_solver_attach(SolverHandle solver, SceneHandle scene, uint body, uint particle, uint model, Vec3* local_point);
     [DllImport(Library)] internal static extern Status gphys_solver_detach(SolverHandle solver, uint body, uint particle);
     [DllImport(Library)] internal static extern Status gphys_solver_get_attachments(SolverHandle solver, uint body, Attachment* out_attachments, uint capacity, uint* out_total);

@@ -2330,7 +2330,7 @@ public sealed partial class Solver : IDisposable {
     /// Cost: O(count).</summary>
     /// <param name="first">as in Solver.GetPositions</param>
     /// <param name="count">as in Solver.GetPositions</param>
-    /// <returns>0 of what is pinned.</returns>
+    /// <returns>0 of what is pinned and stands still.</returns>
     public unsafe void GetVelocities(uint body, uint first, Span<Vec3> velocities) {
         var count = (uint)velocities.Length;
         fixed (Vec3* velocities_ = &MemoryMarshal.GetReference(velocities))
@@ -2419,7 +2419,8 @@ public sealed partial class Solver : IDisposable {
     }
 
     /// <summary>Pin or release particles. A pinned particle stays where it is put and moves only by
-    /// Solver.SetPositions; its speed is 0. Both pinning and releasing end an attachment.
+    /// Solver.SetPositions, or with an animation target of maxDistance 0; else its speed is 0. Both pinning
+    /// and releasing end an attachment.
     /// Cost: O(count).</summary>
     /// <param name="first">as in Solver.GetPositions</param>
     /// <param name="count">as in Solver.GetPositions</param>
@@ -2472,6 +2473,42 @@ public sealed partial class Solver : IDisposable {
         var count = (uint)velocities.Length;
         fixed (Vec3* velocities_ = &MemoryMarshal.GetReference(velocities))
         Check(Low.gphys_solver_get_air_velocities(Handle, body, first, count, velocities_, (uint)sizeof(Vec3)));
+    }
+
+    /// <summary>Give particles animation targets, before each step that is to follow an animation: a cape or skirt
+    /// that is skinned to its character stays within maxDistance of the skinned vertices and does not sink
+    /// into the body behind them. In the next step position and normal go evenly from the old target to the
+    /// new one, substep by substep; distances act at once. A target that is not set again stands still. A
+    /// first target, and that of a particle which Solver.SetPositions has moved since the last step, is at
+    /// once where it is set: a teleport is that call and this one. maxDistance 0 carries a particle: it is
+    /// at its target, as if attached there, and moves links with infinite mass; this also moves a pinned
+    /// particle, which stays pinned, at constant speed during a step. Otherwise particles that are pinned
+    /// or attached are not moved. A particle that is out of its bounds at the end of a substep is put on
+    /// the nearest place within both, without friction; its velocity across them is then that of the
+    /// target. What lies within its bounds is not touched. Bounds act after constraints and before models:
+    /// where a target is inside a model, or behind one, the particle stays outside. Links yield to bounds
+    /// that contradict them. What hangs from a particle at its bounds is carried, in cloth and in ropes
+    /// that are moved alone; ropes and free particles that are joined, or collide with bodies, are put back
+    /// particle by particle, and links beside these may be strained by the way of a substep. Wakes the body
+    /// if a target changes.
+    /// Cost: O(elements); the first time O(particles), and it allocates. In each substep some 100 ns a
+    /// particle; ropes with targets are solved one by one, as those that touch models. Since 1.1.</summary>
+    /// <param name="first">as in Solver.GetPositions</param>
+    /// <param name="targets">maxDistance and backstop INFINITY: no target any more</param>
+    public unsafe void SetAnimationTargets(uint body, uint first, ReadOnlySpan<AnimationTarget> targets) {
+        var count = CommonLength(-1, targets.Length);
+        fixed (AnimationTarget* targets_ = &MemoryMarshal.GetReference(targets))
+        Check(Low.gphys_solver_set_animation_targets(Handle, body, first, count, targets_, StrideOf(targets)));
+    }
+
+    /// <summary>Animation targets of particles as they were set; 0 and INFINITY of what has none.
+    /// Cost: O(count). Since 1.1.</summary>
+    /// <param name="first">as in Solver.GetPositions</param>
+    /// <param name="count">as in Solver.GetPositions</param>
+    public unsafe void GetAnimationTargets(uint body, uint first, Span<AnimationTarget> targets) {
+        var count = (uint)targets.Length;
+        fixed (AnimationTarget* targets_ = &MemoryMarshal.GetReference(targets))
+        Check(Low.gphys_solver_get_animation_targets(Handle, body, first, count, targets_, (uint)sizeof(AnimationTarget)));
     }
 
     /// <summary>Fix a particle to a model: it follows the model's transform in each step, and is released when the

@@ -822,6 +822,25 @@ public partial struct Wind {
     public float Lift;
 }
 
+/// <summary>Where an animation wants a particle, and how far from there the particle may be. Frozen.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public partial struct AnimationTarget {
+    /// <summary>metres</summary>
+    public Vec3 Position;
+    /// <summary>
+    /// of the animated surface, away from the character; any length but 0; not read without
+    /// a backstop
+    /// </summary>
+    public Vec3 Normal;
+    /// <summary>metres from position, &gt;= 0; INFINITY: any</summary>
+    public float MaxDistance;
+    /// <summary>
+    /// metres that the particle may go behind the plane through position across normal, &gt;= 0;
+    /// INFINITY: any
+    /// </summary>
+    public float Backstop;
+}
+
 /// <summary>A particle that is attached to a model. Frozen.  Since 1.1.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public partial struct Attachment {

@@ -42,6 +42,7 @@ static class Layout {
         (typeof(BodySettings), 28, new string[] { "Damping", "Friction", "StaticFriction", "Restitution", "Layers", "BodyLayers", "SelfCollision" }, new int[] { 0, 4, 8, 12, 16, 20, 24 }),
         (typeof(BodyInfo), 20, new string[] { "Kind", "Method", "ParticleCount", "ConstraintCount", "TriangleCount" }, new int[] { 0, 4, 8, 12, 16 }),
         (typeof(Wind), 24, new string[] { "Velocity", "Density", "Drag", "Lift" }, new int[] { 0, 12, 16, 20 }),
+        (typeof(AnimationTarget), 32, new string[] { "Position", "Normal", "MaxDistance", "Backstop" }, new int[] { 0, 12, 24, 28 }),
         (typeof(Attachment), 20, new string[] { "Particle", "Model", "LocalPoint" }, new int[] { 0, 4, 8 }),
         (typeof(ConstraintInfo), 20, new string[] { "Id", "ParticleA", "ParticleB", "RestLength", "Compliance" }, new int[] { 0, 4, 8, 12, 16 }),
         (typeof(ConstraintSettings), 12, new string[] { "RestLength", "Compliance", "Damping" }, new int[] { 0, 4, 8 }),

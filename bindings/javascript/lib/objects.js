@@ -986,6 +986,18 @@ export function objects(memory) {
             check(native.gphys_solver_get_air_velocities(this.pointer, body, first, count, pass(out_velocities_), 12));
             return finish(out_velocities_);
         }
+        setAnimationTargets(body, first, targets) {
+            begin();
+            const targets_ = input(targets, 32, 'targets');
+            const count = common(targets_);
+            check(native.gphys_solver_set_animation_targets(this.pointer, body, first, count, pass(targets_), 32));
+        }
+        getAnimationTargets(body, first, count, out) {
+            begin();
+            const out_targets_ = output(out, 'animation_target', count);
+            check(native.gphys_solver_get_animation_targets(this.pointer, body, first, count, pass(out_targets_), 32));
+            return finish(out_targets_);
+        }
         attach(scene, body, particle, model, local_point) {
             if (local_point != null) { writeVec3(v, 0, local_point); }
             check(native.gphys_solver_attach(this.pointer, pointer(scene, Scene, 'scene', false), body, particle, model, local_point == null ? 0 : base));

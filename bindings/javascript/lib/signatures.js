@@ -227,6 +227,8 @@ export const signatures = {
     gphys_solver_get_wind: 'ipup',
     gphys_solver_set_air_velocities: 'ipuuuau',
     gphys_solver_get_air_velocities: 'ipuuuau',
+    gphys_solver_set_animation_targets: 'ipuuuau',
+    gphys_solver_get_animation_targets: 'ipuuuau',
     gphys_solver_attach: 'ippuuup',
     gphys_solver_detach: 'ipuu',
     gphys_solver_get_attachments: 'ipuaup',

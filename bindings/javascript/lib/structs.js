@@ -346,6 +346,14 @@ export function writeWind(v, at, value) {
     v.f32[at + 4] = number(rows ? value[2] : value.drag, 'drag');
     v.f32[at + 5] = number(rows ? value[3] : value.lift, 'lift');
 }
+export const readAnimationTarget = (v, at) => ({ position: readVec3(v, at), normal: readVec3(v, at + 3), max_distance: v.f32[at + 6], backstop: v.f32[at + 7] });
+export function writeAnimationTarget(v, at, value) {
+    const rows = row(value, 4, 'animation_target');
+    writeVec3(v, at, rows ? value[0] : value.position);
+    writeVec3(v, at + 3, rows ? value[1] : value.normal);
+    v.f32[at + 6] = number(rows ? value[2] : value.max_distance, 'max_distance');
+    v.f32[at + 7] = number(rows ? value[3] : value.backstop, 'backstop');
+}
 export const readAttachment = (v, at) => ({ particle: v.u32[at], model: v.u32[at + 1], local_point: readVec3(v, at + 2) });
 export function writeAttachment(v, at, value) {
     const rows = row(value, 3, 'attachment');
@@ -445,6 +453,7 @@ export const types = {
     body_settings: { size: 28, read: readBodySettings, write: writeBodySettings },
     body_info: { size: 20, read: readBodyInfo, write: writeBodyInfo },
     wind: { size: 24, read: readWind, write: writeWind },
+    animation_target: { size: 32, read: readAnimationTarget, write: writeAnimationTarget },
     attachment: { size: 20, read: readAttachment, write: writeAttachment },
     constraint_info: { size: 20, read: readConstraintInfo, write: writeConstraintInfo },
     constraint_settings: { size: 12, read: readConstraintSettings, write: writeConstraintSettings },

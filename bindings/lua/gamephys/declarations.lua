@@ -58,6 +58,7 @@ typedef struct gphys_body_desc { uint32_t struct_size; float mass; float radius;
 typedef struct gphys_body_settings { float damping; float friction; float static_friction; float restitution; uint32_t layers; uint32_t body_layers; uint32_t self_collision; } gphys_body_settings;
 typedef struct gphys_body_info { gphys_body_kind kind; gphys_solve_method method; uint32_t particle_count; uint32_t constraint_count; uint32_t triangle_count; } gphys_body_info;
 typedef struct gphys_wind { gphys_vec3 velocity; float density; float drag; float lift; } gphys_wind;
+typedef struct gphys_animation_target { gphys_vec3 position; gphys_vec3 normal; float max_distance; float backstop; } gphys_animation_target;
 typedef struct gphys_attachment { uint32_t particle; gphys_model_id model; gphys_vec3 local_point; } gphys_attachment;
 typedef struct gphys_constraint_info { gphys_constraint_id id; uint32_t particle_a; uint32_t particle_b; float rest_length; float compliance; } gphys_constraint_info;
 typedef struct gphys_constraint_settings { float rest_length; float compliance; float damping; } gphys_constraint_settings;
@@ -289,6 +290,8 @@ gphys_status gphys_solver_set_wind(gphys_solver *solver, gphys_body_id body, con
 gphys_status gphys_solver_get_wind(const gphys_solver *solver, gphys_body_id body, gphys_wind *out_wind);
 gphys_status gphys_solver_set_air_velocities(gphys_solver *solver, gphys_body_id body, uint32_t first, uint32_t count, const gphys_vec3 *velocities, uint32_t stride);
 gphys_status gphys_solver_get_air_velocities(const gphys_solver *solver, gphys_body_id body, uint32_t first, uint32_t count, gphys_vec3 *out_velocities, uint32_t out_stride);
+gphys_status gphys_solver_set_animation_targets(gphys_solver *solver, gphys_body_id body, uint32_t first, uint32_t count, const gphys_animation_target *targets, uint32_t stride);
+gphys_status gphys_solver_get_animation_targets(const gphys_solver *solver, gphys_body_id body, uint32_t first, uint32_t count, gphys_animation_target *out_targets, uint32_t out_stride);
 gphys_status gphys_solver_attach(gphys_solver *solver, const gphys_scene *scene, gphys_body_id body, uint32_t particle, gphys_model_id model, const gphys_vec3 *local_point);
 gphys_status gphys_solver_detach(gphys_solver *solver, gphys_body_id body, uint32_t particle);
 gphys_status gphys_solver_get_attachments(const gphys_solver *solver, gphys_body_id body, gphys_attachment *out_attachments, uint32_t capacity, uint32_t *out_total);
@@ -422,6 +425,7 @@ gphys_status gphys_solver_get_hash(const gphys_solver *solver, uint32_t *out_has
         { name = "body_settings", fields = { "damping", "friction", "static_friction", "restitution", "layers", "body_layers", "self_collision" } },
         { name = "body_info", fields = { "kind", "method", "particle_count", "constraint_count", "triangle_count" } },
         { name = "wind", fields = { "velocity", "density", "drag", "lift" } },
+        { name = "animation_target", fields = { "position", "normal", "max_distance", "backstop" } },
         { name = "attachment", fields = { "particle", "model", "local_point" } },
         { name = "constraint_info", fields = { "id", "particle_a", "particle_b", "rest_length", "compliance" } },
         { name = "constraint_settings", fields = { "rest_length", "compliance", "damping" } },

@@ -570,6 +570,19 @@ wind_dtype = dtype([("velocity", "<f4", (3,)), ("density", "<f4"), ("drag", "<f4
 Wind.dtype = wind_dtype
 
 
+class AnimationTarget(Value, Structure):
+    """Where an animation wants a particle, and how far from there the particle may be. Frozen."""
+    position: Vec3  # metres
+    normal: Vec3  # of the animated surface, away from the character; any length but 0; not read without a backstop
+    max_distance: float  # metres from position, >= 0; INFINITY: any
+    backstop: float  # metres that the particle may go behind the plane through position across normal, >= 0; INFINITY: any
+    _fields_ = [("position", Vec3), ("normal", Vec3), ("max_distance", c_float), ("backstop", c_float)]
+
+
+animation_target_dtype = dtype([("position", "<f4", (3,)), ("normal", "<f4", (3,)), ("max_distance", "<f4"), ("backstop", "<f4")])
+AnimationTarget.dtype = animation_target_dtype
+
+
 class Attachment(Value, Structure):
     """A particle that is attached to a model. Frozen.  Since 1.1."""
     particle: int
@@ -894,6 +907,8 @@ gphys_solver_set_wind = function("gphys_solver_set_wind", c_int32, [c_void_p, c_
 gphys_solver_get_wind = function("gphys_solver_get_wind", c_int32, [c_void_p, c_uint32, c_void_p])
 gphys_solver_set_air_velocities = function("gphys_solver_set_air_velocities", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
 gphys_solver_get_air_velocities = function("gphys_solver_get_air_velocities", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_solver_set_animation_targets = function("gphys_solver_set_animation_targets", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_solver_get_animation_targets = function("gphys_solver_get_animation_targets", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
 gphys_solver_attach = function("gphys_solver_attach", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_uint32, c_void_p])
 gphys_solver_detach = function("gphys_solver_detach", c_int32, [c_void_p, c_uint32, c_uint32])
 gphys_solver_get_attachments = function("gphys_solver_get_attachments", c_int32, [c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])

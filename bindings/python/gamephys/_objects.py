@@ -2004,7 +2004,7 @@ class Solver(Object):
             first, count: as in Solver.get_positions
 
         Returns:
-            0 of what is pinned."""
+            0 of what is pinned and stands still."""
         out_ = result_array(out, count, low.vec3_dtype)
         check(low.gphys_solver_get_velocities(self._handle, body, first, count, out_.address, out_.stride))
         return out_.array
@@ -2098,7 +2098,8 @@ class Solver(Object):
 
     def set_pinned(self, body: int, first: int, count: int, pinned: int) -> None:
         """Pin or release particles. A pinned particle stays where it is put and moves only by
-        Solver.set_positions; its speed is 0. Both pinning and releasing end an attachment.
+        Solver.set_positions, or with an animation target of max_distance 0; else its speed is 0. Both
+        pinning and releasing end an attachment.
         Cost: O(count).
 
         Args:
@@ -2152,6 +2153,44 @@ class Solver(Object):
             first, count: as in Solver.get_positions"""
         out_ = result_array(out, count, low.vec3_dtype)
         check(low.gphys_solver_get_air_velocities(self._handle, body, first, count, out_.address, out_.stride))
+        return out_.array
+
+    def set_animation_targets(self, body: int, first: int, targets: ArrayLike) -> None:
+        """Give particles animation targets, before each step that is to follow an animation: a cape or
+        skirt that is skinned to its character stays within max_distance of the skinned vertices and
+        does not sink into the body behind them. In the next step position and normal go evenly from the
+        old target to the new one, substep by substep; distances act at once. A target that is not set
+        again stands still. A first target, and that of a particle which Solver.set_positions has moved
+        since the last step, is at once where it is set: a teleport is that call and this one.
+        max_distance 0 carries a particle: it is at its target, as if attached there, and moves links
+        with infinite mass; this also moves a pinned particle, which stays pinned, at constant speed
+        during a step. Otherwise particles that are pinned or attached are not moved. A particle that is
+        out of its bounds at the end of a substep is put on the nearest place within both, without
+        friction; its velocity across them is then that of the target. What lies within its bounds is
+        not touched. Bounds act after constraints and before models: where a target is inside a model,
+        or behind one, the particle stays outside. Links yield to bounds that contradict them. What
+        hangs from a particle at its bounds is carried, in cloth and in ropes that are moved alone;
+        ropes and free particles that are joined, or collide with bodies, are put back particle by
+        particle, and links beside these may be strained by the way of a substep. Wakes the body if a
+        target changes.
+        Cost: O(elements); the first time O(particles), and it allocates. In each substep some 100 ns a
+        particle; ropes with targets are solved one by one, as those that touch models. Since 1.1.
+
+        Args:
+            first: as in Solver.get_positions
+            targets: max_distance and backstop INFINITY: no target any more"""
+        targets_ = array_of(targets, low.animation_target_dtype)
+        count = common_length(targets_)
+        check(low.gphys_solver_set_animation_targets(self._handle, body, first, count, targets_.address, targets_.stride))
+
+    def get_animation_targets(self, body: int, first: int, count: int, *, out: np.ndarray | None = None) -> np.ndarray:
+        """Animation targets of particles as they were set; 0 and INFINITY of what has none.
+        Cost: O(count). Since 1.1.
+
+        Args:
+            first, count: as in Solver.get_positions"""
+        out_ = result_array(out, count, low.animation_target_dtype)
+        check(low.gphys_solver_get_animation_targets(self._handle, body, first, count, out_.address, out_.stride))
         return out_.array
 
     def attach(self, scene: Scene | None, body: int, particle: int, model: int, local_point: low.Vec3 | None = None) -> None:

@@ -2341,7 +2341,7 @@ impl Solver {
     ///
     /// * `first`, `count`: as in `Solver::get_positions`
     ///
-    /// Returns 0 of what is pinned.
+    /// Returns 0 of what is pinned and stands still.
     pub fn get_velocities<'a>(&self, body: BodyId, first: u32, out_velocities: impl Into<BatchMut<'a, Vec3>>) -> Result<()> {
         let out_velocities = out_velocities.into();
         let count = out_velocities.count()?;
@@ -2442,7 +2442,8 @@ impl Solver {
     }
 
     /// Pin or release particles. A pinned particle stays where it is put and moves only by
-    /// `Solver::set_positions`; its speed is 0. Both pinning and releasing end an attachment.
+    /// `Solver::set_positions`, or with an animation target of max_distance 0; else its speed is 0. Both
+    /// pinning and releasing end an attachment.
     ///
     /// Cost: O(count).
     ///
@@ -2503,6 +2504,45 @@ impl Solver {
         let out_velocities = out_velocities.into();
         let count = out_velocities.count()?;
         check(unsafe { sys::gphys_solver_get_air_velocities(self.handle.as_ptr(), body, first, count, out_velocities.data, out_velocities.stride) })
+    }
+
+    /// Give particles animation targets, before each step that is to follow an animation: a cape or skirt
+    /// that is skinned to its character stays within max_distance of the skinned vertices and does not sink
+    /// into the body behind them. In the next step position and normal go evenly from the old target to the
+    /// new one, substep by substep; distances act at once. A target that is not set again stands still. A
+    /// first target, and that of a particle which `Solver::set_positions` has moved since the last step, is
+    /// at once where it is set: a teleport is that call and this one. max_distance 0 carries a particle: it
+    /// is at its target, as if attached there, and moves links with infinite mass; this also moves a pinned
+    /// particle, which stays pinned, at constant speed during a step. Otherwise particles that are pinned
+    /// or attached are not moved. A particle that is out of its bounds at the end of a substep is put on
+    /// the nearest place within both, without friction; its velocity across them is then that of the
+    /// target. What lies within its bounds is not touched. Bounds act after constraints and before models:
+    /// where a target is inside a model, or behind one, the particle stays outside. Links yield to bounds
+    /// that contradict them. What hangs from a particle at its bounds is carried, in cloth and in ropes
+    /// that are moved alone; ropes and free particles that are joined, or collide with bodies, are put back
+    /// particle by particle, and links beside these may be strained by the way of a substep. Wakes the body
+    /// if a target changes.
+    ///
+    /// Cost: O(elements); the first time O(particles), and it allocates. In each substep some 100 ns a
+    /// particle; ropes with targets are solved one by one, as those that touch models. Since 1.1.
+    ///
+    /// * `first`: as in `Solver::get_positions`
+    /// * `targets`: max_distance and backstop INFINITY: no target any more
+    pub fn set_animation_targets<'a>(&mut self, body: BodyId, first: u32, targets: impl Into<Batch<'a, AnimationTarget>>) -> Result<()> {
+        let targets = targets.into();
+        let count = common_length(&[targets.length])?;
+        check(unsafe { sys::gphys_solver_set_animation_targets(self.handle.as_ptr(), body, first, count, targets.data, targets.stride) })
+    }
+
+    /// Animation targets of particles as they were set; 0 and INFINITY of what has none.
+    ///
+    /// Cost: O(count). Since 1.1.
+    ///
+    /// * `first`, `count`: as in `Solver::get_positions`
+    pub fn get_animation_targets<'a>(&self, body: BodyId, first: u32, out_targets: impl Into<BatchMut<'a, AnimationTarget>>) -> Result<()> {
+        let out_targets = out_targets.into();
+        let count = out_targets.count()?;
+        check(unsafe { sys::gphys_solver_get_animation_targets(self.handle.as_ptr(), body, first, count, out_targets.data, out_targets.stride) })
     }
 
     /// Fix a particle to a model: it follows the model's transform in each step, and is released when the

@@ -248,6 +248,8 @@ extern "C" {
     pub fn gphys_solver_get_wind(solver: *mut gphys_solver, body: BodyId, out_wind: *mut Wind) -> Status;
     pub fn gphys_solver_set_air_velocities(solver: *mut gphys_solver, body: BodyId, first: u32, count: u32, velocities: *const Vec3, stride: u32) -> Status;
     pub fn gphys_solver_get_air_velocities(solver: *mut gphys_solver, body: BodyId, first: u32, count: u32, out_velocities: *mut Vec3, out_stride: u32) -> Status;
+    pub fn gphys_solver_set_animation_targets(solver: *mut gphys_solver, body: BodyId, first: u32, count: u32, targets: *const AnimationTarget, stride: u32) -> Status;
+    pub fn gphys_solver_get_animation_targets(solver: *mut gphys_solver, body: BodyId, first: u32, count: u32, out_targets: *mut AnimationTarget, out_stride: u32) -> Status;
     pub fn gphys_solver_attach(solver: *mut gphys_solver, scene: *mut gphys_scene, body: BodyId, particle: u32, model: ModelId, local_point: *const Vec3) -> Status;
     pub fn gphys_solver_detach(solver: *mut gphys_solver, body: BodyId, particle: u32) -> Status;
     pub fn gphys_solver_get_attachments(solver: *mut gphys_solver, body: BodyId, out_attachments: *mut Attachment, capacity: u32, out_total: *mut u32) -> Status;

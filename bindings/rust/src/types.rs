@@ -780,6 +780,22 @@ pub struct Wind {
     pub lift: f32,
 }
 
+/// Where an animation wants a particle, and how far from there the particle may be. Frozen.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct AnimationTarget {
+    /// metres
+    pub position: Vec3,
+    /// of the animated surface, away from the character; any length but 0; not read without
+    /// a backstop
+    pub normal: Vec3,
+    /// metres from position, >= 0; INFINITY: any
+    pub max_distance: f32,
+    /// metres that the particle may go behind the plane through position across normal, >= 0;
+    /// INFINITY: any
+    pub backstop: f32,
+}
+
 /// A particle that is attached to a model. Frozen.  Since 1.1.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
@@ -921,6 +937,7 @@ const _: () = {
     assert!(std::mem::size_of::<BodySettings>() == 28);
     assert!(std::mem::size_of::<BodyInfo>() == 20);
     assert!(std::mem::size_of::<Wind>() == 24);
+    assert!(std::mem::size_of::<AnimationTarget>() == 32);
     assert!(std::mem::size_of::<Attachment>() == 20);
     assert!(std::mem::size_of::<ConstraintInfo>() == 20);
     assert!(std::mem::size_of::<ConstraintSettings>() == 12);
@@ -968,6 +985,7 @@ const _: () = {
     assert!(std::mem::size_of::<BodySettings>() == 28);
     assert!(std::mem::size_of::<BodyInfo>() == 20);
     assert!(std::mem::size_of::<Wind>() == 24);
+    assert!(std::mem::size_of::<AnimationTarget>() == 32);
     assert!(std::mem::size_of::<Attachment>() == 20);
     assert!(std::mem::size_of::<ConstraintInfo>() == 20);
     assert!(std::mem::size_of::<ConstraintSettings>() == 12);
@@ -1245,6 +1263,12 @@ fn fields_stand_where_c_has_them() {
     assert_eq!(unsafe { std::ptr::addr_of!((*p).density) } as usize - p as usize, 12);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).drag) } as usize - p as usize, 16);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).lift) } as usize - p as usize, 20);
+    let s = std::mem::MaybeUninit::<AnimationTarget>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).position) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).normal) } as usize - p as usize, 12);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).max_distance) } as usize - p as usize, 24);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).backstop) } as usize - p as usize, 28);
     let s = std::mem::MaybeUninit::<Attachment>::uninit();
     let p = s.as_ptr();
     assert_eq!(unsafe { std::ptr::addr_of!((*p).particle) } as usize - p as usize, 0);

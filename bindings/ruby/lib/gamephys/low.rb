@@ -256,6 +256,8 @@ module Gamephys
     attach_function :gphys_solver_get_wind, [:pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_set_air_velocities, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_solver_get_air_velocities, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_solver_set_animation_targets, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_solver_get_animation_targets, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_solver_attach, [:pointer, :pointer, :uint32, :uint32, :uint32, :pointer], :int32
     attach_function :gphys_solver_detach, [:pointer, :uint32, :uint32], :int32
     attach_function :gphys_solver_get_attachments, [:pointer, :uint32, :pointer, :uint32, :pointer], :int32

@@ -1785,7 +1785,7 @@ module Gamephys
     # Cost: O(count).
     # @param first as in Solver#get_positions
     # @param count as in Solver#get_positions
-    # @return 0 of what is pinned.
+    # @return 0 of what is pinned and stands still.
     def get_velocities(body, first, count, out: nil)
       out = Low.results(Vec3, out, count)
       Low.check(Low.gphys_solver_get_velocities(opened, body, first, count, out.pointer, Vec3::BYTES))
@@ -1878,7 +1878,8 @@ module Gamephys
     end
 
     # Pin or release particles. A pinned particle stays where it is put and moves only by
-    # Solver#set_positions; its speed is 0. Both pinning and releasing end an attachment.
+    # Solver#set_positions, or with an animation target of max_distance 0; else its speed is 0. Both
+    # pinning and releasing end an attachment.
     # Cost: O(count).
     # @param first as in Solver#get_positions
     # @param count as in Solver#get_positions
@@ -1933,6 +1934,43 @@ module Gamephys
     def get_air_velocities(body, first, count, out: nil)
       out = Low.results(Vec3, out, count)
       Low.check(Low.gphys_solver_get_air_velocities(opened, body, first, count, out.pointer, Vec3::BYTES))
+      out
+    end
+
+    # Give particles animation targets, before each step that is to follow an animation: a cape or skirt
+    # that is skinned to its character stays within max_distance of the skinned vertices and does not sink
+    # into the body behind them. In the next step position and normal go evenly from the old target to the
+    # new one, substep by substep; distances act at once. A target that is not set again stands still. A
+    # first target, and that of a particle which Solver#set_positions has moved since the last step, is at
+    # once where it is set: a teleport is that call and this one. max_distance 0 carries a particle: it is
+    # at its target, as if attached there, and moves links with infinite mass; this also moves a pinned
+    # particle, which stays pinned, at constant speed during a step. Otherwise particles that are pinned
+    # or attached are not moved. A particle that is out of its bounds at the end of a substep is put on
+    # the nearest place within both, without friction; its velocity across them is then that of the
+    # target. What lies within its bounds is not touched. Bounds act after constraints and before models:
+    # where a target is inside a model, or behind one, the particle stays outside. Links yield to bounds
+    # that contradict them. What hangs from a particle at its bounds is carried, in cloth and in ropes
+    # that are moved alone; ropes and free particles that are joined, or collide with bodies, are put back
+    # particle by particle, and links beside these may be strained by the way of a substep. Wakes the body
+    # if a target changes.
+    # Cost: O(elements); the first time O(particles), and it allocates. In each substep some 100 ns a
+    # particle; ropes with targets are solved one by one, as those that touch models. Since 1.1.
+    # @param first as in Solver#get_positions
+    # @param targets max_distance and backstop INFINITY: no target any more
+    def set_animation_targets(body, first, targets)
+      targets = Low.array(AnimationTarget, targets)
+      count = Low.common(targets)
+      Low.check(Low.gphys_solver_set_animation_targets(opened, body, first, count, targets.pointer, targets.stride))
+      nil
+    end
+
+    # Animation targets of particles as they were set; 0 and INFINITY of what has none.
+    # Cost: O(count). Since 1.1.
+    # @param first as in Solver#get_positions
+    # @param count as in Solver#get_positions
+    def get_animation_targets(body, first, count, out: nil)
+      out = Low.results(AnimationTarget, out, count)
+      Low.check(Low.gphys_solver_get_animation_targets(opened, body, first, count, out.pointer, AnimationTarget::BYTES))
       out
     end
 

@@ -344,6 +344,15 @@ module Gamephys
   end
   Wind::FORMAT, Wind::COUNT, Wind::BYTES = 'f6', 6, 24
 
+  # Where an animation wants a particle, and how far from there the particle may be. Frozen.
+  AnimationTarget = ::Struct.new(:position, :normal, :max_distance, :backstop) do
+    extend Value
+
+    def self.from(n) = new(n[0, 3], n[3, 3], n[6], n[7])
+    def numbers = [*position, *normal, max_distance, backstop]
+  end
+  AnimationTarget::FORMAT, AnimationTarget::COUNT, AnimationTarget::BYTES = 'f8', 8, 32
+
   # A particle that is attached to a model. Frozen.  Since 1.1.
   Attachment = ::Struct.new(:particle, :model, :local_point) do
     extend Value

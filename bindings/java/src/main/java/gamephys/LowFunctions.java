@@ -233,6 +233,8 @@ class LowFunctions {
     static native int gphys_solver_get_wind(Pointer solver, int body, Pointer outWind);
     static native int gphys_solver_set_air_velocities(Pointer solver, int body, int first, int count, Pointer velocities, int stride);
     static native int gphys_solver_get_air_velocities(Pointer solver, int body, int first, int count, Pointer outVelocities, int outStride);
+    static native int gphys_solver_set_animation_targets(Pointer solver, int body, int first, int count, Pointer targets, int stride);
+    static native int gphys_solver_get_animation_targets(Pointer solver, int body, int first, int count, Pointer outTargets, int outStride);
     static native int gphys_solver_attach(Pointer solver, Pointer scene, int body, int particle, int model, Pointer localPoint);
     static native int gphys_solver_detach(Pointer solver, int body, int particle);
     static native int gphys_solver_get_attachments(Pointer solver, int body, Pointer outAttachments, int capacity, Pointer outTotal);

@@ -366,7 +366,7 @@ public final class Solver extends Owned {
      * Cost: O(count).
      * @param first as in Solver.getPositions
      * @param count as in Solver.getPositions
-     * @return 0 of what is pinned.
+     * @return 0 of what is pinned and stands still.
      */
     public Batch<Vec3> getVelocities(int body, int first, int count, Batch<Vec3> out) {
         Batch<Vec3> room = Batch.room(Vec3.LAYOUT, count, out);
@@ -512,7 +512,8 @@ public final class Solver extends Owned {
 
     /**
      * Pin or release particles. A pinned particle stays where it is put and moves only by
-     * Solver.setPositions; its speed is 0. Both pinning and releasing end an attachment.
+     * Solver.setPositions, or with an animation target of maxDistance 0; else its speed is 0. Both pinning
+     * and releasing end an attachment.
      * Cost: O(count).
      * @param first as in Solver.getPositions
      * @param count as in Solver.getPositions
@@ -589,6 +590,54 @@ public final class Solver extends Owned {
     /** The same with defaults. */
     public Batch<Vec3> getAirVelocities(int body, int first, int count) {
         return getAirVelocities(body, first, count, (Batch<Vec3>) null);
+    }
+
+    /**
+     * Give particles animation targets, before each step that is to follow an animation: a cape or skirt
+     * that is skinned to its character stays within maxDistance of the skinned vertices and does not sink
+     * into the body behind them. In the next step position and normal go evenly from the old target to the
+     * new one, substep by substep; distances act at once. A target that is not set again stands still. A
+     * first target, and that of a particle which Solver.setPositions has moved since the last step, is at
+     * once where it is set: a teleport is that call and this one. maxDistance 0 carries a particle: it is
+     * at its target, as if attached there, and moves links with infinite mass; this also moves a pinned
+     * particle, which stays pinned, at constant speed during a step. Otherwise particles that are pinned
+     * or attached are not moved. A particle that is out of its bounds at the end of a substep is put on
+     * the nearest place within both, without friction; its velocity across them is then that of the
+     * target. What lies within its bounds is not touched. Bounds act after constraints and before models:
+     * where a target is inside a model, or behind one, the particle stays outside. Links yield to bounds
+     * that contradict them. What hangs from a particle at its bounds is carried, in cloth and in ropes
+     * that are moved alone; ropes and free particles that are joined, or collide with bodies, are put back
+     * particle by particle, and links beside these may be strained by the way of a substep. Wakes the body
+     * if a target changes.
+     * Cost: O(elements); the first time O(particles), and it allocates. In each substep some 100 ns a
+     * particle; ropes with targets are solved one by one, as those that touch models. Since 1.1.
+     * @param first as in Solver.getPositions
+     * @param targets maxDistance and backstop INFINITY: no target any more
+     */
+    public void setAnimationTargets(int body, int first, Batch<AnimationTarget> targets) {
+        int count = Low.common(targets.common());
+        int status = Low.gphys_solver_set_animation_targets(opened(), body, first, count, targets.pointer(), targets.stride());
+        Low.keep(this, targets);
+        Low.check(status);
+    }
+
+    /**
+     * Animation targets of particles as they were set; 0 and INFINITY of what has none.
+     * Cost: O(count). Since 1.1.
+     * @param first as in Solver.getPositions
+     * @param count as in Solver.getPositions
+     */
+    public Batch<AnimationTarget> getAnimationTargets(int body, int first, int count, Batch<AnimationTarget> out) {
+        Batch<AnimationTarget> room = Batch.room(AnimationTarget.LAYOUT, count, out);
+        int status = Low.gphys_solver_get_animation_targets(opened(), body, first, count, room.pointer(), AnimationTarget.LAYOUT.bytes());
+        Low.keep(this, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<AnimationTarget> getAnimationTargets(int body, int first, int count) {
+        return getAnimationTargets(body, first, count, (Batch<AnimationTarget>) null);
     }
 
     /**
