@@ -17,9 +17,8 @@ constexpr double pressure_settled = 1e-4;
 // Among more parts a particle sees less far.
 constexpr uint32_t many_parts = 64;
 
-double friction_of(const Body& body, uint32_t p, const RopeContact& contact) {
+double friction_of(const Body& body, uint32_t p) {
     const BodySettings& settings = body.settings;
-    if (contact.model == 0) return 0;
     return settings.sticks() && body.contacts.stuck[p] ? settings.static_friction : settings.friction;
 }
 
@@ -45,22 +44,24 @@ void add_along(ContactTerm& term, Vec3 n, double k) {
 }  // namespace
 
 void RopeContacts::reserve(uint32_t particles) {
-    contacts_.reserve(size_t{most_parts} * particles);
+    contacts_.reserve(size_t{most_parts + bounds_per_particle} * particles);
     if (first_.size() < particles + 1) first_.resize(particles + 1);
     if (balls_.size() < particles) balls_.resize(particles);
-    if (bounds_.size() < size_t{bounds_per_particle} * particles)
-        bounds_.resize(size_t{bounds_per_particle} * particles);
 }
 
 void RopeContacts::begin_step(const Body& body, bool beside_models) {
-    const std::ptrdiff_t size = body.particles.size();
     beside_models_ = beside_models;
     looked_ = !beside_models;
     bounded_ = !body.targets.empty();
-    if (bounded_) std::fill_n(bounds_.begin(), bounds_per_particle * size, RopeContact{});
     if (beside_models) return;
     contacts_.clear();
-    std::fill_n(first_.begin(), size + 1, 0u);
+    for (uint32_t p = 0; p < body.particles.size(); ++p) begin_particle(p);
+    first_[body.particles.size()] = static_cast<uint32_t>(contacts_.size());
+}
+
+void RopeContacts::begin_particle(uint32_t p) {
+    first_[p] = static_cast<uint32_t>(contacts_.size());
+    if (bounded_) contacts_.resize(contacts_.size() + bounds_per_particle);
 }
 
 /// Models that the balls around some particles touch. False if there is too much.
@@ -82,7 +83,7 @@ bool RopeContacts::collect(const Body& body, uint32_t first, uint32_t count) {
                                 complete &= parts_.add(*scene_, model, 0, probes_);
                             });
     if (complete && !any) {
-        for (uint32_t i = 0; i < count; ++i) first_[first + i] = static_cast<uint32_t>(contacts_.size());
+        for (uint32_t i = 0; i < count; ++i) begin_particle(first + i);
         return true;
     }
     for (uint32_t i = 0; i < count && complete; ++i) settle(body, first + i, i);
@@ -91,7 +92,7 @@ bool RopeContacts::collect(const Body& body, uint32_t first, uint32_t count) {
 
 /// The ball and the contacts of a particle from what was collected around it.
 void RopeContacts::settle(const Body& body, uint32_t p, uint32_t point) {
-    first_[p] = static_cast<uint32_t>(contacts_.size());
+    begin_particle(p);
     const Vec3 at = body.history.start[p];
     const double off = clearance(body, p, at);
     double& reach = balls_[p].reach;
@@ -147,7 +148,7 @@ void RopeContacts::look(const Body& body, const CollisionContext& around, Vec3 g
             if (complete) continue;
             // It is swept.
             contacts_.resize(of_this);
-            first_[p] = static_cast<uint32_t>(of_this);
+            begin_particle(p);
             balls_[p].reach = 0;
         }
     }
@@ -156,13 +157,6 @@ void RopeContacts::look(const Body& body, const CollisionContext& around, Vec3 g
 }
 
 void RopeContacts::place_plane(RopeContact& contact, const Body& body, uint32_t p, Vec3 at) const {
-    if (contact.model == 0) {
-        const AnimationTargets& targets = body.targets;
-        const TargetBound ball = ball_of(targets.all[p], targets.fraction, targets.time, at);
-        contact.normal = ball.normal;
-        contact.outside = ball.offset;
-        return;
-    }
     Vec3 closest, normal;
     double distance;
     if (!scene_->closest_point_model(contact.model, at, closest, normal, distance)) return;
@@ -177,17 +171,28 @@ void RopeContacts::allow_within_skin(RopeContact& contact, const Body& body, uin
     contact.depth = missing - allowed;
 }
 
-/// Of a target, where its particle is predicted.
-void RopeContacts::place_bounds(const Body& body, uint32_t p) {
-    const Vec3 at = body.particles.position[p];
+void RopeContacts::place_ball(RopeContact& contact, const Body& body, uint32_t p, Vec3 at) const {
     const AnimationTargets& targets = body.targets;
-    RopeContact &ball = bounds_[bounds_per_particle * p], &backstop = bounds_[bounds_per_particle * p + 1];
-    const TargetBound behind = backstop_of(targets.all[p], targets.fraction, targets.time, at);
-    place_plane(ball, body, p, at);
-    ball.offset = ball.outside;
-    backstop.normal = behind.normal;
-    backstop.outside = backstop.offset = behind.offset;
-    backstop.is_fixed = true;
+    const TargetBound ball = ball_of(targets.all[p], targets.fraction, targets.time, at);
+    contact.normal = ball.normal;
+    contact.outside = ball.offset;
+}
+
+/// Of all targets, where their particles are predicted.
+void RopeContacts::place_bounds(const Body& body) {
+    const AnimationTargets& targets = body.targets;
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
+        RopeContact &ball = contacts_[first_[p]], &backstop = contacts_[first_[p] + 1];
+        const Vec3 at = body.particles.position[p];
+        const TargetBound behind = backstop_of(targets.all[p], targets.fraction, targets.time, at);
+        place_ball(ball, body, p, at);
+        ball.offset = ball.outside;
+        backstop.normal = behind.normal;
+        backstop.outside = backstop.offset = behind.offset;
+        backstop.is_fixed = true;
+        ball.iterations = backstop.iterations = 0;
+        ball.force = backstop.force = {};
+    }
 }
 
 bool RopeContacts::begin(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
@@ -199,19 +204,18 @@ bool RopeContacts::begin(Body& body, const CollisionContext& around, Vec3 gravit
         return true;
     };
     if (!looked_ || !stays()) look(body, around, gravity, h);
-    active_ = bounded_ || !contacts_.empty();
+    active_ = !contacts_.empty();
+    if (bounded_) place_bounds(body);
     const double most_push = leaving_speed * around.step_time * (around.end - around.begin);
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (body.particles.pinned(p)) continue;
         bool sunk = false;
-        if (bounded_) place_bounds(body, p);
-        each(p, [&](RopeContact& contact) {
-            contact.iterations = 0;
-            contact.force = {};
-            if (contact.model == 0) return;
+        each_of_models(p, [&](RopeContact& contact) {
             if (!contact.is_fixed) place_plane(contact, body, p, body.history.start[p]);
             allow_within_skin(contact, body, p);
             contact.approach = -dot(contact.normal, body.particles.velocity[p]);
+            contact.iterations = 0;
+            contact.force = {};
             sunk = sunk || contact.depth > most_push;
         });
         if (!sunk) continue;
@@ -230,7 +234,8 @@ ContactTerm RopeContacts::term(const Body& body, uint32_t p, double mass) {
         const Vec3 n = contact.normal, way = slid(contact, body, p);
         add_along(term, n, contact.stiffness);
         term.force += n * (contact.stiffness * (contact.offset - dot(n, body.particles.position[p])));
-        const double hold = friction_of(body, p, contact) * contact.pressed, length = gphys::length(way);
+        if (contact.model == 0) return;
+        const double hold = friction_of(body, p) * contact.pressed, length = gphys::length(way);
         if (hold == 0) return;
         // Across its way what slides is held by this, as friction turns with it.
         const double turning = length * contact.stiffness > hold ? hold / length : contact.stiffness;
@@ -252,7 +257,7 @@ ContactTerm RopeContacts::term(const Body& body, uint32_t p, double mass) {
 bool RopeContacts::update(RopeContact& contact, const Body& body, uint32_t p, int iteration) const {
     const Vec3 at = body.particles.position[p];
     const double gap = dot(contact.normal, at) - contact.offset, room = skin(body.particles.radius[p], at);
-    const double friction = friction_of(body, p, contact);
+    const double friction = contact.model != 0 ? friction_of(body, p) : 0;
     bool settled = true;
     if (contact.state == RopeContact::apart) {
         if (gap >= 0) return true;
@@ -289,7 +294,11 @@ bool RopeContacts::update(RopeContact& contact, const Body& body, uint32_t p, in
     // From behind a plane the nearest point of a model may be on the far side.
     if (contact.is_fixed || iteration >= most_turns || (gap < -room && contact.model != 0)) return settled;
     RopeContact turned = contact;
-    place_plane(turned, body, p, at);
+    if (contact.model == 0) {
+        place_ball(turned, body, p, at);
+    } else {
+        place_plane(turned, body, p, at);
+    }
     turned.offset = turned.outside - (contact.outside - contact.offset);
     const double moved = dot(turned.normal, at) - turned.offset - gap;
     if (contact.state != RopeContact::apart && std::fabs(moved) > 0.01 * room) settled = false;
@@ -311,7 +320,7 @@ bool RopeContacts::update(const Body& body, int iteration) {
 
 void RopeContacts::keep_out(Body& body) const {
     constexpr int most_passes = 8;
-    for (uint32_t p = 0; p < body.particles.size() && !contacts_.empty(); ++p) {
+    for (uint32_t p = 0; p < body.particles.size() && active_; ++p) {
         if (body.particles.pinned(p)) continue;
         const double room = skin(body.particles.radius[p], body.particles.position[p]) / 8;
         bool out = false;
@@ -385,11 +394,10 @@ void RopeContacts::finish(Body& body, const CollisionContext& around, double qui
                 contact.force = contact.normal * std::max(0.0, dot(contact.normal, rest));
             }
             rest -= contact.force;
-            if (contact.model == 0) return;
             if (!most || length_squared(contact.force) > length_squared(most->force)) most = &contact;
         });
-        each(p, [&](RopeContact& contact) {
-            if (contact.force == Vec3{} || contact.model == 0) return;
+        each_of_models(p, [&](RopeContact& contact) {
+            if (contact.force == Vec3{}) return;
             Vec3& velocity = body.particles.velocity[p];
             const Vec3 before = velocity;
             // What brings it out of a model is no speed, and with what is left of its approach it does not go on.
@@ -399,7 +407,7 @@ void RopeContacts::finish(Body& body, const CollisionContext& around, double qui
             if (given > 0) {
                 velocity += contact.normal * given;
                 const Vec3 along = velocity - contact.normal * dot(velocity, contact.normal);
-                const double speed = length(along), taken = friction_of(body, p, contact) * given;
+                const double speed = length(along), taken = friction_of(body, p) * given;
                 velocity -= speed > taken ? along * (taken / speed) : along;
             }
             const Vec3 point = body.particles.position[p] - contact.normal * body.particles.radius[p];

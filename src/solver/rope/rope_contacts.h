@@ -48,8 +48,7 @@ struct ContactTerm {
 
 class RopeContacts {
 public:
-    explicit RopeContacts(std::pmr::memory_resource* memory)
-        : contacts_(memory), first_(memory), balls_(memory), bounds_(memory) {}
+    explicit RopeContacts(std::pmr::memory_resource* memory) : contacts_(memory), first_(memory), balls_(memory) {}
 
     /// Room for a rope. Throws std::bad_alloc.
     void reserve(uint32_t particles);
@@ -60,7 +59,7 @@ public:
     /// Once the particles are predicted. False if one of them is in a solid deeper than it comes out at once.
     bool begin(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 
-    bool any(uint32_t particle) const { return bounded_ || first_[particle] < first_[particle + 1]; }
+    bool any(uint32_t particle) const { return first_[particle] < first_[particle + 1]; }
     /// `mass`: of the particle, and what its links resist sideways.
     ContactTerm term(const Body& body, uint32_t particle, double mass);
     /// After an iteration. Whether all contacts are what they were taken for.
@@ -71,8 +70,8 @@ public:
     void finish(Body& body, const CollisionContext& around, double quiet, const TimeScheme& scheme);
 
 private:
-    static constexpr uint32_t most_parts = 4;  // of a particle
-    static constexpr uint32_t bounds_per_particle = 2;
+    static constexpr uint32_t most_parts = 4;           // of a particle
+    static constexpr uint32_t bounds_per_particle = 2;  // of a rope with targets, its first: the ball and the backstop
 
     struct Ball {
         Vec3 center;
@@ -81,8 +80,11 @@ private:
     template <class Visit>
     void each(uint32_t particle, Visit&& visit) {
         for (uint32_t i = first_[particle]; i < first_[particle + 1]; ++i) visit(contacts_[i]);
-        for (uint32_t i = 0; i < bounds_per_particle && bounded_; ++i)
-            visit(bounds_[bounds_per_particle * particle + i]);
+    }
+    template <class Visit>
+    void each_of_models(uint32_t particle, Visit&& visit) {
+        const uint32_t first = first_[particle] + (bounded_ ? bounds_per_particle : 0);
+        for (uint32_t i = first; i < first_[particle + 1]; ++i) visit(contacts_[i]);
     }
     bool in_ball(const Body& body, uint32_t p) const {
         return length_squared(body.particles.position[p] - balls_[p].center) < balls_[p].reach * balls_[p].reach;
@@ -90,19 +92,20 @@ private:
     void look(const Body& body, const CollisionContext& around, Vec3 gravity, double h);
     bool collect(const Body& body, uint32_t first, uint32_t count);
     void settle(const Body& body, uint32_t particle, uint32_t point);
+    void begin_particle(uint32_t particle);
     void place_plane(RopeContact& contact, const Body& body, uint32_t particle, Vec3 at) const;
     void allow_within_skin(RopeContact& contact, const Body& body, uint32_t particle) const;
-    void place_bounds(const Body& body, uint32_t particle);
+    void place_ball(RopeContact& contact, const Body& body, uint32_t particle, Vec3 at) const;
+    void place_bounds(const Body& body);
     bool update(RopeContact& contact, const Body& body, uint32_t particle, int iteration) const;
     void sweep_escaped(Body& body, const CollisionContext& around, double quiet);
 
     const Scene* scene_ = nullptr;
     bool beside_models_ = false, looked_ = false, active_ = false;
     bool bounded_ = false;          // whether the rope has targets
-    Vector<RopeContact> contacts_;  // by particle
+    Vector<RopeContact> contacts_;  // by particle, bounds of targets included
     Vector<uint32_t> first_;        // in contacts_, of each particle and of none behind the last
     Vector<Ball> balls_;
-    Vector<RopeContact> bounds_;  // of targets: the ball of each particle, and its backstop
     ClosestFeatures parts_;
     Sphere probes_[ClosestFeatures::most_points];
 };
