@@ -55,12 +55,12 @@ void set_animation_targets(Body& body, uint32_t first, uint32_t count, const gph
         }
         if (!target.bounds() || !bounds(from[i])) target = {};
         if (!bounds(from[i])) continue;
-        if (target.backstop == infinity) target.from_normal = widen(from[i].normal);
+        const bool had_backstop = target.backstop < infinity;
         target.to = widen(from[i].position);
         target.max_distance = from[i].max_distance;
         target.backstop = from[i].backstop;
         target.to_normal = target.backstop < infinity ? widen(from[i].normal) : Vec3{};
-        if (target.backstop == infinity) target.from_normal = {};
+        if (!had_backstop || target.backstop == infinity) target.from_normal = target.to_normal;
     }
     if (!changed) return;
     if (body.sleep.asleep) wake(body);

@@ -4,7 +4,7 @@
 // pull its clothes by a whole frame's way at once. One with a maximum distance of 0 carries its particle, which has
 // infinite mass during the step, as an attached one has. Every other bounds its particle: by a ball around the target,
 // and by a plane behind it, the backstop. A particle out of these is put on the nearest place that they leave it, and
-// loses the speed with which it went out; as after a contact, the time scheme begins again.
+// has the target's velocity across them; as after a contact, the time scheme begins again.
 //
 // Bounds act at the end of a substep, after the links and before models: contacts win. Where a rope or cloth is moved
 // alone they act on the links as well, so that what hangs from a particle at its bound is carried: in ropes as contacts
