@@ -989,7 +989,9 @@ GPHYS_API gphys_status gphys_scene_set_shape(gphys_scene* scene, gphys_model_id 
  *          a mesh's world transform is not from 1e-15 to 1e15, or if the model would leave the range of the world;
  *          GPHYS_ERROR_OUT_OF_MEMORY
  *  Cost: as gphys_scene_set_transform of a model without children. Models that have a scale take 16 bytes more if
- *  they are meshes, else 52, up to the highest id. Queries of a scaled mesh or hull take 1 to 11 % more. */
+ *  they are meshes, else 52, up to the highest id. Queries of a scaled mesh or hull take 1 to 11 % more; rays at a
+ *  mesh that is flattened to a twentieth take 1.3 times those at a mesh of the scaled vertices, whose tree is made for
+ *  that form. */
 GPHYS_API gphys_status gphys_scene_set_scale(gphys_scene* scene, gphys_model_id model, const gphys_vec3* scale);
 /** The scale of a model's own shape, 1 1 1 unless another was set. Cost: O(1). */
 GPHYS_API gphys_status gphys_scene_get_scale(const gphys_scene* scene, gphys_model_id model, gphys_vec3* out_scale);

@@ -841,7 +841,8 @@ func (o *Scene) SetShape(model ModelID, shape Shape) (err error) {
 // The error is ErrOutOfMemory .
 // Cost: as Scene.SetTransform of a model without children. Models that have a scale take 16 bytes more
 // if they are meshes, else 52, up to the highest id. Queries of a scaled mesh or hull take 1 to 11 %
-// more.
+// more; rays at a mesh that is flattened to a twentieth take 1.3 times those at a mesh of the scaled
+// vertices, whose tree is made for that form.
 func (o *Scene) SetScale(model ModelID, scale Vec3) (err error) {
 	self, err := o.open()
 	if err != nil {

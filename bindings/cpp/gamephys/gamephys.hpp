@@ -548,7 +548,8 @@ public:
     // Throws Error with GPHYS_ERROR_OUT_OF_MEMORY .
     // Cost: as Scene::set_transform of a model without children. Models that have a scale take 16 bytes
     // more if they are meshes, else 52, up to the highest id. Queries of a scaled mesh or hull take 1 to
-    // 11 % more.
+    // 11 % more; rays at a mesh that is flattened to a twentieth take 1.3 times those at a mesh of the
+    // scaled vertices, whose tree is made for that form.
     void set_scale(gphys_model_id model, const Vec3& scale) {
         check(gphys_scene_set_scale(handle(), model, &scale));
     }

@@ -487,7 +487,8 @@ class Scene(Models):
         OBB whose own rotation is not the identity, take three equal numbers only.
         Cost: as Scene.set_transform of a model without children. Models that have a scale take 16 bytes
         more if they are meshes, else 52, up to the highest id. Queries of a scaled mesh or hull take 1
-        to 11 % more.
+        to 11 % more; rays at a mesh that is flattened to a twentieth take 1.3 times those at a mesh of
+        the scaled vertices, whose tree is made for that form.
 
         Args:
             scale: x, y, z, each from 1e-15 to 1e15

@@ -317,7 +317,8 @@ public final class Scene extends SceneBase {
      * the identity, take three equal numbers only.
      * Cost: as Scene.setTransform of a model without children. Models that have a scale take 16 bytes more
      * if they are meshes, else 52, up to the highest id. Queries of a scaled mesh or hull take 1 to 11 %
-     * more.
+     * more; rays at a mesh that is flattened to a twentieth take 1.3 times those at a mesh of the scaled
+     * vertices, whose tree is made for that form.
      * @param scale x, y, z, each from 1e-15 to 1e15
      * @throws GamephysException with ERROR_UNSUPPORTED: for numbers that are not equal where they have to
      *     be, and for the mesh of a rope or of particles (Mesh) unless it is 1 1 1
