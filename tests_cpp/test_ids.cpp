@@ -24,13 +24,16 @@ struct Words {
     struct Reader {
         Words& words;
 
-        void array(const Vector<uint32_t>& from) { words.entries.assign(from.begin(), from.end()); }
+        void array(const LargeArray<uint32_t>& from) { words.entries.assign(from.begin(), from.end()); }
         void value(uint32_t from) { words.values.push_back(from); }
     };
     struct Writer {
         Words& words;
 
-        void array(Vector<uint32_t>& to) { to.assign(words.entries.begin(), words.entries.end()); }
+        void array(LargeArray<uint32_t>& to) {
+            to.resize(words.entries.size());
+            std::copy(words.entries.begin(), words.entries.end(), to.begin());
+        }
         void value(uint32_t& to) { to = words.values[words.next++]; }
     };
 

@@ -572,6 +572,28 @@ TEST_CASE("without memory a change is refused as a whole") {
     });
 }
 
+TEST_CASE("room that was reserved for models holds them and their octree") {
+    gphys_scene_desc desc;
+    gphys_scene_desc_init(&desc, sizeof desc);
+    desc.reserve_models = 20000;
+    gphys_scene* scene = nullptr;
+    REQUIRE(gphys_scene_create(&desc, &scene) == GPHYS_OK);
+    gphys_octree_stats before, after;
+    REQUIRE(gphys_scene_get_octree_stats(scene, &before) == GPHYS_OK);
+    CHECK(before.memory_bytes > 0);
+    test::Random random(5);
+    const gphys_sphere ball{{0, 0, 0}, 1};
+    for (uint32_t i = 0; i < desc.reserve_models; ++i) {
+        const auto coordinate = [&] { return static_cast<float>(random.uniform(-50, 50)); };
+        const gphys_transform place{{coordinate(), coordinate(), coordinate()}, {0, 0, 0, 1}, 1};
+        gphys_model_id id = 0;
+        REQUIRE(gphys_scene_add(scene, GPHYS_SHAPE_SPHERE, &ball, &place, nullptr, &id) == GPHYS_OK);
+    }
+    REQUIRE(gphys_scene_get_octree_stats(scene, &after) == GPHYS_OK);
+    CHECK(after.memory_bytes == before.memory_bytes);
+    gphys_scene_destroy(scene);
+}
+
 TEST_CASE("a scene that cannot be created for lack of memory leaves nothing") {
     for (size_t n = 0;; ++n) {
         test::CountedMemory memory;

@@ -77,10 +77,10 @@ void check_vector(Body& body, const std::function<Vec3&(Body&)>& vector, double 
 /// The five numbers of an IdTable, which it shows to archives alone.
 struct TableNumbers {
     explicit TableNumbers(IdTable& table) { IdTable::visit(*this, table); }
-    void array(Vector<uint32_t>& values) { entries = &values; }
+    void array(LargeArray<uint32_t>& values) { entries = &values; }
     void value(uint32_t& number) { numbers.push_back(&number); }
 
-    Vector<uint32_t>* entries = nullptr;
+    LargeArray<uint32_t>* entries = nullptr;
     std::vector<uint32_t*> numbers;  // live, free, oldest, newest
 };
 
@@ -90,7 +90,7 @@ void check_table(const std::function<bool(const std::function<void(IdTable&)>&)>
     for (size_t i = 0; i < 4; ++i) {
         CHECK_FALSE(taken([&](IdTable& ids) { *TableNumbers(ids).numbers[i] = 100; }));
     }
-    CHECK_FALSE(taken([](IdTable& ids) { TableNumbers(ids).entries->front() = 0; }));
+    CHECK_FALSE(taken([](IdTable& ids) { *TableNumbers(ids).entries->begin() = 0; }));
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 #include "bvh/bvh_kernels.h"
 #include "bvh/bvh_layout.h"
 #include "bvh/sah.h"
-#include "foundation/memory.h"
+#include "foundation/large_array.h"
 
 namespace gphys {
 
@@ -28,13 +28,16 @@ public:
 
     /// Workers share building, and moving many; null: the caller's thread does it all. The tree is
     /// the same for any number of them.
-    explicit Bvh8(std::pmr::memory_resource* memory, Isa isa = chosen_isa(), const Workers* workers = nullptr)
+    template <class Source>  // as of LargeArray
+    explicit Bvh8(Source* memory, Isa isa = chosen_isa(), const Workers* workers = nullptr)
         : kernels_(bvh_kernels(isa)), workers_(workers), nodes_(memory), place_of_(memory) {}
 
     // Changes. Boxes are within max_box_coordinate, items are small: memory is used for each number
     // up to the largest. What throws std::bad_alloc has changed nothing; what is noexcept cannot
     // fail, it leaves out an improvement of the tree if there is no memory for it.
 
+    /// Memory for items below `count` that are inserted one by one.
+    void reserve(uint32_t count);
     /// Rebuild with `count` distinct items.
     void build(const Box* boxes, const uint32_t* items, uint32_t count);
     /// The same in the form of a layout without a defect; boxes in the order of its items.
@@ -213,8 +216,8 @@ private:
 
     const BvhKernels& kernels_;
     const Workers* const workers_;
-    Vector<Node> nodes_;
-    Vector<uint32_t> place_of_;  // by item: 8 * leaf + lane, or none
+    LargeArray<Node> nodes_;
+    LargeArray<uint32_t> place_of_;  // by item: 8 * leaf + lane, or none
     NodeRef root_ = none;
     Box bounds_;
     uint32_t size_ = 0;

@@ -104,7 +104,7 @@ public:
         laid.levels = std::max(laid.levels, 1 + child.levels);
     }
 
-    Laid lay_all(Vector<Node>& nodes, uint32_t* place_of, const Workers* workers) const;
+    Laid lay_all(LargeArray<Node>& nodes, uint32_t* place_of, const Workers* workers) const;
 
 private:
     Part half(const Part& part, int which) const {
@@ -127,7 +127,7 @@ private:
 
 /// Workers make the subtrees below two levels of nodes. The nodes of these two come first, then
 /// those of one subtree after the other: where each begins is counted before.
-Bvh8::Builder::Laid Bvh8::Builder::lay_all(Vector<Node>& nodes, uint32_t* place_of, const Workers* workers) const {
+Bvh8::Builder::Laid Bvh8::Builder::lay_all(LargeArray<Node>& nodes, uint32_t* place_of, const Workers* workers) const {
     struct Subtree {
         Part part;
         uint32_t levels, parent, lane;
@@ -191,8 +191,9 @@ Bvh8::Builder::Laid Bvh8::Builder::lay_all(Vector<Node>& nodes, uint32_t* place_
 /// Replace the tree by one of these items. Built aside and swapped in, so that running out of
 /// memory changes nothing.
 void Bvh8::build_from(Vector<BoxedItem>& items, size_t item_limit) {
-    Vector<Node> nodes(nodes_.get_allocator());
-    Vector<uint32_t> place_of(item_limit, none, place_of_.get_allocator());
+    LargeArray<Node> nodes = nodes_.alike();
+    LargeArray<uint32_t> place_of = place_of_.alike();
+    place_of.resize(item_limit, none);
     Builder::Laid laid;
     if (!items.empty()) {
         const BinaryBvh cuts(items, 3 * (max_built_levels - 1), workers_);
@@ -213,7 +214,7 @@ void Bvh8::build_from(Vector<BoxedItem>& items, size_t item_limit) {
 }
 
 void Bvh8::build(const Box* boxes, const uint32_t* items, uint32_t count) {
-    Vector<BoxedItem> all(nodes_.get_allocator());
+    Vector<BoxedItem> all(nodes_.memory());
     all.reserve(count);
     size_t limit = 0;
     for (uint32_t i = 0; i < count; ++i) {
@@ -224,7 +225,7 @@ void Bvh8::build(const Box* boxes, const uint32_t* items, uint32_t count) {
 }
 
 void Bvh8::rebuild() {
-    Vector<BoxedItem> all(nodes_.get_allocator());
+    Vector<BoxedItem> all(nodes_.memory());
     all.reserve(size_);
     append_items(root_, all);
     build_from(all, place_of_.size());
@@ -233,7 +234,7 @@ void Bvh8::rebuild() {
 /// Build some children of a node again, all together, so that they exchange items. They become no
 /// more than they were: a parent without room would split at the next insertion.
 void Bvh8::rebuild_children(uint32_t parent, uint32_t lanes) {
-    Vector<BoxedItem> items(nodes_.get_allocator());
+    Vector<BoxedItem> items(nodes_.memory());
     uint32_t most = 0, node_count_before = 0;
     for (uint32_t rest = lanes; rest != 0; rest &= rest - 1) {
         const NodeRef child = nodes_[parent].child[lowest_bit(rest)];

@@ -56,12 +56,13 @@ const char* BvhLayout::defect() const {
 
 /// Built aside and swapped in, as in build_from.
 void Bvh8::build(const BvhLayout& layout, const Box* boxes) {
-    Vector<Node> nodes(nodes_.get_allocator());
+    LargeArray<Node> nodes = nodes_.alike();
     nodes.reserve(layout.node_count + layout.node_count / 16);
     nodes.resize(layout.node_count);
     uint32_t limit = 0;
     for (uint32_t i = 0; i < layout.item_count; ++i) limit = std::max(limit, layout.item(i) + 1);
-    Vector<uint32_t> place_of(limit, none, place_of_.get_allocator());
+    LargeArray<uint32_t> place_of = place_of_.alike();
+    place_of.resize(limit, none);
 
     Descent descent;
     uint32_t levels = 0, placed = 0;

@@ -32,11 +32,14 @@ void fetch_ahead(const BvhNode& node) {
 
 }  // namespace
 
+/// Insertions leave leaves that are more than half full: with the nodes above them one for four items.
+void Bvh8::reserve(uint32_t count) {
+    place_of_.reserve(count);
+    nodes_.reserve(count / 4);
+}
+
 void Bvh8::reserve_nodes(uint32_t count) {
-    if (free_count_ >= count) return;
-    const size_t needed = nodes_.size() + (count - free_count_);
-    // By an eighth: most trees grow little after they were built.
-    if (needed > nodes_.capacity()) nodes_.reserve(std::max(needed, nodes_.capacity() + nodes_.capacity() / 8));
+    if (count > free_count_) reserve_more(nodes_, count - free_count_);
 }
 
 /// A new child may split each level, and add one.
@@ -62,7 +65,7 @@ Bvh8::NodeRef Bvh8::take_node(bool leaf) {
         nodes_[index] = Node();
     } else {
         index = static_cast<uint32_t>(nodes_.size());
-        nodes_.emplace_back();
+        nodes_.push_back(Node());
     }
     nodes_[index].parent = none;
     return leaf ? index | leaf_bit : index;
@@ -329,7 +332,7 @@ void Bvh8::insert(uint32_t item, const Box& box) {
 
 void Bvh8::insert_many(const uint32_t* items, const Box* boxes, uint32_t count) {
     if (count > size_ / 4) {
-        Vector<BoxedItem> all(nodes_.get_allocator());
+        Vector<BoxedItem> all(nodes_.memory());
         all.reserve(size_t{size_} + count);
         append_items(root_, all);
         size_t limit = place_of_.size();

@@ -44,8 +44,9 @@ public:
         sink_.put(&value, sizeof(T) / 4);
     }
     void flag(bool flag) { value(uint32_t{flag}); }
-    template <class T>
-    void array(const Vector<T>& elements) {
+    template <class Array>
+    void array(const Array& elements) {
+        using T = typename Array::value_type;
         static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % 4 == 0);
         value(static_cast<uint32_t>(elements.size()));
         sink_.put(elements.data(), elements.size() * (sizeof(T) / 4));
@@ -70,8 +71,9 @@ public:
         if (word > 1) left_ = 0, good_ = false;
         flag = word == 1;
     }
-    template <class T>
-    void array(Vector<T>& elements) {
+    template <class Array>
+    void array(Array& elements) {
+        using T = typename Array::value_type;
         uint32_t size = 0;
         value(size);
         if (size > left_ / (sizeof(T) / 4)) size = 0, left_ = 0, good_ = false;

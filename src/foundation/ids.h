@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-#include "foundation/memory.h"
+#include "foundation/large_array.h"
 
 namespace gphys {
 
@@ -21,7 +21,8 @@ public:
     static constexpr uint32_t least_free = 1024;
     static constexpr uint32_t slot_of(uint32_t id) { return id & slot_mask; }
 
-    explicit IdTable(std::pmr::memory_resource* memory) : entries_(memory) {}
+    template <class Source>
+    explicit IdTable(Source* memory) : entries_(memory) {}
 
     /// Upper bound of slots() while at most `live` slots are in use.
     static constexpr uint32_t slots_for(uint32_t live) {
@@ -111,7 +112,7 @@ private:
 
     // The entry of a live slot is its id. That of a free slot has its next generation and, as a linked list, the next
     // free slot, which is never the slot itself.
-    Vector<uint32_t> entries_;
+    LargeArray<uint32_t> entries_;
     uint32_t live_ = 0, free_ = 0;
     uint32_t oldest_ = slot_mask, newest_ = slot_mask;
 };

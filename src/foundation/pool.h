@@ -5,7 +5,7 @@
 #include <cstring>
 #include <type_traits>
 
-#include "foundation/memory.h"
+#include "foundation/large_array.h"
 
 namespace gphys {
 
@@ -14,7 +14,8 @@ class Pool {
     static_assert(std::is_trivially_copyable_v<T> && sizeof(T) >= sizeof(uint32_t));
 
 public:
-    explicit Pool(std::pmr::memory_resource* memory) : records_(memory) {}
+    template <class Source>
+    explicit Pool(Source* memory) : records_(memory) {}
 
     /// Reserve memory so that the next `count` calls of add do not throw.
     void reserve(uint32_t count) {
@@ -48,7 +49,7 @@ public:
     uint32_t size() const { return static_cast<uint32_t>(records_.size()) - free_count_; }
 
 private:
-    Vector<T> records_;
+    LargeArray<T> records_;
     uint32_t free_ = 0, free_count_ = 0;
 };
 

@@ -418,14 +418,14 @@ private:
     const HitKernels* hit_kernels_ = hit_kernels(chosen_isa());  // null without a wide set
     const Workers workers_;
     IdTable ids_{&memory};
-    Vector<Model> models_{&memory};           // by slot
-    Vector<uint32_t> tags_{&memory};          // by slot
-    Vector<ShapeTail> shape_tails_{&memory};  // by slot, up to the last that needed one
+    LargeArray<Model> models_{&memory};           // by slot
+    LargeArray<uint32_t> tags_{&memory};          // by slot
+    LargeArray<ShapeTail> shape_tails_{&memory};  // by slot, up to the last that needed one
     Pool<Family> families_{&memory};
     Bvh8 bvh_{&memory, chosen_isa(), &workers_};  // items are slots
     Vec3 origin_;                                 // in the world, of all coordinates
-    Vector<WorldPlace> places_{&memory};          // by slot, of models without a parent; since set_origin
-    Vector<Unscaled> unscaled_{&memory};          // by slot, up to the last that needed one
+    LargeArray<WorldPlace> places_{&memory};          // by slot, of models without a parent; since set_origin
+    LargeArray<Unscaled> unscaled_{&memory};          // by slot, up to the last that needed one
     float widest_scale_ = 1;                      // of all meshes that there were, their largest number or inverse
     float farthest_point_ = 0;                    // of all shapes that there were, from the origins of their models
     // That each model is in, a change of layers may leave some out; none if there is a model without

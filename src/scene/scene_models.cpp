@@ -13,7 +13,7 @@ namespace {
 /// Make sure that slots below `size` exist. Other containers may fail later: more than needed is
 /// harmless.
 template <class T>
-void grow(Vector<T>& by_slot, size_t size) {
+void grow(LargeArray<T>& by_slot, size_t size) {
     if (size <= by_slot.size()) return;
     reserve_more(by_slot, size - by_slot.size());
     by_slot.resize(size);
@@ -28,6 +28,7 @@ Scene::Scene(const gphys_allocator* hooks, uint32_t reserve_models, uint32_t wor
     ids_.reserve(slots);
     models_.reserve(slots);
     tags_.reserve(slots);
+    bvh_.reserve(slots);
 }
 
 Scene::~Scene() { clear(); }

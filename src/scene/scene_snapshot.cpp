@@ -138,12 +138,12 @@ struct Scene::Contents {
           unbounded(memory) {}
 
     IdTable ids;
-    Vector<Model> models;
-    Vector<uint32_t> tags;
-    Vector<ShapeTail> shape_tails;
+    LargeArray<Model> models;
+    LargeArray<uint32_t> tags;
+    LargeArray<ShapeTail> shape_tails;
     Pool<Family> families;
-    Vector<Unscaled> unscaled;
-    Vector<WorldPlace> places;
+    LargeArray<Unscaled> unscaled;
+    LargeArray<WorldPlace> places;
     Vector<uint32_t> unbounded;
     Vec3 origin;
     float widest_scale = 1, farthest_point = 0;

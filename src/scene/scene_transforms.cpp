@@ -226,7 +226,7 @@ const char* Scene::move_with_relatives(const gphys_model_id* models, const Strid
 gphys_status Scene::set_origin(Vec3 origin) {
     Vector<gphys_model_id> models(&memory);
     Vector<gphys_transform> transforms(&memory);
-    Vector<WorldPlace> places(places_, &memory);
+    LargeArray<WorldPlace> places(places_);
     models.reserve(size());
     transforms.reserve(size());
     places.resize(std::max<size_t>(places.size(), ids_.slots()));

@@ -1,0 +1,138 @@
+// An array of records that may grow one by one to millions. It allocates as a Vector does, with two differences. It
+// grows by an eighth: a scene of many models has less memory that it does not use. And where it has no hooks to ask,
+// and is large, it takes pages of the system (foundation/pages.h) and grows by having them moved: no single call
+// waits for all records to be copied.
+#pragma once
+
+#include <cstring>
+#include <type_traits>
+
+#include "foundation/memory.h"
+#include "foundation/pages.h"
+
+namespace gphys {
+
+template <class T>
+class LargeArray {
+    static_assert(std::is_trivially_copyable_v<T>);
+
+public:
+    using value_type = T;
+
+    explicit LargeArray(std::pmr::memory_resource* memory) : memory_(memory) {}
+    explicit LargeArray(Memory* memory) : memory_(memory), may_map_(memory->hooks() == nullptr) {}
+    /// With the same source of memory.
+    LargeArray(const LargeArray& other) : memory_(other.memory_), may_map_(other.may_map_) { append(other); }
+    LargeArray(LargeArray&& other) noexcept : memory_(other.memory_), may_map_(other.may_map_) { swap(other); }
+    LargeArray& operator=(const LargeArray& other) {
+        if (this == &other) return *this;
+        LargeArray copy = alike();
+        copy.append(other);
+        swap(copy);
+        return *this;
+    }
+    /// Both have the same source of memory.
+    LargeArray& operator=(LargeArray&& other) noexcept {
+        swap(other);
+        return *this;
+    }
+    ~LargeArray() { release(); }
+
+    /// An empty one with the same source of memory.
+    LargeArray alike() const { return LargeArray(memory_, may_map_); }
+    std::pmr::memory_resource* memory() const { return memory_; }
+
+    T* data() { return data_; }
+    const T* data() const { return data_; }
+    std::size_t size() const { return size_; }
+    bool empty() const { return size_ == 0; }
+    std::size_t capacity() const { return capacity_; }
+    T& operator[](std::size_t i) { return data_[i]; }
+    const T& operator[](std::size_t i) const { return data_[i]; }
+    T* begin() { return data_; }
+    T* end() { return data_ + size_; }
+    const T* begin() const { return data_; }
+    const T* end() const { return data_ + size_; }
+
+    /// Exactly so many. Throws std::bad_alloc, with nothing changed.
+    void reserve(std::size_t count) {
+        if (count <= capacity_) return;
+        if (count > max_count) throw std::bad_alloc();
+        if (may_map_ && count * sizeof(T) >= pages::least && map(count)) return;
+        T* const data = static_cast<T*>(memory_->allocate(count * sizeof(T), alignof(T)));
+        adopt(data, count, false);
+    }
+    void resize(std::size_t count, const T& value = T()) {
+        reserve(count);
+        if (count > size_) std::uninitialized_fill(data_ + size_, data_ + count, value);
+        size_ = count;
+    }
+    void push_back(const T& value) {
+        if (size_ == capacity_) {
+            const T copy = value;
+            reserve_more(*this, 1);
+            new (data_ + size_++) T(copy);
+        } else {
+            new (data_ + size_++) T(value);
+        }
+    }
+    void clear() { size_ = 0; }
+    void swap(LargeArray& other) noexcept {
+        std::swap(data_, other.data_);
+        std::swap(size_, other.size_);
+        std::swap(capacity_, other.capacity_);
+        std::swap(is_mapped_, other.is_mapped_);
+    }
+
+private:
+    static constexpr std::size_t max_count = static_cast<std::size_t>(-1) / 2 / sizeof(T);
+
+    LargeArray(std::pmr::memory_resource* memory, bool may_map) : memory_(memory), may_map_(may_map) {}
+
+    void append(const LargeArray& other) {
+        reserve(size_ + other.size_);
+        if (other.size_ > 0) std::memcpy(static_cast<void*>(data_ + size_), other.data_, other.size_ * sizeof(T));
+        size_ += other.size_;
+    }
+    bool map(std::size_t count) {
+        if (is_mapped_) {
+            void* const moved = pages::grow(data_, capacity_ * sizeof(T), count * sizeof(T));
+            if (!moved) return false;
+            data_ = static_cast<T*>(moved);
+            capacity_ = count;
+            return true;
+        }
+        void* const mapped = pages::map(count * sizeof(T));
+        if (mapped) adopt(static_cast<T*>(mapped), count, true);
+        return mapped != nullptr;
+    }
+    void adopt(T* data, std::size_t capacity, bool is_mapped) {
+        if (size_ > 0) std::memcpy(static_cast<void*>(data), data_, size_ * sizeof(T));
+        release();
+        data_ = data;
+        capacity_ = capacity;
+        is_mapped_ = is_mapped;
+    }
+    void release() {
+        if (is_mapped_) {
+            pages::unmap(data_, capacity_ * sizeof(T));
+        } else if (data_) {
+            memory_->deallocate(data_, capacity_ * sizeof(T), alignof(T));
+        }
+    }
+
+    std::pmr::memory_resource* memory_;
+    bool may_map_ = false, is_mapped_ = false;
+    T* data_ = nullptr;
+    std::size_t size_ = 0, capacity_ = 0;
+};
+
+/// As of a Vector, but by an eighth.
+template <class T>
+void reserve_more(LargeArray<T>& array, std::size_t count) {
+    constexpr std::size_t least = 16;
+    const std::size_t needed = array.size() + count, capacity = array.capacity();
+    if (needed > capacity) array.reserve(std::max(needed, capacity + std::max(capacity / 8, least)));
+}
+
+}  // namespace gphys

@@ -1,0 +1,80 @@
+#include "foundation/pages.h"
+
+#include <algorithm>
+#include <cstdint>
+
+#if defined(__linux__)
+#ifndef _GNU_SOURCE
+#define _GNU_SOURCE  // mremap
+#endif
+#include <sys/mman.h>
+#endif
+
+namespace gphys::pages {
+
+#if defined(__linux__)
+
+namespace {
+
+/// A multiple of every size of pages that Linux has but huge ones.
+constexpr std::size_t granule = std::size_t{1} << 16;
+
+std::size_t rounded_up(std::size_t size, std::size_t to) { return (size + to - 1) / to * to; }
+
+/// Addresses for `size` bytes, a multiple of granule: aligned to huge pages if they are as large.
+char* take_addresses(std::size_t size, int protection) noexcept {
+    const std::size_t alignment = size >= huge_page ? huge_page : granule, taken = size + alignment;
+    void* const all = mmap(nullptr, taken, protection, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (all == MAP_FAILED) return nullptr;
+    char* const begin = static_cast<char*>(all);
+    const std::size_t before = (alignment - reinterpret_cast<std::uintptr_t>(begin) % alignment) % alignment;
+    if (before > 0) munmap(begin, before);
+    if (before < alignment) munmap(begin + before + size, alignment - before);
+    return begin + before;
+}
+
+}  // namespace
+
+void advise_huge(void* memory, std::size_t size) noexcept {
+#if defined(MADV_HUGEPAGE)
+    // All of it, or mremap would meet two kinds of memory and refuse.
+    if (size >= huge_page) madvise(memory, size, MADV_HUGEPAGE);
+#else
+    (void)memory;
+    (void)size;
+#endif
+}
+
+void* map(std::size_t size) noexcept {
+    size = rounded_up(size, granule);
+    char* const memory = take_addresses(size, PROT_READ | PROT_WRITE);
+    if (memory) advise_huge(memory, size);
+    return memory;
+}
+
+void* grow(void* memory, std::size_t old_size, std::size_t new_size) noexcept {
+    old_size = rounded_up(old_size, granule);
+    new_size = rounded_up(new_size, granule);
+    if (new_size == old_size) return memory;
+    char* const to = take_addresses(new_size, PROT_NONE);
+    if (!to) return nullptr;
+    if (mremap(memory, old_size, new_size, MREMAP_MAYMOVE | MREMAP_FIXED, to) == MAP_FAILED) {
+        munmap(to, new_size);
+        return nullptr;
+    }
+    advise_huge(to, new_size);
+    return to;
+}
+
+void unmap(void* memory, std::size_t size) noexcept { munmap(memory, rounded_up(size, granule)); }
+
+#else
+
+void advise_huge(void*, std::size_t) noexcept {}
+void* map(std::size_t) noexcept { return nullptr; }
+void* grow(void*, std::size_t, std::size_t) noexcept { return nullptr; }
+void unmap(void*, std::size_t) noexcept {}
+
+#endif
+
+}  // namespace gphys::pages
