@@ -181,21 +181,29 @@ TEST_CASE("an octree whose items stay about where they are is only refitted") {
 }
 
 TEST_CASE("items that jump one by one leave an octree as good as items removed and inserted") {
-    test::Random random(23);
-    Items items = scattered(random, 4000, 30);
-    Bvh8 updated(std::pmr::get_default_resource()), replaced(std::pmr::get_default_resource());
-    items.build(updated);
-    items.build(replaced);
-    for (uint32_t change = 0; change < 3 * items.count(); ++change) {
-        const uint32_t i = change % items.count();
-        items.boxes[i] = box_at(random.direction() * random.uniform(0, 50), random.uniform(0.4, 2));
-        updated.update(i, items.boxes[i]);
-        replaced.remove(i);
-        replaced.insert(i, items.boxes[i]);
+    // Of one scene the costs differ by some percent either way, as chance has it.
+    float cost_updated = 0, cost_replaced = 0, cost_built = 0;
+    for (uint32_t seed = 23; seed < 35; ++seed) {
+        test::Random random(seed);
+        Items items = scattered(random, 4000, 30);
+        Bvh8 updated(std::pmr::get_default_resource()), replaced(std::pmr::get_default_resource());
+        items.build(updated);
+        items.build(replaced);
+        for (uint32_t change = 0; change < 3 * items.count(); ++change) {
+            const uint32_t i = change % items.count();
+            items.boxes[i] = box_at(random.direction() * random.uniform(0, 50), random.uniform(0.4, 2));
+            updated.update(i, items.boxes[i]);
+            replaced.remove(i);
+            replaced.insert(i, items.boxes[i]);
+        }
+        require_sound(updated);
+        require_sound(replaced);
+        cost_updated += updated.stats().cost;
+        cost_replaced += replaced.stats().cost;
+        cost_built += cost_of_build(items);
     }
-    require_sound(updated);
-    REQUIRE(updated.stats().cost <= 1.02f * replaced.stats().cost);
-    REQUIRE(updated.stats().cost <= 1.4f * cost_of_build(items));
+    REQUIRE(cost_updated <= 1.02f * cost_replaced);
+    REQUIRE(cost_updated <= 1.36f * cost_built);
 }
 
 TEST_CASE("an octree stays good and small while its items wander one by one, come and go") {

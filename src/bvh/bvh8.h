@@ -157,6 +157,14 @@ private:
 
     class Builder;
 
+    static uint32_t items_below(const Node& node) { return node.levels == 1 ? node.count : node.items; }
+    uint32_t levels() const { return root_ == none ? 0 : nodes_[index_of(root_)].levels; }
+    /// That a part of so many items may have when it is built again: two more than with nodes half full.
+    static uint32_t levels_for(uint32_t items) {
+        uint32_t levels = 3;
+        for (uint32_t room = 4; room < items; room *= 4) ++levels;
+        return levels;
+    }
     const Node& node_of(uint32_t item) const { return nodes_[place_of_[item] / 8]; }
     static Box union_of(const Node& node);
     Box box_of(uint32_t index) const {
@@ -182,11 +190,19 @@ private:
     void put(NodeRef node, uint32_t lane, uint32_t child, const Box& box);
     void drop(NodeRef node, uint32_t lane);
     void replace(uint32_t index, NodeRef by);
-    NodeRef closest_leaf(const Box& box) const;
+    NodeRef leaf_to_join(const Box& box);
     NodeRef split(NodeRef node, uint32_t child, const Box& box);
     void add_child(NodeRef node, uint32_t child, Box box);
     void refit_upward(uint32_t index);
     void note_made(uint32_t leaf);
+    void note_levels(uint32_t index);
+    void count_below(uint32_t index);
+    /// Of the items below a node the part that has been added since it was built.
+    double added_share(uint32_t index) const { return static_cast<double>(nodes_[index].added) / nodes_[index].items; }
+    void note_added(uint32_t index, double share) {
+        nodes_[index].added = static_cast<uint32_t>(share * nodes_[index].items);
+    }
+    bool lift(uint32_t node, uint32_t& child, Box& box);
     bool degraded(uint32_t leaf) const;
     void attach(uint32_t item, const Box& box);
     uint32_t detach(uint32_t item);
@@ -201,7 +217,6 @@ private:
     void renew_around(uint32_t item) noexcept;
     void renew_in_turn(uint32_t changes);
 
-    uint32_t count_items(NodeRef ref) const;
     uint32_t level_of(uint32_t index) const;
     double area_below(NodeRef ref) const;
 
@@ -221,14 +236,12 @@ private:
     NodeRef root_ = none;
     Box bounds_;
     uint32_t size_ = 0;
-    uint32_t levels_ = 0;  // at most so many
     uint32_t first_free_ = none, free_count_ = 0;
 
     // Of the last build, to compare with: the areas of all nodes' boxes, and of the root's.
     double built_area_ = 0, built_root_area_ = 0;
-    uint32_t changes_ = 0;  // since renew_around last did something
-    uint32_t turn_ = 0;     // of renew_in_turn
-    uint32_t credit_ = 0;   // items that it may build, saved up
+    uint32_t turn_ = 0;    // of renew_in_turn
+    uint32_t credit_ = 0;  // items that it may build, saved up
     uint32_t rebuilds_ = 0;
 };
 

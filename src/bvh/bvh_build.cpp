@@ -83,6 +83,7 @@ public:
             }
             node.made_area = static_cast<float>(half_area(laid.box));
             node.made_root_area = static_cast<float>(root_area);
+            node.levels = 1;
             return laid;
         }
         Part parts[8];
@@ -99,6 +100,8 @@ public:
         nodes[index].boxes.set_lane(static_cast<int>(lane), child.box);
         nodes[index_of(child.ref)].parent = index;
         nodes[index_of(child.ref)].lane = lane;
+        nodes[index].items += items_below(nodes[index_of(child.ref)]);
+        nodes[index].levels = std::max(nodes[index].levels, 1 + child.levels);
         laid.box.include(child.box);
         laid.area += half_area(child.box) + child.area;
         laid.levels = std::max(laid.levels, 1 + child.levels);
@@ -193,10 +196,13 @@ Bvh8::Builder::Laid Bvh8::Builder::lay_all(LargeArray<Node>& nodes, uint32_t* pl
 void Bvh8::build_from(Vector<BoxedItem>& items, size_t item_limit) {
     LargeArray<Node> nodes = nodes_.alike();
     LargeArray<uint32_t> place_of = place_of_.alike();
+    place_of.reserve(place_of_.capacity());
     place_of.resize(item_limit, none);
     Builder::Laid laid;
     if (!items.empty()) {
         const BinaryBvh cuts(items, 3 * (max_built_levels - 1), workers_);
+        // Room that was reserved is kept.
+        nodes.reserve(nodes_.capacity());
         laid = Builder(items, cuts).lay_all(nodes, place_of.data(), items.size() < shared_size ? nullptr : workers_);
         nodes[index_of(laid.ref)].parent = none;
     }
@@ -205,7 +211,6 @@ void Bvh8::build_from(Vector<BoxedItem>& items, size_t item_limit) {
     place_of_.swap(place_of);
     root_ = laid.ref;
     size_ = static_cast<uint32_t>(items.size());
-    levels_ = root_ == none ? 0 : laid.levels;
     first_free_ = none;
     free_count_ = 0;
     bounds_ = laid.box;
@@ -242,7 +247,8 @@ void Bvh8::rebuild_children(uint32_t parent, uint32_t lanes) {
         node_count_before += count_nodes(child);
         ++most;
     }
-    const uint32_t level = level_of(parent), levels = std::max(levels_, max_built_levels) - level;
+    const uint32_t most_levels = std::max(levels(), max_built_levels) - level_of(parent);
+    const uint32_t levels = std::min(most_levels, levels_for(static_cast<uint32_t>(items.size())));
     uint32_t height = 3 * (levels - 1);
     for (uint32_t parts = 2; parts <= most; parts *= 2) ++height;
     // So far down that not even halves would fit, all stays as it is.
@@ -264,8 +270,8 @@ void Bvh8::rebuild_children(uint32_t parent, uint32_t lanes) {
         const Builder::Laid laid = builder.lay(parts[i], levels, nodes_.data(), place_of_.data(), half_area(bounds_),
                                                [this] { return index_of(take_node(false)); });
         put(parent, nodes_[parent].count++, laid.ref, laid.box);
-        levels_ = std::max(levels_, level + laid.levels);
     }
+    note_levels(parent);
     refit_upward(parent);
 }
 

@@ -65,7 +65,7 @@ void Bvh8::build(const BvhLayout& layout, const Box* boxes) {
     place_of.resize(limit, none);
 
     Descent descent;
-    uint32_t levels = 0, placed = 0;
+    uint32_t placed = 0;
     for (uint32_t index = 0; index < layout.node_count; ++index) {
         Node& node = nodes[index];
         const bool leaf = is_leaf_word(layout.nodes[index]);
@@ -73,7 +73,6 @@ void Bvh8::build(const BvhLayout& layout, const Box* boxes) {
         node.parent = descent.parent();
         node.lane = descent.lane();
         if (node.parent != none) nodes[node.parent].child[node.lane] = leaf ? index | leaf_bit : index;
-        levels = std::max(levels, descent.level() + 1);
         descent.pass(index, leaf ? 0 : node.count);
         for (uint32_t lane = 0; leaf && lane < node.count; ++lane, ++placed) {
             node.child[lane] = layout.item(placed);
@@ -85,10 +84,15 @@ void Bvh8::build(const BvhLayout& layout, const Box* boxes) {
     double area = 0;
     Box bounds;
     for (uint32_t index = layout.node_count; index-- > 0;) {
-        const Node& node = nodes[index];
+        Node& node = nodes[index];
         kernels_.around(node, bounds);
         area += half_area(bounds);
-        if (node.parent != none) nodes[node.parent].boxes.set_lane(static_cast<int>(node.lane), bounds);
+        node.levels = std::max(node.levels, 1u);
+        if (node.parent == none) continue;
+        Node& parent = nodes[node.parent];
+        parent.boxes.set_lane(static_cast<int>(node.lane), bounds);
+        parent.items += items_below(node);
+        parent.levels = std::max(parent.levels, 1 + node.levels);
     }
     const double root_area = half_area(bounds);
     for (uint32_t index = 0; index < layout.node_count; ++index) {
@@ -104,7 +108,6 @@ void Bvh8::build(const BvhLayout& layout, const Box* boxes) {
     place_of_.swap(place_of);
     root_ = layout.node_count == 0 ? none : is_leaf_word(layout.nodes[0]) ? leaf_bit : 0;
     size_ = layout.item_count;
-    levels_ = levels;
     first_free_ = none;
     free_count_ = 0;
     bounds_ = bounds;

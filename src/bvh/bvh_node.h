@@ -13,6 +13,10 @@ struct alignas(64) BvhNode {
     uint32_t lane;      // in the parent
     // Of a leaf, to compare with: half areas of its box and of the root's when its items were chosen.
     float made_area, made_root_area;
+    uint32_t levels;  // of nodes from here down, at most; 1: a leaf
+    // Of nodes that are no leaves.
+    uint32_t items;  // below
+    uint32_t added;  // of these, since the nodes below were built
 };
 
 constexpr uint32_t bvh_none = 0xffffffffu;

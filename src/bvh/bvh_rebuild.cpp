@@ -6,9 +6,12 @@ namespace gphys {
 
 namespace {
 
-/// After so many single changes a subtree of about as many items is built again, so that each change
-/// pays for one item: large enough for full leaves and good cuts, and some ten microseconds at a time.
-constexpr uint32_t renewed_around_change = 512;
+/// A part of the tree is built again when one in so many of its items has been added since: each addition pays for two
+/// items.
+constexpr uint32_t renewed_when_added = 2;
+/// Parts of more items are not, so that no change takes more than some ten microseconds: large enough for full leaves
+/// and good cuts.
+constexpr uint32_t most_renewed = 512;
 /// While many move, one in so many pays for an item to be built again: twice a refit on average.
 constexpr uint32_t moves_per_renewal = 8;
 /// By how much the area has grown since the last build when parts are built again, and when all is.
@@ -29,25 +32,16 @@ Box intersection(const Box& a, const Box& b) {
 
 }  // namespace
 
-uint32_t Bvh8::count_items(NodeRef ref) const {
-    const Node& node = nodes_[index_of(ref)];
-    if (is_leaf(ref)) return node.count;
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < node.count; ++i) count += count_items(node.child[i]);
-    return count;
-}
-
-/// Now and then, build the surroundings of a change again: insertions leave leaves less full than a
-/// build does, and cut with less choice.
+/// Around a change build the largest part again that is small enough, once enough has been added to it: insertions
+/// leave leaves less full than a build does, and cut with less choice.
 void Bvh8::renew_around(uint32_t item) noexcept {
-    if (++changes_ < renewed_around_change) return;
-    changes_ = 0;
     uint32_t node = none;
     for (uint32_t above = nodes_[place_of_[item] / 8].parent; above != none; above = nodes_[above].parent) {
-        if (count_items(above) > renewed_around_change) break;
+        if (nodes_[above].items > most_renewed) break;
         node = above;
     }
-    if (node == none) return;
+    if (node == none || nodes_[node].added <= nodes_[node].items / renewed_when_added) return;
+    nodes_[node].added = 0;
     try {
         rebuild_children(node, (1u << nodes_[node].count) - 1);
     } catch (const std::bad_alloc&) {
@@ -65,7 +59,7 @@ void Bvh8::renew_in_turn(uint32_t changes) {
     for (uint32_t turn = turn_; !is_leaf(ref); turn /= 8) {
         const Node& node = nodes_[ref];
         const uint32_t first = turn % node.count;
-        const uint32_t count = count_items(node.child[first]);
+        const uint32_t count = items_below(nodes_[index_of(node.child[first])]);
         if (count > limit) {
             ref = node.child[first];
             continue;
@@ -77,7 +71,7 @@ void Bvh8::renew_in_turn(uint32_t changes) {
             const double common =
                 half_area(intersection(node.boxes.lane(static_cast<int>(first)), node.boxes.lane(static_cast<int>(i))));
             if (common <= most) continue;
-            const uint32_t added = count_items(node.child[i]);
+            const uint32_t added = items_below(nodes_[index_of(node.child[i])]);
             if (count + added > limit) continue;
             most = common;
             second = i;

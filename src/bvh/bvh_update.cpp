@@ -1,7 +1,8 @@
 // Changing the BVH. Items enter at the leaf whose box grows least; what is full splits, upward to
 // the root, so that no order of insertions makes a tree deep (Guttman, "R-Trees: a Dynamic Index
 // Structure for Spatial Searching", 1984). Leaves that moving items have stretched give them up one
-// by one to better ones. So each change costs O(levels), and all bounds stay tight.
+// by one to better ones. So each change costs O(levels), and all bounds stay tight. Where enough has been added, a part
+// of the tree is built again (bvh_rebuild.cpp).
 #include <numeric>
 
 #include "bvh/bvh8.h"
@@ -21,6 +22,9 @@ constexpr uint32_t small_leaf = 2;
 /// draw together), has grown by this. Higher: worse trees; lower: more items are placed anew, which
 /// costs about five times a refit.
 constexpr float spoiling_growth = 1.5f;
+
+/// In parts of fewer items no child is lifted: they are soon built again as a whole.
+constexpr uint32_t lifted_from = 1024;
 
 float smaller(float a, float b) { return a < b ? a : b; }
 float larger(float a, float b) { return a > b ? a : b; }
@@ -43,11 +47,11 @@ void Bvh8::reserve_nodes(uint32_t count) {
 }
 
 /// A new child may split each level, and add one.
-uint32_t Bvh8::nodes_for_additions(uint32_t additions) const { return additions * (levels_ + additions); }
+uint32_t Bvh8::nodes_for_additions(uint32_t additions) const { return additions * (levels() + additions); }
 
 /// For changes that must not fail, and can be left undone.
 bool Bvh8::have_room(uint32_t additions) noexcept {
-    if (levels_ + additions > max_levels) return false;
+    if (levels() + additions > max_levels) return false;
     try {
         reserve_nodes(nodes_for_additions(additions));
         return true;
@@ -68,6 +72,7 @@ Bvh8::NodeRef Bvh8::take_node(bool leaf) {
         nodes_.push_back(Node());
     }
     nodes_[index].parent = none;
+    nodes_[index].levels = leaf ? 1 : 2;
     return leaf ? index | leaf_bit : index;
 }
 
@@ -104,18 +109,19 @@ void Bvh8::replace(uint32_t index, NodeRef by) {
     if (parent == none) {
         nodes_[index_of(by)].parent = none;
         root_ = by;
-        --levels_;
     } else {
         put(parent, nodes_[index].lane, by, nodes_[index].boxes.lane(0));
     }
     release_node(index);
 }
 
-/// The leaf reached by always taking the child whose area grows least, and of those the smallest.
-Bvh8::NodeRef Bvh8::closest_leaf(const Box& box) const {
+/// The leaf reached by always taking the child whose area grows least, and of those the smallest. It will get an item.
+Bvh8::NodeRef Bvh8::leaf_to_join(const Box& box) {
     NodeRef ref = root_;
     while (!is_leaf(ref)) {
-        const Node& node = nodes_[ref];
+        Node& node = nodes_[ref];
+        ++node.items;
+        ++node.added;
         const auto& row = node.boxes.row;
         // In float for all eight: areas are far from overflow, and which child it is need not be exact.
         float area[8], growth[8];
@@ -219,32 +225,67 @@ Bvh8::NodeRef Bvh8::split(NodeRef node, uint32_t child, const Box& box) {
     for (int i = 0; i < 8; ++i) children[i] = {nodes_[index].boxes.lane(i), nodes_[index].child[i]};
     children[8] = {box, child};
     const BoxedItem* middle = split_few(children, children + 9, balanced_cuts, 1);
+    const double added = is_leaf(node) ? 0 : added_share(node);
     const NodeRef sibling = take_node(is_leaf(node));
     nodes_[index].count = 0;
     for (const BoxedItem* i = children; i != children + 9; ++i) {
         const NodeRef home = i < middle ? node : sibling;
         put(home, nodes_[index_of(home)].count++, i->item, i->box);
     }
-    note_made(index);
-    note_made(index_of(sibling));
+    for (const NodeRef half : {node, sibling}) {
+        if (is_leaf(half)) {
+            note_made(index_of(half));
+        } else {
+            count_below(half);
+            note_added(half, added);
+        }
+    }
     return sibling;
 }
 
-/// Give a node one child more. What is full splits, and gives its parent one child more. There
-/// is room.
+/// If one of the children of a full node and `child` has more items than all others together, `child` becomes that one,
+/// to go to the parent, and the others stay. Where items come in order, each is added to the same end of the tree: to
+/// split there would leave that end one level deeper below a few others again and again.
+bool Bvh8::lift(uint32_t node, uint32_t& child, Box& box) {
+    uint32_t heaviest = none, most = items_below(nodes_[index_of(child)]), all = most;
+    for (uint32_t i = 0; i < 8; ++i) {
+        const uint32_t items = items_below(nodes_[index_of(nodes_[node].child[i])]);
+        all += items;
+        if (items > most) {
+            most = items;
+            heaviest = i;
+        }
+    }
+    if (all < lifted_from || most <= all / 2) return false;
+    const double added = added_share(node);
+    if (heaviest != none) {
+        const NodeRef lifted = nodes_[node].child[heaviest];
+        const Box lifted_box = nodes_[node].boxes.lane(static_cast<int>(heaviest));
+        put(node, heaviest, child, box);
+        child = lifted;
+        box = lifted_box;
+    }
+    count_below(node);
+    note_added(node, added);
+    return true;
+}
+
+/// Give a node one child more. What is full gives its parent one child more. There is room.
 void Bvh8::add_child(NodeRef node, uint32_t child, Box box) {
     while (nodes_[index_of(node)].count == 8) {
-        const NodeRef sibling = split(node, child, box);
+        if (is_leaf(node) || !lift(node, child, box)) {
+            child = split(node, child, box);
+            box = union_of(nodes_[index_of(child)]);
+        }
         const Box node_box = union_of(nodes_[index_of(node)]);
-        child = sibling;
-        box = union_of(nodes_[index_of(sibling)]);
         if (node == root_) {
             root_ = take_node(false);
-            ++levels_;
-            nodes_[root_].count = 1;
+            nodes_[root_].count = 2;
             put(root_, 0, node, node_box);
-            node = root_;
-            break;
+            put(root_, 1, child, box);
+            count_below(root_);
+            bounds_ = union_of(nodes_[root_]);
+            return;
         }
         const uint32_t parent = nodes_[index_of(node)].parent;
         nodes_[parent].boxes.set_lane(static_cast<int>(nodes_[index_of(node)].lane), node_box);
@@ -258,9 +299,8 @@ void Bvh8::add_child(NodeRef node, uint32_t child, Box box) {
 void Bvh8::attach(uint32_t item, const Box& box) {
     if (root_ == none) {
         root_ = take_node(true);
-        levels_ = 1;
     }
-    add_child(closest_leaf(box), item, box);
+    add_child(leaf_to_join(box), item, box);
     note_made(place_of_[item] / 8);
     ++size_;
 }
@@ -271,6 +311,7 @@ uint32_t Bvh8::detach(uint32_t item) {
     drop(leaf | leaf_bit, place_of_[item] % 8);
     place_of_[item] = none;
     --size_;
+    for (uint32_t above = nodes_[leaf].parent; above != none; above = nodes_[above].parent) --nodes_[above].items;
     uint32_t index = leaf;
     // Nodes that have become empty go, up to one that has not.
     while (nodes_[index].count == 0 && nodes_[index].parent != none) {
@@ -282,7 +323,6 @@ uint32_t Bvh8::detach(uint32_t item) {
     if (nodes_[index].count == 0) {
         release_node(index);
         root_ = none;
-        levels_ = 0;
         bounds_ = Box();
         return none;
     }
@@ -312,6 +352,27 @@ uint32_t Bvh8::reinsert(uint32_t item) {
     return leaf;
 }
 
+/// What is below a node, from what its children know of themselves.
+void Bvh8::count_below(uint32_t index) {
+    Node& node = nodes_[index];
+    node.items = 0;
+    for (uint32_t i = 0; i < node.count; ++i) node.items += items_below(nodes_[index_of(node.child[i])]);
+    note_levels(index);
+}
+
+/// The children of a node have changed: how many levels it has, and how many those above have at least.
+void Bvh8::note_levels(uint32_t index) {
+    Node& node = nodes_[index];
+    node.levels = 2;
+    for (uint32_t i = 0; i < node.count; ++i)
+        node.levels = std::max(node.levels, 1 + nodes_[index_of(node.child[i])].levels);
+    for (uint32_t below = index; nodes_[below].parent != none; below = nodes_[below].parent) {
+        uint32_t& levels = nodes_[nodes_[below].parent].levels;
+        if (levels > nodes_[below].levels) return;
+        levels = nodes_[below].levels + 1;
+    }
+}
+
 uint32_t Bvh8::level_of(uint32_t index) const {
     uint32_t level = 1;
     while ((index = nodes_[index].parent) != none) ++level;
@@ -324,7 +385,7 @@ void Bvh8::insert(uint32_t item, const Box& box) {
         reserve_more(place_of_, item + size_t{1} - place_of_.size());
         place_of_.resize(size_t{item} + 1, none);
     }
-    if (levels_ >= max_levels) rebuild();
+    if (levels() >= max_levels) rebuild();
     reserve_nodes(nodes_for_additions(1));
     attach(item, box);
     renew_around(item);
@@ -357,12 +418,15 @@ void Bvh8::remove(uint32_t item) noexcept { dissolve_if_small(detach(item)); }
 /// What has left its neighbours at once, or with them has stretched their leaf, goes to a better one.
 void Bvh8::update(uint32_t item, const Box& box) noexcept {
     const uint32_t leaf = place_of_[item] / 8;
-    const bool stays_near = overlaps(box_of(leaf), box);
+    const bool stays_near = overlaps(box_of(leaf), box), jumps = !overlaps(this->box(item), box);
     nodes_[leaf].boxes.set_lane(static_cast<int>(place_of_[item] % 8), box);
     if ((!stays_near || degraded(leaf)) && have_room(1)) {
         dissolve_if_small(reinsert(item));
     } else {
         refit_upward(leaf);
+        // Another place in the same leaf, which may not be the best: as if it had been added there.
+        for (uint32_t above = nodes_[leaf].parent; jumps && above != none; above = nodes_[above].parent)
+            ++nodes_[above].added;
     }
     renew_around(item);
 }
@@ -375,7 +439,6 @@ void Bvh8::clear() noexcept {
     size_ = 0;
     first_free_ = none;
     free_count_ = 0;
-    levels_ = 0;
     built_area_ = built_root_area_ = 0;
     credit_ = 0;
 }

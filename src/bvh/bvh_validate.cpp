@@ -51,7 +51,7 @@ const char* Bvh8::defect() const {
             ++node_count;
             if (node_count > nodes_.size()) return "the nodes do not form a tree";
             if (node.count == 0 || node.count > 8) return "a node has none or too many children";
-            if (level_of(index) > levels_ || levels_ > max_levels) return "the tree is too deep";
+            if (level_of(index) > levels() || levels() > max_levels) return "the tree is too deep";
             const Box box = union_of(node);
             for (int k = 0; k < 3; ++k) {
                 if (!(box.min[k] >= -max_box_coordinate && box.max[k] <= max_box_coordinate)) {
@@ -61,12 +61,16 @@ const char* Bvh8::defect() const {
             const Box above =
                 node.parent == none ? bounds_ : nodes_[node.parent].boxes.lane(static_cast<int>(node.lane));
             if (!(box == above)) return "a node's box is not tight";
+            if (is_leaf(ref) != (node.levels == 1)) return "a node does not know whether it is a leaf";
+            uint32_t items_of_children = 0;
             for (uint32_t i = 0; i < node.count; ++i) {
                 const uint32_t child = node.child[i];
                 if (!is_leaf(ref)) {
                     if (index_of(child) >= nodes_.size()) return "a reference leads out of the tree";
                     const Node& below = nodes_[index_of(child)];
                     if (below.parent != index || below.lane != i) return "a child does not know its parent";
+                    if (below.levels >= node.levels) return "a node has more levels than it knows of";
+                    items_of_children += items_below(below);
                     stack[size++] = child;
                 } else {
                     if (child >= place_of_.size() || place_of_[child] != 8 * index + i) {
@@ -75,6 +79,7 @@ const char* Bvh8::defect() const {
                     ++item_count;
                 }
             }
+            if (!is_leaf(ref) && items_of_children != node.items) return "the items below a node are miscounted";
         }
     }
     if (item_count != size_) return "items are missing";

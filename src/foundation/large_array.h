@@ -127,12 +127,12 @@ private:
     std::size_t size_ = 0, capacity_ = 0;
 };
 
-/// As of a Vector, but by an eighth.
+/// As of a Vector, but by an eighth from some size on.
 template <class T>
 void reserve_more(LargeArray<T>& array, std::size_t count) {
-    constexpr std::size_t least = 16;
+    constexpr std::size_t small = 1024;
     const std::size_t needed = array.size() + count, capacity = array.capacity();
-    if (needed > capacity) array.reserve(std::max(needed, capacity + std::max(capacity / 8, least)));
+    if (needed > capacity) array.reserve(std::max(needed, capacity + capacity / (capacity < small ? 2 : 8)));
 }
 
 }  // namespace gphys
