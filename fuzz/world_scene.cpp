@@ -389,6 +389,11 @@ void World::set_scene_origin() {
 
 void World::inspect_scene() {
     FUZZ_CHECK(call(gphys_scene_validate, scene_) == GPHYS_OK, "a scene is sound");
+    if (models_.size() % 8 == 7) {
+        const gphys_status status = call(gphys_scene_rebuild_octree, scene_);
+        FUZZ_CHECK(status == GPHYS_OK || status == GPHYS_ERROR_OUT_OF_MEMORY, "an octree is built anew");
+        FUZZ_CHECK(call(gphys_scene_validate, scene_) == GPHYS_OK, "a scene is sound after its octree was built anew");
+    }
     uint32_t total = 0;
     std::vector<gphys_model_id> ids(models_.size() + 1);
     const uint32_t capacity = p_.one_in(3) ? p_.below(4) : static_cast<uint32_t>(models_.size());
@@ -500,6 +505,7 @@ void World::misuse_scene() {
         call(gphys_scene_remove_batch, scene_, nullptr, 2u),
         call(gphys_scene_remove_subtree, none, id),
         call(gphys_scene_clear, none),
+        call(gphys_scene_rebuild_octree, none),
         call(gphys_scene_get_models, scene_, nullptr, 3u, &total),
         call(gphys_scene_get_info, scene_, id, nullptr),
         call(gphys_scene_get_shape, scene_, id, static_cast<void*>(&box), 3u),

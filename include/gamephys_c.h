@@ -1462,6 +1462,12 @@ GPHYS_API gphys_status gphys_scene_penetration_filtered_batch(const gphys_scene*
                                                               gphys_penetration* out_penetrations, uint32_t capacity,
                                                               uint32_t* out_offsets);
 
+/** Build the scene's octree anew, as good as that of one gphys_scene_add_batch. Never needed: ids, answers and their
+ *  bits stay as they are. Where many models were added one by one, such as a level that was streamed in, rays then take
+ *  0.4 to 0.8 of the time.
+ *  @return GPHYS_ERROR_OUT_OF_MEMORY, with nothing changed
+ *  Cost: O(n log n), 0.15 to 0.45 us a model, less with workers; allocates.  Since 1.1. */
+GPHYS_API gphys_status gphys_scene_rebuild_octree(gphys_scene* scene);
 /** How the scene's octree is made up. Cost: O(nodes). */
 GPHYS_API gphys_status gphys_scene_get_octree_stats(const gphys_scene* scene, gphys_octree_stats* out_stats);
 /** Boxes of the scene's octree, each parent before its children. Kept when too many: the first.

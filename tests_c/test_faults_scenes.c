@@ -103,6 +103,7 @@ static void shapes_and_scene(session* s) {
     DO(gphys_scene_restore(s->scene, NULL, scene_words, scene_word_count));
     DO(gphys_scene_add_batch(s->scene, GPHYS_SHAPE_SPHERE, &ball, 0, places, sizeof *places, 30, NULL, s->models));
     DO(gphys_scene_remove_batch(s->scene, s->models, 20));
+    DO(gphys_scene_rebuild_octree(s->scene));
     DO(gphys_scene_clear(s->scene));
     DO(gphys_scene_add(s->scene, GPHYS_SHAPE_SPHERE, &ball, &places[2], NULL, &id));
 }

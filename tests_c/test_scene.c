@@ -201,6 +201,7 @@ static void null_and_bad_strides_are_refused_everywhere(void** state) {
     assert_invalid(gphys_scene_remove_batch(scene, NULL, 2));
     assert_invalid(gphys_scene_remove_subtree(NULL, models[0]));
     assert_invalid(gphys_scene_clear(NULL));
+    assert_invalid(gphys_scene_rebuild_octree(NULL));
     assert_invalid(gphys_scene_get_models(NULL, models, 2, &total));
     assert_invalid(gphys_scene_get_models(scene, NULL, 2, &total));
     assert_invalid(gphys_scene_get_models(scene, models, 2, NULL));
@@ -289,6 +290,53 @@ static void what_was_set_is_what_one_gets(void** state) {
     assert_int_equal(gphys_scene_get_models(scene, NULL, 0, &total), GPHYS_OK);
     assert_int_equal(total, 0);
     gphys_scene_destroy(scene);
+}
+
+static void an_octree_built_anew_is_that_of_one_call(void** state) {
+    enum { SIDE = 40, COUNT = SIDE * SIDE };
+    static gphys_transform places[COUNT];
+    static gphys_model_id models[COUNT];
+    static const gphys_aabb box = {{-0.4f, -0.4f, -0.4f}, {0.4f, 0.4f, 0.4f}};
+    gphys_scene *grown, *built;
+    gphys_octree_stats before, after, fresh;
+    gphys_ray ray;
+    gphys_hit hit, again;
+    uint32_t i;
+    (void)state;
+    memset(&ray, 0, sizeof ray);
+    memset(&hit, 0, sizeof hit);
+    memset(&again, 0, sizeof again);
+    ray.origin.x = -5;
+    ray.origin.z = 3.125f;
+    ray.direction.x = 1;
+    ray.t_max = INFINITY;
+    assert_int_equal(gphys_scene_create(NULL, &grown), GPHYS_OK);
+    assert_int_equal(gphys_scene_create(NULL, &built), GPHYS_OK);
+    assert_int_equal(gphys_scene_rebuild_octree(grown), GPHYS_OK); /* of no model */
+    for (i = 0; i < COUNT; ++i) {
+        memset(&places[i], 0, sizeof places[i]);
+        places[i].position.x = (float)(i % SIDE);
+        places[i].position.z = (float)(i / SIDE);
+        places[i].rotation.w = places[i].scale = 1;
+        assert_int_equal(gphys_scene_add(grown, GPHYS_SHAPE_AABB, &box, &places[i], NULL, &models[i]), GPHYS_OK);
+    }
+    assert_int_equal(
+        gphys_scene_add_batch(built, GPHYS_SHAPE_AABB, &box, 0, places, sizeof places[0], COUNT, NULL, models),
+        GPHYS_OK);
+    assert_int_equal(gphys_scene_raycast(grown, &ray, GPHYS_ALL_LAYERS, &hit), GPHYS_OK);
+    assert_int_equal(gphys_scene_get_octree_stats(grown, &before), GPHYS_OK);
+    assert_int_equal(gphys_scene_rebuild_octree(grown), GPHYS_OK);
+    assert_int_equal(gphys_scene_get_octree_stats(grown, &after), GPHYS_OK);
+    assert_int_equal(gphys_scene_get_octree_stats(built, &fresh), GPHYS_OK);
+    assert_int_equal(after.item_count, COUNT);
+    assert_int_equal(after.rebuilds, before.rebuilds + 1);
+    assert_true(after.cost < 0.95f * before.cost);
+    assert_true(after.cost < 1.01f * fresh.cost);
+    assert_int_equal(gphys_scene_validate(grown), GPHYS_OK);
+    assert_int_equal(gphys_scene_raycast(grown, &ray, GPHYS_ALL_LAYERS, &again), GPHYS_OK);
+    assert_memory_equal(&hit, &again, sizeof hit);
+    gphys_scene_destroy(grown);
+    gphys_scene_destroy(built);
 }
 
 static void the_tree_of_models_can_be_read(void** state) {
@@ -556,6 +604,7 @@ int main(void) {
         cmocka_unit_test(stale_ids_are_refused_everywhere),
         cmocka_unit_test(null_and_bad_strides_are_refused_everywhere),
         cmocka_unit_test(what_was_set_is_what_one_gets),
+        cmocka_unit_test(an_octree_built_anew_is_that_of_one_call),
         cmocka_unit_test(the_tree_of_models_can_be_read),
         cmocka_unit_test(a_snapshot_brings_back_the_scene),
         cmocka_unit_test(the_mesh_of_a_model_is_had_back),

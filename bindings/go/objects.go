@@ -1860,6 +1860,22 @@ func (o *Scene) PenetrationFilteredBatch(shapes Shapes, filters *QueryFilterDesc
 	return
 }
 
+// Build the scene's octree anew, as good as that of one Scene.AddBatch. Never needed: ids, answers and
+// their bits stay as they are. Where many models were added one by one, such as a level that was
+// streamed in, rays then take 0.4 to 0.8 of the time.
+// The error is ErrOutOfMemory with nothing changed.
+// Cost: O(n log n), 0.15 to 0.45 us a model, less with workers; allocates. Since 1.1.
+func (o *Scene) RebuildOctree() (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_scene_rebuild_octree(self)
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
 // How the scene's octree is made up.
 // Cost: O(nodes).
 func (o *Scene) OctreeStats() (stats OctreeStats, err error) {

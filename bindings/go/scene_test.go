@@ -325,6 +325,7 @@ func TestModelsAreMovedDescribedAndRemoved(t *testing.T) {
 	try(t, scene.RemoveSubtree(parent))
 	try(t, scene.RemoveBatch([]ModelID{mesh}))
 	must(scene.Add(capsule, nil, nil))
+	try(t, scene.RebuildOctree())
 	try(t, scene.Clear())
 	same(t, len(must(scene.Models())), 0)
 }

@@ -1370,6 +1370,17 @@ static inline go_gphys_scene_penetration_filtered_batch_result go_gphys_scene_pe
     return r;
 }
 
+typedef struct go_gphys_scene_rebuild_octree_result {
+    gphys_status status;
+    char* message;
+} go_gphys_scene_rebuild_octree_result;
+static inline go_gphys_scene_rebuild_octree_result go_gphys_scene_rebuild_octree(void* scene) {
+    go_gphys_scene_rebuild_octree_result r = {0};
+    r.status = gphys_scene_rebuild_octree(scene);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_scene_get_octree_stats_result {
     gphys_status status;
     char* message;

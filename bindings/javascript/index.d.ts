@@ -1128,6 +1128,12 @@ export class Scene {
      * @param filters - null: the defaults
      * @throws {GamephysError} ERROR_UNSUPPORTED: as Scene.penetration */
     penetrationFilteredBatch(shapes: Shapes | AnyShape, filters?: Partial<QueryFilterDesc> | null): { values: Records<Penetration>; offsets: Uint32Array };
+    /** Build the scene's octree anew, as good as that of one Scene.addBatch. Never needed: ids, answers and
+     * their bits stay as they are. Where many models were added one by one, such as a level that was
+     * streamed in, rays then take 0.4 to 0.8 of the time.
+     * Cost: O(n log n), 0.15 to 0.45 us a model, less with workers; allocates. Since 1.1.
+     * @throws {GamephysError} ERROR_OUT_OF_MEMORY: with nothing changed */
+    rebuildOctree(): void;
     /** How the scene's octree is made up.
      * Cost: O(nodes). */
     getOctreeStats(): OctreeStats;

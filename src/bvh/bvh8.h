@@ -42,6 +42,8 @@ public:
     void build(const Box* boxes, const uint32_t* items, uint32_t count);
     /// The same in the form of a layout without a defect; boxes in the order of its items.
     void build(const BvhLayout& layout, const Box* boxes);
+    /// With the same items.
+    void rebuild();
     void insert(uint32_t item, const Box& box);
     /// Many at once: a build if they are many for this tree.
     void insert_many(const uint32_t* items, const Box* boxes, uint32_t count);
@@ -176,7 +178,6 @@ private:
     void visit_layout_below(NodeRef ref, VisitNode& visit_node, VisitItem& visit_item) const;
 
     void build_from(Vector<BoxedItem>& items, size_t item_limit);
-    void rebuild();
     void rebuild_children(uint32_t parent, uint32_t lanes);
     void append_items(NodeRef ref, Vector<BoxedItem>& to) const;
     uint32_t count_nodes(NodeRef ref) const;

@@ -230,6 +230,7 @@ void Bvh8::build(const Box* boxes, const uint32_t* items, uint32_t count) {
 }
 
 void Bvh8::rebuild() {
+    if (size_ == 0) return;
     Vector<BoxedItem> all(nodes_.memory());
     all.reserve(size_);
     append_items(root_, all);

@@ -239,6 +239,14 @@ gphys_status gphys_scene_clear(gphys_scene* scene) {
     });
 }
 
+gphys_status gphys_scene_rebuild_octree(gphys_scene* scene) {
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(scene);
+        unwrap(scene)->rebuild_octree();
+        return GPHYS_OK;
+    });
+}
+
 gphys_status gphys_scene_has(const gphys_scene* scene, gphys_model_id model) {
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_REQUIRE_POINTERS(scene);

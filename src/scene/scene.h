@@ -76,6 +76,8 @@ public:
     gphys_status remove(const gphys_model_id* models, uint32_t count);
     gphys_status remove_subtree(gphys_model_id model);
     void clear();
+    /// Throws std::bad_alloc, with nothing changed.
+    void rebuild_octree() { bvh_.rebuild(); }
     /// A public struct of the type, or a Mesh.
     gphys_status set_shape(gphys_model_id model, gphys_shape_type type, const void* shape);
     /// A valid one.

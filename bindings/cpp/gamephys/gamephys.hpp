@@ -1015,6 +1015,15 @@ public:
         return ragged<Penetration>([&](Penetration* out_penetrations, uint32_t capacity, uint32_t* offsets) { return gphys_scene_penetration_filtered_batch(handle(), shapes.type, shapes.data, shapes.stride, count, filters, 0, out_penetrations, capacity, offsets); }, count);
     }
 
+    // Build the scene's octree anew, as good as that of one Scene::add_batch. Never needed: ids, answers
+    // and their bits stay as they are. Where many models were added one by one, such as a level that was
+    // streamed in, rays then take 0.4 to 0.8 of the time.
+    // Throws Error with GPHYS_ERROR_OUT_OF_MEMORY with nothing changed.
+    // Cost: O(n log n), 0.15 to 0.45 us a model, less with workers; allocates. Since 1.1.
+    void rebuild_octree() {
+        check(gphys_scene_rebuild_octree(handle()));
+    }
+
     // How the scene's octree is made up.
     // Cost: O(nodes).
     OctreeStats get_octree_stats() const {

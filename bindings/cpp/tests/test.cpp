@@ -199,6 +199,7 @@ TEST_CASE("models") {
     CHECK_FALSE(scene.get_scene_bounds());
     scene.remove(scene.add(ball));
     scene.add(ball);
+    scene.rebuild_octree();
     scene.clear();
     CHECK(scene.get_models().empty());
     scene.set_origin({1e9 + 0.5, 0, 0});

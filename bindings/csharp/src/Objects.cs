@@ -1349,6 +1349,15 @@ public sealed partial class Scene : IDisposable {
         }
     }
 
+    /// <summary>Build the scene's octree anew, as good as that of one Scene.AddBatch. Never needed: ids, answers and
+    /// their bits stay as they are. Where many models were added one by one, such as a level that was
+    /// streamed in, rays then take 0.4 to 0.8 of the time.
+    /// Cost: O(n log n), 0.15 to 0.45 us a model, less with workers; allocates. Since 1.1.</summary>
+    /// <exception cref="GamephysException">Status.ErrorOutOfMemory: with nothing changed</exception>
+    public unsafe void RebuildOctree() {
+        Check(Low.gphys_scene_rebuild_octree(Handle));
+    }
+
     /// <summary>How the scene's octree is made up.
     /// Cost: O(nodes).</summary>
     public unsafe OctreeStats GetOctreeStats() {

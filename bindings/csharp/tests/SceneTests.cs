@@ -345,6 +345,7 @@ public class SceneTests {
         scene.RemoveSubtree(parent);
         scene.RemoveBatch(new[] { mesh });
         scene.Add(capsule);
+        scene.RebuildOctree();
         scene.Clear();
         Assert.AreEqual(0, scene.GetModels().Length);
     }

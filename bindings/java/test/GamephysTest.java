@@ -158,6 +158,7 @@ public class GamephysTest {
         scene.removeBatch(scene.addBatch(Shapes.of(List.of(BALL, BALL, BALL))));
         assertTrue(scene.getSceneBounds().isEmpty());
         scene.add(BALL);
+        scene.rebuildOctree();
         scene.clear();
         assertEquals(0, scene.getModels().size());
         scene.setOrigin(new double[] {1e9 + 0.5, 0, 0});

@@ -542,6 +542,9 @@ export function objects(memory) {
             const out_offsetsAt = pass(offsets);
             return ragged('penetration', offsets, (room, capacity) => native.gphys_scene_penetration_filtered_batch(this.pointer, shapes_.type, shapesAt, shapes_.stride, count, filters == null ? 0 : base, 0, room, capacity, out_offsetsAt));
         }
+        rebuildOctree() {
+            check(native.gphys_scene_rebuild_octree(this.pointer));
+        }
         getOctreeStats() {
             check(native.gphys_scene_get_octree_stats(this.pointer, base));
             return readOctreeStats(v, 0);

@@ -125,6 +125,7 @@ test('models', () => {
     scene.removeSubtree(parent);
     assert.strictEqual(scene.has(child), false);
     scene.add(ball);
+    scene.rebuildOctree();
     scene.clear();
     assert.strictEqual(scene.getSceneBounds(), null);
 });

@@ -1033,6 +1033,15 @@ function Scene:penetration_filtered_batch(shapes, filters)
     end, count)
 end
 
+--- Build the scene's octree anew, as good as that of one Scene:add_batch. Never needed: ids, answers
+--- and their bits stay as they are. Where many models were added one by one, such as a level that was
+--- streamed in, rays then take 0.4 to 0.8 of the time.
+--- Cost: O(n log n), 0.15 to 0.45 us a model, less with workers; allocates. Since 1.1.
+--- @raise status ERROR_OUT_OF_MEMORY: with nothing changed
+function Scene:rebuild_octree()
+    check(C.gphys_scene_rebuild_octree(opened(self)))
+end
+
 --- How the scene's octree is made up.
 --- Cost: O(nodes).
 function Scene:get_octree_stats(out_stats)

@@ -109,6 +109,7 @@ function tests.models()
     scene:remove_batch(more)
     assert(scene:get_scene_bounds() == nil)
     scene:add(ball)
+    scene:rebuild_octree()
     scene:clear()
     assert(select(2, scene:get_models()) == 0)
     scene:set_origin { 1e9 + 0.5, 0, 0 }

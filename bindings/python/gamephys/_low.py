@@ -805,6 +805,7 @@ gphys_scene_sweep_filtered = function("gphys_scene_sweep_filtered", c_int32, [c_
 gphys_scene_sweep_filtered_batch = function("gphys_scene_sweep_filtered_batch", c_int32, [c_void_p, c_int32, c_void_p, c_uint32, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32])
 gphys_scene_penetration_filtered = function("gphys_scene_penetration_filtered", c_int32, [c_void_p, c_int32, c_void_p, c_void_p, c_void_p, c_uint32, c_void_p])
 gphys_scene_penetration_filtered_batch = function("gphys_scene_penetration_filtered_batch", c_int32, [c_void_p, c_int32, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
+gphys_scene_rebuild_octree = function("gphys_scene_rebuild_octree", c_int32, [c_void_p])
 gphys_scene_get_octree_stats = function("gphys_scene_get_octree_stats", c_int32, [c_void_p, c_void_p])
 gphys_scene_get_octree_boxes = function("gphys_scene_get_octree_boxes", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
 gphys_scene_validate = function("gphys_scene_validate", c_int32, [c_void_p])

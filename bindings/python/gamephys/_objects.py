@@ -1113,6 +1113,16 @@ class Scene(Models):
         count = common_length(shapes_)
         return ragged_of(low.gphys_scene_penetration_filtered_batch, (self._handle, type_, shapes_.address, shapes_.stride, count, filters_.address, 0,), low.penetration_dtype, count)
 
+    def rebuild_octree(self) -> None:
+        """Build the scene's octree anew, as good as that of one Scene.add_batch. Never needed: ids,
+        answers and their bits stay as they are. Where many models were added one by one, such as a
+        level that was streamed in, rays then take 0.4 to 0.8 of the time.
+        Cost: O(n log n), 0.15 to 0.45 us a model, less with workers; allocates. Since 1.1.
+
+        Raises:
+            OutOfMemory: with nothing changed"""
+        check(low.gphys_scene_rebuild_octree(self._handle))
+
     def get_octree_stats(self) -> low.OctreeStats:
         """How the scene's octree is made up.
         Cost: O(nodes)."""

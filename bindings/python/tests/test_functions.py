@@ -96,6 +96,7 @@ class Functions(unittest.TestCase):
         scene.remove_batch(scene.add_batch([BALL] * 3))
         self.assertIsNone(scene.get_scene_bounds())
         scene.add(BALL)
+        scene.rebuild_octree()
         scene.clear()
         self.assertEqual(len(scene.get_models()), 0)
         scene.set_origin((1e9 + 0.5, 0, 0))

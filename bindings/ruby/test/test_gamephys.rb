@@ -118,6 +118,7 @@ class TestGamephys < Minitest::Test
     scene.remove_batch(scene.add_batch([BALL, BALL, BALL]))
     assert_nil scene.get_scene_bounds
     scene.add(BALL)
+    scene.rebuild_octree
     scene.clear
     assert_equal 0, scene.get_models.size
     scene.set_origin([1e9 + 0.5, 0, 0])

@@ -1335,6 +1335,18 @@ impl Scene {
         ragged(count, |out_penetrations, capacity, offsets| unsafe { sys::gphys_scene_penetration_filtered_batch(self.handle.as_ptr(), shapes.shape_type(), shapes.data, shapes.stride, count, pointer(filters), 0, out_penetrations, capacity, offsets) })
     }
 
+    /// Build the scene's octree anew, as good as that of one `Scene::add_batch`. Never needed: ids, answers
+    /// and their bits stay as they are. Where many models were added one by one, such as a level that was
+    /// streamed in, rays then take 0.4 to 0.8 of the time.
+    ///
+    /// Cost: O(n log n), 0.15 to 0.45 us a model, less with workers; allocates. Since 1.1.
+    ///
+    /// # Errors
+    /// * `Status::ERROR_OUT_OF_MEMORY`: with nothing changed
+    pub fn rebuild_octree(&mut self) -> Result<()> {
+        check(unsafe { sys::gphys_scene_rebuild_octree(self.handle.as_ptr()) })
+    }
+
     /// How the scene's octree is made up.
     ///
     /// Cost: O(nodes).

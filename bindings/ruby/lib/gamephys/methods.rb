@@ -943,6 +943,16 @@ module Gamephys
       Low.ragged(Penetration, count) { |out, capacity, offsets| Low.gphys_scene_penetration_filtered_batch(opened, shapes.kind::KIND, shapes.pointer, shapes.stride, count, filters && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters), 0, out, capacity, offsets) }
     end
 
+    # Build the scene's octree anew, as good as that of one Scene#add_batch. Never needed: ids, answers
+    # and their bits stay as they are. Where many models were added one by one, such as a level that was
+    # streamed in, rays then take 0.4 to 0.8 of the time.
+    # Cost: O(n log n), 0.15 to 0.45 us a model, less with workers; allocates. Since 1.1.
+    # @raise [OutOfMemory] with nothing changed
+    def rebuild_octree
+      Low.check(Low.gphys_scene_rebuild_octree(opened))
+      nil
+    end
+
     # How the scene's octree is made up.
     # Cost: O(nodes).
     def get_octree_stats

@@ -1341,6 +1341,19 @@ public final class Scene extends SceneBase {
     }
 
     /**
+     * Build the scene's octree anew, as good as that of one Scene.addBatch. Never needed: ids, answers and
+     * their bits stay as they are. Where many models were added one by one, such as a level that was
+     * streamed in, rays then take 0.4 to 0.8 of the time.
+     * Cost: O(n log n), 0.15 to 0.45 us a model, less with workers; allocates. Since 1.1.
+     * @throws GamephysException with ERROR_OUT_OF_MEMORY: with nothing changed
+     */
+    public void rebuildOctree() {
+        int status = Low.gphys_scene_rebuild_octree(opened());
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /**
      * How the scene's octree is made up.
      * Cost: O(nodes).
      */
