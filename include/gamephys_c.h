@@ -1942,7 +1942,7 @@ GPHYS_API void gphys_solver_destroy(gphys_solver* solver);
  *  step and an attachment need a scene of the same origin, else they return
  *  GPHYS_ERROR_INVALID_ARGUMENT.
  *  @param origin  x, y, z in the world, metres, within GPHYS_MAX_COORDINATE
- *  @return GPHYS_ERROR_INVALID_ARGUMENT also if a particle would leave the range of coordinates
+ *  @return GPHYS_ERROR_INVALID_ARGUMENT also if a particle or an animation target would leave the range of coordinates
  *  Cost: O(particles). */
 GPHYS_API gphys_status gphys_solver_set_origin(gphys_solver* solver, const double origin[3]);
 /** Where in the world the particles' coordinates count from, metres. Cost: O(1). */
@@ -2313,7 +2313,8 @@ typedef struct gphys_animation_target {
  *  In the next step position and normal go evenly from the old target to the new one, substep by substep; distances
  *  act at once. A target that is not set again stands still. A first target, and that of a particle which
  *  gphys_solver_set_positions has moved since the last step, is at once where it is set: a teleport is that call and
- *  this one.
+ *  this one. A model that is teleported too sweeps through what is on its way: in that step the body collides with no
+ *  layers (gphys_solver_set_body_settings).
  *  max_distance 0 carries a particle: it is at its target, as if attached there, and moves links with infinite mass;
  *  this also moves a pinned particle, which stays pinned, at constant speed during a step. Otherwise particles that are
  *  pinned or attached are not moved. A particle that is out of its bounds at the end of a substep is put on the nearest

@@ -370,6 +370,22 @@ TEST_CASE("Targets are where they were in the world when the origin moves") {
     CHECK(world.positions(ball)[0].x == 1);
 }
 
+TEST_CASE("An origin from which a target would be out of range is refused and changes nothing") {
+    World world(8, {0, 0, 0});
+    const gphys_body_id ball = world.particles({{-9e14f, 0, 0}});
+    gphys_animation_target far = within({9e14f, 0, 0}, INFINITY);
+    far.normal = {0, 1, 0};
+    far.backstop = 1;
+    set(world, ball, 0, {far});
+    const double origin[3] = {-9e14, 0, 0};
+    REQUIRE(gphys_solver_set_origin(world.solver, origin) == GPHYS_ERROR_INVALID_ARGUMENT);
+    CHECK(target_of(world, ball, 0).position.x == 9e14f);
+    CHECK(world.positions(ball)[0].x == -9e14f);
+    // Of one that is taken away nothing is left.
+    set(world, ball, 0, {within({9e14f, 0, 0}, INFINITY)});
+    REQUIRE(gphys_solver_set_origin(world.solver, origin) == GPHYS_OK);
+}
+
 namespace {
 
 /// Of all kinds, with targets of all kinds, beside a model that moves.

@@ -102,9 +102,14 @@ void attach(Body& body, uint32_t particle, gphys_model_id model, Vec3 local) {
 
 bool Solver::set_origin(Vec3 origin) {
     const Vec3 shift = state_.origin - origin;
+    const auto leaves = [&](Vec3 place) { return max_component(abs(place + shift)) > GPHYS_MAX_COORDINATE; };
     for (const Body& b : state_.bodies) {
-        for (const Vec3 p : b.particles.position) {
-            if (max_component(abs(p + shift)) > GPHYS_MAX_COORDINATE) return false;
+        const Vector<Vec3>& places = b.particles.position;
+        const Vector<AnimationTarget>& targets = b.targets.all;
+        if (std::any_of(places.begin(), places.end(), leaves)) return false;
+        if (std::any_of(targets.begin(), targets.end(),
+                        [&](const AnimationTarget& target) { return target.bounds() && leaves(target.to); })) {
+            return false;
         }
     }
     for (Body& b : state_.bodies) {
