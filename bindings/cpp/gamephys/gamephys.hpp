@@ -1614,8 +1614,8 @@ public:
     // Particles stay where they are in the world and keep moving as they do. A step and an attachment need
     // a scene of the same origin, else they fail with GPHYS_ERROR_INVALID_ARGUMENT.
     //   - origin: x, y, z in the world, metres, within GPHYS_MAX_COORDINATE
-    // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT also if a particle would leave the range of
-    // coordinates.
+    // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT also if a particle or an animation target would leave
+    // the range of coordinates.
     // Cost: O(particles).
     void set_origin(const std::array<double, 3>& origin) {
         check(gphys_solver_set_origin(handle(), origin.data()));
@@ -1947,17 +1947,18 @@ public:
     // into the body behind them. In the next step position and normal go evenly from the old target to the
     // new one, substep by substep; distances act at once. A target that is not set again stands still. A
     // first target, and that of a particle which Solver::set_positions has moved since the last step, is
-    // at once where it is set: a teleport is that call and this one. max_distance 0 carries a particle: it
-    // is at its target, as if attached there, and moves links with infinite mass; this also moves a pinned
-    // particle, which stays pinned, at constant speed during a step. Otherwise particles that are pinned
-    // or attached are not moved. A particle that is out of its bounds at the end of a substep is put on
-    // the nearest place within both, without friction; its velocity across them is then that of the
-    // target. What lies within its bounds is not touched. Bounds act after constraints and before models:
-    // where a target is inside a model, or behind one, the particle stays outside. Links yield to bounds
-    // that contradict them. What hangs from a particle at its bounds is carried, in cloth and in ropes
-    // that are moved alone; ropes and free particles that are joined, or collide with bodies, are put back
-    // particle by particle, and links beside these may be strained by the way of a substep. Wakes the body
-    // if a target changes.
+    // at once where it is set: a teleport is that call and this one. A model that is teleported too sweeps
+    // through what is on its way: in that step the body collides with no layers
+    // (Solver::set_body_settings). max_distance 0 carries a particle: it is at its target, as if attached
+    // there, and moves links with infinite mass; this also moves a pinned particle, which stays pinned, at
+    // constant speed during a step. Otherwise particles that are pinned or attached are not moved. A
+    // particle that is out of its bounds at the end of a substep is put on the nearest place within both,
+    // without friction; its velocity across them is then that of the target. What lies within its bounds
+    // is not touched. Bounds act after constraints and before models: where a target is inside a model, or
+    // behind one, the particle stays outside. Links yield to bounds that contradict them. What hangs from
+    // a particle at its bounds is carried, in cloth and in ropes that are moved alone; ropes and free
+    // particles that are joined, or collide with bodies, are put back particle by particle, and links
+    // beside these may be strained by the way of a substep. Wakes the body if a target changes.
     //   - first: as in Solver::get_positions
     //   - targets: max_distance and backstop INFINITY: no target any more
     // Cost: O(elements); the first time O(particles), and it allocates. In each substep some 100 ns a

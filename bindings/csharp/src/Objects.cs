@@ -2082,8 +2082,8 @@ public sealed partial class Solver : IDisposable {
     /// a scene of the same origin, else they fail with Status.ErrorInvalidArgument.
     /// Cost: O(particles).</summary>
     /// <param name="origin">x, y, z in the world, metres, within MaxCoordinate</param>
-    /// <exception cref="GamephysException">Status.ErrorInvalidArgument: also if a particle would leave the
-    /// range of coordinates</exception>
+    /// <exception cref="GamephysException">Status.ErrorInvalidArgument: also if a particle or an animation
+    /// target would leave the range of coordinates</exception>
     public unsafe void SetOrigin(ReadOnlySpan<double> origin) {
         RequireLength(origin.Length, 3);
         fixed (double* origin_ = &MemoryMarshal.GetReference(origin))
@@ -2490,17 +2490,18 @@ public sealed partial class Solver : IDisposable {
     /// into the body behind them. In the next step position and normal go evenly from the old target to the
     /// new one, substep by substep; distances act at once. A target that is not set again stands still. A
     /// first target, and that of a particle which Solver.SetPositions has moved since the last step, is at
-    /// once where it is set: a teleport is that call and this one. maxDistance 0 carries a particle: it is
-    /// at its target, as if attached there, and moves links with infinite mass; this also moves a pinned
-    /// particle, which stays pinned, at constant speed during a step. Otherwise particles that are pinned
-    /// or attached are not moved. A particle that is out of its bounds at the end of a substep is put on
-    /// the nearest place within both, without friction; its velocity across them is then that of the
-    /// target. What lies within its bounds is not touched. Bounds act after constraints and before models:
-    /// where a target is inside a model, or behind one, the particle stays outside. Links yield to bounds
-    /// that contradict them. What hangs from a particle at its bounds is carried, in cloth and in ropes
-    /// that are moved alone; ropes and free particles that are joined, or collide with bodies, are put back
-    /// particle by particle, and links beside these may be strained by the way of a substep. Wakes the body
-    /// if a target changes.
+    /// once where it is set: a teleport is that call and this one. A model that is teleported too sweeps
+    /// through what is on its way: in that step the body collides with no layers (Solver.SetBodySettings).
+    /// maxDistance 0 carries a particle: it is at its target, as if attached there, and moves links with
+    /// infinite mass; this also moves a pinned particle, which stays pinned, at constant speed during a
+    /// step. Otherwise particles that are pinned or attached are not moved. A particle that is out of its
+    /// bounds at the end of a substep is put on the nearest place within both, without friction; its
+    /// velocity across them is then that of the target. What lies within its bounds is not touched. Bounds
+    /// act after constraints and before models: where a target is inside a model, or behind one, the
+    /// particle stays outside. Links yield to bounds that contradict them. What hangs from a particle at
+    /// its bounds is carried, in cloth and in ropes that are moved alone; ropes and free particles that are
+    /// joined, or collide with bodies, are put back particle by particle, and links beside these may be
+    /// strained by the way of a substep. Wakes the body if a target changes.
     /// Cost: O(elements); the first time O(particles), and it allocates. In each substep some 100 ns a
     /// particle; ropes with targets are solved one by one, as those that touch models. Since 1.1.</summary>
     /// <param name="first">as in Solver.GetPositions</param>

@@ -2105,7 +2105,8 @@ impl Solver {
     /// * `origin`: x, y, z in the world, metres, within `MAX_COORDINATE`
     ///
     /// # Errors
-    /// * `Status::ERROR_INVALID_ARGUMENT`: also if a particle would leave the range of coordinates
+    /// * `Status::ERROR_INVALID_ARGUMENT`: also if a particle or an animation target would leave the range
+    ///   of coordinates
     pub fn set_origin(&mut self, origin: &[f64; 3]) -> Result<()> {
         check(unsafe { sys::gphys_solver_set_origin(self.handle.as_ptr(), origin.as_ptr()) })
     }
@@ -2524,17 +2525,18 @@ impl Solver {
     /// into the body behind them. In the next step position and normal go evenly from the old target to the
     /// new one, substep by substep; distances act at once. A target that is not set again stands still. A
     /// first target, and that of a particle which `Solver::set_positions` has moved since the last step, is
-    /// at once where it is set: a teleport is that call and this one. max_distance 0 carries a particle: it
-    /// is at its target, as if attached there, and moves links with infinite mass; this also moves a pinned
-    /// particle, which stays pinned, at constant speed during a step. Otherwise particles that are pinned
-    /// or attached are not moved. A particle that is out of its bounds at the end of a substep is put on
-    /// the nearest place within both, without friction; its velocity across them is then that of the
-    /// target. What lies within its bounds is not touched. Bounds act after constraints and before models:
-    /// where a target is inside a model, or behind one, the particle stays outside. Links yield to bounds
-    /// that contradict them. What hangs from a particle at its bounds is carried, in cloth and in ropes
-    /// that are moved alone; ropes and free particles that are joined, or collide with bodies, are put back
-    /// particle by particle, and links beside these may be strained by the way of a substep. Wakes the body
-    /// if a target changes.
+    /// at once where it is set: a teleport is that call and this one. A model that is teleported too sweeps
+    /// through what is on its way: in that step the body collides with no layers
+    /// (`Solver::set_body_settings`). max_distance 0 carries a particle: it is at its target, as if
+    /// attached there, and moves links with infinite mass; this also moves a pinned particle, which stays
+    /// pinned, at constant speed during a step. Otherwise particles that are pinned or attached are not
+    /// moved. A particle that is out of its bounds at the end of a substep is put on the nearest place
+    /// within both, without friction; its velocity across them is then that of the target. What lies within
+    /// its bounds is not touched. Bounds act after constraints and before models: where a target is inside
+    /// a model, or behind one, the particle stays outside. Links yield to bounds that contradict them. What
+    /// hangs from a particle at its bounds is carried, in cloth and in ropes that are moved alone; ropes
+    /// and free particles that are joined, or collide with bodies, are put back particle by particle, and
+    /// links beside these may be strained by the way of a substep. Wakes the body if a target changes.
     ///
     /// Cost: O(elements); the first time O(particles), and it allocates. In each substep some 100 ns a
     /// particle; ropes with targets are solved one by one, as those that touch models. Since 1.1.

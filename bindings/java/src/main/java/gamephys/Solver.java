@@ -32,8 +32,8 @@ public final class Solver extends Owned {
      * a scene of the same origin, else they fail with ERROR_INVALID_ARGUMENT.
      * Cost: O(particles).
      * @param origin x, y, z in the world, metres, within MAX_COORDINATE
-     * @throws GamephysException with ERROR_INVALID_ARGUMENT: also if a particle would leave the range of
-     *     coordinates
+     * @throws GamephysException with ERROR_INVALID_ARGUMENT: also if a particle or an animation target
+     *     would leave the range of coordinates
      */
     public void setOrigin(double[] origin) {
         Scratch scratch = Scratch.get();
@@ -598,17 +598,18 @@ public final class Solver extends Owned {
      * into the body behind them. In the next step position and normal go evenly from the old target to the
      * new one, substep by substep; distances act at once. A target that is not set again stands still. A
      * first target, and that of a particle which Solver.setPositions has moved since the last step, is at
-     * once where it is set: a teleport is that call and this one. maxDistance 0 carries a particle: it is
-     * at its target, as if attached there, and moves links with infinite mass; this also moves a pinned
-     * particle, which stays pinned, at constant speed during a step. Otherwise particles that are pinned
-     * or attached are not moved. A particle that is out of its bounds at the end of a substep is put on
-     * the nearest place within both, without friction; its velocity across them is then that of the
-     * target. What lies within its bounds is not touched. Bounds act after constraints and before models:
-     * where a target is inside a model, or behind one, the particle stays outside. Links yield to bounds
-     * that contradict them. What hangs from a particle at its bounds is carried, in cloth and in ropes
-     * that are moved alone; ropes and free particles that are joined, or collide with bodies, are put back
-     * particle by particle, and links beside these may be strained by the way of a substep. Wakes the body
-     * if a target changes.
+     * once where it is set: a teleport is that call and this one. A model that is teleported too sweeps
+     * through what is on its way: in that step the body collides with no layers (Solver.setBodySettings).
+     * maxDistance 0 carries a particle: it is at its target, as if attached there, and moves links with
+     * infinite mass; this also moves a pinned particle, which stays pinned, at constant speed during a
+     * step. Otherwise particles that are pinned or attached are not moved. A particle that is out of its
+     * bounds at the end of a substep is put on the nearest place within both, without friction; its
+     * velocity across them is then that of the target. What lies within its bounds is not touched. Bounds
+     * act after constraints and before models: where a target is inside a model, or behind one, the
+     * particle stays outside. Links yield to bounds that contradict them. What hangs from a particle at
+     * its bounds is carried, in cloth and in ropes that are moved alone; ropes and free particles that are
+     * joined, or collide with bodies, are put back particle by particle, and links beside these may be
+     * strained by the way of a substep. Wakes the body if a target changes.
      * Cost: O(elements); the first time O(particles), and it allocates. In each substep some 100 ns a
      * particle; ropes with targets are solved one by one, as those that touch models. Since 1.1.
      * @param first as in Solver.getPositions
