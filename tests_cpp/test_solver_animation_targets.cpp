@@ -294,6 +294,41 @@ TEST_CASE("Contacts win: a target in a model leaves its particle outside") {
     }
 }
 
+TEST_CASE("What a target takes far in one step meets the models and bodies on its way") {
+    for (int kind = 0; kind < 3; ++kind) {
+        CAPTURE(kind);
+        World world(8, {0, 0, 0});
+        const gphys_aabb wall{{2, -1, -1}, {2.5f, 1, 1}};
+        world.model(GPHYS_SHAPE_AABB, &wall);
+        const std::vector<gphys_vec3> row = line({0, 0, -0.1f}, {0, 0, 0.1f}, 3);
+        const gphys_body_id body = kind == 0   ? world.particles(row)
+                                   : kind == 1 ? world.rope(row, 0)
+                                               : world.cloth({0, 0, -0.1f}, {0, 0, 0.2f}, {0, 0.2f, 0}, 3, 3);
+        const std::vector<gphys_vec3> first = world.positions(body);
+        for (const float way : {0.0f, 4.0f}) {
+            std::vector<gphys_animation_target> targets;
+            for (const gphys_vec3& at : first) targets.push_back(within({at.x + way, at.y, at.z}, 0.5f));
+            set(world, body, 0, targets);
+            world.step(frame);
+        }
+        for (const gphys_vec3& at : world.positions(body)) {
+            CHECK(at.x < 2);
+            CHECK(at.x > 1.9f);
+        }
+    }
+
+    World world(8, {0, 0, 0});
+    gphys_body_desc thick = World::body_desc();
+    thick.radius = 0.25f;
+    thick.body_layers = 1;
+    const gphys_body_id fast = world.particles({{0, 0, 0}}, thick), still = world.particles({{2, 0, 0}}, thick);
+    set(world, fast, 0, {within({0, 0, 0}, 0.1f)});
+    world.step(frame);
+    set(world, fast, 0, {within({4, 0, 0}, 0.1f)});
+    for (int i = 0; i < 2; ++i) world.step(frame);
+    CHECK(world.positions(still)[0].x > 3.5f);
+}
+
 TEST_CASE("A teleport is set_positions and a new target: nothing is left of the way") {
     World world(8);
     const gphys_body_id sheet = world.cloth({0, 2, 0}, {1, 0, 0}, {0, -1, 0}, 8, 8);
