@@ -216,30 +216,30 @@ PAGE = """# Report: speed against error
 {machine}
 Measured in: {minutes:.0f} minutes; load average of other programs up to {load:.1f}{busy}
 
-Written by `./bench.sh --report{quick}`: every number and figure on this page comes from one run, in which all libraries did the same work in turns. To measure on your machine, run it there; it replaces the page.
+Written by `./bench.sh --report{quick}`: all numbers and figures on this page are from one run, in which the libraries did the same work, interleaved. Run it on your machine to replace the page.
 
 ## How to read the figures
 
-Each panel is one kind of work. Further left is faster, further down is more exact; both axes are logarithmic. The grey line is the Pareto front: it joins the points that no other beats in both. The band at the bottom, below the break of the axis, is *no error at all*. A bar to the right of a point reaches from the fastest repetition to the median one. All times are of one thread.
+Each panel is one kind of work. Left is faster, down is more exact; both axes are logarithmic. The grey line is the Pareto front: the points that no other point beats in both. The band at the bottom, below the axis break, is *no error*. The bar to the right of a point reaches from the fastest repetition to the median. All times are of one thread.
 
 ## Ordinary work
 
-The error is the largest relative error of a distance, in a sample that a loop in double precision answers as well. "0" means that every distance is the true one, rounded to float32.
+The error is the largest relative error of a distance, in a sample compared with a loop in double precision. "0" means that every distance is the true one, rounded to float32.
 
 ![Cost against error, ordinary work](images/report_ordinary.png)
 
 {wrong}## Hard cases
 
-Input on which formulas in floating point fail. The error is the share of false answers: a reported hit that is none, or a hit that is missed. The truth is known because the input is made of whole numbers, or because no ray leaves a closed surface.
+On this input floating-point formulas fail. The error is the share of wrong answers: a false hit or a missed one. The truth is known because the input consists of whole numbers, or because no ray leaves a closed surface.
 
 ![Cost against false answers, hard cases](images/report_hard.png)
 
-What the exact answers cost, beside the fastest of the others:
+The cost of exact answers, compared with the fastest other library:
 
 {price}
 ## The solver
 
-The error is the largest strain of rigid links, or the distance from a reference solution; the cost is the time of a frame of 1/60 s. The number behind a name is that of substeps a frame, for Bullet and Jakobsen of iterations.
+The error is the largest strain of rigid links, or the distance from a reference solution; the cost is the time of a frame of 1/60 s. The number after a name is the number of substeps a frame, or of iterations for Bullet and Jakobsen.
 
 ![Cost against error, solver](images/report_solver.png)
 
@@ -249,30 +249,30 @@ The error is the largest strain of rigid links, or the distance from a reference
 
 ## All kinds of work
 
-gamephys beside the fastest other library that gave no wrong answer. The ratio is the time of gamephys divided by that of the other: below 1 gamephys is faster. The error is as in *Ordinary work*; where there is none, the answers are not distances and were all right, or nothing is answered.
+gamephys compared with the fastest other library that gave no wrong answer. The ratio is the time of gamephys divided by that of the other: below 1 gamephys is faster. The error is as in *Ordinary work*. An empty error means that nothing is answered, or that the answers are not distances and were all right.
 
 {summary}
 ## Every row
 
-The same as ratios, time of gamephys divided by that of the other. † marks those whose answers are not those of a loop over everything in double precision.
+The time of gamephys, and its ratio to that of each other library. † marks libraries whose answers differ from those of a loop over all objects in double precision.
 
-gamephys is built with the flags that users get and called through its C interface, in batches where there are some. The time ends when the answers are in memory. What a user writes for Embree, the tests of boxes, is compiled for this processor; its packets are of sixteen rays with its flag for coherent ones.
+gamephys is built with the flags that users get and called through its C interface, in batches where they exist. The time ends when the answers are in memory. The box tests that a user writes for Embree are compiled for this processor; Embree's packets have sixteen rays and its flag for coherent rays.
 
-- `_camera` are the rays of a picture in tiles of 8 by 8 pixels, `_rows` the same row by row, `_single_` calls for one ray each, `_miss` rays that point away from everything, `mesh_model_` rays at a mesh that is the one model of a scene, beside others that have the mesh without a scene.
-- Bytes are all that is allocated, by the allocators that the libraries offer, and the boxes that Embree's tests read; `memory_peak_` is the most while it is built.
-- `simd_blocks` is a sweep over blocks of 64 boxes that are near each other, with a box around each.
-- `gamephys_fresh` is a scene built of the same boxes in one batch, beside one that was added to or changed a call at a time (`after_`).
-- `gamephys_plain` is the same query without a filter, beside one that leaves out a model.
-- `add_`, `churn_` and `latency_` are single calls, the fastest of three runs of each, and of all of a row those that a half, 99 % and 99.9 % of them do not exceed, and the longest; the library's own allocator serves them.
-- `gamephys_2_apart` are two independent threads, each with half of the queries: what the machine allows.
+- `_camera` are the rays of an image in tiles of 8 by 8 pixels, `_rows` the same row by row, `_single_` calls for one ray each, `_miss` rays that point away from everything. `mesh_model_` are rays at a mesh that is the only model of a scene; other libraries have the mesh without a scene.
+- Bytes are all memory allocated through the libraries' allocator hooks, plus the boxes that Embree's tests read; `memory_peak_` is the maximum during the build.
+- `simd_blocks` is a linear scan over blocks of 64 neighbouring boxes, with a box around each block.
+- `gamephys_fresh` is a scene built from the same boxes in one batch, compared with one that grew or changed by single calls (`after_`).
+- `gamephys_plain` is the same query without a filter, compared with one that leaves out a model.
+- `add_`, `churn_` and `latency_` are single calls, each the fastest of three runs, with the default allocator: the median, the 99th and 99.9th percentile, and the longest.
+- `gamephys_2_apart` are two independent threads, each with half of the queries: the limit of the machine.
 
-[What limits the speed](limits_of_speed.md) has the profiles of rows in which gamephys is not as far ahead as was aimed for.
+[What limits the speed](limits_of_speed.md) explains the rows in which gamephys is slower.
 
 {rows}
-Each figure is also there as SVG, beside the PNG. [accuracy.md](accuracy.md) says what is promised, [solver.md](solver.md) what the solver's cases are.
+Each figure exists as SVG, too, beside the PNG. [accuracy.md](accuracy.md) has the promises, [solver.md](solver.md) the solver's cases.
 """
 
-WRONG_ANSWERS = """These libraries are not drawn, because some of their answers were wrong: something was hit that is not there, or missed, or another model was hit at another distance, or another number of models was found. Their errors of distance would not mean anything.
+WRONG_ANSWERS = """These libraries are not drawn, because some of their answers were wrong: a false or missed hit, another model at another distance, or another number of models. An error of distance would be meaningless for them.
 
 """
 

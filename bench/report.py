@@ -17,7 +17,13 @@ SOLVER_PAGE = """# Figures of the solver
 
 {machine}
 
-Written by `./bench.sh solver --peers --docs`. A row is a case moved by a method in so many substeps a 60 Hz frame (iterations, of Bullet and Jakobsen). A frame is the median of processor time, by the clock for cases of threads, where `2_apart` are two threads with a solver of their own each, what both make together: two that have nothing to tell each other; stretch and compression are by how much rigid links are too long and too short, over the whole run for those that begin in free space. [solver.md](solver.md) says what the cases are. `free_...` are particles that rain on boxes: all fly, land, or lie, and the mean of three seconds; their error is how deep the deepest is in a box or the ground at the end. `drape_within_2_percent` is `drape_over_mesh` with `max_strain` set to 2 %, over ten seconds: the mean of all frames, or the longest of them, beside the substeps that they took on average, or at most.
+Written by `./bench.sh solver --peers --docs`. A row is a case moved by a method; [solver.md](solver.md) describes the cases.
+
+- **substeps** are those of a 60 Hz frame; iterations for Bullet and Jakobsen.
+- **ms a frame** is the processor time of the median frame. For cases of threads it is wall time; `2_apart` are two independent threads with a solver each, and the time is that of both together.
+- **stretch** and **compression** are relative to the length of rigid links: the largest of the run for cases that begin in free space.
+- `free_...` are particles that rain on boxes: all fly, land, or lie, and the mean of three seconds. Their error is the depth of the deepest particle in a box or the ground at the end.
+- `drape_within_2_percent` is `drape_over_mesh` with `max_strain` set to 2 %, over ten seconds: the mean of all frames and its average substeps, or the longest frame and the maximum of substeps.
 
 """
 
