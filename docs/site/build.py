@@ -23,7 +23,7 @@ CHAPTERS = [
     ("Languages", ["docs/bindings", *(f"bindings/{name}/README" for name in
                    ("cpp", "python", "javascript", "rust", "go", "csharp", "java", "lua", "ruby"))]),
     ("How it works", ["docs/architecture", "docs/code_paths", "docs/solver", "docs/limits_of_speed"]),
-    ("Measured", ["docs/report", "docs/solver_figures", "docs/accuracy"]),
+    ("Measurements", ["docs/report", "docs/solver_figures", "docs/accuracy"]),
     ("Project", ["docs/reliability", "docs/functions", "docs/releasing", "CHANGELOG", "CONTRIBUTING"]),
 ]
 
@@ -90,11 +90,11 @@ PAGES = {"README"} | {page for _, pages in CHAPTERS for page in pages}
 
 
 def index():
-    lines = ["gamephys", "========", "", "A 3D scene library for any language: shapes and meshes in a scene, questions",
-             "asked of it, a camera that culls and picks, and ropes and cloth that move through it.", "",
+    lines = ["gamephys", "========", "", "A 3D scene library that any language can call: build a scene of shapes and meshes, query it, view it",
+             "through a camera that culls and picks, and simulate particles, ropes and cloth in it.", "",
              ".. image:: docs/images/scene.png", "   :alt: Copies of a mesh around a statue under a cloth", "",
-             "The guide follows the order in which most projects need things. Every program in it is compiled and run",
-             "by the tests, and what it prints is compared with what stands below it.", "",
+             "The guide is in the order in which most projects need it. The tests compile and run every program in it,",
+             "and compare the output with the block below the program.", "",
              ".. toctree::", "   :caption: Start", "", "   README", ""]
     for caption, pages in CHAPTERS:
         lines += [".. toctree::", f"   :caption: {caption}", "   :maxdepth: 1", "", *(f"   {page}" for page in pages), ""]
