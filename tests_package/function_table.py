@@ -74,9 +74,9 @@ bound = {language: words(files(f"bindings/{folder}", "*")) if (source / "binding
          for language, folder in languages.items()}
 
 holes = []
-lines = ["# What covers each function", "",
+lines = ["# Coverage of each function", "",
          "Written by `tests_package/function_table.py`, which fails if a function has no fuzz target, no C test or no",
-         "binding of a language, or a function that is called all the time has no benchmark.", "",
+         "binding of a language, or if a frequently called function has no benchmark.", "",
          "| function | fuzz targets | C tests | C++ tests | benchmark | bindings |", "|---|---|---|---|---|---|"]
 for function in functions:
     targets = [target for target, names in fuzzed.items() if function in names]
