@@ -96,7 +96,7 @@ def within(suites):
 def tables(suites):
     text = "".join(f"## {suite}\n\n{ratios(cases)}" for suite, cases in suites.items() if suite != "accuracy")
     own = within(suites)
-    return text + (f"## gamephys beside itself\n\n{own}" if own else "")
+    return text + (f"## gamephys compared with itself\n\n{own}" if own else "")
 
 
 def solver_page(directory):
