@@ -75,7 +75,7 @@ TEST_CASE("the kernels of cloth give the same bits on each instruction set") {
         std::vector<float> moved = at, pulls(at.size(), 0.0f), rows(cloth_row_floats * links);
         const ClothChains chains{order.data(), rest.data(), zeros.data(), zeros.data()};
         const ClothKernels& kernels = cloth_kernels(isa);
-        kernels.solve_touching(moved.data(), {normals.data(), pulls.data()}, chains, {0, 0, links}, rows.data());
+        kernels.solve_with_contacts(moved.data(), {normals.data(), pulls.data()}, chains, {0, 0, links}, rows.data());
         result = moved;
         result.insert(result.end(), pulls.begin(), pulls.end());
         kernels.solve(moved.data(), chains, {0, 0, links}, rows.data());
@@ -119,8 +119,9 @@ TEST_CASE("what one chain pushes off a surface the next takes back to it") {
             uint32_t ends[16];
             std::fill(ends, ends + 8, 3u), std::fill(ends + 8, ends + 16, 4u);
             ends[0] = 0, ends[8] = other;
-            cloth_kernels(isa).solve_touching(at.data(), {normals.data(), pulls.data()},
-                                              {ends, rest.data(), soft.data(), zeros.data()}, {0, 0, 1}, rows.data());
+            cloth_kernels(isa).solve_with_contacts(at.data(), {normals.data(), pulls.data()},
+                                                   {ends, rest.data(), soft.data(), zeros.data()}, {0, 0, 1},
+                                                   rows.data());
         };
         solve_link_to(1);
         CHECK(at[1] > height + 0.09f);

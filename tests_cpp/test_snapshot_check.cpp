@@ -167,7 +167,7 @@ TEST_CASE("a snapshot's arrays of a body have the lengths that belong together")
         [](Body& b) { b.particles.radius.push_back(0); },     [](Body& b) { b.constraints.by_slot.push_back({}); },
         [](Body& b) { b.cloth.rest_position.resize(10); },    [](Body& b) { b.contacts.self.placed.resize(10); },
         [](Body& b) { b.history.start.resize(10); },          [](Body& b) { b.history.start_velocity.resize(10); },
-        [](Body& b) { b.contacts.touches.resize(10); },       [](Body& b) { b.contacts.stuck.resize(10); },
+        [](Body& b) { b.contacts.points.resize(10); },        [](Body& b) { b.contacts.stuck.resize(10); },
         [](Body& b) { b.cloth.search_balls.resize(10); },     [](Body& b) { b.cloth.triangles.push_back(0); },
         [](Body& b) { b.settings.self_collision = 2; },       [](Body& b) { b.settings.self_collision ^= 1; },
     };
@@ -181,8 +181,8 @@ TEST_CASE("a snapshot's arrays of a body have the lengths that belong together")
     CHECK(defect(Body(&memory)) != nullptr);
     CHECK(takes(sheet, [](Body& b) { b.cloth.rest_position.clear(); }));
     CHECK(takes(rope, [](Body& b) { b.history.start.clear(), b.history.start_velocity.clear(); }));
-    CHECK(
-        takes(sheet, [](Body& b) { b.contacts.touches.resize(9 * touches_per_particle), b.contacts.stuck.resize(9); }));
+    CHECK(takes(
+        sheet, [](Body& b) { b.contacts.points.resize(9 * contact_points_per_particle), b.contacts.stuck.resize(9); }));
 }
 
 TEST_CASE("a snapshot's numbers of a body are in their ranges, each by itself") {
@@ -269,8 +269,8 @@ TEST_CASE("a snapshot's touches, boxes and looks around are of numbers") {
     Body& sheet = bodies.sheet();
     const auto with_touch = [&](const gphys_vec3& point, const gphys_vec3& normal) {
         return takes(sheet, [&](Body& b) {
-            b.contacts.touches.resize(9 * touches_per_particle);
-            b.contacts.touches.back() = {1, 0, point, normal};
+            b.contacts.points.resize(9 * contact_points_per_particle);
+            b.contacts.points.back() = {1, 0, point, normal};
         });
     };
     CHECK(with_touch({1e30f, -1e30f, 0}, {0, -1, 0}));

@@ -312,11 +312,11 @@ TEST_CASE("a body that has left the range has no contact from there") {
     gphys::Body body(std::pmr::new_delete_resource());
     body.particles.position = {{1, 2, 3}, {0, nan, 0}};
     body.particles.velocity = {{0, 0, 0}, {0, 0, 0}};
-    body.contacts.touches.resize(2 * gphys::touches_per_particle);
-    body.contacts.touch_count = {0, 1};
-    body.contacts.touches[gphys::touches_per_particle] = {7, 0, {nan, nan, nan}, {0, 1, 0}};
+    body.contacts.points.resize(2 * gphys::contact_points_per_particle);
+    body.contacts.point_count = {0, 1};
+    body.contacts.points[gphys::contact_points_per_particle] = {7, 0, {nan, nan, nan}, {0, 1, 0}};
     gphys::stay_in_range(body);
     CHECK(gphys::is_finite(body.particles.position[1]));
-    for (const gphys::Touch& touch : body.contacts.touches) CHECK((touch.model == 0 && touch.point.x == 0));
-    CHECK((body.contacts.touch_count[0] == 0 && body.contacts.touch_count[1] == 0));
+    for (const gphys::ContactPoint& contact : body.contacts.points) CHECK((contact.model == 0 && contact.point.x == 0));
+    CHECK((body.contacts.point_count[0] == 0 && body.contacts.point_count[1] == 0));
 }

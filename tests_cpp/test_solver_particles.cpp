@@ -136,23 +136,23 @@ TEST_CASE("the kernels of flight give the same bits on each instruction set, and
                 time.kept, time.reach, time.fall};
             FlightBounds bounds{};
             flight_kernels(isa).bound(flock, bounds);
-            std::vector<uint8_t> touching(groups, 0), obstacle_of(particles, 77), resting_on(groups, 77);
-            touching[1] = 4;
+            std::vector<uint8_t> overlapping(groups, 0), obstacle_of(particles, 77), resting_on(groups, 77);
+            overlapping[1] = 4;
             flight_kernels(isa).fly(flock, obstacles.data(), 2,
-                                    {touching.data(), obstacle_of.data(), resting_on.data()});
+                                    {overlapping.data(), obstacle_of.data(), resting_on.data()});
             FlightBounds wanted{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}, {}, {}};
             uint32_t stayed = 0;
             for (uint32_t p = 0; p < particles; ++p) {
                 const Flight flight{accelerations[p], 0};
                 const Vec3 way = flight.displacement(velocity[p], time), to = position[p] + way;
-                uint32_t touches = 0, last = 77;
+                uint32_t obstacle_count = 0, last = 77;
                 for (uint32_t k = 0; k < 2; ++k) {
                     bool inside = true;
                     for (int axis = 0; axis < 3; ++axis) {
                         inside = inside && std::min(position[p][axis], to[axis]) <= obstacles[k].all.high[axis] &&
                                  std::max(position[p][axis], to[axis]) >= obstacles[k].all.low[axis];
                     }
-                    if (inside) ++touches, last = k;
+                    if (inside) ++obstacle_count, last = k;
                 }
                 for (int axis = 0; axis < 3; ++axis) {
                     wanted.low[axis] = std::min({wanted.low[axis], position[p][axis], to[axis]});
@@ -161,9 +161,10 @@ TEST_CASE("the kernels of flight give the same bits on each instruction set, and
                     wanted.furthest[axis] = std::max(wanted.furthest[axis], std::fabs(to[axis] - position[p][axis]));
                 }
                 const bool marked = p == flight_group + 2;
-                REQUIRE((touching[p / flight_group] >> p % flight_group & 1) == (touches > 0 || marked));
-                if (touches > 0) REQUIRE(obstacle_of[p] == (touches > 1 || marked ? several_obstacles : last));
-                const bool stays = touching[p / flight_group] != 0;
+                REQUIRE((overlapping[p / flight_group] >> p % flight_group & 1) == (obstacle_count > 0 || marked));
+                if (obstacle_count > 0)
+                    REQUIRE(obstacle_of[p] == (obstacle_count > 1 || marked ? several_obstacles : last));
+                const bool stays = overlapping[p / flight_group] != 0;
                 stayed += stays;
                 REQUIRE(at[p] == (stays ? position[p] : to));
                 REQUIRE(speed[p] == (stays ? velocity[p] : flight.velocity(velocity[p], time)));

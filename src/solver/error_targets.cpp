@@ -129,7 +129,7 @@ uint32_t substeps_of_rest(const Body& body, const SolverSettings& settings, doub
     return count_of(count, settings.max_substeps - made);
 }
 
-void meet_targets(Body& body, const SolverSettings& settings, double dt, uint32_t substeps) {
+void adapt_substep(Body& body, const SolverSettings& settings, double dt, uint32_t substeps) {
     // The largest of thousands of strains jumps to three times its size within steps, so a third of a
     // target is aimed at. Growing slowly, as what has come to a stop may soon be fast again; less so where a step
     // that turns out too long is divided anew.

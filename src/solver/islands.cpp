@@ -125,15 +125,15 @@ void Solver::list_islands() {
 
 /// A substep of bodies that collide with others. Contacts come between the prediction and the constraints, so
 /// that what constraints take back of them is no motion; the velocities are turned at the end.
-void Solver::move_touching(const Island& island, const Joined& joined, const CollisionContext& around, double h) {
+void Solver::move_colliding(const Island& island, const Joined& joined, const CollisionContext& around, double h) {
     const uint32_t* const slots = &island_bodies_[island.first_body];
     const Vec3 gravity = state_.settings.gravity;
-    bool interrupted = false, touched = false;
+    bool interrupted = false, has_contact = false;
     for (uint32_t i = 0; i < island.body_count; ++i) {
         const Body& body = state_.bodies[slots[i]];
         if (body.plan.method == GPHYS_SOLVE_FREE && !body.plan.joined) continue;
         interrupted = interrupted || body.history.earlier_step == 0;
-        touched = touched || body.contacts.touched;
+        has_contact = has_contact || body.contacts.has_contact;
     }
     const auto move_once = [&](const CollisionContext& within, double part) {
         for (uint32_t i = 0; i < island.body_count; ++i) {
@@ -149,7 +149,7 @@ void Solver::move_touching(const Island& island, const Joined& joined, const Col
         end_joined(joined, within, gravity, part);
         particle_contacts_.turn(island, state_.bodies, slots);
     };
-    if (interrupted && !touched) {
+    if (interrupted && !has_contact) {
         start_slowly(around, h, move_once);
     } else {
         move_once(around, h);
@@ -176,22 +176,22 @@ void Solver::move_island(const Island& island, const Scene* scene, double dt) {
     const CollisionContext whole{scene, &moved_, dt, 0, 1}, beginning{scene, &moved_, dt, 0, 0};
     uint32_t substeps = 1;
     each_body([&](Body& body) {
-        clear_touches(body);
+        clear_contact_points(body);
         body.contacts.impulses.clear();
-        give_attached(body, beginning, 1, {}, 0);
+        add_attached_impulses(body, beginning, 1, {}, 0);
         begin_air(body, gravity, dt);
         substeps = std::max(substeps, std::min(substeps_of(body, state_.settings, dt), body.substeps.allowed));
         if (body.plan.method != GPHYS_SOLVE_GRAPH) return;
         begin_cloth(body, beginning, gravity);
         if (body.plan.joined) begin_joined_cloth(body.cloth);
     });
-    if (island.touching_count > 0) particle_contacts_.begin(island, state_.bodies, slots);
+    if (island.colliding_count > 0) particle_contacts_.begin(island, state_.bodies, slots);
     for (uint32_t i = 1; i <= substeps; ++i) {
         const double begin = static_cast<double>(i - 1) / substeps, end = static_cast<double>(i) / substeps;
         const CollisionContext around{scene, &moved_, dt, begin, end};
         const double h = dt / substeps;
-        if (island.touching_count > 0) {
-            move_touching(island, joined, around, h);
+        if (island.colliding_count > 0) {
+            move_colliding(island, joined, around, h);
             continue;
         }
         each_body([&](Body& body) {
@@ -199,7 +199,7 @@ void Solver::move_island(const Island& island, const Scene* scene, double dt) {
         });
         if (island.joined_count > 0) move_joined(joined, around, gravity, h);
     }
-    if (island.touching_count > 0)
+    if (island.colliding_count > 0)
         particle_contacts_.settle(island, state_.bodies, slots, whole, gravity, dt / substeps);
     bool calm = state_.settings.sleep_speed > 0;
     each_body([&](Body& body) {
@@ -207,8 +207,8 @@ void Solver::move_island(const Island& island, const Scene* scene, double dt) {
         body.constraints.length_changes.clear();
         end_targets(body);
         stay_in_range(body);
-        meet_targets(body, state_.settings, dt, substeps);
-        give_attached(body, whole, -1, gravity, dt);
+        adapt_substep(body, state_.settings, dt, substeps);
+        add_attached_impulses(body, whole, -1, gravity, dt);
         end_air(body);
         calm = is_calm(body, state_.settings, dt) && calm;
     });

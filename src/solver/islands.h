@@ -33,7 +33,7 @@ struct Island {
     uint32_t first_body = 0, body_count = 0;
     uint32_t first_joined = 0, joined_count = 0;
     uint32_t first_system = 0, system_count = 0;
-    uint32_t first_particle = 0, touching_count = 0;  // those that collide with others
+    uint32_t first_particle = 0, colliding_count = 0;  // those that collide with others
 
     /// The largest first: no worker begins a large one when the others are done.
     bool operator<(const Island& other) const {

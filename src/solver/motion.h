@@ -58,7 +58,7 @@ bool move_in_halves(Motion& motion, const CollisionContext& around, double h, in
         motion.finish(around, h);
         return found;
     }
-    motion.take_back();
+    motion.roll_back();
     found = true;
     move_in_parts(halves, around, h, [&](const CollisionContext& within, double part) {
         found = move_in_halves(motion, within, part, found ? halvings - 1 : 0) && found;

@@ -60,14 +60,14 @@ void each_kept_array(Body& body, bool collides, Visit&& visit) {
         }
     }
     if (!collides) return;
-    visit(body.contacts.touches, size_t{body.particles.size()} * touches_per_particle);
+    visit(body.contacts.points, size_t{body.particles.size()} * contact_points_per_particle);
     if (body.settings.sticks()) visit(body.contacts.stuck, body.particles.size());
 }
 
 /// Room that tasks work in.
 void make_room(Body& body, bool collides) {
     each_kept_array(body, collides, [](auto& values, size_t size) { values.reserve(size); });
-    if (collides) body.contacts.touch_count.resize(body.particles.size());
+    if (collides) body.contacts.point_count.resize(body.particles.size());
     // What sticks is looked at in steps without a scene, too.
     if (collides || !body.contacts.stuck.empty()) body.contacts.held.resize(body.particles.size());
     if (is_graph(body)) {

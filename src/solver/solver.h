@@ -275,7 +275,7 @@ private:
     void unite_bodies(const Scene* scene, double dt);
     void unite_near_bodies(DisjointSets& sets, double dt);
     void list_islands();
-    void move_touching(const Island& island, const Joined& joined, const CollisionContext& around, double h);
+    void move_colliding(const Island& island, const Joined& joined, const CollisionContext& around, double h);
     void move_island(const Island& island, const Scene* scene, double dt);
     /// Whether the body sleeps and nothing wakes it.
     bool sleeps_on(const Body& body, const Scene* scene);

@@ -8,7 +8,7 @@ namespace gphys {
 
 void interrupt(Body& body) {
     body.history.earlier_step = 0;
-    body.contacts.touched = false;
+    body.contacts.has_contact = false;
 }
 
 namespace {
@@ -118,8 +118,8 @@ bool Solver::set_origin(Vec3 origin) {
             for (Vec3& p : *places) p += shift;
         }
         wake(b);
-        for (Touch& touch : b.contacts.touches) {
-            if (touch.model != 0) touch.point = narrow(widen(touch.point) + shift);
+        for (ContactPoint& point : b.contacts.points) {
+            if (point.model != 0) point.point = narrow(widen(point.point) + shift);
         }
         for (Attachment& attachment : b.constraints.attachments) attachment.begin += shift, attachment.end += shift;
         for (AnimationTarget& target : b.targets.all) target.from += shift, target.to += shift;

@@ -40,7 +40,7 @@ void bring_back(Body& body) {
     for (uint32_t p = 0; p < body.particles.size(); ++p)
         keep_in_range(body.particles.position[p], body.particles.velocity[p]);
     interrupt(body);
-    clear_touches(body);
+    clear_contact_points(body);
     if (!body.history.start.empty()) body.history.start = body.particles.position;
     if (!body.history.start_velocity.empty()) body.history.start_velocity = body.particles.velocity;
     for (Vector<float>* values : {&body.cloth.moved, &body.cloth.velocity_before}) {

@@ -32,7 +32,7 @@ void add(const Body& body, Vec3 gravity, Totals& totals) {
             ++totals.rigid;
         }
     }
-    for (const Touch& touch : body.contacts.touches) totals.contacts += touch.model != 0;
+    for (const ContactPoint& point : body.contacts.points) totals.contacts += point.model != 0;
 }
 
 }  // namespace
@@ -67,10 +67,10 @@ void Solver::impulses(Smallest<gphys_impulse, ImpulseOrder>& out) const {
 void Solver::contacts(Smallest<gphys_contact, ContactOrder>& out) const {
     for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
         if (!state_.ids.live(slot)) continue;
-        const Vector<Touch>& touches = state_.bodies[slot].contacts.touches;
-        for (size_t i = 0; i < touches.size(); ++i) {
-            const Touch& t = touches[i];
-            const uint32_t particle = static_cast<uint32_t>(i / touches_per_particle);
+        const Vector<ContactPoint>& points = state_.bodies[slot].contacts.points;
+        for (size_t i = 0; i < points.size(); ++i) {
+            const ContactPoint& t = points[i];
+            const uint32_t particle = static_cast<uint32_t>(i / contact_points_per_particle);
             if (t.model != 0) out.add({state_.ids.id(slot), particle, t.model, t.tag, t.point, t.normal});
         }
     }

@@ -100,7 +100,7 @@ void end_move(Body& body, const CollisionContext& around, Vec3 gravity, double h
 void Solver::begin_moving(const ActiveBody& moving, const Scene* scene, double dt) {
     Body& body = state_.bodies[moving.slot];
     body.contacts.impulses.clear();
-    give_attached(body, {scene, &moved_, dt, 0, 0}, 1, {}, 0);
+    add_attached_impulses(body, {scene, &moved_, dt, 0, 0}, 1, {}, 0);
     begin_air(body, state_.settings.gravity, dt);
 }
 
@@ -114,8 +114,8 @@ void Solver::end_moving(const ActiveBody& moving, const Scene* scene, double dt,
     body.constraints.length_changes.clear();
     end_targets(body);
     stay_in_range(body);
-    meet_targets(body, state_.settings, dt, substeps);
-    give_attached(body, {scene, &moved_, dt, 0, 1}, -1, state_.settings.gravity, dt);
+    adapt_substep(body, state_.settings, dt, substeps);
+    add_attached_impulses(body, {scene, &moved_, dt, 0, 1}, -1, state_.settings.gravity, dt);
     end_air(body);
     rest(body, scene, state_.settings, dt);
 }
@@ -149,10 +149,10 @@ void Solver::move_through(const ActiveBody& moving, uint32_t worker, const Scene
     body.history.in_stages = false;
     if (body.plan.method == GPHYS_SOLVE_FREE) {
         body.particles.extent =
-            fly_through(body, 0, body.particles.size(), {body.contacts.impulses, body.contacts.touched}, whole, gravity,
-                        substeps, flight_planes(worker, scene));
+            fly_through(body, 0, body.particles.size(), {body.contacts.impulses, body.contacts.has_contact}, whole,
+                        gravity, substeps, flight_planes(worker, scene));
     } else {
-        begin_touches(body);
+        begin_contact_points(body);
         if (body.plan.method == GPHYS_SOLVE_GRAPH) begin_cloth(body, beginning, gravity);
         RopeContacts* contacts = nullptr;
         if (body.plan.method == GPHYS_SOLVE_DIRECT) {
@@ -163,7 +163,7 @@ void Solver::move_through(const ActiveBody& moving, uint32_t worker, const Scene
         }
         substeps = move_in_substeps(body, substeps, whole, contacts);
         if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body, whole);
-        end_touches(body);
+        end_contact_points(body);
     }
     end_moving(moving, scene, dt, substeps);
 }
@@ -174,7 +174,7 @@ void Solver::move_part(const Task& task, uint32_t worker, const Scene* scene, do
     Body& body = state_.bodies[moving.slot];
     FlightPart& part = body.contacts.parts[task.part];
     const uint32_t first = task.part * part_size, end = std::min(first + part_size, body.particles.size());
-    part.extent = fly_through(body, first, end, {part.impulses, part.touched}, {scene, &moved_, dt, 0, 1},
+    part.extent = fly_through(body, first, end, {part.impulses, part.has_contact}, {scene, &moved_, dt, 0, 1},
                               state_.settings.gravity, moving.substeps, flight_planes(worker, scene));
 }
 
@@ -195,11 +195,11 @@ void Solver::move_undisturbed(const Task& task, uint32_t worker, const Scene* sc
             move_through(first[i], worker, scene, dt);
             continue;
         }
-        clear_touches(body);
+        clear_contact_points(body);
         std::fill(body.contacts.stuck.begin(), body.contacts.stuck.end(), 0u);
         body.contacts.impulses.clear();
         stay_in_range(body);
-        meet_targets(body, state_.settings, dt, first->substeps);
+        adapt_substep(body, state_.settings, dt, first->substeps);
         rest(body, scene, state_.settings, dt);
     }
 }

@@ -23,6 +23,6 @@ uint32_t least_substeps(const Body& body, double dt);
 uint32_t substeps_of(const Body& body, const SolverSettings& settings, double dt);
 uint32_t substeps_near_models(const Cloth& cloth, const SolverSettings& settings, double fastest, double dt);
 uint32_t substeps_of_rest(const Body& body, const SolverSettings& settings, double dt, double done, uint32_t made);
-void meet_targets(Body& body, const SolverSettings& settings, double dt, uint32_t substeps);
+void adapt_substep(Body& body, const SolverSettings& settings, double dt, uint32_t substeps);
 
 }  // namespace gphys

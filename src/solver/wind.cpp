@@ -169,7 +169,7 @@ void blow_cloth(Body& body, const CollisionContext& around, double h) {
     if (!around.scene) return;
     for (const Attachment& attachment : body.constraints.attachments) {
         const uint32_t p = attachment.particle;
-        give(body, around, attachment.model, cloth.origin + at(cloth.at, p), body.air.force[p] * h);
+        add_impulse(body, around, attachment.model, cloth.origin + at(cloth.at, p), body.air.force[p] * h);
     }
 }
 

@@ -133,12 +133,12 @@ bool capture_limits(Body& body, const CollisionContext& around, const TimeScheme
     // Models were given the forces of this substep as if they went on; an impact has no such history.
     const double step = scheme.step(body.settings.damping);
     const double counted = scheme.h / (step * step) - scheme.next / scheme.h;
-    const auto give_to_model = [&](uint32_t p, Vec3 impulse) {
+    const auto add_to_model = [&](uint32_t p, Vec3 impulse) {
         const Attachment* attachment = around.scene ? find_attachment(body.constraints, p) : nullptr;
         if (!attachment) return;
         float* pull = &body.cloth.contacts.pulls[4 * size_t{p}];
         const Vec3 given = (impulse - get(pull) * counted) * cloth.average_mass;
-        give(body, around, attachment->model, cloth.origin + get(&cloth.at[4 * size_t{p}]), given);
+        add_impulse(body, around, attachment->model, cloth.origin + get(&cloth.at[4 * size_t{p}]), given);
         put(pull, {}, 0);
     };
     // In parts of the length: ten times the rounding of places within a metre or so.
@@ -156,8 +156,8 @@ bool capture_limits(Body& body, const CollisionContext& around, const TimeScheme
             along * (dot(get(&cloth.velocity[b]) - get(&cloth.velocity[a]), along) / (length * length * mobility));
         put(&cloth.velocity[a], get(&cloth.velocity[a]) + apart * cloth.at[a + 3], fastest_in_cloth);
         put(&cloth.velocity[b], get(&cloth.velocity[b]) - apart * cloth.at[b + 3], fastest_in_cloth);
-        give_to_model(limit.a, apart);
-        give_to_model(limit.b, -apart);
+        add_to_model(limit.a, apart);
+        add_to_model(limit.b, -apart);
     }
     return any;
 }
@@ -175,13 +175,13 @@ double stored_energy(const ClothKernels& kernels, Body& body) {
 }
 
 /// What chains and limits have pulled attached particles with: the force of a whole substep.
-void give_pulls(Body& body, const CollisionContext& around, double step, double h) {
+void add_pull_impulses(Body& body, const CollisionContext& around, double step, double h) {
     const double to_impulse = body.cloth.average_mass * h / (step * step);
     for (const Attachment& attachment : body.constraints.attachments) {
         const size_t i = 4 * size_t{attachment.particle};
         if (around.scene) {
-            give(body, around, attachment.model, body.cloth.origin + get(&body.cloth.at[i]),
-                 get(&body.cloth.contacts.pulls[i]) * to_impulse);
+            add_impulse(body, around, attachment.model, body.cloth.origin + get(&body.cloth.at[i]),
+                        get(&body.cloth.contacts.pulls[i]) * to_impulse);
         }
     }
 }
@@ -227,7 +227,7 @@ void keep_calm(Body& body, double gain) {
 
 /// What sweeps over a graph leave unsolved can do work in long steps. Motion within the body is
 /// slowed so that the substep gains no energy; the motion of a free body as a whole stays.
-void take_back(Body& body, double gain) {
+void remove_energy(Body& body, double gain) {
     Vec3 drift;
     if (!body.cloth.held) {
         const Motion motion = motion_of_cloth(body);
@@ -243,7 +243,7 @@ bool is_accounted_for(const Body& body, bool collides) {
     if (body.cloth.held || body.plan.joined || body.contacts.near) return false;
     if (body.targets.act()) return false;
     if (body.air.blows()) return false;  // its force depends on the velocity that would be given back
-    if (!collides || !(contacts.touches() || contacts.sunk)) return true;
+    if (!collides || !(contacts.any_active() || contacts.sunk)) return true;
     return body.cloth.volume.held && !contacts.sunk && !contacts.pushed;
 }
 
@@ -396,7 +396,7 @@ void begin_cloth(Body& body, const CollisionContext& around, Vec3 gravity) {
     cloth.wanted_substep = infinity;
     cloth.balance.current = false;
     cloth.pulled =
-        (body.history.earlier_step == 0 && !body.contacts.touched) || !body.constraints.length_changes.empty();
+        (body.history.earlier_step == 0 && !body.contacts.has_contact) || !body.constraints.length_changes.empty();
     cloth.held = std::find(body.particles.inverse_mass.begin(), body.particles.inverse_mass.end(), 0.0) !=
                  body.particles.inverse_mass.end();
     share_particles(body, [&](uint32_t p) {
@@ -417,9 +417,9 @@ void begin_cloth(Body& body, const CollisionContext& around, Vec3 gravity) {
     }
     for (uint32_t p = 1; p < body.cloth.batches.spare; p += 2) cloth.at[4 * (size_t{body.particles.size()} + p)] = 1;
     cloth.particles = body.particles.size();
-    body.cloth.contacts.touching.clear();
+    body.cloth.contacts.active.clear();
     if (collides(body, around)) {
-        look_around_cloth(body, around, gravity);
+        search_cloth_contacts(body, around, gravity);
     } else {
         cloth.search_balls.clear();
         if (!body.targets.empty()) std::fill(cloth.contacts.normals.begin(), cloth.contacts.normals.end(), 0.0f);
@@ -450,8 +450,8 @@ void solve_cloth(Body& body) {
     const ClothKernels& kernels = cloth_kernels(chosen_isa());
     ClothBatches& batches = body.cloth.batches;
     ClothContacts& contacts = body.cloth.contacts;
-    press_on_targets(body, contacts.touches());
-    const bool touches = contacts.touches() || !body.targets.pressing.empty();
+    press_on_targets(body, contacts.any_active());
+    const bool has_contact = contacts.any_active() || !body.targets.pressing.empty();
     // Before the chains, which need it for their shape, and after them, which leave an error in it.
     body.cloth.volume.given = 0;
     if (body.cloth.volume.held) solve_volume(body, batches.scale);
@@ -459,11 +459,11 @@ void solve_cloth(Body& body) {
         float* const at = body.cloth.at.data();
         const ClothSurfaces surfaces{contacts.normals.data(), contacts.pulls.data()};
         if (body.plan.joined) {
-            kernels.solve_joined(at,
-                                 {body.cloth.tether_diagonal.data(), body.cloth.tether_off.data(), surfaces, touches},
-                                 chains, batch, rows);
-        } else if (touches) {
-            kernels.solve_touching(at, surfaces, chains, batch, rows);
+            kernels.solve_joined(
+                at, {body.cloth.tether_diagonal.data(), body.cloth.tether_off.data(), surfaces, has_contact}, chains,
+                batch, rows);
+        } else if (has_contact) {
+            kernels.solve_with_contacts(at, surfaces, chains, batch, rows);
         } else if (batch.attached) {
             kernels.solve_pulling(at, contacts.pulls.data(), chains, batch, rows);
         } else {
@@ -471,7 +471,7 @@ void solve_cloth(Body& body) {
         }
     });
     if (body.cloth.volume.held) solve_volume(body, batches.scale);
-    if (contacts.touches()) note_places(body);
+    if (contacts.any_active()) note_places(body);
     if (body.constraints.attachments.empty()) {
         reach_limits(body);
     } else {
@@ -493,7 +493,7 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
     Cloth& cloth = body.cloth;
     const TimeScheme scheme(h, body.history.earlier_step);
     const bool collides = gphys::collides(body, around);
-    if (!body.constraints.attachments.empty()) give_pulls(body, around, scheme.step(body.settings.damping), h);
+    if (!body.constraints.attachments.empty()) add_pull_impulses(body, around, scheme.step(body.settings.damping), h);
     keep_cloth_to_targets(body);
     if (collides) leave_planes(body);
     const ClothStep step = cloth_step(body, h);
@@ -509,12 +509,12 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
     if (cloth.balance.closed && !accounted) {
         cloth.balance.stored = stored_energy(kernels, body);
         cloth.balance.gain = (gain + cloth.balance.stored - before) * cloth.average_mass;
-        if (cloth.balance.gain > 0 && !body.plan.joined) take_back(body, cloth.balance.gain);
+        if (cloth.balance.gain > 0 && !body.plan.joined) remove_energy(body, cloth.balance.gain);
     }
     stop_cloth_at_targets(body);
-    body.contacts.touched = captured || bounded;
+    body.contacts.has_contact = captured || bounded;
     if (collides) {
-        body.contacts.touched = body.contacts.touched || body.cloth.contacts.touches();
+        body.contacts.has_contact = body.contacts.has_contact || body.cloth.contacts.any_active();
         turn_velocities(body, around, h);
         if (body.cloth.contacts.pushed) ease_links(body);
     }
@@ -522,7 +522,7 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
         if (collides) note_places(body);
         const double lost = relax_links(body, collides, h);
         if (collides) stop_taken_back(body, around, h);
-        if (lost > 0 && cloth.balance.closed && !accounted) take_back(body, lost * cloth.average_mass);
+        if (lost > 0 && cloth.balance.closed && !accounted) remove_energy(body, lost * cloth.average_mass);
     }
     if (accounted) {
         if (cloth.balance.closed) cloth.balance.stored = stored_energy(kernels, body);
@@ -537,29 +537,29 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
         const double stored = stored_energy(kernels, body);
         const double all =
             sum_of_blocks(cloth, [&](const ClothMotion& block) { return kernels.gain(block); }) + stored - before;
-        if (all > 0) take_back(body, all * cloth.average_mass);
+        if (all > 0) remove_energy(body, all * cloth.average_mass);
         cloth.balance.stored = stored;
     }
     cloth.balance.current = cloth.balance.closed && !collides && (accounted || cloth.most_strain == 0);
-    body.history.earlier_step = body.contacts.touched ? 0 : h;
+    body.history.earlier_step = body.contacts.has_contact ? 0 : h;
 }
 
 void end_cloth_substep(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     const bool collides = gphys::collides(body, around);
     body.cloth.contacts.given = body.cloth.contacts.turning = {};
-    if (collides) touch_planes(body, around, gravity, TimeScheme(h, body.history.earlier_step));
+    if (collides) find_active_planes(body, around, gravity, TimeScheme(h, body.history.earlier_step));
     solve_cloth(body);
     finish_cloth(body, around, gravity, h);
 }
 
 void move_cloth(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
-    if (body.cloth.most_strain > 0 && collides(body, around)) look_ahead(body, around, gravity, h);
+    if (body.cloth.most_strain > 0 && collides(body, around)) search_ahead(body, around, gravity, h);
     predict_cloth(body, around, h);
     end_cloth_substep(body, around, gravity, h);
 }
 
 void end_cloth(Body& body, const CollisionContext& around) {
-    if (collides(body, around)) record_touches(body, around);
+    if (collides(body, around)) record_contact_points(body, around);
     publish(body);
     if (collides(body, around)) keep_planes(body, around);
 }

@@ -13,7 +13,7 @@ namespace {
 void hand_over(Neighbour& n, Body& body, const CollisionContext& around) {
     if (n.getting == 0) return;
     const double mass = body.cloth.average_mass * body.cloth.acceleration[4 * size_t{n.particle} + 3];
-    give(body, around, n.getting, body.cloth.origin, n.given * mass, n.turning * mass);
+    add_impulse(body, around, n.getting, body.cloth.origin, n.given * mass, n.turning * mass);
     n.getting = 0;
     n.given = n.turning = {};
 }
@@ -34,7 +34,7 @@ void carry_planes(ClothContacts& contacts) {
 
 /// Where the particle would be if it stayed at its place on the contact plane that it touches.
 inline Vec3 place_on_plane(const Neighbour& n, const ClothContacts& contacts, Vec3 start) {
-    const uint32_t moving_collider = n.planes[n.touching].moving_collider;
+    const uint32_t moving_collider = n.planes[n.active_plane].moving_collider;
     if (moving_collider == ContactPlane::unmoved) return start;
     float rounded[3];
     put(rounded, contacts.moving_colliders[moving_collider].carry.apply(start));
@@ -42,7 +42,7 @@ inline Vec3 place_on_plane(const Neighbour& n, const ClothContacts& contacts, Ve
 }
 
 bool is_pushed(const Neighbour& n) {
-    return n.touching >= 0 && n.planes[n.touching].moving_collider != ContactPlane::unmoved;
+    return n.active_plane >= 0 && n.planes[n.active_plane].moving_collider != ContactPlane::unmoved;
 }
 
 /// The contact plane that the place is most deep in, or nearest to.
@@ -86,7 +86,7 @@ int32_t push_out(Neighbour& n, float* at) {
             if (depth <= 0) continue;
             put(at, get(at) + n.planes[i].normal * depth);
             n.pressed += depth;
-            n.touched |= 1u << i;
+            n.active_planes |= 1u << i;
             if (first < 0) first = static_cast<int32_t>(i);
             moved = true;
         }
@@ -100,7 +100,7 @@ int32_t push_out(Neighbour& n, float* at) {
 void reserve_cloth_contacts(Body& body) {
     ClothContacts& contacts = body.cloth.contacts;
     contacts.neighbours.reserve(body.particles.size());
-    contacts.touching.reserve(body.particles.size());
+    contacts.active.reserve(body.particles.size());
     contacts.escaped.resize(body.particles.size());
     contacts.place.resize(body.particles.size());
     body.cloth.search_balls.reserve(4 * size_t{body.particles.size()});
@@ -109,7 +109,7 @@ void reserve_cloth_contacts(Body& body) {
     }
 }
 
-void look_around_cloth(Body& body, const CollisionContext& around, Vec3 gravity) {
+void search_cloth_contacts(Body& body, const CollisionContext& around, Vec3 gravity) {
     ClothContacts& contacts = body.cloth.contacts;
     std::fill(contacts.normals.begin(), contacts.normals.end(), 0.0f);
     contacts.sunk = false;
@@ -126,14 +126,14 @@ void look_around_cloth(Body& body, const CollisionContext& around, Vec3 gravity)
         if (kept == Reuse::balls) search.repeat(contacts.escaped.data(), list_moving(body, has_ball));
     }
     const double fall = around.step_time / 2 * length(gravity);
-    search.look(contacts.escaped.data(), list_moving(body, [&](uint32_t p) {
-                    const double way = around.step_time * (length(get(&body.cloth.velocity[4 * size_t{p}])) + fall);
-                    return std::sqrt(double{squared_from_ball(body, p)}) + way >=
-                           std::sqrt(double{contacts.balls[4 * size_t{p} + 3]});
-                }));
+    search.run(contacts.escaped.data(), list_moving(body, [&](uint32_t p) {
+                   const double way = around.step_time * (length(get(&body.cloth.velocity[4 * size_t{p}])) + fall);
+                   return std::sqrt(double{squared_from_ball(body, p)}) + way >=
+                          std::sqrt(double{contacts.balls[4 * size_t{p} + 3]});
+               }));
 }
 
-void look_ahead(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
+void search_ahead(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     const ClothContacts& contacts = body.cloth.contacts;
     const double fall = h * length(gravity);
     const uint32_t count = list_moving(body, [&](uint32_t p) {
@@ -141,7 +141,7 @@ void look_ahead(Body& body, const CollisionContext& around, Vec3 gravity, double
         return std::sqrt(double{squared_from_ball(body, p)}) + way >=
                std::sqrt(double{contacts.balls[4 * size_t{p} + 3]});
     });
-    ContactSearch(around, body, gravity, around.step_time * (1 - around.begin)).look(contacts.escaped.data(), count);
+    ContactSearch(around, body, gravity, around.step_time * (1 - around.begin)).run(contacts.escaped.data(), count);
 }
 
 namespace {
@@ -150,7 +150,7 @@ namespace {
 /// `predicted`: what it has won until there by falling, and not by falling on behind the contact plane. 0 if it is too
 /// slow to bounce.
 double impact_speed(const Neighbour& n, const Cloth& cloth, Vec3 place, double predicted, double quiet) {
-    const ContactPlane& plane = n.planes[n.touching];
+    const ContactPlane& plane = n.planes[n.active_plane];
     const size_t i = 4 * size_t{n.particle};
     const double drop = std::max(0.0, dot(plane.normal, place) - plane.offset);
     const double of_plane = dot(place - get(&cloth.start[i]), plane.normal);
@@ -163,12 +163,12 @@ double impact_speed(const Neighbour& n, const Cloth& cloth, Vec3 place, double p
 
 }  // namespace
 
-void touch_planes(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme) {
+void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme) {
     Cloth& cloth = body.cloth;
     const BodySettings& settings = body.settings;
     const double h = scheme.h, rate = 1 / h, drag = scheme.drag(body.settings.damping);
     ClothContacts& contacts = body.cloth.contacts;
-    contacts.touching.clear();
+    contacts.active.clear();
     contacts.pushed = false;
     advance_moving_colliders(body, around);
     carry_planes(contacts);
@@ -178,21 +178,21 @@ void touch_planes(Body& body, const CollisionContext& around, Vec3 gravity, cons
         Neighbour& n = contacts.neighbours[number];
         const size_t i = 4 * size_t{n.particle};
         float* at = &cloth.at[i];
-        const bool touched_before = n.touching >= 0;
-        n.touching = -1;
+        const bool was_active = n.active_plane >= 0;
+        n.active_plane = -1;
         double depth;
         const uint32_t plane = deepest(n, get(at), depth);
         if (depth < -near) continue;
-        const double pressed_before = touched_before ? n.total : 0;
+        const double pressed_before = was_active ? n.total : 0;
         const Vec3 start = get(&cloth.start[i]);
-        contacts.touching.push_back(number);
+        contacts.active.push_back(number);
         n.pressed = 0;
         n.total = 0;
         n.coming = (scheme.from_history(get(&cloth.velocity[i]), get(&cloth.velocity_before[i])) +
                     get(&cloth.acceleration[i]) * h) *
                    drag;
-        n.touching = static_cast<int32_t>(plane);
-        n.touched |= 1u << plane;
+        n.active_plane = static_cast<int32_t>(plane);
+        n.active_planes |= 1u << plane;
         contacts.pushed = contacts.pushed || is_pushed(n);
         const Vec3 normal = n.planes[plane].normal;
         const Vec3 place = place_on_plane(n, contacts, start), moved = get(at) - place;  // beside the contact plane
@@ -224,7 +224,7 @@ namespace {
 
 /// Friction: as far back to the place on the contact plane as all that presses allows.
 void slow_down(Neighbour& n, const ClothContacts& contacts, const BodySettings& settings, Vec3 place, float* at) {
-    const Vec3 normal = n.planes[n.touching].normal, moved = get(at) - place;
+    const Vec3 normal = n.planes[n.active_plane].normal, moved = get(at) - place;
     n.total = std::max(0.0, n.pressed - dot(get(&contacts.pulls[4 * size_t{n.particle}]), normal) * at[3]);
     const Vec3 along = moved - normal * dot(moved, normal);
     const double squared = length_squared(along), hold = settings.friction * n.total - n.slowed;
@@ -242,7 +242,7 @@ void slow_down(Neighbour& n, const ClothContacts& contacts, const BodySettings& 
 
 void note_places(Body& body) {
     ClothContacts& contacts = body.cloth.contacts;
-    for (const uint32_t number : contacts.touching) {
+    for (const uint32_t number : contacts.active) {
         Neighbour& n = contacts.neighbours[number];
         n.chained = get(&body.cloth.at[4 * size_t{n.particle}]);
     }
@@ -251,12 +251,12 @@ void note_places(Body& body) {
 void leave_planes(Body& body) {
     Cloth& cloth = body.cloth;
     ClothContacts& contacts = body.cloth.contacts;
-    contacts.touching.clear();
+    contacts.active.clear();
     for (uint32_t number = 0; number < contacts.neighbours.size(); ++number) {
         Neighbour& n = contacts.neighbours[number];
         const size_t i = 4 * size_t{n.particle};
         float* at = &cloth.at[i];
-        const bool before = n.touching >= 0;
+        const bool before = n.active_plane >= 0;
         const Vec3 limited = get(at);
         if (!before) {
             double depth;
@@ -265,9 +265,9 @@ void leave_planes(Body& body) {
             n.pressed = n.approach = 0;
             put(&contacts.pulls[i], {});
         }
-        contacts.touching.push_back(number);
+        contacts.active.push_back(number);
         const int32_t pushing = push_out(n, at);
-        if (!before) n.touching = pushing;
+        if (!before) n.active_plane = pushing;
         slow_down(n, contacts, body.settings, place_on_plane(n, contacts, get(&cloth.start[i])), at);
         // The way back may lead into another contact plane.
         if (n.plane_count > 1) push_out(n, at);
@@ -275,7 +275,7 @@ void leave_planes(Body& body) {
         contacts.pushed = contacts.pushed || is_pushed(n);
         // As metres: what chains and limits have moved it by, or what contact planes have.
         n.moved = before ? get(&contacts.pulls[i]) * at[3] + (limited - n.chained) : limited - get(at);
-        n.chained_touching = before;
+        n.active_before_chains = before;
     }
 }
 
@@ -283,7 +283,7 @@ namespace {
 
 /// What the particle has lost goes to the model that it touches.
 void lose(Neighbour& n, Body& body, const CollisionContext& around, Vec3 velocity) {
-    const ContactPlane& plane = n.planes[n.touching];
+    const ContactPlane& plane = n.planes[n.active_plane];
     if (n.getting != plane.model) {
         hand_over(n, body, around);
         n.getting = plane.model;
@@ -300,18 +300,18 @@ void lose(Neighbour& n, Body& body, const CollisionContext& around, Vec3 velocit
 
 /// Links, limits and contact planes have changed a velocity from the predicted one; what contact planes did they get.
 void count_contacts(Body& body, const CollisionContext& around, double rate) {
-    for (const uint32_t number : body.cloth.contacts.touching) {
+    for (const uint32_t number : body.cloth.contacts.active) {
         Neighbour& n = body.cloth.contacts.neighbours[number];
         const Vec3 velocity = get(&body.cloth.velocity[4 * size_t{n.particle}]);
         const Vec3 pulled = n.moved * rate;
-        lose(n, body, around, n.chained_touching ? n.coming + pulled - velocity : pulled);
+        lose(n, body, around, n.active_before_chains ? n.coming + pulled - velocity : pulled);
     }
 }
 
 void turn_velocities(Body& body, const CollisionContext& around, double h) {
     Cloth& cloth = body.cloth;
     const double rate = 1 / h;
-    for (const uint32_t number : body.cloth.contacts.touching) {
+    for (const uint32_t number : body.cloth.contacts.active) {
         Neighbour& n = body.cloth.contacts.neighbours[number];
         const size_t i = 4 * size_t{n.particle};
         float* velocity = &cloth.velocity[i];
@@ -322,7 +322,7 @@ void turn_velocities(Body& body, const CollisionContext& around, double h) {
             put(velocity, of_plane);
             continue;
         }
-        const Vec3 normal = n.planes[n.touching].normal;
+        const Vec3 normal = n.planes[n.active_plane].normal;
         const double away = dot(get(velocity) - of_plane, normal);
         const double wanted = body.settings.restitution * n.approach;
         if (away >= wanted) continue;
@@ -333,7 +333,7 @@ void turn_velocities(Body& body, const CollisionContext& around, double h) {
 
 void stop_taken_back(Body& body, const CollisionContext& around, double h) {
     Cloth& cloth = body.cloth;
-    for (const uint32_t number : body.cloth.contacts.touching) {
+    for (const uint32_t number : body.cloth.contacts.active) {
         Neighbour& n = body.cloth.contacts.neighbours[number];
         const size_t i = 4 * size_t{n.particle};
         const Vec3 back = get(&cloth.at[i]) - n.chained, start = get(&cloth.start[i]);
@@ -351,7 +351,7 @@ bool is_held(const Body& body, uint32_t particle) {
     const uint32_t place = body.cloth.contacts.place[particle];
     if (place == ClothContacts::nowhere || body.cloth.contacts.sunk) return false;
     const Neighbour& n = body.cloth.contacts.neighbours[place];
-    return n.touching >= 0 && n.held && !is_pushed(n);
+    return n.active_plane >= 0 && n.held && !is_pushed(n);
 }
 
 void shift(Body& body, uint32_t particle, Vec3 way, bool collides) {
@@ -366,13 +366,14 @@ void ease_links(Body& body) {
     constexpr double slack = 5e-3;
     Cloth& cloth = body.cloth;
     ClothContacts& contacts = body.cloth.contacts;
-    const auto touches = [&](uint32_t p) {
+    const auto is_active = [&](uint32_t p) {
         const uint32_t place = contacts.place[p];
-        return place != ClothContacts::nowhere && contacts.neighbours[place].touching >= 0;
+        return place != ClothContacts::nowhere && contacts.neighbours[place].active_plane >= 0;
     };
     for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
         const DistanceConstraint& link = body.constraints.by_slot[slot];
-        if (!body.constraints.ids.live(slot) || link.compliance > 0 || !touches(link.a) || !touches(link.b)) continue;
+        if (!body.constraints.ids.live(slot) || link.compliance > 0 || !is_active(link.a) || !is_active(link.b))
+            continue;
         const float *a = &cloth.at[4 * size_t{link.a}], *b = &cloth.at[4 * size_t{link.b}];
         const Vec3 along = get(b) - get(a);
         const double length = gphys::length(along), error = length - link.rest, mobility = double{a[3]} + b[3];
@@ -420,7 +421,7 @@ void catch_escaped(Body& body, const CollisionContext& around, Vec3 gravity, dou
             put(&cloth.velocity[i], body.particles.velocity[p]);
         }
     }
-    ContactSearch(around, body, gravity, around.step_time * (1 - around.end) + h).look(contacts.escaped.data(), count);
+    ContactSearch(around, body, gravity, around.step_time * (1 - around.end) + h).run(contacts.escaped.data(), count);
 }
 
 void stay_outside(Body& body, uint32_t particle) {
@@ -435,14 +436,14 @@ void finish_neighbour(Neighbour& n, Body& body, const CollisionContext& around) 
     const Vec3 at = body.cloth.origin + get(&body.cloth.at[4 * size_t{n.particle}]);
     for (uint32_t i = 0; i < n.plane_count; ++i) {
         const ContactPlane& plane = n.planes[i];
-        if (n.touched >> i & 1) {
-            record_touch(body, n.particle, *around.scene, plane.model,
-                         at - plane.normal * body.particles.radius[n.particle], plane.normal);
+        if (n.active_planes >> i & 1) {
+            record_contact_point(body, n.particle, *around.scene, plane.model,
+                                 at - plane.normal * body.particles.radius[n.particle], plane.normal);
         }
     }
 }
 
-void record_touches(Body& body, const CollisionContext& around) {
+void record_contact_points(Body& body, const CollisionContext& around) {
     for (const uint32_t place : body.cloth.contacts.place) {
         if (place != ClothContacts::nowhere) finish_neighbour(body.cloth.contacts.neighbours[place], body, around);
     }

@@ -45,20 +45,20 @@ struct alignas(64) Neighbour {
 
     uint32_t particle;
     uint32_t plane_count;
-    uint32_t touched;  // bit by contact plane: in this step
-    int32_t touching;  // the contact plane that pressed it most in this substep, or -1
+    uint32_t active_planes;  // bit i: contact plane i was active in this step
+    int32_t active_plane;    // the contact plane that pushed it most in this substep, or -1
     ContactPlane planes[most_planes];
     // Of one that touches, in this substep:
-    double crept;           // metres, which its speed alone takes it, where that counts as none; else -1
-    double pressed;         // metres, by how much contact planes have moved it
-    double total;           // the same with what links pulled it against them by
-    double slowed;          // metres, by how much friction has slowed it before the links pulled
-    double approach;        // speed towards the contact plane when it meets it, if that is more than none; else 0
-    bool chained_touching;  // whether it touched before the chains were solved
-    bool held;              // whether friction keeps it at its place on the contact plane
-    Vec3 coming;            // if so, the velocity predicted for the end of this substep
-    Vec3 chained;           // and where the chains have left it, before limits
-    Vec3 moved;             // metres, by chains and limits; against what contact planes did, if it touched after them
+    double crept;               // metres, which its speed alone takes it, where that counts as none; else -1
+    double pressed;             // metres, by how much contact planes have moved it
+    double total;               // the same with what links pulled it against them by
+    double slowed;              // metres, by how much friction has slowed it before the links pulled
+    double approach;            // speed towards the contact plane when it meets it, if that is more than none; else 0
+    bool active_before_chains;  // whether it touched before the chains were solved
+    bool held;                  // whether friction keeps it at its place on the contact plane
+    Vec3 coming;                // if so, the velocity predicted for the end of this substep
+    Vec3 chained;               // and where the chains have left it, before limits
+    Vec3 moved;  // metres, by chains and limits; against what contact planes did, if it touched after them
     // For what models get from it:
     gphys_model_id getting;  // the model that gets the next two:
     Vec3 given, turning;     // m/s, what it has lost to it, and the moment of that about the cloth's origin
@@ -71,8 +71,8 @@ struct alignas(64) Neighbour {
 
     /// At the beginning of a step.
     void rest() {
-        touched = 0;
-        touching = -1;
+        active_planes = 0;
+        active_plane = -1;
         total = slowed = crept = 0;
     }
 };
@@ -81,7 +81,7 @@ struct ClothContacts {
     explicit ClothContacts(std::pmr::memory_resource* memory)
         : moving_colliders(memory),
           neighbours(memory),
-          touching(memory),
+          active(memory),
           place(memory),
           balls(memory),
           normals(memory),
@@ -92,7 +92,7 @@ struct ClothContacts {
 
     Vector<MovingCollider> moving_colliders;
     Vector<Neighbour> neighbours;
-    Vector<uint32_t> touching;     // those of them that touch something in this substep
+    Vector<uint32_t> active;       // indices of the neighbours that are in contact in this substep
     Vector<uint32_t> place;        // by particle: in neighbours, or nowhere
     Vector<float> balls;           // four floats a particle: centre, square of the radius
     Vector<float> normals, pulls;  // four floats a particle, as ClothSurfaces takes them
@@ -103,16 +103,16 @@ struct ClothContacts {
     bool sunk = false;             // whether any has been found in a model
     bool kept = false;             // whether there was a last step, so that the above are its; not after a snapshot
 
-    bool touches() const { return !touching.empty(); }
+    bool any_active() const { return !active.empty(); }
 };
 
 /// By turns before and after the chains of a substep.
 void reserve_cloth_contacts(Body& body);
-void look_around_cloth(Body& body, const CollisionContext& around, Vec3 gravity);
+void search_cloth_contacts(Body& body, const CollisionContext& around, Vec3 gravity);
 /// Before a substep: those that it would take out of their balls search for contacts now, so that chains know their
 /// contact planes.
-void look_ahead(Body& body, const CollisionContext& around, Vec3 gravity, double h);
-void touch_planes(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme);
+void search_ahead(Body& body, const CollisionContext& around, Vec3 gravity, double h);
+void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme);
 void note_places(Body& body);
 void leave_planes(Body& body);
 void count_contacts(Body& body, const CollisionContext& around, double rate);
@@ -128,7 +128,7 @@ bool is_held(const Body& body, uint32_t particle);
 /// Moves a particle aside, but not into its contact planes, nor out of what its target allows.
 void shift(Body& body, uint32_t particle, Vec3 way, bool collides);
 void catch_escaped(Body& body, const CollisionContext& around, Vec3 gravity, double h);
-void record_touches(Body& body, const CollisionContext& around);
+void record_contact_points(Body& body, const CollisionContext& around);
 /// What the particle has touched and given to models, before its neighbour is replaced.
 void finish_neighbour(Neighbour& neighbour, Body& body, const CollisionContext& around);
 /// A particle that something else has moved, out of the contact planes that were near it.

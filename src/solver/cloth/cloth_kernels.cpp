@@ -209,7 +209,7 @@ struct Tethered {
 
     const ClothTethers& arrays;
     // The last pivot of a chain with a weight at its end is the weight's.
-    float least_pivot_part = arrays.touching ? Surfaces::least_pivot_part : NoSurfaces::least_pivot_part;
+    float least_pivot_part = arrays.has_contact ? Surfaces::least_pivot_part : NoSurfaces::least_pivot_part;
 
     struct Normals {
         Quads8 diagonal, off;       // of W
@@ -270,8 +270,9 @@ struct Tethered {
 /// c_j = w_j (n_(j-1) . n_j), the tensions t solve
 ///   -c_j t_(j-1) + (w_j + w_(j+1) + softness_j) t_j - c_(j+1) t_(j+1) = error_j
 /// A link that only pulls is in a chain of its own: no tension while it is short enough.
-template <bool is_limit, class Touching>
-void solve_batch(float* at, const Touching& surfaces, const ClothChains& chains, const ChainBatch& batch, float* rows) {
+template <bool is_limit, class ContactModel>
+void solve_batch(float* at, const ContactModel& surfaces, const ClothChains& chains, const ChainBatch& batch,
+                 float* rows) {
     const uint32_t* particles = chains.particles + 8 * size_t{batch.first_particle};
     const float* rest = chains.rest + 8 * size_t{batch.first_link};
     const float* softness = chains.softness + 8 * size_t{batch.first_link};
@@ -311,8 +312,8 @@ void solve_batch(float* at, const Touching& surfaces, const ClothChains& chains,
     surfaces.move(at, particles, pull);
 }
 
-template <class Touching>
-void solve_either(float* at, const Touching& surfaces, const ClothChains& chains, const ChainBatch& batch,
+template <class ContactModel>
+void solve_either(float* at, const ContactModel& surfaces, const ClothChains& chains, const ChainBatch& batch,
                   float* rows) {
     if (batch.limit) {
         solve_batch<true>(at, surfaces, chains, batch, rows);
@@ -330,8 +331,8 @@ void solve_joined(float* at, const ClothTethers& tethers, const ClothChains& cha
     solve_either(at, Tethered{tethers}, chains, batch, rows);
 }
 
-void solve_touching(float* at, const ClothSurfaces& surfaces, const ClothChains& chains, const ChainBatch& batch,
-                    float* rows) {
+void solve_with_contacts(float* at, const ClothSurfaces& surfaces, const ClothChains& chains, const ChainBatch& batch,
+                         float* rows) {
     solve_either(at, Surfaces{surfaces}, chains, batch, rows);
 }
 
@@ -481,8 +482,8 @@ void slow(const ClothMotion& motion, const float (&drift)[3], float kept) {
 
 }  // namespace
 
-const ClothKernels cloth_kernels = {predict, solve, solve_touching, solve_pulling, solve_joined, list_strained,
-                                    stored,  limit, limit_pulling,  finish,        gain,         kinetic,
+const ClothKernels cloth_kernels = {predict, solve, solve_with_contacts, solve_pulling, solve_joined, list_strained,
+                                    stored,  limit, limit_pulling,       finish,        gain,         kinetic,
                                     slow};
 
 }  // namespace gphys::GPHYS_ISA

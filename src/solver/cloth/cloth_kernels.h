@@ -62,7 +62,7 @@ struct ClothSurfaces {
 struct ClothTethers {
     const float *diagonal, *off;
     ClothSurfaces surfaces;  // pulls of all particles are added up
-    bool touching;           // whether any does
+    bool has_contact;        // whether any does
 };
 
 struct ClothKernels {
@@ -71,9 +71,9 @@ struct ClothKernels {
     void (*solve)(float* at, const ClothChains& chains, const ChainBatch& batch, float* rows);
     /// The same while particles that touch something move along it or off, and not into it. They are off by what all
     /// chains since `pulls` was 0 pull them off with beyond what presses.
-    void (*solve_touching)(float* at, const ClothSurfaces& surfaces, const ClothChains& chains, const ChainBatch& batch,
-                           float* rows);
-    /// As `solve`, with the pulls as `solve_touching` adds them up.
+    void (*solve_with_contacts)(float* at, const ClothSurfaces& surfaces, const ClothChains& chains,
+                                const ChainBatch& batch, float* rows);
+    /// As `solve`, with the pulls as `solve_with_contacts` adds them up.
     void (*solve_pulling)(float* at, float* pulls, const ClothChains& chains, const ChainBatch& batch, float* rows);
     void (*solve_joined)(float* at, const ClothTethers& tethers, const ClothChains& chains, const ChainBatch& batch,
                          float* rows);

@@ -30,13 +30,13 @@ void carry_by_targets(Body& body) {
     }
 }
 
-void press_on_targets(Body& body, bool touches) {
+void press_on_targets(Body& body, bool has_contact) {
     ClothContacts& contacts = body.cloth.contacts;
     for (uint32_t p = 0; p < body.targets.all.size(); ++p) {
         float *const at = &body.cloth.at[4 * size_t{p}], *const normal = &contacts.normals[4 * size_t{p}];
         Vec3 place;
         TargetBounds out_of;
-        if (touches && get(normal) != Vec3{}) continue;
+        if (has_contact && get(normal) != Vec3{}) continue;
         if (!find_place(body, p, place, out_of)) continue;
         const Vec3 inward = out_of.bound[0].normal;
         put(normal, inward);

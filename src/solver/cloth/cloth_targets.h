@@ -11,7 +11,7 @@ struct Body;
 void carry_by_targets(Body& body);
 /// Before the chains: what is predicted beyond its bounds goes along these in the chains, unless it `touches` a model
 /// and goes along that.
-void press_on_targets(Body& body, bool touches);
+void press_on_targets(Body& body, bool has_contact);
 /// After the chains and limits.
 void keep_cloth_to_targets(Body& body);
 /// Once there are velocities.

@@ -16,7 +16,7 @@ Box around(const Aabb& places, double room, Vec3 origin) {
 
 }  // namespace
 
-void ContactSearch::look(const uint32_t* particles, uint32_t count) {
+void ContactSearch::run(const uint32_t* particles, uint32_t count) {
     again_ = false;
     for (uint32_t i = 0; i < count; ++i) {
         const size_t at = 4 * size_t{particles[i]};
@@ -161,7 +161,7 @@ void ContactSearch::settle(uint32_t p, uint32_t point) {
     ClothContacts& contacts = body_.cloth.contacts;
     Neighbour found{};
     found.particle = p;
-    found.touching = -1;
+    found.active_plane = -1;
     for (int halvings = 0; parts_.select_point(point) > most_parts && halvings < 3; ++halvings) {
         reach_[point] /= 2;
         place_balls(p, point);

@@ -18,7 +18,7 @@ public:
 
     /// Find the balls and the contact planes of particles, which are pushed out of what they are in. What they have
     /// touched before is recorded.
-    void look(const uint32_t* particles, uint32_t count);
+    void run(const uint32_t* particles, uint32_t count);
     /// The same from where they have looked before, with nothing moving around, for contact planes and balls alone.
     void repeat(const uint32_t* particles, uint32_t count);
 

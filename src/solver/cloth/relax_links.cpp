@@ -96,7 +96,7 @@ bool relax(Body& body, const KeptLinks::Link& link, bool collides, double h, dou
     if (std::fabs(error) < relaxed_part * body.cloth.most_strain * link.rest) return false;
     if (length == 0 || weight == 0 || (link.limit && error < 0)) return false;
     const Vec3 correction = along * (error / (length * weight));
-    if (body.contacts.touched) stop_straining(body.cloth, link, along / length, error, h);
+    if (body.contacts.has_contact) stop_straining(body.cloth, link, along / length, error, h);
     lost += move(body, link.a, correction * weight_a, collides);
     lost += move(body, link.b, correction * -weight_b, collides);
     return true;

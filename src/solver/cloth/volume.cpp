@@ -79,7 +79,7 @@ void solve_volume(Body& body, double scale) {
     // Particles that touch something go along it, or off.
     const auto way = [&](uint32_t p) {
         Vec3 out = volume.gradient[p];
-        if (!contacts.touches()) return out;
+        if (!contacts.any_active()) return out;
         const Vec3 normal = get(&contacts.normals[4 * size_t{p}]);
         const double off = dot(out, normal) * wanted;
         return off < 0 ? out - normal * dot(out, normal) : out;
@@ -89,7 +89,7 @@ void solve_volume(Body& body, double scale) {
         mobility += cloth.at[4 * size_t{p} + 3] * length_squared(way(p));
     if (mobility == 0) return;
     const double push = wanted / (mobility + softness);
-    const bool is_noted = contacts.touches() || !body.constraints.attachments.empty();
+    const bool is_noted = contacts.any_active() || !body.constraints.attachments.empty();
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         float* at = &cloth.at[4 * size_t{p}];
         add(at, way(p) * (push * at[3]));

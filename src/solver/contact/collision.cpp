@@ -8,10 +8,11 @@ constexpr int most_contacts = 6;
 
 }  // namespace
 
-Collider::Collider(const CollisionContext& around, const Body& body, const Box& paths, const ImpulseAccumulator& tally)
+Collider::Collider(const CollisionContext& around, const Body& body, const Box& paths,
+                   const ImpulseAccumulator& accumulator)
     : around_(around),
       body_(body),
-      tally_(tally),
+      accumulator_(accumulator),
       most_push_(body.plan.method == GPHYS_SOLVE_FREE && !body.plan.joined
                      ? infinity
                      : leaving_speed * around.step_time * (around.end - around.begin)) {
@@ -34,14 +35,14 @@ Collider::Collider(const CollisionContext& around, const Body& body, const Box& 
     });
 }
 
-void Collider::meet(gphys_model_id model, const Sphere& moving, Vec3 displacement, Impact& first) const {
+void Collider::sweep_model(gphys_model_id model, const Sphere& moving, Vec3 displacement, Impact& first) const {
     Hit hit;
     if (!around_.scene->sweep_model(model, moving, displacement, hit)) return;
     keep_first(first, {hit.t, model, (hit.flags & GPHYS_HIT_INSIDE) != 0, false, 0,
                        moving.center + displacement * hit.t, hit.point, hit.normal, Vec3{}});
 }
 
-void Collider::meet_listed(const Near& near, const Sphere& moving, Vec3 displacement, Impact& first) const {
+void Collider::sweep_listed(const Near& near, const Sphere& moving, Vec3 displacement, Impact& first) const {
     if (near.is_flat) {
         Hit hit;
         const TriState verdict = near.flat.sweep(moving, displacement, hit);
@@ -54,7 +55,7 @@ void Collider::meet_listed(const Near& near, const Sphere& moving, Vec3 displace
     } else if (near.bounded && !overlaps(near.box, path_box(moving, displacement))) {
         return;
     }
-    meet(near.model, moving, displacement, first);
+    sweep_model(near.model, moving, displacement, first);
 }
 
 void Collider::sweep_unmoved(uint32_t particle, Vec3 from, Vec3 displacement, gphys_model_id ignored,
@@ -63,13 +64,13 @@ void Collider::sweep_unmoved(uint32_t particle, Vec3 from, Vec3 displacement, gp
     first = {};
     if (listed_) {
         for (uint32_t i = 0; i < count_; ++i) {
-            if (near_[i].model != ignored) meet_listed(near_[i], moving, displacement, first);
+            if (near_[i].model != ignored) sweep_listed(near_[i], moving, displacement, first);
         }
     } else {
         around_.scene->for_each_in_box(path_box(moving, displacement), body_.settings.layers,
                                        [&](gphys_model_id model) {
                                            if (model != ignored && !has_moved(around_, model)) {
-                                               meet(model, moving, displacement, first);
+                                               sweep_model(model, moving, displacement, first);
                                            }
                                        });
     }
@@ -78,7 +79,7 @@ void Collider::sweep_unmoved(uint32_t particle, Vec3 from, Vec3 displacement, gp
 bool Collider::sweep_others(uint32_t particle, Vec3 from, Vec3 displacement, double time, gphys_model_id ignored,
                             Impact& first) const {
     sweep_unmoved(particle, from, displacement, ignored, first);
-    meet_moving({from, body_.particles.radius[particle]}, displacement, time, ignored, first);
+    sweep_moving({from, body_.particles.radius[particle]}, displacement, time, ignored, first);
     return first.model != 0;
 }
 
@@ -114,55 +115,57 @@ double Collider::stop_short(const Body& body, uint32_t particle, Vec3 from, Vec3
     return approach * impact.t > largest_gap(room) ? impact.t - room / approach : 0;
 }
 
-// In touch_count, while a step is under way: those of the step before in the upper half of the byte. They are
+// In point_count, while a step is under way: those of the step before in the upper half of the byte. They are
 // not cleared until they turn out to be gone, as what lies on something touches it again.
 namespace {
 
 constexpr uint32_t count_bits = 4, count_mask = (1 << count_bits) - 1;
-static_assert(touches_per_particle <= count_mask);
+static_assert(contact_points_per_particle <= count_mask);
 
-uint32_t touches_of(const Body& body, uint32_t particle) { return body.contacts.touch_count[particle] & count_mask; }
+uint32_t contact_point_count(const Body& body, uint32_t particle) {
+    return body.contacts.point_count[particle] & count_mask;
+}
 
 }  // namespace
 
-void begin_touches(Body& body, uint32_t first, uint32_t end) {
-    if (body.contacts.touch_count.empty()) return;
-    uint8_t* const counts = body.contacts.touch_count.data();  // which, as bytes, might be anything's
+void begin_contact_points(Body& body, uint32_t first, uint32_t end) {
+    if (body.contacts.point_count.empty()) return;
+    uint8_t* const counts = body.contacts.point_count.data();  // which, as bytes, might be anything's
     for (uint32_t p = first; p < end; ++p) counts[p] = static_cast<uint8_t>(counts[p] << count_bits);
 }
 
-void end_touches(Body& body, uint32_t first, uint32_t end) {
-    if (body.contacts.touch_count.empty()) return;
-    uint8_t* const counts = body.contacts.touch_count.data();
-    Touch* const touches = body.contacts.touches.data();
+void end_contact_points(Body& body, uint32_t first, uint32_t end) {
+    if (body.contacts.point_count.empty()) return;
+    uint8_t* const counts = body.contacts.point_count.data();
+    ContactPoint* const points = body.contacts.points.data();
     for (uint32_t p = first; p < end; ++p) {
         const uint32_t now = counts[p] & count_mask, before = counts[p] >> count_bits;
-        for (uint32_t i = now; i < before; ++i) touches[size_t{p} * touches_per_particle + i] = {};
+        for (uint32_t i = now; i < before; ++i) points[size_t{p} * contact_points_per_particle + i] = {};
         counts[p] = static_cast<uint8_t>(now);
     }
 }
 
-void clear_touches(Body& body) {
-    begin_touches(body);
-    end_touches(body);
+void clear_contact_points(Body& body) {
+    begin_contact_points(body);
+    end_contact_points(body);
 }
 
-uint32_t record_touch(Body& body, uint32_t particle, const Scene& scene, gphys_model_id model, Vec3 point,
-                      Vec3 normal) {
-    Touch* const touches = &body.contacts.touches[size_t{particle} * touches_per_particle];
-    const uint32_t count = touches_of(body, particle);
+uint32_t record_contact_point(Body& body, uint32_t particle, const Scene& scene, gphys_model_id model, Vec3 point,
+                              Vec3 normal) {
+    ContactPoint* const points = &body.contacts.points[size_t{particle} * contact_points_per_particle];
+    const uint32_t count = contact_point_count(body, particle);
     uint32_t place = 0;
-    while (place < count && touches[place].model != model) ++place;
-    if (place == touches_per_particle) return touches_per_particle - 1;
-    if (place == count) ++body.contacts.touch_count[particle];
-    touches[place] = {model, scene.tag(model), narrow(point), narrow(normal)};
+    while (place < count && points[place].model != model) ++place;
+    if (place == contact_points_per_particle) return contact_points_per_particle - 1;
+    if (place == count) ++body.contacts.point_count[particle];
+    points[place] = {model, scene.tag(model), narrow(point), narrow(normal)};
     return place;
 }
 
 void Collider::note(Body& body, uint32_t particle, gphys_model_id model, Vec3 point, Vec3 normal) const {
-    tally_.touched = true;
-    const uint32_t touch = record_touch(body, particle, *around_.scene, model, point, normal);
-    body.contacts.held[particle] = static_cast<uint8_t>(touch + 1);
+    accumulator_.has_contact = true;
+    const uint32_t place = record_contact_point(body, particle, *around_.scene, model, point, normal);
+    body.contacts.held[particle] = static_cast<uint8_t>(place + 1);
 }
 
 void Collider::record(Body& body, uint32_t particle, const Impact& impact) const {
@@ -225,8 +228,9 @@ void Collider::bounce(Body& body, uint32_t particle, const Impact& impact, doubl
     const Vec3 before = velocity;
     velocity = after_impact(velocity, impact, restitution, friction);
     const Impact there = impact.moves ? carried(impact) : impact;
-    give(tally_.impulses, around_, impact.model, there.center - there.normal * body.particles.radius[particle],
-         (before - velocity) * body.particles.mass[particle]);
+    add_impulse(accumulator_.impulses, around_, impact.model,
+                there.center - there.normal * body.particles.radius[particle],
+                (before - velocity) * body.particles.mass[particle]);
 }
 
 bool Collider::holds(Body& body, uint32_t particle, uint32_t obstacle, Vec3 displacement, Vec3 velocity) const {
@@ -244,7 +248,7 @@ bool Collider::holds(Body& body, uint32_t particle, uint32_t obstacle, Vec3 disp
     if (length_squared(displacement + hit.normal * into) > hold * hold) return false;
     note(body, particle, near.model, hit.point, hit.normal);
     if (settings.sticks()) body.contacts.stuck[particle] = 1;
-    give(tally_.impulses, around_, near.model, hit.point, velocity * body.particles.mass[particle]);
+    add_impulse(accumulator_.impulses, around_, near.model, hit.point, velocity * body.particles.mass[particle]);
     return true;
 }
 
@@ -261,7 +265,7 @@ void Collider::press(Body& body, uint32_t first, uint32_t count, uint32_t obstac
         mass += body.particles.mass[p];
         middle += point * body.particles.mass[p];
     }
-    give(tally_.impulses, around_, near.model, middle / mass, velocity * mass);
+    add_impulse(accumulator_.impulses, around_, near.model, middle / mass, velocity * mass);
 }
 
 void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double time, double quiet) const {
@@ -345,9 +349,9 @@ Box swept_box(const Body& body, const Vector<Vec3>& from, const Vector<Vec3>& to
 }
 
 void Collider::shift(Body& body, uint32_t particle, Vec3 way) const {
-    const Touch* touch = &body.contacts.touches[size_t{particle} * touches_per_particle];
-    for (uint32_t i = 0; i < touches_of(body, particle); ++i) {
-        const Vec3 normal = widen(touch[i].normal);
+    const ContactPoint* point = &body.contacts.points[size_t{particle} * contact_points_per_particle];
+    for (uint32_t i = 0; i < contact_point_count(body, particle); ++i) {
+        const Vec3 normal = widen(point[i].normal);
         way += normal * std::max(0.0, -dot(way, normal));
     }
     Vec3& at = body.particles.position[particle];
@@ -394,12 +398,13 @@ void ease_links_between_contacts(const Collider& collider, Body& body) {
 
 /// What links pull a particle with that stays where it is goes to the model that holds it; what they had
 /// pulled it with before they were solved again has gone into its velocity, and come from there.
-void give_through_held(Body& body, const CollisionContext& around, const SolvedAgain& again) {
-    const auto give_to_holder = [&](uint32_t p, Vec3 impulse) {
+void add_impulses_through_held(Body& body, const CollisionContext& around, const SolvedAgain& again) {
+    const auto add_to_holder = [&](uint32_t p, Vec3 impulse) {
         if (!body.contacts.held[p] || body.particles.pinned(p)) return;
-        const Touch& touch = body.contacts.touches[size_t{p} * touches_per_particle + body.contacts.held[p] - 1];
-        give(body, around, touch.model, body.particles.position[p] - widen(touch.normal) * body.particles.radius[p],
-             impulse);
+        const ContactPoint& point =
+            body.contacts.points[size_t{p} * contact_points_per_particle + body.contacts.held[p] - 1];
+        add_impulse(body, around, point.model,
+                    body.particles.position[p] - widen(point.normal) * body.particles.radius[p], impulse);
     };
     const double to_impulse = again.step * again.step * again.rate;
     for (const Chain& chain : body.plan.chains) {
@@ -409,19 +414,19 @@ void give_through_held(Body& body, const CollisionContext& around, const SolvedA
             if (!body.contacts.held[a] && !body.contacts.held[b]) continue;
             const Vec3 pull =
                 link_direction(body.particles, a, b) * (body.rope.tension[chain.first_link + i] * to_impulse);
-            give_to_holder(a, pull);
-            give_to_holder(b, -pull);
+            add_to_holder(a, pull);
+            add_to_holder(b, -pull);
         }
     }
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
-        give_to_holder(p, (body.history.predicted[p] - body.rope.solved[p]) * (body.particles.mass[p] * again.rate));
+        add_to_holder(p, (body.history.predicted[p] - body.rope.solved[p]) * (body.particles.mass[p] * again.rate));
     }
 }
 
 }  // namespace
 
 void collide(Body& body, const CollisionContext& around, double quiet) {
-    body.contacts.touched = body.contacts.sunk = false;
+    body.contacts.has_contact = body.contacts.sunk = false;
     if (!around.scene || body.settings.layers == 0) return;
     const Collider collider(around, body, swept_box(body, body.history.start, body.particles.position, 0));
     if (collider.idle()) return;
@@ -443,7 +448,7 @@ void ease_contacts(Body& body, const CollisionContext& around) {
 }
 
 void collide_again(Body& body, const CollisionContext& around, double quiet, const SolvedAgain& again) {
-    give_through_held(body, around, again);
+    add_impulses_through_held(body, around, again);
     const Collider collider(around, body, swept_box(body, body.history.start, body.particles.position, 0));
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (body.particles.pinned(p) || body.contacts.held[p]) continue;

@@ -78,9 +78,9 @@ class Collider {
 public:
     /// The box holds every path that will be asked for, but for those of what models strike that move.
     Collider(const CollisionContext& around, Body& body, const Box& paths)
-        : Collider(around, body, paths, {body.contacts.impulses, body.contacts.touched}) {}
+        : Collider(around, body, paths, {body.contacts.impulses, body.contacts.has_contact}) {}
     /// The tally gets what would otherwise be the body's.
-    Collider(const CollisionContext& around, const Body& body, const Box& paths, const ImpulseAccumulator& tally);
+    Collider(const CollisionContext& around, const Body& body, const Box& paths, const ImpulseAccumulator& accumulator);
 
     /// Whether there is nothing at all.
     bool idle() const { return listed_ && count_ == 0 && moving_count_ == 0; }
@@ -138,11 +138,12 @@ private:
     template <class Visit>
     void for_each_moving(Visit&& visit) const;
     Box way_of_struck(const Box& paths) const;
-    void meet(gphys_model_id model, const Sphere& moving, Vec3 displacement, Impact& first) const;
-    void meet_listed(const Near& near, const Sphere& moving, Vec3 displacement, Impact& first) const;
-    void meet_moving(const Sphere& moving, Vec3 displacement, double time, gphys_model_id ignored, Impact& first) const;
-    void meet_moved(const PlacedModel& before, const Sphere& moving, Vec3 displacement, double time,
-                    Impact& first) const;
+    void sweep_model(gphys_model_id model, const Sphere& moving, Vec3 displacement, Impact& first) const;
+    void sweep_listed(const Near& near, const Sphere& moving, Vec3 displacement, Impact& first) const;
+    void sweep_moving(const Sphere& moving, Vec3 displacement, double time, gphys_model_id ignored,
+                      Impact& first) const;
+    void sweep_moved(const PlacedModel& before, const Sphere& moving, Vec3 displacement, double time,
+                     Impact& first) const;
     /// Of models that have not moved.
     void sweep_unmoved(uint32_t particle, Vec3 from, Vec3 displacement, gphys_model_id ignored, Impact& first) const;
     /// Of all but one that the particle is in.
@@ -154,7 +155,7 @@ private:
 
     const CollisionContext& around_;
     const Body& body_;
-    const ImpulseAccumulator tally_;
+    const ImpulseAccumulator accumulator_;
     const double most_push_;
     bool listed_ = true;  // otherwise there are too many, and the scene is asked for each particle
     uint32_t count_ = 0;
@@ -226,13 +227,14 @@ void collide_again(Body& body, const CollisionContext& around, double quiet, con
 inline double quiet_speed(Vec3 gravity, double h) { return 2 * h * length(gravity); }
 
 /// At the beginning and at the end of a step, of some of the particles or of all; both at once.
-void begin_touches(Body& body, uint32_t first, uint32_t end);
-void end_touches(Body& body, uint32_t first, uint32_t end);
-inline void begin_touches(Body& body) { begin_touches(body, 0, body.particles.size()); }
-inline void end_touches(Body& body) { end_touches(body, 0, body.particles.size()); }
-void clear_touches(Body& body);
+void begin_contact_points(Body& body, uint32_t first, uint32_t end);
+void end_contact_points(Body& body, uint32_t first, uint32_t end);
+inline void begin_contact_points(Body& body) { begin_contact_points(body, 0, body.particles.size()); }
+inline void end_contact_points(Body& body) { end_contact_points(body, 0, body.particles.size()); }
+void clear_contact_points(Body& body);
 /// Returns its place in the touches of the particle; the last if others fill them all.
-uint32_t record_touch(Body& body, uint32_t particle, const Scene& scene, gphys_model_id model, Vec3 point, Vec3 normal);
+uint32_t record_contact_point(Body& body, uint32_t particle, const Scene& scene, gphys_model_id model, Vec3 point,
+                              Vec3 normal);
 
 inline bool collides(const Body& body, const CollisionContext& around) {
     return around.scene && body.settings.layers != 0;

@@ -36,7 +36,7 @@ void reserve_impulses(Body& body, size_t models_near) {
 
 void add_parts(Body& body) {
     for (FlightPart& part : body.contacts.parts) {
-        body.contacts.touched = body.contacts.touched || part.touched;
+        body.contacts.has_contact = body.contacts.has_contact || part.has_contact;
         for (const ModelImpulse& given : part.impulses) {
             ModelImpulse* const sum = sum_for(body.contacts.impulses, given.model, given.tag);
             if (!sum) continue;
@@ -44,36 +44,37 @@ void add_parts(Body& body) {
             sum->angular += given.angular;
         }
         part.impulses.clear();
-        part.touched = false;
+        part.has_contact = false;
     }
 }
 
-void give(Vector<ModelImpulse>& sums, const CollisionContext& around, gphys_model_id model, Vec3 point, Vec3 impulse,
-          Vec3 moment) {
+void add_impulse(Vector<ModelImpulse>& sums, const CollisionContext& around, gphys_model_id model, Vec3 point,
+                 Vec3 impulse, Vec3 moment) {
     ModelImpulse* const sum = sum_for(sums, model, around.scene->tag(model));
     if (!sum) return;
     sum->linear += impulse;
     sum->angular += cross(point - place_of(around, model), impulse) + moment;
 }
 
-void give(Body& body, const CollisionContext& around, gphys_model_id model, Vec3 point, Vec3 impulse, Vec3 moment) {
-    give(body.contacts.impulses, around, model, point, impulse, moment);
+void add_impulse(Body& body, const CollisionContext& around, gphys_model_id model, Vec3 point, Vec3 impulse,
+                 Vec3 moment) {
+    add_impulse(body.contacts.impulses, around, model, point, impulse, moment);
 }
 
-void give_anchor(Body& body, const CollisionContext& around, uint32_t particle, Vec3 impulse) {
+void add_anchor_impulse(Body& body, const CollisionContext& around, uint32_t particle, Vec3 impulse) {
     if (!around.scene) return;
     if (const Attachment* attachment = find_attachment(body.constraints, particle)) {
-        give(body, around, attachment->model, body.particles.position[particle], impulse);
+        add_impulse(body, around, attachment->model, body.particles.position[particle], impulse);
     }
 }
 
-void give_attached(Body& body, const CollisionContext& around, double sign, Vec3 gravity, double seconds) {
+void add_attached_impulses(Body& body, const CollisionContext& around, double sign, Vec3 gravity, double seconds) {
     if (!around.scene) return;
     for (const Attachment& attachment : body.constraints.attachments) {
         const uint32_t p = attachment.particle;
         const Vec3 momentum = body.particles.velocity[p] * body.particles.mass[p];
         const Vec3 pressed = (gravity * body.particles.mass[p] + body.particles.force[p]) * seconds;
-        give(body, around, attachment.model, body.particles.position[p], momentum * sign + pressed);
+        add_impulse(body, around, attachment.model, body.particles.position[p], momentum * sign + pressed);
     }
 }
 

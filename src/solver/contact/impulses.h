@@ -28,7 +28,7 @@ constexpr uint32_t spare_impulses = 64;
 /// of it that one of several workers moves.
 struct ImpulseAccumulator {
     Vector<ModelImpulse>& impulses;
-    bool& touched;
+    bool& has_contact;
 };
 
 /// Makes room, for the parts of a body as well; throws std::bad_alloc.
@@ -37,13 +37,14 @@ void reserve_impulses(Body& body, size_t models_near);
 void add_parts(Body& body);
 
 /// At a point and with a moment about it, at the end of what `around` covers. Never allocates.
-void give(Vector<ModelImpulse>& sums, const CollisionContext& around, gphys_model_id model, Vec3 point, Vec3 impulse,
-          Vec3 moment = {});
-void give(Body& body, const CollisionContext& around, gphys_model_id model, Vec3 point, Vec3 impulse, Vec3 moment = {});
+void add_impulse(Vector<ModelImpulse>& sums, const CollisionContext& around, gphys_model_id model, Vec3 point,
+                 Vec3 impulse, Vec3 moment = {});
+void add_impulse(Body& body, const CollisionContext& around, gphys_model_id model, Vec3 point, Vec3 impulse,
+                 Vec3 moment = {});
 /// By a particle that is held: to its model if it is attached to one, or else to nobody.
-void give_anchor(Body& body, const CollisionContext& around, uint32_t particle, Vec3 impulse);
+void add_anchor_impulse(Body& body, const CollisionContext& around, uint32_t particle, Vec3 impulse);
 /// The momentum that attached particles have, times `sign`, and what gravity and forces press them with in
 /// `seconds`.
-void give_attached(Body& body, const CollisionContext& around, double sign, Vec3 gravity, double seconds);
+void add_attached_impulses(Body& body, const CollisionContext& around, double sign, Vec3 gravity, double seconds);
 
 }  // namespace gphys

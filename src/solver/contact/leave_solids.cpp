@@ -100,7 +100,8 @@ bool begin_leaving(Body& body, const CollisionContext& around) {
         for (uint32_t p = 0; p < body.particles.size(); ++p) {
             if (body.particles.pinned(p) || !body.contacts.held[p]) continue;
             const Vec3 out = collider.way_out(
-                body, p, body.contacts.touches[size_t{p} * touches_per_particle + body.contacts.held[p] - 1].model);
+                body, p,
+                body.contacts.points[size_t{p} * contact_points_per_particle + body.contacts.held[p] - 1].model);
             const double depth = length(out);
             if (depth > 0) visit(p, out / depth, depth);
         }

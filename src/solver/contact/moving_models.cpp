@@ -118,8 +118,8 @@ Transform Collider::place_of(gphys_model_id moved, double time) const {
 
 /// As seen from the model, which moves during the substep as well: the places of the path are taken into its
 /// coordinates, each at its own time, and from there to where the scene has the model now.
-void Collider::meet_moved(const PlacedModel& before, const Sphere& moving, Vec3 displacement, double time,
-                          Impact& first) const {
+void Collider::sweep_moved(const PlacedModel& before, const Sphere& moving, Vec3 displacement, double time,
+                           Impact& first) const {
     const gphys_transform& after = around_.scene->world(before.model);
     const Transform now = widen(after);
     const Transform at_begin = interpolate(before.world, after, time);
@@ -168,10 +168,10 @@ Impact Collider::carried(const Impact& impact) const {
     return carried;
 }
 
-void Collider::meet_moving(const Sphere& moving, Vec3 displacement, double time, gphys_model_id ignored,
-                           Impact& first) const {
+void Collider::sweep_moving(const Sphere& moving, Vec3 displacement, double time, gphys_model_id ignored,
+                            Impact& first) const {
     for_each_moving([&](const PlacedModel& before) {
-        if (before.model != ignored) meet_moved(before, moving, displacement, time, first);
+        if (before.model != ignored) sweep_moved(before, moving, displacement, time, first);
     });
 }
 

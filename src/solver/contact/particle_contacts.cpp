@@ -34,7 +34,7 @@ constexpr double most_parting = 0.1;
 // press particles so deep.
 constexpr double deep = 0.5;
 
-bool touches_others(const Body& body) { return body.settings.self_collision || body.settings.body_layers != 0; }
+bool collides_with_others(const Body& body) { return body.settings.self_collision || body.settings.body_layers != 0; }
 
 Vec3 place_of(const Body& body, uint32_t p) {
     return is_graph(body) ? body.cloth.origin + get(&body.cloth.at[4 * size_t{p}]) : body.particles.position[p];
@@ -96,7 +96,7 @@ struct Grid {
 };
 
 /// When two points whose difference goes from `from` to `to` are first as near as `reach`; above 1: not at all.
-double time_of_touch(Vec3 from, Vec3 to, double reach) {
+double time_of_impact(Vec3 from, Vec3 to, double reach) {
     const Vec3 way = to - from;
     const double a = length_squared(way), b = dot(from, way), c = length_squared(from) - reach * reach;
     if (c <= 0) return 0;
@@ -133,15 +133,15 @@ void ParticleContacts::reserve(const Vector<Body>& bodies, Vector<Island>& islan
     uint32_t total = 0, most = 0;
     for (Island& island : islands) {
         island.first_particle = total;
-        island.touching_count = 0;
+        island.colliding_count = 0;
         for (uint32_t i = 0; i < island.body_count; ++i) {
             const Body& body = bodies[island_bodies[island.first_body + i]];
-            if (touches_others(body)) island.touching_count += body.particles.size();
+            if (collides_with_others(body)) island.colliding_count += body.particles.size();
         }
-        total += island.touching_count;
+        total += island.colliding_count;
     }
     // Which bodies are near each other changes from step to step; room is for all that may be.
-    for (const Body& body : bodies) most += touches_others(body) ? body.particles.size() : 0;
+    for (const Body& body : bodies) most += collides_with_others(body) ? body.particles.size() : 0;
     particles_.resize(most);
     pairs_.resize(size_t{most} * pairs_per_particle);
     contacts_.resize(size_t{most} * contacts_per_particle);
@@ -155,15 +155,15 @@ void ParticleContacts::reserve(const Vector<Body>& bodies, Vector<Island>& islan
 ParticleContacts::Range ParticleContacts::range(const Island& island) {
     const size_t first = island.first_particle;
     uint32_t table = 1;
-    while (table < 2 * island.touching_count) table *= 2;  // with its end, at most four times the particles
+    while (table < 2 * island.colliding_count) table *= 2;  // with its end, at most four times the particles
     return {&particles_[first],
-            island.touching_count,
+            island.colliding_count,
             &pairs_[first * pairs_per_particle],
-            island.touching_count * pairs_per_particle,
+            island.colliding_count * pairs_per_particle,
             &pair_counts_[first],
             &contact_counts_[first],
             &contacts_[first * contacts_per_particle],
-            island.touching_count * contacts_per_particle,
+            island.colliding_count * contacts_per_particle,
             &buckets_[first * 4],
             table,
             &sorted_[first],
@@ -175,7 +175,7 @@ void ParticleContacts::begin(const Island& island, const Vector<Body>& bodies, c
     Particle* next = range.particles;
     for (uint32_t i = 0; i < island.body_count; ++i) {
         const Body& body = bodies[slots[i]];
-        if (!touches_others(body)) continue;
+        if (!collides_with_others(body)) continue;
         for (uint32_t p = 0; p < body.particles.size(); ++p, ++next) {
             *next = {};
             next->body = slots[i];
@@ -183,8 +183,8 @@ void ParticleContacts::begin(const Island& island, const Vector<Body>& bodies, c
             next->radius = body.particles.radius[p];
             next->margin = -1;  // in no list yet
             next->at = place_of(body, p);
-            if (!body.contacts.touches.empty())
-                next->touches = &body.contacts.touches[size_t{p} * touches_per_particle];
+            if (!body.contacts.points.empty())
+                next->contact_points = &body.contacts.points[size_t{p} * contact_points_per_particle];
         }
     }
     *range.pair_count = *range.contact_count = 0;
@@ -236,7 +236,7 @@ void ParticleContacts::find_pairs(const Range& range, const Vector<Body>& bodies
     bool full = false;
     uint32_t deep_pairs = 0;
     uint32_t found = 0;  // by the particle that looks
-    const auto meet = [&](uint32_t i, uint32_t j) {
+    const auto test_pair = [&](uint32_t i, uint32_t j) {
         const Particle &p = range.particles[i], &q = range.particles[j];
         // The one that reaches further finds the other.
         if (q.reach() > p.reach() || (q.reach() == p.reach() && j <= i)) return;
@@ -282,18 +282,18 @@ void ParticleContacts::find_pairs(const Range& range, const Vector<Body>& bodies
     for (uint32_t i = 0; i < range.count && !full; ++i) {
         const bool few = each_cell(i, [&](uint64_t key, uint32_t begin, uint32_t end) {
             for (; begin < end && !full; ++begin) {
-                if (range.keys[range.sorted[begin]] == key) meet(i, range.sorted[begin]);
+                if (range.keys[range.sorted[begin]] == key) test_pair(i, range.sorted[begin]);
             }
         });
         if (few) continue;
-        for (uint32_t j = 0; j < range.count && !full; ++j) meet(i, j);
+        for (uint32_t j = 0; j < range.count && !full; ++j) test_pair(i, j);
     }
     if (!full || uint64_t{deep_pairs} * one_deep_of <= count) return;
     // Those with the next numbers, cyclically, so that all are in pairs alike.
     count = 0;
     for (uint32_t i = 0; i < range.count; ++i) {
         found = 0;
-        const auto look = [&](uint32_t entries, uint32_t next, auto&& entry) {
+        const auto search = [&](uint32_t entries, uint32_t next, auto&& entry) {
             for (uint32_t k = 0; k < std::min(entries, crowded_tests) && found < crowded_pairs; ++k) {
                 entry(next + k < entries ? next + k : next + k - entries);
             }
@@ -302,11 +302,11 @@ void ParticleContacts::find_pairs(const Range& range, const Vector<Body>& bodies
             if (found == crowded_pairs) return;
             const uint32_t *const list = range.sorted + begin, *const list_end = range.sorted + end;
             const auto next = static_cast<uint32_t>(std::upper_bound(list, list_end, i) - list);
-            look(end - begin, next % (end - begin), [&](uint32_t k) {
-                if (range.keys[list[k]] == key) meet(i, list[k]);
+            search(end - begin, next % (end - begin), [&](uint32_t k) {
+                if (range.keys[list[k]] == key) test_pair(i, list[k]);
             });
         });
-        if (!few) look(range.count, (i + 1) % range.count, [&](uint32_t j) { meet(i, j); });
+        if (!few) search(range.count, (i + 1) % range.count, [&](uint32_t j) { test_pair(i, j); });
     }
 }
 
@@ -320,12 +320,12 @@ bool ParticleContacts::find_contacts(const Range& range, const Vector<Body>& bod
         const Particle &a = range.particles[pair.a], &b = range.particles[pair.b];
         const double radii = a.radius + b.radius;
         const Vec3 before = b.before - a.before, now = b.at - a.at;
-        const double t = time_of_touch(before, now, radii);
+        const double t = time_of_impact(before, now, radii);
         if (t > 1 && length_squared(now) > radii * radii * (1 + near) * (1 + near)) continue;
         if (length_squared(before) < radii * radii * (1 - deep) * (1 - deep)) ++deep_contacts;
-        const Vec3 met = t > 1 ? now : before + (now - before) * t;
-        const double length = gphys::length(met);
-        const Vec3 normal = length > 0 ? met / length : direction_of_pair(pair.a, pair.b);
+        const Vec3 at_impact = t > 1 ? now : before + (now - before) * t;
+        const double length = gphys::length(at_impact);
+        const Vec3 normal = length > 0 ? at_impact / length : direction_of_pair(pair.a, pair.b);
         const BodySettings &of_a = bodies[a.body].settings, &of_b = bodies[b.body].settings;
         // What they fly at when they meet: later they would be faster, and bounce for ever.
         const Vec3 arrived = b.velocity - a.velocity, gained = (arrived - (now - before) / h) * 2;
@@ -351,9 +351,9 @@ namespace {
 /// A model that a particle has touched does not give way: others cannot press it further into it.
 template <class Particle>
 Vec3 beside_models(const Particle& p, Vec3 value, Vec3 arrived) {
-    if (!p.touches) return value;
-    for (uint32_t i = 0; i < touches_per_particle && p.touches[i].model != 0; ++i) {
-        const Vec3 normal = widen(p.touches[i].normal);
+    if (!p.contact_points) return value;
+    for (uint32_t i = 0; i < contact_points_per_particle && p.contact_points[i].model != 0; ++i) {
+        const Vec3 normal = widen(p.contact_points[i].normal);
         value -= normal * std::min(0.0, dot(value - arrived, normal));
     }
     return value;
@@ -467,7 +467,7 @@ void ParticleContacts::each_body(const Island& island, Vector<Body>& bodies, con
     Particle* first = range(island).particles;
     for (uint32_t i = 0; i < island.body_count; ++i) {
         Body& body = bodies[slots[i]];
-        if (!touches_others(body)) continue;
+        if (!collides_with_others(body)) continue;
         visit(body, first, first + body.particles.size());
         first += body.particles.size();
     }
@@ -536,7 +536,7 @@ void ParticleContacts::turn(const Island& island, Vector<Body>& bodies, const ui
         if (!body.contacts.near) return;
         // Motion is not smooth near others: the time scheme must not look back.
         body.contacts.near = false;
-        body.contacts.touched = true;
+        body.contacts.has_contact = true;
         body.history.earlier_step = 0;
     });
 }

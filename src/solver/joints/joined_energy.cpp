@@ -11,7 +11,7 @@ namespace {
 bool is_closed(const Body& body) {
     return is_graph(body) ? body.cloth.balance.closed
                           : body.constraints.attachments.empty() && body.constraints.length_changes.empty() &&
-                                !body.contacts.touched && !body.contacts.near && !body.plan.damped;
+                                !body.contacts.has_contact && !body.contacts.near && !body.plan.damped;
 }
 
 /// Joules beyond those that forces gave.

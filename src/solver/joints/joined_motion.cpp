@@ -48,7 +48,7 @@ void sweep_joined_cloth(const Joined& joined, Body& body, uint32_t slot, const C
     const auto end = std::lower_bound(begin, joined.all_tethers.end(), Tether{slot + 1, 0, 0, 0});
     Vector<float>& pulls = body.cloth.contacts.pulls;
     const bool collides = gphys::collides(body, around);
-    if (collides) touch_planes(body, around, gravity, TimeScheme(h, body.history.earlier_step));
+    if (collides) find_active_planes(body, around, gravity, TimeScheme(h, body.history.earlier_step));
     const auto moves = [&](const Tether& tether) { return body.cloth.at[4 * size_t{tether.particle} + 3] > 0; };
     for (auto tether = begin; tether != end; ++tether) {
         hang_on(body.cloth, *tether, joined.all_systems[tether->system]);
@@ -73,18 +73,18 @@ void sweep_joined_cloth(const Joined& joined, Body& body, uint32_t slot, const C
 
 /// As a body alone does it, but with all held particles at once.
 void collide_joined(const Joined& joined, const CollisionContext& around, double quiet, double h) {
-    bool touched = false;
+    bool has_contact = false;
     each_body(joined, [&](Body& body, uint32_t) {
         if (is_graph(body)) return;
         collide(body, around, quiet);
-        touched = touched || body.contacts.touched;
+        has_contact = has_contact || body.contacts.has_contact;
     });
-    if (!touched) return;
+    if (!has_contact) return;
     each_body(joined, [&](Body& body, uint32_t) {
         if (is_graph(body)) return;
-        if (body.contacts.touched) {
+        if (body.contacts.has_contact) {
             ease_contacts(body, around);
-            hold_touching(body);
+            pin_contacts(body);
         } else {
             body.history.start = body.particles.position;
         }
@@ -96,11 +96,11 @@ void collide_joined(const Joined& joined, const CollisionContext& around, double
         if (is_graph(body)) return;
         const TimeScheme scheme(h, body.history.earlier_step);
         const SolvedAgain again{scheme.step(body.settings.damping), scheme.next / h};
-        if (body.contacts.touched) let_go_touching(body);
+        if (body.contacts.has_contact) unpin_contacts(body);
         for (uint32_t p = 0; p < body.particles.size(); ++p)
             keep_in_range(body.particles.position[p], body.particles.velocity[p], body.history.start[p]);
         if (collides(body, around)) {
-            if (!body.contacts.touched) std::fill(body.contacts.held.begin(), body.contacts.held.end(), uint8_t{0});
+            if (!body.contacts.has_contact) std::fill(body.contacts.held.begin(), body.contacts.held.end(), uint8_t{0});
             collide_again(body, around, quiet, again);
         } else {
             for (uint32_t p = 0; p < body.particles.size(); ++p)
@@ -175,16 +175,16 @@ void finish_joined(const Joined& joined, const CollisionContext& around, Vec3 gr
         if (body.plan.limited) captured = capture(body, around, scheme) || captured;
     });
     collide_joined(joined, around, quiet_speed(gravity, h), h);
-    each_system(joined, [&](const JointSystem& system) { system.give_anchors(joined.bodies, around, h); });
+    each_system(joined, [&](const JointSystem& system) { system.add_anchor_impulses(joined.bodies, around, h); });
     each_body(joined, [&](Body& body, uint32_t) {
         if (is_graph(body)) {
             finish_cloth(body, around, gravity, h);
         } else {
             if (!body.constraints.attachments.empty())
-                give_tensions(body, around, TimeScheme(h, body.history.earlier_step));
+                add_tension_impulses(body, around, TimeScheme(h, body.history.earlier_step));
             end_friction(body);
-            body.contacts.touched = body.contacts.touched || !body.targets.reached.empty();
-            body.history.earlier_step = body.contacts.touched || captured ? 0 : h;
+            body.contacts.has_contact = body.contacts.has_contact || !body.targets.reached.empty();
+            body.history.earlier_step = body.contacts.has_contact || captured ? 0 : h;
         }
     });
     if (!interrupted) keep_joined_energy(joined, gravity);
@@ -208,8 +208,8 @@ struct JoinedMotion {
         return all;
     }
     void finish(const CollisionContext& around, double part) { finish_joined(joined, around, gravity, part); }
-    void take_back() {
-        each_body(joined, [](Body& body, uint32_t) { take_back_chains(body); });
+    void roll_back() {
+        each_body(joined, [](Body& body, uint32_t) { roll_back_chains(body); });
     }
 };
 
@@ -227,13 +227,13 @@ void move_joined(const Joined& joined, const CollisionContext& around, Vec3 grav
         move_in_halves(motion, within, part);
     };
     // The time schemes of all look back as far, or momentum would come and go between them.
-    bool interrupted = false, touched = false;
+    bool interrupted = false, has_contact = false;
     each_body(joined, [&](const Body& body, uint32_t) {
         interrupted = interrupted || body.history.earlier_step == 0;
-        touched = touched || body.contacts.touched;
+        has_contact = has_contact || body.contacts.has_contact;
     });
     if (interrupted) each_body(joined, [&](Body& body, uint32_t) { body.history.earlier_step = 0; });
-    if (interrupted && !touched) {
+    if (interrupted && !has_contact) {
         start_slowly(around, h, move_once);
     } else {
         move_once(around, h);

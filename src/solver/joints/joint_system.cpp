@@ -191,14 +191,14 @@ void JointSystem::scatter_tensions(Vector<Body>& bodies, Vector<Joint>& joints) 
     }
 }
 
-void JointSystem::give_anchors(Vector<Body>& bodies, const CollisionContext& around, double h) const {
+void JointSystem::add_anchor_impulses(Vector<Body>& bodies, const CollisionContext& around, double h) const {
     for (const Link& link : links_) {
         if (link.source_body != of_joint) continue;  // chains give theirs themselves
         const Node &a = nodes_[link.a], &b = nodes_[link.b];
         if (a.free && b.free) continue;
         const Vec3 pull = stretch(link).direction * (link.tension * h);
-        if (!a.free) give_anchor(bodies[a.body], around, a.particle, pull);
-        if (!b.free) give_anchor(bodies[b.body], around, b.particle, -pull);
+        if (!a.free) add_anchor_impulse(bodies[a.body], around, a.particle, pull);
+        if (!b.free) add_anchor_impulse(bodies[b.body], around, b.particle, -pull);
     }
 }
 
@@ -208,7 +208,7 @@ JointSystem::Stretch JointSystem::stretch(const Link& link) const {
     out.acts = a.free || b.free;
     const Vec3 between = b.position - a.position;
     const double mobility = (a.free ? 1 / a.weight : 0) + (b.free ? 1 / b.weight : 0);
-    out.softness = link.compliance + give_ * mobility;
+    out.softness = link.compliance + regularisation_ * mobility;
     if (link.axis != along) {
         out.direction = axes[link.axis];
         out.error = between[link.axis];
@@ -290,7 +290,7 @@ bool JointSystem::is_settled() const {
 }
 
 bool JointSystem::is_found() const {
-    return give_ != yielding && std::all_of(links_.begin(), links_.end(), [&](const Link& link) {
+    return regularisation_ != yielding && std::all_of(links_.begin(), links_.end(), [&](const Link& link) {
                if (link.axis != along || link.rest == 0) return true;
                const Stretch s = stretch(link);
                return !s.acts || std::fabs(s.error - s.softness * link.tension) <= rope_lost * link.rest;
@@ -320,7 +320,7 @@ bool JointSystem::is_feasible() const {
 bool JointSystem::solve() {
     pushed_ = false;
     for (Node& node : nodes_) node.start = node.position;
-    give_ = rope_regularisation;
+    regularisation_ = rope_regularisation;
     const bool limited = std::any_of(links_.begin(), links_.end(), [](const Link& link) { return link.limit; });
     int iterations = limited ? most_limited_iterations : most_iterations;
     for (int iteration = 0; iteration < iterations; ++iteration) {
@@ -328,8 +328,8 @@ bool JointSystem::solve() {
         matrix_.factor(entries_.data(), diagonal_.data());
         matrix_.solve(solution_.data());
         for (Link& link : links_) link.tension = solution_[link.scalar];
-        if (give_ != yielding && !is_feasible()) {
-            give_ = yielding;
+        if (regularisation_ != yielding && !is_feasible()) {
+            regularisation_ = yielding;
             iterations = most_yielding_iterations;
             // Where nothing but this compliance bounds them, tensions are in inverse proportion to it.
             for (Link& link : links_) link.tension *= rope_regularisation / yielding;

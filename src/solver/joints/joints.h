@@ -76,7 +76,7 @@ public:
     void scatter(Vector<Body>& bodies) const;
     void scatter_tensions(Vector<Body>& bodies, Vector<Joint>& joints) const;
     /// What joints pull attached particles with goes to their models.
-    void give_anchors(Vector<Body>& bodies, const CollisionContext& around, double h) const;
+    void add_anchor_impulses(Vector<Body>& bodies, const CollisionContext& around, double h) const;
     /// A force in newtons on a node, for the substep under way.
     void push(uint32_t node, Vec3 force) {
         nodes_[node].predicted += force / nodes_[node].weight;
@@ -114,7 +114,7 @@ private:
     SparseLdl matrix_;
     bool pushed_ = false;
     double stored_before_ = 0;
-    double give_ = 0;  // the compliance that all links have beside their own, relative to inverse masses
+    double regularisation_ = 0;  // the compliance that all links have beside their own, relative to inverse masses
 };
 
 /// A particle of cloth that is a node of a system.

@@ -31,9 +31,9 @@ GPHYS_INLINE Flying flown(const FlightGroups& groups, const Factors& factors, ui
 }
 
 /// Particles that touch an obstacle, beside those that have touched one.
-void note(uint32_t touch, uint32_t before, uint32_t obstacle, uint8_t* obstacle_of) {
+void note(uint32_t overlapping, uint32_t before, uint32_t obstacle, uint8_t* obstacle_of) {
     for (uint32_t i = 0; i < flight_group; ++i) {
-        if (touch >> i & 1) obstacle_of[i] = before >> i & 1 ? several_obstacles : static_cast<uint8_t>(obstacle);
+        if (overlapping >> i & 1) obstacle_of[i] = before >> i & 1 ? several_obstacles : static_cast<uint8_t>(obstacle);
     }
 }
 
@@ -114,21 +114,21 @@ void fly(const FlightGroups& groups, const FlightObstacle* obstacles, uint32_t o
             low[part] = least(flying[part].from, flying[part].to);
             high[part] = largest(flying[part].from, flying[part].to);
         }
-        uint32_t touch = answers.touching[group], touched = touch == 0 ? 0 : 2, last = 0;
+        uint32_t overlapping = answers.overlapping[group], overlapped_count = overlapping == 0 ? 0 : 2, last = 0;
         for (uint32_t i = 0; i < obstacle_count; ++i) {
             const uint32_t coordinates = common(low, high, obstacles[i].all);
             const uint32_t by_this = coordinates == 0 ? 0 : of_particles(coordinates);
             if (by_this == 0) continue;
-            note(by_this, touch, i, answers.obstacle_of + size_t{group} * flight_group);
-            touch |= by_this;
+            note(by_this, overlapping, i, answers.obstacle_of + size_t{group} * flight_group);
+            overlapping |= by_this;
             last = i;
-            ++touched;
+            ++overlapped_count;
         }
-        answers.touching[group] = static_cast<uint8_t>(touch);
-        const bool alone = touched == 1 && touch == 0xff;
+        answers.overlapping[group] = static_cast<uint8_t>(overlapping);
+        const bool alone = overlapped_count == 1 && overlapping == 0xff;
         answers.resting_on[group] =
             alone && rests(flying, obstacles[last].rest) ? static_cast<uint8_t>(last) : no_obstacle;
-        if (touch != 0) continue;
+        if (overlapping != 0) continue;
         for (uint32_t part = 0; part < parts; ++part) {
             const size_t at = size_t{group} * flight_numbers + 8 * part;
             store_doubles(groups.position + at, flying[part].to);

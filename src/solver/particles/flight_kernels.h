@@ -39,7 +39,7 @@ struct FlightObstacle {
 struct FlightAnswers {
     /// By group. Bit i is set, beside those that are, if the box around the path of particle i touches an
     /// obstacle: such a group stays where it is.
-    uint8_t* touching;
+    uint8_t* overlapping;
     uint8_t* obstacle_of;  // by particle that touches any: the number of the last one, or several_obstacles
     uint8_t* resting_on;   // by group: the obstacle that all of it rests on and touches alone, or no_obstacle
 };

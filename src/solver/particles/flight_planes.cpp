@@ -9,7 +9,7 @@ void FlightPlanes::begin(const Body& body, const CollisionContext& step, uint32_
     usable_ = scene_ != nullptr;
     Aabb all{body.particles.position[first], body.particles.position[first]};
     for (uint32_t i = 0; i < count; ++i) {
-        balls_[i] = {body.particles.position[first + i], has_not_looked, 0};
+        balls_[i] = {body.particles.position[first + i], not_searched, 0};
         all = {min(all.min, body.particles.position[first + i]), max(all.max, body.particles.position[first + i])};
     }
     // Those that look around come no further than their radius, and touch what is as near again.
@@ -23,14 +23,14 @@ void FlightPlanes::begin(const Body& body, const CollisionContext& step, uint32_
 }
 
 /// Together with those that follow it and lie beside it.
-void FlightPlanes::look(const Body& body, uint32_t particle) {
+void FlightPlanes::search(const Body& body, uint32_t particle) {
     Aabb places{ball(particle).center, ball(particle).center};
     uint32_t together = 1;
     for (; together < ClosestFeatures::most_points && particle + together < first_ + count_; ++together) {
         const Ball& next = ball(particle + together);
         places = {min(places.min, next.center), max(places.max, next.center)};
         const double size = 16 * body.particles.largest_radius;
-        if (next.sight != has_not_looked || max_component(places.max - places.min) > size) break;
+        if (next.sight != not_searched || max_component(places.max - places.min) > size) break;
     }
     if (search_together(body, particle, together)) return;
     for (uint32_t p = particle; p < particle + together; ++p) {
@@ -79,7 +79,7 @@ void FlightPlanes::settle(const Body& body, uint32_t p, uint32_t point) {
 
 bool FlightPlanes::sweep(const Body& body, uint32_t p, Vec3 from, Vec3 displacement, double reach, Impact& impact) {
     if (!usable_ || reach > body.particles.radius[p]) return false;
-    if (ball(p).sight == has_not_looked) look(body, p);
+    if (ball(p).sight == not_searched) search(body, p);
     const Ball& ball = this->ball(p);
     const auto in_ball = [&](Vec3 at) {
         return length_squared(at - ball.center) < body.particles.radius[p] * body.particles.radius[p];

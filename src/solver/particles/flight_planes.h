@@ -30,13 +30,13 @@ private:
         double height;  // the particle touches where dot(normal, its position) is this
         gphys_model_id model;
     };
-    enum Sight : uint32_t { has_not_looked, clear, blocked };
+    enum Sight : uint32_t { not_searched, clear, blocked };
     struct Ball {
         Vec3 center;
         Sight sight;
         uint32_t count;  // of planes
     };
-    void look(const Body& body, uint32_t particle);
+    void search(const Body& body, uint32_t particle);
     bool search_together(const Body& body, uint32_t particle, uint32_t count);
     void settle(const Body& body, uint32_t particle, uint32_t point);
     Ball& ball(uint32_t particle) { return balls_[particle - first_]; }

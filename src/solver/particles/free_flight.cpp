@@ -38,8 +38,13 @@ void repeat(const Aabb& box, FlightBox& out) {
 class FreeFlight {
 public:
     /// `planes` are those of the worker; null: every path is swept.
-    FreeFlight(Body& body, const ImpulseAccumulator& tally, Vec3 gravity, double h, FlightPlanes* planes)
-        : body_(body), tally_(tally), gravity_(gravity), h_(h), whole_(body.settings.damping, h), planes_(planes) {
+    FreeFlight(Body& body, const ImpulseAccumulator& accumulator, Vec3 gravity, double h, FlightPlanes* planes)
+        : body_(body),
+          accumulator_(accumulator),
+          gravity_(gravity),
+          h_(h),
+          whole_(body.settings.damping, h),
+          planes_(planes) {
         for (uint32_t i = 0; i < flight_group; ++i) put(acceleration_ + size_t{3} * i, gravity);
     }
 
@@ -62,7 +67,7 @@ private:
     void fly_freely(uint32_t p);
     void fly_among(const Collider& collider, uint32_t p);
     /// What it meets first on the whole path of the substep.
-    bool meets(const Collider& collider, uint32_t p, Vec3 displacement, Impact& impact);
+    bool hits(const Collider& collider, uint32_t p, Vec3 displacement, Impact& impact);
     bool lies_still(const Collider& collider, uint32_t p, uint32_t obstacle) const {
         const Vec3 acceleration = flight_of(p).acceleration;
         return collider.holds(body_, p, obstacle, acceleration * whole_.fall, acceleration * whole_.reach);
@@ -71,7 +76,7 @@ private:
     FlightBounds bound(const FlightGroups& groups, uint32_t first, uint32_t count) const;
 
     Body& body_;
-    const ImpulseAccumulator tally_;
+    const ImpulseAccumulator accumulator_;
     CollisionContext around_;  // in the substep under way
     Vec3 gravity_;
     double h_;
@@ -83,7 +88,7 @@ private:
     bool known_ = false;                                  // whether the obstacles are all there are
     uint32_t obstacle_count_ = 0;
     FlightObstacle obstacles_[most_obstacles];
-    uint8_t touching_[block_groups], resting_on_[block_groups], obstacle_of_[block_size];
+    uint8_t overlapping_[block_groups], resting_on_[block_groups], obstacle_of_[block_size];
 };
 
 void FreeFlight::fly_freely(uint32_t p) {
@@ -93,7 +98,7 @@ void FreeFlight::fly_freely(uint32_t p) {
     keep_in_range(body_.particles.position[p], body_.particles.velocity[p]);
 }
 
-bool FreeFlight::meets(const Collider& collider, uint32_t p, Vec3 displacement, Impact& impact) {
+bool FreeFlight::hits(const Collider& collider, uint32_t p, Vec3 displacement, Impact& impact) {
     // As far as it comes in the rest of the step, and half as far again.
     const double rest = around_.step_time * (1 - around_.begin);
     const double reach = 1.5 * rest * (length(body_.particles.velocity[p]) + rest * length(flight_of(p).acceleration));
@@ -117,7 +122,7 @@ void FreeFlight::fly_among(const Collider& collider, uint32_t p) {
         const Vec3 displacement = flight.displacement(velocity, ahead);
         Impact impact;
         const bool hit =
-            bounce == 0 ? meets(collider, p, displacement, impact) : collider.sweep(p, at, displacement, time, impact);
+            bounce == 0 ? hits(collider, p, displacement, impact) : collider.sweep(p, at, displacement, time, impact);
         if (!hit) {
             at += displacement;
             velocity = flight.velocity(velocity, ahead);
@@ -228,7 +233,7 @@ void FreeFlight::keep_to_targets(uint32_t first, uint32_t count) {
     const Vec3 reach{room, room, room};
     std::optional<Collider> collider;
     if (collides(body_, around_))
-        collider.emplace(around_, body_, gphys::bounds(Aabb{ways.box.min - reach, ways.box.max + reach}), tally_);
+        collider.emplace(around_, body_, gphys::bounds(Aabb{ways.box.min - reach, ways.box.max + reach}), accumulator_);
     each_outside([&](uint32_t p, Vec3 at, Vec3 place, const TargetBounds& out_of) {
         body_.particles.velocity[p] = out_of.turned(body_.particles.velocity[p]);
         if (collider && !collider->idle()) {
@@ -265,7 +270,7 @@ void FreeFlight::fly_block(const CollisionContext& around, uint32_t first, uint3
         const double room =
             2 * body_.particles.largest_radius + length(get(bounds.furthest)) + length(get(bounds.fastest)) * h_;
         const Vec3 reach{room, room, room};
-        collider.emplace(around_, body_, gphys::bounds(Aabb{region.min - reach, region.max + reach}), tally_);
+        collider.emplace(around_, body_, gphys::bounds(Aabb{region.min - reach, region.max + reach}), accumulator_);
         if (collider->idle()) {
             collider.reset();
         } else if (known_) {
@@ -273,25 +278,25 @@ void FreeFlight::fly_block(const CollisionContext& around, uint32_t first, uint3
         }
     }
     // What is not to be moved by eight, or not known to be clear, is looked at one by one.
-    std::fill_n(touching_, groups.count, known_ ? uint8_t{0} : uint8_t{0xff});
+    std::fill_n(overlapping_, groups.count, known_ ? uint8_t{0} : uint8_t{0xff});
     for (uint32_t i = 0; i < count; ++i) {
         if (body_.particles.pinned(first + i))
-            touching_[i / flight_group] |= static_cast<uint8_t>(1 << i % flight_group);
+            overlapping_[i / flight_group] |= static_cast<uint8_t>(1 << i % flight_group);
     }
     std::fill_n(obstacle_of_, count, several_obstacles);
-    kernels_.fly(groups, obstacles_, known_ ? obstacle_count_ : 0, {touching_, obstacle_of_, resting_on_});
+    kernels_.fly(groups, obstacles_, known_ ? obstacle_count_ : 0, {overlapping_, obstacle_of_, resting_on_});
     const Vec3 way = gravity_ * whole_.fall, gained = gravity_ * whole_.reach;
     for (uint32_t group = 0; group <= groups.count; ++group) {
         const uint32_t begin = group * flight_group, end = std::min(count, begin + flight_group);
-        const uint32_t touching = group < groups.count ? touching_[group] : 0xff;
-        if (touching == 0) continue;
+        const uint32_t overlapping = group < groups.count ? overlapping_[group] : 0xff;
+        if (overlapping == 0) continue;
         if (group < groups.count && resting_on_[group] != no_obstacle) {
             collider->press(body_, first + begin, end - begin, resting_on_[group], way, gained);
             continue;
         }
         for (uint32_t i = begin; i < end; ++i) {
-            const bool meets = collider && (touching >> (i - begin) & 1);
-            fly_one(meets ? &*collider : nullptr, first + i, obstacle_of_[i]);
+            const bool hits = collider && (overlapping >> (i - begin) & 1);
+            fly_one(hits ? &*collider : nullptr, first + i, obstacle_of_[i]);
         }
     }
     if (!body_.targets.empty()) keep_to_targets(first, count);
@@ -301,7 +306,7 @@ void FreeFlight::fly_block(const CollisionContext& around, uint32_t first, uint3
 }  // namespace
 
 void fly(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
-    FreeFlight flight(body, {body.contacts.impulses, body.contacts.touched}, gravity, h, nullptr);
+    FreeFlight flight(body, {body.contacts.impulses, body.contacts.has_contact}, gravity, h, nullptr);
     for (uint32_t first = 0; first < body.particles.size(); first += block_size) {
         const uint32_t count = std::min(block_size, body.particles.size() - first);
         flight.begin_block(around, first, count);
@@ -329,16 +334,16 @@ Extent extent_of(Body& body, uint32_t first, uint32_t end) {
 }
 
 /// A block is taken through the whole step at once: it stays in the innermost cache.
-Extent fly_through(Body& body, uint32_t first, uint32_t end, const ImpulseAccumulator& tally,
+Extent fly_through(Body& body, uint32_t first, uint32_t end, const ImpulseAccumulator& accumulator,
                    const CollisionContext& step, Vec3 gravity, uint32_t substeps, FlightPlanes* planes) {
-    FreeFlight flight(body, tally, gravity, step.step_time / substeps, planes);
+    FreeFlight flight(body, accumulator, gravity, step.step_time / substeps, planes);
     Extent extent;
     for (; first < end; first += block_size) {
         const uint32_t count = std::min(block_size, end - first);
-        begin_touches(body, first, first + count);
+        begin_contact_points(body, first, first + count);
         flight.begin_block(step, first, count);
         for (uint32_t i = 0; i < substeps; ++i) flight.fly_block(part_of_step(step, i, substeps), first, count);
-        end_touches(body, first, first + count);
+        end_contact_points(body, first, first + count);
         extent.add(extent_of(body, first, first + count));
     }
     return extent;

@@ -49,7 +49,7 @@ bool starts_again(const Body& body);
 void set_targets(Body& body, const Chain& chain);
 
 /// solve_directly together with contacts, or without if there are none (null).
-bool solve_touching(Body& body, double step, RopeContacts* contacts);
+bool solve_with_contacts(Body& body, double step, RopeContacts* contacts);
 
 /// The part of its length that a rigid link may lack before a substep and count as in shape. Those that are put right
 /// by it do so at a speed that grows as it gets shorter.
@@ -60,17 +60,17 @@ constexpr double in_shape = 0.05;
 /// where targets and contacts (or null) allow them to be; and tensions to the models that ropes hang from.
 void begin_chains(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme);
 /// As it was before begin_chains, before anything else has been done.
-void take_back_chains(Body& body);
+void roll_back_chains(Body& body);
 void finish_chains(Body& body, const TimeScheme& scheme, const RopeContacts* contacts = nullptr);
-void give_tensions(Body& body, const CollisionContext& around, const TimeScheme& scheme);
+void add_tension_impulses(Body& body, const CollisionContext& around, const TimeScheme& scheme);
 
 /// All of them for a rope alone; and what follows begin_chains.
 void move_rope(Body& body, const CollisionContext& around, Vec3 gravity, double h, RopeContacts* contacts);
 void end_rope(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme);
 
 /// Particles that touch something count as pinned in between.
-void hold_touching(Body& body);
-void let_go_touching(Body& body);
+void pin_contacts(Body& body);
+void unpin_contacts(Body& body);
 
 /// Positions are moved so that the constraints hold; `step` is the effective time step of the scheme:
 /// a force f moves a particle by f / m * step^2. Returns whether they do.

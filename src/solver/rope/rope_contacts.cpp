@@ -51,7 +51,7 @@ void RopeContacts::reserve(uint32_t particles) {
 
 void RopeContacts::begin_step(const Body& body, bool beside_models) {
     beside_models_ = beside_models;
-    looked_ = !beside_models;
+    searched_ = !beside_models;
     bounded_ = !body.targets.empty();
     if (beside_models) return;
     contacts_.clear();
@@ -119,7 +119,7 @@ void RopeContacts::settle(const Body& body, uint32_t p, uint32_t point) {
 }
 
 /// As far as they come in the rest of the step, and half as far again.
-void RopeContacts::look(const Body& body, const CollisionContext& around, Vec3 gravity, double h) {
+void RopeContacts::search(const Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     contacts_.clear();
     scene_ = around.scene;
     const double rest = std::max(h, around.step_time * (1 - around.begin)), fall = rest * length(gravity);
@@ -153,7 +153,7 @@ void RopeContacts::look(const Body& body, const CollisionContext& around, Vec3 g
         }
     }
     first_[body.particles.size()] = static_cast<uint32_t>(contacts_.size());
-    looked_ = true;
+    searched_ = true;
 }
 
 void RopeContacts::place_plane(RopeContact& contact, const Body& body, uint32_t p, Vec3 at) const {
@@ -203,7 +203,7 @@ bool RopeContacts::begin(Body& body, const CollisionContext& around, Vec3 gravit
         }
         return true;
     };
-    if (!looked_ || !stays()) look(body, around, gravity, h);
+    if (!searched_ || !stays()) search(body, around, gravity, h);
     active_ = !contacts_.empty();
     if (bounded_) place_bounds(body);
     const double most_push = leaving_speed * around.step_time * (around.end - around.begin);
@@ -219,7 +219,7 @@ bool RopeContacts::begin(Body& body, const CollisionContext& around, Vec3 gravit
             sunk = sunk || contact.depth > most_push;
         });
         if (!sunk) continue;
-        looked_ = false;
+        searched_ = false;
         return false;
     }
     return true;
@@ -342,7 +342,7 @@ void RopeContacts::sweep_escaped(Body& body, const CollisionContext& around, dou
     bool any = false;
     for (uint32_t p = 0; p < body.particles.size(); ++p) any = any || escaped(p);
     if (!any) return;
-    looked_ = false;
+    searched_ = false;
     const Collider collider(around, body, swept_box(body, body.history.start, body.particles.position, 0));
     if (collider.idle()) return;
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
@@ -377,7 +377,7 @@ void find_pushes(Body& body, double step) {
 }  // namespace
 
 void RopeContacts::finish(Body& body, const CollisionContext& around, double quiet, const TimeScheme& scheme) {
-    body.contacts.touched = body.contacts.sunk = false;
+    body.contacts.has_contact = body.contacts.sunk = false;
     std::fill(body.contacts.held.begin(), body.contacts.held.end(), uint8_t{0});
     const BodySettings& settings = body.settings;
     const double rate = scheme.next / scheme.h;  // by which a correction of the position has changed the velocity
@@ -411,12 +411,12 @@ void RopeContacts::finish(Body& body, const CollisionContext& around, double qui
                 velocity -= speed > taken ? along * (taken / speed) : along;
             }
             const Vec3 point = body.particles.position[p] - contact.normal * body.particles.radius[p];
-            give(body, around, contact.model, point,
-                 (contact.force + (&contact == most ? rest : Vec3{})) * -rate -
-                     (velocity - before) * body.particles.mass[p]);
-            body.contacts.touched = true;
-            body.contacts.held[p] =
-                static_cast<uint8_t>(record_touch(body, p, *around.scene, contact.model, point, contact.normal) + 1);
+            add_impulse(body, around, contact.model, point,
+                        (contact.force + (&contact == most ? rest : Vec3{})) * -rate -
+                            (velocity - before) * body.particles.mass[p]);
+            body.contacts.has_contact = true;
+            body.contacts.held[p] = static_cast<uint8_t>(
+                record_contact_point(body, p, *around.scene, contact.model, point, contact.normal) + 1);
             sticks = sticks || contact.state == RopeContact::sticks;
         });
         if (settings.sticks()) body.contacts.stuck[p] = sticks;

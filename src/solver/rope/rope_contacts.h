@@ -54,7 +54,7 @@ public:
     void reserve(uint32_t particles);
     /// Before the substeps of a step. Not beside models: only targets count.
     void begin_step(const Body& body, bool beside_models);
-    void look_again() { looked_ = !beside_models_; }
+    void search_again() { searched_ = !beside_models_; }
     bool beside_models() const { return beside_models_; }
     /// Once the particles are predicted. False if one of them is in a solid deeper than it comes out at once.
     bool begin(Body& body, const CollisionContext& around, Vec3 gravity, double h);
@@ -89,7 +89,7 @@ private:
     bool in_ball(const Body& body, uint32_t p) const {
         return length_squared(body.particles.position[p] - balls_[p].center) < balls_[p].reach * balls_[p].reach;
     }
-    void look(const Body& body, const CollisionContext& around, Vec3 gravity, double h);
+    void search(const Body& body, const CollisionContext& around, Vec3 gravity, double h);
     bool collect(const Body& body, uint32_t first, uint32_t count);
     void settle(const Body& body, uint32_t particle, uint32_t point);
     void begin_particle(uint32_t particle);
@@ -101,7 +101,7 @@ private:
     void sweep_escaped(Body& body, const CollisionContext& around, double quiet);
 
     const Scene* scene_ = nullptr;
-    bool beside_models_ = false, looked_ = false, active_ = false;
+    bool beside_models_ = false, searched_ = false, active_ = false;
     bool bounded_ = false;          // whether the rope has targets
     Vector<RopeContact> contacts_;  // by particle, bounds of targets included
     Vector<uint32_t> first_;        // in contacts_, of each particle and of none behind the last

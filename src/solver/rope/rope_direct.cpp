@@ -40,7 +40,7 @@ constexpr int most_iterations = 4;
 // While it has to be found which links pull, one may change in each iteration.
 constexpr int most_limited_iterations = 16;
 // And while it has to be found what presses and what friction holds.
-constexpr int most_touching_iterations = 16;
+constexpr int most_contact_iterations = 16;
 // A link is settled within this part of its length: below it float32 output shows no difference.
 constexpr double settled = 1e-9;
 
@@ -240,7 +240,7 @@ bool solve_chain(Body& body, const Chain& chain, double step, RopeContacts* cont
     DirectRow* rows = body.rope.rows.data();
     set_targets(body, chain);
     const int iterations = body.plan.limited ? most_limited_iterations
-                           : contacts        ? most_touching_iterations
+                           : contacts        ? most_contact_iterations
                                              : most_iterations;
     for (int iteration = 0; iteration < iterations; ++iteration) {
         eliminate(view, rows, contacts);
@@ -287,9 +287,9 @@ void set_targets(Body& body, const Chain& chain) {
     }
 }
 
-bool solve_directly(Body& body, double step) { return solve_touching(body, step, nullptr); }
+bool solve_directly(Body& body, double step) { return solve_with_contacts(body, step, nullptr); }
 
-bool solve_touching(Body& body, double step, RopeContacts* contacts) {
+bool solve_with_contacts(Body& body, double step, RopeContacts* contacts) {
     // Tensions are kept in newtons, so that they are a good first guess whatever the next step is,
     // and are times step^2 while they are solved for.
     for (double& tension : body.rope.tension) tension *= step * step;

@@ -76,7 +76,7 @@ public:
         for (uint32_t lane = 0; lane < count_; ++lane) {
             if (!wanted[lane]) continue;
             bodies_[lane]->history.earlier_step = earlier_step_[lane];
-            bodies_[lane]->contacts.touched = false;
+            bodies_[lane]->contacts.has_contact = false;
         }
     }
 

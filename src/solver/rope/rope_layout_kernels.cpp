@@ -104,7 +104,7 @@ GPHYS_FLATTEN void take_ropes(const RopeNode<lanes>* nodes, uint32_t count, cons
     const auto take = [&](uint32_t i, const auto& is_wanted) {
         const RopeNode<lanes>& node = nodes[i];
         double aside[3];  // for what is not
-        const auto give = [&](double* RopeArrays::*array, const double(&from)[3][lanes]) {
+        const auto scatter = [&](double* RopeArrays::*array, const double(&from)[3][lanes]) {
             const Doubles<lanes> value[3] = {load(from[0]), load(from[1]), load(from[2])};
             store_components(
                 [&](int lane) {
@@ -112,11 +112,11 @@ GPHYS_FLATTEN void take_ropes(const RopeNode<lanes>* nodes, uint32_t count, cons
                 },
                 value);
         };
-        give(&RopeArrays::position, node.position);
-        give(&RopeArrays::velocity, node.velocity);
-        give(&RopeArrays::start, node.start);
-        give(&RopeArrays::start_velocity, node.start_velocity);
-        if (estimated) give(&RopeArrays::earlier_velocity, node.earlier_velocity);
+        scatter(&RopeArrays::position, node.position);
+        scatter(&RopeArrays::velocity, node.velocity);
+        scatter(&RopeArrays::start, node.start);
+        scatter(&RopeArrays::start_velocity, node.start_velocity);
+        if (estimated) scatter(&RopeArrays::earlier_velocity, node.earlier_velocity);
         for (int lane = 0; lane < lanes; ++lane) {
             if (is_wanted(lane) && i + 1 < ropes[lane].count) ropes[lane].tension[i] = node.tension[lane];
         }

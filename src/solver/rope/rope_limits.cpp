@@ -81,8 +81,8 @@ struct TautLinks {
             // Of what the anchors get of a link, its velocities have changed by this part only.
             const double part = scheme.drag(body.settings.damping);
             const Vec3 given = pull - link_impulse(body, a, b, chain.first_link + i, scheme) * (1 - part);
-            if (body.particles.pinned(a)) give_anchor(body, around, a, given);
-            if (body.particles.pinned(b)) give_anchor(body, around, b, -given);
+            if (body.particles.pinned(a)) add_anchor_impulse(body, around, a, given);
+            if (body.particles.pinned(b)) add_anchor_impulse(body, around, b, -given);
         }
     }
 };

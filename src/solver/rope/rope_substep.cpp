@@ -96,7 +96,7 @@ void begin_chains(Body& body, const CollisionContext& around, Vec3 gravity, cons
     if (body.plan.damped) damp_chains(body, scheme);
 }
 
-void take_back_chains(Body& body) {
+void roll_back_chains(Body& body) {
     body.particles.position = body.history.start;
     body.particles.velocity = body.history.start_velocity;
     std::swap(body.history.earlier, body.history.start);
@@ -123,27 +123,27 @@ void finish_chains(Body& body, const TimeScheme& scheme, const RopeContacts* con
     stop_at_targets(body);
 }
 
-void hold_touching(Body& body) {
+void pin_contacts(Body& body) {
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (body.contacts.held[p]) body.particles.inverse_mass[p] = 0;
     }
 }
 
-void let_go_touching(Body& body) {
+void unpin_contacts(Body& body) {
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (body.contacts.held[p]) body.particles.inverse_mass[p] = 1 / body.particles.mass[p];
     }
 }
 
-void give_tensions(Body& body, const CollisionContext& around, const TimeScheme& scheme) {
+void add_tension_impulses(Body& body, const CollisionContext& around, const TimeScheme& scheme) {
     for (const Chain& chain : body.plan.chains) {
         for (uint32_t i = 0; i < chain.link_count; ++i) {
             const uint32_t a = body.plan.particles[chain.first_particle + i];
             const uint32_t b = body.plan.particles[chain.first_particle + i + 1];
             if (!body.particles.pinned(a) && !body.particles.pinned(b)) continue;
             const Vec3 impulse = link_impulse(body, a, b, chain.first_link + i, scheme);
-            if (body.particles.pinned(a)) give_anchor(body, around, a, impulse);
-            if (body.particles.pinned(b)) give_anchor(body, around, b, -impulse);
+            if (body.particles.pinned(a)) add_anchor_impulse(body, around, a, impulse);
+            if (body.particles.pinned(b)) add_anchor_impulse(body, around, b, -impulse);
         }
     }
 }
@@ -162,15 +162,15 @@ void leave_solids(Body& body, const CollisionContext& around, double step) {
 }
 
 /// What they meet on their way, and the links again beside that. `limits`: what holds them to their targets, or null.
-void meet_models(Body& body, RopeContacts* limits, const CollisionContext& around, Vec3 gravity,
-                 const TimeScheme& scheme) {
+void collide_with_models(Body& body, RopeContacts* limits, const CollisionContext& around, Vec3 gravity,
+                         const TimeScheme& scheme) {
     const double step = scheme.step(body.settings.damping), quiet = quiet_speed(gravity, scheme.advance);
     collide(body, around, quiet);
-    if (body.contacts.touched) {
+    if (body.contacts.has_contact) {
         ease_contacts(body, around);
-        hold_touching(body);
-        solve_touching(body, step, limits);
-        let_go_touching(body);
+        pin_contacts(body);
+        solve_with_contacts(body, step, limits);
+        unpin_contacts(body);
         // What a shape at the border pushes out, and what hangs on it, may have left the range.
         for (uint32_t p = 0; p < body.particles.size(); ++p)
             keep_in_range(body.particles.position[p], body.particles.velocity[p], body.history.start[p]);
@@ -180,31 +180,31 @@ void meet_models(Body& body, RopeContacts* limits, const CollisionContext& aroun
 
 /// How the next substep begins.
 void end_motion(Body& body, bool captured, const TimeScheme& scheme) {
-    body.contacts.touched = body.contacts.touched || !body.targets.reached.empty();
-    body.history.earlier_step = body.contacts.touched || captured ? 0 : scheme.advance;
+    body.contacts.has_contact = body.contacts.has_contact || !body.targets.reached.empty();
+    body.history.earlier_step = body.contacts.has_contact || captured ? 0 : scheme.advance;
 }
 
 /// Once they are solved.
 void end_chains(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme) {
     finish_chains(body, scheme);
     const bool captured = body.plan.limited && capture(body, around, scheme);
-    meet_models(body, nullptr, around, gravity, scheme);
-    if (!body.constraints.attachments.empty()) give_tensions(body, around, scheme);
+    collide_with_models(body, nullptr, around, gravity, scheme);
+    if (!body.constraints.attachments.empty()) add_tension_impulses(body, around, scheme);
     leave_solids(body, around, scheme.step(body.settings.damping));
     end_motion(body, captured, scheme);
 }
 
 /// The same of a rope that has been solved with its contacts.
-void end_touching(Body& body, RopeContacts& contacts, const CollisionContext& around, Vec3 gravity,
-                  const TimeScheme& scheme) {
+void end_with_contacts(Body& body, RopeContacts& contacts, const CollisionContext& around, Vec3 gravity,
+                       const TimeScheme& scheme) {
     finish_chains(body, scheme, &contacts);
     const bool captured = body.plan.limited && capture(body, around, scheme);
     if (contacts.beside_models()) {
         contacts.finish(body, around, quiet_speed(gravity, scheme.advance), scheme);
     } else {
-        meet_models(body, &contacts, around, gravity, scheme);
+        collide_with_models(body, &contacts, around, gravity, scheme);
     }
-    if (!body.constraints.attachments.empty()) give_tensions(body, around, scheme);
+    if (!body.constraints.attachments.empty()) add_tension_impulses(body, around, scheme);
     if (!contacts.beside_models()) leave_solids(body, around, scheme.step(body.settings.damping));
     end_motion(body, captured, scheme);
 }
@@ -230,7 +230,7 @@ void restore_shape(Body& body, RopeContacts& contacts, double step) {
     body.rope.solved = body.history.predicted;
     body.history.predicted = body.particles.position = body.history.start;
     constexpr int most_solutions = 8;
-    for (int i = 0; i < most_solutions && !solve_touching(body, step, &contacts); ++i) {
+    for (int i = 0; i < most_solutions && !solve_with_contacts(body, step, &contacts); ++i) {
     }
     contacts.keep_out(body);
     std::fill(body.rope.tension.begin(), body.rope.tension.end(), 0.0);
@@ -241,7 +241,7 @@ void restore_shape(Body& body, RopeContacts& contacts, double step) {
         body.history.earlier[p] += way;
         body.particles.position[p] = body.history.predicted[p] = body.rope.solved[p] + way;
     }
-    contacts.look_again();  // from where they are now
+    contacts.search_again();  // from where they are now
 }
 
 /// Of a rope alone.
@@ -256,30 +256,30 @@ struct RopeMotion {
     void begin(const CollisionContext& around, double h) {
         scheme = leans ? TimeScheme::trapezoid(h) : TimeScheme(h, body.history.earlier_step);
         begin_chains(body, around, gravity, scheme);
-        const auto look = [&] { return contacts && contacts->begin(body, around, gravity, scheme.advance); };
-        beside = look();
+        const auto begin_contacts = [&] { return contacts && contacts->begin(body, around, gravity, scheme.advance); };
+        beside = begin_contacts();
         if (!beside || gphys::began_in_shape(body)) return;
         restore_shape(body, *contacts, scheme.step(body.settings.damping));
-        beside = look();
+        beside = begin_contacts();
     }
-    bool solve() { return solve_touching(body, scheme.step(body.settings.damping), beside ? contacts : nullptr); }
+    bool solve() { return solve_with_contacts(body, scheme.step(body.settings.damping), beside ? contacts : nullptr); }
     bool began_in_shape() const { return gphys::began_in_shape(body); }
     void finish(const CollisionContext& around, double) {
         if (beside) {
-            end_touching(body, *contacts, around, gravity, scheme);
+            end_with_contacts(body, *contacts, around, gravity, scheme);
         } else {
             end_chains(body, around, gravity, scheme);
         }
     }
-    void take_back() {
-        take_back_chains(body);
+    void roll_back() {
+        roll_back_chains(body);
         leans = false;
     }
 };
 
 }  // namespace
 
-bool starts_again(const Body& body) { return body.history.earlier_step == 0 && !body.contacts.touched; }
+bool starts_again(const Body& body) { return body.history.earlier_step == 0 && !body.contacts.has_contact; }
 
 void move_rope(Body& body, const CollisionContext& around, Vec3 gravity, double h, RopeContacts* contacts) {
     const auto move_by = [&](const CollisionContext& within, double part, bool leans) {

@@ -26,8 +26,8 @@ constexpr uint32_t format = 8;
 // Copied as they lie in memory, so they must have no padding.
 static_assert(sizeof(Vec3) == 24 && sizeof(DistanceConstraint) == 40 && sizeof(LengthChange) == 16 &&
               sizeof(Attachment) == 80 && sizeof(AnimationTarget) == 120);
-static_assert(sizeof(Touch) == 32 && sizeof(ModelImpulse) == 56 && sizeof(PlacedModel) == 36 && sizeof(Chain) == 12 &&
-              sizeof(ReachLimit) == 16);
+static_assert(sizeof(ContactPoint) == 32 && sizeof(ModelImpulse) == 56 && sizeof(PlacedModel) == 36 &&
+              sizeof(Chain) == 12 && sizeof(ReachLimit) == 16);
 static_assert(sizeof(Joint) == 56);
 
 /// Body is const when it is written. Of a plan only what its constraints do not say, and nothing of one
@@ -80,9 +80,9 @@ void visit_body(Archive& archive, Body& body) {
     archive.array(body.history.start);
     archive.array(body.history.start_velocity);
     archive.value(body.history.earlier_step);
-    archive.flag(body.contacts.touched);
+    archive.flag(body.contacts.has_contact);
     archive.value(body.cloth.balance.lost);
-    archive.array(body.contacts.touches);
+    archive.array(body.contacts.points);
     archive.value(body.substeps.made);
     archive.value(body.substeps.wanted);
     archive.array(body.contacts.stuck);
@@ -142,10 +142,10 @@ void complete(Body& body) {
     }
     body.particles.forced = std::any_of(body.particles.force.begin(), body.particles.force.end(),
                                         [](Vec3 force) { return force != Vec3{}; });
-    if (!body.contacts.touches.empty()) body.contacts.touch_count.resize(body.particles.size());
-    for (size_t i = 0; i < body.contacts.touches.size(); ++i) {
-        if (body.contacts.touches[i].model != 0)
-            body.contacts.touch_count[i / touches_per_particle] = i % touches_per_particle + 1;
+    if (!body.contacts.points.empty()) body.contacts.point_count.resize(body.particles.size());
+    for (size_t i = 0; i < body.contacts.points.size(); ++i) {
+        if (body.contacts.points[i].model != 0)
+            body.contacts.point_count[i / contact_points_per_particle] = i % contact_points_per_particle + 1;
     }
 }
 

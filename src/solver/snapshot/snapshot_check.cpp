@@ -33,8 +33,9 @@ bool sizes_agree(const Body& body) {
            body.contacts.self.placed.size() == (body.settings.self_collision ? n : 0) &&
            none_or(body.air.velocity.size(), n) && none_or(body.history.start.size(), n) &&
            none_or(body.history.start_velocity.size(), n) &&
-           none_or(body.contacts.touches.size(), n * touches_per_particle) && none_or(body.contacts.stuck.size(), n) &&
-           none_or(body.cloth.search_balls.size(), 4 * n) && body.cloth.triangles.size() % 3 == 0;
+           none_or(body.contacts.points.size(), n * contact_points_per_particle) &&
+           none_or(body.contacts.stuck.size(), n) && none_or(body.cloth.search_balls.size(), 4 * n) &&
+           body.cloth.triangles.size() % 3 == 0;
 }
 
 bool settings_fine(const Body& body) {
@@ -50,9 +51,9 @@ bool fine_box(const Box& box) {
            std::all_of(box.max, box.max + 3, [](float v) { return std::isfinite(v); });
 }
 
-bool is_touch(const Touch& touch) {
+bool is_contact_point(const ContactPoint& point) {
     constexpr double unit = 1 + 0x1p-20;
-    return is_finite(widen(touch.point)) && is_within(unit, widen(touch.normal));
+    return is_finite(widen(point.point)) && is_within(unit, widen(point.normal));
 }
 
 bool are_search_balls_valid(const Vector<float>& search_balls) {
@@ -75,7 +76,7 @@ bool particles_fine(const Body& body) {
            all(body.particles.force, is_force) && all(body.particles.radius, is_amount) &&
            all(body.cloth.rest_position, is_place) && all(body.contacts.self.placed, is_place) &&
            all(body.history.start, is_earlier_place) && all(body.history.start_velocity, is_speed) &&
-           is_time(body.history.earlier_step) && all(body.contacts.touches, is_touch) &&
+           is_time(body.history.earlier_step) && all(body.contacts.points, is_contact_point) &&
            all(body.contacts.stuck, [](uint32_t stuck) { return stuck <= 1; }) && all(body.cloth.moved, is_number) &&
            all(body.cloth.velocity_before, is_number) && are_search_balls_valid(body.cloth.search_balls) &&
            is_place(body.cloth.origin) && is_finite_amount(body.cloth.balance.lost) && is_amount(body.sleep.calm) &&
