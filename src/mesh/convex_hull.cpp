@@ -8,7 +8,7 @@ namespace gphys {
 
 namespace {
 
-/// Of a polyhedron with that many faces, by Euler's formula.
+/// A convex polyhedron with that many faces has at most this many vertices (Euler's formula).
 constexpr uint32_t most_vertices = 2 * most_hull_faces - 4;
 
 bool before(Vec3 a, Vec3 b) {
@@ -44,7 +44,7 @@ public:
     HullDefect build() {
         if (points_.empty() || !begin()) return HullDefect::flat;
         uint32_t vertices = 4;
-        // A facet that no point is above stays for ever, so each is asked once.
+        // A facet without points above it is final. So each facet is tested once.
         for (uint32_t i = 0; i < facets_.size(); ++i) {
             if (facets_[i].gone) continue;
             const uint32_t top = highest_above(facets_[i]);
@@ -87,13 +87,13 @@ public:
 private:
     static constexpr uint32_t none = 0xffffffffu;
 
-    /// > 0: the point is above the facet, which is outside.
+    /// > 0: the point is above the facet, that is, outside.
     int side(const Facet& facet, uint32_t point) const {
         return orientation(points_[facet.corner[0]], points_[facet.corner[1]], points_[facet.corner[2]],
                            points_[point]);
     }
 
-    /// The one for which less(one of the others, it), and of equal points the first.
+    /// The index of the greatest point by less(one, other); of equal points the first.
     template <class Less>
     uint32_t greatest(const Less& less) const {
         uint32_t best = 0;
@@ -103,11 +103,12 @@ private:
         return best;
     }
 
-    /// A tetrahedron of four vertices of the hull; false if all points lie in a plane.
+    /// The first tetrahedron, of four vertices of the hull. False if all points lie in one plane.
     bool begin() {
         const uint32_t a = greatest([](Vec3 p, Vec3 q) { return before(q, p); }), b = greatest(before);
         const Vec3 from = points_[a], to = points_[b];
-        // In a projection, the furthest from the line on one side; if there is none, on the other.
+        // In a projection along an axis: the point farthest from the line on one side, or, if there is none, on the
+        // other.
         uint32_t c = a;
         const auto is_beside = [&](int axis, int sign) {
             c = greatest([&](Vec3 p, Vec3 q) {
@@ -127,7 +128,7 @@ private:
         }
         if (side(base, d) <= 0) return false;
         const uint32_t* const corner = base.corner;
-        // Outward is the other side.
+        // `corner` faces d, so the base is turned over to face outward.
         facets_ = {{{corner[0], corner[2], corner[1]}},
                    {{corner[0], corner[1], d}},
                    {{corner[1], corner[2], d}},
@@ -144,8 +145,8 @@ private:
         });
     }
 
-    /// The point furthest out along the normal of the facet; of several the last by coordinates, which is a vertex of
-    /// their hull.
+    /// The point farthest along the normal of the facet. Of several such points the last by coordinates, which is a
+    /// vertex of the hull of those points.
     uint32_t highest_above(const Facet& facet) {
         const Vec3 a = points_[facet.corner[0]], b = points_[facet.corner[1]], c = points_[facet.corner[2]];
         const Vec3 ab = b - a, ac = c - a, normal = cross(ab, ac);
@@ -157,7 +158,7 @@ private:
             heights_[i] = dot(normal, from);
             highest = std::max(highest, heights_[i]);
         }
-        // A height has less than ten roundings of 2^-53 of these products.
+        // A height has fewer than ten roundings of 2^-53 of these products.
         const Vec3 permanent{std::fabs(ab.y * ac.z) + std::fabs(ab.z * ac.y),
                              std::fabs(ab.z * ac.x) + std::fabs(ab.x * ac.z),
                              std::fabs(ab.x * ac.y) + std::fabs(ab.y * ac.x)};
@@ -178,9 +179,10 @@ private:
         return further != 0 ? further > 0 : before(p, q);
     }
 
-    /// Facets before `first` are not below it. Those that see the point go; it is joined to the edges around them. A
-    /// facet in whose plane the point lies stays, and gets a neighbour in the same plane. None of the new facets is
-    /// without area: a point on the line of an edge is in the planes of both facets there.
+    /// Adds a point: removes the facets that it is above, and joins it to the edges of the horizon around them. No
+    /// facet before `first` is below the point. A facet whose plane holds the point stays, and gets a coplanar
+    /// neighbour. No new facet has zero area: a point on the line of an edge is in the planes of both facets at the
+    /// edge.
     void add(uint32_t point, uint32_t first) {
         visible_.clear();
         horizon_.clear();
@@ -215,7 +217,7 @@ private:
         return false;
     }
 
-    /// Neighbours in one plane are of one face. Returns how many faces there are.
+    /// Numbers the faces: adjacent coplanar facets belong to one face. Returns the number of faces.
     uint32_t number_faces(Vector<uint32_t>& face) {
         horizon_.clear();
         for (uint32_t i = 0; i < facets_.size(); ++i) add_sides(i, horizon_);

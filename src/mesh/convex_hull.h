@@ -1,8 +1,9 @@
 // The convex hull of points, as the vertices and triangles of its surface.
 //
-// Incremental construction with exact orientation tests, the points that are furthest first (quickhull: Barber, Dobkin,
-// Huhdanpaa 1996). Which point is furthest is decided exactly too, so that each point that is taken is a vertex of the
-// result, and a hull of its own vertices is the same hull: the form of a snapshot is checked by making it again.
+// Algorithm: quickhull (Barber, Dobkin, Huhdanpaa 1996), that is, incremental construction that adds the farthest point
+// first, with exact orientation tests (foundation/exact.h). The farthest point is found exactly, too. So each added
+// point is a vertex of the result, and the hull of a hull's own vertices is the same hull. That is how a snapshot is
+// validated: the hull is made again and compared.
 #pragma once
 
 #include "foundation/memory.h"
@@ -14,7 +15,7 @@ struct HullSurface {
     explicit HullSurface(std::pmr::memory_resource* memory) : vertices(memory), indices(memory) {}
 
     Vector<gphys_vec3> vertices;  // in the order of the points
-    Vector<uint32_t> indices;     // seen from outside counterclockwise in a right-handed system; face by face
+    Vector<uint32_t> indices;     // counterclockwise seen from outside in a right-handed system; face by face
 };
 
 constexpr uint32_t most_hull_faces = 256;
@@ -25,7 +26,7 @@ enum class HullDefect {
     too_many_faces
 };
 
-/// The points are those of vertices, which are finite; nothing else of the arrays is read. Throws std::bad_alloc.
+/// Reads the vertices of `points`, which must be finite, and nothing else of the arrays. Throws std::bad_alloc.
 HullDefect make_hull(const MeshArrays& points, HullSurface& out);
 
 }  // namespace gphys

@@ -1,15 +1,15 @@
-// New vertices for the same triangles. Packets and the BVH are refitted, and parts of the BVH that have degraded are
-// rebuilt, as in a scene (bvh_rebuild.cpp). Neighbours on a surface stay neighbours when it bends, so packets hardly
-// degrade; if they do, because a surface is torn apart, all triangles are partitioned into packets again.
+// New vertices for the same triangles. Packets and the BVH are refitted (bottom-up), and subtrees that have degraded
+// are rebuilt, as in a scene (bvh_rebuild.cpp). Neighbours on a surface stay neighbours when it bends, so packets
+// hardly degrade. If they do, because a surface is torn apart, all triangles are partitioned into packets again.
 #include "mesh/mesh.h"
 
 namespace gphys {
 
 namespace {
 
-/// By how much the boxes of the packets have grown, absolutely or against the box of all, when triangles are cut into
-/// packets anew. A flat sheet that is turned grows to three times its boxes at most, and that once: what is compared
-/// with is the last cut.
+/// The triangles are packed anew when the area of the packets' boxes, absolute or relative to the root box, has grown
+/// by this factor since the last packing. Rotating a flat sheet grows its boxes to at most three times their area, and
+/// only once, because the new area is compared with the last packing.
 constexpr double packed_growth = 2;
 
 template <class T>
@@ -55,7 +55,7 @@ const char* Mesh::set_vertices(const MeshArrays& arrays) {
         try {
             pack();
         } catch (const std::bad_alloc&) {
-            return nullptr;  // an improvement less
+            return nullptr;  // the old packing is still valid, only slower
         }
     }
     return nullptr;

@@ -1,5 +1,8 @@
-// Queries of a mesh that is a convex hull. It is a solid: where a query does not meet the surface, it is wholly inside,
-// wholly outside or around it, and one point tells which.
+// Queries of a mesh that is a convex hull, and therefore solid. If a query shape does not intersect the surface, it is
+// wholly inside, wholly outside, or contains the hull; one point decides which.
+//
+// Separation of a hull and a box or capsule: the separating axis test over face normals and over the pairs of edges
+// that form a face of the Minkowski difference (Gauss map: Gregorius 2013).
 #include "mesh/hull.h"
 
 #include "geometry/convex_pairs.h"
@@ -75,7 +78,7 @@ bool Mesh::holds_point_of(const Shape& shape, const AxisScale& axes) const {
         [&](const auto& each) {
             using S = std::decay_t<decltype(each)>;
             if constexpr (std::is_same_v<S, Plane>) {
-                return false;  // which has points outside, too, and so meets the surface
+                return false;  // a plane is unbounded, so if it overlaps the hull it intersects the surface
             } else if constexpr (std::is_same_v<S, Triangle>) {
                 return contains(each.a, axes);
             } else if constexpr (std::is_same_v<S, Frustum>) {
@@ -103,17 +106,18 @@ bool Mesh::holds_part_of(const Mesh& other) const {
 
 namespace {
 
-// As for the separation of two convex shapes, relative to their size (convex_separation.cpp).
+// Relative to the size of the shapes, as for the separation of two convex shapes (convex_separation.cpp).
 constexpr double certain = 0x1p-44;
-// Squared sum of the normals of two faces that nearly coincide, back to back.
+// Squared length of the sum of the unit normals of two faces that nearly coincide, back to back.
 constexpr double blade = 0x1p-20;
-// Relative to the size: a smaller radius makes no difference that the contract tells.
+// Relative to the size: a smaller radius changes no answer by more than the documented bounds.
 constexpr double sharp = 0x1p-43;
 
-/// visit(unit, gap) with the gap of the scaled hull and the core of a solid, both relative to `from`, along all
-/// directions that can be normals of faces of their difference: normals of either, and of edges of both where the faces
-/// at an edge of the hull lie on different sides of the direction of the other edge, so that the normal is between
-/// theirs (Gauss map: Gregorius 2013). Stops when visit returns false, and returns false then.
+/// Calls visit(unit, gap) for every direction that can be the normal of a face of the Minkowski difference of the
+/// scaled hull and the core of a solid. `gap` is their distance along it, both relative to `from`. The directions are
+/// the face normals of either, and the cross products of an edge of each where the arcs of the two edges cross on the
+/// Gauss map: where the two faces at the hull's edge lie on different sides of the direction of the other edge. Stops
+/// when visit returns false, and returns false then.
 template <class Visit>
 bool for_each_gap(const Hull& hull, const AxisScale& axes, const Core& core, Vec3 from, const Visit& visit) {
     const auto height = [&](Vec3 unit, Vec3 point) { return dot(unit, axes(point) - from); };
@@ -141,7 +145,7 @@ bool for_each_gap(const Hull& hull, const AxisScale& axes, const Core& core, Vec
     for (const Hull::Edge& edge : hull.edges()) {
         const Vec3 one = axes.normal(hull.faces()[edge.face[0]].normal);
         const Vec3 other = axes.normal(hull.faces()[edge.face[1]].normal);
-        // Of a blade, rounding would say on which side the edge is.
+        // On a blade, rounding would decide on which side the edge is.
         const bool is_blade = length_squared(one + other) < blade;
         for (int k = 0; k < core.axis_count; ++k) {
             if (!is_blade && !(dot(one, core.axes[k]) * dot(other, core.axes[k]) < 0)) continue;
@@ -154,7 +158,7 @@ bool for_each_gap(const Hull& hull, const AxisScale& axes, const Core& core, Vec
     return true;
 }
 
-/// The largest of these gaps.
+/// The largest of the gaps of for_each_gap.
 struct WidestGap {
     WidestGap(const Hull& hull, const AxisScale& axes, const Core& core, Vec3 from) {
         for_each_gap(hull, axes, core, from, [&](Vec3 unit, double along) {
@@ -179,7 +183,7 @@ double Mesh::hull_size(const Core& core, Vec3 from, const AxisScale& axes) const
 
 Vec3 Mesh::contact_on_hull(const Core& core, Vec3 from, Vec3 normal, double distance, double size,
                            uint32_t& nearest_triangle, const AxisScale& axes) const {
-    // As contact_on_other: further apart, where of the triangles of the hull those that are highest are nearest.
+    // As contact_on_other: with the shapes moved further apart, the nearest of the highest triangles of the hull.
     const Vec3 apart = normal * (size * 0.5 - distance);
     const auto height = [&](uint32_t i) {
         const Triangle corners = relative_to(from, axes(triangle(i)));
@@ -210,8 +214,8 @@ Penetration Mesh::way_out_of_hull(const Shape& moving, const AxisScale& axes) co
         double nearest = infinity;
         NearestDifference between;
         if (distance > -certain * size) {
-            // Apart, or beside an edge that is sharp, the nearest points may be on edges and corners. What is rounded
-            // overlaps a triangle there.
+            // If they are apart, or beside a sharp edge, the nearest points may be on edges and corners. A solid that
+            // overlaps the hull by rounding alone overlaps a triangle there.
             const auto find_nearest = [&](uint32_t triangle) {
                 const NearestDifference near =
                     ConvexDifference(relative_to(from, axes(this->triangle(triangle))), core).nearest();
@@ -249,25 +253,25 @@ std::optional<bool> Mesh::sweep_sharp_at_hull(const Shape& moving, Vec3 displace
         if (core.axis_count == 0) return sweep_point_at_hull({from + core.center, displacement, 1}, hit, axes);
         const double size = hull_size(core, from, axes);
         SlabClip clip(touching * (size + max_component(abs(displacement))));
-        const bool meets = for_each_gap(hull_, axes, core, from, [&](Vec3 unit, double gap) {
+        const bool may_hit = for_each_gap(hull_, axes, core, from, [&](Vec3 unit, double gap) {
             return clip.cut(gap, -dot(unit, displacement), unit);
         });
-        if (!meets || clip.is_empty()) return false;
+        if (!may_hit || clip.is_empty()) return false;
         hit = Hit{};
         hit.t = std::min(clip.begin(), 1.0);
         hit.normal = clip.normal();
         if (hit.normal == Vec3{}) {
-            // Touching within rounding, without overlap.
+            // In contact within rounding, but not overlapping.
             hit.normal = clip.widest_normal();
             if (!(dot(hit.normal, displacement) < 0)) return false;
         }
         core.center += displacement * hit.t;
         hit.point = from + contact_on_hull(core, from, hit.normal, 0, size, hit.triangle, axes);
-        const Triangle met = axes(triangle(hit.triangle));
-        // Beyond the edge of a blade the core may be within rounding of both planes and far from the hull.
-        const ConvexDifference there(relative_to(from, met), core);
+        const Triangle hit_triangle = axes(triangle(hit.triangle));
+        // Beyond the edge of a blade the core may be within rounding of both planes and yet far from the hull.
+        const ConvexDifference there(relative_to(from, hit_triangle), core);
         if (length(there.nearest().offset) > sharp * (size + max_component(abs(displacement)))) return {};
-        barycentric(met, hit.point, hit.u, hit.v);
+        barycentric(hit_triangle, hit.point, hit.u, hit.v);
         return true;
     });
 }
@@ -291,7 +295,7 @@ void Mesh::start_in_hull(const Shape& moving, Hit& hit, const AxisScale& axes) c
     hit.flags = GPHYS_HIT_INSIDE;
 }
 
-/// As at other solids (sweep.cpp): away from the nearest point, and against the motion from within.
+/// As for other solids (sweep.cpp): the normal points away from the nearest point or, from within, against the motion.
 void Mesh::start_in_hull(const Sphere& moving, Vec3 displacement, Hit& hit, const AxisScale& axes) const {
     hit = Hit{};
     hit.t = 0;

@@ -1,6 +1,6 @@
-// Rays at a mesh whose triangles stand for capsules: links of ropes, and particles. Its other questions are
-// those of a mesh of triangles, each asked of a capsule (Mesh::with_item). Packets have no quick tests of capsules:
-// ropes have few links, and the tree leaves eight at most.
+// Raycasts against a mesh whose triangles stand for capsules: links of ropes, and particles. The other queries are
+// those of a mesh of triangles, with each triangle replaced by its capsule (Mesh::with_item). There are no conservative
+// tests for packets of capsules: ropes have few links, and a leaf has eight at most.
 #include "mesh/mesh.h"
 
 namespace gphys {

@@ -1,3 +1,8 @@
+// Creation, sharing and queries of meshes.
+//
+// Raycasts traverse the BVH with a conservative test of eight triangles at once (triangle_test.h). Triangles that it
+// does not reject get the exact test (raycast_triangle.cpp), in kernels eight pairs at a time (triangle_lanes.h).
+// Sweeps, closest points and overlaps traverse the BVH with tests of boxes, and then test single triangles in double.
 #include "mesh/mesh.h"
 
 #include <new>
@@ -10,11 +15,11 @@ namespace gphys {
 
 namespace {
 
-/// Up to this size, in metres, a mesh is magnified. A product of two edges that are a thousandth of it, 2^-84, is still
-/// 2^40 times what the tests of triangles add for numbers below the smallest normal one (triangle_setup.h).
+/// Meshes up to this size, in metres, are magnified. A product of two edges of a thousandth of it is 2^-84. That is
+/// still 2^40 times the margin that the triangle tests add for subnormal numbers (triangle_setup.h).
 constexpr double smallest_extent = 0x1p-32;
 
-/// Those that have been found, and what find(ray, hit) finds for the others.
+/// The rays in `found` have their hits already; find(i, hit) finds those of the other rays.
 template <class Find>
 uint64_t hits_of_others(uint64_t found, uint32_t count, gphys_hit* const* out, const Find& find) {
     for (uint32_t i = 0; i < count; ++i) {
@@ -124,7 +129,7 @@ void Mesh::measure() noexcept {
     for (const gphys_vec3& vertex : vertices_) squared = std::max(squared, length_squared(widen(vertex) - center_));
     double thickest = 0;
     for (const float radius : radii_) thickest = std::max<double>(thickest, radius);
-    // Five roundings of 2^-53 each, of which those below the root count half; and one of the sum.
+    // Five roundings of 2^-53 each, of which those under the square root count half, and one of the sum.
     radius_ = (std::sqrt(squared) + thickest) * (1 + 0x1p-50);
     const gphys_vec3 center = narrow(center_);
     ball_ = {center, round_up((radius_ + distance(center_, widen(center))) * (1 + 0x1p-50))};
@@ -150,7 +155,7 @@ double Mesh::radius(const AxisScale& axes) const {
 }
 
 void Mesh::release(const Mesh* mesh) noexcept {
-    // Acquire: the destroyer sees all that others did before they let go.
+    // Acquire: whoever destroys the mesh must see all writes that other holders made before they released it.
     if (mesh->holds_.fetch_sub(1, std::memory_order_acq_rel) == 1) destroy(const_cast<Mesh*>(mesh));
 }
 
@@ -233,7 +238,7 @@ void Mesh::cross_many(decltype(MeshKernels::rays) kernel, const PreparedRay* ray
 
 namespace {
 
-/// A ray where a mesh that stands there has its own points.
+/// A ray in world space, in the local space of the mesh.
 Ray carried(const Ray& ray, const MeshPlace& place) {
     return {place.inverse_apply(ray.origin), place.inverse_apply_to_vector(ray.direction), ray.t_max};
 }
@@ -288,7 +293,7 @@ void Mesh::carry_out(Hit& hit, const Ray& ray, const MeshPlace& place) const {
         const Triangle corners = triangle(hit.triangle);
         face = accurate_cross(corners.a, corners.b, corners.a, corners.c);
     }
-    // Without a face the normal is that of the ray (hit_at, started_inside).
+    // A degenerate triangle has no normal; the hit gets the reversed direction of the ray (hit_at, started_inside).
     if (face != Vec3{}) {
         const Vec3 normal = place.axes.normal(normalized(face));
         hit.normal = place.world.rotation * ((hit.flags & GPHYS_HIT_BACK) != 0 ? -normal : normal);
@@ -423,7 +428,7 @@ template <class Half, class SweepItem>
 bool Mesh::find_contact(Vec3 middle, const Half& half, Vec3 displacement, const SweepItem& sweep_item, Hit& hit,
                         Ties ties, const AxisScale& axes) const {
     const RayProbe probe(middle, displacement, half, bounds());
-    // A hull is one solid: the triangle that is really met first has its normal.
+    // A hull is one solid: the triangle that is really hit first gives the normal.
     const bool as_reported = ties == Ties::as_reported && !is_hull();
     Hit first;
     double first_t = infinity;
@@ -446,7 +451,7 @@ bool Mesh::find_contact(Vec3 middle, const Half& half, Vec3 displacement, const 
     });
     if (first.triangle == GPHYS_NO_TRIANGLE) return false;
     hit = first;
-    if (is_hull()) hit.flags &= ~uint32_t{GPHYS_HIT_BACK};  // of a triangle that is touched at its edge
+    if (is_hull()) hit.flags &= ~uint32_t{GPHYS_HIT_BACK};  // set by a triangle that is hit at its edge
     return true;
 }
 
@@ -491,7 +496,7 @@ bool Mesh::sweep(const Shape& moving, Vec3 displacement, Hit& hit, const AxisSca
             return true;
         }
         if (is_sharp(moving, displacement, axes)) {
-            if (const std::optional<bool> met = sweep_sharp_at_hull(moving, displacement, hit, axes)) return *met;
+            if (const std::optional<bool> swept = sweep_sharp_at_hull(moving, displacement, hit, axes)) return *swept;
         }
     }
     const auto sweep_item = [&](const auto& item, Hit& candidate) {

@@ -1,4 +1,4 @@
-// A triangle mesh with its own BVH. Immutable, unless it was created as deformable, so models, scenes and threads can
+// A triangle mesh with its own BVH. Immutable unless it was created as deformable, so models, scenes and threads can
 // share it. Reference counted.
 //
 //   mesh.cpp            creation and queries
@@ -7,9 +7,9 @@
 //   deform.cpp          new vertices
 //   mesh_snapshot.cpp   snapshots
 //
-// The items of the BVH are packets of up to eight triangles. Queries are in the mesh's local space and give the same
-// results as testing each triangle: tree and packets only reject triangles conservatively (box8.h, triangle_probe.h).
-// Among results that are equal as reported, the lower index wins.
+// The items of the BVH are packets of up to eight triangles. Queries are in the mesh's local space. Their results are
+// those of testing every triangle: the tree and the packets only reject triangles, conservatively (box8.h,
+// triangle_probe.h). Of results that are equal as reported, the lower index wins.
 #pragma once
 
 #include <atomic>
@@ -30,10 +30,10 @@ struct Core;
 
 class Mesh {
 public:
-    /// `report` is that of the arrays and finds no bad vertex and no index out of range.
+    /// `report` is the report of the arrays. It must list no bad vertex and no index out of range.
     Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_mesh_report& report,
          Isa isa = chosen_isa(), bool deformable = false);
-    /// The same mesh as parts without a defect are of; nothing of them is needed afterwards.
+    /// From the parts of a valid snapshot. The mesh keeps no reference to them.
     Mesh(const gphys_allocator* hooks, const MeshParts& parts, bool deformable);
     ~Mesh() {
         if (magnified_) release(magnified_);
@@ -42,7 +42,7 @@ public:
     Mesh& operator=(const Mesh&) = delete;
 
     void retain() const noexcept { holds_.fetch_add(1, std::memory_order_relaxed); }
-    /// Whether the caller is the only one who holds it.
+    /// Whether the caller holds the only reference.
     bool is_held_once() const noexcept { return holds_.load(std::memory_order_acquire) == 1; }
     static void release(const Mesh* mesh) noexcept;
 
@@ -50,16 +50,17 @@ public:
     bool is_hull() const { return kind_ == MeshKind::hull; }
     bool is_body() const { return kind_ == MeshKind::body_surface || kind_ == MeshKind::body_links; }
     bool deformable() const { return users_.has_value(); }
-    /// Put valid vertices, as many as there are, in place of the old ones: of a deformable mesh. Of links radii as
-    /// well, unless they are null and stay. All answers are those of a mesh made of them. Why a model of the mesh
-    /// cannot follow, or null. What fails, or throws std::bad_alloc, has changed nothing.
+    /// Replaces the vertices of a deformable mesh by as many valid ones, and the radii of links unless `arrays.radii`
+    /// is null. Afterwards all queries answer as if the mesh had been created from them. Returns why a model cannot
+    /// follow the change, or null. On failure, or if it throws std::bad_alloc, nothing has changed.
     const char* set_vertices(const MeshArrays& arrays);
-    /// After new vertices that differ from the old ones by that: models of a deformable mesh stay where they were.
+    /// Call after new vertices that are the old ones shifted by `by`: the models of a deformable mesh stay where they
+    /// were.
     void shift_models(Vec3 by) const noexcept { users_->mesh_shifted(by); }
-    /// A deformable mesh that a body gives its form, or does so no longer. Solvers see to that.
+    /// Set by solvers while a body leads this deformable mesh, that is, sets its vertices.
     void set_led(bool led) noexcept { led_ = led; }
     bool led() const { return led_; }
-    /// Models that have to be told of that; nothing for other meshes.
+    /// Registers models for notification of changes. Does nothing if the mesh is not deformable.
     void join(MeshUser& user, const uint32_t* models, uint32_t count) const {
         if (users_) users_->join(user, models, count);
     }
@@ -74,46 +75,47 @@ public:
     }
     const Vector<gphys_vec3>& vertices() const { return vertices_; }
     const Vector<uint32_t>& indices() const { return indices_; }
-    /// Of what the vertices are now.
+    /// Counts of the current vertices.
     gphys_mesh_report report() const;
-    /// Empty without triangles.
+    /// Empty if there are no triangles.
     Box bounds() const { return bvh_.bounds(); }
-    /// The centre of the bounds, and how far from it vertices are at most: of the scaled mesh, from the scaled centre.
+    /// Centre of the bounds, and a bound for the distance of the vertices from it. With `axes`: of the scaled mesh,
+    /// from the scaled centre.
     Vec3 center() const { return center_; }
     double radius() const { return radius_; }
     double radius(const AxisScale& axes) const;
-    /// The same in floats, rounded outward.
+    /// The same as floats, rounded outward.
     const gphys_sphere& ball() const { return ball_; }
-    /// Of all that it is made of: the same for equal meshes, wherever they are.
+    /// Hash of the contents: equal meshes have equal hashes.
     uint64_t hash() const { return hash_; }
-    /// Empty unless it is a hull.
+    /// Empty unless the mesh is a hull.
     const Hull& hull() const { return hull_; }
     const Bvh8& bvh() const { return bvh_; }
     const Vector<TrianglePacket>& packets() const { return packets_; }
 
-    /// As gphys_mesh_get_snapshot.
+    /// See gphys_mesh_get_snapshot.
     gphys_status snapshot(uint32_t* out, uint32_t capacity, uint32_t& total) const;
 
-    /// Of the tree whose items are triangles: its leaves are the packets.
+    /// Statistics of the tree as if triangles were its items: the leaves are the packets.
     gphys_octree_stats bvh_stats() const;
-    /// Each box of that tree, parents first: visit(gphys_octree_box).
+    /// Visits each box of that tree, parents first: visit(gphys_octree_box).
     template <class Visit>
     void for_each_box(Visit&& visit) const;
 
     bool raycast(const Ray& ray, Hit& hit) const;
-    /// Where the ray first crosses the mesh: t and triangle of that hit, as they are reported.
+    /// The first hit of the ray: its t and triangle, as they are reported.
     bool raycast_distance(const Ray& ray, gphys_distance& out) const;
-    /// Up to rays_at_once rays with the same answers, rounded: bit i of the result is set if *rays[i] hits, which
-    /// *out[i] tells then. Faster than one by one, the more so if they go the same way.
+    /// The same answers for up to rays_at_once rays, rounded: bit i of the result is set if *rays[i] hits, and then
+    /// *out[i] has the hit. Faster than single rays, and more so for coherent ones.
     static constexpr uint32_t rays_at_once = Bvh8::rays_at_once;
     uint64_t raycast_many(const gphys_ray* const* rays, uint32_t count, gphys_hit* const* out) const;
-    /// The same of the mesh where it stands, for rays in double precision that are no segments.
+    /// The same for a mesh at `place`, and for rays in double precision that are no segments.
     uint64_t raycast_many(const Ray* rays, uint32_t count, const MeshPlace& place, gphys_hit* const* out) const;
-    /// A hit of a ray in the world, carried out of the mesh.
+    /// Transforms a hit of a world-space ray from the mesh's space to the world.
     void carry_out(Hit& hit, const Ray& ray, const MeshPlace& place) const;
     bool raycast_any(const Ray& ray) const;
-    /// For up to rays_at_once rays: *out[i] gets what raycast_many reports of t and triangle, bit i of the result
-    /// whether there is one.
+    /// For up to rays_at_once rays: *out[i] gets the t and triangle that raycast_many reports; bit i of the result is
+    /// set if ray i hits.
     uint64_t raycast_distance_many(const gphys_ray* const* rays, uint32_t count, gphys_distance* out) const;
     uint64_t raycast_distance_many(const Ray* rays, uint32_t count, const MeshPlace& place, gphys_distance* out) const;
     /// Bit i of the result is set if rays[i] hits anything.
@@ -123,31 +125,33 @@ public:
     template <class Visit>
     void raycast_all(const Ray& ray, Visit&& visit) const;
 
-    // What follows is of the scaled mesh, in its frame (mesh_place.h). Links have no scale but one.
+    // The following functions are about the scaled mesh, in its frame (mesh_place.h). Links only have the scale 1.
 
-    /// Whether a hull holds the point, decided exactly; false for others.
+    /// Whether a hull contains the point, exactly. False for other meshes.
     bool contains(Vec3 point, const AxisScale& axes = {}) const;
-    /// False if nothing is within max_distance. Within a hull that is the point itself, and no triangle.
+    /// False if no point is within max_distance. Inside a hull, the result is the point itself, without a triangle.
     bool closest_point(Vec3 point, double max_distance, Vec3& out, uint32_t& triangle,
                        const AxisScale& axes = {}) const;
-    /// The same, compared by distance_of(point of a triangle, its squared distance in the mesh), a float or a double.
-    /// What is beyond limit_of(distance) in the mesh does not tie with it. A distance that is infinite is none.
+    /// The same, but points are compared by distance_of(point of a triangle, its squared distance in the mesh), a float
+    /// or a double. A point beyond limit_of(distance) in the mesh cannot tie with it. An infinite distance counts as no
+    /// result.
     template <class DistanceOf, class LimitOf>
     bool closest_point(Vec3 point, double max_distance, const DistanceOf& distance_of, const LimitOf& limit_of,
                        Vec3& out, uint32_t& triangle, const AxisScale& axes = {}) const;
-    /// Of surfaces, those triangles alone that face as asked.
+    /// On surfaces, `faces` selects the sides of triangles that can be hit.
     bool sweep(const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties = Ties::as_reported,
                const AxisScale& axes = {}, Faces faces = {}) const;
     /// For a moving sphere, capsule or box.
     bool sweep(const Shape& moving, Vec3 displacement, Hit& hit, const AxisScale& axes = {}, Faces faces = {}) const;
     bool overlaps(const Shape& shape, const AxisScale& axes = {}) const;
-    /// Both as they are.
+    /// Without scales.
     bool overlaps(const Mesh& other) const;
-    /// Every triangle, which is no solid, that shares a point with the shape: visit(triangle) returns whether to go on.
+    /// Visits every triangle (of the surface, not the solid) that overlaps the shape. visit(triangle) returns whether
+    /// to go on.
     template <class Visit>
     void for_each_overlap(const Shape& shape, Visit&& visit, const AxisScale& axes = {}) const;
-    /// The penetration of a sphere, capsule or box into each triangle that it overlaps: visit(Penetration, triangle).
-    /// Into a hull there is one, without a triangle.
+    /// Visits the penetration of a sphere, capsule or box into each triangle that it overlaps: visit(Penetration,
+    /// triangle). A hull has one penetration, without a triangle.
     template <class Visit>
     void for_each_penetration(const Shape& moving, Visit&& visit, const AxisScale& axes = {}) const {
         if (is_hull()) {
@@ -168,54 +172,55 @@ public:
     Memory memory;
 
 private:
-    /// Without packets and tree.
+    /// Without packets and tree, which the public constructors add.
     Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_mesh_report& report, WordHash index_hash,
          Isa isa, bool deformable);
-    /// The mesh as arrays of its own.
+    /// The mesh's own arrays.
     MeshArrays arrays() const;
 
     bool is_links() const { return kind_ == MeshKind::body_links; }
-    /// Rays of a batch are cast one by one.
+    /// Whether the rays of a batch are cast one by one.
     bool is_cast_singly() const { return magnified_ || is_links(); }
-    /// Whether a ray that crosses a triangle that way meets the mesh there: a ray from outside a hull enters it by its
-    /// front, also where it touches an edge only.
+    /// Whether a ray that crosses a triangle like this hits the mesh there. A ray from outside enters a hull through a
+    /// front face, even if it hits only an edge.
     bool counts(const TriangleCrossing& crossing, const Ray& ray) const {
         return is_hull() ? crossing.facing < 0 : ray.faces.include(crossing.facing > 0);
     }
-    /// The solid overlaps the hull.
+    /// The shortest way of an overlapping solid out of the hull.
     Penetration way_out_of_hull(const Shape& moving, const AxisScale& axes) const;
-    /// An upper bound of the coordinates of the hull's difference with a core, both relative to `from`.
+    /// An upper bound for the coordinates of the Minkowski difference of the hull and a core, both relative to `from`.
     double hull_size(const Core& core, Vec3 from, const AxisScale& axes) const;
-    /// Where a hull and a core touch, relative to `from`, if they are moved along the normal by their distance.
+    /// The contact point of a hull and a core, relative to `from`, after moving them along the normal by their
+    /// distance.
     Vec3 contact_on_hull(const Core& core, Vec3 from, Vec3 normal, double distance, double size,
                          uint32_t& nearest_triangle, const AxisScale& axes) const;
-    /// Whether a moving solid has no radius that would make a difference.
+    /// Whether the radius of a moving solid is too small to change the answer.
     bool is_sharp(const Shape& moving, Vec3 displacement, const AxisScale& axes) const;
-    /// Of such a solid, without its radius, that does not overlap at the start: with the hull as a whole. Where it
-    /// meets an edge, each of the triangles there may be missed within rounding, and has normals that the hull has not.
-    /// No answer where rounding leaves it open.
+    /// Sweeps such a solid, without its radius, against the hull as a whole. It does not overlap at the start. Single
+    /// triangles would not do: where the solid hits an edge of the hull, rounding may miss each of the triangles there,
+    /// and their edges have normals that the hull does not have. No result if rounding leaves the answer open.
     std::optional<bool> sweep_sharp_at_hull(const Shape& moving, Vec3 displacement, Hit& hit,
                                             const AxisScale& axes) const;
-    /// A normal of the hull in place of that of a triangle.
+    /// Replaces the normal of a triangle by that of the hull.
     void turn_to_hull(const Shape& moving, Vec3 displacement, Hit& hit, const AxisScale& axes) const;
     bool sweep_point_at_hull(const Ray& way, Hit& hit, const AxisScale& axes) const;
     void start_in_hull(const Sphere& moving, Vec3 displacement, Hit& hit, const AxisScale& axes) const;
     void start_in_hull(const Shape& moving, Hit& hit, const AxisScale& axes) const;
-    /// Whether some point of the shape, if it has any, is in a hull.
+    /// Whether some point of the shape, if it has any, is in this hull.
     bool holds_point_of(const Shape& shape, const AxisScale& axes) const;
-    /// Whether some triangle of the other mesh begins in a hull.
+    /// Whether the first corner of some triangle of the other mesh is in this hull.
     bool holds_part_of(const Mesh& other) const;
     Capsule link(const Triangle& triangle, uint32_t index) const { return {triangle.a, triangle.b, radii_[index]}; }
-    /// visit(the scaled triangle, or the capsule that it stands for).
+    /// visit(item), where item is the scaled triangle, or the capsule that the triangle stands for.
     template <class Visit>
     auto with_item(const TrianglePacket& packet, int lane, const AxisScale& axes, Visit&& visit) const {
         if (is_links()) return visit(link(packet.triangle(lane), packet.index[lane]));
         return visit(axes(packet.triangle(lane)));
     }
-    /// What the packet stands for; of links, those that are there.
+    /// The used lanes of the packet; of links, those that exist.
     uint32_t lanes_of(const TrianglePacket& packet) const { return is_links() ? links_of(packet) : packet.lanes(); }
     uint32_t links_of(const TrianglePacket& packet) const;
-    /// Lanes of which a quick test has not said no: of links, all.
+    /// The lanes that a conservative test does not reject; of links, all.
     template <class Test>
     uint32_t lanes_by(const TrianglePacket& packet, Test&& test) const {
         return is_links() ? links_of(packet) : test();
@@ -223,52 +228,52 @@ private:
     uint32_t lanes_in_box(const TrianglePacket& packet, const Box& box) const {
         return lanes_by(packet, [&] { return kernels_.lanes_in_box(packet, box); });
     }
-    /// Around all that the packet stands for.
+    /// The bounding box of all items of the packet.
     Box box_of(const TrianglePacket& packet) const;
     bool raycast_links(const Ray& ray, Hit& hit) const;
     bool raycast_any_links(const Ray& ray) const;
     template <class Visit>
     void raycast_all_links(const Ray& ray, Visit&& visit) const;
-    /// Cut the triangles into packets and build the tree. What throws std::bad_alloc has changed nothing.
+    /// Partitions the triangles into packets and builds the tree. If it throws std::bad_alloc, nothing has changed.
     void pack();
     void note_packed_area(const Vector<Box>& boxes);
-    /// Tell packets and tree where the vertices are now. The area of the packets' boxes.
+    /// Refits packets and tree to the current vertices. Returns the total area of the packets' boxes.
     double refit() noexcept;
-    /// What follows from the vertices and the tree.
+    /// Computes what depends on the vertices and the tree: radius, ball, hash.
     void measure() noexcept;
-    /// A mesh of these vertices that is magnified, if they need one.
+    /// The magnified mesh for these vertices, or null if they need none.
     const Mesh* make_magnified(const Vector<gphys_vec3>& vertices, double& magnification) const;
 
-    /// Uninitialised storage for many rays.
+    /// Storage for many prepared rays, without initialisation.
     union PreparedRays {
         PreparedRays() {}
         PreparedRay of[rays_at_once];
     };
     NearestCrossing first_crossing(const PreparedRay& ray) const;
-    /// Of rays, in the mesh's own space, those that begin in a hull: at(i, hit) for each. Bits of which.
+    /// Calls at(i, hit) for each ray, in local space, that starts inside this hull. Returns the bits of those rays.
     template <class RayOf, class At>
     uint64_t begin_inside(uint32_t count, const RayOf& ray_of, const At& at) const;
-    /// By kernels_.rays or rays_any.
+    /// Runs kernels_.rays or rays_any on the ray packets that the rays are split into.
     void cross_many(decltype(MeshKernels::rays) kernel, const PreparedRay* rays, uint32_t count,
                     NearestCrossing* nearest) const;
     uint64_t distances_of(const PreparedRays& prepared, uint32_t count, gphys_distance* out) const;
     uint64_t any_of(const PreparedRays& prepared, uint32_t count) const;
-    /// Packets with triangles that the ray may hit, roughly nearest first: visit(packet, lanes) returns
-    /// the new limit; a negative one ends the walk.
+    /// Visits the packets with triangles that the ray may hit, roughly front to back. visit(packet, lanes) returns the
+    /// new limit; a negative one ends the traversal.
     template <class Visit>
     void walk(const PreparedRay& ray, Visit&& visit) const;
 
-    // What raycast_all and closest_point ask this mesh or the magnified one.
+    // Implementations of raycast_all and closest_point, for this mesh or for the magnified one.
     template <class Visit>
     void cross_all(const Ray& ray, Visit&& visit) const;
     template <class DistanceOf, class LimitOf>
     bool find_closest(Vec3 point, double max_distance, const DistanceOf& distance_of, const LimitOf& limit_of,
                       Vec3& out, uint32_t& triangle, const AxisScale& axes) const;
-    /// The first triangle that a solid touches, which moves with a box of `half` around `middle`.
+    /// The first triangle hit by a moving solid whose bounding box has half extents `half` around `middle`.
     template <class Half, class SweepItem>
     bool find_contact(Vec3 middle, const Half& half, Vec3 displacement, const SweepItem& sweep_item, Hit& hit,
                       Ties ties, const AxisScale& axes) const;
-    /// A query in the coordinates of the magnified mesh, and its answer in those of this one.
+    /// Converts a query to the coordinates of the magnified mesh; reduce converts the answer back.
     Ray magnified(const Ray& ray) const;
     bool reduce(Hit& hit) const {
         hit.point = hit.point / magnification_;
@@ -281,7 +286,7 @@ private:
     void for_each_overlap_of(const Frustum& frustum, Visit&& visit, const AxisScale& axes) const;
     template <class Bounded, class Visit>
     void for_each_overlap_of(const Bounded& shape, Visit&& visit, const AxisScale& axes) const;
-    /// As far as boxes of the tree touch the shape: exact, and slower than the kernels.
+    /// Traverses the boxes of the tree that overlap the shape, exactly. Slower than the kernels.
     template <class Unbounded, class Visit>
     void for_each_overlap_through_boxes(const Unbounded& shape, Visit&& visit, const AxisScale& axes) const;
 
@@ -298,9 +303,9 @@ private:
     double radius_ = 0;
     gphys_sphere ball_{};
     uint64_t hash_ = 0;
-    // Of a mesh so small that the margins of tests in float, which stay clear of the smallest normal number, would
-    // exclude little: the same mesh times a power of two. It answers rays, sweeps and closest points, with the same
-    // bits, as nothing of that is rounded.
+    // Only for meshes so small that the margin of the float tests, which must stay above subnormal numbers, would leave
+    // almost nothing to reject: the same mesh times a power of two. It answers raycasts, sweeps and closest points with
+    // the same bits, because the multiplication is exact.
     const Mesh* magnified_ = nullptr;
     double magnification_ = 1;
     Hull hull_{&memory};
@@ -309,10 +314,10 @@ private:
     const MeshKind kind_;
     bool led_ = false;
     WordHash index_hash_;
-    double packed_area_ = 0, packed_root_area_ = 0;  // when the packets were cut, of their boxes and of the whole
-    // Of a deformable mesh.
+    double packed_area_ = 0, packed_root_area_ = 0;  // at the last packing: of the packets' boxes, of the root
+    // Only for deformable meshes:
     mutable std::optional<MeshUsers> users_;
-    Vector<gphys_vec3> next_vertices_{&memory};  // while they may be refused; then the old ones
+    Vector<gphys_vec3> next_vertices_{&memory};  // the candidates during set_vertices; otherwise the previous ones
     Vector<float> next_radii_{&memory};
 };
 
@@ -442,22 +447,22 @@ void Mesh::for_each_overlap_of(const Bounded& shape, Visit&& visit, const AxisSc
     bvh_.overlap_box(box, [&](uint32_t number, bool) {
         const TrianglePacket& packet = packets_[number];
         return for_each_lane(lanes_in_box(packet, box), [&](int lane) {
-            const bool meets =
+            const bool is_overlapped =
                 with_item(packet, lane, axes, [&](const auto& item) { return gphys::overlaps(shape, item); });
-            return !meets || visit(packet.index[lane]);
+            return !is_overlapped || visit(packet.index[lane]);
         });
     });
 }
 
 template <class Unbounded, class Visit>
 void Mesh::for_each_overlap_through_boxes(const Unbounded& shape, Visit&& visit, const AxisScale& axes) const {
-    const auto touches = [&](const Box& box) { return gphys::overlaps(axes(box), shape); };
-    bvh_.overlap(touches, [&](uint32_t number) {
+    const auto overlaps_box = [&](const Box& box) { return gphys::overlaps(axes(box), shape); };
+    bvh_.overlap(overlaps_box, [&](uint32_t number) {
         const TrianglePacket& packet = packets_[number];
         return for_each_lane(lanes_of(packet), [&](int lane) {
-            const bool meets =
+            const bool is_overlapped =
                 with_item(packet, lane, axes, [&](const auto& item) { return gphys::overlaps(shape, item); });
-            return !meets || visit(packet.index[lane]);
+            return !is_overlapped || visit(packet.index[lane]);
         });
     });
 }
@@ -473,10 +478,10 @@ void Mesh::for_each_overlap_of(const Frustum& frustum, Visit&& visit, const Axis
     bvh_.frustum(frustum, all_of_space, [&](uint32_t number, bool wholly_inside) {
         const TrianglePacket& packet = packets_[number];
         return for_each_lane(lanes_of(packet), [&](int lane) {
-            const bool meets = wholly_inside || with_item(packet, lane, axes, [&](const auto& item) {
-                                   return gphys::overlaps(frustum, item);
-                               });
-            return !meets || visit(packet.index[lane]);
+            const bool is_overlapped = wholly_inside || with_item(packet, lane, axes, [&](const auto& item) {
+                                           return gphys::overlaps(frustum, item);
+                                       });
+            return !is_overlapped || visit(packet.index[lane]);
         });
     });
 }

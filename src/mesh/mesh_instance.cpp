@@ -6,7 +6,7 @@ namespace gphys {
 
 namespace {
 
-/// A segment stays one whose ends are where the mesh has its own points.
+/// The ray in local space. A segment stays a segment: its ends are transformed, not its direction.
 Ray into_mesh(const Ray& ray, const MeshPlace& place) {
     const Vec3 origin = place.inverse_apply(ray.origin);
     Ray local{origin, {}, ray.t_max};
@@ -24,9 +24,9 @@ Ray into_mesh(const Ray& ray, const MeshPlace& place) {
 bool misses(const Ray& ray, const Box& box) {
     const Vec3 low{box.min[0], box.min[1], box.min[2]}, high{box.max[0], box.max[1], box.max[2]};
     const Vec3 center = (low + high) * 0.5, half = (high - low) * 0.5;
-    // A distance is off by at most 4 * 2^-53 of this sum, its product with a speed by another rounding.
+    // A distance has an error of at most 4 * 2^-53 of this sum; its product with a speed adds a rounding.
     const double magnitude = sum(abs(ray.origin) + abs(center) + half);
-    // Infinite times zero would be invalid; later than this nothing is met.
+    // Infinity times zero would be NaN. No hit is later than this.
     const double end = std::min(ray.t_max, 0x1p600);
     return !RayAndBox<Vec3>(ray.origin - center, half, 0x1p-48 * magnitude, ray.direction, 0, end).may_meet();
 }
@@ -36,7 +36,7 @@ void out_of_mesh(Hit& hit, const Transform& world) {
     hit.normal = world.rotation * hit.normal;
 }
 
-/// Sum of the magnitudes that a coordinate passes through on its way from `local` to the world.
+/// A bound for the magnitudes of the intermediate results when `local` is transformed to the world.
 double magnitude(Vec3 local, const Transform& world) {
     return max_component(abs(world.position)) + 3 * world.scale * max_component(abs(local));
 }
@@ -47,12 +47,12 @@ Box bounds(const MeshInstance& instance) {
     const Transform& world = instance.world;
     if (instance.mesh.triangle_count() == 0) return bounds(Aabb{world.position, world.position});
     const Obb box = transformed(instance.axes(instance.mesh.bounds()), world);
-    // bounds(Obb) answers for the rounding of half extents and axes. The centre, and a triangle that
-    // is carried over by itself, go through at most 8 roundings of 2^-53 of what they are summed from.
+    // bounds(Obb) covers the rounding of half extents and axes. The centre, and a triangle that is transformed by
+    // itself, go through at most 8 roundings of 2^-53 of their terms.
     const double slack =
         0x1p-50 * (magnitude(box.half / world.scale, world) + magnitude(world.inverse_apply(box.center), world));
     Box result = bounds(Obb{box.center, box.half + Vec3{slack, slack, slack}, box.axes});
-    // Turned, the corners of a box stick out; what is round stays within its sphere.
+    // The corners of a rotated box can stick out of the mesh's bounding sphere, so the two bounds are intersected.
     const Box sphere = bounds(Sphere{box.center, instance.mesh.radius(instance.axes) * world.scale + slack});
     for (int k = 0; k < 3; ++k) {
         result.min[k] = std::max(result.min[k], sphere.min[k]);
@@ -74,7 +74,7 @@ bool comes_near(const MeshInstance& instance, const Ray& ray) {
     const double radius = instance.mesh.radius(instance.axes) * instance.world.scale, radius_squared = radius * radius;
     if (length_squared(to_center) <= radius_squared) return true;
     const double along = dot(to_center, ray.direction), speed_squared = length_squared(ray.direction);
-    // Before the ball, by the time that its nearest point could be reached.
+    // The closest approach lies before the origin, or the ray ends before it could reach the ball.
     if (along <= 0 || along - std::min(ray.t_max, 0x1p600) * speed_squared > radius * std::sqrt(speed_squared))
         return false;
     return length_squared(to_center) * speed_squared - along * along <= radius_squared * speed_squared;
@@ -120,11 +120,11 @@ bool closest_point(const MeshInstance& instance, Vec3 point, double max_distance
         triangle = GPHYS_NO_TRIANGLE;
         return true;
     }
-    // The limit must not lose to rounding a point that lies exactly at it: the way there and back is
-    // at most 16 roundings of 2^-53 of the coordinates and of the distance itself.
+    // A point exactly at the limit must not be lost to rounding: the transform to local space and back has at most 16
+    // roundings of 2^-53 of the coordinates and of the distance.
     const double coordinates = magnitude(local, world);
     const auto within = [&](double distance) { return (distance + 0x1p-48 * (coordinates + distance)) / world.scale; };
-    // What is reported is the distance in the world.
+    // The distance in the world is what is reported.
     const auto as_reported = [&](Vec3 candidate, double) {
         const double squared = length_squared(world.apply(candidate) - point);
         const bool near = squared <= max_distance * max_distance;

@@ -1,6 +1,6 @@
-// A mesh with a world transform and a scale for each axis. Queries are transformed to the local space of the mesh, as
-// it is or scaled (mesh_place.h), in double precision and results back; t does not change, because the direction is
-// transformed with the origin.
+// A mesh with a world transform and a scale for each axis. Queries are transformed to the local space of the mesh,
+// unscaled or scaled (mesh_place.h), in double precision, and their results back. t does not change, because the
+// direction is transformed with the origin.
 #pragma once
 
 #include "mesh/mesh.h"
@@ -15,25 +15,26 @@ struct MeshInstance {
     MeshPlace place() const { return {world, axes}; }
 };
 
-/// Of an empty mesh: the point where it stands.
+/// The bounds of an empty mesh are its position.
 Box bounds(const MeshInstance& instance);
 bool raycast(const MeshInstance& instance, const Ray& ray, Hit& hit);
-/// Up to Mesh::rays_at_once rays that are no segments, rounded: bit i of the result is set if rays[i] hits, as *out[i]
-/// tells.
+/// For up to Mesh::rays_at_once rays that are no segments, rounded: bit i of the result is set if rays[i] hits, and
+/// then *out[i] has the hit.
 inline uint64_t raycast_many(const MeshInstance& instance, const Ray* rays, uint32_t count, gphys_hit* const* out) {
     return instance.mesh.raycast_many(rays, count, instance.place(), out);
 }
-/// Whether a ray comes near a mesh: within the ball around it, but for rounding.
+/// Whether a ray comes within the bounding ball of the mesh, up to rounding.
 bool comes_near(const MeshInstance& instance, const Ray& ray);
 bool raycast_any(const MeshInstance& instance, const Ray& ray);
-/// What raycast reports of t and triangle.
+/// The t and triangle that raycast reports.
 bool raycast_distance(const MeshInstance& instance, const Ray& ray, gphys_distance& out);
 bool sweep(const MeshInstance& instance, const Sphere& moving, Vec3 displacement, Hit& hit,
            Ties ties = Ties::as_reported, Faces faces = {});
 /// For a moving sphere, capsule or box.
 bool sweep(const MeshInstance& instance, const Shape& moving, Vec3 displacement, Hit& hit, Faces faces = {});
 bool overlaps(const MeshInstance& instance, const Shape& shape);
-/// As Mesh::closest_point: false if nothing is within max_distance (as computed: or, by rounding, barely beyond it).
+/// As Mesh::closest_point. False if no point is within max_distance as computed, which may be barely beyond it by
+/// rounding.
 bool closest_point(const MeshInstance& instance, Vec3 point, double max_distance, Vec3& out, uint32_t& triangle,
                    Ties ties = Ties::as_reported);
 

@@ -1,3 +1,5 @@
+// Kernels of raycasts against meshes: preparation of rays (eight at once), traversal for a single ray, for packets of
+// coherent rays and for interleaved ones (bvh/*_traversal.h), and the making of hits.
 #include "mesh/mesh_kernels.h"
 
 #include "bvh/interleaved_traversal.h"
@@ -51,7 +53,7 @@ GPHYS_INLINE void prepare_eight(const Double8 (&origin)[3], const Double8 (&dire
     alignas(32) float limit[8];
     store(limit, limits);
     for (int i = 0; i < 8; ++i) at(i).limit = limit[i];
-    // Of is_segment nothing asks once a ray is sheared; rays that do not meet all faces are cast one by one.
+    // is_segment is not read after shearing. Rays with a choice of faces are cast one by one.
     const Double8 no_rest[4] = {t_max, 0, 0, 0};
     store_components([&](int i) { return &at(i).sheared.t_max; }, no_rest);
 }
@@ -79,7 +81,7 @@ void prepare_placed(const Ray* rays, uint32_t count, const MeshPlace& place, con
         const Rays8 eight(rays + first, count - first);
         const Vec<Double8> from{eight.origin[0], eight.origin[1], eight.origin[2]};
         const Vec<Double8> along{eight.direction[0], eight.direction[1], eight.direction[2]};
-        // MeshPlace::inverse_apply and inverse_apply_to_vector
+        // The scalar form is MeshPlace::inverse_apply and inverse_apply_to_vector.
         const Vec<Double8> origin = quotients(transpose_times(rotation, from - position), scale);
         const Vec<Double8> direction = quotients(transpose_times(rotation, along), scale);
         prepare_eight({origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}, eight.t_max, root,
@@ -101,8 +103,8 @@ void walk_ray(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets
         [](const BvhNode&) {});
 }
 
-/// Which triangles of packets rays cross, asked eight at a time. Order is ClosestHit or AnyHit, which ends a ray that
-/// crosses one.
+/// Collects pairs of a ray and a triangle and tests eight of them at once. Order is ClosestHit or AnyHit; with AnyHit a
+/// ray ends at its first hit.
 template <class Order>
 class Crossing {
 public:
@@ -116,7 +118,7 @@ public:
             if (pairs_.count == 8) finish();
         }
     }
-    /// Rays that cross something nearer have new limits then.
+    /// Rays that have found a nearer hit get new limits.
     void finish() {
         uint32_t open = (1u << pairs_.count) - 1;
         if (pairs_.count >= worth_eight_lanes) {
@@ -234,7 +236,7 @@ uint64_t placed_hits(const PreparedRay* rays, const NearestCrossing* nearest, ui
     const Vec<Double8> position = splat3(world.position);
     const Matrix<Double8> rotation = splat3(world.rotation);
     const Double8 scale = world.scale;
-    // Transform::apply
+    // The scalar form is Transform::apply.
     const auto place = [&](Vec<Double8>& point, Vec<Double8>& normal) {
         point = position + rotation * (point * scale);
         normal = rotation * normal;

@@ -1,4 +1,4 @@
-// What a mesh asks of its packets, once for each instruction set.
+// The kernels that a mesh needs, compiled once for each instruction set.
 #pragma once
 
 #include "bvh/bvh_kernels.h"
@@ -7,42 +7,41 @@
 
 namespace gphys {
 
-/// Who gets the packets that a ray meets, with the lanes it may hit.
+/// Callback for the packets that a ray may hit, with the lanes that it may hit.
 struct PacketVisitor {
-    /// Returns the new limit, which may have come nearer; a negative one ends the walk.
+    /// Returns the new limit, which may be nearer than before. A negative limit ends the traversal.
     float (*visit)(void* context, const TrianglePacket& packet, uint32_t lanes);
     void* context;
 };
 
-/// The exact test, for what kernels leave open (raycast_triangle.cpp).
+/// The exact test, for pairs that the kernels leave undecided (raycast_triangle.cpp).
 using CrossesTriangle = bool (*)(const PreparedRay& ray, const TrianglePacket& packet, uint32_t lane,
                                  TriangleCrossing& crossing);
 
 struct MeshKernels {
-    /// Prepares many rays with the same bits as one by one. `count` is at least 1; what is written is rounded up to a
-    /// multiple of eight.
+    /// Prepares many rays, with the same bits as one by one. `count` is at least 1. Writes a multiple of eight rays.
     void (*prepare)(const gphys_ray* const* rays, uint32_t count, const RaysRoot& root, PreparedRay* to);
-    /// The same of rays in double precision that are no segments, carried into a mesh that stands at `place`.
+    /// The same for rays in double precision that are no segments, transformed into a mesh at `place`.
     void (*prepare_placed)(const Ray* rays, uint32_t count, const MeshPlace& place, const RaysRoot& root,
                            PreparedRay* to);
-    /// Roughly nearest first, through an BVH whose items are the numbers of `packets`.
+    /// Traverses a BVH whose items are the indices of `packets`, roughly front to back.
     void (*ray)(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay& ray,
                 const PacketVisitor& to);
-    /// Where many rays first cross the triangles, or with `only_front` those whose front they meet; up to
-    /// RayPackets::most with the same signs of direction may go together.
+    /// The first hits of many rays on the triangles, or with `only_front` on front faces only. With `together`, the
+    /// rays have the same signs of direction, are at most RayPackets::most, and may be traversed as a packet.
     void (*rays)(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay* rays,
                  uint32_t count, bool together, bool only_front, CrossesTriangle exact, NearestCrossing* nearest);
-    /// The same for whether they cross any: where is of no interest.
+    /// The same, but any hit will do; only whether there is one counts.
     void (*rays_any)(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay* rays,
                      uint32_t count, bool together, bool only_front, CrossesTriangle exact, NearestCrossing* nearest);
-    /// The hits of rays that cross something. Bit i of the result is set if that of ray i is written.
+    /// The hits at the nearest crossings. Bit i of the result is set if the hit of ray i was written.
     uint64_t (*hits)(const PreparedRay* rays, const NearestCrossing* nearest, uint32_t count, gphys_hit* const* out);
-    // The lanes of one packet whose boxes meet a query.
+    // The lanes of one packet whose boxes overlap the query.
     uint32_t (*lanes_in_box)(const TrianglePacket& packet, const Box& box);
     uint32_t (*lanes_along)(const TrianglePacket& packet, const RayProbe& probe, float limit);
     uint32_t (*lanes_near)(const TrianglePacket& packet, const PointProbe& probe, float limit);
     uint32_t (*lanes_near_weighted)(const TrianglePacket& packet, const WeightedPointProbe& probe, float limit);
-    /// As hits, of a mesh that stands at `world`, with one scale.
+    /// As hits, for a mesh at `world` with a uniform scale.
     uint64_t (*placed_hits)(const PreparedRay* rays, const NearestCrossing* nearest, uint32_t count,
                             const Transform& world, gphys_hit* const* out);
 };

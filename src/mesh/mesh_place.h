@@ -1,17 +1,17 @@
-// A scale for each axis of a mesh, and where a scaled mesh stands.
+// A scale for each axis of a mesh, and the place of a scaled mesh.
 //
-// One mesh serves models of many scales: nothing of it is copied. It is asked in one of two frames.
+// One mesh serves models of many scales without copies. Queries use one of two frames:
 //
-// - Rays are carried into the mesh as it is. The map is affine, so t stays, and so do the signs that decide: each
-//   product of three coordinates, one of each axis, grows by the same factor. The trees, packets and kernels do not
-//   know of the scale. Normals are divided by it.
-// - Distances are not those of the mesh as it is. What asks for them (nearest points, overlaps, sweeps, penetrations)
-//   is in the frame of the scaled mesh. Triangles are scaled when they are read, which is exact: the product of two
-//   floats is a double. The tree stays that of the mesh: its boxes, which are parallel to the same axes, are scaled
-//   where they are measured, or the query is divided by the scale.
+// - Raycasts are transformed into the frame of the unscaled mesh. The map is affine, so t stays the same, and so do
+//   the signs that decide: each product of three coordinates, one for each axis, grows by the same factor. Tree,
+//   packets and kernels need not know the scale. Normals are divided by it.
+// - Queries that measure distances (closest points, overlaps, sweeps, penetrations) use the frame of the scaled mesh.
+//   Triangles are scaled when they are read, which is exact: the product of two floats is a double. The tree stays
+//   that of the unscaled mesh. Its axis-parallel boxes are scaled when they are measured, or the query is divided by
+//   the scale.
 //
-// A copy of the mesh for each scale would give the same answers, from 100 bytes a triangle and the time of building its
-// tree at each change.
+// A copy of the mesh for each scale would give the same answers, at a cost of 100 bytes per triangle and of building
+// its tree at each change.
 #pragma once
 
 #include "shapes/shapes.h"
@@ -28,7 +28,7 @@ struct AxisScale {
     double largest() const { return max_component(by); }
     double least() const { return std::min(by.x, std::min(by.y, by.z)); }
 
-    // Exact, of floats.
+    // Exact for floats.
     Vec3 operator()(Vec3 point) const { return by_component(point, by); }
     Triangle operator()(const Triangle& t) const {
         return is_one_ ? t : Triangle{(*this)(t.a), (*this)(t.b), (*this)(t.c)};
@@ -38,7 +38,7 @@ struct AxisScale {
     }
 
     Vec3 inverse(Vec3 v) const { return quotients(v, by); }
-    /// Of the mesh as it is; each is within one rounding outward.
+    /// A box of the scaled mesh in the frame of the unscaled one, rounded outward.
     Box inverse(const Box& box) const {
         if (is_one()) return box;
         Box result;
@@ -49,8 +49,8 @@ struct AxisScale {
         }
         return result;
     }
-    /// A unit normal of the mesh as it is, of the scaled one: by the inverse transpose, with the same relative error
-    /// in each component.
+    /// The scaled mesh's unit normal for a unit normal of the unscaled mesh: the inverse transpose, with the same
+    /// relative error in each component.
     Vec3 normal(Vec3 unit) const { return is_one() || unit == Vec3{} ? unit : normalized(inverse(unit)); }
 
 private:
@@ -61,7 +61,7 @@ private:
 struct MeshPlace {
     const Transform& world;
     AxisScale axes;
-    Vec3 scale = axes.by * world.scale;  // both; exact
+    Vec3 scale = axes.by * world.scale;  // both scales; the product is exact
 
     Vec3 apply(Vec3 p) const { return world.position + world.rotation * by_component(p, scale); }
     Vec3 inverse_apply(Vec3 p) const { return quotients(transpose_times(world.rotation, p - world.position), scale); }

@@ -1,5 +1,4 @@
-// A ray on its way through a mesh: what kernels and the exact test need of it, and the nearest
-// crossing so far.
+// A ray prepared for the traversal of a mesh, and its nearest crossing so far.
 #pragma once
 
 #include "foundation/compiler.h"
@@ -9,7 +8,7 @@
 
 namespace gphys {
 
-/// What kernels and the exact test need of a ray, made by one or by eight (mesh_kernels.h).
+/// The data that kernels and the exact test need, prepared for one ray or for eight at once (mesh_kernels.h).
 struct PreparedRay {
     PreparedRay() = default;
     PreparedRay(const Ray& ray, const RaysRoot& root)
@@ -21,13 +20,13 @@ struct PreparedRay {
     ShearedRay sheared;
     RayProbe along;
     TriangleProbe triangles;
-    float limit;  // where the walk may end, for kernels
+    float limit;  // where kernels may end the traversal
 };
 
-/// Where a ray first crosses a mesh, as far as it is known. Asked for is always the ray as given: comparing
-/// crossings, not cutting the ray short, makes the answer independent of their order.
+/// The nearest crossing found so far. Every triangle is tested against the original ray: comparing crossings instead of
+/// shortening the ray makes the result independent of their order.
 struct NearestCrossing {
-    /// Whether this one, reported at `other_t`, comes before; of equal ones that of the lower index.
+    /// Takes the crossing, reported at `other_t`, if it is nearer, or as near with a lower index.
     GPHYS_INLINE bool take(const TriangleCrossing& other, float other_t, const TrianglePacket& of, uint32_t at) {
         const uint32_t index = of.index[at];
         if (!(other_t < t || (other_t == t && index < triangle))) return false;
@@ -40,13 +39,13 @@ struct NearestCrossing {
     }
 
     TriangleCrossing crossing{infinity, 0, 0, 0};
-    float t = std::numeric_limits<float>::infinity();  // as it is reported
+    float t = std::numeric_limits<float>::infinity();  // as reported
     uint32_t triangle = GPHYS_NO_TRIANGLE;
     uint32_t lane = 0;
     const TrianglePacket* packet = nullptr;
 };
 
-/// The whole answer; false if there is none.
+/// The complete hit at the crossing; false if there is none.
 inline bool hit_at(const NearestCrossing& nearest, const ShearedRay& ray, Hit& hit) {
     if (nearest.triangle == GPHYS_NO_TRIANGLE) return false;
     hit = hit_at(nearest.packet->triangle(static_cast<int>(nearest.lane)), ray, nearest.crossing);

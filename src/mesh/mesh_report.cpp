@@ -15,8 +15,8 @@ void count(uint32_t index, uint32_t& counter, uint32_t& first) {
     if (counter++ == 0) first = index;
 }
 
-/// The edges of the triangles that have three different vertices, all in range: visit(low, high).
-/// One that uses a vertex twice is no surface and joins nothing.
+/// Visits the edges of the triangles that have three different vertices in range: visit(low, high). A triangle that
+/// uses a vertex twice is no surface and joins nothing.
 template <class Visit>
 void for_each_edge(const MeshArrays& arrays, Visit&& visit) {
     for (uint32_t triangle = 0; triangle < arrays.index_count / 3; ++triangle) {
@@ -29,9 +29,9 @@ void for_each_edge(const MeshArrays& arrays, Visit&& visit) {
     }
 }
 
-/// Edges that do not join exactly two triangles.
+/// The number of edges that do not join exactly two triangles.
 uint32_t count_open_edges(const MeshArrays& arrays, std::pmr::memory_resource* memory) {
-    // A counting sort by the lower vertex leaves a few edges a vertex, to be counted by the higher.
+    // Counting sort by the lower vertex. Each vertex then has a few edges, which are counted by the higher vertex.
     Vector<uint32_t> end(size_t{arrays.vertex_count} + 1, 0, memory);
     for_each_edge(arrays, [&](uint32_t low, uint32_t) { ++end[low + 1]; });
     for (uint32_t i = 0; i < arrays.vertex_count; ++i) end[i + 1] += end[i];
@@ -39,7 +39,7 @@ uint32_t count_open_edges(const MeshArrays& arrays, std::pmr::memory_resource* m
     for_each_edge(arrays, [&](uint32_t low, uint32_t high) { high_ends[end[low]++] = high; });
 
     uint32_t open = 0;
-    Vector<uint32_t> joined(arrays.vertex_count, 0, memory);  // triangles at the edge to each vertex
+    Vector<uint32_t> joined(arrays.vertex_count, 0, memory);  // by vertex: triangles at the edge from `low` to it
     auto first = high_ends.begin();
     for (uint32_t low = 0; low < arrays.vertex_count; ++low) {
         const auto last = high_ends.begin() + end[low];

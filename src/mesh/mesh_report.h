@@ -1,4 +1,4 @@
-// What is in a triangle array, before a mesh is made of it.
+// Validation of triangle arrays before a mesh is made of them.
 #pragma once
 
 #include <cstring>
@@ -7,12 +7,12 @@
 
 namespace gphys {
 
-/// What the triangles of a mesh stand for. With the form of a body of a solver it is not collided with by solvers.
-/// Snapshots hold these numbers.
+/// What the triangles of a mesh stand for. Solvers do not collide with meshes that show a body. Snapshots store these
+/// numbers.
 enum class MeshKind : uint32_t {
     surface = GPHYS_MESH_SURFACE,
     body_surface = GPHYS_MESH_BODY_SURFACE,
-    /// Of a body: a triangle a, b, b is the capsule from a to b.
+    /// For a body: a triangle a, b, b stands for the capsule from a to b.
     body_links = GPHYS_MESH_BODY_LINKS,
     /// The surface of a convex solid, made by make_hull (convex_hull.h).
     hull = GPHYS_MESH_HULL
@@ -26,7 +26,7 @@ struct MeshArrays {
     const uint32_t* indices;
     uint32_t index_count;
     MeshKind kind = MeshKind::surface;
-    /// Of links, one each: how thick it is. With the sign bit set it is not there.
+    /// One radius for each link. The sign bit marks a link that does not exist.
     const float* radii = nullptr;
 
     gphys_vec3 vertex(uint32_t i) const {
@@ -36,7 +36,7 @@ struct MeshArrays {
     }
 };
 
-/// Of arrays without bad vertices and indices: triangles of no area, counted anew.
+/// Counts the triangles of zero area again, for arrays without bad vertices and indices.
 void count_degenerate(const MeshArrays& arrays, gphys_mesh_report& report);
 
 /// Throws std::bad_alloc.

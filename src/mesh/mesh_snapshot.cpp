@@ -20,7 +20,7 @@ uint64_t words_of(const Sizes& sizes) {
            sizes.nodes;
 }
 
-/// Of the last section, which a surface does not have.
+/// Words of the last section, which a surface does not have.
 uint64_t words_of_kind(MeshKind kind, const Sizes& sizes) {
     return kind == MeshKind::surface ? 0 : kind == MeshKind::body_links ? 1 + sizes.indices / 3 : 1;
 }
@@ -31,7 +31,7 @@ bool report_fits(const Sizes& sizes) {
            (sizes.degenerate == 0 ? sizes.first_degenerate == GPHYS_NO_TRIANGLE : sizes.first_degenerate < triangles);
 }
 
-/// As bits, of which those of NaN and infinity are the highest.
+/// Compares bit patterns: those of infinity and NaN are above all finite ones.
 bool are_coordinates(const uint32_t* values, uint64_t count) {
     constexpr float last = GPHYS_MAX_COORDINATE;
     uint32_t last_bits;
@@ -47,7 +47,7 @@ bool are_below(uint32_t limit, const uint32_t* values, uint32_t count) {
     return fine;
 }
 
-/// Each triangle once, in packets of one to eight, of which it returns the number; 0 if they are not so.
+/// The number of packets, if `order` lists each triangle once in packets of one to eight; else 0.
 uint32_t count_packets(const uint32_t* order, uint32_t triangles, std::pmr::memory_resource* memory) {
     Vector<uint64_t> seen(size_t{triangles} / 64 + 1, 0, memory);
     uint32_t packets = 0, size = 0;
@@ -65,9 +65,9 @@ uint32_t count_packets(const uint32_t* order, uint32_t triangles, std::pmr::memo
     return size == 0 ? packets : 0;
 }
 
-/// Whether the vertices, with those triangles, are what make_hull makes of them.
+/// Whether make_hull returns the same vertices and triangles.
 bool is_hull_of_itself(const MeshArrays& arrays, std::pmr::memory_resource* memory) {
-    if (arrays.vertex_count > 2 * most_hull_faces) return false;  // without the time that it would take
+    if (arrays.vertex_count > 2 * most_hull_faces) return false;  // rejected early: make_hull would take long
     HullSurface hull(memory);
     if (make_hull(arrays, hull) != HullDefect::none) return false;
     return hull.vertices.size() == arrays.vertex_count && hull.indices.size() == arrays.index_count &&
@@ -162,7 +162,7 @@ gphys_status Mesh::snapshot(uint32_t* out, uint32_t capacity, uint32_t& total) c
     if (total > capacity) return GPHYS_INCOMPLETE;
     uint32_t* to = out + snapshot_header_words;
     const auto copy = [&](const void* from, size_t size) {
-        if (size > 0) std::memcpy(to, from, 4 * size);  // else `from` may be null
+        if (size > 0) std::memcpy(to, from, 4 * size);  // if size is 0, `from` may be null
         to += size;
     };
     copy(&sizes, size_words);

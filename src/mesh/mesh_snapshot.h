@@ -1,4 +1,4 @@
-// A mesh and its tree as a row of 32-bit words, in the machine's byte order:
+// A mesh and its tree as an array of 32-bit words, in the machine's byte order:
 //
 //   header     snapshot_header.h
 //   sizes      of vertices, indices and nodes; degenerate triangles, the first of them, open edges
@@ -9,9 +9,9 @@
 //   kind       of a hull, and of a mesh in the form of a body: its MeshKind, and of links the radii, as MeshArrays has
 //              them
 //
-// What follows from others (corners of packets, boxes) is made again. So nothing that a query relies on is taken on
-// trust: indices, order and nodes are checked, and the boxes are right whatever the words were. Of a hull the vertices
-// are to have those triangles as their hull.
+// Whatever follows from other data (corners of packets, boxes) is computed again when a snapshot is read. So queries
+// rely on nothing unchecked: indices, order and nodes are validated, and the boxes are right whatever the words are.
+// For a hull, the hull of the vertices must have these triangles.
 //
 // Releases of one major version read all formats of earlier ones.
 #pragma once
@@ -23,14 +23,14 @@
 
 namespace gphys {
 
-/// What a mesh is made of whose tree is known.
+/// The contents of a mesh whose tree is known.
 struct MeshParts {
     static constexpr uint32_t last_of_packet = 0x80000000u;
 
     MeshArrays arrays;
     gphys_mesh_report report;
     WordHash index_hash;
-    uint64_t hash;  // of all that it holds
+    uint64_t hash;  // of all contents
     const uint32_t* order;
     BvhLayout tree;
 };
@@ -41,19 +41,19 @@ struct MeshSnapshotSizes {
 };
 constexpr uint32_t mesh_snapshot_magic = 0x6770686d;
 constexpr uint32_t mesh_snapshot_format = 1;
-/// The header and the sizes.
+/// Size of the header and the sizes.
 constexpr uint32_t mesh_snapshot_begin = snapshot_header_words + sizeof(MeshSnapshotSizes) / 4;
 
-/// Of indices, vertices and radii, and of the kind.
+/// Hash of indices, vertices and radii, and of the kind.
 inline uint64_t mesh_hash(const WordHash& contents, MeshKind kind) {
     return contents.value() + static_cast<uint64_t>(kind) * WordHash::golden;
 }
 
-/// Of what follows the sizes, and then of these: it begins as the hash of a mesh does. `count` is mesh_snapshot_begin
-/// at least.
+/// Of the words after the sizes, and then of the sizes: it starts as the hash of a mesh does. `count` is at least
+/// mesh_snapshot_begin.
 uint64_t mesh_snapshot_checksum(const uint32_t* words, uint32_t count);
 
-/// The parts, which point into the words; returns what is wrong with them, or nullptr. Throws std::bad_alloc.
+/// Reads the parts, which point into the words. Returns what is wrong with them, or nullptr. Throws std::bad_alloc.
 const char* read_mesh_snapshot(const uint32_t* words, uint32_t count, std::pmr::memory_resource* memory,
                                MeshParts& parts);
 

@@ -1,4 +1,4 @@
-// Who has to know when a deformable mesh changes: the models that show it. Meshes know nothing of scenes.
+// Observers of a deformable mesh: the models that show it are notified when it changes. Meshes know nothing of scenes.
 #pragma once
 
 #include <mutex>
@@ -8,28 +8,28 @@
 
 namespace gphys {
 
-/// What holds models of meshes, each known to it by a number.
+/// An owner of models with meshes; it knows each of them by a number.
 class MeshUser {
 public:
-    /// Why the model cannot have the mesh as it is now, or null.
+    /// Why the model cannot accept the present mesh, or null.
     virtual const char* refusal_of_mesh(uint32_t model) const = 0;
-    /// The mesh has changed, and nobody rejects that.
+    /// The mesh has changed, and no user has rejected the change.
     virtual void mesh_changed(uint32_t model) noexcept = 0;
-    /// The coordinates of all vertices have grown by that, and the model moves the other way, to stay where it is.
+    /// All vertices have been shifted by `by`. The model moves the other way, so that it stays where it is.
     virtual void mesh_shifted(uint32_t model, Vec3 by) noexcept = 0;
 
 protected:
     ~MeshUser() = default;
 };
 
-/// The users of one mesh. Scenes of different threads may come and go at the same time.
+/// The users of one mesh. Thread safe: scenes of different threads may join and leave at the same time.
 class MeshUsers {
 public:
     explicit MeshUsers(std::pmr::memory_resource* memory) : users_(memory) {}
 
-    /// What throws std::bad_alloc has changed nothing.
+    /// If it throws std::bad_alloc, nothing has changed.
     void join(MeshUser& user, const uint32_t* models, uint32_t count);
-    /// Takes back one join of the model.
+    /// Undoes one join of the model.
     void leave(MeshUser& user, uint32_t model) noexcept;
 
     const char* refusal() const;
@@ -44,7 +44,7 @@ private:
     static bool before(const User& a, const User& b);
 
     mutable std::mutex mutex_;
-    Vector<User> users_;  // in order, so that one is found quickly
+    Vector<User> users_;  // sorted, for binary search
 };
 
 }  // namespace gphys

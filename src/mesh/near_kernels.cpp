@@ -1,3 +1,7 @@
+// Conservative distances of a point to triangles, eight at a time in float, and culling by half-spaces.
+//
+// The closest point of a triangle is the closest point of one of its edges, or the projection onto its plane. From it
+// follows a lower bound of the distance that holds whatever the rounding errors are (distance_at_least).
 #include "mesh/near_kernels.h"
 
 #include <limits>
@@ -11,13 +15,13 @@ namespace gphys::GPHYS_ISA {
 
 namespace {
 
-// Corners are taken relative to the point and divided by the packet's extent, a bound E of the sum of their
-// coordinates' magnitudes. That takes three roundings of 2^-24 of E, a product with a vector of length 1 three more
-// and one of the vector itself: 7 * 2^-24. The extent has room for its own roundings.
+// Corners are taken relative to the point and divided by the packet's extent E, a bound for the sum of the magnitudes
+// of their coordinates. That takes three roundings of 2^-24 of E. A dot product with a unit vector takes three more,
+// and the unit vector itself one: 7 * 2^-24 in all. The extent includes its own roundings.
 constexpr float height_error = 0x1p-20f;
-// A vector that was made to have length 1 is longer by at most 5 * 2^-24.
+// A vector normalised in float is longer than 1 by at most 5 * 2^-24.
 constexpr float shortened = 1 - 0x1p-20f;
-// What is smaller, in parts of the extent, is nothing: a division by it, or by its square, is not a large number.
+// A number that is smaller, relative to the extent, counts as 0: dividing by it or by its square does not overflow.
 constexpr float tiny = 1e-30f;
 
 struct Corners {
@@ -36,7 +40,7 @@ private:
     }
 };
 
-/// The point of an edge that is nearest to the origin, and its squared distance.
+/// The point of an edge closest to the origin, and its squared distance.
 inline Vec<Float8> nearest_on_edge(const Vec<Float8>& from, const Vec<Float8>& along, Float8& squared) {
     const Float8 t = (splat(0) - dot(from, along)) / max(dot(along, along), splat(tiny));
     const Vec<Float8> nearest = from + along * min(max(t, splat(0)), splat(1));
@@ -44,8 +48,9 @@ inline Vec<Float8> nearest_on_edge(const Vec<Float8>& from, const Vec<Float8>& a
     return nearest;
 }
 
-/// Whatever was found for the nearest point q, up to rounding, and however thin the triangle is: it is beyond the
-/// plane across q through the corner that comes nearest along q.
+/// A lower bound of the distance from the origin. It holds for any vector q, however inaccurate and however thin the
+/// triangle: the triangle is beyond the plane normal to q through the corner that is lowest along q. It is tight if q
+/// is the closest point.
 Float8 distance_at_least(const Corners& t) {
     const Vec<Float8> ab = t.b - t.a, ac = t.c - t.a;
     Float8 squared, other;
@@ -56,7 +61,8 @@ Float8 distance_at_least(const Corners& t) {
     };
     take_nearer(nearest_on_edge(t.a, ac, other));
     take_nearer(nearest_on_edge(t.b, t.c - t.b, other));
-    // Within the face, if the origin is above it: seen along the normal it is then on the same side of all edges.
+    // The projection onto the plane is in the triangle if, seen along the normal, the origin is on the same side of all
+    // edges.
     const Vec<Float8> normal = cross(ab, ac);
     const Float8 square = dot(normal, normal);
     const Float8 inside =
@@ -73,8 +79,8 @@ void drop_lanes(NearPacket& packet, uint32_t lanes) {
 
 uint32_t find(const Box8* boxes, const TrianglePacket* const* packets, uint32_t count, const NearProbe& probe,
               NearPacket* out) {
-    // No box is larger, and squares of what is stay floats. Squares below the smallest float are off by 2^-150 each,
-    // their root by less than the other.
+    // No box is larger than this, and its square is still a finite float. Squares of subnormal size have an error of
+    // 2^-150 each; their root is off by less than `smallest`.
     const Float8 largest = splat(1e18f), smallest = splat(1e-22f);
     uint32_t found = 0;
     for (uint32_t first = 0; first < count; first += 8) {

@@ -4,9 +4,9 @@ namespace gphys {
 
 namespace {
 
-// Larger numbers are far from every mesh, and cut off here.
+// Clamp: larger coordinates are far from every mesh.
 constexpr double farthest = 1e30;
-// Balls are taken for larger by this part, which is more than the rounding of places in the mesh.
+// Radii are enlarged by this factor, which exceeds the rounding of positions in the mesh.
 constexpr double widening = 1 + 0x1p-20;
 
 }  // namespace

@@ -1,5 +1,5 @@
 // A ball and a half-space in the local space of a mesh, rounded conservatively to float for the kernels in
-// near_kernels.cpp, which has the derivations.
+// near_kernels.cpp, which derives the error bounds.
 #pragma once
 
 #include "bvh/box8.h"
@@ -12,10 +12,10 @@ struct NearProbe {
     void shrink(double ball_radius);
 
     float base[3], offset[3];  // the centre is their sum
-    float radius;              // at least
+    float radius;              // rounded up
 };
 
-/// What is no further than `height` along a unit vector from the centre of a ball.
+/// The half-space of points at most `height` along a unit vector from the centre of a ball.
 struct HalfSpaceProbe {
     HalfSpaceProbe(Vec3 unit, double height);
 

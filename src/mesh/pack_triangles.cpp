@@ -1,5 +1,5 @@
 // Partitions triangles into packets by the surface area heuristic, like the BVH above them (sah.h). The last splits are
-// placed to leave full packets: a packet costs the same time and memory with any number of triangles.
+// placed to fill packets, because a packet takes the same time and memory for any number of triangles.
 #include "bvh/sah.h"
 #include "mesh/triangle_packet.h"
 
@@ -8,11 +8,11 @@ namespace gphys {
 namespace {
 
 constexpr int lanes = 8;
-/// From here down all cuts fill packets. Seven of eight lanes are in use then; from higher up they
-/// would be fuller yet, and packets wider.
+/// Ranges of up to this size are split so that packets are full. Then seven of eight lanes are in use. Starting at
+/// larger ranges would fill more lanes, but make packets wider.
 constexpr int few = split_few_size;
-/// Below this level cuts by cost have gone wrong (sizes in a geometric series), and halving bounds
-/// both the time and the depth.
+/// Below this level, splits by cost have degenerated (triangle sizes in a geometric series). Splitting at the median
+/// bounds time and depth.
 constexpr int cost_levels = 48;
 
 Box bounds_of(const gphys_vec3& a, const gphys_vec3& b, const gphys_vec3& c) {
@@ -20,7 +20,7 @@ Box bounds_of(const gphys_vec3& a, const gphys_vec3& b, const gphys_vec3& c) {
                                    {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}});
 }
 
-/// Of all cuts with a full packet's multiple on one side, the one of least expected cost.
+/// Of all splits that leave a multiple of a full packet on one side, the one of least expected cost.
 BoxedItem* split_into_full_packets(BoxedItem* first, BoxedItem* last) {
     const int count = static_cast<int>(last - first);
     uint64_t cuts = 0;
@@ -30,7 +30,7 @@ BoxedItem* split_into_full_packets(BoxedItem* first, BoxedItem* last) {
     return split_few(first, last, cuts, lanes);
 }
 
-/// Put the items in order and note where each packet ends.
+/// Sorts the items into packets and notes the end of each packet.
 void cut_into_packets(BoxedItem* first, BoxedItem* last, int level, BoxedItem* scratch, Vector<BoxedItem*>& ends) {
     while (last - first > lanes) {
         ++level;
@@ -59,7 +59,7 @@ TrianglePacket packet_of(const MeshArrays& arrays, const BoxedItem* first, const
     return packet;
 }
 
-/// For an item on its way; memory that none comes to is not touched.
+/// Uninitialised scratch space: pages that are never written cost nothing.
 union Place {
     Place() {}
     BoxedItem item;

@@ -1,5 +1,5 @@
-// Eight pairs of a ray and a triangle in double, for kernels, with the formulas of raycast_triangle.cpp, so that
-// results have the same bits as from these. Cases for exact arithmetic and special cases are left to them.
+// Eight pairs of a ray and a triangle in double, with the formulas of raycast_triangle.cpp (Woop, Benthin, Wald 2013)
+// and the same bits. Pairs that need exact arithmetic, and special cases, are left to that file.
 #pragma once
 
 #include "bvh/ray_setup.h"
@@ -9,10 +9,10 @@
 
 namespace gphys::GPHYS_ISA {
 
-/// For fewer, one by one is faster; for as many as there may be with registers of two doubles.
+/// For fewer pairs, single tests are faster; with registers of two doubles, always.
 constexpr uint32_t worth_eight_lanes = double_register_lanes == 8 ? 3 : double_register_lanes == 4 ? 6 : 9;
 
-/// Corner c of eight triangles: first_of(i, k) is where coordinate k of the first corner is, in its packet.
+/// Corner c of eight triangles: first_of(i, k) points to coordinate k of the first corner in its packet.
 template <class FirstOf>
 GPHYS_INLINE Vec<Double8> corners8(const FirstOf& first_of, int c) {
     constexpr int next = sizeof(TrianglePacket::corner[0]) / sizeof(float);
@@ -22,7 +22,7 @@ GPHYS_INLINE Vec<Double8> corners8(const FirstOf& first_of, int c) {
     return {coordinate(0), coordinate(1), coordinate(2)};
 }
 
-/// Rays, by their numbers, and a triangle for each. What is beyond the count is of no interest, but there.
+/// Pairs of a ray, by its index, and a triangle. Entries beyond the count are valid, but their results are ignored.
 struct RaysAndTriangles {
     explicit RaysAndTriangles(const TrianglePacket& any) {
         for (const TrianglePacket*& one : packet) one = &any;
@@ -40,11 +40,11 @@ struct RaysAndTriangles {
 };
 
 struct Crossings8 {
-    uint32_t no, yes;  // the others are open
+    uint32_t no, yes;  // pairs in neither are undecided
     double t[8], u[8], v[8];
-    float rounded_t[8];  // as it is reported
-    float limit[8];      // where the walk of the ray may end then
-    uint32_t back;       // from behind
+    float rounded_t[8];  // as reported
+    float limit[8];      // where the traversal of the ray may end then
+    uint32_t back;       // the ray comes from behind
 
     GPHYS_INLINE Crossings8(const RaysAndTriangles& pairs, const PreparedRay* rays) {
         const auto ray = [&](int i) -> const PreparedRay& { return rays[pairs.ray[i]]; };
@@ -106,8 +106,8 @@ struct Crossings8 {
     }
 };
 
-/// The hits of eight rays at their nearest crossings (hit_at), where place(point, normal) puts them. Returns those that
-/// are made.
+/// The hits of eight rays at their nearest crossings, as hit_at, transformed by place(point, normal). Returns the lanes
+/// that were made; the others need the scalar function.
 template <class Place>
 GPHYS_INLINE uint32_t make_hits(const NearestCrossing* const (&nearest)[8], const PreparedRay* const (&rays)[8],
                                 const Place& place, gphys_hit (&out)[8]) {
@@ -117,7 +117,7 @@ GPHYS_INLINE uint32_t make_hits(const NearestCrossing* const (&nearest)[8], cons
     load_components([&](int i) { return &rays[i]->sheared.speed; }, speed);
 
     const Vec<Double8> a = corners8(first, 0), ab = corners8(first, 1) - a, ac = corners8(first, 2) - a;
-    // accurate_cross
+    // The scalar form is accurate_cross.
     DoubleMask8 clear = 0 < absolute(speed[0]);
     const auto difference = [&](Double8 p, Double8 q) {
         const Double8 value = p - q;

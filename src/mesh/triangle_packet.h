@@ -10,7 +10,7 @@
 
 namespace gphys {
 
-/// So that no box depends on the order in which it was made.
+/// -0 becomes +0, so that a box does not depend on the order of its points.
 inline Box without_negative_zeros(Box box) {
     for (int k = 0; k < 3; ++k) {
         box.min[k] += 0.0f;
@@ -21,7 +21,7 @@ inline Box without_negative_zeros(Box box) {
 
 struct alignas(64) TrianglePacket {
     float corner[3][3][8];  // a, b, c; x, y, z
-    uint32_t index[8];      // of each triangle in the mesh; in unused lanes, which repeat lane 0, none
+    uint32_t index[8];      // of each triangle in the mesh; none in unused lanes, which repeat lane 0
 
     static constexpr uint32_t none = 0xffffffffu;
 
@@ -30,7 +30,7 @@ struct alignas(64) TrianglePacket {
         while (index[used - 1] == none) --used;
         return used;
     }
-    /// Those in use.
+    /// Bits of the used lanes.
     uint32_t lanes() const { return (1u << count()) - 1; }
     Triangle triangle(int lane) const { return {point(0, lane), point(1, lane), point(2, lane)}; }
     Box box() const {
@@ -52,7 +52,7 @@ private:
     Vec3 point(int c, int lane) const { return {corner[c][0][lane], corner[c][1][lane], corner[c][2][lane]}; }
 };
 
-/// visit(lane) returns whether to go on; the result is false if one did not.
+/// visit(lane) returns whether to go on. The result is false if a visit stopped the loop.
 template <class Visit>
 bool for_each_lane(uint32_t lanes, Visit&& visit) {
     for (; lanes != 0; lanes &= lanes - 1) {
@@ -61,9 +61,9 @@ bool for_each_lane(uint32_t lanes, Visit&& visit) {
     return true;
 }
 
-/// The triangles of valid arrays, and the box of each packet. Throws std::bad_alloc.
+/// The triangles of valid arrays in packets, and the box of each packet. Throws std::bad_alloc.
 void pack_triangles(const MeshArrays& arrays, Vector<TrianglePacket>& packets, Vector<Box>& boxes);
-/// The same of a mesh whose packets are known.
+/// The same for a mesh whose packets are known.
 void pack_triangles(const MeshParts& parts, Vector<TrianglePacket>& packets, Vector<Box>& boxes);
 
 }  // namespace gphys

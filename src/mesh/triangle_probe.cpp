@@ -6,7 +6,7 @@ namespace gphys {
 
 namespace {
 
-/// What Shear computes, of a ray that has it.
+/// The interface of Shear, for a ray that is sheared already.
 struct KnownShear {
     explicit KnownShear(const ShearedRay& r) : ray(r), moves(r.direction[r.kz] != 0), sx(r.sx), sy(r.sy) {}
 

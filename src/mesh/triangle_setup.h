@@ -1,5 +1,5 @@
-// The numbers of a TriangleProbe before they are rounded to float, for one ray with Number = double, or for eight with
-// the Double8 of a kernel.
+// The numbers of a TriangleProbe before they are rounded to float: for one ray with Number = double, or for eight with
+// the Double8 of a kernel. This is the watertight test of Woop, Benthin and Wald (2013) with an error bound.
 #pragma once
 
 #include "bvh/ray_setup.h"
@@ -8,33 +8,33 @@
 
 namespace gphys {
 
-// The signs of three volumes tell whether a ray passes through a triangle (raycast_triangle.cpp).
-// Here they are computed in float: x = X - sx Z and y = Y - sy Z, where X, Y, Z is a corner relative
-// to where the ray begins, and then products like a.x b.y - a.y b.x.
+// The signs of three volumes decide whether a ray passes through a triangle (raycast_triangle.cpp). Here they are
+// computed in float: x = X - sx Z and y = Y - sy Z, where X, Y, Z is a corner relative to the start of the ray, and
+// then products like a.x b.y - a.y b.x.
 //
-// Let u = 2^-24, R the distance on an axis from the beginning to the furthest side of the root, and o
-// how far the float origin is from the true one on that axis. Then X is off by at most o + u R, Z alike,
-// the slope by u of itself, its product with Z by another u, and their difference by u (R + |sx| Rz):
+// Let u = 2^-24, R the distance on an axis from the start of the ray to the farthest side of the root, and o the error
+// of the float origin on that axis. Then the error of X is at most o + u R, likewise of Z; of the slope it is u of
+// itself, of its product with Z another u, and of their difference u (R + |sx| Rz):
 //     ex = ox + 2 u R + |sx| (oz + 4 u Rz)
-// and a little for the terms in u^2. Along the ray, ez = oz + u Rz: margin. Each axis has its own error,
-// so that a mesh that is thin along one of them is not lost in the roundings of its length.
+// and a little for the terms in u^2. Along the ray the error is ez = oz + u Rz: the margin. Each axis has its own
+// error, so that a mesh that is thin along one axis is not lost in the rounding errors of its length.
 //
-// A volume of coordinates up to rx and ry (as computed) is then off by 2 (rx ey + ry ex) + 2 ex ey for
-// the coordinates and by 4 u rx ry for its own three roundings. As u rx is at most ex / 2 (1 + 2 u), that
-// is another rx ey + ry ex: 3.1 (rx ey + ry ex) + 3 ex ey has room for what remains and for computing it.
+// The error of a volume of coordinates up to rx and ry (as computed) is then 2 (rx ey + ry ex) + 2 ex ey for the
+// coordinates and 4 u rx ry for its own three roundings. As u rx is at most ex / 2 (1 + 2 u), that is another rx ey +
+// ry ex: 3.1 (rx ey + ry ex) + 3 ex ey covers the rest and its own computation.
 //
-// Numbers below 2^-126 may be flushed to zero by the host: each coordinate may be off by four such
-// flushes and Z times the slope's, each volume by three more.
+// The host may flush numbers below 2^-126 to zero: each coordinate may have the error of four such flushes and, times
+// Z, that of the slope; each volume of three more.
 //
-// Nothing overflows: the root is within 2^53 of the beginning, coordinates stay below 2^55 and
-// volumes below 2^111.
+// Nothing overflows: the root is within 2^53 of the start, coordinates stay below 2^55 and volumes below 2^111.
 template <class Number>
 struct TriangleSetup {
     using Mask = decltype(Number() < Number());
 
     Number origin[3], slope_x, slope_y, error_slope_x, error_slope_y, error, margin, ahead;
 
-    /// `begin` and `slack` are those of the ray's probe of boxes in the root, and whether it excludes any.
+    /// `begin` and `slack` are those of the ray's probe of boxes in the root; `excludes`: whether that probe rejects
+    /// any box.
     template <class ShearOf, class Begin>
     GPHYS_INLINE TriangleSetup(const ShearOf& shear, const Number (&direction)[3], const Begin& begin, Number slack,
                                Mask excludes, const RaysRoot& root) {
@@ -62,7 +62,7 @@ struct TriangleSetup {
         error = 3 * error_x * error_y + flushed;
         margin = (1.01 * (off[2] + u * reach[2]) + flushed) * (1 + 2 * u);
         ahead = select(shear.z(direction) < 0, 0, 1);
-        const Mask useless = !(shear.moves & excludes);  // nothing to shear along, or beyond floats
+        const Mask useless = !(shear.moves & excludes);  // a zero direction, or numbers too large for floats
         if (any(useless)) let_pass(useless);
     }
 

@@ -1,5 +1,5 @@
-// Eight triangles against a ray, for kernels. The bounds of rounding are derived in
-// triangle_setup.h.
+// Conservative test of eight triangles against a ray: the watertight test of Woop, Benthin and Wald (2013) in float,
+// with error bounds. These are derived in triangle_setup.h.
 #pragma once
 
 #include "foundation/simd.h"
@@ -8,7 +8,7 @@
 
 namespace gphys::GPHYS_ISA {
 
-/// Unused lanes come last; they would be hit with lane 0.
+/// Unused lanes come last. They repeat lane 0, and would be hit with it.
 inline uint32_t used_lanes(const TrianglePacket& packet) {
     uint32_t used = 0xff;
     for (int lane = 8; packet.index[--lane] == TrianglePacket::none;) used >>= 1;
@@ -32,7 +32,7 @@ public:
         }
     }
 
-    /// Lanes that the ray may meet no later than at `limit` (RayProbe::limit).
+    /// Lanes that the ray may hit at or before `limit` (RayProbe::limit).
     uint32_t hits(const TrianglePacket& packet, float limit) const {
         Float8 x[3], y[3], z[3];
         for (int c = 0; c < 3; ++c) {
@@ -46,7 +46,7 @@ public:
         const Float8 lowest = min3(volume_a, volume_b, volume_c);
         const Float8 highest = max3(volume_a, volume_b, volume_c);
         const Float8 error = error_slope_x_ * reach(x) + error_slope_y_ * reach(y) + error_;
-        // Off the ray if two volumes certainly differ in sign.
+        // The ray certainly misses if two volumes certainly differ in sign.
         const Mask8 around = (splat(0) - error <= lowest) | (highest <= error);
         const float low = -(limit * behind_) - margin_, high = limit * ahead_ + margin_;
         const uint32_t hits =
@@ -65,7 +65,7 @@ private:
     Float8 slope_x_, slope_y_, error_slope_x_, error_slope_y_, error_;
 };
 
-/// The boxes of a packet's triangles, for the tests of box8_tests.h.
+/// The bounding boxes of a packet's triangles, for the tests of box8_tests.h.
 inline Box8 boxes_of(const TrianglePacket& packet) {
     Box8 boxes;
     for (int k = 0; k < 3; ++k) {
