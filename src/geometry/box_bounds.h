@@ -1,13 +1,14 @@
-// Conservative AABBs of rotated boxes in float, for trees: never too small, but not the smallest. The smallest are
-// bounds(Obb) in shapes.h.
+// Conservative AABBs of rotated boxes in float, for trees: never too small, but not the smallest. bounds(Obb) in
+// shapes.h computes the smallest. The extents are those of Arvo (Graphics Gems, 1990): absolute values of the rotation
+// matrix times the half extents.
 #pragma once
 
 #include "foundation/scaled_rotation.h"
 
 namespace gphys {
 
-/// The half extents of the AABB of a rotated box. A component has 13 roundings of 2^-24 of its summands, the squared
-/// norm of the quaternion six; the margin of 2^-19 covers 32.
+/// The half extents of the AABB of a rotated box. A component has 13 roundings of 2^-24 of its terms, the squared norm
+/// of the quaternion has six. The margin of 2^-19 covers 32.
 template <class Vector>
 GPHYS_INLINE Vector outer_extents(const ScaledRotation<Vector>& rotation, const Vector& half) {
     const auto norm_squared = rotation.norm_squared();

@@ -1,3 +1,5 @@
+// classify: on which side of a plane or frustum is a shape? By the interval of its signed heights (heights.h), whose
+// signs are exact.
 #include "geometry/heights.h"
 #include "geometry/intersect.h"
 

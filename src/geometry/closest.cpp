@@ -1,5 +1,6 @@
-// contains: exact signs if the tolerance is 0. closest_point: in double, relative to the query point or to a corner of
-// the shape, so that no digits are lost far from the origin. Formulas: Ericson 2005, chapter 5.
+// contains: by exact signs if the tolerance is 0. closest_point: in double, relative to the query point or to a corner
+// of the shape, so that no digits are lost far from the origin. The formulas are those of Ericson, Real-Time Collision
+// Detection (2005), chapter 5; the closest point of a frustum is found by enumeration of its features.
 #include "foundation/exact.h"
 #include "geometry/heights.h"
 #include "geometry/intersect.h"
@@ -37,7 +38,7 @@ bool contains(const Ray& ray, Vec3 point, double tolerance) {
         });
     };
     if (crossed(0, 1) != 0 || crossed(1, 2) != 0 || crossed(2, 0) != 0) return false;
-    // On the line: any coordinate that changes along it gives t.
+    // On the line of the ray: any coordinate that changes along it gives t.
     const int k = d.x != 0 ? 0 : d.y != 0 ? 1 : 2;
     if ((point[k] - ray.origin[k]) * (d[k] > 0 ? 1 : -1) < 0) return false;
     if (ray.t_max == infinity) return true;
@@ -53,7 +54,8 @@ bool contains(const Sphere& sphere, Vec3 point, double tolerance) {
 
 bool contains(const Capsule& capsule, Vec3 point, double tolerance) {
     const double radius = capsule.radius + tolerance;
-    // The side on which an end cap begins: sign of (to - from).(point - from).
+    // On which side of the plane through `from`, perpendicular to the axis, the point is: sign of (to - from).(point -
+    // from).
     const auto along = [&](Vec3 from, Vec3 to) {
         return sign_of([&](auto number) {
             using V = Vec<decltype(number)>;
@@ -120,7 +122,7 @@ bool contains(const Frustum& frustum, Vec3 point, double tolerance) {
         const PlaneAt plane = plane_at(frustum, i);
         const double height = value_of([&](auto number) { return height_above<decltype(number)>(plane, point); });
         if (height >= 0) continue;
-        // Early out: beyond one plane by more than the tolerance and the rounding error here.
+        // Early out: beyond one plane by more than the tolerance and the rounding error of this product.
         if (-height > tolerance * length(plane.normal) * (1 + 0x1p-40)) return false;
         inside = false;
     }
@@ -135,7 +137,7 @@ Vec3 closest_point(const Segment& segment, Vec3 point) {
     const Vec3 along = segment.b - segment.a;
     const double t = dot(point - segment.a, along);
     const double square = length_squared(along);
-    if (t <= 0) return segment.a;  // also when a == b
+    if (t <= 0) return segment.a;  // also if a == b
     if (t >= square) return segment.b;
     return segment.a + along * (t / square);
 }
@@ -185,14 +187,14 @@ bool is_beside_edge(const Triangle& triangle, Vec3 from, Vec3 to, Vec3 point) {
            }) >= 0;
 }
 
-/// Whether a point, projected along the normal, is inside all edges. True is exact, because for a sliver the foot of a
-/// point that is outside may be far away. False may be wrong by rounding, but then an edge is as near as the face.
+/// Whether a point, projected along the normal, is inside all edges. True is exact, because the projection of a point
+/// outside a sliver may be far away. False may be wrong by rounding, but then an edge is as near as the face.
 bool is_above(const Triangle& triangle, Vec3 normal, Vec3 point) {
     const auto& [a, b, c] = triangle;
     const auto side = [&](Vec3 from, Vec3 to) { return dot(cross(normal, to - from), point - from); };
     if (!(side(a, b) >= 0 && side(b, c) >= 0 && side(c, a) >= 0)) return false;
-    // The six products of a side have the error 2^-44 of the normal and less than 16 roundings of 2^-53 of their
-    // factors. No edge is longer than the other two together, no corner further away than a and these.
+    // The six products of a side have the error 2^-44 of the normal and fewer than 16 roundings of 2^-53 of their
+    // factors. No edge is longer than the other two together, and no corner is farther away than a and these.
     const double edges = sum(abs(b - a)) + sum(abs(c - a));
     const double error = 0x1p-43 * sum(abs(normal)) * edges * (sum(abs(point - a)) + edges);
     const auto is_certain = [&](Vec3 from, Vec3 to) {
@@ -205,7 +207,7 @@ bool is_above(const Triangle& triangle, Vec3 normal, Vec3 point) {
 
 Vec3 closest_point(const Triangle& triangle, Vec3 point) {
     const auto& [a, b, c] = triangle;
-    // An accurate normal: for a sliver, cross(b - a, c - a) is mostly rounding error.
+    // accurate_cross, because for a sliver cross(b - a, c - a) is mostly rounding error.
     const Vec3 normal = accurate_cross(a, b, a, c);
     if (normal != Vec3{} && is_above(triangle, normal, point)) {
         return point - normal * (dot(normal, point - a) / length_squared(normal));
@@ -220,8 +222,8 @@ Vec3 closest_point(const Triangle& triangle, Vec3 point) {
 
 namespace {
 
-/// The closest point of a frustum, by enumeration. It is the nearest of those projections of the point on a face, on
-/// the line of two faces or on the corner of three that lie in the polyhedron.
+/// The closest point of a frustum by enumeration: the nearest of the projections of the point on a face, on an edge
+/// (the line of two planes) or on a corner (of three planes) that lie in the frustum.
 class NearestFoot {
 public:
     NearestFoot(const Plane (&planes)[6], Vec3 point) : point_(point) {
@@ -232,7 +234,8 @@ public:
         }
     }
 
-    /// The projection on a basis of planes that a search has found; false if it is not in the polyhedron.
+    /// The projection on the planes that the active-set search of nearest_common_point found. False if it is not in the
+    /// frustum.
     bool try_likely() {
         Plane from_point[6];
         for (int i = 0; i < bounding_count_; ++i) from_point[i] = seen_from_point(bounding_[i]);
@@ -256,7 +259,7 @@ public:
     }
 
     bool found() const { return square_ < infinity; }
-    /// Whether a projection was clearly inside all other planes, so that the frustum is not empty.
+    /// Whether a projection was clearly inside all other planes. That proves that the frustum is not empty.
     bool proves_a_point() const { return proves_a_point_; }
     Vec3 foot() const { return foot_; }
 
@@ -265,7 +268,8 @@ private:
         return {planes_[i].normal, planes_[i].distance - dot(planes_[i].normal, point_)};
     }
     void try_face(int i) { add(point_ + foot_on(seen_from_point(i)), 1 << i); }
-    /// The corner of the two planes and the one through the point perpendicular to their line: accurate at any angle.
+    /// The common point of two planes and of the plane through the point perpendicular to their line: accurate at any
+    /// angle.
     void try_edge(int i, int j) {
         const Vec3 line = accurate_cross({}, planes_[i].normal, {}, planes_[j].normal);
         Vec3 foot;
@@ -283,8 +287,8 @@ private:
         const double reach = length(foot) + length(point_);
         for (int i = 0; i < 6; ++i) {
             const Plane& plane = planes_[i];
-            // The error of a projection is about 2^-50 of its distance. The tolerance of 2^-40 keeps corners of more
-            // than three planes.
+            // The error of a projection is about 2^-50 of its distance. The tolerance of 2^-40 accepts corners where
+            // more than three planes intersect.
             const double slack = 0x1p-40 * size_[i] * reach;
             const double height = dot(plane.normal, foot) - plane.distance;
             if (height < -slack) return;
@@ -321,7 +325,7 @@ bool closest_point(const Frustum& frustum, Vec3 point, Vec3& out) {
 void closest_points(const Segment& a, const Segment& b, Vec3& out_a, Vec3& out_b) {
     const Vec3 along_a = a.b - a.a, along_b = b.b - b.a, between = b.a - a.a;
     const double aa = length_squared(along_a), bb = length_squared(along_b);
-    // Ericson's denominator aa bb - ab^2 is the square of this normal, which does not cancel.
+    // Ericson's denominator aa bb - ab^2 is the squared length of this normal, which does not cancel.
     const Vec3 normal = accurate_cross(a.a, a.b, b.a, b.b);
     double s = 0;
     if (normal != Vec3{}) {
@@ -331,7 +335,7 @@ void closest_points(const Segment& a, const Segment& b, Vec3& out_a, Vec3& out_b
         const double start = dot(between, along_a) / aa, end = dot(b.b - a.a, along_a) / aa;
         s = std::clamp(std::min(start, end), 0.0, 1.0);
     }
-    // Project that point on the line of b; if that is beyond an end of b, project the end on a.
+    // Project that point on the line of b. If the projection is beyond an end of b, project that end on a.
     const double t = bb > 0 ? (dot(along_a, along_b) * s - dot(between, along_b)) / bb : 0;
     out_b = t <= 0 ? b.a : t >= 1 ? b.b : b.a + along_b * t;
     if (t > 0 && t < 1) {

@@ -1,3 +1,4 @@
+// Cores and their Minkowski difference: support points and projections (convex.h).
 #include "geometry/convex.h"
 
 namespace gphys {

@@ -1,9 +1,9 @@
 // The Minkowski difference of two convex shapes: all differences of a point of the other shape and a point of the
-// moving one. The shapes overlap if it contains the origin; their distance is its distance from the origin; moving the
-// one moves the difference the opposite way.
+// moving one. The shapes overlap if it contains the origin. Their distance is its distance from the origin. If the
+// moving shape moves, the difference moves the opposite way. See Gilbert, Johnson, Keerthi 1988.
 //
 // Spheres, capsules and boxes are a core (a point, a segment or a box) rounded by a radius; a triangle is a core. The
-// difference of two cores is a polytope: a point or a triangle, swept along up to six axes. The radii add up. All
+// difference of two cores is a polytope: a point or a triangle, extruded along up to six axes. The radii add up. All
 // coordinates are relative to a point of the moving shape, so that no digits are lost far from the origin.
 #pragma once
 
@@ -12,7 +12,8 @@
 
 namespace gphys {
 
-/// A shape that can be swept and pushed out: centre + the sum of axes times -half .. half, rounded by the radius.
+/// A solid that can be swept and pushed out: the points center + the sum of axes times -half .. half, rounded by the
+/// radius.
 struct Core {
     Vec3 center;
     double radius = 0;
@@ -25,22 +26,22 @@ Core core_of(const Capsule& capsule);
 Core core_of(const Aabb& box);
 Core core_of(const Obb& box);
 
-/// A point of a shape, as the origin of relative coordinates.
+/// A point of a shape, used as the origin of relative coordinates.
 inline Vec3 reference_point(const Sphere& sphere) { return sphere.center; }
 inline Vec3 reference_point(const Capsule& capsule) { return capsule.a; }
 inline Vec3 reference_point(const Aabb& box) { return box.min; }
 inline Vec3 reference_point(const Obb& box) { return box.center; }
 
-/// Relative to the size of a difference and its way: shapes closer than this touch.
+/// Relative to the size of a difference and its displacement: shapes closer than this count as in contact.
 constexpr double touching = 0x1p-46;
-/// Relative to the size of a difference: the direction of a longer offset has an error below 2^-16, so that a ball that
-/// is pushed out along it keeps a penetration below the square of that, relative to its radius. Of a smaller radius the
-/// cores touch within rounding when the shapes do.
+/// Relative to the size of a difference. The direction of a longer offset has an error below 2^-16. So a ball that is
+/// pushed out along it keeps a penetration below the square of that, relative to its radius. For a smaller radius, the
+/// cores are in contact within rounding if the shapes are.
 constexpr double has_direction = 0x1p-32;
 
-/// The point of the difference that is nearest to the origin, and the point of the other core that belongs to it.
+/// The point of the difference that is closest to the origin, and the point of the other core that it comes from.
 struct NearestDifference {
-    Vec3 offset;  // 0 if the polytope holds the origin
+    Vec3 offset;  // 0 if the polytope contains the origin
     Vec3 on_other;
 };
 
@@ -49,13 +50,13 @@ public:
     ConvexDifference(const Core& other, const Core& moving);
     ConvexDifference(const Triangle& other, const Core& moving);
 
-    /// The sum of both radii, and that of the other shape.
+    /// The sum of both radii; other_radius: that of the other shape.
     double radius() const { return radius_; }
     double other_radius() const { return other_radius_; }
-    /// An upper bound of the coordinates of the difference, radius included.
+    /// An upper bound of the coordinates of the difference, including the radius.
     double size() const;
-    /// Whether the normals of for_each_normal bound the polytope even if it is flat: they include those of a box, of
-    /// which it is a limit.
+    /// Whether the normals of for_each_normal bound the polytope even if it is flat. They do if they include those of a
+    /// box.
     bool has_box() const { return other_axis_count_ == 3 || axis_count_ - other_axis_count_ == 3; }
     /// The difference after a displacement of the moving shape.
     ConvexDifference after(Vec3 displacement) const;
@@ -68,22 +69,22 @@ public:
         project(unit, low, high);
         return -high;
     }
-    /// visit(unit) for the unit normals of all faces, one for each pair of parallel faces. Stops when visit returns
-    /// false, and returns false then.
+    /// Calls visit(unit) for the unit normals of all faces, once for each pair of parallel faces. Stops when visit
+    /// returns false, and returns false then.
     template <class Visit>
     bool for_each_normal(Visit&& visit) const;
 
-    /// The unit vector along a difference without faces, which is a segment or a point; 0 for a point.
+    /// The unit vector along a difference without faces, that is, along a segment; 0 for a point.
     Vec3 line() const;
-    /// A unit vector perpendicular to that.
+    /// A unit vector perpendicular to line().
     Vec3 across() const;
 
-    /// The nearest point, for a polytope that contains the origin no deeper than rounding; for others 0 or the nearest
-    /// point of a face. GJK (Gilbert, Johnson, Keerthi 1988). It ends when the plane perpendicular to the offset has
-    /// the whole polytope behind it, within 2^-45 of the size. Where rounding leaves that open, as for short offsets,
-    /// all features are tested. The error of the length is 2^-45 of the size.
+    /// The closest point to the origin, if the polytope does not contain the origin deeper than rounding; otherwise 0
+    /// or the closest point of a face. Algorithm: GJK (Gilbert, Johnson, Keerthi 1988). It ends when the whole polytope
+    /// is behind the plane perpendicular to the offset, within 2^-45 of the size. Where rounding leaves that open, as
+    /// for short offsets, all features are tested. The error of the length is 2^-45 of the size.
     NearestDifference nearest() const;
-    /// The same by testing all corners, edges and faces of both cores, which takes about thirty times as long.
+    /// The same by testing all corners, edges and faces of both cores. Takes about thirty times as long.
     NearestDifference nearest_by_features() const;
 
 private:
@@ -94,39 +95,39 @@ private:
     class BestProved;
     struct Features;
 
-    /// The support point: the corner furthest along a vector.
+    /// The support point: the corner farthest along a vector.
     Corner furthest(Vec3 vector) const;
     Features features_of_other() const;
     Features features_of_moving() const;
 
     Vec3 center_, other_center_;
-    Vec3 axes_[6];  // those of the other come first
+    Vec3 axes_[6];  // those of the other shape come first
     double half_[6];
     int axis_count_ = 0, other_axis_count_ = 0;
-    Vec3 corners_[3] = {};  // of a triangle, from the centre
+    Vec3 corners_[3] = {};  // of a triangle, relative to the centre
     int corner_count_ = 1;
     double radius_, other_radius_;
 };
 
 /// The distance of two cores, or the penetration depth if they overlap.
 struct Separation {
-    double distance;  // below 0 where they overlap
-    Vec3 normal;      // of length 1, the way that separates, from the other to the moving one
-    Vec3 on_other;    // nearest to the moving core where the cores are apart, else unused
+    double distance;  // below 0 if they overlap
+    Vec3 normal;      // unit: the separating direction, from the other to the moving core
+    Vec3 on_other;    // closest to the moving core, if the cores are apart; else unused
     bool apart;
 };
 /// The error of the distance is at most 2^-43 of the size of the difference. If the cores are closer than 2^-32 of it,
 /// the normal may be that of an adjacent face.
 Separation separation(const ConvexDifference& set);
 
-/// The point of the other core nearest to the moving one, given the separation along the normal. Computed with the
-/// cores further apart, because the contact point of overlapping cores depends on rounding.
+/// The point of the other core that is closest to the moving one, given the separation along the normal. Computed with
+/// the cores farther apart, because the contact point of overlapping cores depends on rounding.
 Vec3 contact_on_other(const ConvexDifference& set, const Separation& separation);
 
 /// The unit vector along cross(b - a, d - c), with a relative error of 2^-43, or 0.
 inline Vec3 unit_across(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
     const Vec3 p = b - a, q = d - c, rounded = cross(p, q);
-    // Each component is off by less than 4 * 2^-53 |p| |q|.
+    // Each component has an error below 4 * 2^-53 |p| |q|.
     const bool well = length_squared(rounded) > 0x1p-14 * length_squared(p) * length_squared(q);
     const Vec3 across = well ? rounded : accurate_cross(a, b, c, d);
     return across == Vec3{} ? across : normalized(across);

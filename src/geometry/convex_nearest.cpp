@@ -1,5 +1,5 @@
-// The point of a Minkowski difference that is nearest to the origin: GJK with a check of its result, and the test of
-// all features (convex.h).
+// The point of a Minkowski difference that is closest to the origin: GJK (Gilbert, Johnson, Keerthi 1988) with a check
+// of its result, and the test of all features (convex.h).
 #include <algorithm>
 
 #include "geometry/convex.h"
@@ -9,17 +9,17 @@ namespace gphys {
 
 namespace {
 
-// Relative to the size of a polytope. A product of an offset and a corner has a dozen roundings of 2^-53 of it.
+// Relative to the size of a polytope. A dot product of an offset and a corner has a dozen roundings of 2^-53 of it.
 constexpr double unproved = 0x1p-45, exact = 0x1p-51, rounded = 0x1p-48;
-// For a smaller ratio of volume to product of edges, the orientation of a tetrahedron is not certain.
+// If the ratio of volume to product of edges is smaller, the orientation of a tetrahedron is not certain.
 constexpr double flat = 0x1p-44;
 
 }  // namespace
 
-/// The simplex of GJK: up to four corners, and the weights of its nearest point.
+/// The simplex of GJK: up to four corners, and the barycentric weights of its closest point.
 class ConvexDifference::Simplex {
 public:
-    /// False if the corner is in the simplex already.
+    /// Returns false if the corner is in the simplex already.
     bool add(const Corner& corner) {
         for (int i = 0; i < count_; ++i) {
             if (corners_[i].difference == corner.difference) return false;
@@ -28,7 +28,8 @@ public:
         return true;
     }
 
-    /// Reduce to the smallest simplex that contains the nearest point. Four corners are left if the origin is inside.
+    /// Reduces to the smallest sub-simplex that contains the closest point. Four corners remain if the origin is
+    /// inside.
     void reduce() {
         Part best = nearest();
         Corner kept[4];
@@ -51,7 +52,7 @@ public:
     }
 
 private:
-    /// A sub-simplex with the weights of its nearest point.
+    /// A sub-simplex with the weights of its closest point.
     struct Part {
         int count, corner[4];
         double weight[4];
@@ -119,13 +120,13 @@ private:
     int count_ = 0;
 };
 
-/// Of all candidates, the one with the smallest violation of the optimality condition: distances may differ by less
+/// Keeps the candidate that violates the optimality condition least. Distances would not do: they may differ by less
 /// than rounding where directions differ by its square root.
 class ConvexDifference::BestProved {
 public:
     explicit BestProved(double size) : size_(size) {}
 
-    /// `beyond`: distance of the candidate from its supporting plane.
+    /// `beyond`: distance of the candidate from its supporting plane, that is, the violation.
     bool offer(const NearestDifference& candidate, double beyond) {
         if (!(beyond < beyond_)) return false;
         best_ = candidate;
@@ -145,8 +146,9 @@ NearestDifference ConvexDifference::nearest() const {
     Simplex simplex;
     simplex.add(furthest(-center_));
     BestProved found(size());
-    int worse = 0;  // in turn
-    // A dozen iterations are many for a polytope with at most six axes.
+    int worse = 0;  // iterations in a row without improvement
+    // A dozen iterations are many for a polytope with at most six axes. The limits bound the cycling that rounding may
+    // cause.
     for (int round = 0; round < 64 && worse < 8; ++round) {
         const NearestDifference candidate = simplex.point();
         const double distance = length(candidate.offset);

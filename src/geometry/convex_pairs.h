@@ -6,7 +6,7 @@
 
 namespace gphys {
 
-/// Relative to `from`, a point of the moving shape.
+/// The difference relative to `from`, a point of the moving shape.
 template <class Other, class Moving>
 ConvexDifference difference_of(const Other& other, const Moving& moving, Vec3 from) {
     return {core_of(relative_to(from, other)), core_of(relative_to(from, moving))};
@@ -16,7 +16,7 @@ ConvexDifference difference_of(const Triangle& other, const Moving& moving, Vec3
     return {relative_to(from, other), core_of(relative_to(from, moving))};
 }
 
-/// The side of a plane on which the centre of a solid is, and the distance of the solid from the plane.
+/// On which side of a plane the centre of a solid is, and the distance of the solid from the plane.
 struct OverPlane {
     template <class Moving>
     OverPlane(const Plane& plane, const Moving& moving, Vec3 from)
@@ -40,11 +40,11 @@ struct OverPlane {
 
     double gap;   // below 0 if they overlap
     Vec3 normal;  // from the plane to the solid
-    Vec3 foot;    // where the plane is nearest to the solid
+    Vec3 foot;    // the point of the plane nearest to the solid
     bool behind;  // the plane's normal points the other way
 };
 
-/// visit gets a moving sphere, capsule, Aabb or Obb.
+/// Calls visit with the alternative of `moving`: sphere, capsule, Aabb or Obb.
 template <class Visit>
 auto with_solid(const Shape& moving, Visit&& visit) {
     if (const auto* sphere = std::get_if<Sphere>(&moving)) return visit(*sphere);
@@ -52,7 +52,7 @@ auto with_solid(const Shape& moving, Visit&& visit) {
     if (const auto* box = std::get_if<Aabb>(&moving)) return visit(*box);
     return visit(std::get<Obb>(moving));
 }
-/// visit gets the other shape too.
+/// The same with the alternatives of both shapes.
 template <class Visit>
 auto with_pair(const Shape& other, const Shape& moving, Visit&& visit) {
     return with_solid(moving, [&](const auto& solid) {

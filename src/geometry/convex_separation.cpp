@@ -1,3 +1,5 @@
+// Distance or penetration depth of two cores: the separating axis test over the face normals of their Minkowski
+// difference (Gottschalk, Lin, Manocha 1996), and GJK if that finds them apart (convex_nearest.cpp).
 #include <algorithm>
 
 #include "geometry/convex.h"
@@ -8,13 +10,13 @@ namespace {
 
 // Relative to the size of the difference. The error of a projection or an offset is about 2^-48.
 constexpr double certain = 0x1p-44;
-// The contract allows the normal of a face where the cores are closer than has_direction times the largest coordinate
-// difference, of which the size is up to four times. A longer offset has a direction with an error below 2^-14: a ball
-// that is pushed out along it keeps a penetration below 2^-29 of its radius.
+// The documented bound allows the normal of a face if the cores are closer than has_direction times the largest
+// coordinate difference, and the size is up to four times that. The direction of a longer offset has an error below
+// 2^-14: a ball that is pushed out along it keeps a penetration below 2^-29 of its radius.
 constexpr double is_direction = has_direction / 4;
 
-/// The distance is the maximum of the gap over all directions; if the origin is inside, it is reached at a face
-/// normal. So the largest gap found is a lower bound.
+/// The distance is the maximum of the gap over all directions. If the origin is inside, a face normal attains it. So
+/// the largest gap found is a lower bound.
 class WidestGap {
 public:
     void offer(double gap, Vec3 normal) {
@@ -44,11 +46,12 @@ Separation separation(const ConvexDifference& set) {
     // The face normals of a flat polytope do not bound it sideways.
     const bool has_faces = gaps.widest() > -infinity;
     if (has_faces && gaps.widest() < -certain * set.size()) return {gaps.widest(), gaps.normal(), {}, false};
-    // Inside by no more than rounding: the features give the distance, but not the side.
+    // Not inside by more than rounding: the features give the distance, but not the side.
     const NearestDifference near = set.nearest();
     const double distance = length(near.offset);
     if (!has_faces && distance <= is_direction * set.size()) {
-        // A point or a segment, whose offset has no direction: across it, unless the origin is beyond an end.
+        // A point or a segment, and the offset has no direction: perpendicular to it, unless the origin is beyond an
+        // end.
         const Vec3 line = set.line(), offset = near.offset * -1.0, across = offset - line * dot(offset, line);
         const double width = length(across);
         gaps.offer(set.gap(set.across()), set.across());
@@ -61,7 +64,7 @@ Separation separation(const ConvexDifference& set) {
         return {gaps.widest(), gaps.normal(), near.on_other, distance > 0};
     }
     const Vec3 unit = near.offset / -distance;
-    // An offset that is little more than rounding has an arbitrary direction.
+    // The direction of an offset that is little more than rounding is arbitrary.
     if (has_faces && distance < is_direction * set.size() && set.gap(unit) < gaps.widest()) {
         return {gaps.widest(), gaps.normal(), near.on_other, true};
     }
@@ -70,7 +73,7 @@ Separation separation(const ConvexDifference& set) {
 
 Vec3 contact_on_other(const ConvexDifference& set, const Separation& separation) {
     if (separation.apart) return separation.on_other;
-    // Moved apart until they touch, and half of the size further.
+    // Moved apart until they are in contact, and by half of the size further.
     return set.after(separation.normal * (set.size() * 0.5 - separation.distance)).nearest().on_other;
 }
 

@@ -1,4 +1,4 @@
-// Which shapes are surfaces, and from which side a motion meets them.
+// Which shapes are surfaces, and which side of them a motion hits.
 #pragma once
 
 #include "foundation/exact.h"
@@ -16,8 +16,8 @@ inline bool is_surface(const Shape& shape) {
     return std::holds_alternative<Plane>(shape) || std::holds_alternative<Triangle>(shape);
 }
 
-/// Whether a motion meets a side of the shape that is asked for: the back if the normal looks along it. Solids have
-/// none that could be left out, nor does what is met edge on have a back.
+/// Whether a motion hits a side of the shape that `faces` includes. It hits the back if the normal points along the
+/// motion. Solids have no back, and a motion parallel to a surface hits neither side: both always count.
 template <class Solid>
 bool meets_side(const Solid&, Vec3, Faces) {
     return true;

@@ -6,13 +6,13 @@
 
 namespace gphys {
 
-/// The lowest and highest dot(normal, x - origin) - distance of a shape's points x: signs exact,
-/// relative errors below 2^-43.
+/// The lowest and highest dot(normal, x - origin) - distance of the points x of a shape. Signs are exact, relative
+/// errors below 2^-43.
 struct Heights {
     double low, high;
 };
 
-/// A plane whose distance is relative to an origin, as in a frustum.
+/// A plane whose distance is relative to an origin, as those of a frustum.
 struct PlaneAt {
     Vec3 normal, origin;
     double distance;

@@ -1,4 +1,4 @@
-// The conversion of to_hit (intersect.h) for eight hits at a time, for kernels.
+// The conversion to_hit (intersect.h) for eight hits at a time, for kernels.
 #pragma once
 
 #include <limits>

@@ -3,8 +3,8 @@
 //   closest_point  which point of a shape is nearest?            closest.cpp
 //   overlaps       do two shapes share a point?                  overlap.cpp
 //   classify       on which side of a plane or frustum?          classify.cpp
-//   raycast        where does a ray first meet a shape?          raycast*.cpp
-//   sweep          where does a moving solid first touch?        sweep.cpp, sweep_convex.cpp
+//   raycast        where does a ray first hit a shape?          raycast*.cpp
+//   sweep          where does a moving solid first hit?         sweep.cpp, sweep_convex.cpp
 //   penetration    how does a solid get out of a shape?          penetration.cpp
 // Shapes are closed sets; solids are solid. Inputs are valid (shapes.h: defect).
 #pragma once
@@ -25,20 +25,20 @@ struct Hit {
     uint32_t flags = 0;   // GPHYS_HIT_...
 };
 
-/// Clamped to the finite floats: a point on a plane almost parallel to the ray, or in a corner of almost parallel
-/// planes, may be beyond them, and its conversion would raise an exception.
+/// Clamped to the finite floats. A point on a plane almost parallel to the ray, or in a corner of almost parallel
+/// planes, may be beyond them, and converting it would raise a floating-point exception.
 inline gphys_vec3 rounded_point(Vec3 point) {
     constexpr double largest = std::numeric_limits<float>::max();
     constexpr Vec3 corner{largest, largest, largest};
     return narrow(min(max(point, -corner), corner));
 }
 
-/// The public struct, rounded. model is 0 if the query was not of a scene.
+/// The public struct, rounded. `model` is 0 if the query was not of a scene.
 inline gphys_hit to_hit(const Hit& hit, uint32_t model = 0, uint32_t tag = 0) {
     const float u = static_cast<float>(hit.u), v = static_cast<float>(hit.v);
     return {model, tag, reported(hit.t), rounded_point(hit.point), narrow(hit.normal), hit.triangle, u, v, hit.flags};
 }
-/// Of a ray that hits nothing.
+/// The result of a ray that hits nothing.
 inline constexpr gphys_distance no_distance{std::numeric_limits<float>::infinity(), 0, GPHYS_NO_TRIANGLE};
 inline gphys_nearest to_nearest(Vec3 point, double distance, uint32_t triangle = GPHYS_NO_TRIANGLE, uint32_t model = 0,
                                 uint32_t tag = 0) {
@@ -65,23 +65,23 @@ Vec3 closest_point(const Aabb& box, Vec3 point);
 Vec3 closest_point(const Obb& box, Vec3 point);
 Vec3 closest_point(const Plane& plane, Vec3 point);
 Vec3 closest_point(const Triangle& triangle, Vec3 point);
-/// False if the frustum is empty.
+/// Returns false if the frustum is empty.
 bool closest_point(const Frustum& frustum, Vec3 point, Vec3& out);
 /// Closest points of two segments (Ericson 2005, 5.1.9).
 void closest_points(const Segment& a, const Segment& b, Vec3& out_a, Vec3& out_b);
 
-/// Every pair of the alternatives of Shape; symmetric.
+/// Accepts every pair of alternatives of Shape. Symmetric.
 bool overlaps(const Shape& a, const Shape& b);
-/// The pairs that leaves of trees test, without a Shape.
+/// For the leaves of trees, without the dispatch of a Shape.
 bool overlaps(const Sphere& sphere, const Triangle& triangle);
 bool overlaps(const Aabb& box, const Triangle& triangle);
 bool overlaps(const Triangle& a, const Triangle& b);
 
-/// signed_distance: of the nearest point to the plane, 0 when crossing. Not for Plane, Frustum.
+/// signed_distance: that of the point nearest to the plane; 0 if the shape crosses it. Not for Plane and Frustum.
 Side classify(const Shape& shape, const Plane& plane, double& signed_distance);
 Side classify(const Shape& shape, const Frustum& frustum);
 
-/// A ray of zero length (a segment whose ends coincide) hits if its origin is contained.
+/// A ray of zero length (a segment whose ends coincide) hits if the shape contains its origin.
 bool raycast(const Sphere& sphere, const Ray& ray, Hit& hit);
 bool raycast(const Capsule& capsule, const Ray& ray, Hit& hit);
 bool raycast(const Aabb& box, const Ray& ray, Hit& hit);
@@ -90,19 +90,19 @@ bool raycast(const Plane& plane, const Ray& ray, Hit& hit);
 bool raycast(const Triangle& triangle, const Ray& ray, Hit& hit);
 bool raycast(const Frustum& frustum, const Ray& ray, Hit& hit);
 bool raycast(const Shape& shape, const Ray& ray, Hit& hit);
-/// The hit of a ray whose origin is in a solid: t = 0, GPHYS_HIT_INSIDE. Returns true.
+/// Makes the hit of a ray that starts in a solid: t = 0, GPHYS_HIT_INSIDE. Returns true.
 bool started_inside(const Ray& ray, Hit& hit);
 /// The segment as a ray that ends at t = 1. Exact: Ray::rest holds the rounding error of b - a.
 Ray ray_along(const Segment& segment);
 
-/// A ray with the constants of Woop's shear, which maps its direction to an axis (Woop, Benthin, Wald 2013), for
-/// tests of many triangles.
+/// A ray with the constants of Woop's shear, which maps its direction to an axis (Woop, Benthin, Wald 2013), for tests
+/// against many triangles.
 struct ShearedRay : Ray {
     ShearedRay() = default;
     explicit ShearedRay(const Ray& ray);
 
-    // In groups of four, so that eight rays are loaded and stored by transpositions (triangle_lanes.h).
-    int kx, ky, kz, no_axis;  // kz: the axis along which the direction is longest
+    // In groups of four, so that eight rays are loaded and stored by transposing (triangle_lanes.h).
+    int kx, ky, kz, no_axis;  // kz: the axis of the direction's largest component
     // Components along these axes.
     double from[3], speed;
     double sx, sy, end, unused;
@@ -114,10 +114,10 @@ struct TriangleCrossing {
     int facing;   // sign of dot(normal, direction)
 };
 bool crosses(const Triangle& triangle, const ShearedRay& ray, TriangleCrossing& crossing);
-/// The hit at a crossing. More expensive than crosses(), so computed for the nearest crossing only.
+/// The hit at a crossing. It costs more than crosses(), so it is computed for the nearest crossing only.
 Hit hit_at(const Triangle& triangle, const ShearedRay& ray, const TriangleCrossing& crossing);
 
-/// Weights of b and c of a point on the triangle; both 0 if it is degenerate.
+/// The barycentric weights of b and c of a point on the triangle; both 0 if it is degenerate.
 void barycentric(const Triangle& triangle, Vec3 point, double& u, double& v);
 
 bool sweep(const Sphere& sphere, const Sphere& moving, Vec3 displacement, Hit& hit);
@@ -128,10 +128,10 @@ bool sweep(const Plane& plane, const Sphere& moving, Vec3 displacement, Hit& hit
 bool sweep(const Triangle& triangle, const Sphere& moving, Vec3 displacement, Hit& hit);
 bool sweep(const Frustum& frustum, const Sphere& moving, Vec3 displacement, Hit& hit);
 bool sweep(const Shape& shape, const Sphere& moving, Vec3 displacement, Hit& hit);
-/// The same for a moving sphere, capsule or box. The shape is no frustum, unless a sphere moves.
+/// The same for a moving sphere, capsule or box. The shape must not be a frustum, unless a sphere moves.
 bool sweep(const Shape& shape, const Shape& moving, Vec3 displacement, Hit& hit);
 bool sweep(const Triangle& triangle, const Shape& moving, Vec3 displacement, Hit& hit);
-/// The AABB of a moving sphere, capsule or box, with its centre and half extents.
+/// The AABB of a moving sphere, capsule or box, as centre and half extents.
 struct BoxInMotion {
     explicit BoxInMotion(const Shape& moving);
     /// `half`, enlarged by the distance that a sweep against shapes in a box may count as contact because of rounding.
@@ -144,9 +144,9 @@ struct BoxInMotion {
 struct Penetration {
     double depth;  // its length
     Vec3 normal;   // its direction, of length 1
-    Vec3 point;    // where the two then touch
+    Vec3 point;    // the contact point after the translation
 };
-/// The public struct. model is 0 if the query was not of a scene.
+/// The public struct. `triangle` is GPHYS_NO_TRIANGLE if the shape has none.
 inline gphys_penetration to_penetration(const Penetration& way, uint32_t triangle = GPHYS_NO_TRIANGLE,
                                         uint32_t model = 0, uint32_t tag = 0) {
     return {model, tag, rounded_point(way.point), narrow(way.normal), reported(way.depth), triangle};
@@ -158,12 +158,12 @@ struct DeepestFirst {
         return a.model != b.model ? a.model < b.model : a.triangle < b.triangle;
     }
 };
-/// `moving` is a sphere, capsule or box, `shape` is no frustum. They overlap, up to rounding.
+/// `moving` is a sphere, capsule or box, `shape` is no frustum. They must overlap, up to rounding.
 Penetration penetration(const Shape& shape, const Shape& moving);
 Penetration penetration(const Triangle& triangle, const Shape& moving);
 
-/// The public struct of a sweep's hit. Its normal opposes the motion after rounding to floats too, unless the sphere
-/// touched at the start.
+/// The public struct of a sweep's hit. Its normal opposes the motion even after rounding to floats, unless the solid
+/// overlapped at the start.
 gphys_hit to_contact(const Hit& hit, Vec3 displacement, uint32_t model = 0, uint32_t tag = 0);
 
 }  // namespace gphys

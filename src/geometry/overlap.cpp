@@ -1,4 +1,4 @@
-// overlaps for every pair of shapes, in the order of the alternatives of Shape; exact where signs decide (exact.h).
+// overlaps for every pair of shapes, in the order of the alternatives of Shape. Signs that decide are exact (exact.h).
 // Triangles with triangles and boxes are in overlap_triangle.cpp, capsules with shapes that have edges in
 // overlap_capsule.cpp.
 #include "foundation/exact.h"
@@ -19,7 +19,7 @@ bool pair_overlaps(const Sphere& sphere, const Other& other) {
     return contains(other, sphere.center, sphere.radius);
 }
 
-// Plane: the shape has points on both sides.
+// Plane: it overlaps if the shape has points on both sides.
 
 template <class Other>
 bool overlaps_plane(const Other& other, const Plane& plane) {
@@ -38,7 +38,7 @@ bool pair_overlaps(const Plane& a, const Plane& b) {
         const int k = (i + 1) % 3;
         if (sign_of_minor(a.normal[i], a.normal[k], b.normal[i], b.normal[k]) != 0) return true;
     }
-    // Parallel: one plane if the distances are in the ratio of the normals.
+    // Parallel: the same plane if the distances are in the ratio of the normals.
     const int k = a.normal.x != 0 ? 0 : a.normal.y != 0 ? 1 : 2;
     return sign_of_minor(a.normal[k], a.distance, b.normal[k], b.distance) == 0;
 }
@@ -47,7 +47,7 @@ bool pair_overlaps(const Plane& a, const Plane& b) {
 
 bool pair_overlaps(const Aabb& a, const Aabb& b) { return boxes_overlap(a.min, a.max, b.min, b.max); }
 
-/// A face of a box perpendicular to a world axis: way -1 the low one, 1 the high one.
+/// A face of a box perpendicular to a world axis: the low one for way = -1, the high one for 1.
 template <class N>
 N face(const Aabb& box, int k, double way) {
     return N(way < 0 ? box.min[k] : box.max[k]);
@@ -73,9 +73,9 @@ bool parallel_boxes_overlap(const BoxA& a, const BoxB& b) {
     return true;
 }
 
-/// The separating axis test of two boxes (Gottschalk 1996): six face normals and nine cross products. Both boxes are
-/// projected on the axis as computed: a nearly zero cross product of nearly parallel edges is a poor axis but a valid
-/// one, so no epsilon is needed.
+/// The separating axis test of two boxes (Gottschalk, Lin, Manocha 1996): six face normals and nine cross products of
+/// edges. Both boxes are projected on the axis as computed. The nearly zero cross product of nearly parallel edges is a
+/// poor axis but a valid one, so no epsilon is needed.
 bool obbs_overlap(const Obb& a, const Obb& b) {
     const Vec3 offset = b.center - a.center;
     const auto reach = [](const Obb& box, Vec3 axis) {
@@ -123,11 +123,11 @@ bool pair_overlaps(const Capsule& capsule, const Frustum& frustum) { return caps
 bool pair_overlaps(const Plane& plane, const Triangle& triangle) { return overlaps_plane(triangle, plane); }
 bool pair_overlaps(const Triangle& a, const Triangle& b) { return overlaps(a, b); }
 
-// Frustum: half-spaces (halfspaces.h), after cheap tests that nearly always decide.
+// Frustum: half-spaces (halfspaces.h), after inexpensive tests that nearly always decide.
 
 enum class TriState { disjoint, overlapping, undecided };
 
-/// Decided if the shape is outside of one plane, or one of its points is inside all.
+/// Decides if the shape is outside one plane, or if one of its points is inside all.
 template <class Other>
 TriState test_planes(const Other& other, Vec3 point_of_other, const Frustum& frustum) {
     for (int i = 0; i < 6; ++i) {
@@ -146,7 +146,7 @@ bool box_overlaps_frustum(const BoxType& box, Vec3 center, const Frustum& frustu
     return set.have_common_point();
 }
 
-// The centre of a box may be rounded out of it if the box is flatter than 1 ulp; a corner cannot.
+// Rounding may put the centre of a box that is flatter than 1 ulp outside it, but not a corner.
 bool pair_overlaps(const Aabb& box, const Frustum& frustum) { return box_overlaps_frustum(box, box.min, frustum); }
 bool pair_overlaps(const Obb& box, const Frustum& frustum) { return box_overlaps_frustum(box, box.center, frustum); }
 
@@ -175,7 +175,7 @@ bool pair_overlaps(const Frustum& a, const Frustum& b) {
     return set.have_common_point();
 }
 
-/// Position among the alternatives of Shape.
+/// The index among the alternatives of Shape.
 template <class T, size_t Index = 0>
 constexpr size_t place() {
     if constexpr (std::is_same_v<T, std::variant_alternative_t<Index, Shape>>) {

@@ -1,4 +1,4 @@
-// Overlap tests of boxes, over any type of number. Touching counts.
+// Overlap tests of boxes, over any type of number. Boxes are closed sets: contact counts as overlap.
 #pragma once
 
 #include "foundation/rotation.h"
@@ -18,8 +18,8 @@ inline bool overlaps(const Box& a, const Box& b) {
                                 {b.min[0], b.min[1], b.min[2]}, {b.max[0], b.max[1], b.max[2]});
 }
 
-/// The separating axis test of an AABB and an OBB (Gottschalk 1996): six face normals and nine cross products of
-/// edges. All gaps are scaled by `unit`.
+/// The separating axis test of an AABB and an OBB (Gottschalk, Lin, Manocha 1996): six face normals and nine cross
+/// products of edges. All gaps are scaled by `unit`.
 ///
 /// Rounded, for conservative tests. overlap.cpp has the exact test.
 template <class N>
@@ -36,8 +36,8 @@ struct BoxAndRotatedBox {
         const Vec<N> there = abs(transpose_times(axes, other_center)) - other_half * unit - transpose_times(size, half);
         return largest(max_component(here), max_component(there));
     }
-    /// The largest gap along the cross products of edges. Those of parallel edges are zero and separate nothing; the
-    /// face normals are enough then.
+    /// The largest gap along the cross products of edges. The cross product of parallel edges is zero and separates
+    /// nothing; then the face normals suffice.
     GPHYS_INLINE N edge_gap() const {
         const Vec<N> x = across(axes.x, size.x, size.y * other_half.z + size.z * other_half.y);
         const Vec<N> y = across(axes.y, size.y, size.z * other_half.x + size.x * other_half.z);
@@ -46,7 +46,7 @@ struct BoxAndRotatedBox {
     }
 
 private:
-    /// Along the cross products of the three edges of the first box with one edge of the second.
+    /// The gaps along the cross products of the first box's three edges with one edge of the second.
     GPHYS_INLINE Vec<N> across(const Vec<N>& axis, const Vec<N>& axis_size, const Vec<N>& others) const {
         const Vec<N> own = by_component(yzx(half), zxy(axis_size)) + by_component(zxy(half), yzx(axis_size));
         return abs(cross(other_center, axis)) - own - others;

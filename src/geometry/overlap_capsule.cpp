@@ -1,5 +1,5 @@
-// A capsule overlaps a shape if its segment intersects it or comes within the radius. If the segment is outside, the
-// closest pair is an end of the segment and the shape, or the segment and an edge.
+// A capsule overlaps a shape if its segment intersects the shape or is within the radius. If the segment is outside,
+// the closest pair is an end of the segment and the shape, or the segment and an edge (Ericson 2005, chapter 5).
 #include "geometry/overlap_capsule.h"
 
 #include "geometry/heights.h"
@@ -10,7 +10,7 @@ namespace gphys {
 
 namespace {
 
-/// Relative to an end of one, so that no digits are lost far from the origin.
+/// Relative to one end, so that no digits are lost far from the origin.
 bool segments_within(const Segment& a, const Segment& b, double distance) {
     Vec3 on_a, on_b;
     closest_points(Segment{{}, a.b - a.a}, Segment{b.a - a.a, b.b - a.a}, on_a, on_b);
@@ -66,8 +66,8 @@ bool capsule_overlaps(const Capsule& capsule, const Triangle& triangle) {
 
 namespace {
 
-/// The part of the line of two planes that is an edge of the frustum and can be closest to the segment. False if
-/// there is none.
+/// The part of the line of two planes that is an edge of the frustum and can be closest to the segment. Returns false
+/// if there is none.
 bool edge_beside(const Frustum& frustum, int i, int j, const Segment& segment, Segment& edge) {
     const Plane &a = frustum.planes[i], &b = frustum.planes[j];
     const Vec3 line = cross(a.normal, b.normal);
@@ -81,7 +81,7 @@ bool edge_beside(const Frustum& frustum, int i, int j, const Segment& segment, S
         if (k == i || k == j) continue;
         const Plane& plane = frustum.planes[k];
         const double slope = dot(plane.normal, direction);
-        // Rounding must not let a plane that contains the line clip it: see NearestFoot.
+        // Rounding must not let a plane that contains the line clip it: see NearestFoot in closest.cpp.
         const double slack = 0x1p-40 * length(plane.normal) * length(base);
         const double height = dot(plane.normal, base) - plane.distance + slack;
         if (std::fabs(slope) <= 0x1p-50 * length(plane.normal)) {
@@ -108,7 +108,7 @@ bool capsule_overlaps(const Capsule& capsule, const Frustum& frustum) {
     Halfspaces set;
     set.add(frustum);
     if (set.intersect(flat(capsule))) return true;
-    // Everything relative to one end; normals scaled to about one.
+    // Relative to one end; normals scaled to a length of about one.
     Frustum local{frustum.origin - capsule.a, {}};
     for (int i = 0; i < 6; ++i) local.planes[i] = scaled_to_one(frustum.planes[i]);
     const Segment segment{{}, capsule.b - capsule.a};

@@ -1,5 +1,6 @@
-// Triangles against triangles and boxes, decided by exact orientation signs alone, so that nothing depends on scale and
-// touching counts. Degenerate triangles are treated as segments or points.
+// Triangles against triangles (Guigue, Devillers 2003) and boxes (Akenine-Moeller 2001). Exact orientation signs decide
+// alone, so no answer depends on scale, and contact counts as overlap. Degenerate triangles are treated as segments or
+// points.
 #include "foundation/exact.h"
 #include "geometry/intersect.h"
 #include "geometry/overlap_boxes.h"
@@ -8,7 +9,7 @@ namespace gphys {
 
 namespace {
 
-/// A convex set of one to three points: point, segment or proper triangle.
+/// A convex set of one to three points: a point, a segment or a proper triangle.
 struct Simplex {
     Vec3 corner[3];
     int count;
@@ -49,9 +50,9 @@ bool edge_separates(const Simplex& a, const Simplex& b, int axis) {
     return false;
 }
 
-/// For sets in one plane, not parallel to the axis, with overlapping AABBs. The edges of the Minkowski difference of
-/// convex polygons are parallel to theirs, so an edge separates them if any line does. On a common line the AABBs
-/// have decided.
+/// For sets in one plane that is not parallel to the axis, with overlapping AABBs. The edges of the Minkowski
+/// difference of convex polygons are parallel to those of the polygons, so if any line separates them, that of an edge
+/// does. For collinear sets the AABBs have decided already.
 bool coplanar_overlap(const Simplex& a, const Simplex& b, int axis) {
     return !edge_separates(a, b, axis) && !edge_separates(b, a, axis);
 }
@@ -63,7 +64,7 @@ bool segments_overlap(const Simplex& a, const Simplex& b) {
         const int axis = turning_axis(t.a, t.b, t.c);
         if (axis >= 0) return coplanar_overlap(a, b, axis);
     }
-    return true;  // all on one line
+    return true;  // all points are collinear
 }
 
 bool segment_overlaps_triangle(const Simplex& segment, const Simplex& triangle) {
@@ -72,13 +73,13 @@ bool segment_overlaps_triangle(const Simplex& segment, const Simplex& triangle) 
     const int side_a = orientation(p, q, r, a), side_b = orientation(p, q, r, b);
     if (side_a * side_b > 0) return false;
     if (side_a == 0 && side_b == 0) return coplanar_overlap(segment, triangle, turning_axis(p, q, r));
-    // The line passes the three edges on the same side.
+    // The line intersects the triangle if it has the three edges on the same side.
     const int pq = orientation(a, b, p, q), qr = orientation(a, b, q, r), rp = orientation(a, b, r, p);
     return (pq >= 0 && qr >= 0 && rp >= 0) || (pq <= 0 && qr <= 0 && rp <= 0);
 }
 
 /// The corner that is alone on its side of the other triangle's plane, and whether that plane must be flipped for the
-/// corner to be in front. Corners on the plane count as either side. The signs are not all equal.
+/// corner to be in front. Corners on the plane count for either side. The signs are not all equal.
 struct Alone {
     int corner;
     bool behind;
@@ -88,14 +89,14 @@ Alone alone(const int (&side)[3]) {
         const int own = side[i], next = side[(i + 1) % 3], last = side[(i + 2) % 3];
         if (own != 0 && own * next <= 0 && own * last <= 0) return {i, own < 0};
     }
-    // One corner touches, the others are on one side.
-    const int touching = side[0] == 0 ? 0 : side[1] == 0 ? 1 : 2;
-    return {touching, side[(touching + 1) % 3] > 0};
+    // One corner is on the plane, the others are on one side of it.
+    const int on_plane = side[0] == 0 ? 0 : side[1] == 0 ? 1 : 2;
+    return {on_plane, side[(on_plane + 1) % 3] > 0};
 }
 
-/// Guigue and Devillers 2003. Both triangles intersect the line of their planes in an interval. With the lone corners p
-/// in front, the intervals run from edge p1 q1 to p1 r1 and from p2 r2 to p2 q2. Two orientations say whether either
-/// interval ends before the other begins.
+/// Guigue and Devillers 2003. Both triangles intersect the line of their planes in an interval. If the lone corners p
+/// are in front, the intervals run from edge p1 q1 to p1 r1 and from p2 r2 to p2 q2. Two orientations decide whether
+/// either interval ends before the other begins.
 bool triangles_overlap(const Simplex& t1, const Simplex& t2) {
     int side1[3], side2[3];
     for (int i = 0; i < 3; ++i) side1[i] = orientation(t2.corner[0], t2.corner[1], t2.corner[2], t1.corner[i]);
@@ -124,14 +125,14 @@ bool overlaps(const Triangle& a, const Triangle& b) {
 }
 
 bool overlaps(const Aabb& box, const Triangle& triangle) {
-    // The separating axes of a box and a triangle (Akenine-Moeller 2001): the box's normals, ...
+    // The separating axes of a box and a triangle (Akenine-Moeller 2001): the normals of the box, ...
     const Vec3 low = min(min(triangle.a, triangle.b), triangle.c), high = max(max(triangle.a, triangle.b), triangle.c);
-    // Axis by axis: with boxes_overlap, which compares all, overlaps of a box and a mesh take 5 % longer.
+    // Axis by axis: boxes_overlap, which always compares all axes, makes overlaps of a box and a mesh take 5 % longer.
     if (low.x > box.max.x || low.y > box.max.y || low.z > box.max.z || high.x < box.min.x || high.y < box.min.y ||
         high.z < box.min.z) {
         return false;
     }
-    // ... the triangle's normal, along which two opposite corners of the box are extreme, ...
+    // ... the normal of the triangle, along which two opposite corners of the box are extreme, ...
     const auto& [a, b, c] = triangle;
     const Vec3 normal = accurate_cross(a, b, a, c);
     Vec3 lowest, highest;

@@ -1,5 +1,5 @@
-// raycast against boxes (slabs), planes and frusta (clipping). Spheres and capsules are in raycast_round.cpp, triangles
-// in raycast_triangle.cpp.
+// raycast against boxes (slabs), planes and frusta (Cyrus-Beck clipping). Spheres and capsules are in
+// raycast_round.cpp, triangles in raycast_triangle.cpp.
 //
 // An origin inside a solid is a hit at t = 0 with GPHYS_HIT_INSIDE. Rounding never decides between hit and miss: if
 // the error bound does not settle it, the predicate is evaluated in exact arithmetic (exact.h).
@@ -32,7 +32,7 @@ double climb_along(Vec3 normal, const Ray& ray) {
     });
 }
 
-/// Whether the ray ends on the side of the plane where it starts, exactly. t_max must be finite.
+/// Whether the ray ends on the side of the plane on which it starts, exactly. t_max must be finite.
 bool is_beyond_end(const Plane& plane, const Ray& ray, double start) {
     const int end = sign_of([&](auto number) {
         using N = decltype(number);
@@ -53,8 +53,8 @@ struct Crossing {
         : face(face_), origin(origin_), direction(direction_), rest(rest_), t((face_ - origin_) / direction_) {}
 };
 
-/// Whether a <= b, exactly; both are >= 0. The quotients have at most three roundings each, so only those that differ
-/// by less than 2^-50 need exact products.
+/// Whether a <= b, exactly; both are >= 0. The quotients have at most three roundings each, so only quotients that
+/// differ by less than 2^-50 need exact products.
 bool at_or_before(const Crossing& a, const Crossing& b) {
     if (a.t <= b.t * (1 - 0x1p-50)) return true;
     if (a.t > b.t * (1 + 0x1p-50)) return false;
@@ -67,8 +67,8 @@ bool at_or_before(const Crossing& a, const Crossing& b) {
     return flipped ? order >= 0 : order <= 0;
 }
 
-/// The exact slab method: quotients instead of products with the reciprocal, and direction components of 0 handled
-/// apart. The axis of the face is -1 if the ray starts inside.
+/// The exact slab method: quotients instead of products with the reciprocal, and a separate case for direction
+/// components of 0. The axis of the face is -1 if the ray starts inside.
 bool enters_exactly(const Aabb& box, const Ray& ray, EnteredFace<double>& face, int& entry_axis) {
     const Crossing end(ray.t_max, 0, 1, 0);
     Crossing entry(0, 0, 1, 0), exit = end;
@@ -96,9 +96,9 @@ bool enters_exactly(const Aabb& box, const Ray& ray, EnteredFace<double>& face, 
 
 // --- Frustum ------------------------------------------------------------------------------------
 
-/// A plane of a frustum and a ray: how far the origin is above the plane, and how fast the ray climbs.
+/// A plane of a frustum and a ray: the height of the origin above the plane, and the speed at which the ray climbs.
 struct Approach {
-    double depth = 0, climb = 0;  // signs exact, within 2^-44 of themselves
+    double depth = 0, climb = 0;  // with exact signs and relative errors below 2^-44
 
     double t() const { return -depth / climb; }
 };
@@ -131,7 +131,7 @@ bool enters_in_time(const Frustum& frustum, int in, const Ray& ray) {
            }) >= 0;
 }
 
-/// Whether the ray enters through all planes that it starts outside of before it leaves through another or ends.
+/// Whether the ray enters through all planes that it starts outside of before it leaves through another one or ends.
 /// Needed if the last entry and the first exit are too close for double.
 bool enters_exactly(const Frustum& frustum, const Approach (&approaches)[6], const Ray& ray, double entry) {
     const double early = entry * (1 - 0x1p-38), late = entry * (1 + 0x1p-38);
@@ -183,7 +183,8 @@ bool raycast(const Aabb& box, const Ray& ray, Hit& hit) {
     return true;
 }
 
-/// In the frame of the box, relative to its centre (Majercik et al. 2018), which loses no digits far from the origin.
+/// In the frame of the box, relative to its centre (Majercik et al. 2018), so that no digits are lost far from the
+/// origin.
 bool raycast(const Obb& box, const Ray& ray, Hit& hit) {
     Ray local{transpose_times(box.axes, ray.origin - box.center), transpose_times(box.axes, ray.direction), ray.t_max};
     if (ray.is_segment) local.rest = transpose_times(box.axes, ray.rest);
@@ -212,8 +213,8 @@ bool raycast(const Plane& plane, const Ray& ray, Hit& hit) {
     return true;
 }
 
-/// Clips the ray against the half-spaces (Cyrus and Beck 1978). A plane with normal 0, an infinite far plane, is never
-/// crossed: the sign of its distance says on which side everything is.
+/// Clips the ray against the half-spaces (Cyrus, Beck 1978). A plane with normal 0, an infinite far plane, is never
+/// crossed: the sign of its distance decides whether all points are inside or outside.
 bool raycast(const Frustum& frustum, const Ray& ray, Hit& hit) {
     double entry = 0, exit = ray.t_max;
     const Plane* entered = nullptr;

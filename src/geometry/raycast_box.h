@@ -1,5 +1,5 @@
 // Ray and AABB by the slab method (Williams et al. 2005): the ray is in the box from the last entry into a slab to the
-// first exit.
+// first exit from one.
 #pragma once
 
 #include "foundation/float4.h"
@@ -13,7 +13,7 @@ class EnteredAxis {
 public:
     using Mask = decltype(N() < N());
 
-    /// Select axis k in the lanes where its slab is entered later than those of the axes before.
+    /// Selects axis k in the lanes where the ray enters its slab later than those of the axes before.
     GPHYS_INLINE void take(int k, const Mask& later) {
         if (k == 1) y_ = later;
         if (k == 2) z_ = later;
@@ -27,7 +27,7 @@ public:
 private:
     Mask y_{}, z_{};
 };
-/// For a single ray, an index: with masks the test takes 6 % longer.
+/// A single ray uses an index: masks make the test take 6 % longer.
 template <>
 class EnteredAxis<double> {
 public:
@@ -58,15 +58,15 @@ struct EnteredFace {
     GPHYS_INLINE Vec<N> normal() const { return axis.with({}, -with_sign(1.0, direction)); }
 };
 
-/// Entries and exits by products with the reciprocal of the direction, each with at most four roundings. They decide
-/// if the last entry is clearly before or after the first exit, and clearly after the other entries. Only t itself
-/// needs a division.
+/// Entries and exits by products with the reciprocal of the direction, with at most four roundings each. They decide if
+/// the last entry is clearly before or after the first exit, and clearly after the other entries. Only t itself needs a
+/// division.
 template <class N>
 struct BoxEntry {
     using Mask = decltype(N() < N());
 
-    Mask open;  // not decided: too close, or a direction component of 0
-    Mask no;    // misses; like inside, valid where open is not set
+    Mask open;  // undecided: too close, or a direction component is 0
+    Mask no;    // misses; like `inside`, valid where `open` is not set
     Mask inside;
     EnteredAxis<N> axis;
 
@@ -105,10 +105,10 @@ struct BoxEntry {
     }
 };
 
-/// A conservative test of a ray and a box centred at the origin. Times stay fractions, distance over speed along the
-/// axis, so there is no division. Margins on distances and speeds make a miss, or a hit, certain.
+/// A conservative test of a ray and a box centred at the origin. Times remain fractions, distance over speed along the
+/// axis, so no division is needed. Margins on distances and speeds make a miss, or a hit, certain.
 ///
-/// Vector: Float4, with the axes in a register, or a Vec.
+/// Vector: Float4 with the axes in one register, or a Vec.
 template <class Vector>
 class RayAndBox {
 public:
@@ -126,13 +126,13 @@ public:
         far_ = plus(to_center + half, margin);
     }
 
-    /// False if it certainly misses.
+    /// False if the ray certainly misses.
     GPHYS_INLINE auto may_meet() const {
         return all_axes(at_most(Vector(), far_) & at_most(near_, end_ * fast_) &
                         at_most(by_component(near_, yzx(slow_)), by_component(yzx(far_), fast_)) &
                         at_most(by_component(near_, zxy(slow_)), by_component(zxy(far_), fast_)));
     }
-    /// True if it certainly meets.
+    /// True if the ray certainly hits.
     GPHYS_INLINE auto must_meet() const {
         const Vector near = positive(plus(near_, twice_margin_)), far = minus(far_, twice_margin_);
         const Vector above_zero = plus(Vector(), splat_as(end_, 0x1p-126f));

@@ -1,5 +1,5 @@
-// raycast against spheres and capsules, without false results: a quadratic with error bounds (raycast_sphere.h), and
-// exact arithmetic (exact.h) where the bounds do not decide.
+// raycast against spheres and capsules, without false results: a quadratic with error bounds (raycast_sphere.h; Haines,
+// Guenther, Akenine-Moeller 2019), and exact arithmetic (exact.h) where the bounds do not decide.
 #include "foundation/exact.h"
 #include "geometry/capsule_axis.h"
 #include "geometry/intersect.h"
@@ -26,8 +26,8 @@ struct SphereCrossing {
     }
 };
 
-/// The quadratic of the infinite cylinder around the axis of a capsule. The distance of the two lines is
-/// dot(from, n) / |n|, n being the common normal of ray and axis.
+/// The quadratic of the infinite cylinder around the axis of a capsule. The distance of the two lines is dot(from, n) /
+/// |n|, where n is the common normal of ray and axis.
 struct SideCrossing {
     const Capsule& capsule;
     const Ray& ray;
@@ -45,8 +45,8 @@ struct SideCrossing {
     }
     QuadraticError<double> error_of(const Quadratic<double>& q) const {
         const double from = reach(ray.origin - capsule.a), rr = capsule.radius * capsule.radius;
-        // n is off by 4 sqrt(3) u |d| |axis| =: e, the moment by 4 sqrt(3) u |from| |axis| =: g, apart by
-        // |from| e and 4 u |from| |n|, in all h; |n| <= |d| |axis|, |moment| <= |from| |axis|.
+        // The error of n is 4 sqrt(3) u |d| |axis| =: e, that of the moment 4 sqrt(3) u |from| |axis| =: g. That of
+        // apart is |from| e and 4 u |from| |n|, together h. |n| <= |d| |axis|, |moment| <= |from| |axis|.
         const double axis = reach(capsule.b - capsule.a), d_axis = reach(ray.direction) * axis, from_axis = from * axis;
         const double e = 7 * unit * d_axis, g = 8 * unit * from_axis, h = 12 * unit * from * d_axis;
         const double apart = std::sqrt(std::max(rr * q.a - q.discriminant, 0.0));
@@ -80,7 +80,7 @@ bool enters(const Crossing& crossing, double t_max, double& t) {
     const Quadratic<double> rounded = crossing(0.0);
     const QuadraticError<double> error = crossing.error_of(rounded);
     if (rounded.discriminant < -error.discriminant) return false;
-    if (rounded.b < -error.b || rounded.c < -error.c) return false;  // not approaching; inside
+    if (rounded.b < -error.b || rounded.c < -error.c) return false;  // not approaching, or inside
     double b = rounded.b, c = rounded.c, stretch = std::sqrt(rounded.stretch);
     double root = std::sqrt(std::max(rounded.discriminant, 0.0));
     const double way = b + stretch * root;
@@ -119,7 +119,7 @@ double root_of(const Crossing& crossing) {
 
 // The vector from the axis to the point of entry: the perpendicular from the axis to the line of the ray, plus the way
 // back along the line to the surface. Neither cancels for any radius, and the second opposes the direction. Where the
-// point at t is accurate enough, that is used, which is faster.
+// point at t is accurate enough, it is used instead, which is faster.
 
 Vec3 out_of_ball(const Sphere& sphere, const Ray& ray) {
     const Vec3 moment = values_of([&](auto number) {
@@ -131,7 +131,7 @@ Vec3 out_of_ball(const Sphere& sphere, const Ray& ray) {
 }
 
 Vec3 out_of_side(const Capsule& capsule, const Ray& ray) {
-    const auto normal_of = [&](auto number) {  // to both the axis and the ray
+    const auto normal_of = [&](auto number) {  // perpendicular to both the axis and the ray
         using V = Vec<decltype(number)>;
         return cross(V::two_terms(ray.direction, ray.rest), V::difference(capsule.b, capsule.a));
     };
@@ -171,13 +171,13 @@ bool side_hit(const Capsule& capsule, double along, double size, const Ray& ray,
     return hit_with(normal, axis_point + normal * capsule.radius, t, hit);
 }
 
-/// Which part of the axis of a capsule is nearest to a point.
-enum class Place { beside, beyond, open };  // between its ends, an end, not decided
+/// Which part of the axis of a capsule is closest to a point.
+enum class Place { beside, beyond, open };  // between its ends; an end; undecided
 
 /// The same for the point of the ray at t, with accurate products: t may be far smaller than the rounding errors of
 /// coordinates.
 Place place_on_axis(const Capsule& capsule, const Ray& ray, double t) {
-    const auto along_axis = [&](auto vector) {  // vector(number): what to multiply with the axis
+    const auto along_axis = [&](auto vector) {  // vector(number): the factor to multiply with the axis
         return value_of([&](auto number) {
             using V = Vec<decltype(number)>;
             return dot(V::difference(capsule.b, capsule.a), vector(number));
@@ -195,7 +195,7 @@ Place place_on_axis(const Capsule& capsule, const Ray& ray, double t) {
     return from_a + way > error_a && from_b + way < -error_b ? Place::beside : Place::open;
 }
 
-/// Whether the point of the axis nearest to the line of the ray is between its ends, exactly. They are not parallel.
+/// Whether the axis point closest to the line of the ray is between the ends, exactly. The two must not be parallel.
 bool is_nearest_between_ends(const Capsule& capsule, const Ray& ray) {
     const auto beyond = [&](Vec3 end, Vec3 other) {
         return sign_of([&](auto number) {
@@ -215,9 +215,9 @@ bool raycast(const Sphere& sphere, const Ray& ray, Hit& hit) {
     return ray.direction != Vec3{} && enters(sphere, ray, t) && ball_hit(sphere, ray, t, hit);
 }
 
-/// A ray enters a convex solid once, so a hit on the side is the first. At the circle where the side meets an end cap,
-/// t is the same for both up to the square of a rounding; there the ray hits if it hits the sphere of the end or, on
-/// the side, its nearest point of the axis is between the ends.
+/// A ray enters a convex solid once, so a hit on the side is the first. At the circle where the side joins an end cap,
+/// t is the same for both up to the square of a rounding. There the ray hits if it hits the sphere of the end or, on
+/// the side, if its closest point of the axis is between the ends.
 bool raycast(const Capsule& capsule, const Ray& ray, Hit& hit) {
     if (contains(capsule, ray.origin, 0)) return started_inside(ray, hit);
     if (ray.direction == Vec3{}) return false;
@@ -227,7 +227,7 @@ bool raycast(const Capsule& capsule, const Ray& ray, Hit& hit) {
     if (enters(SideCrossing{capsule, ray}, ray.t_max, t)) {
         const Vec3 from = ray.origin - capsule.a;
         const double start = dot(from, axis), way = t * dot(ray.direction, axis), axis_squared = length_squared(axis);
-        // Off by the 2^-28 of t, and each product by a few roundings of what it is summed from.
+        // The error is 2^-28 of t, and for each product a few roundings of its terms.
         const double from_size = reach(from), axis_size = reach(axis);
         const double terms = (from_size + t * reach(ray.direction)) * axis_size;
         const double error = (0x1p-27 * std::fabs(way) + 0x1p-49 * terms) / axis_squared;

@@ -1,15 +1,15 @@
 // raycast against triangles, watertight and without false hits: no ray passes between triangles that share an edge or a
-// corner, and none hits a triangle that it just misses.
+// corner, and no ray hits a triangle that it just misses.
 //
-// In the projection along the ray, the ray is the point 0. It passes through the triangle if 0 is not on different
+// In the projection along the ray, the ray is the point 0. It passes through the triangle unless 0 is on different
 // sides of two edges. The sides are the signs of three scalar triple products (volumes), one for each edge and the ray.
 //
 // Woop's shear (Woop, Benthin, Wald 2013) computes them in double. If they exceed their error bound, the signs are
-// right; else exact arithmetic finds them (exact.h). Exact signs are consistent: triangles that share an edge see
+// right; otherwise exact arithmetic finds them (exact.h). Exact signs are consistent: triangles that share an edge get
 // opposite signs, and the triangles around a corner leave no gap.
 //
-// For a ray in the triangle's plane all volumes are 0; it is intersected with the edges within the plane. The same
-// code handles degenerate triangles.
+// For a ray in the triangle's plane all volumes are 0. Then the ray is intersected with the edges within the plane. The
+// same code handles degenerate triangles.
 #include "foundation/exact.h"
 #include "geometry/intersect.h"
 #include "geometry/shear.h"
@@ -19,8 +19,8 @@ namespace {
 
 int sign(double value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
-/// Whether t = numerator / denominator <= t_max; the relative error of t is below 2^-40. `excess` is
-/// numerator - t_max * denominator as a polynomial, evaluated exactly if t is too close to t_max.
+/// Whether t = numerator / denominator <= t_max; the relative error of t is below 2^-40. `excess` is numerator - t_max
+/// * denominator as a polynomial, which is evaluated exactly if t is too close to t_max.
 template <class Excess>
 bool in_time(double t, double t_max, double denominator, const Excess& excess) {
     if (std::fabs(t - t_max) > 0x1p-40 * std::fabs(t)) return t <= t_max;
@@ -40,7 +40,7 @@ bool crossed_by_point(const Triangle& triangle, const ShearedRay& ray, TriangleC
 struct Corner {
     Vec3 position;
     double u, v;
-    double side;  // side of the ray's line within the plane
+    double side;  // on which side of the ray's line, within the plane
 };
 
 /// A crossing of the ray's line and the outline of the triangle.
@@ -49,8 +49,8 @@ struct LineCrossing {
     bool in_time;
 };
 
-/// One component of a cross product. That of direction and (point - origin), which is 0 for a
-/// point on the line, has the sign of the side of the line, and the same for all in a plane.
+/// One component of a cross product. That of the direction and (point - origin) is 0 for a point on the line. Its sign
+/// is the side of the line, for all points of a plane.
 template <class N>
 N turn(const Vec<N>& a, const Vec<N>& b, int axis) {
     const auto n = cross(a, b);
@@ -87,7 +87,7 @@ LineCrossing crossing_between(const Corner& from, const Corner& to, const Sheare
 
 bool crosses_in_plane(const Triangle& triangle, const ShearedRay& ray, TriangleCrossing& crossing) {
     Corner corners[3] = {{triangle.a, 0, 0, 0}, {triangle.b, 1, 0, 0}, {triangle.c, 0, 1, 0}};
-    // All cross products in the plane are parallel; any axis with a non-zero component will do.
+    // All cross products in the plane are parallel, so any axis with a non-zero component will do.
     int axis = 0;
     for (; axis < 3; ++axis) {
         bool turns = false;
@@ -135,8 +135,8 @@ auto volume(const ShearedRay& ray, Vec3 p, Vec3 q) {
     };
 }
 
-/// The volume with its exact sign and a relative error below 2^-44. For rays through a corner or an edge, where it is
-/// 0, the coordinates mostly have a small enough range for the integer path.
+/// The volume with its exact sign and a relative error below 2^-44. It is 0 for rays through a corner or an edge. There
+/// the coordinates mostly have a range small enough for the integer path.
 double accurate_volume(const ShearedRay& ray, Vec3 p, Vec3 q) {
     Vec3 to_p, to_q;
     double value;
@@ -147,9 +147,9 @@ double accurate_volume(const ShearedRay& ray, Vec3 p, Vec3 q) {
     return value_of(volume(ray, p, q));
 }
 
-/// t, u and v of a ray that is known to pass through the triangle, to 2^-43.
+/// t, u and v of a ray that is known to pass through the triangle, with relative errors of 2^-43.
 void accurate_parameters(const Triangle& triangle, const ShearedRay& ray, double& t, double& u, double& v) {
-    const auto along_normal = [&](auto vector) {  // vector(number): what to multiply with the normal
+    const auto along_normal = [&](auto vector) {  // vector(number): the factor to multiply with the normal
         return value_of([&](auto number) {
             using V = Vec<decltype(number)>;
             return dot(cross(V::difference(triangle.b, triangle.a), V::difference(triangle.c, triangle.a)),
@@ -197,10 +197,10 @@ bool crosses(const Triangle& triangle, const ShearedRay& ray, TriangleCrossing& 
     const double volume_b = a.x * c.y - a.y * c.x;
     const double volume_c = b.x * a.y - b.y * a.x;
 
-    // With u = 2^-53: offset and product each carry u, the slope 3 u if the direction has a rest, so a
-    // sheared coordinate is off by at most 2 u |offset| + 6 u |z| <= 4 u (|coordinate| + 2 |z|) =: e;
-    // 5 u covers the terms in u^2.
-    // A volume of coordinates up to r then is off by at most 4 r e + 2 e^2 + 6 u r^2 < 8 e (r + e).
+    // Let u = 2^-53. Offset and product have an error of u each, the slope 3 u if the direction has a rest. So the
+    // error of a sheared coordinate is at most 2 u |offset| + 6 u |z| <= 4 u (|coordinate| + 2 |z|) =: e; 5 u covers
+    // the terms in u^2. The error of a volume of coordinates up to r then is at most 4 r e + 2 e^2 + 6 u r^2 < 8 e (r +
+    // e).
     const Vec3 reach = max(abs(a), max(abs(b), abs(c)));
     const double r = std::max(reach.x, reach.y);
     const double coordinate_error = 5 * 0x1p-53 * (r + 2 * reach.z);
@@ -221,7 +221,7 @@ bool crosses(const Triangle& triangle, const ShearedRay& ray, TriangleCrossing& 
     // The volumes add up to -dot(normal, direction).
     const int facing = least < 0 ? 1 : -1;
 
-    // Each weight is off by at most (1 + 3) volume_error / total; z by both, times the spread of z.
+    // The error of each weight is at most (1 + 3) volume_error / total; that of z is both, times the spread of z.
     const double total = volume_a + volume_b + volume_c;
     const double weight_error = 4.5 * volume_error;  // times total
     double u, v, t;
@@ -244,7 +244,7 @@ bool crosses(const Triangle& triangle, const ShearedRay& ray, TriangleCrossing& 
         return dot(normal, V::difference(triangle.a, ray.origin)) -
                N(ray.t_max) * dot(normal, V::two_terms(ray.direction, ray.rest));
     });
-    // The test against t_max was exact; only rounding can put t beyond it.
+    // The test against t_max was exact, so only rounding can put t beyond it.
     crossing = {std::min(t, ray.t_max), u, v, facing};
     return by_the_end;
 }
@@ -258,7 +258,7 @@ Hit hit_at(const Triangle& triangle, const ShearedRay& ray, const TriangleCrossi
     } else if (ray.direction != Vec3{}) {
         hit.normal = -normalized(ray.direction);
     }
-    // Adding 0 turns -0 into 0: the sign of a zero depends on the order of operations.
+    // Adding 0 turns -0 into 0, because the sign of a zero depends on the order of operations.
     hit.u = std::clamp(crossing.u, 0.0, 1.0) + 0.0;
     hit.v = std::clamp(crossing.v, 0.0, 1.0 - hit.u) + 0.0;
     hit.point = ray.direction != Vec3{}

@@ -1,5 +1,5 @@
-// The times of a straight motion at which two convex shapes may touch, by the gaps between them along normals: clipping
-// by slabs, for any convex shapes whose normals are known.
+// The interval of time in which two convex shapes can overlap during a straight motion: slab clipping (as of a ray;
+// Kay, Kajiya 1986) by the gaps between the shapes along normals. For any convex shapes with known normals.
 #pragma once
 
 #include <algorithm>
@@ -10,11 +10,11 @@ namespace gphys {
 
 class SlabClip {
 public:
-    /// `resolution`: shapes closer than this touch.
+    /// `resolution`: shapes closer than this count as in contact.
     explicit SlabClip(double resolution) : resolution_(resolution) {}
 
-    /// gap: distance of the shapes along the unit vector; it decreases by `approach` from t = 0 to 1. False if they are
-    /// apart at all times.
+    /// gap: distance of the shapes along the unit vector; it decreases by `approach` from t = 0 to 1. Returns false if
+    /// they are apart at all times.
     bool cut(double gap, double approach, Vec3 unit) {
         if (gap > widest_) widest_ = gap, widest_normal_ = unit;
         if (gap > 0) {
@@ -31,8 +31,8 @@ public:
         }
         return true;
     }
-    /// The interval of a contact with an edge is a single time, computed by two rounded divisions; that with a flat
-    /// shape one of two gaps along normals that are opposite within rounding, which is known within the resolution.
+    /// A contact with an edge lasts a single time, computed by two rounded divisions. For a flat shape the interval
+    /// lies between two gaps along normals that are opposite within rounding, which are known within the resolution.
     bool is_empty() const {
         if (leaves_ || begin_ <= end_ + 0x1p-50) return leaves_;
         const bool is_flat = length_squared(normal_ + end_normal_) < 0x1p-60;
@@ -41,13 +41,13 @@ public:
     bool may_touch_at_start() const { return widest_ <= resolution_; }
 
     double begin() const { return begin_; }
-    /// The one along which the shapes first touch, or zero if they are apart along none at the start.
+    /// The normal of the first contact, or zero if the shapes are apart along no normal at the start.
     Vec3 normal() const { return normal_; }
     Vec3 widest_normal() const { return widest_normal_; }
 
 private:
     double resolution_, begin_ = 0, end_ = 1, widest_ = -infinity;
-    double begin_speed_ = 0;  // along the normal
+    double begin_speed_ = 0;  // the approach along normal_
     Vec3 normal_, end_normal_, widest_normal_;
     bool leaves_ = false;
 };
