@@ -1,3 +1,5 @@
+// The camera: placement (look-at by Gram-Schmidt), matrices, frusta and rays. The projections are in projection.cpp,
+// clip space in clip_space.cpp.
 #include "camera/camera.h"
 
 #include "foundation/elementary.h"
@@ -7,7 +9,7 @@ namespace gphys {
 
 namespace {
 
-/// The smallest length of v - n dot(v, n), for unit vectors, that is more than rounding: it has about six roundings of
+/// The smallest length of v - n dot(v, n), for unit vectors, that is not mere rounding: it has about six roundings of
 /// 2^-53.
 constexpr double smallest_perpendicular = 0x1p-50;
 
@@ -22,8 +24,8 @@ bool perpendicular_part(Vec3 v, Vec3 n, Vec3& out) {
     return true;
 }
 
-/// Right of a view: x = y cross z for a left-handed camera, whose z is forward; a right-handed
-/// camera's z is back.
+/// The right axis of a view: x = y cross z for a left-handed camera, whose z is forward. The z of a right-handed camera
+/// is back.
 Vec3 right_of(Vec3 up, Vec3 forward, double z_sign) { return cross(up, forward) * z_sign; }
 
 }  // namespace
@@ -112,7 +114,7 @@ void Camera::image_size(double& width, double& height) const {
 }
 
 // The position is rounded to float here, once, so that matrices, frustum, rays and gphys_camera_get_transform agree. It
-// is clamped, because an orbit around a target at the limit of the range could leave it.
+// is clamped, because an orbit around a target at the limit of the range could leave the range.
 void Camera::place(Vec3 position, const Mat3& axes) {
     constexpr double furthest = GPHYS_MAX_COORDINATE;
     const Vec3 within = max(min(position, {furthest, furthest, furthest}), {-furthest, -furthest, -furthest});
@@ -125,8 +127,8 @@ void Camera::set_transform(Vec3 position, const Mat3& rotation) {
 }
 
 gphys_status Camera::set_world_matrix(const Mat4& world) {
-    // The elements are floats: a matrix this close to a singular one may be a singular one that was
-    // rounded. Rounding moves each unit column by at most 2^-24, so their volume by 3 * 2^-24.
+    // The elements are floats, so a matrix this close to a singular one may be a singular one that was rounded.
+    // Rounding moves each unit column by at most 2^-24, and therefore their volume by 3 * 2^-24.
     constexpr double smallest_volume = 0x1p-22;
     const Vec3 x{world(0, 0), world(1, 0), world(2, 0)};
     const Vec3 y{world(0, 1), world(1, 1), world(2, 1)};
@@ -142,8 +144,8 @@ gphys_status Camera::set_world_matrix(const Mat4& world) {
     return GPHYS_OK;
 }
 
-// The world matrix is the inverse of the view's axes, not their transpose: a view that drifted shows space as its
-// matrix says, and is corrected as a world matrix is.
+// The world matrix is the inverse of the view matrix, not the transpose of its rotation. So a view whose axes have
+// drifted from orthonormal ones is handled as its matrix says, and corrected as a world matrix is.
 gphys_status Camera::set_view_matrix(const Mat4& view) {
     Mat4 world;
     if (!inverse(view, world)) return fail(GPHYS_ERROR_SINGULAR, "view has no inverse");

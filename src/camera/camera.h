@@ -1,6 +1,6 @@
-// The camera: a projection, a viewport and a pose, and what is derived from them. Everything is computed in double from
-// the camera's parameters and relative to its position; no view-projection matrix is inverted (Upchurch and Desbrun
-// 2012 say why).
+// The camera: a projection, a viewport and a pose, and the matrices, frusta and rays derived from them. Everything is
+// computed in double from the camera's parameters and relative to its position. No view-projection matrix is inverted,
+// because that loses precision (Upchurch, Desbrun 2012).
 #pragma once
 
 #include <optional>
@@ -18,19 +18,19 @@ public:
 
     Memory memory;
 
-    /// An aspect or width of 0 means that of the viewport. False if an orthographic camera would see further than
-    /// GPHYS_MAX_COORDINATE to the side.
+    /// An aspect or width of 0 means that of the viewport. Returns false if an orthographic camera would see farther
+    /// than GPHYS_MAX_COORDINATE to the side.
     void set_perspective(double fov_y, double near_distance, double far_distance, double aspect = 0);
     bool set_orthographic(double height, double near_distance, double far_distance, double width = 0);
     /// From the camera's own axes to clip space.
     gphys_status set_projection(const Mat4& projection);
-    /// False as set_orthographic.
+    /// Returns false as set_orthographic does.
     bool set_viewport(double width, double height);
     /// The viewport's top left corner, in pixels of the window.
     void set_viewport_origin(double x, double y) { left_ = x, top_ = y; }
     void set_pick_start(gphys_pick_start start) { pick_start_ = start; }
 
-    /// As they were set: radians or metres. 0 for a matrix, which has no distances either.
+    /// As set: radians or metres. 0 for a matrix, which has no distances either.
     struct ProjectionSettings {
         gphys_projection kind;
         double size, near_distance, far_distance;
@@ -63,7 +63,7 @@ public:
     /// Set the pose of the camera from its orbit.
     void follow_orbit();
 
-    /// The camera stays where it is in the world; false if that is out of the range of coordinates.
+    /// The camera stays where it is in the world. Returns false if that would be out of the range of coordinates.
     bool set_origin(Vec3 origin);
     Vec3 origin() const { return origin_; }
 
@@ -81,13 +81,13 @@ public:
     Frustum frustum_of_pixels(double x0, double y0, double x1, double y1) const;
     /// In the order of gphys_frustum_corners. False with an infinite far plane, or a corner beyond the largest float.
     bool corners(Vec3 out[8], const Window& window = {}) const;
-    /// The rectangle of pixels whose corners come in any order.
+    /// The window of a rectangle of pixels, whose corners may be in any order.
     Window window_of_pixels(double x0, double y0, double x1, double y1) const;
 
     /// Pixels are (x, y, depth). False if the point has no image, or no finite one.
     bool project(Vec3 point, Vec3& pixel) const;
     bool unproject(Vec3 pixel, Vec3& point) const;
-    /// False if the pixel's line of sight does not start (a near plane that it never meets).
+    /// Returns false if the pixel's line of sight has no start because it does not hit the near plane.
     bool pick_ray(double pixel_x, double pixel_y, Ray& ray) const;
 
 private:
@@ -104,7 +104,7 @@ private:
     double width_, height_;      // pixels
     double left_ = 0, top_ = 0;  // pixels
     double aspect_ = 0;          // 0: the viewport's
-    double fov_y_;               // of a perspective, which keeps its tangent only
+    double fov_y_;               // of a perspective; the projection keeps only its tangent
     gphys_pick_start pick_start_ = GPHYS_PICK_FROM_NEAR_PLANE;
     std::variant<Perspective, Orthographic, UserProjection> projection_;
     Vec3 origin_;       // in the world, of the position

@@ -1,3 +1,4 @@
+// Clip space (clip_space.h): the inverse of a 4x4 matrix, and its clip planes.
 #include "camera/clip_space.h"
 
 namespace gphys {
@@ -54,15 +55,14 @@ double scale_to_one(double a, double b, double c, double d) {
 
 }  // namespace
 
-// Gauss-Jordan elimination with complete pivoting of [scaled matrix | identity]. Rows and columns
-// are scaled by powers of two first, without rounding: the rows of a projection carry different
-// units, and near = 1e-6 must not pass for singular as it does where |det| is compared with a
-// constant.
+// Gauss-Jordan elimination with complete pivoting of [scaled matrix | identity]. Rows and columns are scaled by powers
+// of two first, which rounds nothing. The rows of a projection have different units, and near = 1e-6 must not count as
+// singular, as it would if |det| were compared with a constant.
 //
-// Smallest pivot: scaled elements are below 2, and complete pivoting lets those of a 4x4 matrix grow
-// to at most four times that (Cryer 1968). Each of the three eliminations rounds a quotient, a
-// product and a difference, an error of at most 3 * 3 * 2^3 * 2^-53 < 2^-46 altogether. The pivot is
-// the largest element that remains; if it is no larger than that, all of the rest may be rounding.
+// Smallest pivot: scaled elements are below 2, and complete pivoting lets those of a 4x4 matrix grow to at most four
+// times that (Cryer 1968). Each of the three eliminations rounds a quotient, a product and a difference: an error of at
+// most 3 * 3 * 2^3 * 2^-53 < 2^-46 in all. The pivot is the largest element that remains. If it is no larger than that
+// error, all remaining elements may be rounding errors.
 bool inverse(const Mat4& matrix, Mat4& out) {
     constexpr double smallest_pivot = 0x1p-46;
     double row_scale[4], column_scale[4];

@@ -1,4 +1,4 @@
-// Clip space: 4x4 matrices, the two depth conventions, and the planes that a matrix cuts out.
+// Clip space: 4x4 matrices, the two depth conventions, and the clip planes of a matrix.
 #pragma once
 
 #include "shapes/shapes.h"
@@ -25,7 +25,7 @@ gphys_mat4 narrow(const Mat4& matrix);
 /// The largest deviation of the dot products of its axes from those of orthonormal axes.
 double orthonormality(const Mat4& matrix);
 
-/// False if the matrix is singular, or so close to it that double precision does not decide.
+/// Returns false if the matrix is singular, or so close to singular that double precision does not decide.
 bool inverse(const Mat4& matrix, Mat4& out);
 
 /// Depth of the near and of the far plane in clip space: 0 and 1, -1 and 1, or reversed.
@@ -41,9 +41,8 @@ struct DepthRange {
     }
     bool is_reversed() const { return near_depth > far_depth; }
 
-    /// 1 on the near plane, 0 on the far plane; the sum of both weights is 1. Two formulas rather
-    /// than 1 - weight, so that the small one of the two keeps its relative accuracy: that is what
-    /// reverse-Z is for.
+    /// 1 on the near plane, 0 on the far plane; the sum of both weights is 1. There are two formulas, not 1 - weight,
+    /// so that the small one of the two keeps its relative accuracy. Reverse-Z relies on that.
     double near_weight(double depth) const { return (depth - far_depth) / (near_depth - far_depth); }
     double far_weight(double depth) const { return (depth - near_depth) / (far_depth - near_depth); }
     double depth(double near_weight, double far_weight) const {

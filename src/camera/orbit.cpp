@@ -1,3 +1,4 @@
+// Orbit control: pending input is applied to yaw, pitch, distance and target, within the limits (orbit.h).
 #include "camera/orbit.h"
 
 #include "foundation/elementary.h"
@@ -30,7 +31,7 @@ void Orbit::pan(double units_right, double units_up) {
     pending_up_ += units_up;
 }
 
-// Panning first: the input refers to the image of the last update.
+// Panning comes first, because the input refers to the image of the last update.
 void Orbit::update() {
     const Mat3 seen = axes();
     target_ += seen.x * (pending_right_ * speeds_.pan_x) + seen.y * (pending_up_ * speeds_.pan_y);
@@ -41,7 +42,7 @@ void Orbit::update() {
     limit();
 }
 
-// The float nearest to pi / 2 lies above it; beyond pi / 2 the view would turn over.
+// The float nearest to pi / 2 is above it, and beyond pi / 2 the view would turn over.
 void Orbit::limit() {
     constexpr double furthest = GPHYS_MAX_COORDINATE;
     yaw_ = std::remainder(yaw_, 2 * pi);
@@ -61,7 +62,7 @@ gphys_orbit Orbit::settings() const {
     return now;
 }
 
-// Computed from the angles, which are well defined where the view is parallel to up; a look-at matrix is not.
+// Computed from the angles, which are well defined even where the view is parallel to up; a look-at matrix is not.
 Mat3 Orbit::axes() const {
     const SinCos pitch = sin_cos(pitch_), yaw = sin_cos(yaw_);
     const Vec3 level = yaw_zero_ * yaw.cos + yaw_quarter_ * yaw.sin;

@@ -1,10 +1,11 @@
+// The three projections (projection.h): perspective, orthographic, and any matrix.
 #include "camera/projection.h"
 
 namespace gphys {
 
 namespace {
 
-/// Near and far plane across the view direction; an infinite one is normal 0, distance -1.
+/// Near and far plane, perpendicular to the view direction. An infinite far plane has normal 0 and distance -1.
 void depth_planes(double near_distance, double far_distance, Plane out[6]) {
     out[GPHYS_FRUSTUM_NEAR] = {{0, 0, 1}, near_distance};
     out[GPHYS_FRUSTUM_FAR] = far_distance < infinity ? Plane{{0, 0, -1}, -far_distance} : Plane{{0, 0, 0}, -1};
@@ -111,9 +112,9 @@ namespace {
 
 Vec3 direction_part(Vec4 h) { return {h.x, h.y, h.z}; }
 
-/// Whether the homogeneous point from_clip * image is in front of the camera and not at infinity.
-/// Its w is a sum of four rounded products of inverse elements that carry a few roundings
-/// themselves; a w below 2^-48 of the terms' magnitude is indistinguishable from 0.
+/// Whether the homogeneous point from_clip * image is in front of the camera and not at infinity. Its w is a sum of
+/// four rounded products with inverse elements, which carry a few roundings themselves. A w below 2^-48 of the
+/// magnitude of the terms cannot be distinguished from 0.
 bool is_finite(const Mat4& from_clip, Vec3 image, double w) {
     const double terms = std::fabs(from_clip(3, 0) * image.x) + std::fabs(from_clip(3, 1) * image.y) +
                          std::fabs(from_clip(3, 2) * image.z) + std::fabs(from_clip(3, 3));
@@ -136,14 +137,14 @@ bool UserProjection::unproject(const DepthRange&, Vec3 image, Vec3& point) const
     return true;
 }
 
-// The points with this image are (1 - s) start + s end in homogeneous coordinates; at s = 0 they
-// move along end.xyz start.w - start.xyz end.w, which makes sense for an end at infinity too.
+// The points with this image are (1 - s) start + s end in homogeneous coordinates. At s = 0 they move along end.xyz
+// start.w - start.xyz end.w, which is defined for an end at infinity, too.
 bool UserProjection::cast(const DepthRange& depth_range, double x, double y, Ray& ray) const {
     const Vec3 end_image{x, y, depth_range.far_depth};
     const Vec4 start = from_clip * Vec4{x, y, depth_range.near_depth, 1};
     const Vec4 end = from_clip * Vec4{x, y, depth_range.far_depth, 1};
     const Vec3 along = direction_part(end) * start.w - direction_part(start) * end.w;
-    // A pixel has no ray if double does not distinguish the two planes.
+    // A pixel has no ray if double precision does not distinguish the two planes.
     if (start.w <= 0 || along == Vec3{}) return false;
     ray.origin = direction_part(start) / start.w;
     ray.direction = normalized(along);

@@ -1,7 +1,6 @@
-// The projections of a camera, in lens coordinates: x to the right, y up, z forward from the camera's
-// position, whatever its handedness. An image point is (x, y, depth) in normalised device
-// coordinates: x and y from -1 to 1 over the viewport, y up. Each kind of projection answers the
-// same functions:
+// The projections of a camera, in lens coordinates: x to the right, y up, z forward from the camera's position,
+// whatever its handedness. An image point is (x, y, depth) in normalised device coordinates: x and y from -1 to 1 over
+// the viewport, y up. Each kind of projection has the same functions:
 //   matrix     lens to clip space
 //   project    where is the image of a point? False if the point is not in front of the camera.
 //   unproject  which point has this image? False if it would be at infinity or beyond.
@@ -14,7 +13,7 @@
 
 namespace gphys {
 
-/// Everything follows from two tangents and two distances.
+/// Two tangents and two distances determine the rest.
 struct Perspective {
     double half_width, half_height;  // of the image at distance 1: tangents of the half angles
     double near_distance, far_distance;
@@ -48,8 +47,8 @@ struct UserProjection {
     bool unproject(const DepthRange& depth_range, Vec3 image, Vec3& point) const;
     bool cast(const DepthRange& depth_range, double x, double y, Ray& ray) const;
     void planes(const DepthRange& depth_range, const Window& window, Plane out[6]) const;
-    /// Whether the four corners of the image lie in front of the camera on the near plane, within the range of
-    /// floats: what the matrix shows begins somewhere.
+    /// Whether the four corners of the image are in front of the camera on the near plane, within the range of floats,
+    /// so that the visible volume has a start.
     bool has_near_corners(const DepthRange& depth_range) const;
 };
 

@@ -1,17 +1,19 @@
+// The bounding box of a frustum with eight corners, in double with error bounds (halfspaces.h). Cramer's rule gives the
+// corners.
 #include "shapes/halfspaces.h"
 
 namespace gphys {
 
 namespace {
 
-/// The triples of planes that make the corners, two of each pair of opposite ones.
+/// The number of triples of planes that form corners: one of each pair of opposite planes.
 constexpr int corner_count = 8;
 constexpr int plane_of(int corner, int pair) { return 2 * pair + (corner >> pair & 1); }
 
-/// Where three planes meet, and how far from there that may be on each axis. With a, b, c, x for the largest components
-/// of the normals and of the point, u = 2^-53 and h = |d_a| b c + |d_b| a c + |d_c| a b, the sum of the three products
-/// of a distance and a cross product has an error below 14 u h, and the determinant one below 40 u a b c: so that of
-/// their quotient is below 2^-47 (h + x a b c) / |determinant|. It has eight times that.
+/// The common point of three planes, and its error bound on each axis. Let a, b, c, x be the largest components of the
+/// normals and of the point, u = 2^-53 and h = |d_a| b c + |d_b| a c + |d_c| a b. The sum of the three products of a
+/// distance and a cross product has an error below 14 u h, the determinant one below 40 u a b c. So the error of their
+/// quotient is below 2^-47 (h + x a b c) / |determinant|. The bound is eight times that.
 struct Corner {
     Vec3 point;
     double error;
@@ -22,7 +24,7 @@ struct Corner {
         const double size[3] = {max_component(abs(a.normal)), max_component(abs(b.normal)),
                                 max_component(abs(c.normal))};
         const double product = size[0] * size[1] * size[2];
-        // The negation is for numbers that are none.
+        // Negated, so that NaN is rejected, too.
         if (!(std::fabs(determinant) > 0x1p-30 * product)) {
             error = infinity;
             return;
@@ -43,10 +45,10 @@ struct Corner {
 
 }  // namespace
 
-// If each point of a plane of every pair lies above the other three planes, it is a corner, where just three edges
-// end. Each of these runs along two planes to the point that has the third one's opposite instead. So the edges lead
-// from these eight corners to no other and not to infinity, and there are no other corners, as the edges of a convex
-// body are connected.
+// If the corner of every choice of one plane from each pair lies above the other three planes, it is a corner of the
+// body in which exactly three edges end. Each of these edges runs along two planes to the corner with the opposite of
+// the third plane. So the edges from these eight corners lead to no others and not to infinity. As the edges of a
+// convex body are connected, there are no other corners.
 bool bounds_of_six_sided(const Frustum& frustum, Box& out) {
     Box box;
     for (int i = 0; i < corner_count; ++i) {

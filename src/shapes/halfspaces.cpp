@@ -1,3 +1,5 @@
+// Intersections of half-spaces by Helly's theorem and Farkas' lemma on exact determinants (halfspaces.h), and the
+// bounding box of a frustum by enumeration of its corners.
 #include "shapes/halfspaces.h"
 
 #include "foundation/exact.h"
@@ -44,7 +46,7 @@ N height_over(const Halfspace& halfspace, Vec3 point) {
     return dot(V::of(halfspace.normal), V::difference(point, halfspace.origin)) - N(halfspace.distance);
 }
 
-/// The common sign of weights that are all >= 0 or all <= 0 and not all 0; else 0.
+/// The common sign of weights that are all >= 0 or all <= 0, and not all 0; else 0.
 int common_sign(const int* signs, int count) {
     int sign = 0;
     for (int i = 0; i < count; ++i) {
@@ -62,7 +64,7 @@ struct Halfspaces::Minors {
         std::copy(set.halfspace_, set.halfspace_ + count, halfspaces);
         compute();
         if (spans || count == 0) return;
-        // All normals lie in a plane. Three added directions make them span space; a proof of emptiness must give these
+        // All normals lie in a plane. Three more directions make them span space; a proof of emptiness must give these
         // the weight 0.
         for (Vec3 axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) halfspaces[count++] = {axis, {}, 0};
         compute();
@@ -94,7 +96,7 @@ struct Halfspaces::Minors {
             .sign();
     }
 
-    /// Heights count from here. Any point would do; one of the set's own keeps numbers small.
+    /// The reference point of heights. Any point would do; a point of the set itself keeps the numbers small.
     Vec3 reference() const { return halfspaces[0].origin; }
     bool proves_empty(int i, int j, int k, int l) const {
         int weight[4];
@@ -107,7 +109,7 @@ struct Halfspaces::Minors {
         }
         return weighted_height(i, j, k, l) * direction < 0;
     }
-    /// The half-spaces that bound something, followed by directions added to span space.
+    /// The half-spaces of the set; after them come the directions added to span space.
     int bounding() const { return spans ? count : count - 3; }
 
     static constexpr int max_count = capacity + 3;
@@ -174,7 +176,7 @@ CommonPoint Halfspaces::likely_common_point() const {
         planes[i] = scaled_to_one({h.normal, h.distance + dot(h.normal, h.origin - from)});
         size = std::max(size, max_component(abs(h.origin - from)) + std::fabs(planes[i].distance));
     }
-    // A point on the boundary may be rounded outside.
+    // Rounding may put a point on the boundary outside.
     for (int i = 0; i < count_; ++i) planes[i].distance += 0x1p-40 * size;
     return nearest_common_point(planes, count_);
 }
@@ -193,8 +195,8 @@ bool Halfspaces::have_common_point() const {
 
 namespace {
 
-/// The points (s, t) with u s + v t + height >= 0: a half-space as seen in a triangle's plane, whose
-/// points are a + s (b - a) + t (c - a). A degenerate triangle makes u or v 0, which is as good.
+/// The points (s, t) with u s + v t + height >= 0: a half-space in the plane of a triangle whose points are a + s (b -
+/// a) + t (c - a). For a degenerate triangle u or v is 0, which is handled in the same way.
 template <class N>
 struct Halfplane {
     N u, v, height;
@@ -282,7 +284,7 @@ bool is_empty(const Frustum& frustum) {
 
 namespace {
 
-/// Visit the half-spaces of 0..count - 1 other than i, j, k until one fails the test.
+/// Tests the half-spaces 0..count - 1 other than i, j, k until one fails.
 template <class Test>
 bool all_others(int count, int i, int j, int k, Test&& test) {
     for (int l = 0; l < count; ++l) {
@@ -310,8 +312,8 @@ bool bounds(const Frustum& frustum, Box& out) {
         for (int j = i + 1; j < minors.count; ++j) {
             const Plane a{minors.halfspaces[i].normal, minors.halfspaces[i].distance};
             const Plane b{minors.halfspaces[j].normal, minors.halfspaces[j].distance};
-            // The line of two planes is unbounded if no other plane cuts it. Parallel planes have no line; with normals
-            // that span space another pair does.
+            // The line of two planes is unbounded if no other plane cuts it. Parallel planes have no line; if the
+            // normals span space, another pair has one.
             if (accurate_cross({}, a.normal, {}, b.normal) != Vec3{}) {
                 for (int way : {-1, 1}) {
                     if (all_others(minors.count, i, j, -1, [&](int l) { return way * triple_sign(i, j, l) >= 0; })) {
@@ -332,7 +334,7 @@ bool bounds(const Frustum& frustum, Box& out) {
                 if (!is_corner) continue;
                 Vec3 corner;
                 common_point(a, b, {minors.halfspaces[k].normal, minors.halfspaces[k].distance}, corner);
-                // common_point is within 2^-42 of itself; adding the origin rounds 2^-53 of the sum.
+                // common_point has a relative error below 2^-42; adding the origin rounds 2^-53 of the sum.
                 const Vec3 place = frustum.origin + corner;
                 const Vec3 slack = abs(corner) * 0x1p-42 + abs(place) * 0x1p-52;
                 for (int axis = 0; axis < 3; ++axis) {

@@ -1,11 +1,11 @@
-// Intersections of half-spaces, decided exactly: how a frustum (bounded or not) meets boxes,
-// planes, triangles and other frusta.
+// Intersections of half-spaces, decided exactly: overlaps of a frustum (bounded or not) with boxes, planes, triangles
+// and other frusta.
 //
-// Helly's theorem: finitely many half-spaces of 3-space have a common point if every four of them
-// do, and half-planes if every three do. Four half-spaces n_i.x + h_i >= 0 have none if and only if
-// some weights w_i >= 0 give sum w_i n_i = 0 and sum w_i h_i < 0 (Farkas). When the normals span
-// space, those weights are, up to a factor, the minors of the matrix of normals, so every decision
-// is the sign of a determinant. Nothing needs corners, and infinite sets are no special case.
+// Helly's theorem: finitely many half-spaces of 3-space have a common point if every four of them have one, and
+// half-planes if every three have one. Four half-spaces n_i.x + h_i >= 0 have none if and only if some weights w_i >= 0
+// give sum w_i n_i = 0 and sum w_i h_i < 0 (Farkas' lemma). If the normals span space, those weights are, up to a
+// factor, the minors of the matrix of normals. So every decision is the sign of a determinant. No corners are computed,
+// and unbounded sets are no special case.
 #pragma once
 
 #include "shapes/nearest_common_point.h"
@@ -46,10 +46,10 @@ private:
 
 bool is_empty(const Frustum& frustum);
 
-/// Smallest float box around a frustum, an empty Box for an empty frustum; false if it is infinite.
+/// The smallest float box around a frustum; an empty Box for an empty frustum. Returns false if it is infinite.
 bool bounds(const Frustum& frustum, Box& out);
-/// That box, or one hardly larger, of a body of six sides of which 0 and 1, 2 and 3, 4 and 5 are opposite, as a camera
-/// sees it: in a hundredth of the time. False where this is not certain.
+/// The same box, or one hardly larger, for a body of six sides of which 0 and 1, 2 and 3, 4 and 5 are opposite, such as
+/// the view of a camera. Takes a hundredth of the time. Returns false where the result is not certain.
 bool bounds_of_six_sided(const Frustum& frustum, Box& out);
 
 }  // namespace gphys

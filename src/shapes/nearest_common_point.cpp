@@ -1,6 +1,7 @@
-// An LP-type problem (Matousek, Sharir, Welzl 1996): the nearest point is determined by a basis of at most three
-// half-spaces. While a half-space excludes the point, the one that excludes it most is added, and the nearest point of
-// these, at most four, is on its plane. Each exchange moves the point away from the origin, so no basis recurs.
+// An LP-type problem (Matousek, Sharir, Welzl 1996), solved by an active-set method: at most three half-spaces, a
+// basis, determine the nearest point. While a half-space excludes the point, the one that excludes it most is added.
+// The nearest point of these half-spaces, at most four, is on the plane of the added one. Each exchange moves the point
+// away from the origin, so no basis recurs.
 #include "shapes/nearest_common_point.h"
 
 namespace gphys {
@@ -10,7 +11,7 @@ Vec3 foot_on(const Plane& plane) { return plane.normal * (plane.distance / lengt
 bool foot_on(const Plane& a, const Plane& b, Vec3& foot) {
     const double gram = length_squared(cross(a.normal, b.normal));
     if (gram == 0) return false;
-    // u a + v b with both planes' equations fulfilled.
+    // u a + v b such that both planes' equations hold.
     const double aa = length_squared(a.normal), bb = length_squared(b.normal), ab = dot(a.normal, b.normal);
     const double u = (a.distance * bb - b.distance * ab) / gram, v = (b.distance * aa - a.distance * ab) / gram;
     foot = a.normal * u + b.normal * v;
@@ -34,7 +35,7 @@ public:
     }
 
     CommonPoint run() {
-        // Most need two to five exchanges. The limit is for cycles caused by rounding.
+        // Most problems need two to five exchanges. The limit ends cycles that rounding may cause.
         for (int exchange = 0; exchange < 4 * count_; ++exchange) {
             const int worst = furthest_behind();
             if (worst < 0) return result(CommonPoint::Outcome::found);
@@ -52,8 +53,8 @@ private:
         int count = 0;
         int plane[3] = {};
     };
-    /// The distance by which a half-space excludes a point, less a tolerance for rounding: about 2^-50 of the
-    /// coordinates, more where planes meet at small angles.
+    /// The distance by which a half-space excludes a point, minus a tolerance for rounding: about 2^-50 of the
+    /// coordinates, and more where planes intersect at small angles.
     double depth(int i, Vec3 point) const {
         const Plane& plane = halfspaces_[i];
         return (plane.distance - dot(plane.normal, point)) / size_[i] - 0x1p-44 * length(point);
@@ -70,7 +71,7 @@ private:
         }
         return worst;
     }
-    /// The nearest point of the basis and another half-space, on the plane of that one.
+    /// The nearest point of the basis and another half-space, which lies on the plane of the latter.
     bool exchange_for(int other) {
         Basis next;
         double least = infinity;

@@ -11,7 +11,7 @@ struct CommonPoint {
 
     Outcome outcome = Outcome::found;
     Vec3 point;
-    // Found: the planes that the point lies on. None: planes without a common point.
+    // found: the planes that the point lies on; none: planes without a common point
     int plane_count = 0;
     int planes[4];
 };
@@ -19,7 +19,8 @@ struct CommonPoint {
 /// Of the half-spaces dot(normal, x) >= distance; no normal is 0, and at most 12 of them.
 CommonPoint nearest_common_point(const Plane* halfspaces, int count);
 
-/// The point of a plane, or of the line of two, that is nearest to the origin. False for parallel ones.
+/// The point of a plane, or of the line of two planes, that is nearest to the origin. The latter returns false for
+/// parallel planes.
 Vec3 foot_on(const Plane& plane);
 bool foot_on(const Plane& a, const Plane& b, Vec3& foot);
 

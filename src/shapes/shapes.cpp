@@ -1,3 +1,4 @@
+// Validation, bounds and transforms of the primitives (shapes.h).
 #include "shapes/shapes.h"
 
 #include <limits>
@@ -22,7 +23,7 @@ bool is_rotation(const gphys_quat& q) {
     const double square = square_of(q);
     return std::isgreaterequal(square, 0.999 * 0.999) && square <= 1.001 * 1.001;
 }
-/// Lanes whose magnitude is above a limit, or NaN. Compares the bits as integers, which raises no exception.
+/// The lanes whose magnitude is above a limit, or NaN. Compares the bits as integers, which raises no exception.
 Mask4 beyond(Float4 v, Float4 limit) { return greater_bits(abs(v), limit); }
 /// A fast test that accepts almost all valid transforms.
 bool is_surely_valid(const gphys_transform& transform) {
@@ -52,8 +53,8 @@ bool is_surely_valid(const gphys_ray& ray) {
            any(beyond(last, some_direction));
 }
 
-/// Whether the plane is too far from the origin, with a short normal: results could exceed the largest float. The
-/// tolerance is for unit normals that rounding to float has made shorter by about 2^-24.
+/// Whether the plane is too far from the origin for its short normal: results could exceed the largest float. The
+/// tolerance accepts unit normals that rounding to float has made shorter by about 2^-24.
 bool is_far(const gphys_plane& plane) {
     constexpr double furthest = double{GPHYS_MAX_COORDINATE} * (1 + 0x1p-22);
     return std::fabs(static_cast<double>(plane.distance)) > furthest * length(widen(plane.normal));
@@ -181,8 +182,8 @@ Defect defect(const gphys_frustum& frustum) {
 
 namespace {
 
-/// The largest float <= base - reach. The difference is rounded; the error term of Knuth's sum says on which side of
-/// it the exact value is.
+/// The largest float <= base - reach. The difference is rounded; the error term of Knuth's two-sum decides on which
+/// side of it the exact value is.
 float lower_bound(double base, double reach) {
     const double difference = base - reach;
     const double reach_part = base - difference;
@@ -217,9 +218,8 @@ Box bounds(const Capsule& capsule) {
 Box bounds(const Aabb& box) { return box_around(box.min, box.max, {}); }
 
 Box bounds(const Obb& box) {
-    // An entry of the matrix is off by at most 6 roundings of 2^-53, a sum of three products adds
-    // 3: 2^-49 of the half diagonal covers them. Where every axis is exactly parallel to a world
-    // axis, nothing was rounded.
+    // The error of a matrix element is at most 6 roundings of 2^-53, and a sum of three products adds 3: 2^-49 of the
+    // half diagonal covers them. If every axis is exactly parallel to a world axis, nothing was rounded.
     const Vec3 reach = abs(box.axes) * box.half;
     const double slack = axis_parallel(box.axes) ? 0 : 0x1p-49 * (box.half.x + box.half.y + box.half.z);
     return box_around(box.center, box.center, reach + Vec3{slack, slack, slack});
@@ -312,8 +312,8 @@ Frustum moved(const Frustum& frustum, const Map& map) {
 }  // namespace
 
 Vec3 end_of(const Ray& segment) {
-    // If the sum of origin and direction cancels, it and the following sums are exact. Else the error of the second is
-    // below 2^-103 of the end, which is a double.
+    // If the sum of origin and direction cancels, it and the following sums are exact. Otherwise the error of the
+    // second is below 2^-103 of the end, which is a double.
     Vec3 error;
     const Vec3 sum = difference(segment.origin, -segment.direction, error);
     return sum + (error + segment.rest);
@@ -377,7 +377,7 @@ bool corners(const Frustum& frustum, Vec3 out[8]) {
         Vec3 from_origin;
         if (!common_point(a, b, c, from_origin)) return false;
         found[i] = frustum.origin + from_origin;
-        // Almost parallel planes may meet beyond the largest float.
+        // Almost parallel planes may intersect beyond the largest float.
         if (!(max_component(abs(found[i])) <= largest)) return false;
     }
     std::copy(found, found + 8, out);

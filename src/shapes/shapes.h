@@ -9,7 +9,7 @@
 
 namespace gphys {
 
-/// Which sides of surfaces are met: of planes, triangles and meshes that are no solids.
+/// Which sides of surfaces can be hit: of planes, triangles and surface meshes.
 struct Faces {
     bool front = true, back = true;
 
@@ -24,7 +24,7 @@ struct Ray {
     Vec3 rest = {};
     /// A segment as a ray: its end, at t = 1, has double coordinates.
     bool is_segment = false;
-    /// What the scene and meshes leave out; the formulas of single shapes meet both sides.
+    /// The sides that the scene and meshes reject; the formulas of single shapes hit both.
     Faces faces = {};
 };
 /// The end of a segment.
@@ -124,7 +124,7 @@ Box bounds(const Capsule& capsule);
 Box bounds(const Aabb& box);
 Box bounds(const Obb& box);
 Box bounds(const Triangle& triangle);
-/// False if the ray ends at infinity or beyond the largest float.
+/// Returns false if the ray ends at infinity or beyond the largest float.
 bool bounds(const Ray& ray, Box& out);
 
 /// The transformed shape. An Aabb becomes an Obb.
@@ -140,7 +140,7 @@ Frustum transformed(const Frustum& frustum, const Transform& t);
 /// The inverse: a shape in world space to the local space of a model.
 Shape inverse_transformed(const Shape& shape, const Transform& t);
 
-/// The shape relative to a point: small numbers if they are near each other, also far from the origin.
+/// The shape relative to a point: small numbers if they are near each other, even far from the origin.
 Sphere relative_to(Vec3 point, const Sphere& sphere);
 Capsule relative_to(Vec3 point, const Capsule& capsule);
 Aabb relative_to(Vec3 point, const Aabb& box);
@@ -155,14 +155,14 @@ Obb as_obb(const Aabb& box);
 /// Whether each axis is exactly parallel to a world axis.
 bool axis_parallel(const Mat3& axes);
 
-/// The same plane with a normal of length 1 to 4, scaled by a power of two, which is exact, so that products of several
-/// normals neither overflow nor underflow. A zero normal stays.
+/// The same plane with a normal of length 1 to 4, so that products of several normals neither overflow nor underflow.
+/// Scaled by a power of two, which is exact. A zero normal stays.
 Plane scaled_to_one(const Plane& plane);
-/// The common point of three planes, each coordinate with a relative error below 2^-42. False if their normals are
-/// coplanar.
+/// The common point of three planes, each coordinate with a relative error below 2^-42. Returns false if their normals
+/// are coplanar.
 bool common_point(const Plane& a, const Plane& b, const Plane& c, Vec3& out);
 
-/// The eight corners in the order of gphys_frustum_corners; false if three planes do not meet.
+/// The eight corners in the order of gphys_frustum_corners. Returns false if three planes have no common point.
 bool corners(const Frustum& frustum, Vec3 out[8]);
 
 }  // namespace gphys
