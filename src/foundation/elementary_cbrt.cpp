@@ -1,3 +1,4 @@
+// The cube root: Halley's method in double, then the correctly rounded result (elementary_rounding.h).
 #include "foundation/elementary.h"
 #include "foundation/elementary_rounding.h"
 

@@ -11,10 +11,10 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double largest_angle = 4;
-// Below, sin x, tan x and x are nearest to x, and cos x is nearest to 1: x^2 / 2 is below 2^-54.
+// For smaller angles, sin x and tan x round to x, and cos x rounds to 1: x^2 / 2 is below 2^-54.
 constexpr double smallest_angle = 0x1p-27;
 
-/// Of 0, 1/16, 2/16, ... up to more than pi / 4.
+/// The sines and cosines of 0, 1/16, 2/16, ... up to more than pi / 4.
 struct Table {
     static constexpr int size = 14;
     wide::SinCos all[size];

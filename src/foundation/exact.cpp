@@ -1,3 +1,4 @@
+// Exact sums and products of doubles: expansions (Shewchuk 1997), and determinants in 128-bit integers (exact.h).
 #include "foundation/exact.h"
 
 #include <cstring>
@@ -71,8 +72,8 @@ public:
     }
 
 private:
-    /// From the largest term down: each becomes the double nearest to the sum of the rest, so the next is at most half
-    /// an ulp of it.
+    /// From the largest term down, each term becomes the double nearest to the sum of the remaining ones. So the next
+    /// one is at most half an ulp of it.
     void compress() {
         if (size_ == 0) return;
         int bottom = size_;
@@ -91,7 +92,7 @@ private:
         if (size_ > Exact::capacity) size_ = 0;
     }
 
-    // A multiple of the length of a compressed expansion: the larger, the less often it is compressed.
+    // A multiple of the length of a compressed expansion: the larger it is, the less often it is compressed.
     static constexpr int max_terms = 3 * Exact::capacity;
     int size_ = 0;
     double term_[max_terms + 1];  // smallest first
@@ -232,8 +233,8 @@ int turning_axis(Vec3 a, Vec3 b, Vec3 c) {
     const Vec3 ab = b - a, ac = c - a;
     const Vec3 n = abs(cross(ab, ac));
     const int likely = longest_axis(n);
-    // A static filter: with u = 2^-53 each of two products is off by 3 u of itself, their difference
-    // by another u of both, and 10 u covers the terms in u^2.
+    // A static filter: with u = 2^-53 each of the two products has an error of 3 u of itself, their difference another
+    // u of both, and 10 u covers the terms in u^2.
     if (n[likely] > 10 * 0x1p-53 * max_component(abs(ab)) * max_component(abs(ac))) return likely;
     for (int i = 0; i < 3; ++i) {
         const int axis = (likely + i) % 3;
@@ -247,7 +248,7 @@ Vec3 accurate_cross(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
     const auto component = [&](int axis) {
         const int i = (axis + 1) % 3, k = (axis + 2) % 3;
         const double first = p[i] * q[k], second = p[k] * q[i], value = first - second;
-        // Off by at most 4 u of both products, as above.
+        // The error is at most 4 u of both products, as above.
         const bool accurate = 5 * 0x1p-53 * (std::fabs(first) + std::fabs(second)) <= 0x1p-45 * std::fabs(value);
         return accurate ? value : value_of(cross_component(a, b, c, d, axis));
     };

@@ -1,11 +1,11 @@
 // Exact signs of polynomials: adaptive predicates (Shewchuk 1997). A predicate is written once, as a generic lambda
-// over its number type. sign_of evaluates it in double with a running error bound, and only if the bound straddles
-// zero again with expansions, which are exact.
+// over its number type. sign_of evaluates it in double with a running error bound. Only if the bound includes zero, it
+// evaluates it again with expansions, which are exact.
 //
-// Domain: every float32 is a multiple of 2^-149, so a product of k of them is a multiple of
-// 2^(-149 k), which double represents without underflow for k <= 7; the largest is 1e15^7. All
-// predicates of this library have degree 6 or less. For double inputs (shapes placed by a
-// transform) the same holds as long as products stay above 2^-1022 / 2^-53 = 1e-291.
+// Domain: every float32 is a multiple of 2^-149, so a product of k of them is a multiple of 2^(-149 k). A double
+// represents that without underflow for k <= 7; the largest is 1e15^7. All predicates of this library have degree 6 or
+// less. For double inputs (shapes placed by a transform) the same holds as long as products stay above 2^-1022 / 2^-53
+// = 1e-291.
 #pragma once
 
 #include "foundation/math.h"
@@ -24,8 +24,7 @@ struct Bounded {
     int sign() const { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 };
 
-// A result has an error of half an ulp, 2^-53 of it. The bound adds twice that, which also covers the
-// rounding of the bound itself.
+// A result has an error of half an ulp, 2^-53 of it. The bound adds twice that, which also covers its own rounding.
 constexpr double rounding = 0x1p-52;
 
 inline Bounded operator+(Bounded a, Bounded b) {
@@ -61,8 +60,8 @@ public:
 
 private:
     friend class Accumulator;
-    // Each term has an exponent at least 53 below that of the one before, and double's exponents
-    // span 2098: never more than 40 terms.
+    // Each term has an exponent at least 53 below that of the previous one, and the exponents of doubles span 2098. So
+    // there are never more than 40 terms.
     static constexpr int capacity = 41;
     int size_ = 0;
     double term_[capacity];  // largest first
@@ -102,8 +101,8 @@ inline Exact two_terms(double value, double rest) {
     return rest == 0 ? Exact(value) : Exact(value) + Exact(rest);
 }
 
-/// dot(a, cross(b, c)) with its exact sign and a relative error of 2^-52, in 128-bit integers: many times faster
-/// than Exact. False if the components of b and c along one axis, or those of a relative to them, span more than 41
+/// dot(a, cross(b, c)) with its exact sign and a relative error of 2^-52, in 128-bit integers: many times faster than
+/// Exact. Returns false if the components of b and c along one axis, or those of a relative to them, span more than 41
 /// bits, or if the compiler has no 128-bit integers.
 bool integer_determinant(Vec3 a, Vec3 b, Vec3 c, double& out);
 

@@ -52,7 +52,7 @@ inline Float4 load4(const gphys_quat& q) {
 inline Float4& operator+=(Float4& a, Float4 b) { return a = a + b; }
 inline Float4& operator-=(Float4& a, Float4 b) { return a = a - b; }
 inline Float4& operator*=(Float4& a, Float4 b) { return a = a * b; }
-/// Flips all signs, those of zeros too.
+/// Flips all signs, also those of zeros.
 inline Float4 operator-(Float4 v) { return as_floats(as_mask(v) ^ mask4(INT32_MIN, INT32_MIN, INT32_MIN, INT32_MIN)); }
 inline Float4 abs(Float4 v) { return as_floats(as_mask(v) & mask4(INT32_MAX, INT32_MAX, INT32_MAX, INT32_MAX)); }
 inline Mask4 operator>(Float4 a, Float4 b) { return b < a; }
@@ -69,7 +69,7 @@ inline Float4 sum(Float4 v) {
     return v + simd4::shuffle<2, 3, 0, 1>(v, v);
 }
 
-// The interface of vec.h. Products are lane by lane; a sum of lanes is in all lanes.
+// The interface of vec.h. Products are component by component; a sum is in all lanes.
 inline Float4 by_component(Float4 a, Float4 b) { return a * b; }
 inline Float4 splat_as(Float4, float value) { return splat4(value); }
 inline Float4 plus(Float4 a, Float4 b) { return a + b; }

@@ -1,6 +1,6 @@
-// Floating-point modes that a host may have changed: the rounding mode, and flush-to-zero, which game engines and
-// audio code turn on. The library needs the default modes: the error terms of exact arithmetic, for one, are exact in
-// no others (Shewchuk 1997). Every entry point sets them and restores those of the host.
+// Floating-point modes that a host may have changed: the rounding mode, and flush-to-zero, which game engines and audio
+// code enable. The library needs the default modes; for example, the error terms of exact arithmetic are exact in no
+// others (Shewchuk 1997). Every entry point sets them and restores those of the host.
 #pragma once
 
 #include <atomic>

@@ -2,10 +2,10 @@
 // no id is 0. Freeing a slot advances its generation, so a stale id is not valid again until all 255 generations of
 // its slot have been used.
 //
-// Free slots are in a FIFO queue. A slot is reused only while at least `least_free` slots are free; else a new slot is
-// added. So 1023 other slots are reused before the same one again, and a stale id becomes valid after
-// 254 * 1024 = 260 096 additions at the earliest. The cost is up to 1023 slots more than were ever in use at a time.
-// Only if no slot can be added, with almost 2^24 in use, is the queue emptied further.
+// Free slots are in a FIFO queue. A slot is reused only while at least `least_free` slots are free; otherwise a new
+// slot is added. So 1023 other slots are reused before the same one again, and a stale id becomes valid after 254 *
+// 1024 = 260 096 additions at the earliest. The cost is up to 1023 slots more than were ever in use at a time. Only if
+// no slot can be added, with almost 2^24 in use, the queue shrinks further.
 #pragma once
 
 #include <algorithm>
@@ -29,7 +29,7 @@ public:
         return live > capacity - (least_free - 1) ? capacity : live + (least_free - 1);
     }
 
-    /// Reserve memory so that the next `count` calls of add do not throw. False beyond `capacity`.
+    /// Reserves memory so that the next `count` calls of add do not throw. Returns false beyond `capacity`.
     bool reserve(uint32_t count) {
         if (count > capacity - live_) return false;
         const uint32_t added = std::min(count - std::min(count, ready()), capacity - slots());
@@ -101,7 +101,7 @@ public:
     const char* defect() const;
 
 private:
-    static constexpr uint32_t slot_mask = (1u << 24) - 1;  // as a slot: no slot, because capacity is below it
+    static constexpr uint32_t slot_mask = (1u << 24) - 1;  // as a link: no slot, because capacity is below it
     static constexpr uint32_t first_generation = 1u << 24;
 
     /// The number of free slots that can be reused before one is added.

@@ -1,3 +1,4 @@
+// Detection of the row length of an image or a lidar scan, and the tiles that follow from it (image_tiles.h).
 #include "foundation/image_tiles.h"
 
 #include <algorithm>
@@ -22,8 +23,8 @@ struct SquaredDistance {
     }
 };
 
-/// The item that begins the second row: the first after a jump, else the one nearest to the first item. The turn of a
-/// lidar is closed, so the end of its row is near the beginning as well.
+/// The item that starts the second row: the first one after a jump, or else the one nearest to the first item. A lidar
+/// scan is a closed circle, so the end of its row is near its start, too.
 uint32_t begin_of_row(const SquaredDistance& distance, uint32_t from, uint32_t end, double step, double near) {
     uint32_t nearest = from;
     for (uint32_t i = from; i < end && distance(0, i) <= near; ++i) {
@@ -33,7 +34,7 @@ uint32_t begin_of_row(const SquaredDistance& distance, uint32_t from, uint32_t e
     return nearest;
 }
 
-/// The number of items of a row: they move away from the first in even steps and come back. 0 if they do not.
+/// The number of items in a row: they move away from the first in even steps and come back. 0 if they do not.
 uint32_t row_length(const SquaredDistance& distance, uint32_t count) {
     constexpr uint32_t even_steps = 7, longest = 1 << 14, samples = 8;
     if (count < 2 * ImageTiles::most) return 0;

@@ -1,3 +1,4 @@
+// Detection of the processor's instruction sets (isa.h).
 #include "foundation/isa.h"
 
 #include <cstdlib>

@@ -2,7 +2,7 @@
 // options, into a namespace named after the set (GPHYS_ISA, defined by the build). Each kind of kernels has a table of
 // function pointers for each set. All sets give the same bits.
 //
-// Kernels call no function outside of their namespace: otherwise the linker could keep the copy of an inline function
+// Kernels call no function outside of their namespace. Otherwise the linker could keep the copy of an inline function
 // that was compiled for a newer processor. Their arguments are plain data, prepared by ordinary code.
 //
 // Some kernels exist for the wide sets only, whose registers hold four doubles or more (GAMEPHYS_WIDE_KERNELS in

@@ -1,7 +1,7 @@
 // An array of records that may grow one by one to millions. It allocates as a Vector does, with two differences. It
-// grows by an eighth: a scene of many models has less memory that it does not use. And where it has no hooks to ask,
-// and is large, it takes pages of the system (foundation/pages.h) and grows by having them moved: no single call
-// waits for all records to be copied.
+// grows by an eighth, so that a scene of many models has less unused memory. And if it is large, and the caller has set
+// no allocation hooks, it uses pages of the system (foundation/pages.h) and grows by remapping them. So no single call
+// waits until all records are copied.
 #pragma once
 
 #include <cstring>
@@ -54,7 +54,7 @@ public:
     const T* begin() const { return data_; }
     const T* end() const { return data_ + size_; }
 
-    /// Exactly so many. Throws std::bad_alloc, with nothing changed.
+    /// Exactly `count`. If it throws std::bad_alloc, nothing has changed.
     void reserve(std::size_t count) {
         if (count <= capacity_) return;
         if (count > max_count) throw std::bad_alloc();
@@ -127,7 +127,7 @@ private:
     std::size_t size_ = 0, capacity_ = 0;
 };
 
-/// As of a Vector, but by an eighth from some size on.
+/// As that of a Vector, but by an eighth above some size.
 template <class T>
 void reserve_more(LargeArray<T>& array, std::size_t count) {
     constexpr std::size_t small = 1024;

@@ -1,3 +1,4 @@
+// Rotation matrix to quaternion, and composition of transforms (math.h).
 #include "foundation/math.h"
 
 namespace gphys {

@@ -72,7 +72,7 @@ gphys_transform composed(const gphys_transform& parent, const gphys_transform& l
 /// The local transform below `parent` that gives `world`, up to that rounding.
 gphys_transform relative(const gphys_transform& parent, const gphys_transform& world);
 
-/// Clamped to -limit .. limit: the conversion of a larger double raises an exception.
+/// Clamped to -limit .. limit, because converting a larger double raises an exception.
 inline float to_float(double value, double limit = std::numeric_limits<float>::max()) {
     return static_cast<float>(std::clamp(value, -limit, limit));
 }
@@ -83,8 +83,9 @@ constexpr gphys_quat narrow(Quat q) {
     return {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z), static_cast<float>(q.w)};
 }
 
-/// The exact world position behind a float position relative to a movable origin. Moving the origin derives the new
-/// float position from it, so that rounding does not accumulate. A float position that was set since replaces it.
+/// The exact world position behind a float position relative to a movable origin (floating origin). Moving the origin
+/// derives the new float position from it, so that rounding does not accumulate. A float position that has been set
+/// since replaces it.
 class WorldPlace {
 public:
     /// The position from the new origin.
@@ -92,7 +93,7 @@ public:
         if (widen(narrow(world_ - origin)) != widen(position)) world_ = origin + widen(position);
         return world_ - new_origin;
     }
-    /// The position, from the same origin, when it has moved by that.
+    /// The new position, from the same origin, after a displacement by `by`.
     Vec3 move(Vec3 origin, gphys_vec3 position, Vec3 by) {
         move_origin(origin, origin, position);
         world_ += by;
@@ -104,9 +105,10 @@ private:
     Vec3 world_;
 };
 
-/// The float before f if `whether`, else f. Without a branch, which is unpredictable where doubles are rounded down.
+/// The float before f if `whether`, else f. Without a branch, which would be unpredictable where doubles are rounded
+/// down.
 inline float float_before(float f, bool whether) {
-    // Floats of one sign are ordered as their bits are. Below both zeros is the smallest negative denormal.
+    // Floats of one sign are ordered as their bits are. The float before both zeros is the smallest negative denormal.
     int32_t bits;
     std::memcpy(&bits, &f, sizeof bits);
     const int32_t down = bits > 0 ? -1 : 1;
@@ -117,7 +119,7 @@ inline float float_before(float f, bool whether) {
 }
 
 /// Largest float <= v + rest, and smallest float >= v + rest, where |rest| is at most half an ulp of v. Clamped to the
-/// finite floats: the conversion of a larger double raises an exception.
+/// finite floats, because converting a larger double raises an exception.
 inline float round_down(double v, double rest = 0) {
     constexpr double last = std::numeric_limits<float>::max();
     const float f = to_float(v);

@@ -1,3 +1,4 @@
+// The allocator resource (memory.h): calls the hooks of the caller, or aligned operator new, and catches exceptions.
 #include "foundation/memory.h"
 
 #include "foundation/pages.h"

@@ -31,9 +31,9 @@ private:
     gphys_allocator hooks_{};
 };
 
-/// Memory for the data of one thread, a page away from everything else. Hardware prefetchers read ahead up to the end
-/// of a page, so two threads that work in one page keep stealing cache lines that the other writes to (false sharing).
-/// Ropes on two threads took 1.2 times as long without the margin.
+/// Memory for the data of one thread, at least a page away from all other data. Hardware prefetchers read ahead up to
+/// the end of a page. So two threads that work in one page keep taking cache lines that the other writes to (false
+/// sharing). Without the margin, ropes on two threads took 1.2 times as long.
 class ThreadArena final : public std::pmr::memory_resource {
 public:
     static constexpr std::size_t margin = 4096;
@@ -54,8 +54,8 @@ private:
     std::pmr::memory_resource* memory_;
 };
 
-/// Reserve memory for `count` more elements, so that adding them does not throw. Grows by half at least, because
-/// vector::reserve allocates exactly what it is asked for, and repeated calls would be quadratic.
+/// Reserves memory for `count` more elements, so that adding them does not throw. Grows by half at least:
+/// vector::reserve may allocate exactly the requested size, and repeated calls would take quadratic time.
 template <class T>
 void reserve_more(Vector<T>& vector, std::size_t count) {
     const std::size_t needed = vector.size() + count;

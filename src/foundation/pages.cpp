@@ -1,3 +1,4 @@
+// Pages of the system on Linux (mmap, mremap, transparent huge pages); elsewhere there are none.
 #include "foundation/pages.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace gphys::pages {
 
 namespace {
 
-/// A multiple of every size of pages that Linux has but huge ones.
+/// A multiple of every page size of Linux except huge pages.
 constexpr std::size_t granule = std::size_t{1} << 16;
 
 std::size_t rounded_up(std::size_t size, std::size_t to) { return (size + to - 1) / to * to; }
@@ -37,7 +38,7 @@ char* take_addresses(std::size_t size, int protection) noexcept {
 
 void advise_huge(void* memory, std::size_t size) noexcept {
 #if defined(MADV_HUGEPAGE)
-    // All of it, or mremap would meet two kinds of memory and refuse.
+    // The whole mapping, because mremap fails on a range that spans two mappings with different flags.
     if (size >= huge_page) madvise(memory, size, MADV_HUGEPAGE);
 #else
     (void)memory;

@@ -1,16 +1,16 @@
-// Pages of the system for arrays that grow: it moves them by changing where they are mapped, which takes microseconds
-// for what takes milliseconds to copy.
+// Pages of the system for arrays that grow. The system moves them by changing their mapping. That takes microseconds
+// where copying takes milliseconds.
 #pragma once
 
 #include <cstddef>
 
 namespace gphys::pages {
 
-/// Smaller arrays are copied as fast as pages are mapped.
+/// Smaller arrays are copied as fast as pages are remapped.
 constexpr std::size_t least = std::size_t{1} << 18;
 
-/// All functions return null where the system has no such pages, or none left; then nothing has changed. Sizes are at
-/// least `least`. New memory is zero, and takes no room before it is written to.
+/// All functions return null, and change nothing, if the system has no such pages or none left. Sizes are at least
+/// `least`. New memory is zero, and occupies no physical memory before it is written.
 void* map(std::size_t size) noexcept;
 void* grow(void* memory, std::size_t old_size, std::size_t new_size) noexcept;
 void unmap(void* memory, std::size_t size) noexcept;

@@ -1,6 +1,6 @@
-// Distances as they are reported: rounded to float. Among results that are equal as floats the lower id wins, then the
+// Distances as they are reported, rounded to float. Of results that are equal as floats the lower id wins, then the
 // lower triangle index, whatever the doubles are. So results are compared as floats, and traversals prune with a limit
-// in double that lets all ties pass.
+// in double that keeps all ties.
 #pragma once
 
 #include <limits>
@@ -16,11 +16,11 @@ GPHYS_INLINE float reported(double value) {
     return static_cast<float>(value < last ? value : last) + 0.0f;
 }
 
-/// A limit such that every double above it is reported as further than `value`.
+/// A limit such that every double above it is reported as farther than `value`.
 ///
-/// Doubles round to a float from up to half of its distance to the next float. The limit is beyond that next float, so
-/// that results with an error of up to 2^-25 are not lost either. The distance to the next float is at most 2^-23 of a
-/// normal float and 2^-149 of others. The largest float has no next one.
+/// A double rounds to a float from up to half of the distance to the next float. The limit is beyond that next float,
+/// so that results with an error of up to 2^-25 are not lost either. The distance to the next float is at most 2^-23 of
+/// a normal float, and 2^-149 for others. The largest float has no next one.
 template <class Number>
 GPHYS_INLINE Number limit_of_ties(Number value) {
     constexpr double last = std::numeric_limits<float>::max(), beyond = std::numeric_limits<double>::infinity();

@@ -9,8 +9,8 @@
 
 namespace gphys {
 
-/// Keeps the `capacity` smallest of all values added. The array is filled first, then it is a max-heap whose top is
-/// replaced by each smaller value; finish() sorts it. So the result does not depend on the order of traversal.
+/// Keeps the `capacity` smallest of all values added. The array is filled first. Then it is a max-heap, and each
+/// smaller value replaces its top. finish() sorts it. So the result does not depend on the order of traversal.
 template <class T, class Less = std::less<T>>
 class Smallest {
 public:
@@ -29,8 +29,8 @@ public:
         if (total_ < std::numeric_limits<uint32_t>::max()) ++total_;
     }
 
-    /// add(value) if `is_one`, without a branch. Else the next element is stored unchanged, because the caller may keep
-    /// data behind the results. With masks rather than two exclusive ors, which memory checkers take for uninitialised.
+    /// add(value) if `is_one`, without a branch. Otherwise the next element is stored unchanged, because the caller may
+    /// keep data behind the results. Uses masks, because memory checkers report two exclusive ors as uninitialised.
     void add_if(bool is_one, const T& value) {
         static_assert(std::is_unsigned_v<T>);
         if (total_ + 1 < capacity_) {
@@ -44,7 +44,7 @@ public:
     }
 
     bool full() const { return capacity_ > 0 && total_ >= capacity_; }
-    /// The value that the next smaller one replaces. Only if full().
+    /// The value that the next smaller one would replace. Only if full().
     const T& largest() const { return out_[0]; }
     uint32_t total() const { return total_; }
 

@@ -160,10 +160,10 @@ template <class Row>
 GPHYS_INLINE DoubleRegister join_rows(const Row& row, int i) {
     return _mm512_insertf64x4(_mm512_castpd256_pd512(row(i)), row(i + 4), 1);
 }
-template <class Give>
-GPHYS_INLINE void give_rows(DoubleRegister a, const Give& give, int i) {
-    give(i, _mm512_castpd512_pd256(a.v));
-    give(i + 4, _mm512_extractf64x4_pd(a.v, 1));
+template <class Put>
+GPHYS_INLINE void scatter_rows(DoubleRegister a, const Put& put, int i) {
+    put(i, _mm512_castpd512_pd256(a.v));
+    put(i + 4, _mm512_extractf64x4_pd(a.v, 1));
 }
 
 #else
@@ -269,9 +269,9 @@ template <class Row>
 GPHYS_INLINE DoubleRegister join_rows(const Row& row, int i) {
     return row(i);
 }
-template <class Give>
-GPHYS_INLINE void give_rows(DoubleRegister a, const Give& give, int i) {
-    give(i, a.v);
+template <class Put>
+GPHYS_INLINE void scatter_rows(DoubleRegister a, const Put& put, int i) {
+    put(i, a.v);
 }
 
 #endif

@@ -222,14 +222,14 @@ GPHYS_INLINE void columns_of(const Row& row, Double8 (&to)[4]) {
         for (int k = 0; k < 4; ++k) to[k].part[part] = v[k];
     }
 }
-/// The inverse: give(i, row).
-template <class Give>
-GPHYS_INLINE void give_rows_of(const Double8 (&from)[4], const Give& give) {
+/// The inverse: put(i, row).
+template <class Put>
+GPHYS_INLINE void scatter_rows_of(const Double8 (&from)[4], const Put& put) {
     for (int part = 0; part < double_register_count; ++part) {
         DoubleRegister v[4];
         for (int k = 0; k < 4; ++k) v[k] = from[k].part[part];
         transpose(v);
-        for (int i = 0; i < 4; ++i) give_rows(v[i], give, 4 * part + i);
+        for (int i = 0; i < 4; ++i) scatter_rows(v[i], put, 4 * part + i);
     }
 }
 
@@ -239,7 +239,7 @@ GPHYS_INLINE void load_components(const At& at, Double8 (&to)[4]) {
 }
 template <class At>
 GPHYS_INLINE void store_components(const At& at, const Double8 (&from)[4]) {
-    give_rows_of(from, [&](int i, const auto& row) GPHYS_INLINE_LAMBDA { store_four(at(i), row); });
+    scatter_rows_of(from, [&](int i, const auto& row) GPHYS_INLINE_LAMBDA { store_four(at(i), row); });
 }
 /// Reads no memory behind the third double.
 template <class At>
@@ -251,7 +251,7 @@ GPHYS_INLINE void load_components(const At& at, Double8 (&to)[3]) {
 template <class At>
 GPHYS_INLINE void store_components(const At& at, const Double8 (&from)[3]) {
     const Double8 all[4] = {from[0], from[1], from[2], from[2]};
-    give_rows_of(all, [&](int i, const auto& row) GPHYS_INLINE_LAMBDA { store_three(at(i), row); });
+    scatter_rows_of(all, [&](int i, const auto& row) GPHYS_INLINE_LAMBDA { store_three(at(i), row); });
 }
 #endif
 

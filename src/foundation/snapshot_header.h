@@ -18,7 +18,7 @@ struct SnapshotHeader {
 };
 constexpr uint32_t snapshot_header_words = sizeof(SnapshotHeader) / 4;
 
-/// Read the header of a snapshot of one kind, of this format or an earlier one. Returns what is wrong, or nullptr. The
+/// Reads the header of a snapshot of one kind, of this format or an earlier one. Returns what is wrong, or nullptr. The
 /// caller compares the checksum.
 inline const char* read_header(const uint32_t* words, uint32_t count, uint32_t magic, uint32_t format,
                                SnapshotHeader& header) {

@@ -1,3 +1,4 @@
+// Error messages: formatting, and the message of each thread (status.h).
 #include "foundation/status.h"
 
 #include <algorithm>

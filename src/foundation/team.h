@@ -1,9 +1,9 @@
-// A team of workers for work in many short phases, each too short to wake threads for. The first thread to arrive is
-// the leader; later ones help and spin between phases. The leader never waits for a thread that has not arrived, so a
-// team of one does all the work itself.
+// A team of workers for work in many short phases, each too short to wake threads for (fork-join with spinning). The
+// first thread to arrive is the leader. Later ones help, and spin between phases. The leader never waits for a thread
+// that has not arrived, so a team of one does all the work itself.
 //
-// Members take tasks alternately from both ends, so that two of them mostly get the same tasks in each phase, with
-// the data in their caches.
+// Members take tasks alternately from both ends. So two members mostly get the same tasks in each phase, whose data are
+// in their caches.
 #pragma once
 
 #include <atomic>
@@ -90,7 +90,7 @@ private:
     void* context_ = nullptr;
 };
 
-/// With a null team the caller runs all tasks.
+/// If team is null, the caller runs all tasks.
 template <class Task>
 void share(Team* team, uint32_t count, Task&& task) noexcept {
     if (team && count > 1) {

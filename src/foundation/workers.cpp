@@ -1,3 +1,4 @@
+// Threads, their wake-up, and the job system of the host (workers.h).
 #include "foundation/workers.h"
 
 #include <system_error>
@@ -53,7 +54,7 @@ Workers::Workers(uint32_t count, const gphys_task_runner* runner, std::pmr::memo
     : count_(runner || platform_has_threads ? std::max(count, 1u) : 1), threads_(memory), process_(this_process()) {
     if (runner) runner_ = *runner;
     if (runner || count_ == 1) return;
-    meeting_ = new (memory->allocate(sizeof(Meeting), alignof(Meeting))) Meeting;
+    sync_ = new (memory->allocate(sizeof(SyncBlock), alignof(SyncBlock))) SyncBlock;
     try {
         const SignalsBlocked blocked;
         threads_.reserve(count_ - 1);
@@ -68,7 +69,7 @@ Workers::Workers(uint32_t count, const gphys_task_runner* runner, std::pmr::memo
 }
 
 Workers::~Workers() {
-    if (meeting_) stop();
+    if (sync_) stop();
 }
 
 void Workers::stop() {
@@ -78,14 +79,14 @@ void Workers::stop() {
         for (std::thread& lost : threads_) new (&lost) std::thread();
     } else {
         {
-            const std::lock_guard<std::mutex> lock(meeting_->mutex);
-            meeting_->stopping = true;
+            const std::lock_guard<std::mutex> lock(sync_->mutex);
+            sync_->stopping = true;
         }
-        meeting_->wake.notify_all();
+        sync_->wake.notify_all();
         for (std::thread& thread : threads_) thread.join();
-        meeting_->~Meeting();
+        sync_->~SyncBlock();
     }
-    threads_.get_allocator().resource()->deallocate(meeting_, sizeof(Meeting), alignof(Meeting));
+    threads_.get_allocator().resource()->deallocate(sync_, sizeof(SyncBlock), alignof(SyncBlock));
 }
 
 /// fork copies the calling thread only, and all locks as they were at that moment.
@@ -109,35 +110,35 @@ void Workers::share(Job& job) const noexcept {
         while (job.taking_part.load(std::memory_order_acquire) > 0) std::this_thread::yield();
         return;
     }
-    if (in_forked_child() || !meeting_->serving.try_lock()) {
+    if (in_forked_child() || !sync_->serving.try_lock()) {
         job.drain();
         return;
     }
-    const std::lock_guard<std::mutex> served(meeting_->serving, std::adopt_lock);
+    const std::lock_guard<std::mutex> served(sync_->serving, std::adopt_lock);
     {
-        const std::lock_guard<std::mutex> lock(meeting_->mutex);
-        meeting_->job = &job;
+        const std::lock_guard<std::mutex> lock(sync_->mutex);
+        sync_->job = &job;
     }
-    meeting_->wake.notify_all();
+    sync_->wake.notify_all();
     job.drain();
-    std::unique_lock<std::mutex> lock(meeting_->mutex);
-    meeting_->job = nullptr;
-    meeting_->done.wait(lock, [this] { return meeting_->working == 0; });
+    std::unique_lock<std::mutex> lock(sync_->mutex);
+    sync_->job = nullptr;
+    sync_->done.wait(lock, [this] { return sync_->working == 0; });
 }
 
 /// The main function of a thread.
 void Workers::serve() const {
-    std::unique_lock<std::mutex> lock(meeting_->mutex);
+    std::unique_lock<std::mutex> lock(sync_->mutex);
     for (;;) {
-        meeting_->wake.wait(lock, [this] { return meeting_->stopping || meeting_->job; });
-        if (meeting_->stopping) return;
-        Job& job = *meeting_->job;
-        ++meeting_->working;
+        sync_->wake.wait(lock, [this] { return sync_->stopping || sync_->job; });
+        if (sync_->stopping) return;
+        Job& job = *sync_->job;
+        ++sync_->working;
         lock.unlock();
         job.drain();
         lock.lock();
-        meeting_->job = nullptr;
-        if (--meeting_->working == 0) meeting_->done.notify_one();
+        sync_->job = nullptr;
+        if (--sync_->working == 0) sync_->done.notify_one();
     }
 }
 

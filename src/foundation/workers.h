@@ -1,8 +1,8 @@
 // The thread pool of one object (fork-join): threads started when it is created, or the job system of the host.
 //
 // run(count, task) calls task(0) .. task(count - 1), each once, and returns when all are done. The threads and the
-// caller take task numbers from one atomic counter, so none waits while there is work, and a thread that never arrives
-// (asleep, busy, lost to fork) does no harm. Which thread runs which task differs from run to run; a task writes only
+// caller take task numbers from one atomic counter. So none waits while there is work, and a thread that never arrives
+// (asleep, busy, lost to fork) does no harm. Which thread runs which task differs from run to run. A task writes only
 // to elements that its number determines, so results are the same for any number of workers.
 //
 // A task neither throws nor allocates: an object's allocator is called on the caller's thread only, before the run. A
@@ -20,12 +20,12 @@ namespace gphys {
 
 class Workers {
 public:
-    /// More than any machine has; a larger count is taken for a mistake.
+    /// More than any machine has; a larger count is rejected as a mistake.
     static constexpr uint32_t max_count = 1024;
 
-    /// `count` threads including the caller's; 0 means 1. Uses those of `runner` if it is not null, else starts count
-    /// - 1. Throws std::bad_alloc, with none left running, if they cannot be started. A platform without threads has
-    /// the caller's only.
+    /// `count` threads including the caller's; 0 means 1. Uses those of `runner` if it is not null, else starts count -
+    /// 1. If they cannot be started, throws std::bad_alloc and leaves none running. On a platform without threads only
+    /// the caller runs tasks.
     Workers(uint32_t count, const gphys_task_runner* runner, std::pmr::memory_resource* memory);
     Workers(const Workers&) = delete;
     Workers& operator=(const Workers&) = delete;
@@ -34,8 +34,8 @@ public:
     /// The number of threads that may run tasks at the same time, at least 1.
     uint32_t count() const { return count_; }
 
-    /// May be called by several threads at once: the workers serve one of them, the others run their tasks alone. Not
-    /// to be called within a task.
+    /// Several threads may call this at once: the workers serve one of them, the others run their tasks alone. Must not
+    /// be called within a task.
     template <class Task>
     void run(uint32_t count, Task&& task) const noexcept {
         if (count_ == 1 || count <= 1) {
@@ -64,8 +64,8 @@ private:
         std::atomic<uint32_t> taking_part{0};  // threads of a runner
     };
 
-    /// The synchronisation of a caller and the threads.
-    struct Meeting {
+    /// The shared state of a caller and the threads.
+    struct SyncBlock {
         std::mutex serving;  // held by the caller whose run the threads serve
         std::mutex mutex;    // guards the members below
         std::condition_variable wake, done;
@@ -82,11 +82,11 @@ private:
     uint32_t count_;
     gphys_task_runner runner_{};
     Vector<std::thread> threads_;
-    Meeting* meeting_ = nullptr;  // null without threads
-    long process_;                // of the threads
+    SyncBlock* sync_ = nullptr;  // null without threads
+    long process_;               // of the threads
 };
 
-/// With null workers the caller's thread runs all tasks.
+/// If workers is null, the caller's thread runs all tasks.
 template <class Task>
 void run(const Workers* workers, uint32_t count, Task&& task) noexcept {
     if (workers) {
