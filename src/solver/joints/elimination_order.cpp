@@ -1,9 +1,9 @@
-// Minimum degree on a quotient graph (George & Liu 1989, "The evolution of the minimum degree ordering algorithm";
-// the notation and the treatment of dense rows are those of Amestoy, Davis & Duff 1996, "An approximate minimum
-// degree ordering algorithm"). An eliminated node becomes an element: the list of the nodes that it has made
-// neighbours of each other, instead of the edges between all of them. What a node keeps, its neighbours and the
-// elements that it is in, never takes more room than its edges did. Degrees are exact, not approximate: graphs of
-// bodies are small or nearly trees, and an exact degree leaves the order to the graph alone.
+// Minimum degree ordering on a quotient graph (George & Liu 1989, "The evolution of the minimum degree ordering
+// algorithm"). The notation and the treatment of dense rows are those of Amestoy, Davis & Duff 1996, "An approximate
+// minimum degree ordering algorithm". An eliminated node becomes an element: the list of the nodes that its elimination
+// has made neighbours, instead of the edges between all of them. The neighbours of a node and the elements that it is
+// in never take more memory than its edges did. Degrees are exact, not approximate: graphs of bodies are small or
+// nearly trees, and with exact degrees the order depends on the graph alone.
 #include "solver/joints/elimination_order.h"
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 namespace gphys {
 namespace {
 
-/// A node with more neighbours than this is dense. Each elimination beside it would read its whole list, which costs
-/// n^2 in a star; it fills in no more when it is left to the end (Amestoy, Davis & Duff 2004, "Algorithm 837").
+/// A node with more neighbours than this is dense. Each elimination next to it would read its whole list, which takes
+/// n^2 in a star. Eliminating it last adds no fill (Amestoy, Davis & Duff 2004, "Algorithm 837").
 size_t most_neighbours(uint32_t nodes) {
     return static_cast<size_t>(std::max(16.0, 10 * std::sqrt(static_cast<double>(nodes))));
 }
@@ -51,7 +51,7 @@ public:
             const Candidate candidate = next_.top();
             next_.pop();
             const Node& node = nodes_[candidate.node];
-            if (node.state != State::variable || node.degree != candidate.degree) continue;  // out of date
+            if (node.state != State::variable || node.degree != candidate.degree) continue;  // outdated entry
             eliminate(candidate.node);
             order.push_back(candidate.node);
         }
@@ -69,10 +69,10 @@ private:
     struct Node {
         State state = State::variable;
         uint32_t degree = 0;
-        // Of a variable, in lists_: neighbours that no element holds, and behind them the elements that it is in.
+        // For a variable, in lists_: the neighbours that are in no common element, then the elements that it is in.
         size_t begin = 0;
         uint32_t neighbour_count = 0, element_count = 0;
-        // Of an element, in members_.
+        // For an element, in members_.
         size_t members_begin = 0, members_end = 0;
     };
 
@@ -99,7 +99,7 @@ private:
         for (Node& node : nodes_) {
             if (node.degree > most) node.state = State::dense;
         }
-        // Dense ones are in no other's list.
+        // Dense nodes are in no other node's list.
         for (Node& node : nodes_) {
             if (node.state == State::dense) continue;
             keep_neighbours(node, [&](uint32_t n) { return nodes_[n].state != State::dense; });
@@ -107,7 +107,7 @@ private:
         }
     }
 
-    /// Those for which keep(node). Elements, which lie behind them, move up.
+    /// Keeps the neighbours with keep(node). The elements, which are stored behind them, move up.
     template <class Keep>
     void keep_neighbours(Node& node, Keep&& keep) {
         uint32_t* const list = lists_.data() + node.begin;
@@ -117,7 +117,7 @@ private:
         node.neighbour_count = static_cast<uint32_t>(kept - list);
     }
 
-    /// visit(variable) for all neighbours of a variable, some of them several times.
+    /// Calls visit(variable) for all neighbours of a variable, for some of them several times.
     template <class Visit>
     void each_neighbour(const Node& node, uint32_t but_element, Visit&& visit) const {
         const uint32_t* const list = lists_.data() + node.begin;
@@ -154,7 +154,7 @@ private:
         for (size_t m = begin; m < node.members_end; ++m) count_neighbours(members_[m], pivot, others - 1);
     }
 
-    /// A variable's new element takes the place of an edge, or of an element that it has absorbed.
+    /// The new element of a variable takes the place of an edge, or of an element that it has absorbed.
     void join(uint32_t variable, uint32_t element, uint32_t round) {
         Node& node = nodes_[variable];
         uint32_t* const elements = lists_.data() + node.begin + node.neighbour_count;
@@ -183,7 +183,7 @@ private:
 
     Vector<Node> nodes_;
     Vector<uint32_t> lists_, members_, found_;
-    Vector<uint32_t> in_pivot_, counted_;  // the last round, or stamp, that has met a node
+    Vector<uint32_t> in_pivot_, counted_;  // by node: the last round, or stamp, that visited it
     uint32_t round_ = 0, stamp_ = 0;
     std::priority_queue<Candidate, Vector<Candidate>> next_;
 };

@@ -1,5 +1,5 @@
-// In which order to eliminate the nodes of a graph, so that few entries are filled in: the one with the fewest
-// neighbours first (Tinney & Walker 1967).
+// The order in which to eliminate the nodes of a graph, for little fill: the node with the fewest neighbours first
+// (Tinney & Walker 1967).
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@ struct Edge {
     uint32_t a, b;
 };
 
-/// Of nodes with equally many neighbours the lowest comes first; those with very many come last. Edges may occur
-/// twice. Throws std::bad_alloc.
+/// Of nodes with equally many neighbours, the lowest index comes first; nodes with very many neighbours come last.
+/// Edges may occur twice. Throws std::bad_alloc.
 void order_by_degree(uint32_t nodes, const Vector<Edge>& edges, Vector<uint32_t>& order);
 
 }  // namespace gphys

@@ -1,20 +1,21 @@
-// What sweeps over cloth leave unsolved does work in long substeps on all that is joined to it. Energy that they have
-// lost before may come back, as it does within each swing; of what would go beyond that the motion of all of them is
-// slowed, but for that of them as a whole if nothing holds them. So their energy never exceeds what it was.
+// Energy balance of joined bodies with cloth. The error that sweeps over cloth leave unsolved does work on all bodies
+// joined to it in long substeps. Energy that the bodies have lost earlier may come back, as it does in every swing. If
+// they gain more than that, their motion is slowed; if nothing holds them, only their motion relative to their common
+// drift. So their energy never exceeds what it was.
 #include "solver/joints/joined_motion.h"
 #include "solver/motion.h"
 
 namespace gphys {
 namespace {
 
-/// Whether nothing from outside can have done work, and what is needed to tell has not been changed by contacts.
+/// Whether nothing outside can have done work, and contacts have not changed the quantities that gain_of reads.
 bool is_closed(const Body& body) {
     return is_graph(body) ? body.cloth.balance.closed
                           : body.constraints.attachments.empty() && body.constraints.length_changes.empty() &&
                                 !body.contacts.has_contact && !body.contacts.near && !body.plan.damped;
 }
 
-/// Joules beyond those that forces gave.
+/// Joules gained beyond the work of forces.
 double gain_of(const Body& body, Vec3 gravity) {
     if (is_graph(body)) return body.cloth.balance.gain;
     double gain = 0;

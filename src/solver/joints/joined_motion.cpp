@@ -1,6 +1,6 @@
-// One substep of bodies that are joined. Chains and particles go to where they would go alone and are then
-// solved together (joint_system.cpp). Pieces of cloth are swept one after the other, each with the inertia of
-// what hangs on it, and what they pull with is given to the systems of their joints before the next.
+// One substep of joined bodies. Chains and particles are predicted as if alone, and then solved together
+// (joint_system.cpp). Cloth bodies are swept one after the other. Each is swept with the inertia of what is joined to
+// it, and its pulls on the joined particles are added to their systems before the next one is swept.
 #include "solver/joints/joined_motion.h"
 #include "solver/contact/collision.h"
 #include "solver/contact/leave_solids.h"
@@ -19,7 +19,7 @@ void gather_systems(const Joined& joined, double h) {
     each_system(joined, [&](JointSystem& system) { system.gather(joined.bodies, joined.joints, h); });
 }
 
-/// Once they are gathered, or to go on. Returns whether the lengths of all links have been found.
+/// Call after gather_systems, or again to continue. Returns whether the lengths of all links have been found.
 bool solve_systems(const Joined& joined) {
     bool found = true;
     each_system(joined, [&](JointSystem& system) {
@@ -29,7 +29,7 @@ bool solve_systems(const Joined& joined) {
     return found;
 }
 
-/// The inverse masses that the chains of the cloth find at its joined particle.
+/// Sets the inverse mass matrix that the chains of the cloth use for the joined particle.
 void hang_on(Cloth& cloth, const Tether& tether, JointSystem& system) {
     Vec3 columns[3];
     system.response(tether.node, columns);
@@ -52,7 +52,7 @@ void sweep_joined_cloth(const Joined& joined, Body& body, uint32_t slot, const C
     const auto moves = [&](const Tether& tether) { return body.cloth.at[4 * size_t{tether.particle} + 3] > 0; };
     for (auto tether = begin; tether != end; ++tether) {
         hang_on(body.cloth, *tether, joined.all_systems[tether->system]);
-        // What friction holds is not pulled off by this.
+        // A particle held by friction is not pulled off by this.
         if (moves(*tether)) std::fill_n(&pulls[4 * size_t{tether->particle}], 3, 0.0f);
     }
     solve_cloth(body);
@@ -65,13 +65,13 @@ void sweep_joined_cloth(const Joined& joined, Body& body, uint32_t slot, const C
     }
     for (auto tether = begin; tether != end; ++tether) {
         JointSystem& system = joined.all_systems[tether->system];
-        if (!system.is_pushed()) continue;  // or done already
+        if (!system.is_pushed()) continue;  // solved already
         system.solve();
         system.scatter(joined.bodies);
     }
 }
 
-/// As a body alone does it, but with all held particles at once.
+/// As `collide` of a single body, but with the held particles of all bodies pinned at once.
 void collide_joined(const Joined& joined, const CollisionContext& around, double quiet, double h) {
     bool has_contact = false;
     each_body(joined, [&](Body& body, uint32_t) {
@@ -138,7 +138,7 @@ void begin_joined(const Joined& joined, const CollisionContext& around, Vec3 gra
 
 namespace {
 
-/// Out of what the bodies are in, their joints with them.
+/// Moves the bodies out of the models that they are in, together with their joints.
 void leave_solids_joined(const Joined& joined, const CollisionContext& around, double h) {
     bool leaving = false;
     each_body(joined, [&](Body& body, uint32_t) {
@@ -159,9 +159,9 @@ void leave_solids_joined(const Joined& joined, const CollisionContext& around, d
     });
 }
 
-/// Once the systems are solved.
+/// Call after the systems are solved.
 void finish_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h) {
-    bool interrupted = false;  // then tensions of before are not known
+    bool interrupted = false;  // if so, the previous tensions are unknown
     each_body(joined, [&](const Body& body, uint32_t) { interrupted = interrupted || body.history.earlier_step == 0; });
     each_body(joined, [&](Body& body, uint32_t slot) {
         if (is_graph(body)) sweep_joined_cloth(joined, body, slot, around, gravity, h);
@@ -200,7 +200,7 @@ struct JoinedMotion {
         gather_systems(joined, part);
     }
     bool solve() { return solve_systems(joined); }
-    /// Cloth is not taken back.
+    /// Cloth cannot be rolled back, so it never counts.
     bool began_in_shape() const {
         bool all = true;
         each_body(joined, [&](const Body& body, uint32_t) { all = all && !is_graph(body); });
@@ -226,7 +226,7 @@ void move_joined(const Joined& joined, const CollisionContext& around, Vec3 grav
         JoinedMotion motion{joined, gravity};
         move_in_halves(motion, within, part);
     };
-    // The time schemes of all look back as far, or momentum would come and go between them.
+    // The time schemes of all bodies must use the same history, or momentum would be created and lost between them.
     bool interrupted = false, has_contact = false;
     each_body(joined, [&](const Body& body, uint32_t) {
         interrupted = interrupted || body.history.earlier_step == 0;

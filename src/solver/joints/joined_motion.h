@@ -1,4 +1,4 @@
-// A substep of joined bodies.
+// One substep of joined bodies.
 #pragma once
 
 #include "solver/body.h"
@@ -8,14 +8,14 @@ namespace gphys {
 
 struct CollisionContext;
 
-/// Bodies that are joined, directly or by others, and the systems of their joints.
+/// Bodies that are joined, directly or through others, and the systems of their joints.
 struct Joined {
     Vector<Body>& bodies;
     Vector<Joint>& joints;
     const uint32_t *slots_begin, *slots_end;  // of the bodies, ascending
     Vector<JointSystem>& all_systems;
-    const uint32_t *systems_begin, *systems_end;  // among all
-    const Vector<Tether>& all_tethers;            // by body and particle
+    const uint32_t *systems_begin, *systems_end;  // indices into all_systems
+    const Vector<Tether>& all_tethers;            // sorted by body and particle
 };
 
 /// visit(body, its slot)
@@ -26,13 +26,13 @@ void each_body(const Joined& joined, Visit&& visit) {
     }
 }
 
-/// One substep of all of them, or the two parts of one.
+/// One substep of all of them, or the two parts of a substep.
 void move_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h);
 void begin_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h);
 void end_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h);
-/// joined_energy.cpp: slow them so that a substep gains no energy, if there is cloth among them.
+/// joined_energy.cpp: slows the bodies so that a substep gains no energy, if one of them is cloth.
 void keep_joined_energy(const Joined& joined, Vec3 gravity);
-/// What it needs, and before the first substep, after begin_cloth.
+/// Memory for the above; begin_joined_cloth: before the first substep, after begin_cloth.
 void reserve_joined_cloth(Cloth& cloth);
 void begin_joined_cloth(Cloth& cloth);
 

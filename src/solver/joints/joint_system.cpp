@@ -1,12 +1,12 @@
 // Newton's method on a system of joined chains and particles. The equations, with geometric stiffness and
-// regularisation, are those of rope_direct.cpp; forces are in newtons here, as bodies may differ in the
-// length of their steps' effect (damping).
+// regularisation, are those of rope_direct.cpp. Forces are in newtons here, because damping may give bodies different
+// effective time steps.
 //
-// A chain is the special case without branches, and could be a system of its own. It is not: a step of a free rope of
-// 30 links takes 1.1 million instructions by rope_direct.cpp, and 2.0 by this file with one link more as a branch.
-// Elimination by blocks over a forest, with loops closed behind it, would be near the former for trees; joints that
-// close loops would need a dense system beside it, where SparseLdl takes them in its order. It would change the bits
-// of all trees, so it is not done here.
+// A chain is the special case without branches, and could be solved here. It is not: a step of a free rope of 30 links
+// takes 1.1 million instructions in rope_direct.cpp, and 2.0 million here with one more link as a branch. Block
+// elimination over a forest plus loop closures would come close to the former for trees. But joints that close loops
+// would need an additional dense system, where SparseLdl includes them in its order. It would also change the bits of
+// all trees.
 #include "solver/body.h"
 #include "solver/contact/impulses.h"
 #include "solver/joints/elimination_order.h"
@@ -19,19 +19,19 @@
 namespace gphys {
 namespace {
 
-// As for chains: the error squares itself in each iteration.
+// As for chains: Newton's method squares the error in each iteration.
 constexpr int most_iterations = 4;
-constexpr int most_limited_iterations = 16;  // as for chains: which limits hold is found out as well
+constexpr int most_limited_iterations = 16;  // as for chains: the active limits have to be found as well
 constexpr double settled = 1e-9;
-// Of eight joints at no distance. Up to as many, the tensions that end at a node couple to a few hundred entries at
-// most.
+// The links of eight joints of zero length. Up to this number, the tensions that end at a node couple to a few hundred
+// entries at most.
 constexpr uint32_t most_late_links = 24;
-// Between pins too far apart tensions have no bound but this compliance, and geometric stiffness with such
-// tensions throws particles aside. A tension that would move a particle by more than 10^4 lengths of its link
-// in a substep is none: then all links give way with a ten thousandth of the inverse masses, and share the stretch.
+// Between pins too far apart only this compliance bounds the tensions, and geometric stiffness with such tensions
+// throws particles aside. A tension that would move a particle by more than 10^4 lengths of its link in a substep is
+// infeasible. Then all links yield, with a compliance of 10^-4 of the inverse masses, and share the stretch.
 constexpr double absurd = 1e4;
 constexpr double yielding = 1e-4;
-// From links at rest to twice their lengths, once; a few from there on.
+// From links at rest to twice their lengths this many are needed once, and a few in later substeps.
 constexpr int most_yielding_iterations = 300;
 
 constexpr Vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -64,16 +64,16 @@ void JointSystem::plan() {
     nodes_.swap(ordered);
     for (Link& link : links_) link.a = place[link.a], link.b = place[link.b];
 
-    // The tension of a link comes right after the later of its ends, whose mass keeps its pivot from zero. But
-    // to eliminate a node couples all tensions that come after it: with n links to a hub, n^2 entries. Those of a hub
-    // come after their earlier ends. If such an end does not move, the pivot is the regularisation alone, which acts
-    // as a stiff spring: that loses digits, which Newton's next iteration finds.
+    // The tension of a link is eliminated right after the later of its ends, whose mass keeps its pivot from zero. But
+    // eliminating a node couples all tensions that come after it: with n links to a hub, n^2 entries. The tensions of a
+    // hub's links are therefore eliminated right after the earlier ends. If such an end does not move, the pivot is the
+    // regularisation alone, which acts as a stiff spring. That loses digits, which Newton's next iteration recovers.
     Vector<uint32_t> ending(count, 0u, memory);
     for (const Link& link : links_) ++ending[link.later()];
     for (Link& link : links_) link.early = ending[link.later()] > most_late_links;
     const auto after = [](const Link& link) { return link.early ? link.earlier() : link.later(); };
     std::stable_sort(links_.begin(), links_.end(), [&](const Link& a, const Link& b) { return after(a) < after(b); });
-    Vector<uint32_t> by_end(memory);  // links, by the later end
+    Vector<uint32_t> by_end(memory);  // links, sorted by their later end
     for (uint32_t l = 0; l < links_.size(); ++l) by_end.push_back(l);
     std::stable_sort(by_end.begin(), by_end.end(),
                      [&](uint32_t a, uint32_t b) { return links_[a].later() < links_[b].later(); });
@@ -85,7 +85,8 @@ void JointSystem::plan() {
         nodes_[i].scalar = scalar;
         const size_t first_end = next_end;
         while (next_end < by_end.size() && links_[by_end[next_end]].later() == i) ++next_end;
-        // Of each column: couplings to nodes before, tensions before, and what is above its own diagonal.
+        // In each column of the node: couplings to earlier nodes, then earlier tensions, then the entries above its
+        // diagonal.
         uint32_t rank = 0, pulls = 0;
         for (size_t e = first_end; e < next_end; ++e) {
             Link& link = links_[by_end[e]];
@@ -180,7 +181,7 @@ void JointSystem::scatter(Vector<Body>& bodies) const {
 
 void JointSystem::scatter_tensions(Vector<Body>& bodies, Vector<Joint>& joints) const {
     for (const Link& link : links_) {
-        // What is no number is no guess for the next solution.
+        // NaN or infinity is no initial guess for the next solution.
         const double found = is_finite(link.tension) ? link.tension : 0;
         if (link.source_body != of_joint) {
             bodies[link.source_body].rope.tension[link.source] = found;
@@ -193,7 +194,7 @@ void JointSystem::scatter_tensions(Vector<Body>& bodies, Vector<Joint>& joints) 
 
 void JointSystem::add_anchor_impulses(Vector<Body>& bodies, const CollisionContext& around, double h) const {
     for (const Link& link : links_) {
-        if (link.source_body != of_joint) continue;  // chains give theirs themselves
+        if (link.source_body != of_joint) continue;  // chains add their own
         const Node &a = nodes_[link.a], &b = nodes_[link.b];
         if (a.free && b.free) continue;
         const Vec3 pull = stretch(link).direction * (link.tension * h);
@@ -218,7 +219,7 @@ JointSystem::Stretch JointSystem::stretch(const Link& link) const {
     out.direction = length > 0 ? between / length : axes[0];
     out.error = length - link.rest;
     if (link.tension > 0) out.stiffness = link.tension / scale;
-    // As rope_direct.cpp: a limit is there while a tension would hold it.
+    // As in rope_direct.cpp: a limit is active while its tension is positive.
     if (link.limit && link.tension * mobility + out.error <= 0) return Stretch{};
     return out;
 }
@@ -226,7 +227,7 @@ JointSystem::Stretch JointSystem::stretch(const Link& link) const {
 void JointSystem::assemble() {
     std::fill(entries_.begin(), entries_.end(), 0.0);
     const auto column_begin = [&](uint32_t column) { return entries_.data() + matrix_.column_begin(column); };
-    // Above the diagonal of a node, behind its couplings.
+    // The entries above the diagonal of a node, which follow its couplings.
     const auto own = [&](const Node& node, uint32_t column) {
         return entries_.data() + matrix_.column_begin(node.scalar + column + 1) - column;
     };
@@ -271,8 +272,7 @@ void JointSystem::assemble() {
     }
 }
 
-/// No correction moves a particle further than all links are long, as placed and at rest together, and than
-/// all pushes would move it.
+/// A bound for corrections: the sum of all link lengths, as placed and at rest, and of the displacements by all pushes.
 double JointSystem::reach() const {
     double sum = 0;
     for (const Node& node : nodes_) sum += distance(node.position, node.predicted);
@@ -282,7 +282,7 @@ double JointSystem::reach() const {
 
 bool JointSystem::is_settled() const {
     return std::all_of(links_.begin(), links_.end(), [&](const Link& link) {
-        // At no distance the equations are linear.
+        // The equations of joints with zero length are linear.
         if (link.axis != along) return true;
         const Stretch s = stretch(link);
         return !s.acts || std::fabs(s.error - s.softness * link.tension) <= settled * link.rest;
@@ -331,7 +331,7 @@ bool JointSystem::solve() {
         if (regularisation_ != yielding && !is_feasible()) {
             regularisation_ = yielding;
             iterations = most_yielding_iterations;
-            // Where nothing but this compliance bounds them, tensions are in inverse proportion to it.
+            // Where only this compliance bounds the tensions, they are inversely proportional to it.
             for (Link& link : links_) link.tension *= rope_regularisation / yielding;
             for (Node& node : nodes_) node.position = node.start;
             iteration = -1;
@@ -343,7 +343,8 @@ bool JointSystem::solve() {
     return is_found();
 }
 
-/// Move the particles by the solution, or by a part of it; returns the part. One that is no number moves nothing.
+/// Moves the particles by the solution, or by a fraction of it; returns the fraction. A solution with NaN or infinity
+/// moves nothing.
 double JointSystem::advance() {
     double longest = 0;
     for (const Node& node : nodes_) {
@@ -354,7 +355,7 @@ double JointSystem::advance() {
     const double most = reach(), fraction = longest > most ? most / longest : 1;
     for (Node& node : nodes_) {
         const double* x = &solution_[node.scalar];
-        node.position += Vec3{x[0], x[1], x[2]} * fraction;  // of pins, which nothing is coupled to, 0
+        node.position += Vec3{x[0], x[1], x[2]} * fraction;  // 0 for pins, which are coupled to nothing
     }
     return fraction;
 }

@@ -1,4 +1,4 @@
-// Joints come and go, and which systems of equations they make.
+// Adding and removing joints, and partitioning bodies and joints into systems of equations.
 #include "solver/joints/joints.h"
 
 #include "solver/rope/rope_kernels.h"
@@ -64,9 +64,9 @@ void Solver::list_joints(gphys_body_id of, Smallest<gphys_joint_info, JointOrder
 
 namespace {
 
-/// A body of chains or particles goes into a system as a whole, a joined particle of cloth on its own.
+/// A unit of the partition: a whole body of chains or particles, or a joined particle of cloth.
 struct Part {
-    uint32_t body, particle;  // whole: of no particle
+    uint32_t body, particle;  // `whole` stands for all particles
 
     static constexpr uint32_t whole = 0xffffffff;
     bool operator<(const Part& other) const {
@@ -88,7 +88,7 @@ struct Planner {
     }
 };
 
-/// The particles of a body that its chains lead along.
+/// Adds the particles of a body's chains.
 void add_chain_nodes(const Body& body, uint32_t slot, Vector<Part>& nodes) {
     for (const Chain& chain : body.plan.chains) {
         for (uint32_t i = 0; i <= chain.link_count; ++i) {
@@ -126,7 +126,7 @@ void add_joint(const Joint& joint, uint32_t slot, JointSystem& system) {
 
 }  // namespace
 
-/// Throws std::bad_alloc, and is then to be called again.
+/// If it throws std::bad_alloc, it must be called again.
 void Solver::plan_joints() {
     systems_.clear();
     tethers_.clear();
@@ -154,7 +154,7 @@ void Solver::plan_joints() {
         sets.unite(part_a(joint), planner.index(planner.part_of(joint.body_b, joint.particle_b)));
     });
 
-    // Systems in the order of their first parts.
+    // Systems are ordered by their first parts.
     Vector<uint32_t> system_of(parts.size(), 0, &memory);
     for (uint32_t i = 0; i < parts.size(); ++i) {
         const uint32_t root = sets.root(i);

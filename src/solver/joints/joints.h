@@ -1,15 +1,14 @@
-// Joints between bodies, and the systems of equations that they make of them.
+// Joints between bodies, and the systems of equations that they form.
 //
-// Joined ropes and particles are one system: Newton's method on the positions and tensions of all of them
-// together, as rope_direct.cpp does it for one chain, with a sparse elimination instead of one along the
-// chain. A joint at a distance is one more link of it, a joint at none three links along the axes. A body whose
-// chains branch is a system without joints.
+// Joined ropes and particles are one system: Newton's method on all their positions and tensions together, as in
+// rope_direct.cpp for one chain, but with a sparse elimination instead of one along the chain. A joint with a length is
+// one more link, a joint without one is three links along the axes. A body whose chains branch is a system without
+// joints.
 //
-// Cloth is not part of a system, only its joined particles are. Cloth in turn sees what hangs on such a
-// particle: the system gives the particle's response to a force, a matrix, which stands for its inverse mass
-// in the chains of the cloth; what the chains pull it with then acts on the system. So a weight on a rope
-// weighs on a corner of cloth with all its mass along the rope and with hardly any across it, and what the
-// cloth gives the rope takes, to the last bit of momentum that float32 holds.
+// Cloth is not part of a system; only its joined particles are. In return the system gives the response of such a
+// particle to a force, a matrix, which replaces its inverse mass in the chains of the cloth. The pulls of the chains
+// then act on the system. So a weight on a rope loads a corner of cloth with its whole mass along the rope and with
+// almost none across it. Momentum between cloth and rope is conserved to the last bit of float32.
 #pragma once
 
 #include "foundation/math.h"
@@ -20,11 +19,11 @@ namespace gphys {
 struct Body;
 struct CollisionContext;
 
-/// |position of b - position of a| = rest + compliance * tension; both ends of different bodies.
+/// position of b - position of a| = rest + compliance * tension. The ends are in different bodies.
 struct Joint {
     uint32_t body_a, particle_a, body_b, particle_b;  // bodies by slot
     double rest, compliance;
-    Vec3 tension;  // newtons, of the last substep; beyond rest 0 it is all in x
+    Vec3 tension;  // newtons, of the last substep; all in x if rest > 0
 };
 
 class JointSystem {
@@ -32,26 +31,26 @@ public:
     explicit JointSystem(std::pmr::memory_resource* memory)
         : nodes_(memory), links_(memory), entries_(memory), diagonal_(memory), solution_(memory), matrix_(memory) {}
 
-    /// A particle of the system, in the order of elimination.
+    /// A particle of the system. Nodes are stored in the order of elimination.
     struct Node {
         uint32_t body, particle;
-        uint32_t scalar = 0;  // its first unknown of three
+        uint32_t scalar = 0;  // index of the first of its three unknowns
         bool of_graph = false;
         bool free = true;
-        double weight = 0;                                // mass / step^2: newtons that move it by a metre
-        Vec3 before{}, predicted{}, start{}, position{};  // before the substep, and while it is solved
+        double weight = 0;  // mass / step^2: the force in newtons that moves it by a metre
+        Vec3 before{}, predicted{}, start{}, position{};  // before the substep; then during its solution
     };
-    /// What holds two nodes at a distance: a link of a chain, or a joint or an axis of one.
+    /// A constraint between two nodes: a link of a chain, a joint with a length, or one axis of a joint without one.
     struct Link {
         uint32_t a, b;
-        uint32_t source_body, source;  // slot and link in its plan; `of_joint` and the joint's slot
-        int axis = along;              // of a joint at no distance
-        uint32_t scalar = 0;           // its tension
-        uint32_t rank = 0;             // among the links from the later end to nodes before
-        bool early = false;            // its tension comes right after the earlier end, not the later one,
-        uint32_t pull = 0;             // and is there in the columns of the later one
+        uint32_t source_body, source;  // slot of the body and link in its plan; or `of_joint` and the slot of the joint
+        int axis = along;              // or an axis, for a joint of zero length
+        uint32_t scalar = 0;           // index of its tension
+        uint32_t rank = 0;             // index among the links from the later end to earlier nodes
+        bool early = false;            // its tension is eliminated right after the earlier end, not the later one,
+        uint32_t pull = 0;             // and has this place in the columns of the later end
         double rest = 0, compliance = 0, tension = 0;
-        bool limit = false;  // it pulls and never pushes
+        bool limit = false;  // it can pull but not push
 
         uint32_t earlier() const { return std::min(a, b); }
         uint32_t later() const { return std::max(a, b); }
@@ -59,39 +58,39 @@ public:
     static constexpr int along = -1;
     static constexpr uint32_t of_joint = 0xffffffff;
 
-    // Of a system to be planned: all nodes by body and particle, then the links between them.
+    // Building a system: first all nodes, by body and particle, then the links between them, then plan().
     void add_node(uint32_t body, uint32_t particle, bool of_graph) { nodes_.push_back({body, particle, 0, of_graph}); }
     uint32_t find_node(uint32_t body, uint32_t particle) const;
     void add_link(const Link& link) { links_.push_back(link); }
-    /// Order the nodes and find out what elimination will fill. Throws std::bad_alloc.
+    /// Orders the nodes and finds the fill of the elimination. Throws std::bad_alloc.
     void plan();
-    /// Entries of the factor below the diagonal, once it is planned.
+    /// Number of entries of the factor below the diagonal. Call after plan().
     size_t fill() const { return matrix_.fill(); }
 
     uint32_t node_count() const { return static_cast<uint32_t>(nodes_.size()); }
     const Node& node(uint32_t i) const { return nodes_[i]; }
 
-    /// Take the predicted state of a substep from the bodies, or give the solved one back to them.
+    /// Copies the predicted state of a substep from the bodies, or the solved one back.
     void gather(const Vector<Body>& bodies, const Vector<Joint>& joints, double h);
     void scatter(Vector<Body>& bodies) const;
     void scatter_tensions(Vector<Body>& bodies, Vector<Joint>& joints) const;
-    /// What joints pull attached particles with goes to their models.
+    /// Adds the pulls of joints on attached particles to the impulses of their models.
     void add_anchor_impulses(Vector<Body>& bodies, const CollisionContext& around, double h) const;
-    /// A force in newtons on a node, for the substep under way.
+    /// Applies a force in newtons to a node during the substep under way.
     void push(uint32_t node, Vec3 force) {
         nodes_[node].predicted += force / nodes_[node].weight;
         pushed_ = true;
     }
-    /// Since it was solved.
+    /// Whether push() was called since the last solve().
     bool is_pushed() const { return pushed_; }
-    /// Whether the lengths of all links have been found.
+    /// Returns whether the lengths of all links have been found.
     bool solve();
-    /// Whether rigid links had them before the substep; not to be asked of cloth.
+    /// Whether all rigid links had their lengths before the substep. Not for cloth.
     bool began_in_shape() const;
-    /// Joules in links that yield, as they are and before the substep.
+    /// Energy in elastic links, in joules: now, and before the substep.
     double stored() const;
     double stored_before() const { return stored_before_; }
-    /// By how many metres the node would move by a newton along each axis; three columns.
+    /// The displacement of the node in metres by one newton along each axis, as three columns.
     void response(uint32_t node, Vec3 (&columns)[3]);
 
 private:
@@ -114,7 +113,7 @@ private:
     SparseLdl matrix_;
     bool pushed_ = false;
     double stored_before_ = 0;
-    double regularisation_ = 0;  // the compliance that all links have beside their own, relative to inverse masses
+    double regularisation_ = 0;  // compliance added to that of every link, relative to inverse masses
 };
 
 /// A particle of cloth that is a node of a system.

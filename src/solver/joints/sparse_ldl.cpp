@@ -1,3 +1,4 @@
+// Symbolic and numerical up-looking L D L^T factorisation (sparse_ldl.h).
 #include "solver/joints/sparse_ldl.h"
 
 namespace gphys {
@@ -31,7 +32,7 @@ void SparseLdl::analyse(const Vector<uint32_t>& column_begin, const Vector<uint3
 void SparseLdl::factor(const double* entries, const double* diagonal) {
     const uint32_t n = size();
     for (uint32_t k = 0; k < n; ++k) {
-        // Which entries row k of L has, the deepest in the tree first.
+        // The pattern of row k of L, in topological order, from the end of the array.
         uint32_t top = n;
         mark_[k] = k;
         for (uint32_t e = column_begin_[k]; e < column_begin_[k + 1]; ++e) {
@@ -56,7 +57,7 @@ void SparseLdl::factor(const double* entries, const double* diagonal) {
             factor_[end] = entry;
             ++filled_[i];
         }
-        // 0 for a row that depends on those before.
+        // 0 if the row depends linearly on earlier ones
         inverse_pivot_[k] = pivot != 0 ? 1 / pivot : 0;
         filled_[k] = 0;
     }

@@ -1,6 +1,6 @@
-// Sparse symmetric matrices as L D L^T: up-looking, row by row along the elimination tree (Davis 2005,
-// "Algorithm 849: A concise sparse Cholesky factorization package"). Without pivoting, so the matrix must
-// be definite or quasi-definite (Vanderbei 1995).
+// Sparse symmetric matrices factorised as L D L^T: up-looking, row by row along the elimination tree (Davis 2005,
+// "Algorithm 849: A concise sparse Cholesky factorization package"). There is no pivoting, so the matrix must be
+// definite or quasi-definite (Vanderbei 1995).
 #pragma once
 
 #include <cstdint>
@@ -25,18 +25,18 @@ public:
           inverse_pivot_(memory),
           sum_(memory) {}
 
-    /// Where the upper triangle has entries beside the diagonal: column by column, in any order within one;
-    /// entries at the same place add up. Throws std::bad_alloc.
+    /// The pattern of the upper triangle without the diagonal, column by column, in any order within a column. Entries
+    /// at the same place are added. Throws std::bad_alloc.
     void analyse(const Vector<uint32_t>& column_begin, const Vector<uint32_t>& rows);
     uint32_t size() const { return static_cast<uint32_t>(parent_.size()); }
-    /// Entries of L beside its diagonal.
+    /// Number of entries of L without its diagonal.
     size_t fill() const { return factor_rows_.size(); }
     /// The first entry of a column.
     uint32_t column_begin(uint32_t column) const { return column_begin_[column]; }
 
     /// Values of the entries, in the order of `rows`, and of the diagonal.
     void factor(const double* entries, const double* diagonal);
-    /// The right-hand side is replaced by the solution.
+    /// Replaces the right-hand side by the solution.
     void solve(double* x) const;
 
 private:

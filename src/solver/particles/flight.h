@@ -1,4 +1,5 @@
-// The exact flight of a particle: motion under a constant acceleration and linear drag.
+// The exact flight of a particle: motion under a constant acceleration and linear drag, by exponential integrators (phi
+// functions; Hochbruck, Ostermann 2010).
 #pragma once
 
 #include "foundation/elementary.h"
@@ -6,21 +7,21 @@
 
 namespace gphys {
 
-// The integrals of exp(-z t) that the solution is made of. `lost` is 1 - exp(-z).
+// The phi functions, the integrals of exp(-z t) of which the solution consists. `lost` is 1 - exp(-z).
 
 /// (1 - exp(-z)) / z
 inline double phi1(double z, double lost) { return z > 0 ? lost / z : 1; }
-/// (z - 1 + exp(-z)) / z^2. Where that would cancel, its series: to z^5, after which the next term is below 1e-15.
+/// (z - 1 + exp(-z)) / z^2. For small z, where that cancels, its series up to z^5; the next term is below 1e-15.
 inline double phi2(double z, double lost) {
     constexpr double small_drag = 0.01;
     if (z < small_drag) return (1 - z / 3 * (1 - z / 4 * (1 - z / 5 * (1 - z / 6 * (1 - z / 7))))) / 2;
     return (z - lost) / (z * z);
 }
 
-/// What some seconds do, to whatever flies under the same drag.
+/// The factors of a time interval, for all particles with the same drag.
 struct FlightTime {
-    double kept = 1;             // of the velocity
-    double reach = 0, fall = 0;  // s, s^2: how far the velocity and the acceleration lead
+    double kept = 1;             // fraction of the velocity that remains
+    double reach = 0, fall = 0;  // s, s^2: factors of the velocity and of the acceleration in the displacement
 
     FlightTime() = default;
     FlightTime(double damping, double seconds) {
@@ -40,12 +41,12 @@ struct Flight {
     Vec3 displacement(Vec3 v0, const FlightTime& time) const { return v0 * time.reach + acceleration * time.fall; }
     Vec3 velocity(Vec3 v0, const FlightTime& time) const { return v0 * time.kept + acceleration * time.reach; }
 
-    /// When the flight has gone `distance` >= 0 along `direction`: it has once by `latest`.
+    /// The time at which the flight has gone `distance` >= 0 along `direction`. It must have by `latest`.
     double time_to(Vec3 v0, Vec3 direction, double distance, double latest) const {
         const double v = dot(v0, direction), a = dot(acceleration, direction);
         const double square = v * v + 2 * a * distance;
         double s = latest;
-        if (square >= 0) {  // without drag; of two forms the one that does not cancel
+        if (square >= 0) {  // without drag: of the two forms of the root, the one that does not cancel
             const double end = std::sqrt(square);
             if (v > 0) {
                 s = 2 * distance / (v + end);
@@ -54,8 +55,8 @@ struct Flight {
             }
         }
         if (damping == 0) return std::min(s, latest);
-        // With drag it comes later: Newton's method from there, halving what holds the time where that leads
-        // out. A step of less than the rounding of the time changes nothing; 60 halvings exhaust a double.
+        // Drag makes it later. Newton's method from there, with bisection if a step leaves the bracket. A step below
+        // the rounding of the time changes nothing; 60 halvings exhaust a double.
         double low = 0, high = latest;
         s = std::min(s, latest);
         for (int i = 0; i < 60; ++i) {

@@ -1,3 +1,5 @@
+// Kernels of free flight (flight_kernels.h): bounds of the paths of many particles, and their motion if no path comes
+// near an obstacle. The scalar form is `Flight` (flight.h).
 #include "solver/particles/flight_kernels.h"
 
 #include "foundation/compiler.h"
@@ -20,7 +22,7 @@ struct Factors {
         : kept(all_of<8>(groups.kept)), reach(all_of<8>(groups.reach)), fall(all_of<8>(groups.fall)) {}
 };
 
-/// As Flight has it, in the same order, so that a particle has the same bits alone.
+/// The formulas of Flight, in the same order, so that a single particle gets the same bits.
 GPHYS_INLINE Flying flown(const FlightGroups& groups, const Factors& factors, uint32_t group, uint32_t part) {
     const size_t at = size_t{group} * flight_numbers + 8 * part;
     const Double8 acceleration =
@@ -30,14 +32,14 @@ GPHYS_INLINE Flying flown(const FlightGroups& groups, const Factors& factors, ui
             velocity * factors.kept + acceleration * factors.reach};
 }
 
-/// Particles that touch an obstacle, beside those that have touched one.
+/// Notes the obstacle for the particles whose paths overlap it; `before`: those that overlap earlier ones.
 void note(uint32_t overlapping, uint32_t before, uint32_t obstacle, uint8_t* obstacle_of) {
     for (uint32_t i = 0; i < flight_group; ++i) {
         if (overlapping >> i & 1) obstacle_of[i] = before >> i & 1 ? several_obstacles : static_cast<uint8_t>(obstacle);
     }
 }
 
-/// Of three times eight numbers: the eight bits of those particles of which all coordinates are set.
+/// From one bit for each of 3 x 8 coordinates to one bit for each of 8 particles: set if all three coordinates are.
 uint32_t of_particles(uint32_t coordinates) {
     const uint32_t all = coordinates & coordinates >> 1 & coordinates >> 2;
     uint32_t result = 0;
@@ -81,7 +83,7 @@ void bound(const FlightGroups& groups, FlightBounds& out) {
     }
 }
 
-/// By coordinate, of three times eight: whether two boxes have it in common.
+/// One bit for each of 3 x 8 coordinates: whether the intervals of the two boxes overlap.
 uint32_t common(const Double8 (&low)[parts], const Double8 (&high)[parts], const FlightBox& box) {
     uint32_t coordinates = 0;
     for (uint32_t part = 0; part < parts; ++part) {

@@ -1,3 +1,4 @@
+// The search for the planes near a block of particles, and sweeps against them (flight_planes.h).
 #include "solver/particles/flight_planes.h"
 
 namespace gphys {
@@ -12,7 +13,7 @@ void FlightPlanes::begin(const Body& body, const CollisionContext& step, uint32_
         balls_[i] = {body.particles.position[first + i], not_searched, 0};
         all = {min(all.min, body.particles.position[first + i]), max(all.max, body.particles.position[first + i])};
     }
-    // Those that look around come no further than their radius, and touch what is as near again.
+    // Particles that search move by at most their radius, and their surface reaches as far again, twice.
     const double room = 3 * body.particles.largest_radius;
     const Box box = bounds(Aabb{all.min - Vec3{room, room, room}, all.max + Vec3{room, room, room}});
     for (const PlacedModel& before : *step.moved) {
@@ -22,7 +23,7 @@ void FlightPlanes::begin(const Body& body, const CollisionContext& step, uint32_
     }
 }
 
-/// Together with those that follow it and lie beside it.
+/// Searches together with the particles that follow in memory and are nearby.
 void FlightPlanes::search(const Body& body, uint32_t particle) {
     Aabb places{ball(particle).center, ball(particle).center};
     uint32_t together = 1;
@@ -38,7 +39,7 @@ void FlightPlanes::search(const Body& body, uint32_t particle) {
     }
 }
 
-/// False, and nothing is found, if there is too much around.
+/// Returns false, without result, if too many models or parts are near.
 bool FlightPlanes::search_together(const Body& body, uint32_t particle, uint32_t count) {
     Aabb places{ball(particle).center, ball(particle).center};
     double farthest = 0;
@@ -65,7 +66,7 @@ void FlightPlanes::settle(const Body& body, uint32_t p, uint32_t point) {
     ball.sight = clear;
     parts_.select_point(point);
     for (ClosestFeature part; parts_.take_nearest(part); ++ball.count) {
-        // Too many; or in something, from which it has to come out.
+        // Too many parts; or the particle overlaps one, and has to be pushed out.
         if (ball.count == most_planes || part.distance <= radius) {
             ball.sight = blocked;
             return;

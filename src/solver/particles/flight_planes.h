@@ -1,10 +1,11 @@
-// What slow particles know of models that stand still, such as those that lie on a mesh.
+// Contact planes of slow particles near static models, such as particles that lie on a mesh.
 //
-// To sweep a sphere against a mesh takes a microsecond. A particle that hardly moves looks around once a step instead
-// and gets a ball, and the planes of the convex parts of models that it could touch there: what it meets on a path
-// within the ball is found by a division for each plane. The ball is as wide as the particle and only slow ones use it:
-// the planes belong to where they looked, and edges are round. What a particle finds does not depend on others: it
-// looks from where it was when the step began, and has room of its own.
+// Sweeping a sphere against a mesh takes a microsecond. A slow particle instead searches once per step. It gets a ball,
+// and the planes of the convex parts of models that it could reach in it (speculative contacts; Catto 2013). The first
+// hit of a path within the ball then takes one division per plane. The ball has the radius of the particle, and only
+// slow particles use it, because the planes are those of the place of the search, and edges are round. The result of a
+// particle does not depend on others: it searches from its position at the beginning of the step, and has its own
+// memory.
 #pragma once
 
 #include "scene/closest_features.h"
@@ -12,22 +13,22 @@
 
 namespace gphys {
 
-/// Of a block of particles, in a step. Some 100 KB: each worker has one, which `prepare` makes room for.
+/// For a block of particles, in a step. About 100 KB: each worker has one, which `prepare` allocates.
 class FlightPlanes {
 public:
     static constexpr uint32_t most_particles = 512;
 
-    /// Nobody has looked yet, with so many seconds of the step left.
+    /// Resets all particles to "not searched", with the rest of the step ahead.
     void begin(const Body& body, const CollisionContext& step, uint32_t first, uint32_t count);
-    /// What the particle meets first on a path. False if that is not known.
+    /// The first hit of a particle on a path. Returns false if it is not known.
     bool sweep(const Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double reach, Impact& impact);
 
 private:
-    static constexpr uint32_t most_planes = 2;  // of a particle
+    static constexpr uint32_t most_planes = 2;  // per particle
 
     struct Plane {
         Vec3 normal;
-        double height;  // the particle touches where dot(normal, its position) is this
+        double height;  // contact if dot(normal, position of the particle) equals it
         gphys_model_id model;
     };
     enum Sight : uint32_t { not_searched, clear, blocked };
@@ -43,7 +44,7 @@ private:
 
     const Scene* scene_ = nullptr;
     uint32_t first_ = 0, count_ = 0;
-    bool usable_ = false;  // no model that moves is near
+    bool usable_ = false;  // whether no moving model is near
     Ball balls_[most_particles];
     Plane planes_[most_particles][most_planes];
     ClosestFeatures parts_;

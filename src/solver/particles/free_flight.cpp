@@ -1,10 +1,10 @@
-// Bodies without constraints: each particle flies on its own, and the exact solution of its flight
-// is known, so that neither the length nor the number of the steps matters.
+// Bodies without constraints. Each particle flies independently, by the exact solution of its flight (flight.h), so the
+// accuracy depends neither on the length nor on the number of the steps.
 //
-// Particles fly in blocks, which ask the scene together what is near. Those of a block whose paths stay
-// clear of the boxes around that are moved eight at a time (flight_kernels.cpp); the others one by one,
-// from one impact to the next. Neighbours in a body, such as those that an emitter has made together,
-// are mostly neighbours in space.
+// Particles are processed in blocks, which query the scene together. The particles of a block whose paths do not
+// overlap the boxes of nearby models are moved eight at a time (flight_kernels.cpp). The others are moved one by one,
+// from one impact to the next. Neighbours in a body, such as particles that an emitter has made together, are mostly
+// neighbours in space.
 #include <optional>
 
 #include "solver/contact/collision.h"
@@ -17,12 +17,12 @@
 namespace gphys {
 namespace {
 
-// Bounces of one particle in one substep; those beyond are so small that it lies still.
+// Bounces of one particle in one substep. Later ones are so small that the particle lies still.
 constexpr int most_bounces = 8;
-// Particles that ask the scene together: enough that its answer costs each of them little, and few enough
-// to stay in the innermost cache.
+// Particles that query the scene together: enough to share the cost of the query, and few enough to stay in the L1
+// cache.
 constexpr uint32_t block_size = FlightPlanes::most_particles, block_groups = block_size / flight_group;
-// Boxes around what is near; more are not looked through by each group.
+// Boxes around nearby models. Groups are not tested against more than this.
 constexpr uint32_t most_obstacles = 48;
 
 void put(double* to, Vec3 v) { to[0] = v.x, to[1] = v.y, to[2] = v.z; }
@@ -37,7 +37,7 @@ void repeat(const Aabb& box, FlightBox& out) {
 
 class FreeFlight {
 public:
-    /// `planes` are those of the worker; null: every path is swept.
+    /// `planes` are those of the worker, or null to sweep every path.
     FreeFlight(Body& body, const ImpulseAccumulator& accumulator, Vec3 gravity, double h, FlightPlanes* planes)
         : body_(body),
           accumulator_(accumulator),
@@ -48,11 +48,11 @@ public:
         for (uint32_t i = 0; i < flight_group; ++i) put(acceleration_ + size_t{3} * i, gravity);
     }
 
-    /// Before the substeps of a block.
+    /// Call before the substeps of a block.
     void begin_block(const CollisionContext& step, uint32_t first, uint32_t count) {
         if (planes_) planes_->begin(body_, step, first, count);
     }
-    /// One substep.
+    /// Runs one substep.
     void fly_block(const CollisionContext& around, uint32_t first, uint32_t count);
 
 private:
@@ -60,32 +60,32 @@ private:
         if (!body_.particles.forced) return {gravity_, body_.settings.damping};
         return {gravity_ + body_.particles.force[p] * body_.particles.inverse_mass[p], body_.settings.damping};
     }
-    /// Where particles may touch something, and where they rest.
+    /// Lists the regions in which particles may hit something, and those in which they rest.
     void list_obstacles(const Collider& collider, const Aabb& region);
     void fly_one(const Collider* collider, uint32_t p, uint32_t obstacle);
     void keep_to_targets(uint32_t first, uint32_t count);
     void fly_freely(uint32_t p);
     void fly_among(const Collider& collider, uint32_t p);
-    /// What it meets first on the whole path of the substep.
+    /// The first hit on the whole path of the substep.
     bool hits(const Collider& collider, uint32_t p, Vec3 displacement, Impact& impact);
     bool lies_still(const Collider& collider, uint32_t p, uint32_t obstacle) const {
         const Vec3 acceleration = flight_of(p).acceleration;
         return collider.holds(body_, p, obstacle, acceleration * whole_.fall, acceleration * whole_.reach);
     }
-    /// Bounds of the whole block; its groups are ready.
+    /// Bounds of the whole block; those of complete groups come from the kernel.
     FlightBounds bound(const FlightGroups& groups, uint32_t first, uint32_t count) const;
 
     Body& body_;
     const ImpulseAccumulator accumulator_;
-    CollisionContext around_;  // in the substep under way
+    CollisionContext around_;  // of the substep under way
     Vec3 gravity_;
     double h_;
-    FlightTime whole_;  // the substep
+    FlightTime whole_;  // the whole substep
     FlightPlanes* const planes_;
     const FlightKernels& kernels_ = flight_kernels(chosen_isa());
-    // Of a block:
-    double acceleration_[flight_numbers * block_groups];  // or of one group that stands for all
-    bool known_ = false;                                  // whether the obstacles are all there are
+    // For the block under way:
+    double acceleration_[flight_numbers * block_groups];  // of each group, or of one group for all
+    bool known_ = false;                                  // whether the list of obstacles is complete
     uint32_t obstacle_count_ = 0;
     FlightObstacle obstacles_[most_obstacles];
     uint8_t overlapping_[block_groups], resting_on_[block_groups], obstacle_of_[block_size];
@@ -99,7 +99,7 @@ void FreeFlight::fly_freely(uint32_t p) {
 }
 
 bool FreeFlight::hits(const Collider& collider, uint32_t p, Vec3 displacement, Impact& impact) {
-    // As far as it comes in the rest of the step, and half as far again.
+    // The distance that it can go in the rest of the step, and half as much again.
     const double rest = around_.step_time * (1 - around_.begin);
     const double reach = 1.5 * rest * (length(body_.particles.velocity[p]) + rest * length(flight_of(p).acceleration));
     if (planes_ && planes_->sweep(body_, p, body_.particles.position[p], displacement, reach, impact))
@@ -115,8 +115,8 @@ void FreeFlight::fly_among(const Collider& collider, uint32_t p) {
     const double quiet = length(flight.acceleration) * 2 * h_;
     double left = h_;
     FlightTime ahead = whole_;
-    // Paths are straight and passed evenly as far as models that move are concerned, or there would be gaps
-    // between them: this is their clock.
+    // For moving models, a path is straight and passed at a constant speed, without gaps between successive paths. This
+    // is their common clock.
     double time = around_.begin;
     for (int bounce = 0;; ++bounce) {
         const Vec3 displacement = flight.displacement(velocity, ahead);
@@ -136,7 +136,7 @@ void FreeFlight::fly_among(const Collider& collider, uint32_t p) {
         }
         const Vec3 towards = -impact.normal;
         const double t = impact.moves ? impact.t : collider.stop_short(body_, p, at, displacement, impact);
-        if (t > 0) {  // otherwise within the skin already: it has arrived
+        if (t > 0) {  // otherwise it is within the skin already
             const double s = impact.moves
                                  ? left * t
                                  : flight.time_to(velocity, towards, dot(displacement, towards) * impact.t, left);
@@ -147,7 +147,7 @@ void FreeFlight::fly_among(const Collider& collider, uint32_t p) {
             time += (around_.end - time) * t;
         }
         if (impact.moves) at = collider.beside(body_, p, at, impact);
-        // A bounce that is over within two substeps is none: the particle has come to rest.
+        // A bounce that would last less than two substeps does not happen: the particle comes to rest.
         const double approach = dot(velocity - impact.surface_velocity, towards);
         const double pressing = dot(flight.acceleration, towards) * h_;
         const bool bounces = restitution * approach > std::max(0.0, pressing);
@@ -186,7 +186,7 @@ void FreeFlight::list_obstacles(const Collider& collider, const Aabb& region) {
     constexpr Aabb nowhere{{1, 1, 1}, {-1, -1, -1}};
     const bool alike = !body_.particles.forced && body_.particles.smallest_radius == body_.particles.largest_radius;
     const double radius = body_.particles.largest_radius;
-    // The skin that a particle has at least, wherever it is in the region.
+    // The smallest skin of a particle in the region.
     Vec3 nearest;
     for (int k = 0; k < 3; ++k) nearest[k] = std::max({0.0, region.min[k], -region.max[k]});
     const double gap = largest_gap(skin(radius, nearest));
@@ -210,7 +210,7 @@ void FreeFlight::fly_one(const Collider* collider, uint32_t p, uint32_t obstacle
     keep_in_range(body_.particles.position[p], body_.particles.velocity[p]);
 }
 
-/// Those that have flown out of what their targets allow, back to it; models on the way stop them.
+/// Moves particles that are outside the bounds of their targets back into them; models on the way stop them.
 void FreeFlight::keep_to_targets(uint32_t first, uint32_t count) {
     const auto each_outside = [&](auto&& visit) {
         for (uint32_t p = first; p < first + count; ++p) {
@@ -266,7 +266,7 @@ void FreeFlight::fly_block(const CollisionContext& around, uint32_t first, uint3
     obstacle_count_ = 0;
     std::optional<Collider> collider;
     if (collides(body_, around_)) {
-        // As far again as a path is long, and as a bounce turns back.
+        // Twice the length of a path, because a bounce may turn it back.
         const double room =
             2 * body_.particles.largest_radius + length(get(bounds.furthest)) + length(get(bounds.fastest)) * h_;
         const Vec3 reach{room, room, room};
@@ -277,7 +277,7 @@ void FreeFlight::fly_block(const CollisionContext& around, uint32_t first, uint3
             list_obstacles(*collider, region);
         }
     }
-    // What is not to be moved by eight, or not known to be clear, is looked at one by one.
+    // Particles that must not be moved by the kernel, or whose paths are not known to be clear, are moved one by one.
     std::fill_n(overlapping_, groups.count, known_ ? uint8_t{0} : uint8_t{0xff});
     for (uint32_t i = 0; i < count; ++i) {
         if (body_.particles.pinned(first + i))
@@ -333,7 +333,7 @@ Extent extent_of(Body& body, uint32_t first, uint32_t end) {
     return extent;
 }
 
-/// A block is taken through the whole step at once: it stays in the innermost cache.
+/// Takes a block through the whole step at once, so that it stays in the L1 cache.
 Extent fly_through(Body& body, uint32_t first, uint32_t end, const ImpulseAccumulator& accumulator,
                    const CollisionContext& step, Vec3 gravity, uint32_t substeps, FlightPlanes* planes) {
     FreeFlight flight(body, accumulator, gravity, step.step_time / substeps, planes);

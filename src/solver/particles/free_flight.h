@@ -10,14 +10,14 @@ struct Body;
 struct CollisionContext;
 class FlightPlanes;
 
-/// A body without constraints, moved and collided, in one substep.
+/// Moves and collides a body without constraints in one substep.
 void fly(Body& body, const CollisionContext& around, Vec3 gravity, double h);
-/// The same in all substeps of a step, of some of its particles: what they touch and give is the tally's. Several
-/// may be at work on one body, each on its own particles. `planes` are those of the worker; null: every path is swept.
-/// Returns where they are.
+/// The same for some particles and all substeps of a step. Impulses and contacts go to the accumulator. Several threads
+/// may work on one body, each on its own particles. `planes` are those of the worker, or null to sweep every path.
+/// Returns the extent of the particles.
 Extent fly_through(Body& body, uint32_t first, uint32_t end, const ImpulseAccumulator& accumulator,
                    const CollisionContext& step, Vec3 gravity, uint32_t substeps, FlightPlanes* planes);
-/// Of some particles.
+/// The extent of some particles.
 Extent extent_of(Body& body, uint32_t first, uint32_t end);
 
 }  // namespace gphys

@@ -1,8 +1,7 @@
-// What all bodies have: particles, one array per quantity.
+// The state that all bodies have: particles, one array per quantity (structure of arrays).
 //
-// All state is double precision: the rounding of a position 1e5 m from the origin is then 1e-11 m,
-// so more substeps never hurt and a body needs no origin of its own. Velocity is stored, not
-// derived from old positions.
+// All state is in double precision. The rounding of a position 1e5 m from the origin is then 1e-11 m, so more substeps
+// never hurt and a body needs no origin of its own. Velocity is stored, not derived from old positions.
 #pragma once
 
 #include <optional>
@@ -13,16 +12,16 @@
 
 namespace gphys {
 
-/// Crossing all coordinates in the shortest substep, 2e15 m in 1e-9 s, takes 2e24 m/s; beyond this, squares of speeds
-/// would soon leave the doubles.
+/// Crossing all coordinates in the shortest substep, 2e15 m in 1e-9 s, takes 2e24 m/s. Beyond this limit, squares of
+/// speeds would soon overflow.
 constexpr double fastest_particle = 1e30;
 
 inline bool is_within(double limit, Vec3 value) {
     return std::fabs(value.x) <= limit && std::fabs(value.y) <= limit && std::fabs(value.z) <= limit;
 }
 
-/// A particle that leaves the range of coordinates stops at its border, and so does one that is no number any more:
-/// then forces were too large for doubles.
+/// A particle that leaves the range of coordinates stops at its border. So does one with NaN, which forces too large
+/// for doubles cause.
 inline void keep_in_range(Vec3& position, Vec3& velocity) {
     constexpr double limit = GPHYS_MAX_COORDINATE;
     if (!is_within(fastest_particle, velocity)) velocity = {};
@@ -31,14 +30,13 @@ inline void keep_in_range(Vec3& position, Vec3& velocity) {
     position = {kept(position.x), kept(position.y), kept(position.z)};
     velocity = {};
 }
-/// The same of what has been solved, which is known to have been somewhere else before: there it stays if it is no
-/// number any more.
+/// The same for a solved position. If it is NaN, the particle stays where it was before.
 inline void keep_in_range(Vec3& position, Vec3& velocity, Vec3 before) {
     if (!is_within(std::numeric_limits<double>::max(), position)) position = before, velocity = {};
     keep_in_range(position, velocity);
 }
 
-/// What some particles are in, and the largest of their speeds by axis.
+/// The bounding box of some particles, and the largest of their speeds by axis.
 struct Extent {
     Aabb box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
     Vec3 fastest;
@@ -60,9 +58,9 @@ struct Particles {
     Vector<double> mass;
     Vector<double> inverse_mass;  // 0: pinned or attached
     Vector<double> radius;
-    double smallest_radius = 0, largest_radius = -1;  // < 0: not known
-    bool forced = false;                              // whether a force may be other than 0
-    std::optional<Extent> extent;                     // if a step has found it and nothing has changed since
+    double smallest_radius = 0, largest_radius = -1;  // < 0: unknown
+    bool forced = false;                              // whether any force may be nonzero
+    std::optional<Extent> extent;                     // if a step has computed it and nothing has changed since
 };
 
 }  // namespace gphys

@@ -1,12 +1,12 @@
-// All that the next step depends on, taken out as words and put back.
+// Snapshots: all state that the next step depends on, as words, and back.
 //
-// A snapshot is a header and the words of the state. What follows from others (the links of
-// particles, the chains of a rope, the packed batches of cloth) is not in it but made again; what depends on the past
-// is: the chains of cloth come from where its particles were when it was planned, the tensions of a rope are
-// the first guess of the next.
+// A snapshot is a header and the words of the state. Data that follow from others (the links of particles, the chains
+// of a rope, the packed batches of cloth) are not stored but computed again. Data that depend on the past are stored:
+// the chains of cloth depend on the positions of its particles when it was planned, and the tensions of a rope are the
+// initial guess of the next step.
 //
-// Words may come from anywhere. Whatever is used as a number or an index is checked before (snapshot_check.h), and
-// a state that passes is as safe to step as one that the library has made.
+// Words may come from any source. Everything that is used as a number or an index is validated first
+// (snapshot_check.h). A state that passes is as safe to step as one that the library has made.
 #include "foundation/archive.h"
 #include "solver/snapshot/snapshot_check.h"
 
@@ -20,18 +20,18 @@ struct Header {
 constexpr uint32_t header_words = sizeof(Header) / 4;
 constexpr uint32_t magic = 0x6770686e;
 constexpr uint32_t swapped_magic = 0x6e687067;
-// Of the list below: to be raised when it changes.
+// Version of the list below: increase it when that changes.
 constexpr uint32_t format = 8;
 
-// Copied as they lie in memory, so they must have no padding.
+// Copied byte by byte, so they must have no padding.
 static_assert(sizeof(Vec3) == 24 && sizeof(DistanceConstraint) == 40 && sizeof(LengthChange) == 16 &&
               sizeof(Attachment) == 80 && sizeof(AnimationTarget) == 120);
 static_assert(sizeof(ContactPoint) == 32 && sizeof(ModelImpulse) == 56 && sizeof(PlacedModel) == 36 &&
               sizeof(Chain) == 12 && sizeof(ReachLimit) == 16);
 static_assert(sizeof(Joint) == 56);
 
-/// Body is const when it is written. Of a plan only what its constraints do not say, and nothing of one
-/// that is out of date.
+/// Body is const when it is written. Of a plan, only what its constraints do not determine is visited, and nothing if
+/// the plan is outdated.
 template <class Archive, class Body>
 void visit_plan(Archive& archive, Body& body) {
     auto& plan = body.plan;
@@ -126,7 +126,7 @@ void write(Sink& sink, const SolverState& state) {
     for (uint32_t slot = 0; slot < state.ids.slots(); ++slot) {
         if (state.ids.live(slot)) visit_body(archive, state.bodies[slot]);
     }
-    // What few bodies have: slots and arrays, to the end.
+    // Members that few bodies have: slots and arrays, up to the end mark.
     for (uint32_t slot = 0; slot < state.ids.slots(); ++slot) {
         if (!state.ids.live(slot) || state.bodies[slot].targets.empty()) continue;
         archive.value(slot);
@@ -134,7 +134,7 @@ void write(Sink& sink, const SolverState& state) {
     }
 }
 
-/// What is not in a snapshot, but for the plan. Throws std::bad_alloc.
+/// Computes what is not in a snapshot, except the plan. Throws std::bad_alloc.
 void complete(Body& body) {
     body.constraints.links.resize(body.particles.size());
     for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
@@ -149,7 +149,7 @@ void complete(Body& body) {
     }
 }
 
-/// Each of a body, in their order.
+/// Reads the targets, each of a body, in the order of the bodies.
 const char* read_targets(Reader& archive, SolverState& state) {
     for (uint32_t next = 0; !archive.finished();) {
         uint32_t slot = 0;

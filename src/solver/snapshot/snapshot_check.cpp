@@ -6,9 +6,9 @@ namespace gphys {
 namespace {
 
 constexpr double range = GPHYS_MAX_COORDINATE;
-// The least float, shared among as many particles as a body may have.
+// The smallest float, shared by as many particles as a body may have.
 constexpr double least_mass = 0x1p-149 * 0x1p-24;
-// Of a model, in whose coordinates the whole range is divided by its scale, which is 1e-15 at least.
+// In the coordinates of a model: the whole range divided by its scale, which is at least 1e-15.
 constexpr double farthest_in_model = 1e32;
 
 bool is_finite_amount(double value) { return value >= 0 && is_finite(value); }
@@ -134,7 +134,7 @@ bool length_changes_fine(const Constraints& constraints) {
     return true;
 }
 
-/// One behind the other, from the beginning to the end of the arrays; those of a colour from the longest on.
+/// Contiguous from the beginning to the end of the arrays; those of a colour sorted by length, longest first.
 bool chains_fit(const Plan& plan) {
     uint64_t particles = 0, links = 0;
     for (const Chain& chain : plan.chains) {
@@ -159,7 +159,7 @@ bool colours_fit(const Plan& plan) {
     return true;
 }
 
-/// Each constraint stands in one chain, between the particles that it joins.
+/// Each constraint is in exactly one chain, between the particles that it joins.
 bool chains_lead_along_constraints(const Body& body) {
     const Plan& plan = body.plan;
     if (plan.slots.size() != body.constraints.ids.size()) return false;
@@ -178,10 +178,10 @@ bool chains_lead_along_constraints(const Body& body) {
     return true;
 }
 
-/// What is solved side by side has no particle in common, and is of one kind.
+/// Chains that are solved together have no particle in common, and are of one kind.
 bool colours_are_independent(const Body& body) {
     const Plan& plan = body.plan;
-    Vector<uint32_t> colour_of(body.particles.size(), 0, plan.slots.get_allocator());  // the last one, from 1 on
+    Vector<uint32_t> colour_of(body.particles.size(), 0, plan.slots.get_allocator());  // the last colour, from 1 on
     for (uint32_t colour = 1; colour < plan.colours.size(); ++colour) {
         const uint32_t begin = plan.colours[colour - 1], end = plan.colours[colour];
         for (uint32_t i = begin; i < end; ++i) {

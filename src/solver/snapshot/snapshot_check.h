@@ -1,6 +1,6 @@
-// Whether what was read from a snapshot can be a solver's state. The hash of a snapshot finds damage; these checks
-// are for words that were made up. Every index must lie within its array, every number in the range that the
-// library keeps it in; an order that could be any (the chains of cloth) must be one of all constraints.
+// Validation of a state read from a snapshot. The hash of a snapshot detects damage; these checks detect forged words.
+// Every index must lie within its array, every number in the range that the library keeps it in. An order that could be
+// any (the chains of cloth) must be a permutation of all constraints.
 #pragma once
 
 #include "solver/solver.h"
@@ -9,13 +9,13 @@ namespace gphys {
 
 constexpr const char* cut_short = "words: no snapshot has these lengths";
 
-/// What is wrong, or nullptr: of everything but the bodies and joints, of joints whose bodies are fine, and
-/// of one body: without its plan, and its plan once the rest has been completed. May throw std::bad_alloc.
+/// Each returns what is wrong, or nullptr. They check everything but the bodies and joints; joints, once the bodies are
+/// valid; one body without its plan; and its plan, once the rest has been completed. May throw std::bad_alloc.
 const char* defect_of_globals(const SolverState& state);
 const char* defect_of_joints(const SolverState& state);
 const char* defect(const Body& body);
 const char* defect_of_plan(const Body& body);
-/// Of its animation targets, of which there are some.
+/// The animation targets of a body that has some.
 const char* defect_of_targets(const Body& body);
 
 }  // namespace gphys
