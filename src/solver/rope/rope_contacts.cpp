@@ -1,20 +1,22 @@
+// Contacts of ropes as springs of an active set in Newton's iterations (rope_contacts.h).
 #include "solver/rope/rope_contacts.h"
 
 namespace gphys {
 namespace {
 
-// How much stiffer than the particle and its links a contact is. What presses moves a particle by this part less of
-// what it would without contacts into the model: a hundredth of a skin. With 2^27 the other directions would lose half
+// The ratio of a contact's stiffness to that of the particle and its links. A force that would move the particle into
+// the model moves it by only this fraction: a hundredth of a skin. A ratio of 2^27 would cost the other directions half
 // of the digits of a double.
 constexpr double stiffness = 1 << 17;
-// In these iterations planes follow what they belong to; afterwards they stay, so that the iterations end.
+// Planes follow the model's surface in the first iterations. Then they stay, so that the iterations converge.
 constexpr int most_turns = 6;
-// So many iterations find what slides and what sticks. If that is not all, friction becomes a spring everywhere, as
-// soft as Coulomb's law needs it to be: this always converges, but slowly on the border between the two.
+// The iterations in which each contact switches between sliding and sticking. If they do not settle, friction becomes a
+// spring everywhere, as soft as Coulomb's law requires. That always converges, but slowly at the border between the
+// two.
 constexpr int most_tries = 8;
-// What pressures, of which friction is made, may be off by, as a part.
+// Relative tolerance of the normal forces, from which friction follows.
 constexpr double pressure_settled = 1e-4;
-// Among more parts a particle sees less far.
+// Near more parts than this, a particle's ball is smaller.
 constexpr uint32_t many_parts = 64;
 
 double friction_of(const Body& body, uint32_t p) {
@@ -22,7 +24,7 @@ double friction_of(const Body& body, uint32_t p) {
     return settings.sticks() && body.contacts.stuck[p] ? settings.static_friction : settings.friction;
 }
 
-/// Along a plane, from where the particle was.
+/// The displacement along a plane, from the start of the substep.
 Vec3 slid(const RopeContact& contact, const Body& body, uint32_t p) {
     const Vec3 way = body.particles.position[p] - body.history.start[p];
     return way - contact.normal * dot(way, contact.normal);
@@ -64,7 +66,7 @@ void RopeContacts::begin_particle(uint32_t p) {
     if (bounded_) contacts_.resize(contacts_.size() + bounds_per_particle);
 }
 
-/// Models that the balls around some particles touch. False if there is too much.
+/// Finds the models that the balls around some particles overlap. Returns false if there are too many.
 bool RopeContacts::collect(const Body& body, uint32_t first, uint32_t count) {
     Aabb places{body.history.start[first], body.history.start[first]};
     double farthest = 0;
@@ -90,7 +92,7 @@ bool RopeContacts::collect(const Body& body, uint32_t first, uint32_t count) {
     return complete;
 }
 
-/// The ball and the contacts of a particle from what was collected around it.
+/// Sets the ball and the contacts of a particle from the parts that were collected around it.
 void RopeContacts::settle(const Body& body, uint32_t p, uint32_t point) {
     begin_particle(p);
     const Vec3 at = body.history.start[p];
@@ -118,7 +120,7 @@ void RopeContacts::settle(const Body& body, uint32_t p, uint32_t point) {
     parts_.for_each_left([&](uint32_t, double distance) { reach = std::max(0.0, std::min(reach, distance - off)); });
 }
 
-/// As far as they come in the rest of the step, and half as far again.
+/// The reach is the distance that particles can go in the rest of the step, and half as much again.
 void RopeContacts::search(const Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     contacts_.clear();
     scene_ = around.scene;
@@ -146,7 +148,7 @@ void RopeContacts::search(const Body& body, const CollisionContext& around, Vec3
                 complete = collect(body, p, 1);
             }
             if (complete) continue;
-            // It is swept.
+            // This particle is swept instead.
             contacts_.resize(of_this);
             begin_particle(p);
             balls_[p].reach = 0;
@@ -178,7 +180,7 @@ void RopeContacts::place_ball(RopeContact& contact, const Body& body, uint32_t p
     contact.outside = ball.offset;
 }
 
-/// Of all targets, where their particles are predicted.
+/// Places the bounds of all targets, for the predicted positions.
 void RopeContacts::place_bounds(const Body& body) {
     const AnimationTargets& targets = body.targets;
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
@@ -237,7 +239,7 @@ ContactTerm RopeContacts::term(const Body& body, uint32_t p, double mass) {
         if (contact.model == 0) return;
         const double hold = friction_of(body, p) * contact.pressed, length = gphys::length(way);
         if (hold == 0) return;
-        // Across its way what slides is held by this, as friction turns with it.
+        // The stiffness perpendicular to the sliding direction, because the friction force turns with that direction.
         const double turning = length * contact.stiffness > hold ? hold / length : contact.stiffness;
         if (contact.iterations >= most_tries || contact.state == RopeContact::sticks) {
             contact.drag = contact.iterations >= most_tries ? turning : contact.stiffness;
@@ -261,7 +263,7 @@ bool RopeContacts::update(RopeContact& contact, const Body& body, uint32_t p, in
     bool settled = true;
     if (contact.state == RopeContact::apart) {
         if (gap >= 0) return true;
-        // At first without friction, which is not known yet.
+        // Without friction at first, because it is not known yet.
         contact.state = RopeContact::sticks;
         contact.pressed = 0;
         settled = false;
@@ -275,7 +277,7 @@ bool RopeContacts::update(RopeContact& contact, const Body& body, uint32_t p, in
             contact.state = RopeContact::apart;
             settled = false;
         } else if (before == 0) {
-            // To stop what is fast would take pressures that are not there.
+            // Fast particles slide: stopping them would take a larger normal force than there is.
             const Vec3 speed = body.history.start_velocity[p];
             const Vec3 along = speed - contact.normal * dot(speed, contact.normal);
             const bool slow = length_squared(along) <= 4 * length_squared(body.particles.velocity[p] - speed);
@@ -291,7 +293,7 @@ bool RopeContacts::update(RopeContact& contact, const Body& body, uint32_t p, in
         ++contact.iterations;
         if (friction > 0 && std::fabs(pressed - before) > pressure_settled * pressed) settled = false;
     }
-    // From behind a plane the nearest point of a model may be on the far side.
+    // From behind a plane, the closest point of a model may be on its far side.
     if (contact.is_fixed || iteration >= most_turns || (gap < -room && contact.model != 0)) return settled;
     RopeContact turned = contact;
     if (contact.model == 0) {
@@ -355,8 +357,8 @@ void RopeContacts::sweep_escaped(Body& body, const CollisionContext& around, dou
 
 namespace {
 
-/// By particle, what has moved it from where it was predicted besides its links, kg m: of all particles together this
-/// is what their momentum shows, however far the iterations have come.
+/// By particle: what has moved it from its predicted position besides its links, in kg m. Summed over all particles
+/// this is exactly their change of momentum, however far the iterations have converged.
 void find_pushes(Body& body, double step) {
     const Plan& plan = body.plan;
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
@@ -380,7 +382,7 @@ void RopeContacts::finish(Body& body, const CollisionContext& around, double qui
     body.contacts.has_contact = body.contacts.sunk = false;
     std::fill(body.contacts.held.begin(), body.contacts.held.end(), uint8_t{0});
     const BodySettings& settings = body.settings;
-    const double rate = scheme.next / scheme.h;  // by which a correction of the position has changed the velocity
+    const double rate = scheme.next / scheme.h;  // ratio of the velocity change to a correction of the position
     if (active_) find_pushes(body, scheme.step(settings.damping));
     for (uint32_t p = 0; p < body.particles.size() && active_; ++p) {
         if (body.particles.pinned(p)) continue;
@@ -388,7 +390,7 @@ void RopeContacts::finish(Body& body, const CollisionContext& around, double qui
         const RopeContact* most = nullptr;
         Vec3 rest = body.rope.solved[p];
         each(p, [&](RopeContact& contact) {
-            // One that the iterations have left out, and that has kept it out afterwards.
+            // The iterations have left this contact out, but keep_out has moved the particle out of it.
             const double gap = dot(contact.normal, body.particles.position[p]) - contact.offset;
             if (contact.force == Vec3{} && gap <= skin(body.particles.radius[p], body.particles.position[p]) / 8) {
                 contact.force = contact.normal * std::max(0.0, dot(contact.normal, rest));
@@ -400,7 +402,7 @@ void RopeContacts::finish(Body& body, const CollisionContext& around, double qui
             if (contact.force == Vec3{}) return;
             Vec3& velocity = body.particles.velocity[p];
             const Vec3 before = velocity;
-            // What brings it out of a model is no speed, and with what is left of its approach it does not go on.
+            // Moving out of a model adds no velocity, and the remaining approach speed ends here.
             velocity -= contact.normal * (std::max(0.0, contact.depth) * rate);
             const double wanted = contact.approach > quiet ? settings.restitution * contact.approach : 0;
             const double given = wanted - dot(velocity, contact.normal);

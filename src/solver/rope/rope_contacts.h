@@ -1,16 +1,16 @@
-// Ropes on models that stand still: what particles touch is solved for together with the links.
+// Contacts of ropes with static models, solved together with the links.
 //
-// When a step begins, and when one is about to leave its ball, particles look around: each gets a ball to move in and
-// the convex parts of models that it can touch there, a primitive or a triangle. A part is met as a plane that has it
-// behind. That of a primitive goes through the point which is nearest to the particle and follows it, from substep to
-// substep and from iteration to iteration; that of a triangle stays. A particle in front of all its planes, and in its
-// ball, is outside of everything, so that what it passes need not be swept.
+// When a step begins, and when a particle is about to leave its ball, particles search. Each gets a ball, and the
+// convex parts of models that it can reach in it: primitives and triangles. Each part becomes a contact plane with the
+// part behind it (speculative contacts; Catto 2013). The plane of a primitive goes through the point closest to the
+// particle and follows the particle, from substep to substep and from iteration to iteration; that of a triangle stays.
+// A particle that is in its ball and in front of all its planes overlaps nothing, so its path need not be swept.
 //
-// In each of Newton's iterations a plane that presses, or that a particle is behind, is a stiff spring along the
-// normal, the others are absent (a primal-dual active set). Friction holds a particle at its place as another spring,
-// until that takes more than Coulomb's law allows; then it is this force, against the way that the particle goes.
-// Tensions, pressures and friction are therefore those of one moment: to hold in place what touches while links are
-// solved would let no tension pass a post.
+// In each of Newton's iterations, a plane is active if it presses or if the particle is behind it. Then it is a stiff
+// spring along its normal; the others are absent (primal-dual active set; Hintermueller, Ito, Kunisch 2002). Friction
+// is another spring that holds the particle at its place, until that would exceed Coulomb's law. Then it is the Coulomb
+// force, against the sliding direction. So tensions, normal forces and friction belong to the same time. Pinning
+// particles in contact while links are solved would let no tension pass a post.
 #pragma once
 
 #include "scene/closest_features.h"
@@ -25,22 +25,22 @@ struct RopeContact {
 
     gphys_model_id model = 0;  // 0: a bound of its animation target
     State state = apart;
-    bool is_fixed = false;   // the plane, which then does not follow the particle
-    uint8_t iterations = 0;  // of this substep in which it has acted
+    bool is_fixed = false;   // whether the plane does not follow the particle
+    uint8_t iterations = 0;  // of this substep in which it was active
     Vec3 normal;
-    double outside;       // where dot(normal, position) is at least this, the particle is a skin away
-    double offset;        // it stays where that is at least this: what lies within a skin already stays there
-    double depth = 0;     // metres by which it begins the substep behind that
+    double outside;       // at dot(normal, position) >= this, the particle is a skin away
+    double offset;        // at >= this it stays there; smaller, if it was within the skin already
+    double depth = 0;     // metres behind that at the beginning of the substep
     double approach = 0;  // m/s, of a particle without links
-    // Forces times the square of the step, kg m:
-    double pressed = 0;    // along the normal, of the iteration before
+    // Forces are times the square of the step, kg m:
+    double pressed = 0;    // along the normal, in the previous iteration
     Vec3 force;            // all that has acted on the particle
     double stiffness = 0;  // kg
-    double drag = 0;       // kg, of friction that is a spring
-    Vec3 way;              // unit, in which it slides
+    double drag = 0;       // kg, of friction as a spring
+    Vec3 way;              // unit, sliding direction
 };
 
-/// What contacts add to the equation of a particle.
+/// The contribution of contacts to the equation of a particle.
 struct ContactTerm {
     Vec3 x, y, z;  // columns of the matrix
     Vec3 force;
@@ -50,28 +50,28 @@ class RopeContacts {
 public:
     explicit RopeContacts(std::pmr::memory_resource* memory) : contacts_(memory), first_(memory), balls_(memory) {}
 
-    /// Room for a rope. Throws std::bad_alloc.
+    /// Allocates memory for a rope. Throws std::bad_alloc.
     void reserve(uint32_t particles);
-    /// Before the substeps of a step. Not beside models: only targets count.
+    /// Call before the substeps of a step. If not beside models, only targets count.
     void begin_step(const Body& body, bool beside_models);
     void search_again() { searched_ = !beside_models_; }
     bool beside_models() const { return beside_models_; }
-    /// Once the particles are predicted. False if one of them is in a solid deeper than it comes out at once.
+    /// Call after the prediction. Returns false if a particle is deeper in a solid than it can leave at once.
     bool begin(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 
     bool any(uint32_t particle) const { return first_[particle] < first_[particle + 1]; }
-    /// `mass`: of the particle, and what its links resist sideways.
+    /// `mass`: of the particle, plus the lateral stiffness of its links.
     ContactTerm term(const Body& body, uint32_t particle, double mass);
-    /// After an iteration. Whether all contacts are what they were taken for.
+    /// Call after an iteration. Returns whether the states of all contacts were right.
     bool update(const Body& body, int iteration);
-    /// After the last: out of what the iterations have left a particle in.
+    /// Call after the last iteration: moves particles out of contacts that they are still in.
     void keep_out(Body& body) const;
-    /// Once velocities have followed from the positions: the touches, the bounces, and what models get.
+    /// Call after the velocities have been computed: contact points, bounces, and impulses of models.
     void finish(Body& body, const CollisionContext& around, double quiet, const TimeScheme& scheme);
 
 private:
-    static constexpr uint32_t most_parts = 4;           // of a particle
-    static constexpr uint32_t bounds_per_particle = 2;  // of a rope with targets, its first: the ball and the backstop
+    static constexpr uint32_t most_parts = 4;           // per particle
+    static constexpr uint32_t bounds_per_particle = 2;  // with targets: ball and backstop, which come first
 
     struct Ball {
         Vec3 center;
@@ -103,8 +103,8 @@ private:
     const Scene* scene_ = nullptr;
     bool beside_models_ = false, searched_ = false, active_ = false;
     bool bounded_ = false;          // whether the rope has targets
-    Vector<RopeContact> contacts_;  // by particle, bounds of targets included
-    Vector<uint32_t> first_;        // in contacts_, of each particle and of none behind the last
+    Vector<RopeContact> contacts_;  // by particle, including the bounds of targets
+    Vector<uint32_t> first_;        // index of each particle's first contact, and the end
     Vector<Ball> balls_;
     ClosestFeatures parts_;
     Sphere probes_[ClosestFeatures::most_points];

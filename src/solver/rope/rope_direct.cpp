@@ -1,6 +1,5 @@
-// Chains, solved as a whole: Newton's method on positions and tensions together, with geometric
-// stiffness (Tournier et al. 2015, "Stable constrained dynamics"; Deul et al. 2018, "Direct
-// position-based solver for stiff rods").
+// Chains, solved directly: Newton's method on positions and tensions together, with geometric stiffness (Tournier et
+// al. 2015, "Stable constrained dynamics"; Deul et al. 2018, "Direct position-based solver for stiff rods").
 //
 // A substep ends where, for each particle i and each link j from particle j to j + 1,
 //
@@ -13,19 +12,19 @@
 //     [ m_i + K_(i-1) + K_i    n_(i-1) ]         coupled to the     [ -K_i   -n_i ]
 //     [ n_(i-1)^T              -r      ]         next block by      [  0       0  ]
 //
-// K, the geometric stiffness, is what keeps a taut rope straight while it swings: without it the
-// step overshoots sideways once the load is a thousand times a link's mass. The matrix is symmetric
-// and quasi-definite, so elimination without pivoting succeeds (Vanderbei 1995).
+// K, the geometric stiffness, keeps a taut rope straight while it swings. Without it the step overshoots sideways once
+// the load is a thousand times a link's mass. The matrix is symmetric and quasi-definite, so elimination without
+// pivoting succeeds (Vanderbei 1995).
 //
-// A link that only pulls has t_j >= 0, and is shorter than the above only if t_j = 0. Each iteration
-// counts those that a tension t_j + error_j / (w_a + w_b) > 0 would hold as links, the others as absent
-// (the primal-dual active set; Hintermueller, Ito, Kunisch 2002).
+// A link that only pulls has t_j >= 0, and may be shorter than its rest length if t_j = 0. Each iteration treats it as
+// a link if t_j + error_j / (w_a + w_b) > 0, and as absent otherwise (primal-dual active set; Hintermueller, Ito,
+// Kunisch 2002).
 //
-// rope_kernels.cpp has the same equations for one or eight ropes that nothing disturbs, with blocks of 3 x 3, which is
-// cheaper: a step of a free rope of 30 links takes 1.1 million instructions here, 0.26 there with one lane, 0.08 with
-// eight. It stays beside this file because its blocks, diagonal plus multiples of n n^T, leave no place for contact
-// planes, friction and limits, which couple the coordinates of a particle anyhow; and because its sums are others: each
-// taken for the other changes the last bits.
+// rope_kernels.cpp solves the same equations for one or eight undisturbed ropes, with blocks of 3 x 3, which is less
+// work: a step of a free rope of 30 links takes 1.1 million instructions here, 0.26 there with one lane, 0.08 with
+// eight. This file stays, because the blocks there, diagonal plus multiples of n n^T, cannot include contact planes,
+// friction and limits, which couple the coordinates of a particle. Its sums also differ, so replacing one file by the
+// other would change the last bits.
 #include "solver/body.h"
 #include "solver/rope/rope.h"
 #include "solver/rope/rope_contacts.h"
@@ -35,27 +34,27 @@
 namespace gphys {
 namespace {
 
-// Newton's error squares itself in each iteration; two do for a swinging rope, four for a whip.
+// Newton's method squares the error in each iteration: two iterations do for a swinging rope, four for a whip.
 constexpr int most_iterations = 4;
-// While it has to be found which links pull, one may change in each iteration.
+// With links that only pull, the active ones must be found, too; one may change in each iteration.
 constexpr int most_limited_iterations = 16;
-// And while it has to be found what presses and what friction holds.
+// With contacts, the active ones and those that friction holds must be found, too.
 constexpr int most_contact_iterations = 16;
-// A link is settled within this part of its length: below it float32 output shows no difference.
+// A link is settled within this fraction of its length. Smaller errors do not show in float32.
 constexpr double settled = 1e-9;
 
 struct Link {
     Vec3 direction;        // unit
-    double error = 0;      // metres too long
+    double error = 0;      // metres, > 0: too long
     double stiffness = 0;  // k
     double softness = 1;   // r: of compliance and regularisation
-    bool acts = false;     // not between two pins
+    bool acts = false;     // false between two pins
 
     /// K v
     Vec3 geometric(Vec3 v) const { return (v - direction * dot(direction, v)) * stiffness; }
 };
 
-/// Links of a chain as they stand, with the inverse square of the step beside them.
+/// The links of a chain in their present state, and the inverse square of the step.
 struct ChainView {
     const Body& body;
     const Chain& chain;
@@ -72,7 +71,7 @@ struct ChainView {
         if (!out.acts) return out;
         const Vec3 along = body.particles.position[b] - body.particles.position[a];
         const double length = gphys::length(along);
-        // Coincident particles part along a fixed axis: any direction is as good.
+        // Coincident particles separate along a fixed axis; any direction will do.
         out.direction = length > 0 ? along / length : Vec3{1, 0, 0};
         out.error = length - body.rope.target[index];
         if (plan.limit[index] && body.rope.tension[index] * inverse_masses + out.error <= 0) return Link{};
@@ -94,7 +93,7 @@ struct Factors {
         for (int j = 0; j < 4; ++j) {
             pivot[j] = m[j][j];
             for (int k = 0; k < j; ++k) pivot[j] -= lower[j][k] * lower[j][k] * pivot[k];
-            inverse_pivot[j] = pivot[j] != 0 ? 1 / pivot[j] : 0;  // 0 for a row that depends on those before
+            inverse_pivot[j] = pivot[j] != 0 ? 1 / pivot[j] : 0;  // 0 if the row depends linearly on earlier ones
             for (int i = j + 1; i < 4; ++i) {
                 double sum = m[i][j];
                 for (int k = 0; k < j; ++k) sum -= lower[i][k] * lower[j][k] * pivot[k];
@@ -116,11 +115,11 @@ struct Factors {
 
 Vec3 column(const DirectRow& row, int c) { return {row.next[0][c], row.next[1][c], row.next[2][c]}; }
 
-/// Eliminate from the first particle to the last. Writes one row per particle.
+/// Eliminates from the first particle to the last. Writes one row per particle.
 void eliminate(const ChainView& view, DirectRow* rows, RopeContacts* contacts) {
     const Body& body = view.body;
     Link arriving;        // none arrives at the first particle
-    bool joined = false;  // the particle before is free, so that its row couples to this one
+    bool joined = false;  // the previous particle is free, so its row couples to this one
     for (uint32_t i = 0; i <= view.chain.link_count; ++i) {
         const uint32_t p = view.particle(i);
         const Link leaving = i < view.chain.link_count ? view.link(i) : Link{};
@@ -147,7 +146,7 @@ void eliminate(const ChainView& view, DirectRow* rows, RopeContacts* contacts) {
         double violation = arriving.acts ? -arriving.error : 0;
         Vec3 nx = n;
         if (joined && arriving.acts) {
-            // Subtract what the particle before has already taken: coupling * its solved row.
+            // Subtract the contribution of the previous particle: coupling * its solved row.
             const DirectRow& before = rows[i - 1];
             const Vec3 d = arriving.direction;
             const Vec3 value{before.value[0], before.value[1], before.value[2]};
@@ -185,7 +184,7 @@ void eliminate(const ChainView& view, DirectRow* rows, RopeContacts* contacts) {
     }
 }
 
-/// Substitute from the last particle to the first; rows[i].value becomes the solution.
+/// Substitutes from the last particle to the first; rows[i].value becomes the solution.
 void substitute(const Chain& chain, DirectRow* rows) {
     for (uint32_t i = chain.link_count; i-- > 0;) {
         for (int r = 0; r < 4; ++r) {
@@ -194,8 +193,8 @@ void substitute(const Chain& chain, DirectRow* rows) {
     }
 }
 
-/// No iteration moves a particle further than the chain is long, as placed and at rest together:
-/// no valid correction is, and what remains of an infeasible system after regularisation might be.
+/// The fraction of the solution to apply. No iteration moves a particle by more than the length of the chain, as placed
+/// and at rest together. No valid correction is larger, but that of an infeasible system may be after regularisation.
 double step_fraction(const ChainView& view, const DirectRow* rows) {
     double reach = 0, longest = 0;
     for (uint32_t i = 0; i <= view.chain.link_count; ++i) {
@@ -210,7 +209,7 @@ double step_fraction(const ChainView& view, const DirectRow* rows) {
     return longest > reach ? reach / longest : 1;
 }
 
-/// By how many metres a link is longer than its tension says.
+/// By how many metres a link is longer than its tension implies.
 double misfit(const ChainView& view, uint32_t i) {
     const Link link = view.link(i);
     return link.acts ? std::fabs(link.error - link.softness * view.body.rope.tension[view.chain.first_link + i]) : 0;
@@ -225,7 +224,7 @@ bool is_settled(const ChainView& view) {
     return true;
 }
 
-/// A link without a length has no part of it to be off by.
+/// A link of zero length has no relative error.
 bool is_found(const ChainView& view) {
     for (uint32_t i = 0; i < view.chain.link_count; ++i) {
         const double target = view.body.rope.target[view.chain.first_link + i];
@@ -234,7 +233,7 @@ bool is_found(const ChainView& view) {
     return true;
 }
 
-/// Whether the lengths of all links have been found.
+/// Returns whether the lengths of all links have been found.
 bool solve_chain(Body& body, const Chain& chain, double step, RopeContacts* contacts) {
     const ChainView view{body, chain, 1 / (step * step)};
     DirectRow* rows = body.rope.rows.data();
@@ -265,7 +264,7 @@ void set_targets(Body& body, const Chain& chain) {
     const double* const rest = body.rope.damped_rest.data() + chain.first_link;
     double* const target = body.rope.target.data() + chain.first_link;
     const auto at = [&](uint32_t i) { return body.particles.position[plan.particles[chain.first_particle + i]]; };
-    uint32_t pin = chain.link_count + 1;  // the last one passed; none yet
+    uint32_t pin = chain.link_count + 1;  // the last pin passed; none yet
     double total = 0;
     bool rigid = true;
     for (uint32_t i = 0; i <= chain.link_count; ++i) {
@@ -290,14 +289,14 @@ void set_targets(Body& body, const Chain& chain) {
 bool solve_directly(Body& body, double step) { return solve_with_contacts(body, step, nullptr); }
 
 bool solve_with_contacts(Body& body, double step, RopeContacts* contacts) {
-    // Tensions are kept in newtons, so that they are a good first guess whatever the next step is,
-    // and are times step^2 while they are solved for.
+    // Tensions are stored in newtons, so that they are a good initial guess whatever the next step is. They are times
+    // step^2 while they are solved for.
     for (double& tension : body.rope.tension) tension *= step * step;
     bool found = true;
     for (const Chain& chain : body.plan.chains) found = solve_chain(body, chain, step, contacts) && found;
     for (double& tension : body.rope.tension) {
         tension /= step * step;
-        if (!is_finite(tension)) tension = 0;  // and no guess for the next solution
+        if (!is_finite(tension)) tension = 0;  // NaN and infinity are no initial guess for the next solution
     }
     return found;
 }

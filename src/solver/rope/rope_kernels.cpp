@@ -1,8 +1,8 @@
-// Newton on all positions and tensions of a rope, as rope_direct.cpp has it, by elimination of one node
-// after the other. The geometric stiffness k (1 - n n^T) of a link acts as k in all directions if its
-// tension t is counted as t' = t - k n.u, where u is how its ends move apart: its row
-// n.u - r t = -error becomes (1 - r k) n.u - r t' = -error. A link then couples two nodes by numbers
-// and vectors instead of matrices, and what a node passes on is the inverse of a symmetric 3 x 3 matrix.
+// Newton's method on all positions and tensions of a rope, as in rope_direct.cpp, by elimination of one node after the
+// other. The geometric stiffness k (1 - n n^T) of a link acts as k in all directions if its tension t is replaced by t'
+// = t - k n.u, where u is the relative displacement of its ends: its row n.u - r t = -error becomes (1 - r k) n.u - r
+// t' = -error. Then a link couples two nodes by numbers and vectors instead of matrices, and a node passes on the
+// inverse of a symmetric 3 x 3 matrix.
 #include "solver/rope/rope_nodes.h"
 
 #include "foundation/compiler.h"
@@ -11,12 +11,12 @@ namespace gphys::GPHYS_ISA {
 
 namespace {
 
-// Newton's error squares itself in each iteration; two do for a swinging rope, four for a whip.
+// Newton's method squares the error in each iteration: two iterations do for a swinging rope, four for a whip.
 constexpr int most_iterations = 4;
-// Coincident particles part along x. Beside any other difference of coordinates it is lost, and its
-// square is still a double.
+// Coincident particles separate along x. Added to any other difference of coordinates it is lost, and its square is
+// still a double.
 constexpr double aside = 1e-150;
-// GPHYS_MAX_COORDINATE, which is a float: where a node that leaves the range of coordinates stops.
+// GPHYS_MAX_COORDINATE, as a float: a node that leaves the range of coordinates stops there.
 constexpr double farthest = 1e15f;
 
 template <class Value>
@@ -26,7 +26,7 @@ struct Symmetric3 {
     Vec<Value> operator*(const Vec<Value>& v) const {
         return {xx * v.x + xy * v.y + xz * v.z, xy * v.x + yy * v.y + yz * v.z, xz * v.x + yz * v.y + zz * v.z};
     }
-    /// one / this, by L D L^T: of a pinned node, whose one is 0, the inverse is 0.
+    /// one / this, by L D L^T. For a pinned node, whose one is 0, the inverse is 0.
     Symmetric3 inverse(const Value& one) const {
         const Value ix = one / xx, lyx = xy * ix, lzx = xz * ix;
         const Value iy = one / (yy - lyx * xy), below = yz - lyx * xz, lzy = below * iy;
@@ -36,7 +36,7 @@ struct Symmetric3 {
     }
 };
 
-/// Where a node would go without constraints, and where Newton begins: as motion, constraints included, goes on.
+/// The prediction without constraints, and Newton's initial guess: the previous motion, with constraints, continued.
 template <class Value>
 struct Course {
     Vec<Value> history, predicted, onward;
@@ -67,7 +67,7 @@ Course<Doubles<lanes>> by_trapezoid(const RopeNode<lanes>& node, const RopeStep<
     const Vec<Value> rate = fall + force * load(node.inverse_mass) - velocity * load(step.damping);
     const Vec<Value> history = at + velocity * h;
     const Vec<Value> falling = (velocity + (rate + fall) * h) * load(step.drag);
-    // The rule's step h is half of the time that passes.
+    // The step h of the trapezoid rule is half of the time that passes.
     return {history, history + falling * h, at + (velocity + rate * h) * (h + h)};
 }
 
@@ -126,12 +126,12 @@ template <class Value>
 struct Link {
     Vec<Value> direction;
     Value stiffness;  // k
-    Value error;      // metres too long
+    Value error;      // metres, > 0: too long
     Value softness;   // r: of compliance and regularisation
     Value rigid;      // 1 - r k
 };
 
-/// Elimination from the first node to the last. Returns how long the rope is, as placed and at rest together.
+/// Eliminates from the first node to the last. Returns the length of the rope, as placed and at rest together.
 template <int lanes>
 Doubles<lanes> eliminate(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& step) {
     using Value = Doubles<lanes>;
@@ -164,7 +164,7 @@ Doubles<lanes> eliminate(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<
             store3(node.direction, leaving.direction);
             store(node.stiffness, leaving.stiffness);
         }
-        // What the nodes before make of the coupling by the link that arrives.
+        // The contribution of the previous nodes, through the coupling by the arriving link.
         const Value k = arriving.stiffness, k_squared = k * k, mass = load(node.mass);
         const Vec<Value> n = arriving.direction, v = before * n, q = n - v * k;
         const Value softness = arriving.softness + arriving.rigid * dot(n, v);
@@ -194,8 +194,8 @@ Doubles<lanes> eliminate(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<
     return reach;
 }
 
-/// Substitution from the last node to the first, which moves lanes that are not settled. Returns those
-/// that are not after it: in which a link has moved across itself, which linearisation does not see.
+/// Substitutes from the last node to the first, and moves the lanes that are not settled. Returns those that are still
+/// not settled: in which a link has moved perpendicular to itself, which the linearisation neglects.
 template <int lanes, class Mask>
 Mask substitute(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& step, const Doubles<lanes>& reach,
                 const Mask& active) {
@@ -227,8 +227,8 @@ Mask substitute(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& s
         tension = load(node.own_tension) + dot(load3(node.pull), given);
         moved_next = moved;
     }
-    // No iteration moves a particle further than the rope is long, as placed and at rest together: no
-    // valid correction does, and what remains of an infeasible system after regularisation might.
+    // No iteration moves a particle by more than the length of the rope, as placed and at rest together. No valid
+    // correction is larger, but that of an infeasible system may be after regularisation.
     longest = square_root(longest);
     const Mask too_far = active & (reach < longest);
     if (any(too_far)) {
@@ -240,7 +240,7 @@ Mask substitute(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& s
     return (active & moving) | too_far;
 }
 
-/// Lanes in which a link is not as long as its tension says; one without a length has no part of it to be off by.
+/// The lanes in which the length of a link does not match its tension. A link of zero length has no relative error.
 template <int lanes>
 auto find_lost(const RopeNode<lanes>* nodes, uint32_t count) {
     using Value = Doubles<lanes>;
@@ -256,7 +256,7 @@ auto find_lost(const RopeNode<lanes>* nodes, uint32_t count) {
     return lost;
 }
 
-// Left to itself, gcc calls the operators on eight doubles, which are in memory then.
+// Otherwise gcc calls the operators on eight doubles, and passes them through memory.
 template <int lanes>
 GPHYS_FLATTEN void begin_all(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& step, bool trapezoid) {
     if (trapezoid) {

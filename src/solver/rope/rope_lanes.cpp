@@ -1,3 +1,4 @@
+// Undisturbed ropes, one or eight side by side, through all substeps of a step (rope_lanes.h).
 #include "solver/rope/rope_lanes.h"
 
 #include "solver/rope/rope.h"
@@ -35,7 +36,7 @@ RopeArrays arrays_of(Body& body, const Chain& chain, bool estimated) {
     return arrays;
 }
 
-/// Bodies side by side, of as many chains each. A lane without one has the first.
+/// Bodies side by side, all with the same number of chains. A lane without a body repeats the first one.
 template <int lanes>
 class Lanes {
 public:
@@ -49,7 +50,7 @@ public:
         std::fill_n(agility_, lanes, 0.0);
         for (size_t i = 0; i < chains(); ++i) put_chain(i);
     }
-    /// Which go in stages.
+    /// Chooses the lanes whose substeps have two stages.
     void choose() {
         for (uint32_t lane = 0; lane < count_; ++lane) {
             constexpr double most = most_turn_in_stages * most_turn_in_stages;
@@ -59,7 +60,7 @@ public:
         }
     }
 
-    /// Those of which this is so: all lanes go the same way.
+    /// Moves the chosen lanes only; all lanes use the same formula.
     void move_if(bool in_stages) {
         bool wanted[lanes] = {};
         for (uint32_t lane = 0; lane < count_; ++lane) wanted[lane] = bodies_[lane]->history.in_stages == in_stages;
@@ -84,7 +85,7 @@ private:
     size_t chains() const { return bodies_[0]->plan.chains.size(); }
     RopeNode<lanes>* nodes_of(size_t chain) const { return nodes_ + bodies_[0]->plan.chains[chain].first_particle; }
 
-    /// Returns how many nodes there are.
+    /// Returns the number of nodes.
     uint32_t list(size_t chain, RopeArrays (&ropes)[lanes]) const {
         uint32_t longest = 0;
         for (uint32_t lane = 0; lane < lanes; ++lane) {
@@ -142,7 +143,7 @@ private:
         }
     }
 
-    /// One part of a substep, of so many seconds.
+    /// Prepares one part of a substep, of `advance` seconds.
     void prepare(RopeStep<lanes>& part, uint32_t lane, double advance, bool trapezoid) {
         const double damping = bodies_[lane]->settings.damping;
         const TimeScheme scheme = trapezoid ? TimeScheme::trapezoid(advance) : TimeScheme(advance, earlier_step_[lane]);

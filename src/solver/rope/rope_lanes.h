@@ -1,6 +1,6 @@
-// Ropes that nothing disturbs during a step - no model is near, no other body - are moved through all its
-// substeps in the kernels' own form (rope_kernels.h), up to eight side by side. What becomes of a rope
-// does not depend on which others are beside it.
+// Undisturbed ropes: no model and no other body is near during a step. They are moved through all its substeps in the
+// layout of the kernels (rope_kernels.h), up to eight side by side. The result for a rope does not depend on the others
+// beside it.
 #pragma once
 
 #include "solver/body.h"
@@ -9,40 +9,40 @@
 
 namespace gphys {
 
-/// Room for the ropes of one worker.
+/// Memory of one worker for ropes.
 struct RopeRoom {
     explicit RopeRoom(std::pmr::memory_resource* memory) : one(memory), eight(memory), contacts(memory) {}
 
     Vector<RopeNode<1>> one;
     Vector<RopeNode<8>> eight;
-    RopeContacts contacts;  // of one that is moved alone
+    RopeContacts contacts;  // of a rope that is moved alone
 };
 
 struct StepOfRopes {
     Vec3 gravity;
     double dt;
     uint32_t substeps;
-    bool estimated;  // its error will be asked for
+    bool estimated;  // whether its error estimate is needed
 };
 
-/// A rope of the step under way.
+/// A rope in the step under way.
 struct UndisturbedRope {
     Body* body;
-    const Box* confines;  // that it has to stay in, or it might meet something; null: nothing to meet
-    bool stayed;          // and was found; otherwise it has not been moved
+    const Box* confines;  // the rope must stay in it to be undisturbed; null: anywhere
+    bool stayed;          // result: it did; otherwise it has not been moved
 };
 
 constexpr uint32_t ropes_together = 8;
-/// Longer ones are moved alone: eight of them would not stay in a processor's caches.
+/// Longer ropes are moved alone: eight of them would not stay in the caches.
 constexpr uint32_t longest_rope_together = 320;
 
-/// Whether the kernels take it: chains of links that neither only pull nor are damped, attached to no model.
+/// Whether the kernels support the body: its links are neither limits nor damped, and attached to no model.
 bool is_plain_rope(const Body& body);
-/// At most ropes_together, of one chain each if there are several, which start again all or none; the room holds the
-/// longest.
+/// Moves at most ropes_together ropes. Several ropes must have one chain each, and either all or none start again after
+/// an interruption. The memory must suffice for the longest.
 void move_ropes(UndisturbedRope* ropes, uint32_t count, RopeRoom& room, const StepOfRopes& step);
 
-/// Body::in_stages of any rope, before a step: whether it goes on without an interruption and moves calmly.
+/// Sets Body::in_stages of any rope, before a step: whether it continues without an interruption and moves calmly.
 void choose_stages(Body& body, RopeRoom& room, const StepOfRopes& step);
 
 }  // namespace gphys

@@ -1,4 +1,4 @@
-// From the arrays of bodies to nodes and back.
+// Conversion between the arrays of bodies and the nodes of kernels: gather and scatter with one rope per lane.
 #include "solver/rope/rope_nodes.h"
 
 #include <limits>
@@ -9,7 +9,7 @@ namespace gphys::GPHYS_ISA {
 
 namespace {
 
-/// The numbers at each rope's index(lane), `count` of them one behind the other.
+/// Loads the `count` consecutive numbers at each rope's index(lane).
 template <int count, int lanes, class Array, class Index>
 GPHYS_INLINE void load_each(const RopeArrays (&ropes)[lanes], Array RopeArrays::*array, const Index& index,
                             Doubles<lanes> (&to)[count]) {
@@ -103,7 +103,7 @@ GPHYS_FLATTEN void take_ropes(const RopeNode<lanes>* nodes, uint32_t count, cons
     const bool estimated = ropes[0].earlier_velocity;
     const auto take = [&](uint32_t i, const auto& is_wanted) {
         const RopeNode<lanes>& node = nodes[i];
-        double aside[3];  // for what is not
+        double aside[3];  // destination of lanes that are not stored
         const auto scatter = [&](double* RopeArrays::*array, const double(&from)[3][lanes]) {
             const Doubles<lanes> value[3] = {load(from[0]), load(from[1]), load(from[2])};
             store_components(
@@ -121,7 +121,7 @@ GPHYS_FLATTEN void take_ropes(const RopeNode<lanes>* nodes, uint32_t count, cons
             if (is_wanted(lane) && i + 1 < ropes[lane].count) ropes[lane].tension[i] = node.tension[lane];
         }
     };
-    // Mostly all are wanted and of one length, and nothing is to be asked about each.
+    // In most calls all lanes are wanted and of one length, so no branches are needed up to the shortest.
     for (uint32_t i = 0; i < shortest_rope; ++i) take(i, [](int) { return true; });
     for (uint32_t i = shortest_rope; i < count; ++i) {
         take(i, [&](int lane) { return wanted[lane] && i < ropes[lane].count; });

@@ -1,7 +1,6 @@
-// Ropes with links that only pull. While all links of a particle are slack it flies, exactly. When a
-// rigid one becomes taut within a substep, the ends lose the speed at which they part: an inelastic
-// impact, solved for all taut links of the chain together, which takes from the velocities the part
-// along the links and nothing else.
+// Ropes with links that only pull (unilateral constraints). A particle whose links are all slack flies exactly. When a
+// rigid link becomes taut within a substep, its ends lose the speed at which they separate: an inelastic impact. It is
+// solved for all taut links of the chain together, and takes only the velocity along the links.
 #include "solver/rope/rope_limits.h"
 #include "solver/contact/collision.h"
 #include "solver/particles/flight.h"
@@ -10,14 +9,14 @@
 namespace gphys {
 namespace {
 
-// A link is slack if it lacks this part of its length: ten times what a solved one may lack.
+// A link is slack if it is shorter by this fraction of its length, ten times the error of a solved one.
 constexpr double slack = 1e-8;
 
 bool is_slack(const Plan& plan, const Vector<Vec3>& position, uint32_t a, uint32_t b, uint32_t link) {
     return plan.limit[link] && distance(position[a], position[b]) < plan.rest[link] * (1 - slack);
 }
 
-/// Links of a chain that hold rigidly at the end of the substep.
+/// The links of a chain that are rigid at the end of the substep.
 struct TautLinks {
     Body& body;
     const CollisionContext& around;
@@ -39,7 +38,7 @@ struct TautLinks {
     }
     Vec3 direction(uint32_t i) const { return link_direction(body.particles, particle(i), particle(i + 1)); }
 
-    /// Impulses p_j along the links after which no taut one changes its length, by elimination:
+    /// Impulses p_j along the links after which no taut link changes its length, by Thomas's algorithm:
     ///   -c_j p_(j-1) + (w_j + w_(j+1)) p_j - c_(j+1) p_(j+1) = rate_j,   c_j = w_j (n_(j-1) . n_j)
     void stop() const {
         // Keeps the pivot of a straight chain between two pins from zero.
@@ -78,7 +77,7 @@ struct TautLinks {
             const Vec3 pull = direction(i) * impulse;
             body.particles.velocity[a] += pull * body.particles.inverse_mass[a];
             body.particles.velocity[b] -= pull * body.particles.inverse_mass[b];
-            // Of what the anchors get of a link, its velocities have changed by this part only.
+            // Drag has kept only this fraction of the force that the anchors got from the link.
             const double part = scheme.drag(body.settings.damping);
             const Vec3 given = pull - link_impulse(body, a, b, chain.first_link + i, scheme) * (1 - part);
             if (body.particles.pinned(a)) add_anchor_impulse(body, around, a, given);

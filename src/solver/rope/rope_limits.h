@@ -9,7 +9,8 @@ struct Body;
 struct CollisionContext;
 struct TimeScheme;
 
-/// After the prediction, and after the new velocities. Whether a link has become taut.
+/// predict_flying: call after the prediction; capture: after the new velocities. capture returns whether a link has
+/// become taut.
 void predict_flying(Body& body, Vec3 gravity, double h);
 bool capture(Body& body, const CollisionContext& around, const TimeScheme& scheme);
 

@@ -1,4 +1,4 @@
-// What the kernels of ropes have in common.
+// Common parts of the rope kernels.
 #pragma once
 
 #include "foundation/simd_double.h"
@@ -16,7 +16,7 @@ void store3(double (&to)[3][lanes], const Vec<Value>& v) {
     store(to[0], v.x), store(to[1], v.y), store(to[2], v.z);
 }
 
-// rope_layout_kernels.cpp and stages_kernels.cpp, as RopeKernelsOf has them.
+// Defined in rope_layout_kernels.cpp and stages_kernels.cpp; documented in RopeKernelsOf.
 template <int lanes>
 void put_ropes(RopeNode<lanes>* nodes, uint32_t count, const RopeArrays (&ropes)[lanes], const double (&gravity)[3]);
 template <int lanes>

@@ -1,13 +1,12 @@
-// One substep of a rope, or of any other body that is solved as a whole, on its own: where its particles would go,
-// the links (rope_direct.cpp), velocities, contacts, and the links again beside those.
+// One substep of a single rope, or of any other body that is solved directly: prediction, links (rope_direct.cpp),
+// velocities, contacts, and the links again beside the contacts.
 //
-// Time scheme of constrained bodies: the backward differentiation formula of second order for
-// unequal steps, with constraint forces at the end of the substep. Unlike a position difference
-// alone (backward Euler), which takes 9 % of the energy of a pendulum in a second, its damping is of
-// third order in the step, and it is stable however stiff the constraints are (A- and L-stable).
-// Ropes that move calmly go by the trapezoid rule in the first part of each substep (stages_kernels.cpp), which
-// leaves a seventh of the error for twice the work.
-// After an interruption - a contact, a change by the caller - one step of backward Euler restarts it.
+// Time scheme of constrained bodies: the backward differentiation formula of second order (BDF2) for unequal steps,
+// with constraint forces at the end of the substep. Backward Euler takes 9 % of the energy of a pendulum in a second.
+// The damping of BDF2 is of third order in the step, and it is stable for any stiffness of the constraints (A- and
+// L-stable). Ropes that move calmly use the trapezoid rule in the first part of each substep (TR-BDF2;
+// stages_kernels.cpp), which leaves a seventh of the error for twice the work. After an interruption (a contact, or a
+// change by the caller) one step of backward Euler restarts the scheme.
 #include "solver/contact/collision.h"
 #include "solver/contact/leave_solids.h"
 #include "solver/motion.h"
@@ -20,7 +19,7 @@ namespace gphys {
 
 namespace {
 
-/// By particle, the force of its links in newtons.
+/// By particle: the sum of the forces of its links, in newtons.
 void sum_tensions(const Body& body, Vector<Vec3>& forces) {
     forces.assign(body.particles.size(), Vec3{});
     for (const Chain& chain : body.plan.chains) {
@@ -60,7 +59,7 @@ void predict_chains(Body& body, const TimeScheme& scheme, Vec3 gravity) {
     body.history.predicted = body.particles.position;
 }
 
-/// At the beginning of the substep.
+/// The speed at which the ends of a link separate, at the beginning of the substep.
 double parting_speed(const History& history, uint32_t a, uint32_t b) {
     const Vec3 along = history.start[b] - history.start[a];
     const double length = gphys::length(along);
@@ -150,7 +149,7 @@ void add_tension_impulses(Body& body, const CollisionContext& around, const Time
 
 namespace {
 
-/// Out of what the rope is in. Its tensions are those that move it, and stay.
+/// Moves the rope out of models that it is in. Its tensions are kept, because they belong to its motion.
 void leave_solids(Body& body, const CollisionContext& around, double step) {
     if (!body.contacts.sunk || !begin_leaving(body, around)) return;
     body.rope.earlier_tension = body.rope.tension;
@@ -161,7 +160,8 @@ void leave_solids(Body& body, const CollisionContext& around, double step) {
     end_leaving(body, around, found);
 }
 
-/// What they meet on their way, and the links again beside that. `limits`: what holds them to their targets, or null.
+/// Collides the particles with models, and then solves the links again beside the contacts. `limits`: the bounds of
+/// animation targets, or null.
 void collide_with_models(Body& body, RopeContacts* limits, const CollisionContext& around, Vec3 gravity,
                          const TimeScheme& scheme) {
     const double step = scheme.step(body.settings.damping), quiet = quiet_speed(gravity, scheme.advance);
@@ -171,20 +171,20 @@ void collide_with_models(Body& body, RopeContacts* limits, const CollisionContex
         pin_contacts(body);
         solve_with_contacts(body, step, limits);
         unpin_contacts(body);
-        // What a shape at the border pushes out, and what hangs on it, may have left the range.
+        // Particles pushed out by a shape at the border, and others linked to them, may have left the range.
         for (uint32_t p = 0; p < body.particles.size(); ++p)
             keep_in_range(body.particles.position[p], body.particles.velocity[p], body.history.start[p]);
         collide_again(body, around, quiet, {step, scheme.next / scheme.h});
     }
 }
 
-/// How the next substep begins.
+/// Decides how the next substep begins.
 void end_motion(Body& body, bool captured, const TimeScheme& scheme) {
     body.contacts.has_contact = body.contacts.has_contact || !body.targets.reached.empty();
     body.history.earlier_step = body.contacts.has_contact || captured ? 0 : scheme.advance;
 }
 
-/// Once they are solved.
+/// The rest of a substep, after the links are solved.
 void end_chains(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme) {
     finish_chains(body, scheme);
     const bool captured = body.plan.limited && capture(body, around, scheme);
@@ -194,7 +194,7 @@ void end_chains(Body& body, const CollisionContext& around, Vec3 gravity, const 
     end_motion(body, captured, scheme);
 }
 
-/// The same of a rope that has been solved with its contacts.
+/// The same for a rope that was solved together with its contacts.
 void end_with_contacts(Body& body, RopeContacts& contacts, const CollisionContext& around, Vec3 gravity,
                        const TimeScheme& scheme) {
     finish_chains(body, scheme, &contacts);
@@ -224,8 +224,8 @@ bool began_in_shape(const Body& body) {
     return true;
 }
 
-/// Gives links that are far from their lengths, as the caller has placed them, these before the rope moves: in a
-/// substep that would take a speed which throws the rope about. Once it is predicted.
+/// Call after the prediction. Gives links whose lengths are far off, as the caller has placed them, their lengths
+/// before the rope moves. Correcting them within the substep would give the rope a violent speed.
 void restore_shape(Body& body, RopeContacts& contacts, double step) {
     body.rope.solved = body.history.predicted;
     body.history.predicted = body.particles.position = body.history.start;
@@ -241,17 +241,17 @@ void restore_shape(Body& body, RopeContacts& contacts, double step) {
         body.history.earlier[p] += way;
         body.particles.position[p] = body.history.predicted[p] = body.rope.solved[p] + way;
     }
-    contacts.search_again();  // from where they are now
+    contacts.search_again();  // from the new positions
 }
 
-/// Of a rope alone.
+/// A single rope, for move_in_halves.
 struct RopeMotion {
     Body& body;
     const Vec3 gravity;
     bool leans;  // by the trapezoid rule; never in halves
     RopeContacts* const contacts;
     TimeScheme scheme{1, 0};
-    bool beside = false;  // whether contacts are solved for together with the links
+    bool beside = false;  // whether contacts are solved together with the links
 
     void begin(const CollisionContext& around, double h) {
         scheme = leans ? TimeScheme::trapezoid(h) : TimeScheme(h, body.history.earlier_step);
@@ -287,7 +287,7 @@ void move_rope(Body& body, const CollisionContext& around, Vec3 gravity, double 
         move_in_halves(motion, within, part);
     };
     const auto move_part = [&](const CollisionContext& within, double part) { move_by(within, part, false); };
-    // How calm it is after an interruption shows in the next step.
+    // After an interruption, the next step decides whether it is calm.
     if (body.history.earlier_step == 0) body.history.in_stages = false;
     if (starts_again(body)) {
         start_slowly(around, h, move_part);

@@ -1,7 +1,7 @@
-// Whether the substeps of a rope are made in two stages, by the trapezoid rule and the backward formula
-// (TimeScheme). The rule damps nothing: where a link turns by more than half a radian in a substep, or begins to,
-// or would swing by more than one if its ends were pushed aside, it adds energy; and a stiff spring that would swing
-// by more, as one that a string becomes when it is taut, goes on swinging.
+// Decides whether the substeps of a rope have two stages, the trapezoid rule and the backward formula (TR-BDF2, see
+// TimeScheme). The trapezoid rule damps nothing. It adds energy where a link turns by more than half a radian in a
+// substep, or begins to, or would swing by more than one radian if its ends were displaced. And a stiff spring that
+// would swing by more, such as a taut elastic string, keeps oscillating.
 #include "solver/rope/rope_nodes.h"
 
 #include "foundation/compiler.h"
@@ -10,12 +10,13 @@ namespace gphys::GPHYS_ISA {
 
 namespace {
 
-// What swinging, sideways or along, and turning faster count beside turning.
+// Weight of swinging, sideways or along, and of faster turning, relative to turning.
 constexpr double swing_weight = 0.25;
-// The square of how much longer a substep is than its last part, in which a link has begun to turn faster.
+// The squared ratio of a substep to its last part, in which a link has begun to turn faster.
 constexpr double faster_weight = 6;
 
-/// What hangs from a link that is slack for a moment may pull at it before the step is over.
+/// The weight that hangs from a link, in newtons: a link that is slack at the moment may become loaded by it within the
+/// step.
 template <int lanes>
 Doubles<lanes> weight_of(const RopeNode<lanes>& node) {
     const Vec<Doubles<lanes>> acceleration = load3(node.acceleration);
@@ -24,7 +25,7 @@ Doubles<lanes> weight_of(const RopeNode<lanes>& node) {
 
 }  // namespace
 
-/// Square of the turn per second of the link where it is largest.
+/// The largest square of a link's turning rate, 1/s^2.
 template <int lanes>
 GPHYS_FLATTEN void find_agility(const RopeNode<lanes>* nodes, uint32_t count, double (&agility)[lanes]) {
     using Value = Doubles<lanes>;
@@ -41,7 +42,7 @@ GPHYS_FLATTEN void find_agility(const RopeNode<lanes>* nodes, uint32_t count, do
         const Value swinging = swings * pull * mobility;
         const Value inverse = load(a.inverse_target);
         const Value sideways = largest(turning * inverse, swinging) * inverse;
-        // Where it is rigid nothing is divided by 0, which hosts may trap.
+        // Avoids a division by 0 for rigid links, because hosts may trap it.
         const auto yields = none < compliance;
         const Value along = select(yields, swings * mobility / select(yields, compliance, all_of<lanes>(1)), none);
         most = largest(most, largest(sideways, along) * load(a.present));
