@@ -1,9 +1,11 @@
+// Continuous collision of particles with models: sweeps, sliding with friction, bounces, and the contact points that a
+// step records (collision.h).
 #include "solver/contact/collision.h"
 
 namespace gphys {
 namespace {
 
-// A particle slides along this many models in one substep; in a corner it meets three.
+// A particle slides along this many models in one substep; a corner has three.
 constexpr int most_contacts = 6;
 
 }  // namespace
@@ -96,7 +98,7 @@ Vec3 Collider::way_out(const Body& body, uint32_t particle, gphys_model_id model
 }
 
 Vec3 Collider::way_out(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const {
-    // The scene has models that move where they stand at the end of the step.
+    // For the scene, a moving model is at its place at the end of the step.
     const Transform now = widen(around_.scene->world(impact.model));
     const Transform then = impact.moves ? place_of(impact.model, impact.time) : now;
     const Vec3 seen = impact.moves ? now.apply(then.inverse_apply(at)) : at;
@@ -115,8 +117,8 @@ double Collider::stop_short(const Body& body, uint32_t particle, Vec3 from, Vec3
     return approach * impact.t > largest_gap(room) ? impact.t - room / approach : 0;
 }
 
-// In point_count, while a step is under way: those of the step before in the upper half of the byte. They are
-// not cleared until they turn out to be gone, as what lies on something touches it again.
+// point_count holds two counts while a step is under way: in the upper half of the byte that of the step before. The
+// old points are only cleared once they turn out to be gone, because a particle at rest records the same ones again.
 namespace {
 
 constexpr uint32_t count_bits = 4, count_mask = (1 << count_bits) - 1;
@@ -130,7 +132,7 @@ uint32_t contact_point_count(const Body& body, uint32_t particle) {
 
 void begin_contact_points(Body& body, uint32_t first, uint32_t end) {
     if (body.contacts.point_count.empty()) return;
-    uint8_t* const counts = body.contacts.point_count.data();  // which, as bytes, might be anything's
+    uint8_t* const counts = body.contacts.point_count.data();  // hoisted: byte stores may alias
     for (uint32_t p = first; p < end; ++p) counts[p] = static_cast<uint8_t>(counts[p] << count_bits);
 }
 
@@ -186,14 +188,14 @@ Vec3 after_impact(Vec3 velocity, const Impact& impact, double restitution, doubl
 
 namespace {
 
-/// The coefficient for an impact, and whether it leaves the particle stuck: one that is held already is let go
-/// when that takes more than static friction, one that slides is caught when kinetic friction stops it.
+/// The friction coefficient of an impact. Also decides whether the particle sticks: one that sticks is released when
+/// holding it would exceed static friction, and one that slides is caught when kinetic friction stops it.
 double choose_friction(Body& body, uint32_t particle, const Impact& impact, double restitution) {
     const BodySettings& settings = body.settings;
     if (!settings.sticks()) return settings.friction;
     const Vec3 relative = body.particles.velocity[particle] - impact.surface_velocity;
     const double approach = -dot(relative, impact.normal), given = (1 + restitution) * approach;
-    if (approach <= 0) return settings.friction;  // of nothing
+    if (approach <= 0) return settings.friction;  // no impulse
     const double sideways = length(relative + impact.normal * approach);
     const double friction = body.contacts.stuck[particle] && sideways <= settings.static_friction * given
                                 ? settings.static_friction
@@ -283,7 +285,7 @@ void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement
     Vec3 at = from;
     const Vec3& velocity = body.particles.velocity[particle];
     for (int contact = 1;; ++contact) {
-        gphys_model_id within = 0;  // what is left at its own pace, and does not stop the particle meanwhile
+        gphys_model_id within = 0;  // left at a limited speed, and ignored meanwhile
         if (impact.inside) {
             const Vec3 out = way_out(body, particle, at, impact);
             const double depth = length(out);
@@ -297,7 +299,7 @@ void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement
                 record(body, particle, impact);
             }
         } else if (impact.moves && time < around_.end) {
-            // Along with the model to the end of the substep; what is left is motion beside it.
+            // Move with the model to the end of the substep; the remaining displacement is relative to it.
             const Vec3 hit = at + displacement * impact.t;
             impact = carried(impact);
             at = beside(body, particle, hit, impact);
@@ -313,7 +315,7 @@ void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement
         const bool was_stuck = body.settings.sticks() && body.contacts.stuck[particle];
         bounce(body, particle, impact, approach > quiet ? body.settings.restitution : 0);
         const bool stays = was_stuck && body.contacts.stuck[particle];
-        // What is left of the path goes along the surface, shortened by friction.
+        // The remaining displacement goes along the surface, shortened by friction.
         const double into = -dot(displacement, impact.normal);
         if (into > 0) {
             const Vec3 along = displacement + impact.normal * into;
@@ -323,7 +325,7 @@ void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement
         }
         if (contact > most_contacts) break;
         if (contact == most_contacts) displacement = {};
-        // What stays where it is may still be met by what moves.
+        // A moving model may still hit a particle that stays where it is.
         if (displacement == Vec3{} && (moving_count_ == 0 || time == around_.end)) break;
         impact = {};
         if (!sweep_others(particle, at, displacement, time, within, impact)) {
@@ -379,9 +381,9 @@ uint32_t most_links_of_a_particle(const Body& body) {
     return most;
 }
 
-/// Friction never holds a link stretched: what two contacts did to it is undone along the surfaces.
+/// Friction must not hold a link stretched: what two contacts did to its length is undone along the surfaces.
 void ease_links_between_contacts(const Collider& collider, Body& body) {
-    // Below this strain, which nobody sees, things that lie are left alone.
+    // Below this strain, which is invisible, resting particles are left alone.
     constexpr double slack = 1e-4;
     for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
         const DistanceConstraint& link = body.constraints.by_slot[slot];
@@ -396,8 +398,8 @@ void ease_links_between_contacts(const Collider& collider, Body& body) {
     }
 }
 
-/// What links pull a particle with that stays where it is goes to the model that holds it; what they had
-/// pulled it with before they were solved again has gone into its velocity, and come from there.
+/// The pulls of links on a particle that is held go to the model that holds it. Pulls from before the second solution
+/// are in its velocity, and are transferred from there.
 void add_impulses_through_held(Body& body, const CollisionContext& around, const SolvedAgain& again) {
     const auto add_to_holder = [&](uint32_t p, Vec3 impulse) {
         if (!body.contacts.held[p] || body.particles.pinned(p)) return;
@@ -440,7 +442,7 @@ void collide(Body& body, const CollisionContext& around, double quiet) {
 }
 
 void ease_contacts(Body& body, const CollisionContext& around) {
-    // Each link that meets at a particle moves it by less than the longest is long.
+    // Each link of a particle moves it by less than the longest link.
     const double way = most_links_of_a_particle(body) * longest_link(body);
     const Collider collider(around, body, swept_box(body, body.particles.position, body.particles.position, way));
     ease_links_between_contacts(collider, body);

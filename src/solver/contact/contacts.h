@@ -1,5 +1,5 @@
-// What the contacts of a body leave: which models its particles touch, which of them friction holds, and what models
-// have got from it.
+// The results of a body's contacts: the contact points of its particles, the particles that friction holds, and the
+// impulses on models.
 #pragma once
 
 #include "foundation/math.h"
@@ -9,15 +9,15 @@
 
 namespace gphys {
 
-/// A model that a particle touched in the last step; model 0 is none.
+/// A contact of a particle in the last step. Model 0: none.
 struct ContactPoint {
     gphys_model_id model = 0;
     uint32_t tag = 0;
     gphys_vec3 point{}, normal{};
 };
-constexpr uint32_t contact_points_per_particle = 4;  // a corner is three models; one more for good measure
+constexpr uint32_t contact_points_per_particle = 4;  // a corner has three models; one in reserve
 
-/// Of a body of free particles that workers may share: what it gives to models in a step.
+/// Part of a body of free particles, for one of several workers: its impulses on models in a step.
 struct FlightPart {
     explicit FlightPart(std::pmr::memory_resource* memory) : impulses(memory) {}
 
@@ -25,11 +25,11 @@ struct FlightPart {
     bool has_contact = false;
     Extent extent;
 };
-/// Particles in a part, some 0.3 ms of work: many times what it takes to hand it out.
+/// Particles in a part: some 0.3 ms of work, many times the cost of handing it out.
 constexpr uint32_t part_size = 16384;
 
-/// Of a body that collides with itself: where its particles were placed, and to which each is linked:
-/// linked[linked_begin[p] .. linked_begin[p + 1]], ascending.
+/// For a body that collides with itself: where its particles were placed, and the particles that each is linked to,
+/// ascending: linked[linked_begin[p] .. linked_begin[p + 1]].
 struct SelfCollision {
     explicit SelfCollision(std::pmr::memory_resource* memory) : placed(memory), linked_begin(memory), linked(memory) {}
 
@@ -47,17 +47,16 @@ struct Contacts {
           stuck(memory),
           self(memory) {}
 
-    Vector<ContactPoint> points;    // contact_points_per_particle each; empty until the body meets a scene
-    Vector<uint8_t> point_count;    // by particle: how many of its touches there are
+    Vector<ContactPoint> points;    // contact_points_per_particle each; empty until it has been in a scene
+    Vector<uint8_t> point_count;    // by particle: number of its contact points
     Vector<ModelImpulse> impulses;  // by model, of the last step
     Vector<FlightPart> parts;       // of free particles, if there are several; empty between steps
-    /// By particle: 0, or if it touched something in the substep under way one more than the place of the
-    /// last such in its touches.
+    /// By particle: 0, or 1 + the index of its last contact point in the substep under way.
     Vector<uint8_t> held;
-    Vector<uint32_t> stuck;    // by particle, if it sticks: whether friction has held it to a model, or it rests
-    bool has_contact = false;  // whether any did, unless the caller has interrupted the motion since
-    bool near = false;         // particles of it may touch others in this substep
-    bool sunk = false;         // some are in models, deeper than they come out at once, in this substep
+    Vector<uint32_t> stuck;    // by particle, if it sticks: whether friction holds it or it rests
+    bool has_contact = false;  // whether there was any, and the caller has not interrupted the motion since
+    bool near = false;         // its particles may be in contact with others in this substep
+    bool sunk = false;         // some particles are deeper in models than they can leave at once, in this substep
     SelfCollision self;
 };
 

@@ -1,3 +1,4 @@
+// Exact sweeps of spheres against a plane or a box in the cases that one face decides (flat_model.h).
 #include "solver/contact/flat_model.h"
 
 #include "scene/placed.h"
@@ -63,9 +64,9 @@ bool FlatModel::prepare(const Scene& scene, gphys_model_id model) {
     }
 }
 
-/// The grown box has flat faces where a face of the box is, and is round elsewhere. The path is in front
-/// of the faces that it begins beyond; the last one whose plane it gets through is where it enters the box
-/// grown without rounding. If that place is flat, it is where it enters the rounded one, which is inside.
+/// The Minkowski sum of box and sphere has flat faces where the box has faces, and is rounded elsewhere. The path
+/// starts in front of some faces. It enters the sharp enlarged box at the last of their planes that it crosses. If that
+/// point is on a flat face, it is also where the path enters the rounded box, which is inside the sharp one.
 TriState FlatModel::sweep(const Sphere& moving, Vec3 displacement, Hit& hit) const {
     Vec3 from = moving.center, way = displacement;
     if (turned_) {
@@ -116,7 +117,7 @@ Aabb FlatModel::rest(double radius, double gap, Vec3 displacement, double fricti
     if (length(along) > friction * face.into) return nowhere;
     Aabb place;
     for (int k = 0; k < 3; ++k) {
-        // Where it would slide to is on the face as well.
+        // The region excludes the border of the face, so that a sliding particle stays on it.
         const double room = std::fabs(along[k]), off = radius + gap, least = radius + gap / 2;
         place.min[k] = face.normal[k] > 0   ? face.place + least
                        : face.normal[k] < 0 ? -face.place - off
@@ -128,7 +129,7 @@ Aabb FlatModel::rest(double radius, double gap, Vec3 displacement, double fricti
     return place;
 }
 
-/// Of the equation n.x = d, each component of x is solved for, with the others as far as they go.
+/// Solves n.x = d for each component of x, with the other components at their extremes.
 Aabb FlatModel::part_of_plane(const Aabb& region) const {
     Aabb part = region;
     if (!turned_) {
@@ -143,7 +144,7 @@ Aabb FlatModel::part_of_plane(const Aabb& region) const {
     const double distance = dot(normal, middle), reach = dot(abs(normal), half);
     for (int k = 0; k < 3; ++k) {
         const double slope = std::fabs(normal[k]);
-        if (slope < 1e-3) continue;  // nearly along it: all of the region
+        if (slope < 1e-3) continue;  // almost parallel to the axis: keeps the whole region
         const double at = (region.min[k] + region.max[k]) / 2 - distance / normal[k];
         const double room = (reach - slope * half[k]) / slope;
         part.min[k] = std::max(part.min[k], at - room);

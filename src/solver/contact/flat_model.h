@@ -1,21 +1,21 @@
-// A plane or a box, prepared for the sweeps of many particles.
+// A plane or a box, prepared for sweeps of many particles.
 //
-// The scene places the shape anew for each question and answers all of it: faces, edges and corners, a
-// start within. Most particles pass by or meet a face that they were in front of, which takes a division;
-// what is not so simple stays open. A plane is a box of no thickness and infinite width.
+// A query of the scene transforms the shape each time and handles all cases: faces, edges, corners, and overlap at the
+// start. Most particles miss, or hit a face that they were in front of, which takes one division. Other cases remain
+// undecided here. A plane is a box of zero thickness and infinite width.
 #pragma once
 
 #include "scene/scene.h"
 
 namespace gphys {
 
-/// A face that something is pressed on, across one of the axes of the world.
+/// A face that a displacement presses on, perpendicular to a world axis.
 struct PressedFace {
     Vec3 normal;
     double place;  // along the normal
-    double into;   // metres by which it is pressed in a substep
+    double into;   // metres by which the displacement of a substep penetrates it
 
-    /// Where a sphere that is pressed so touches it.
+    /// The contact point of a sphere with this displacement.
     Vec3 point(const Sphere& moving, Vec3 displacement) const {
         const double gap = dot(normal, moving.center) - place - moving.radius;
         return moving.center + displacement * (gap / into) - normal * moving.radius;
@@ -24,16 +24,16 @@ struct PressedFace {
 
 class FlatModel {
 public:
-    /// False if the model is something else.
+    /// Returns false if the model is another shape.
     bool prepare(const Scene& scene, gphys_model_id model);
     /// As gphys::sweep of the shape.
     TriState sweep(const Sphere& moving, Vec3 displacement, Hit& hit) const;
-    /// Of a model that is not turned, the one on which a displacement presses most.
+    /// The face that a displacement presses on most; for a model without rotation.
     PressedFace pressed_face(Vec3 displacement) const;
-    /// Where a sphere that is pressed by so much in a substep lies on a face that is not turned, no further off than
-    /// some gap and no nearer than half of it, while friction holds it: a box for its centre, empty if nowhere.
+    /// The box of all centres at which a sphere rests on a face without rotation: between half of the gap and the gap
+    /// away from it, while friction holds it against `displacement` in a substep. Empty if there are none.
     Aabb rest(double radius, double gap, Vec3 displacement, double friction) const;
-    /// Of a plane: a box around the part of it that is in the region.
+    /// For a plane: a box around the part of it that is in the region.
     Aabb part_of_plane(const Aabb& region) const;
 
 private:
@@ -41,9 +41,9 @@ private:
     void place(const Aabb& box);
     void place(const Obb& box);
 
-    // Not initialised: there is room for many, and few are used.
+    // Not initialised: there are many, and few are used.
     bool turned_;
-    double low_[3], high_[3];  // corners, from the centre if it is turned
+    double low_[3], high_[3];  // corners; relative to the centre if it is rotated
     double center_[3], axes_[3][3];
 };
 

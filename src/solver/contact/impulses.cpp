@@ -7,7 +7,7 @@ namespace {
 
 bool before(const ModelImpulse& a, gphys_model_id model) { return a.model < model; }
 
-/// The sum for a model, from nothing if there is none; null if there is no room.
+/// The sum for a model, a new one if it has none; null if there is no room.
 ModelImpulse* sum_for(Vector<ModelImpulse>& sums, gphys_model_id model, uint32_t tag) {
     const auto sum = std::lower_bound(sums.begin(), sums.end(), model, before);
     if (sum != sums.end() && sum->model == model) return &*sum;
@@ -26,7 +26,7 @@ Vec3 place_of(const CollisionContext& around, gphys_model_id model) {
 
 void reserve_impulses(Body& body, size_t models_near) {
     const size_t wanted = models_near + body.constraints.attachments.size() + spare_impulses;
-    // Twice as many, so that no step allocates because one model more has come near.
+    // Twice as many, so that one more model nearby does not make a step allocate.
     const auto reserve = [&](Vector<ModelImpulse>& sums) {
         if (sums.capacity() < wanted) sums.reserve(2 * wanted);
     };

@@ -1,6 +1,6 @@
-// What bodies give to models: whatever a contact or an attachment does to the momentum of a particle is
-// done to the model the other way round. Each body keeps its sums by model, so that workers share
-// nothing; the solver adds those of all bodies in a fixed order when the step is over.
+// Impulses on models: the opposite of the momentum that a contact or an attachment gives to particles. Each body has
+// its own sums by model, so that workers share nothing. After the step the solver adds those of all bodies in a fixed
+// order.
 #pragma once
 
 #include "foundation/math.h"
@@ -12,7 +12,7 @@ namespace gphys {
 struct Body;
 struct CollisionContext;
 
-/// Sums of a step.
+/// Sums over a step.
 struct ModelImpulse {
     gphys_model_id model;
     uint32_t tag;  // the model's
@@ -20,31 +20,30 @@ struct ModelImpulse {
     Vec3 angular;  // N m s, about the model's position
 };
 
-/// In a step models are met that were not near when it began only if something has made particles many times
-/// faster; there is room for this many of them, and what further ones were given is not reported.
+/// Models that were not near at the beginning of a step are only hit if something has made particles many times faster.
+/// There is room for this many of them; impulses on more are not reported.
 constexpr uint32_t spare_impulses = 64;
 
-/// What contacts do, apart from moving particles: sums by model, and whether there were any. Of a body, or of a part
-/// of it that one of several workers moves.
+/// The output of contacts besides the motion of particles: sums by model, and whether there were any. For a body, or
+/// for the part of it that one of several workers moves.
 struct ImpulseAccumulator {
     Vector<ModelImpulse>& impulses;
     bool& has_contact;
 };
 
-/// Makes room, for the parts of a body as well; throws std::bad_alloc.
+/// Allocates memory, also for the parts of a body. Throws std::bad_alloc.
 void reserve_impulses(Body& body, size_t models_near);
-/// What the parts of a body have given, in their order.
+/// Adds the sums of the parts of a body, in their order.
 void add_parts(Body& body);
 
-/// At a point and with a moment about it, at the end of what `around` covers. Never allocates.
+/// Adds an impulse at a point and a moment about it, at the end of the substep of `around`. Never allocates.
 void add_impulse(Vector<ModelImpulse>& sums, const CollisionContext& around, gphys_model_id model, Vec3 point,
                  Vec3 impulse, Vec3 moment = {});
 void add_impulse(Body& body, const CollisionContext& around, gphys_model_id model, Vec3 point, Vec3 impulse,
                  Vec3 moment = {});
-/// By a particle that is held: to its model if it is attached to one, or else to nobody.
+/// Impulse of a pinned particle: to its model if it is attached to one, otherwise it is dropped.
 void add_anchor_impulse(Body& body, const CollisionContext& around, uint32_t particle, Vec3 impulse);
-/// The momentum that attached particles have, times `sign`, and what gravity and forces press them with in
-/// `seconds`.
+/// The momentum of attached particles, times `sign`, and the impulse of gravity and forces on them in `seconds`.
 void add_attached_impulses(Body& body, const CollisionContext& around, double sign, Vec3 gravity, double seconds);
 
 }  // namespace gphys

@@ -1,17 +1,17 @@
-// Ropes and cloth that are inside a solid: put there, or caught by a model that jumped.
+// Ropes and cloth that are inside a solid: placed there, or caught by a model that jumped.
 //
-// To put all their particles on the surface at once, each by the shortest way, would tear apart what links hold
+// Moving all particles to the surface at once, each along its minimum translation, would tear apart what links hold
 // together, and the links would throw them about. A body with constraints leaves at a bounded speed instead, and by
-// positions alone: at the end of a substep each particle that is in a solid is moved towards the surface by at most
-// `leaving_speed` times the substep, then all links are given their lengths back, with the particles' masses as
-// weights. No velocity follows from either, so leaving makes no kinetic energy but for what is left of strain. (That
-// positions and velocities are to be corrected apart: Guendelman, Bridson & Fedkiw 2003; a bound for the speed of
-// separation is common in engines.) In the substeps the solid holds what is in it where it is: nothing goes deeper,
-// so what has sunk a little into a floor does not fall through.
+// corrections of positions alone. At the end of a substep each particle in a solid moves towards the surface by at most
+// `leaving_speed` times the substep. Then all links get their lengths back, weighted by the masses of the particles.
+// Velocities do not change, so leaving creates no kinetic energy, except from the remaining strain. (Separate
+// correction of positions and velocities: Guendelman, Bridson & Fedkiw 2003; a bound for the speed of separation is
+// common in engines.) During the substeps the solid holds particles where they are. Nothing goes deeper, so a particle
+// slightly below a floor does not fall through.
 //
-// The depth of a point in a convex solid is a concave function, and so is the sum over all particles: they have no
-// minimum within, from which nothing would lead out, only maxima, such as the middle of a ball for a rope that lies
-// across it. Where the ways out contradict each other, all particles go aside together.
+// The depth in a convex solid is a concave function, and so is its sum over all particles. So they have no local
+// minimum inside, in which particles would be trapped, only maxima, such as the middle of a ball for a rope across it.
+// If the directions contradict each other, all particles move aside together.
 #include "solver/contact/leave_solids.h"
 #include "solver/contact/collision.h"
 #include "solver/quads.h"
@@ -19,7 +19,7 @@
 namespace gphys {
 namespace {
 
-/// The ways out of all particles that are in something.
+/// Directions out of solids, of all particles that are in one.
 class WaysOut {
 public:
     explicit WaysOut(double most) : most_(most) {}
@@ -29,9 +29,9 @@ public:
         ++count_;
     }
     bool any() const { return count_ > 0; }
-    /// Once all are added: how far a particle goes.
+    /// Once all are added: the displacement of a particle.
     Vec3 way(Vec3 normal, double depth) const {
-        // Unit, and along no axis of a model that stands upright.
+        // A unit vector along no axis of an upright model.
         constexpr Vec3 aside{0.48, 0.6, 0.64};
         constexpr double agreed = 0.25;
         const Vec3 mean = sum_ / count_;
@@ -48,8 +48,8 @@ private:
     uint32_t count_ = 0;
 };
 
-/// What friction holds around a few sunk particles would draw them back for ever. Where that strains no link much, they
-/// stay where they were to go, and draw along what is around them.
+/// Friction around a few sunk particles would pull them back again and again. Where that strains no link much, the
+/// particles stay at their aims, and pull along their neighbours.
 void keep_aims(Body& body) {
     constexpr double much = 0.02;
     Cloth& cloth = body.cloth;
@@ -80,7 +80,7 @@ void keep_aims(Body& body) {
     for (Neighbour& n : contacts.neighbours) n.aims = false;
 }
 
-/// No further than a part of a link, so that links turn little.
+/// At most a fraction of a link, so that links turn little.
 double within_links(double way, double link_length) { return link_length > 0 ? std::min(way, link_length / 4) : way; }
 
 double average_link(const Plan& plan) {
@@ -95,7 +95,7 @@ bool begin_leaving(Body& body, const CollisionContext& around) {
     const Collider collider(around, body, swept_box(body, body.particles.position, body.particles.position, 0));
     WaysOut ways(within_links(collider.most_push(), average_link(body.plan)));
     body.history.start = body.particles.position;
-    // visit(particle, normal, depth)
+    // Calls visit(particle, normal, depth).
     const auto each_within = [&](auto&& visit) {
         for (uint32_t p = 0; p < body.particles.size(); ++p) {
             if (body.particles.pinned(p) || !body.contacts.held[p]) continue;
@@ -116,11 +116,11 @@ void end_leaving(Body& body, const CollisionContext& around, bool lengths_found)
         body.particles.position = body.history.start;
         return;
     }
-    // Those at the border may have been pushed across it.
+    // Particles at the border of the range may have been pushed across it.
     for (uint32_t p = 0; p < body.particles.size(); ++p)
         keep_in_range(body.particles.position[p], body.particles.velocity[p], body.history.start[p]);
     if (!collides(body, around)) return;
-    // Others that links draw along stop at what is in their way.
+    // Particles that links have moved stop at models in their way.
     const Collider collider(around, body, swept_box(body, body.history.start, body.particles.position, 0));
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (body.particles.pinned(p) || (body.contacts.sunk && body.contacts.held[p])) continue;
@@ -133,7 +133,7 @@ void end_leaving(Body& body, const CollisionContext& around, bool lengths_found)
 }
 
 void leave_solids(Body& body, double h) {
-    // One leaves some hundredths of what the particles have been moved by.
+    // One sweep would leave some hundredths of the displacements as strain.
     constexpr int sweeps = 2;
     Cloth& cloth = body.cloth;
     ClothContacts& contacts = body.cloth.contacts;
@@ -154,7 +154,7 @@ void leave_solids(Body& body, double h) {
     for (Neighbour& n : contacts.neighbours) {
         if (n.depth == 0) stay_outside(body, n.particle);
     }
-    // Their contact planes follow them.
+    // The contact planes follow these particles.
     each_sunk([&](Neighbour& n, float* at, Vec3 normal) {
         ContactPlane& deepest = n.planes[n.sunk_most];
         deepest.offset = std::min(deepest.offset + n.depth, dot(normal, get(at)));

@@ -1,4 +1,4 @@
-// How bodies with constraints leave the models that they are in.
+// How bodies with constraints leave models that they are in.
 #pragma once
 
 #include "foundation/math.h"
@@ -8,11 +8,11 @@ namespace gphys {
 struct Body;
 struct CollisionContext;
 
-/// Around what gives links their lengths back, for a body that is not cloth, if it is sunk. False,
-/// and nothing is to be done, if none of its particles is in anything.
+/// Call before and after the links are solved, for a sunk body that is not cloth. begin_leaving returns false, and
+/// nothing remains to be done, if none of its particles is in a model.
 bool begin_leaving(Body& body, const CollisionContext& around);
 void end_leaving(Body& body, const CollisionContext& around, bool lengths_found);
-/// All of it for cloth, at the end of a substep of h seconds.
+/// The whole of it for cloth, at the end of a substep of h seconds.
 void leave_solids(Body& body, double h);
 
 }  // namespace gphys

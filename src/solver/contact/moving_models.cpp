@@ -1,7 +1,8 @@
-// Models that move during a step, as particles meet them.
+// Sweeps of particles against models that move during a step.
 //
-// A particle's path and a model's motion have one clock, so that a path that begins where another ended begins when
-// that ended as well: as seen from the model there are no gaps between them, and nothing gets past it.
+// The path of a particle and the motion of a model use the same clock. A path that starts where another one ended also
+// starts at the time at which that one ended. So, relative to the model, there are no gaps between paths, and no
+// particle gets through.
 #include "solver/contact/collision.h"
 
 namespace gphys {
@@ -24,7 +25,7 @@ Transform interpolate(const gphys_transform& from, const gphys_transform& to, do
 bool way_of(const Scene& scene, const PlacedModel& before, Box& out) {
     Box now;
     if (!scene.bounds(before.model, now)) return false;
-    // No part of it was further from its place than now, but by its scale.
+    // No part of the model was farther from its position than now, except for the change of scale.
     const gphys_transform& after = scene.world(before.model);
     const Vec3 at = widen(after.position), was = widen(before.world.position);
     double reach = 0;
@@ -46,7 +47,7 @@ void Collider::for_each_moving(Visit&& visit) const {
     }
 }
 
-/// What a model strikes is carried as far as that moves, and as far again if it bounces.
+/// A model carries a particle that it hits as far as it moves, and as far again if the particle bounces.
 Box Collider::way_of_struck(const Box& paths) const {
     const Aabb all = widen(paths);
     double furthest = 0;
@@ -56,7 +57,7 @@ Box Collider::way_of_struck(const Box& paths) const {
         for (const double part : {0.5, 1.0}) {
             const Transform then =
                 interpolate(before.world, after, around_.begin + (around_.end - around_.begin) * part);
-            for (int corner = 0; corner < 8; ++corner) {  // further than what is between them
+            for (int corner = 0; corner < 8; ++corner) {  // corners move farther than the points between them
                 const Vec3 at{corner & 1 ? all.min.x : all.max.x, corner & 2 ? all.min.y : all.max.y,
                               corner & 4 ? all.min.z : all.max.z};
                 furthest = std::max(furthest, distance(at, then.apply(begin.inverse_apply(at))));
@@ -81,14 +82,13 @@ void Collider::list_moving(const Box& box) {
 
 namespace {
 
-/// In how many parts a path is straight enough as seen from a model that turns or grows. There it is
-/// y = R^T (x - c) / s with a second derivative of at most
-/// (|x - c| (w^2 + w' + 2 w s' / s + 2 (s' / s)^2) + 2 |x' - c'| (w + s' / s)) / s,
-/// and of n parts none is further from its chord than that over 8 n^2. A fourth of the radius is little enough:
-/// what the center passes through, its sphere then meets on the chord.
+/// The number of parts into which to divide a path, so that each is almost straight relative to a model that rotates or
+/// grows. Relative to it the path is y = R^T (x - c) / s with a second derivative of at most (|x - c| (w^2 + w' + 2 w
+/// s' / s + 2 (s' / s)^2) + 2 |x' - c'| (w + s' / s)) / s. Of n parts, none is farther from its chord than that over 8
+/// n^2. A quarter of the radius is small enough: what the centre passes through, the sphere hits on the chord.
 uint32_t parts_of_path(const Transform& begin, const Transform& end, Vec3 from, Vec3 displacement, double tangent,
                        double radius, double& bulge) {
-    constexpr uint32_t most = 64;  // of points, which have no radius
+    constexpr uint32_t most = 64;  // for points, which have no radius
     const Vec3 relative = displacement - (end.position - begin.position);
     const double least = std::min(begin.scale, end.scale), growth = std::fabs(end.scale - begin.scale) / least;
     const double away = length(from - begin.position) + length(relative);
@@ -103,7 +103,7 @@ uint32_t parts_of_path(const Transform& begin, const Transform& end, Vec3 from, 
 
 /// tan(angle / 4) of the angle between two rotations: sin(angle / 2) / (1 + cos(angle / 2)).
 double quarter_tangent(const Mat3& a, const Mat3& b) {
-    // |a.x - b.x|^2 + ... = 4 (1 - cos). Beside 1 the rounding of equal rotations is gone.
+    // a.x - b.x|^2 + ... = 4 (1 - cos). Added to 1, the rounding of equal rotations vanishes.
     const double square = length_squared(a.x - b.x) + length_squared(a.y - b.y) + length_squared(a.z - b.z);
     const double cosine = std::max(-1.0, 1 - square / 4);
     return std::sqrt((1 - cosine) / 2) / (1 + std::sqrt((1 + cosine) / 2));
@@ -116,8 +116,8 @@ Transform Collider::place_of(gphys_model_id moved, double time) const {
     return interpolate(before->world, around_.scene->world(moved), time);
 }
 
-/// As seen from the model, which moves during the substep as well: the places of the path are taken into its
-/// coordinates, each at its own time, and from there to where the scene has the model now.
+/// Relative to the model, which also moves during the substep: the points of the path are transformed into the model's
+/// coordinates, each at its own time, and from there to the model's present place in the scene.
 void Collider::sweep_moved(const PlacedModel& before, const Sphere& moving, Vec3 displacement, double time,
                            Impact& first) const {
     const gphys_transform& after = around_.scene->world(before.model);
@@ -177,7 +177,7 @@ void Collider::sweep_moving(const Sphere& moving, Vec3 displacement, double time
 
 Vec3 Collider::beside(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const {
     Vec3 way = impact.center + impact.normal * skin(body.particles.radius[particle], at) - at;
-    for (int contact = 0; contact < 3; ++contact) {  // as many as make a corner
+    for (int contact = 0; contact < 3; ++contact) {  // a corner has three
         Impact stopped;
         sweep_unmoved(particle, at, way, 0, stopped);
         if (stopped.model == 0) return at + way;

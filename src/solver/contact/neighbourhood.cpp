@@ -17,7 +17,7 @@ uint64_t hash_of(const Scene& scene, gphys_model_id model) {
         const gphys_vec3 scale = scene.scale(model);
         hash.put(&scale, sizeof scale / 4);
     } else {
-        uint32_t shape[sizeof(gphys_obb) / 4] = {};  // the largest
+        uint32_t shape[sizeof(gphys_obb) / 4] = {};  // the largest shape
         scene.copy_shape(model, shape);
         hash.put(shape, sizeof shape / 4);
     }

@@ -1,16 +1,17 @@
-// What is around a body, as one number: a body at rest sleeps on, and cloth keeps what it has found around it, while
-// that number stays.
+// A hash of a body's surroundings. While it stays the same, a body at rest keeps sleeping, and cloth keeps its contact
+// cache.
 #pragma once
 
 #include "scene/scene.h"
 
 namespace gphys {
 
-/// Of what a particle may touch of a model: its id, shape and place. The same on every machine; of a mesh it is a hash
-/// of its contents, not of its address.
+/// Hash of what matters of a model to particles: id, shape and place. The same on every machine; for a mesh it includes
+/// the hash of its contents, not its address.
 uint64_t hash_of(const Scene& scene, gphys_model_id model);
 
-/// Of the models in a box that are in some of the layers: a sum over them, which no order changes. visit(model).
+/// Hash of the models in a box that are in some of the layers: a sum, which does not depend on their order.
+/// visit(model).
 template <class Visit>
 uint64_t neighbourhood(const Scene& scene, const Box& box, uint32_t layers, Visit&& visit) {
     uint64_t sum = 0;

@@ -1,3 +1,5 @@
+// Contacts between particles: spatial hashing (Teschner et al. 2003), a Verlet list (Verlet 1967), and relaxation of
+// the contacts (particle_contacts.h).
 #include "solver/contact/particle_contacts.h"
 
 #include "solver/contact/collision.h"
@@ -6,32 +8,32 @@
 namespace gphys {
 namespace {
 
-// In the list, and as contacts, for each particle. Of equal spheres in the densest packing each touches 12
-// others and has 18 within 1.4 diameters; a pair counts once. Contacts that do not fit are left out, those with the
-// highest numbers first.
+// Capacity of the list and of the contacts, for each particle. In the densest packing of equal spheres each touches 12
+// others and has 18 within 1.4 diameters; a pair counts once. Contacts beyond the capacity are dropped, those with the
+// highest indices first.
 constexpr uint32_t pairs_per_particle = 12;
 constexpr uint32_t contacts_per_particle = 6;
-// Where there are more pairs than that, those of the particles with the highest numbers are left out. If more than one
-// of so many in the list overlaps deeply, particles lie in each other, and n at one place have n^2 / 2 pairs. Each of
-// them then takes at most so many pairs, from at most so many particles of each cell around it: the cost is O(n), and
-// in time all are parted.
+// If there are more pairs than that, those of the particles with the highest indices are dropped. If more than one in
+// this many listed pairs overlaps deeply, particles lie in each other, and n particles at one place have n^2 / 2 pairs.
+// Then each particle takes at most a fixed number of pairs, from a fixed number of particles in each cell around it. So
+// the cost is O(n), and in time all are separated.
 constexpr uint32_t one_deep_of = 8;
 constexpr uint32_t crowded_pairs = 4;
 constexpr uint32_t crowded_tests = 8;
-// The margin of a particle at rest, in radii: a list made for more holds longer, and is longer.
+// Margin of a particle at rest, in radii. With a larger one, the list lasts longer, and is longer.
 constexpr double least_margin = 0.2;
-// How many substeps at its present speed the margin of a particle in motion is for.
+// The margin of a moving particle covers this many substeps at its present speed.
 constexpr double lasting = 2;
-// Sweeps over the contacts of a substep. What a pile is deep, in particles, and more substeps count alike: each
-// sweep carries a load on by a particle at least.
+// Sweeps over the contacts of a substep. Each sweep carries a load on by at least one particle, so for a deep pile more
+// sweeps and more substeps help equally.
 constexpr int sweeps = 4;
-// Pairs that are apart by less than this, in sums of their radii, are contacts too: others may press them together.
+// Pairs closer than this, in sums of their radii, are contacts too, because others may press them together.
 constexpr double near = 0.02;
-// Pairs that overlap from the beginning are parted by this much in a substep, in sums of their radii: all at once
-// would shoot them apart.
+// Pairs that overlap from the beginning separate by this much per substep, in sums of their radii. Separating them at
+// once would shoot them apart.
 constexpr double most_parting = 0.1;
-// Pairs that overlap by more than this when a substep begins, in sums of their radii, were put there: impacts do not
-// press particles so deep.
+// Pairs that overlap by more than this at the beginning of a substep, in sums of their radii, were placed so; impacts
+// do not press particles so deep.
 constexpr double deep = 0.5;
 
 bool collides_with_others(const Body& body) { return body.settings.self_collision || body.settings.body_layers != 0; }
@@ -51,7 +53,7 @@ bool linked(const Body& body, uint32_t a, uint32_t b) {
 
 bool moves_freely(const Body& body) { return body.plan.method == GPHYS_SOLVE_FREE && !body.plan.joined; }
 
-/// Of one body. Where links hold particles within touch of each other they do not collide.
+/// Within one body. Linked particles that overlap at rest do not collide.
 bool collide_within(const Body& body, uint32_t a, uint32_t b) {
     if (!body.settings.self_collision) return false;
     if (body.plan.method == GPHYS_SOLVE_FREE) return true;
@@ -60,7 +62,7 @@ bool collide_within(const Body& body, uint32_t a, uint32_t b) {
            !linked(body, a, b);
 }
 
-/// The key of a cell: different cells may share one, which costs time, not truth.
+/// The key of a cell. Different cells may share one, which costs time but changes no result.
 uint64_t key_of(const int64_t (&cell)[3]) {
     uint64_t key = 0;
     for (const int64_t c : cell) {
@@ -70,8 +72,8 @@ uint64_t key_of(const int64_t (&cell)[3]) {
     return key;
 }
 
-/// Unit, for a pair in one place: each pair has its own, so that a pile parts in all directions. Of its numbers alone,
-/// by operations that give the same bits everywhere; no component is 0.
+/// A unit direction for a pair at one point. Each pair has its own, so that a pile spreads in all directions. It
+/// depends on the indices alone, by operations with the same bits everywhere; no component is 0.
 Vec3 direction_of_pair(uint32_t a, uint32_t b) {
     constexpr int bits = 21;
     const uint64_t key = key_of({a, b, 0});
@@ -86,7 +88,7 @@ Vec3 direction_of_pair(uint32_t a, uint32_t b) {
 struct Grid {
     double size;
 
-    // Beyond this all are in one cell, and so is what is no number: the cast would trap.
+    // Beyond this, and for NaN, all are in one cell, because the cast would trap.
     static constexpr double most = 1e15;
     int64_t along(double x) const {
         const double cell = std::floor(x / size);
@@ -95,7 +97,8 @@ struct Grid {
     uint64_t key(Vec3 at) const { return key_of({along(at.x), along(at.y), along(at.z)}); }
 };
 
-/// When two points whose difference goes from `from` to `to` are first as near as `reach`; above 1: not at all.
+/// The time at which two points, whose difference goes from `from` to `to`, are first as close as `reach`; above 1:
+/// never.
 double time_of_impact(Vec3 from, Vec3 to, double reach) {
     const Vec3 way = to - from;
     const double a = length_squared(way), b = dot(from, way), c = length_squared(from) - reach * reach;
@@ -109,7 +112,7 @@ double time_of_impact(Vec3 from, Vec3 to, double reach) {
 
 void list_linked(Body& body) {
     const uint32_t n = body.particles.size();
-    body.contacts.self.linked_begin.clear();  // which says that there is no list, should memory run out
+    body.contacts.self.linked_begin.clear();  // marks the list as missing, in case memory runs out
     body.contacts.self.linked.resize(2 * size_t{body.constraints.ids.size()});
     body.contacts.self.linked_begin.assign(size_t{n} + 1, 0);
     for (uint32_t p = 0; p < n; ++p)
@@ -140,7 +143,7 @@ void ParticleContacts::reserve(const Vector<Body>& bodies, Vector<Island>& islan
         }
         total += island.colliding_count;
     }
-    // Which bodies are near each other changes from step to step; room is for all that may be.
+    // Which bodies are near each other changes from step to step, so there is room for all that may collide.
     for (const Body& body : bodies) most += collides_with_others(body) ? body.particles.size() : 0;
     particles_.resize(most);
     pairs_.resize(size_t{most} * pairs_per_particle);
@@ -218,7 +221,7 @@ void ParticleContacts::find_pairs(const Range& range, const Vector<Body>& bodies
     uint32_t& count = *range.pair_count;
     count = 0;
     if (sum == 0) return;  // points at rest
-    // Cells as wide as two particles of average reach, so that such a one looks into 27 of them.
+    // Cells are as wide as two particles of average reach, so that such a particle visits 27 cells.
     const Grid grid{2 * sum / range.count};
     const uint32_t mask = range.table_size - 1;
     std::fill(range.buckets, range.buckets + range.table_size + 1, 0);
@@ -228,17 +231,17 @@ void ParticleContacts::find_pairs(const Range& range, const Vector<Body>& bodies
     }
     for (uint32_t b = 0; b < range.table_size; ++b) range.buckets[b + 1] += range.buckets[b];
     for (uint32_t i = range.count; i-- > 0;) range.sorted[--range.buckets[(range.keys[i] & mask) + 1]] = i;
-    // The beginning of each bucket has moved to the place after it: bucket b is buckets[b + 1] .. its successor's.
+    // The start of each bucket has moved to the place after it: bucket b is buckets[b + 1] .. its successor's.
     const auto bucket = [&](uint32_t b, uint32_t& begin, uint32_t& end) {
         begin = range.buckets[b + 1];
         end = b + 1 < range.table_size ? range.buckets[b + 2] : range.count;
     };
     bool full = false;
     uint32_t deep_pairs = 0;
-    uint32_t found = 0;  // by the particle that looks
+    uint32_t found = 0;  // by the particle under way
     const auto test_pair = [&](uint32_t i, uint32_t j) {
         const Particle &p = range.particles[i], &q = range.particles[j];
-        // The one that reaches further finds the other.
+        // The particle with the larger reach finds the pair.
         if (q.reach() > p.reach() || (q.reach() == p.reach() && j <= i)) return;
         const double reach = p.reach() + q.reach();
         if (length_squared(p.at - q.at) > reach * reach || (p.inverse_mass == 0 && q.inverse_mass == 0)) return;
@@ -255,7 +258,7 @@ void ParticleContacts::find_pairs(const Range& range, const Vector<Body>& bodies
         range.pairs[count++] = {std::min(i, j), std::max(i, j)};
         ++found;
     };
-    // The parts of sorted that particle i has to look at; false if these are more than the particles.
+    // The ranges of `sorted` that particle i has to test. Returns false if these are more than all particles.
     const auto each_cell = [&](uint32_t i, auto&& visit) {
         const Particle& p = range.particles[i];
         const double reach = 2 * p.reach();
@@ -289,7 +292,7 @@ void ParticleContacts::find_pairs(const Range& range, const Vector<Body>& bodies
         for (uint32_t j = 0; j < range.count && !full; ++j) test_pair(i, j);
     }
     if (!full || uint64_t{deep_pairs} * one_deep_of <= count) return;
-    // Those with the next numbers, cyclically, so that all are in pairs alike.
+    // The particles with the next indices, cyclically, so that all are in about as many pairs.
     count = 0;
     for (uint32_t i = 0; i < range.count; ++i) {
         found = 0;
@@ -310,7 +313,7 @@ void ParticleContacts::find_pairs(const Range& range, const Vector<Body>& bodies
     }
 }
 
-/// Whether particles lie in each other: more than one contact of one_deep_of is deep.
+/// Returns whether particles lie in each other: more than one contact in one_deep_of is deep.
 bool ParticleContacts::find_contacts(const Range& range, const Vector<Body>& bodies, double quiet, double h) const {
     uint32_t& count = *range.contact_count;
     count = 0;
@@ -327,7 +330,7 @@ bool ParticleContacts::find_contacts(const Range& range, const Vector<Body>& bod
         const double length = gphys::length(at_impact);
         const Vec3 normal = length > 0 ? at_impact / length : direction_of_pair(pair.a, pair.b);
         const BodySettings &of_a = bodies[a.body].settings, &of_b = bodies[b.body].settings;
-        // What they fly at when they meet: later they would be faster, and bounce for ever.
+        // Their speed at the time of impact: later they would be faster, and never stop bouncing.
         const Vec3 arrived = b.velocity - a.velocity, gained = (arrived - (now - before) / h) * 2;
         const double approach = -dot(arrived - gained * (1 - std::min(t, 1.0)), normal);
         const double restitution = std::sqrt(of_a.restitution * of_b.restitution);
@@ -348,7 +351,7 @@ bool ParticleContacts::find_contacts(const Range& range, const Vector<Body>& bod
 
 namespace {
 
-/// A model that a particle has touched does not give way: others cannot press it further into it.
+/// A model in contact does not yield, so other particles cannot press a particle further into it.
 template <class Particle>
 Vec3 beside_models(const Particle& p, Vec3 value, Vec3 arrived) {
     if (!p.contact_points) return value;
@@ -359,8 +362,8 @@ Vec3 beside_models(const Particle& p, Vec3 value, Vec3 arrived) {
     return value;
 }
 
-/// Move two particles apart by `way`, in proportion to their inverse masses, or their velocities. What models keep
-/// one of them from the other does.
+/// Moves two particles apart by `way`, or changes their velocities, in proportion to their inverse masses. If models
+/// block one of them, the other takes its share.
 template <class Particle>
 void shift(Particle& a, Particle& b, Vec3 way, Vec3 Particle::*value, Vec3 Particle::*arrived) {
     const double mobility = a.inverse_mass + b.inverse_mass, square = length_squared(way);
@@ -377,7 +380,7 @@ template <class Particle, class Contact>
 void part(Contact& contact, Particle& a, Particle& b) {
     const auto move = [&](Vec3 way) { shift(a, b, way, &Particle::at, &Particle::arrived); };
     const double overlap = a.radius + b.radius - dot(b.at - a.at, contact.normal);
-    // What was too much is taken back, as far as this pair had parted.
+    // Corrections that were too large are undone, up to the separation of this pair so far.
     const double parting = std::clamp(overlap, -contact.parted, contact.most - contact.parted);
     contact.parted += parting;
     move(contact.normal * parting);
@@ -397,7 +400,7 @@ void turn(Contact& contact, Particle& a, Particle& b) {
     const double push = std::max(contact.wanted - parting, -contact.pushed);
     contact.pushed += push;
     change(contact.normal * push);
-    // Friction beside what changes velocities: with what has been parted it has come already.
+    // Friction in the part that changes velocities: the separation has had its friction already.
     const Vec3 apart = b.velocity - a.velocity, along = apart - contact.normal * dot(apart, contact.normal);
     const double speed = length(along), hold = contact.friction * contact.pushed - contact.braked;
     if (speed == 0 || hold <= 0) return;
@@ -406,7 +409,7 @@ void turn(Contact& contact, Particle& a, Particle& b) {
     change(along * (-held / speed));
 }
 
-/// visit(particle, its way) of those that contacts have moved.
+/// Calls visit(particle, displacement) for the particles that contacts have moved.
 template <class Particle, class Visit>
 void each_moved(const Particle* first, const Particle* end, Visit&& visit) {
     for (const Particle* p = first; p != end; ++p) {
@@ -414,7 +417,7 @@ void each_moved(const Particle* first, const Particle* end, Visit&& visit) {
     }
 }
 
-/// Particles of a body that is solved afterwards: where it is to be taken from.
+/// For particles of a body that is solved afterwards: shifts where it is predicted.
 template <class Particle>
 void push_predicted(const Particle* first, const Particle* end, Body& body) {
     each_moved(first, end, [&](uint32_t p, Vec3 way) {
@@ -429,7 +432,7 @@ void push_predicted(const Particle* first, const Particle* end, Body& body) {
     });
 }
 
-/// Particles that have been moved already: no further than the scene lets them.
+/// For particles that have been moved already: no farther than the scene allows.
 template <class Particle>
 void push_arrived(const Particle* first, const Particle* end, Body& body, const CollisionContext& around,
                   double quiet) {
@@ -461,7 +464,7 @@ void push_arrived(const Particle* first, const Particle* end, Body& body, const 
 
 }  // namespace
 
-/// The bodies of an island that collide with others, with their particles. visit(body, first, end)
+/// Calls visit(body, first, end) for the bodies of an island that collide with others, and their particles.
 template <class Visit>
 void ParticleContacts::each_body(const Island& island, Vector<Body>& bodies, const uint32_t* slots, Visit&& visit) {
     Particle* first = range(island).particles;
@@ -504,8 +507,8 @@ void ParticleContacts::part(const Island& island, Vector<Body>& bodies, const ui
             push_predicted(first, end, body);
             return;
         }
-        // Where many pairs overlap deeply no velocity follows from the parting, or it would shoot them apart. Those
-        // that approach each other are stopped when velocities are turned.
+        // If many pairs overlap deeply, the separation changes no velocities, or it would shoot them apart. Approaching
+        // pairs are stopped when velocities are turned.
         if (!contacts.deep)
             each_moved(first, end, [&](uint32_t p, Vec3 way) { body.particles.velocity[p] += way / h; });
         push_arrived(first, end, body, around, quiet);
@@ -534,7 +537,7 @@ void ParticleContacts::turn(const Island& island, Vector<Body>& bodies, const ui
             }
         }
         if (!body.contacts.near) return;
-        // Motion is not smooth near others: the time scheme must not look back.
+        // The motion of particles in contact is not smooth, so the time scheme must not use its history.
         body.contacts.near = false;
         body.contacts.has_contact = true;
         body.history.earlier_step = 0;

@@ -1,17 +1,16 @@
-// Particles against particles, of one body or of several: off unless bodies ask for it.
+// Contacts between particles, of one body or of several; off by default.
 //
-// Pairs that may touch come from a list (Verlet 1967): those nearer than their radii and a margin for each,
-// found by a spatial hash. The list holds until a particle has gone further than its margin; the faster it
-// is, the wider its margin is the next time. After each substep the pairs whose paths came within touch of
-// each other become contacts, with the direction that they met in, so that none passes through another
-// whatever its speed. Some sweeps over the contacts part them and let friction act; the velocities follow,
-// and are turned as the restitution says.
+// Candidate pairs come from a list (Verlet 1967): pairs closer than their radii plus a margin for each, found by
+// spatial hashing (Teschner et al. 2003). The list holds until a particle has moved farther than its margin. The faster
+// a particle is, the larger its margin in the next list. After each substep, the pairs whose paths came into contact
+// become contacts, with the normal at the time of impact, so that none passes through another at any speed. Some sweeps
+// over the contacts separate them and apply friction. The velocities follow, and are then turned according to the
+// restitution.
 //
-// Where many pairs overlap deeply, such as particles at one place, each particle takes a bounded number of pairs, and
-// parting changes positions only, so that a pile spreads without being shot apart.
+// Where many pairs overlap deeply, such as particles at one point, each particle takes a bounded number of pairs, and
+// the separation changes positions only. So a pile spreads without being shot apart.
 //
-// Everything lies in arrays that are made large enough before the step and kept. An island has its own range
-// of each.
+// All data are in arrays that are made large enough before the step and kept. Each island has its own ranges of them.
 #pragma once
 
 #include "foundation/math.h"
@@ -34,17 +33,17 @@ public:
           contact_counts_(memory),
           keys_(memory) {}
 
-    /// Before a step, for all islands, whose ranges are set. Throws std::bad_alloc.
+    /// Call before a step, for all islands. Sets their ranges. Throws std::bad_alloc.
     void reserve(const Vector<Body>& bodies, Vector<Island>& islands, const Vector<uint32_t>& island_bodies);
 
-    // For one island; what another does is not touched.
+    // For one island; the data of others are not accessed.
     void begin(const Island& island, const Vector<Body>& bodies, const uint32_t* slots);
-    /// Once all bodies are predicted: part those that meet. h: seconds of the substep.
+    /// Call when all bodies are predicted: separates pairs in contact. h: seconds of the substep.
     void part(const Island& island, Vector<Body>& bodies, const uint32_t* slots, const CollisionContext& around,
               Vec3 gravity, double h);
-    /// Once they have moved: turn the velocities of those that met.
+    /// Call when they have moved: turns the velocities of pairs in contact.
     void turn(const Island& island, Vector<Body>& bodies, const uint32_t* slots);
-    /// After the last substep: part what constraints have pressed into each other.
+    /// Call after the last substep: separates pairs that constraints have pressed into each other.
     void settle(const Island& island, Vector<Body>& bodies, const uint32_t* slots, const CollisionContext& around,
                 Vec3 gravity, double h);
 
@@ -52,7 +51,7 @@ private:
     struct Particle {
         uint32_t body, number;
         double radius, inverse_mass, margin;
-        Vec3 found_at;         // when the list was made
+        Vec3 found_at;         // position at which the list was made
         Vec3 before, arrived;  // at the beginning of the substep, and at its end before contacts
         Vec3 at, velocity;
         Vec3 arrived_velocity;
@@ -68,14 +67,14 @@ private:
         uint32_t a, b;
         Vec3 normal;  // unit, from a to b
         double friction;
-        double wanted;  // speed of parting, m/s
-        double parted;  // metres, by how much the pair has been parted along the normal in this substep
-        double rubbed;  // metres, by how much friction has held it back
-        double most;    // metres, by how much it may be parted at most
-        double pushed;  // m/s, by how much its speed of parting has been changed
-        double braked;  // m/s, by how much friction has held its speed back
+        double wanted;  // speed of separation to reach, m/s
+        double parted;  // metres by which the pair has been separated along the normal in this substep
+        double rubbed;  // metres of sliding that friction has prevented
+        double most;    // metres by which it may be separated at most
+        double pushed;  // m/s by which its speed of separation has been changed
+        double braked;  // m/s of sliding that friction has prevented
     };
-    /// Of an island: its parts of the arrays.
+    /// The ranges of an island in the arrays.
     struct Range {
         Particle* particles;
         uint32_t count;
@@ -90,7 +89,7 @@ private:
         uint64_t* keys;
     };
     struct Found {
-        bool any, deep;  // contacts; many that overlap deeply
+        bool any, deep;  // whether there are contacts; whether many overlap deeply
     };
     Range range(const Island& island);
     template <class Visit>
@@ -108,7 +107,7 @@ private:
     Vector<uint64_t> keys_;
 };
 
-/// Which particles of a body are linked directly, and where they are at rest; for bodies that collide with
+/// Finds which particles of a body are linked directly, and where they are at rest; for bodies that collide with
 /// themselves. Throws std::bad_alloc.
 void list_linked(Body& body);
 
