@@ -1,12 +1,11 @@
-// Cloth and other graphs: chains of constraints, each solved as a whole, one colour after the
-// other. Within a chain the corrections of all links are found together by elimination on their
-// tridiagonal system (Thomas), so tension crosses the cloth in one sweep where a constraint at a
-// time needs as many sweeps as there are links. One pass per substep and always the same order:
-// going forward and backward by turns was seen to pump energy.
+// Cloth and other graphs: chains of constraints, each solved directly, one colour after the other (block Gauss-Seidel
+// with graph colouring). Within a chain the corrections of all links are found together by elimination of their
+// tridiagonal system (Thomas's algorithm). So tension crosses the cloth in one sweep, where single constraints would
+// need as many sweeps as there are links. There is one pass per substep, always in the same order, because alternating
+// between forward and backward was seen to add energy.
 //
-// During a step the state is float32, relative to the middle of the body when the step began, with
-// displacements and velocities of their own: positions of a sheet of two metres are rounded to
-// 6e-8 m wherever it is.
+// During a step the state is float32, relative to the middle of the body at the start of the step, with separate
+// displacements and velocities. So positions of a sheet of two metres have a rounding error of 6e-8 m, wherever it is.
 #include "solver/cloth/cloth_targets.h"
 #include "solver/cloth/contact_cache.h"
 #include "solver/cloth/relax_links.h"
@@ -19,11 +18,11 @@
 namespace gphys {
 namespace {
 
-// Masses differ by no more than this from the average: beyond, float32 shows no difference.
+// Masses are clamped to this ratio to the average: beyond it float32 shows no difference.
 constexpr double most_mass_ratio = 1e6;
-// Accelerations times the rest must stay a float as well.
+// Accelerations times the other factors must remain floats, too.
 constexpr double hardest = 1e12;
-// Softer than this is not there: it yields 1e20 times as far as the heaviest particle.
+// A softer link does not act: it yields 1e20 times as far as the heaviest particle.
 constexpr double softest = 1e26;
 
 ClothMotion motion_of(Cloth& cloth) {
@@ -36,8 +35,8 @@ ClothMotion motion_of(Cloth& cloth) {
             cloth.acceleration.data()};
 }
 
-// What the members of a team take at a time, in floats: 1000 particles, a few microseconds. A block is
-// what the kernel adds up in floats; sums of blocks are the same whoever has made them.
+// Units of work of a team's members, in floats: 1000 particles, a few microseconds. A block is the unit of summation in
+// the kernels; sums of blocks do not depend on who has computed them.
 constexpr uint32_t share_floats = 4096, share_limits = 1024, block_floats = 256;
 
 ClothMotion part_of(const ClothMotion& all, uint32_t first, uint32_t most_floats) {
@@ -50,7 +49,7 @@ ClothMotion part_of(const ClothMotion& all, uint32_t first, uint32_t most_floats
             all.acceleration + first};
 }
 
-/// part(motion of some of the particles, number of their first float).
+/// Calls part(motion of some of the particles, index of their first float).
 template <class Part>
 void share_motion(Cloth& cloth, Part&& part) {
     const ClothMotion all = motion_of(cloth);
@@ -62,7 +61,7 @@ void predict(const ClothKernels& kernels, Cloth& cloth, const ClothStep& step) {
     share_motion(cloth, [&](const ClothMotion& motion, uint32_t) { kernels.predict(motion, step); });
 }
 
-/// Of blocks of particles: kernel(motion).
+/// The sum over blocks of particles of kernel(motion).
 template <class Kernel>
 double sum_of_blocks(Cloth& cloth, Kernel&& kernel) {
     share_motion(cloth, [&](const ClothMotion& motion, uint32_t first) {
@@ -92,7 +91,7 @@ ClothChains chains_of(const ClothBatches& batches) {
     return {batches.particles.data(), batches.rest.data(), batches.softness.data(), batches.stiffness.data()};
 }
 
-/// The same as they are to be solved, for damping.
+/// The same with the target lengths of damped links.
 ClothChains damped_chains_of(const ClothBatches& batches) {
     ClothChains chains = chains_of(batches);
     if (!batches.damped.empty()) chains.rest = batches.target.data();
@@ -108,7 +107,7 @@ void soften(ClothBatches& batches, double average_mass, double step) {
         const double compliance = batches.compliance[i];
         batches.softness[i] = to_float(compliance * scale, softest);
         const bool elastic = compliance > 0 && compliance < infinity;
-        // 1e15: stiffer links, and what they hold, are those of rigid ones.
+        // Stiffer links than 1e15, and their energy, count as rigid.
         batches.stiffness[i] =
             elastic && compliance * average_mass > 1e-15 ? static_cast<float>(1 / (compliance * average_mass)) : 0;
         batches.elastic = batches.elastic || elastic;
@@ -127,10 +126,11 @@ void damp_links(Body& body, const TimeScheme& scheme) {
     }
 }
 
-/// Limits that have become taut: their ends no longer part, and what has done so is an interruption.
+/// Limits that have become taut: their ends stop separating, in an inelastic impact. Returns whether there were any,
+/// which counts as an interruption.
 bool capture_limits(Body& body, const CollisionContext& around, const TimeScheme& scheme) {
     Cloth& cloth = body.cloth;
-    // Models were given the forces of this substep as if they went on; an impact has no such history.
+    // Models got the forces of this substep as continuous ones; an impact has no such history.
     const double step = scheme.step(body.settings.damping);
     const double counted = scheme.h / (step * step) - scheme.next / scheme.h;
     const auto add_to_model = [&](uint32_t p, Vec3 impulse) {
@@ -141,7 +141,7 @@ bool capture_limits(Body& body, const CollisionContext& around, const TimeScheme
         add_impulse(body, around, attachment->model, cloth.origin + get(&cloth.at[4 * size_t{p}]), given);
         put(pull, {}, 0);
     };
-    // In parts of the length: ten times the rounding of places within a metre or so.
+    // Relative to the length: ten times the rounding of positions within about a metre.
     constexpr double slack = 1e-6;
     bool any = false;
     for (const LimitInCloth& limit : body.cloth.batches.limits) {
@@ -174,7 +174,7 @@ double stored_energy(const ClothKernels& kernels, Body& body) {
     return sum;
 }
 
-/// What chains and limits have pulled attached particles with: the force of a whole substep.
+/// Adds the pulls of chains and limits on attached particles: the force of a whole substep.
 void add_pull_impulses(Body& body, const CollisionContext& around, double step, double h) {
     const double to_impulse = body.cloth.average_mass * h / (step * step);
     for (const Attachment& attachment : body.constraints.attachments) {
@@ -186,8 +186,8 @@ void add_pull_impulses(Body& body, const CollisionContext& around, double step, 
     }
 }
 
-/// Models turn about, so what is attached to them goes along arcs: places halfway between two on a circle would be
-/// nearer to each other.
+/// Attached particles move along arcs as their models rotate. Interpolating linearly between two positions on a circle
+/// would bring them closer to each other.
 void follow_models(Body& body, const CollisionContext& around) {
     gphys_model_id model = 0;
     const PlacedModel* moved = nullptr;
@@ -211,22 +211,22 @@ void follow_models(Body& body, const CollisionContext& around) {
     }
 }
 
-/// Take so much energy from the motion beside a drift.
+/// Removes energy from the motion relative to a drift.
 void slow_by(Body& body, Vec3 drift, double energy) {
     const double inner = inner_energy_of_cloth(body, drift);
     slow_cloth(body, drift, energy < inner ? std::sqrt(1 - energy / inner) : 0);
 }
 
-/// Cloth in a solid is held by it while its links get their lengths back. That makes it no faster on average than it
-/// leaves; `gain` are the joules beyond those that forces gave in the substep.
+/// A solid holds cloth in it while the links get their lengths back. That must not make the cloth faster on average
+/// than its speed of leaving. `gain`: joules beyond the work of forces in the substep.
 void keep_calm(Body& body, double gain) {
     const double calm = body.cloth.average_mass * body.particles.size() * leaving_speed * leaving_speed / 2;
     const double excess = std::min(gain, inner_energy_of_cloth(body, {}) - calm);
     if (excess > 0) slow_by(body, {}, excess);
 }
 
-/// What sweeps over a graph leave unsolved can do work in long steps. Motion within the body is
-/// slowed so that the substep gains no energy; the motion of a free body as a whole stays.
+/// In long steps the errors that sweeps over a graph leave can do work. The relative motion within the body is slowed
+/// so that the substep gains no energy; the motion of a free body as a whole stays.
 void remove_energy(Body& body, double gain) {
     Vec3 drift;
     if (!body.cloth.held) {
@@ -236,18 +236,18 @@ void remove_energy(Body& body, double gain) {
     slow_by(body, drift, gain);
 }
 
-/// Whether all that pushes the body from outside in this substep is known: nothing, or models that a closed body
-/// touches. One that lies on them open may turn about as a whole by what its sweeps leave unsolved.
+/// Whether all external forces in this substep are known: none, or those of models in contact with a closed body. An
+/// open body on models may rotate as a whole by the errors that its sweeps leave.
 bool is_accounted_for(const Body& body, bool collides) {
     const ClothContacts& contacts = body.cloth.contacts;
     if (body.cloth.held || body.plan.joined || body.contacts.near) return false;
     if (body.targets.act()) return false;
-    if (body.air.blows()) return false;  // its force depends on the velocity that would be given back
+    if (body.air.blows()) return false;  // the wind's force depends on the velocity that would be restored
     if (!collides || !(contacts.any_active() || contacts.sunk)) return true;
     return body.cloth.volume.held && !contacts.sunk && !contacts.pushed;
 }
 
-/// part(its number, first particle, end) in any order.
+/// Calls part(its index, first particle, end) in any order.
 template <class Part>
 void share_parts(const Body& body, Part&& part) {
     constexpr uint32_t together = share_floats / 4;
@@ -255,7 +255,7 @@ void share_parts(const Body& body, Part&& part) {
           [&](uint32_t i, uint32_t) { part(i, i * together, std::min(body.particles.size(), (i + 1) * together)); });
 }
 
-/// each(particle), in any order.
+/// Calls each(particle) in any order.
 template <class Each>
 void share_particles(const Body& body, Each&& each) {
     share_parts(body, [&](uint32_t, uint32_t first, uint32_t end) {
@@ -263,7 +263,7 @@ void share_particles(const Body& body, Each&& each) {
     });
 }
 
-/// Of all particles; the same whoever shares the work.
+/// Over all particles; the same however the work is shared.
 ClothExtent extent_of(Body& body) {
     Vector<ClothExtent>& parts = body.cloth.extents;
     share_parts(body, [&](uint32_t i, uint32_t first, uint32_t end) {
@@ -298,7 +298,7 @@ void publish(Body& body) {
     });
 }
 
-/// solve(batch, chains, rows) for each batch: colours one after the other.
+/// Calls solve(batch, chains, rows) for each batch: colours one after the other.
 template <class Solve>
 void solve_colours(Body& body, Solve&& solve) {
     ClothBatches& batches = body.cloth.batches;
@@ -411,7 +411,8 @@ void begin_cloth(Body& body, const CollisionContext& around, Vec3 gravity) {
             hardest);
         cloth.acceleration[i + 3] = free ? static_cast<float>(relative) : 0;
     });
-    // Those that do not move are in pairs a metre apart again: limits on the first of them shift it by a hair.
+    // Particles that do not move are in pairs a metre apart again, because limits on the first of a pair shift it
+    // minimally.
     for (Vector<float>* values : {&cloth.at, &cloth.moved, &cloth.velocity, &cloth.velocity_before}) {
         std::fill(values->begin() + 4 * static_cast<std::ptrdiff_t>(body.particles.size()), values->end(), 0.0f);
     }
@@ -452,7 +453,7 @@ void solve_cloth(Body& body) {
     ClothContacts& contacts = body.cloth.contacts;
     press_on_targets(body, contacts.any_active());
     const bool has_contact = contacts.any_active() || !body.targets.pressing.empty();
-    // Before the chains, which need it for their shape, and after them, which leave an error in it.
+    // Before the chains, which need the volume for their shape, and after them, because they leave an error in it.
     body.cloth.volume.given = 0;
     if (body.cloth.volume.held) solve_volume(body, batches.scale);
     solve_colours(body, [&](const ChainBatch& batch, const ClothChains& chains, float* rows) {
@@ -533,7 +534,7 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
         if (body.cloth.contacts.sunk) leave_solids(body, h);
     }
     if (cloth.balance.closed && !accounted && !body.plan.joined && !body.cloth.contacts.sunk) {
-        // Walls and friction only take energy, but what they push out of them is raised.
+        // Contact planes and friction only take energy, but pushing particles out of planes raises them.
         const double stored = stored_energy(kernels, body);
         const double all =
             sum_of_blocks(cloth, [&](const ClothMotion& block) { return kernels.gain(block); }) + stored - before;

@@ -1,3 +1,5 @@
+// Contact planes and friction of cloth, in the order of a substep: search, activation before the chains, friction and
+// push-out after them, velocities, and particles that have left their balls (cloth_contacts.h).
 #include "solver/cloth/cloth_contacts.h"
 
 #include "solver/cloth/cloth_targets.h"
@@ -9,7 +11,7 @@
 namespace gphys {
 namespace {
 
-/// What a particle has given to the model that it touched last.
+/// Adds the impulse of a particle to the model that it was last in contact with.
 void hand_over(Neighbour& n, Body& body, const CollisionContext& around) {
     if (n.getting == 0) return;
     const double mass = body.cloth.average_mass * body.cloth.acceleration[4 * size_t{n.particle} + 3];
@@ -18,7 +20,7 @@ void hand_over(Neighbour& n, Body& body, const CollisionContext& around) {
     n.given = n.turning = {};
 }
 
-/// Walls of models that move, to where they are at the end of the substep.
+/// Moves the contact planes of moving models to their places at the end of the substep.
 void carry_planes(ClothContacts& contacts) {
     if (contacts.moving_colliders.empty()) return;
     for (Neighbour& n : contacts.neighbours) {
@@ -32,7 +34,7 @@ void carry_planes(ClothContacts& contacts) {
     }
 }
 
-/// Where the particle would be if it stayed at its place on the contact plane that it touches.
+/// The position of the particle if it sticks to its place on its active contact plane.
 inline Vec3 place_on_plane(const Neighbour& n, const ClothContacts& contacts, Vec3 start) {
     const uint32_t moving_collider = n.planes[n.active_plane].moving_collider;
     if (moving_collider == ContactPlane::unmoved) return start;
@@ -45,7 +47,7 @@ bool is_pushed(const Neighbour& n) {
     return n.active_plane >= 0 && n.planes[n.active_plane].moving_collider != ContactPlane::unmoved;
 }
 
-/// The contact plane that the place is most deep in, or nearest to.
+/// The contact plane that the position is deepest behind, or nearest to.
 uint32_t deepest(const Neighbour& n, Vec3 at, double& depth) {
     uint32_t best = 0;
     depth = -infinity;
@@ -56,14 +58,14 @@ uint32_t deepest(const Neighbour& n, Vec3 at, double& depth) {
     return best;
 }
 
-/// From the centre of its ball.
+/// Squared distance from the centre of its ball.
 float squared_from_ball(const Body& body, uint32_t p) {
     const float *ball = &body.cloth.contacts.balls[4 * size_t{p}], *at = &body.cloth.at[4 * size_t{p}];
     const float x = at[0] - ball[0], y = at[1] - ball[1], z = at[2] - ball[2];
     return x * x + y * y + z * z;
 }
 
-/// Those that move freely and are so, in `escaped`; returns how many.
+/// Lists in `escaped` the free particles with is(p); returns how many.
 template <class Is>
 uint32_t list_moving(Body& body, Is&& is) {
     uint32_t count = 0;
@@ -73,10 +75,10 @@ uint32_t list_moving(Body& body, Is&& is) {
     return count;
 }
 
-/// Out of all contact planes; those that move it are noted. Returns the first of them, or -1.
+/// Projects out of all contact planes, and notes the active ones. Returns the first of them, or -1.
 int32_t push_out(Neighbour& n, float* at) {
-    // One contact plane may push it into another. For two whose normals are at most a right angle apart one pass
-    // is enough; the narrower the crease between them, the less each pass brings.
+    // Projecting out of one plane may lead into another. For two planes whose normals are at most a right angle apart,
+    // one pass suffices; the narrower the crease between them, the less each pass achieves.
     constexpr int most_passes = 8;
     int32_t first = -1;
     for (int pass = 0; pass < most_passes; ++pass) {
@@ -146,9 +148,9 @@ void search_ahead(Body& body, const CollisionContext& around, Vec3 gravity, doub
 
 namespace {
 
-/// With which it comes to its contact plane, where it began the substep at `place` beside it and would end it at
-/// `predicted`: what it has won until there by falling, and not by falling on behind the contact plane. 0 if it is too
-/// slow to bounce.
+/// The speed at which the particle hits its contact plane. It began the substep at `place`, relative to the plane, and
+/// would arrive at the end with `predicted`. Counts the speed gained by falling up to the plane, but not behind it. 0
+/// if it is too slow to bounce.
 double impact_speed(const Neighbour& n, const Cloth& cloth, Vec3 place, double predicted, double quiet) {
     const ContactPlane& plane = n.planes[n.active_plane];
     const size_t i = 4 * size_t{n.particle};
@@ -172,7 +174,7 @@ void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity
     contacts.pushed = false;
     advance_moving_colliders(body, around);
     carry_planes(contacts);
-    // What gravity moves a particle by in a substep is near enough to touch.
+    // The displacement by gravity in a substep is near enough to be active.
     const double near = length(gravity) * h * h;
     for (uint32_t number = 0; number < contacts.neighbours.size(); ++number) {
         Neighbour& n = contacts.neighbours[number];
@@ -195,7 +197,7 @@ void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity
         n.active_planes |= 1u << plane;
         contacts.pushed = contacts.pushed || is_pushed(n);
         const Vec3 normal = n.planes[plane].normal;
-        const Vec3 place = place_on_plane(n, contacts, start), moved = get(at) - place;  // beside the contact plane
+        const Vec3 place = place_on_plane(n, contacts, start), moved = get(at) - place;  // relative to the moving plane
         const double away = dot(moved, normal);
         n.approach = impact_speed(n, cloth, place, -away * rate, quiet_speed(gravity, h));
         const Vec3 along = moved - normal * away;
@@ -206,7 +208,7 @@ void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity
         }
         put(&contacts.pulls[i], {});
         put(&contacts.normals[i], normal);
-        // What links will add to the pressure is known from the substep before.
+        // The pull of links against the plane is known from the last substep.
         const double squared = length_squared(along), hold = settings.friction * std::max(pressed_before, depth);
         if (squared > hold * hold) {
             n.slowed = hold;
@@ -222,7 +224,7 @@ void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity
 
 namespace {
 
-/// Friction: as far back to the place on the contact plane as all that presses allows.
+/// Friction: moves the particle back towards its place on the contact plane as far as Coulomb's law allows.
 void slow_down(Neighbour& n, const ClothContacts& contacts, const BodySettings& settings, Vec3 place, float* at) {
     const Vec3 normal = n.planes[n.active_plane].normal, moved = get(at) - place;
     n.total = std::max(0.0, n.pressed - dot(get(&contacts.pulls[4 * size_t{n.particle}]), normal) * at[3]);
@@ -231,7 +233,7 @@ void slow_down(Neighbour& n, const ClothContacts& contacts, const BodySettings& 
     const auto within = [&](double most) { return most >= 0 && squared <= most * most; };
     n.held = within(hold) || (n.crept >= 0 && within(n.crept + settings.static_friction * n.total - n.slowed));
     if (n.held) {
-        // One that bounces is held along the contact plane.
+        // A bouncing particle is held tangentially only.
         put(at, settings.restitution * n.approach > 0 ? get(at) - along : place);
     } else if (hold > 0) {
         put(at, get(at) - along * (hold / std::sqrt(squared)));
@@ -269,11 +271,11 @@ void leave_planes(Body& body) {
         const int32_t pushing = push_out(n, at);
         if (!before) n.active_plane = pushing;
         slow_down(n, contacts, body.settings, place_on_plane(n, contacts, get(&cloth.start[i])), at);
-        // The way back may lead into another contact plane.
+        // Moving back may lead into another contact plane.
         if (n.plane_count > 1) push_out(n, at);
         put(&contacts.normals[i], {});
         contacts.pushed = contacts.pushed || is_pushed(n);
-        // As metres: what chains and limits have moved it by, or what contact planes have.
+        // In metres: the displacement by chains and limits, or by contact planes.
         n.moved = before ? get(&contacts.pulls[i]) * at[3] + (limited - n.chained) : limited - get(at);
         n.active_before_chains = before;
     }
@@ -281,7 +283,7 @@ void leave_planes(Body& body) {
 
 namespace {
 
-/// What the particle has lost goes to the model that it touches.
+/// Adds the velocity that the particle has lost to the impulse on its model.
 void lose(Neighbour& n, Body& body, const CollisionContext& around, Vec3 velocity) {
     const ContactPlane& plane = n.planes[n.active_plane];
     if (n.getting != plane.model) {
@@ -298,7 +300,8 @@ void lose(Neighbour& n, Body& body, const CollisionContext& around, Vec3 velocit
 
 }  // namespace
 
-/// Links, limits and contact planes have changed a velocity from the predicted one; what contact planes did they get.
+/// Links, limits and contact planes have changed the predicted velocity. The share of the contact planes goes to their
+/// models.
 void count_contacts(Body& body, const CollisionContext& around, double rate) {
     for (const uint32_t number : body.cloth.contacts.active) {
         Neighbour& n = body.cloth.contacts.neighbours[number];
@@ -362,7 +365,7 @@ void shift(Body& body, uint32_t particle, Vec3 way, bool collides) {
 }
 
 void ease_links(Body& body) {
-    // In parts of the length: what nobody sees is left alone.
+    // Relative to the length: smaller errors are invisible and are left alone.
     constexpr double slack = 5e-3;
     Cloth& cloth = body.cloth;
     ClothContacts& contacts = body.cloth.contacts;

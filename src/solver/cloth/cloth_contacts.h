@@ -1,21 +1,20 @@
-// Cloth and what it touches, during a step.
+// Contacts of cloth with models, during a step.
 //
-// At the beginning of a step each particle searches for contacts, unless what it has seen before still holds
-// (contact_cache.cpp): it gets a ball in which it may move, and the half-spaces that it must stay in there.
-// Models are looked at part by part, each of them convex: a primitive, or a triangle of a mesh. The
-// plane through the closest point of a part, across the way to it, has the part behind it; a part that
-// is wholly behind the plane of a nearer one adds none. Within the ball no other part can be reached,
-// and the half-spaces leave a convex space: a particle that is in it before and after a substep has
-// touched nothing on its way. Only one that leaves the ball is swept against the scene, and looks
-// around again.
+// At the beginning of a step each particle searches for contacts, unless the contact cache is still valid
+// (contact_cache.cpp). It gets a ball in which it may move, and half-spaces that it must stay in there (speculative
+// contacts; Catto 2013). Models are handled part by part, each of them convex: a primitive, or a triangle of a mesh.
+// The part is behind the plane through its closest point, perpendicular to the direction of the particle. Parts that
+// are wholly behind the plane of a nearer one add none. Within the ball no other part can be reached, and the
+// half-spaces leave a convex region. So a particle that is in it before and after a substep has hit nothing in between.
+// Only a particle that leaves its ball is swept against the scene, and searches again.
 //
-// The contact planes of a model that moves go with it, from substep to substep; a particle looks as far for them as the
-// model comes in the step. Friction and speed are relative to it.
+// The contact planes of a moving model move with it, from substep to substep. A particle searches as far as the model
+// can approach in the step. Friction and velocities are relative to the model.
 //
-// Contacts are part of the chains' equations: a particle that touches moves along the contact plane or off (Surfaces in
-// cloth_kernels.cpp). After the chains friction takes it back, at most by friction times all that the contact plane has
-// pushed it with in the substep and at most to its place on the contact plane. Taking it for immovable while friction
-// holds it would leave what strains the links between two such particles to stay.
+// Contacts are part of the equations of chains: a particle in contact moves along the contact plane or away from it
+// (Surfaces in cloth_kernels.cpp). After the chains, friction moves it back towards its place on the plane, limited by
+// friction times the total normal displacement of the substep. Pinning it while friction holds it would leave the
+// strain of links between two such particles.
 #pragma once
 
 #include "foundation/math.h"
@@ -28,18 +27,19 @@ struct Body;
 struct CollisionContext;
 struct TimeScheme;
 
-/// A particle stays where dot(normal, its position) >= offset; relative to the cloth's origin, at the end of the
-/// substep.
+/// A particle in front of it satisfies dot(normal, position) >= offset; relative to the cloth's origin, at the end of
+/// the substep.
 struct ContactPlane {
     static constexpr uint32_t unmoved = 0xffffffff;
 
     Vec3 normal;
     double offset;
     gphys_model_id model;
-    uint32_t moving_collider;  // its number in ClothContacts::moving_colliders, or unmoved
+    uint32_t moving_collider;  // index in ClothContacts::moving_colliders, or unmoved
 };
 
-/// A particle that may touch something in this step. What all substeps ask of it comes first, in a cache line or two.
+/// The contact state of a particle that may be in contact in this step. The members that all substeps read come first,
+/// in one or two cache lines.
 struct alignas(64) Neighbour {
     static constexpr uint32_t most_planes = 4;
 
@@ -48,28 +48,28 @@ struct alignas(64) Neighbour {
     uint32_t active_planes;  // bit i: contact plane i was active in this step
     int32_t active_plane;    // the contact plane that pushed it most in this substep, or -1
     ContactPlane planes[most_planes];
-    // Of one that touches, in this substep:
-    double crept;               // metres, which its speed alone takes it, where that counts as none; else -1
-    double pressed;             // metres, by how much contact planes have moved it
-    double total;               // the same with what links pulled it against them by
-    double slowed;              // metres, by how much friction has slowed it before the links pulled
-    double approach;            // speed towards the contact plane when it meets it, if that is more than none; else 0
-    bool active_before_chains;  // whether it touched before the chains were solved
-    bool held;                  // whether friction keeps it at its place on the contact plane
-    Vec3 coming;                // if so, the velocity predicted for the end of this substep
-    Vec3 chained;               // and where the chains have left it, before limits
-    Vec3 moved;  // metres, by chains and limits; against what contact planes did, if it touched after them
-    // For what models get from it:
+    // For a particle in contact, in this substep:
+    double crept;     // metres: displacement by its own velocity, if that is small enough to count as rest; else -1
+    double pressed;   // metres: total displacement by contact planes
+    double total;     // metres: the same plus the pull of links against them
+    double slowed;    // metres: displacement that friction has removed before the links
+    double approach;  // speed of approach to the contact plane at impact, if it is large enough to bounce; else 0
+    bool active_before_chains;  // whether it was active before the chains were solved
+    bool held;                  // whether friction holds it at its place on the contact plane
+    Vec3 coming;                // if active: the velocity predicted for the end of this substep
+    Vec3 chained;               // and its position after the chains, before limits
+    Vec3 moved;  // metres: displacement by chains and limits; if it became active after them, by planes, reversed
+    // For the impulses on models:
     gphys_model_id getting;  // the model that gets the next two:
-    Vec3 given, turning;     // m/s, what it has lost to it, and the moment of that about the cloth's origin
-    // Of one that is in a model deeper than it comes out at once (leave_solids.cpp):
-    uint32_t sunk_planes;  // bit by contact plane: those that are where the particle is
-    uint32_t sunk_most;    // the one that it is deepest behind,
-    double depth;          // and by how much: 0 if it is in nothing
-    Vec3 aim;              // while it leaves: where it was to go, or the links have left it,
-    bool aims;             // and whether it is there
+    Vec3 given, turning;     // m/s: velocity that it has lost to the model, and its moment about the cloth's origin
+    // For a particle that is deeper in a model than it can leave at once (leave_solids.cpp):
+    uint32_t sunk_planes;  // bit i: contact plane i is where the particle is, not at the surface
+    uint32_t sunk_most;    // the plane that it is deepest behind,
+    double depth;          // and the depth; 0 if it is in no model
+    Vec3 aim;              // while it leaves: its aim, or the position that the links gave it,
+    bool aims;             // and whether it is at its aim
 
-    /// At the beginning of a step.
+    /// Call at the beginning of a step, if the planes are reused.
     void rest() {
         active_planes = 0;
         active_plane = -1;
@@ -93,45 +93,46 @@ struct ClothContacts {
     Vector<MovingCollider> moving_colliders;
     Vector<Neighbour> neighbours;
     Vector<uint32_t> active;       // indices of the neighbours that are in contact in this substep
-    Vector<uint32_t> place;        // by particle: in neighbours, or nowhere
-    Vector<float> balls;           // four floats a particle: centre, square of the radius
-    Vector<float> normals, pulls;  // four floats a particle, as ClothSurfaces takes them
-    Vector<uint32_t> escaped;      // of this substep; at its beginning those that search for contacts
-    Vec3 given, turning;           // as those of the neighbours, of all in this substep, times their relative masses
-    uint64_t neighbourhood = 0;    // a hash of the models that were around when the last step ended
-    bool pushed = false;           // whether any that touches is, by a model that moves
-    bool sunk = false;             // whether any has been found in a model
-    bool kept = false;             // whether there was a last step, so that the above are its; not after a snapshot
+    Vector<uint32_t> place;        // by particle: index in neighbours, or nowhere
+    Vector<float> balls;           // four floats for each particle: centre, squared radius
+    Vector<float> normals, pulls;  // four floats for each particle, see ClothSurfaces
+    Vector<uint32_t> escaped;      // particles outside their balls; when searching, those that search
+    Vec3 given, turning;           // sums of those of the neighbours in this substep, times their relative masses
+    uint64_t neighbourhood = 0;    // a hash of the models around the body at the end of the last step
+    bool pushed = false;           // whether a moving model pushes any active one
+    bool sunk = false;             // whether any was found in a model
+    bool kept = false;             // whether the above are those of a previous step; false after a snapshot
 
     bool any_active() const { return !active.empty(); }
 };
 
-/// By turns before and after the chains of a substep.
+/// Called in turn before and after the chains of a substep.
 void reserve_cloth_contacts(Body& body);
 void search_cloth_contacts(Body& body, const CollisionContext& around, Vec3 gravity);
-/// Before a substep: those that it would take out of their balls search for contacts now, so that chains know their
-/// contact planes.
+/// Call before a substep: particles that would leave their balls search now, so that the chains know their contact
+/// planes.
 void search_ahead(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme);
 void note_places(Body& body);
 void leave_planes(Body& body);
 void count_contacts(Body& body, const CollisionContext& around, double rate);
 void turn_velocities(Body& body, const CollisionContext& around, double h);
-/// A model that moves carries particles further in a substep than friction should: links between two that touch
-/// something get their lengths back.
+/// Call if moving models are in contact: they carry particles farther in a substep than friction should. Links between
+/// two particles in contact get their lengths back.
 void ease_links(Body& body);
-/// What relaxing links has taken back since note_places of the way of a particle that touches something is no motion.
+/// Removes the velocity that corresponds to displacements undone by relax_links since note_places, for particles in
+/// contact.
 void stop_taken_back(Body& body, const CollisionContext& around, double h);
-/// Whether friction has kept a particle at its place in this substep, on a model that stands still and while none of
-/// the body is in one.
+/// Whether friction has held a particle at its place in this substep, on a static model, while no particle of the body
+/// is in a model.
 bool is_held(const Body& body, uint32_t particle);
-/// Moves a particle aside, but not into its contact planes, nor out of what its target allows.
+/// Displaces a particle, but not into its contact planes or out of the bounds of its target.
 void shift(Body& body, uint32_t particle, Vec3 way, bool collides);
 void catch_escaped(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 void record_contact_points(Body& body, const CollisionContext& around);
-/// What the particle has touched and given to models, before its neighbour is replaced.
+/// Records the contact points and impulses of a particle, before its contact state is replaced.
 void finish_neighbour(Neighbour& neighbour, Body& body, const CollisionContext& around);
-/// A particle that something else has moved, out of the contact planes that were near it.
+/// Projects a particle that has been displaced out of its contact planes.
 void stay_outside(Body& body, uint32_t particle);
 
 }  // namespace gphys

@@ -1,3 +1,5 @@
+// Kernels of cloth: elimination along eight chains side by side (Thomas's algorithm), with or without contact planes
+// and joined bodies; limits; prediction; velocities; energies (cloth_kernels.h).
 #include "solver/cloth/cloth_kernels.h"
 
 #include "foundation/simd.h"
@@ -7,21 +9,19 @@ namespace gphys::GPHYS_ISA {
 
 namespace {
 
-// The compliance that every link has, relative to the inverse masses at its ends: it keeps the pivots
-// of a straight chain between two pins away from zero. It leaves a millionth of the error, and bounds
-// the sideways correction of a chain straight within an angle d: error * d / (d^2 + this) is at most
-// error / (2 sqrt(this)), 500 times the error of pins too far apart.
+// The compliance that every link has, relative to the inverse masses at its ends. It keeps the pivots of a straight
+// chain between two pins away from zero. It leaves a millionth of the error. It bounds the sideways correction of a
+// chain that is straight within an angle d: error * d / (d^2 + this) is at most error / (2 sqrt(this)), 500 times the
+// error of pins too far apart.
 constexpr float regularisation = 1e-6f;
-// Keeps the pivot of a link between two pins from zero; beside the inverse mass of anything that
-// moves, 1e-6 at least, it is nothing.
+// Keeps the pivot of a link between two pins from zero. It vanishes beside the inverse mass of any free particle, which
+// is at least 1e-6.
 constexpr float least_pivot = 1e-20f;
-// Coincident particles part along x. Beside any other difference of coordinates it is lost.
+// Coincident particles separate along x. Added to any other coordinate difference it vanishes.
 constexpr float aside = 1e-18f;
-// Below this a square is lost, and so is the difference of coordinates that takes `aside` away again: such a link
-// has no direction, and pulls with nothing.
+// A smaller square underflows, and so does subtracting `aside` again. Such a link has no direction, and does not pull.
 constexpr float least_length = 1e-19f;
-// Particles stop at the border of the world and at three times the speed of light, so that no square
-// here leaves the range of floats.
+// Particles stop at the border of the world and at three times the speed of light, so that no square overflows.
 constexpr float farthest = 2e15f, fastest = 1e9f;
 
 struct Direction {
@@ -46,8 +46,8 @@ double added(Float8 v) {
 
 Float8 bounded(Float8 value, float limit) { return max(min(value, splat(limit)), splat(-limit)); }
 
-/// The formulas of TimeScheme as what differs from uniform motion: a rounded coefficient then does
-/// not change uniform motion, as it would substep after substep.
+/// The formulas of TimeScheme, written as differences from uniform motion. So rounded coefficients do not change
+/// uniform motion, which would add up substep by substep.
 class Prediction {
 public:
     explicit Prediction(const ClothStep& step)
@@ -100,17 +100,17 @@ struct Row {
     static constexpr float zeros[cloth_row_floats] = {};
 };
 
-/// What particles touch: nothing.
+/// The contact model of particles without contacts.
 struct NoSurfaces {
-    // In exact arithmetic the pivot is larger; the rounding of some thousand links might take it away.
+    // In exact arithmetic the pivot is larger, but the rounding of some thousand links might cancel it.
     static constexpr float least_pivot_part = regularisation;
     struct Normals {};
     static Normals normals(const uint32_t*) { return {}; }
-    /// Of a link in this direction: what its ends may move along it.
+    /// The mobility of a link in this direction: the sum of its ends' inverse masses along it.
     static Float8 mobility(const Quads8& a, const Normals&, const Quads8& b, const Normals&, const Direction&) {
         return (a.w + b.w) * splat(1 + regularisation);
     }
-    /// Between the links before and after a particle.
+    /// The coupling between the links before and after a particle.
     static Float8 coupling(const Quads8& a, const Normals&, const Row& before, const Direction& n) {
         return a.w * (before.x * n.x + before.y * n.y + before.z * n.z);
     }
@@ -131,7 +131,7 @@ void add_pull(float* pulls, const uint32_t* particles, const Quads8& pull) {
     store_quads(pulls, particles, sum);
 }
 
-/// The same, and what links pull with is wanted.
+/// The same, adding up the pulls of links.
 struct NoSurfacesPulling : NoSurfaces {
     float* pulls;
 
@@ -142,29 +142,29 @@ struct NoSurfacesPulling : NoSurfaces {
     }
 };
 
-/// What is left to the contact plane of a pull off it, where `before` is what chains before have pulled off, less what
-/// presses.
+/// The part of a pull away from the contact plane that the plane holds. `before`: the pull of previous chains away from
+/// it, minus the normal force.
 inline Float8 held_part(Float8 pull, Float8 before) {
     return pull - (max(before + pull, splat(0)) - max(before, splat(0)));
 }
 
-/// With the normals N of what they touch, particles have the inverse masses w (1 - N N^T): the system counts with them
-/// as they move along the surface. What all chains so far pull them off it with, beyond what presses them there, moves
-/// them off, and the next chains may move them back: it is the sum that has a sign (Catto 2005, "Iterative dynamics
-/// with temporal coherence"). Were it each chain's pull, a link that pushes would throw them off, and none would take
-/// them back.
+/// The contact model of particles with contact planes. With the normal N of its plane a particle has the inverse mass w
+/// (1 - N N^T), so the system treats it as moving along the plane. The total pull of all chains so far away from the
+/// plane, in excess of the normal force, moves the particle off, and later chains may move it back: the accumulated
+/// pull is clamped, not each single one (Catto 2005, "Iterative dynamics with temporal coherence"). Clamping single
+/// pulls would let a pushing link throw particles off, and none would bring them back.
 struct Surfaces {
-    // A chain between two held particles asks for what cannot be: its last pivot would be 0 and would
-    // throw it aside. Those of a chain with a free end are half of the diagonal or more.
+    // A chain between two held particles is infeasible: its last pivot would be 0 and throw it aside. The pivots of a
+    // chain with a free end are at least half of the diagonal.
     static constexpr float least_pivot_part = 0.5f;
-    // A link finds at least this part of the inverse masses of its ends even if it goes along the
-    // normals of both. What it pulls off the surface moves freely, by twice the error at most.
+    // A link has at least this fraction of its ends' inverse masses, even along the normals of both. A particle that it
+    // pulls off the plane then moves freely, by twice the error at most.
     static constexpr float least_mobility = 0.5f;
 
     const ClothSurfaces& arrays;
 
     using Normals = Quads8;
-    /// 0 of what has been pulled off.
+    /// 0 for particles that have been pulled off.
     Normals normals(const uint32_t* particles) const {
         const Quads8 normal = load_quads(arrays.normals, particles), pulled = load_quads(arrays.pulls, particles);
         const Mask8 held = product(pulled, normal) <= normal.w;
@@ -201,14 +201,14 @@ private:
     }
 };
 
-/// Particles with matrices W for inverse masses, which may touch something as well: then they have
-/// W - W N (W N)^T / (N . W N), the inverse mass of what cannot move along N.
+/// The contact model of joined cloth: particles have matrices W as inverse masses. In contact these become W - W N (W
+/// N)^T / (N . W N), the inverse mass without motion along N.
 struct Tethered {
-    // N . W N of a particle that touches nothing is 0, and nothing is what it then takes away.
+    // Without contact, N and N . W N are 0, and the subtracted term is 0, too.
     static constexpr float least_inertia = 1e-30f;
 
     const ClothTethers& arrays;
-    // The last pivot of a chain with a weight at its end is the weight's.
+    // The last pivot of a chain with a weight at its end is that of the weight.
     float least_pivot_part = arrays.has_contact ? Surfaces::least_pivot_part : NoSurfaces::least_pivot_part;
 
     struct Normals {
@@ -266,10 +266,10 @@ struct Tethered {
     }
 };
 
-/// Elimination from the first link to the last. With w the inverse masses and
-/// c_j = w_j (n_(j-1) . n_j), the tensions t solve
+/// Eliminates from the first link to the last. Let w be the inverse masses and c_j = w_j (n_(j-1) . n_j). The tensions
+/// t solve
 ///   -c_j t_(j-1) + (w_j + w_(j+1) + softness_j) t_j - c_(j+1) t_(j+1) = error_j
-/// A link that only pulls is in a chain of its own: no tension while it is short enough.
+/// A link that only pulls is in a chain of its own: it has no tension while it is short enough.
 template <bool is_limit, class ContactModel>
 void solve_batch(float* at, const ContactModel& surfaces, const ClothChains& chains, const ChainBatch& batch,
                  float* rows) {
@@ -297,7 +297,7 @@ void solve_batch(float* at, const ContactModel& surfaces, const ClothChains& cha
         a = b;
         at_a = at_b;
     }
-    // Substitution, from the last link to the first, moving each particle once both links are known.
+    // Substitutes from the last link to the first, moving each particle once both its links are known.
     const Float8 none = splat(0);
     Float8 tension = none, coupling = none;
     Quads8 pull{none, none, none, none};  // of the link after the particle
@@ -374,7 +374,7 @@ double stored(const float* at, const ClothChains& chains, const ChainBatch& batc
     return added(sum) / 2;
 }
 
-/// moved(i, x, y, z) for each eight from the i-th on.
+/// Calls moved(i, x, y, z) for each eight floats from the i-th on.
 template <class Moved>
 void limit_each(float* at, const ClothLimits& limits, uint32_t count, Moved&& moved) {
     for (uint32_t i = 0; i < count; i += 8) {
@@ -408,7 +408,7 @@ void limit_pulling(float* at, const ClothLimits& limits, uint32_t count, const f
     });
 }
 
-/// Where it has been solved to. What has left the numbers on the way stays where it was.
+/// The solved value; a particle that has become NaN or infinite stays where it was.
 inline Float8 solved(const ClothMotion& motion, uint32_t i, Float8 start) {
     const Float8 at = load(motion.at + i);
     const Mask8 found = abs(at) <= splat(farthest);
@@ -418,7 +418,7 @@ inline Float8 solved(const ClothMotion& motion, uint32_t i, Float8 start) {
     return kept;
 }
 
-/// The rounding of the predicted position is no motion: velocities would wander by it.
+/// The rounding of the predicted position must not count as motion, or velocities would drift.
 double finish(const ClothMotion& motion, const ClothStep& step) {
     const Prediction prediction(step);
     const Float8 h = splat(step.h), ratio = splat(step.ratio), earlier = splat(step.earlier), half = splat(0.5f);

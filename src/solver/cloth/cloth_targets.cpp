@@ -1,3 +1,5 @@
+// Animation targets as bounds of cloth particles: a predicted particle outside is projected onto its bounds, which then
+// act as a contact plane in the chains.
 #include "solver/cloth/cloth_targets.h"
 #include "solver/body.h"
 #include "solver/quads.h"
@@ -5,10 +7,10 @@
 namespace gphys {
 namespace {
 
-// Of a coordinate in float32, some operations long.
+// Of a coordinate in float32, after some operations.
 constexpr double rounding = 0x1p-20;
 
-/// Where the target of a particle allows it to be; false if it is there, or does not move freely.
+/// The allowed position of a particle with a target. Returns false if it is inside its bounds, or does not move freely.
 bool find_place(const Body& body, uint32_t p, Vec3& place, TargetBounds& out_of) {
     const AnimationTargets& targets = body.targets;
     const float* const at = &body.cloth.at[4 * size_t{p}];
@@ -53,7 +55,7 @@ void keep_cloth_to_targets(Body& body) {
     for (const TargetBounds& pressing : targets.pressing) {
         const size_t i = 4 * size_t{pressing.particle};
         put(&body.cloth.contacts.normals[i], {});
-        // What the chains have not taken off is at its bounds still.
+        // A particle that the chains have not moved away from its bounds is still at them.
         const Vec3 at = get(&body.cloth.at[i]);
         Vec3 place;
         TargetBounds out_of;

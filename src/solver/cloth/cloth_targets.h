@@ -1,4 +1,4 @@
-// Animation targets of cloth, in the parts of a substep.
+// Animation targets of cloth, in the order of a substep.
 #pragma once
 
 #include <cstdint>
@@ -7,16 +7,16 @@ namespace gphys {
 
 struct Body;
 
-/// Once particles are predicted: what targets carry goes with them.
+/// After the prediction: moves particles that targets carry.
 void carry_by_targets(Body& body);
-/// Before the chains: what is predicted beyond its bounds goes along these in the chains, unless it `touches` a model
-/// and goes along that.
+/// Before the chains: projects predicted particles onto their bounds, which become their contact planes in the chains.
+/// If `has_contact`, particles with contact planes of models keep those instead.
 void press_on_targets(Body& body, bool has_contact);
 /// After the chains and limits.
 void keep_cloth_to_targets(Body& body);
-/// Once there are velocities.
+/// After the velocities have been computed.
 void stop_cloth_at_targets(Body& body);
-/// A particle that something else has moved.
+/// For a particle that has been displaced.
 void stay_near_target(Body& body, uint32_t particle);
 
 }  // namespace gphys

@@ -1,10 +1,9 @@
-// What cloth has found around it in one step and need not look for in the next. A particle keeps its ball and its
-// contact planes while it stays in the ball and the models around the body are those that were there when the last step
-// ended; then nothing in the ball can have changed. Cloth that lies or hangs beside models hardly searches for
-// contacts.
+// The contact cache of cloth. A particle reuses its ball and its contact planes in the next step while it stays in the
+// ball and the models around the body are the same as at the end of the last step, because then nothing in the ball can
+// have changed. So cloth that lies or hangs beside models hardly searches.
 //
-// Balls and contact planes follow from where the particles looked, how far, and the models. So only the former are in a
-// snapshot, and a body that comes out of one, or finds other models, looks again from there.
+// Balls and contact planes follow from the positions of the search, its radius, and the models. So only the former two
+// are in a snapshot. A body restored from one, or with other models around it, searches again from there.
 #include "solver/cloth/contact_cache.h"
 #include "solver/contact/collision.h"
 #include "solver/contact/neighbourhood.h"
@@ -18,7 +17,7 @@ Aabb places_of(const Body& body) {
     return box;
 }
 
-/// What balls reach: each is as large as a link, or as its particle, and beyond it there is the particle's radius.
+/// The box that the balls reach: each is as large as a link or as its particle, plus the particle's radius.
 Box around_balls(const Body& body) {
     const double reach = std::max(body.cloth.batches.link_length, body.particles.largest_radius);
     const double room = 2 * (reach + body.particles.largest_radius);
@@ -33,7 +32,7 @@ uint64_t neighbourhood(const Body& body, const Scene& scene) {
 }  // namespace
 
 bool keeps_origin(const Body& body, const Aabb& box) {
-    // Coordinates are then a quarter larger than they have to be, and so is their rounding.
+    // Coordinates, and their rounding, are then at most a quarter larger than necessary.
     constexpr double farthest_aside = 1.0 / 8;
     if (body.cloth.search_balls.empty()) return false;
     const Vec3 aside = (box.min + box.max) / 2 - body.cloth.origin;

@@ -1,10 +1,11 @@
+// The contact search of cloth: candidates for groups of neighbouring particles, and the choice of contact planes
+// (contact_search.h).
 #include "solver/cloth/contact_search.h"
 
 namespace gphys {
 namespace {
 
-/// How far cloth stays off: as `skin`, and 2^-21 of its coordinates, which is 4 times the rounding of
-/// float32.
+/// The contact margin of cloth: `skin` plus 2^-21 of its coordinates, which is 4 times the rounding of float32.
 double clearance(const Body& body, uint32_t p, Vec3 at) {
     return skin(body.particles.radius[p], body.cloth.origin + at) + 0x1p-21 * max_component(abs(at));
 }
@@ -38,12 +39,12 @@ void ContactSearch::search_from_balls(const uint32_t* particles, uint32_t count)
     }
 }
 
-/// A particle looks no further than to its neighbours, which a step seldom takes it, so that few parts are near.
+/// A particle searches no farther than to its neighbours. That keeps the parts few, and a step seldom moves it farther.
 double ContactSearch::farthest(uint32_t p) const {
     return std::max(body_.cloth.batches.link_length, body_.particles.radius[p]);
 }
 
-/// Those that follow the first one within a box of eight times the size of what it may see.
+/// The number of particles that follow the first one within a box of eight times the size of its search range.
 uint32_t ContactSearch::count_together(const uint32_t* particles, uint32_t count) const {
     const double size = 16 * (body_.particles.radius[particles[0]] + farthest(particles[0]));
     Aabb places{place_of(particles[0]), place_of(particles[0])};
@@ -56,7 +57,7 @@ uint32_t ContactSearch::count_together(const uint32_t* particles, uint32_t count
     return together;
 }
 
-/// False, and nothing is done, if there is too much around.
+/// Returns false, without effect, if too much is near.
 bool ContactSearch::search_together(const uint32_t* particles, uint32_t count) {
     Aabb places{place_of(particles[0]), place_of(particles[0])};
     double range = 0;
@@ -72,7 +73,7 @@ bool ContactSearch::search_together(const uint32_t* particles, uint32_t count) {
     return true;
 }
 
-/// Among too much it sees less far, and at last as far as is swept in each substep anyway.
+/// If too much is near, the radius is halved, and finally 0: then the particle is swept in each substep.
 void ContactSearch::search_alone(uint32_t p) {
     const Vec3 at = place_of(p);
     const bool follows_all = find_colliders_near({at, at}, body_.particles.radius[p] + farthest(p));
@@ -86,7 +87,7 @@ void ContactSearch::search_alone(uint32_t p) {
     settle(p, 0);
 }
 
-/// False if there are too many, or some turn too fast to follow.
+/// Returns false if there are too many, or if some rotate too fast to follow.
 bool ContactSearch::find_colliders_near(const Aabb& places, double range) {
     collider_count_ = 0;
     bool all = true;
@@ -104,7 +105,7 @@ bool ContactSearch::find_colliders_near(const Aabb& places, double range) {
     return all;
 }
 
-/// As far as it comes by itself and with what may push it, and half as far again.
+/// The distance that the particle can go by itself and pushed by models, and half as much again.
 double ContactSearch::wanted_reach(uint32_t p) const {
     const Vec3 at = place_of(p), velocity = get(&body_.cloth.velocity[4 * size_t{p}]);
     double pushed = 0;
@@ -120,7 +121,7 @@ double ContactSearch::reach(uint32_t p) {
     return far;
 }
 
-/// What it reaches; of models that move, if they may come as near in the rest of the step.
+/// Places the query balls; for moving models, balls that cover their approach in the rest of the step.
 void ContactSearch::place_balls(uint32_t p, uint32_t point) {
     const Vec3 origin = body_.cloth.origin, at = place_of(p);
     const double range = body_.particles.radius[p] + reach_[point];
@@ -132,7 +133,7 @@ void ContactSearch::place_balls(uint32_t p, uint32_t point) {
     }
 }
 
-/// Models that the balls touch. False if there is too much.
+/// Collects the parts of models that the balls overlap. Returns false if there are too many.
 bool ContactSearch::collect(const uint32_t* particles, uint32_t count) {
     const Vec3 origin = body_.cloth.origin;
     const Vector<MovingCollider>& moving_colliders = body_.cloth.contacts.moving_colliders;
@@ -156,7 +157,7 @@ bool ContactSearch::collect(const uint32_t* particles, uint32_t count) {
     return complete;
 }
 
-/// The ball and the contact planes of a particle from what was collected around it.
+/// Sets the ball and the contact planes of a particle from the collected parts.
 void ContactSearch::settle(uint32_t p, uint32_t point) {
     ClothContacts& contacts = body_.cloth.contacts;
     Neighbour found{};
@@ -171,7 +172,7 @@ void ContactSearch::settle(uint32_t p, uint32_t point) {
     float* const ball = &contacts.balls[4 * size_t{p}];
     put(ball, place_of(p));
     if (push_out(ball, found) > 0) {
-        // It searches for contacts again after each substep.
+        // It searches again after each substep.
         reach = 0;
         contacts.sunk = true;
         body_.cloth.search_balls[4 * size_t{p} + 3] = Cloth::no_ball;
@@ -189,8 +190,8 @@ void ContactSearch::settle(uint32_t p, uint32_t point) {
     }
 }
 
-/// Of its contact planes, as far as that is done at once. Others are moved to where the particle is. Returns by how
-/// much it is behind the true ones.
+/// Projects out of contact planes up to the distance that is left at once. Deeper planes are moved to the particle.
+/// Returns the depth behind the true planes.
 double ContactSearch::push_out(float* ball, Neighbour& found) const {
     for (uint32_t i = 0; i < found.plane_count; ++i) {
         ContactPlane& plane = found.planes[i];
@@ -210,18 +211,18 @@ double ContactSearch::push_out(float* ball, Neighbour& found) const {
     return found.depth;
 }
 
-/// Nearest first. Leaves parts out that are behind the contact plane of a nearer one; those for which there
-/// is no room limit the reach.
+/// Chooses the nearest parts first. Culls parts behind the contact plane of a nearer one. Parts for which there is no
+/// room limit the reach.
 void ContactSearch::choose_planes(uint32_t p, Vec3 at, double& reach, Neighbour& found) {
     const Vec3 origin = body_.cloth.origin;
     const double off = body_.particles.radius[p] + clearance(body_, p, at);
     for (ClosestFeature part; found.plane_count < Neighbour::most_planes && parts_.take_nearest(part);) {
-        // Coplanar triangles share a contact plane: half of the clearance, or of the radius and it, is room for their
-        // rounding. What moves in another way will not stay behind.
+        // Coplanar triangles share a contact plane. Half of the margin, or of radius plus margin, covers their
+        // rounding. Parts with another motion are not culled, because they may come to the front.
         const double height = dot(part.normal, part.closest) + (off - body_.particles.radius[p]) / 2;
         parts_.cull_behind(part.normal, height, part.tag);
         if (part.tag != ContactPlane::unmoved) {
-            // From the end of the step back to the time of the rigid_motion.
+            // From the end of the step back to the present time.
             const RigidMotion& rigid_motion = body_.cloth.contacts.moving_colliders[part.tag].from_end;
             part.closest = origin + rigid_motion.apply(part.closest - origin);
             part.normal = rigid_motion.rotation * part.normal;
@@ -238,7 +239,7 @@ void ContactSearch::choose_planes(uint32_t p, Vec3 at, double& reach, Neighbour&
     });
 }
 
-/// How near a part so far away now comes to the place until the end of the step, at least.
+/// A lower bound for the distance between the position and a part, now at `distance`, until the end of the step.
 double ContactSearch::nearest_in_step(uint32_t moving_collider, double distance, Vec3 at) const {
     if (moving_collider == ContactPlane::unmoved) return distance;
     const MovingCollider& moving = body_.cloth.contacts.moving_colliders[moving_collider];

@@ -1,5 +1,4 @@
-// What is near a particle of cloth: the ball in which it may move, and the contact planes that it must stay in front
-// of.
+// The contact search of cloth particles: finds the ball in which a particle may move, and the contact planes in it.
 #pragma once
 
 #include "scene/closest_features.h"
@@ -8,29 +7,29 @@
 
 namespace gphys {
 
-/// Searches for contacts for the particles of a body, at the end of a substep or the beginning of the step. Particles
-/// that follow each other and lie together do it together.
+/// Searches for the particles of a body, at the end of a substep or the beginning of the step. Particles that are
+/// neighbours in memory and in space share one search.
 class ContactSearch {
 public:
-    /// `time`: seconds until the particles search for contacts again.
+    /// `time`: seconds until the next search.
     ContactSearch(const CollisionContext& around, Body& body, Vec3 gravity, double time)
         : around_(around), body_(body), gravity_(gravity), time_(time), most_push_(leaving_speed * seconds(around)) {}
 
-    /// Find the balls and the contact planes of particles, which are pushed out of what they are in. What they have
-    /// touched before is recorded.
+    /// Finds the balls and the contact planes of particles, and moves the particles out of models. Records the contacts
+    /// that they had before.
     void run(const uint32_t* particles, uint32_t count);
-    /// The same from where they have looked before, with nothing moving around, for contact planes and balls alone.
+    /// The same from the positions of the last search, without moving models; only for contact planes and balls.
     void repeat(const uint32_t* particles, uint32_t count);
 
 private:
     static constexpr uint32_t most_points = ClosestFeatures::most_points;
-    // Models that move near particles; one with more around it has no ball.
+    // Moving models near a particle; if there are more, it gets no ball.
     static constexpr uint32_t most_colliders = 8;
-    // Among more parts a particle sees less far: contact planes are planes, and that of a part far off keeps it from
-    // much that is free.
+    // Near more parts the radius is reduced: contact planes are infinite, and the plane of a distant part would exclude
+    // free space.
     static constexpr uint32_t most_parts = 64;
 
-    /// Of the substep; at the beginning of a step, of one that is short.
+    /// Length of the substep; at the beginning of a step, of a short one.
     static double seconds(const CollisionContext& around) {
         constexpr double short_substep = 0.002;
         return around.end > around.begin ? around.step_time * (around.end - around.begin)
@@ -56,12 +55,12 @@ private:
     Body& body_;
     const Vec3 gravity_;
     const double time_;
-    const double most_push_;  // out of what a particle is in
+    const double most_push_;  // out of a model
     bool again_ = false;
-    uint32_t near_colliders_[most_colliders];  // numbers in the body's list
+    uint32_t near_colliders_[most_colliders];  // indices in the body's list
     uint32_t collider_count_ = 0;
     double reach_[most_points];  // metres beyond the particle's radius
-    // By point, and for models that move as the scene has them, at the end of the step:
+    // By point; for moving models in the frame of the scene, at the end of the step:
     Sphere balls_[most_points], moving_balls_[most_colliders][most_points];
     ClosestFeatures parts_;
 };

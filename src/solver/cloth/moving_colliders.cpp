@@ -1,3 +1,4 @@
+// Moving models near cloth: their bounds in a step, and their rigid motion (moving_colliders.h).
 #include "solver/cloth/moving_colliders.h"
 
 #include "solver/contact/collision.h"
@@ -14,7 +15,7 @@ RigidMotion rigid_motion(const Transform& from, const Transform& to, Vec3 origin
 }  // namespace
 
 void find_moving_colliders(Body& body, const CollisionContext& around) {
-    // Half a radian: ranges are then less than three times what they are for a model that does not turn.
+    // Half a radian: search ranges are then less than three times those for a model that does not rotate.
     constexpr double most_turn = 0.5;
     Vector<MovingCollider>& moving_colliders = body.cloth.contacts.moving_colliders;
     moving_colliders.clear();
@@ -25,13 +26,13 @@ void find_moving_colliders(Body& body, const CollisionContext& around) {
         moving_collider.model = before.model;
         moving_collider.before = before.world;
         moving_collider.bounded = way_of(*around.scene, before, moving_collider.way);
-        // Of unit quaternions, up to their rounding: |q - p| = 2 sin(angle / 4), and their product is the cosine of
-        // half the angle.
+        // For unit quaternions, up to rounding: |q - p| = 2 sin(angle / 4), and their dot product is the cosine of half
+        // the angle.
         const Quat p = normalized(widen(before.world.rotation)), q = normalized(widen(after.rotation));
         const double cosine = std::min(1.0, std::fabs(p.x * q.x + p.y * q.y + p.z * q.z + p.w * q.w));
-        moving_collider.turn = 2 * std::sqrt(1 - cosine * cosine) + 1e-6;  // and the rounding of an angle near 0
-        // Towards the middle of the circle 1 - cos(angle / 2), and less than that along the way, where the arc is
-        // not passed evenly.
+        moving_collider.turn = 2 * std::sqrt(1 - cosine * cosine) + 1e-6;  // plus the rounding of an angle near 0
+        // 1 - cos(angle / 2) towards the centre of the circle, and less than that along the chord, because the arc is
+        // not traversed at constant speed.
         moving_collider.bulge = 2 * (1 - cosine);
         moving_collider.is_rigid = before.world.scale == after.scale && moving_collider.turn < most_turn;
         moving_colliders.push_back(moving_collider);

@@ -1,7 +1,7 @@
-// Models that move during a step, as cloth sees them.
+// Models that move during a step, for cloth.
 //
-// The scene has such a model where it stands at the end of the step; points fixed to it come from elsewhere. All
-// places here but boxes are relative to the cloth's origin.
+// The scene has such a model at its place at the end of the step; points fixed to it come from another place. All
+// positions here except boxes are relative to the cloth's origin.
 #pragma once
 
 #include "foundation/memory.h"
@@ -12,7 +12,7 @@ namespace gphys {
 struct Body;
 struct CollisionContext;
 
-/// How points fixed to a model move from one of its placements to another of the same scale.
+/// The motion of points fixed to a model between two of its transforms of the same scale.
 struct RigidMotion {
     Mat3 rotation;
     Vec3 shift;
@@ -24,23 +24,23 @@ struct RigidMotion {
 struct MovingCollider {
     gphys_model_id model;
     gphys_transform before;
-    Box way;               // all that it passes during the step, in the world
-    bool bounded;          // otherwise it is everywhere
-    bool is_rigid;         // it keeps its size and turns little; otherwise particles near it are swept
-    double turn;           // a bound of |R x - x| / |x|, R being its rotation in the step
-    double bulge;          // how far an arc of radius 1 with its angle is from the straight way, at most
+    Box way;               // bounds during the step, in the world
+    bool bounded;          // false: it is unbounded
+    bool is_rigid;         // it keeps its size and rotates little; otherwise particles near it are swept
+    double turn;           // a bound of |R x - x| / |x|, where R is its rotation in the step
+    double bulge;          // bound for the distance of an arc of radius 1 with its angle from the chord
     RigidMotion carry;     // during this substep
     RigidMotion from_end;  // from the end of the step back to that of this substep
     Vec3 middle;           // the model's position then
 
-    /// How far the place would move with the model in the rest of the step, at most.
+    /// A bound for the distance that the point would move with the model in the rest of the step.
     double travel(Vec3 at) const { return distance(at, from_end.inverse_apply(at)) + bulge * distance(at, middle); }
-    /// What is further than this from the place does not come within `reach` of it in the rest of the step:
-    /// d <= reach + travel(at) + (turn + bulge) d for a point d away that does.
+    /// A point farther than this away does not come within `reach` in the rest of the step: a point at distance d that
+    /// does satisfies d <= reach + travel(at) + (turn + bulge) d.
     double range(double reach, Vec3 at) const { return (reach + travel(at)) / (1 - turn - bulge); }
 };
 
-/// What there is of them at the beginning of a step, and their rides in the next substep.
+/// Finds the moving models at the beginning of a step; advance: their motion in the next substep.
 void find_moving_colliders(Body& body, const CollisionContext& around);
 void advance_moving_colliders(Body& body, const CollisionContext& around);
 

@@ -1,14 +1,14 @@
-// Links of cloth that a substep has left strained beyond the error target.
+// Relaxation of links of cloth that a substep has left strained beyond the error target (local Gauss-Seidel).
 //
-// Chains are solved once, as if no link turned by it: one that turns by a third of a radian is then a twentieth too
-// long, and so are those whose ends meet contact planes after the chains. What is left in this way is local. Passes
-// over the few strained links, one after the other, bring it below the target for a small part of the work of shorter
-// substeps. Sweeps over whole chains once more would not: where these are folded, they do not converge.
+// Chains are solved once, with the directions that links had before. So a link that turns by a third of a radian ends a
+// twentieth too long. So do links whose ends hit contact planes after the chains. These errors are local. Passes over
+// the few strained links, one after the other, bring them below the target for a fraction of the work of shorter
+// substeps. More sweeps over whole chains would not: they do not converge where chains are folded.
 //
-// Positions alone are moved. Velocities that followed them would make the links whip. But ends that part faster than
-// they are brought together again do not go on doing so: between chains that push them apart and passes that bring
-// them back they would stand still at some metres a second, which their neighbours get sooner or later. That speed is
-// lost as in an impact of what is not elastic.
+// Only positions move. Velocities derived from these displacements would make the links whip. But if the ends separate
+// faster than they are brought together again, that speed must go. Otherwise they would stand still at some metres per
+// second between chains that push them apart and passes that bring them back, and their neighbours would get that speed
+// sooner or later. It is lost as in an inelastic impact.
 #include "solver/cloth/relax_links.h"
 #include "solver/cloth/cloth_kernels.h"
 #include "solver/contact/collision.h"
@@ -17,22 +17,22 @@
 namespace gphys {
 namespace {
 
-// What is left after so many is not local: 500 were seen to take a strain of 10.6 % to 9.9 %.
+// Errors that remain after this many passes are not local: 500 were seen to take a strain of 10.6 % to 9.9 %.
 constexpr uint32_t most_passes = 64;
-// Without a target so many links are relaxed in a substep, in parts of all: what cannot be kept, as between pins that
-// are too far apart, must not take many times as long as the rest.
+// Without a target, this many links are relaxed in a substep, relative to all. Infeasible lengths, as between pins too
+// far apart, must not take many times as long as the rest.
 constexpr uint32_t most_work = 4;
-// On a mesh so many take about as long as the rest of the substep, so that shorter ones would take longer.
+// On a mesh this many take about as long as the rest of the substep, so shorter substeps would take longer.
 constexpr double aimed_passes = 12;
-// Links strained by more than this part of the target are relaxed, so that what they do to others stays below it.
+// Links strained by more than this fraction of the target are relaxed, so that their effect on others stays below it.
 constexpr double relaxed_part = 0.5;
-// Of the inverse mass, that a particle has which friction holds: else passes would take cloth down a slope, step by
-// step. Links between two such get their lengths back all the same.
+// Fraction of the inverse mass of a particle that friction holds. With all of it, the passes would move cloth down a
+// slope step by step. Links between two such particles still get their lengths back.
 constexpr double held_part = 0.1;
-// Of a length, in float32.
+// Relative rounding of a length in float32.
 constexpr double rounding = 0x1p-23;
 
-/// How much too long or, if it does not only pull, too short, in metres; else 0.
+/// The excess length or, unless the link only pulls, the missing length (< 0), in metres; else 0.
 double error_of(const Cloth& cloth, const KeptLinks::Link& link) {
     const double error = distance(get(&cloth.at[4 * size_t{link.a}]), get(&cloth.at[4 * size_t{link.b}])) - link.rest;
     return link.limit ? std::max(0.0, error) : error;
@@ -40,7 +40,7 @@ double error_of(const Cloth& cloth, const KeptLinks::Link& link) {
 
 bool yields(const Cloth& cloth, const KeptLinks::Link& link) { return link.brace && cloth.braces_yield; }
 
-/// In `strained`; returns the largest strain.
+/// Lists them in `strained`; returns the largest strain.
 double find_strained(const ClothBatches& batches, Cloth& cloth, uint32_t& count) {
     const ClothKernels& kernels = cloth_kernels(chosen_isa());
     const ClothChains chains{batches.particles.data(), batches.rest.data(), batches.softness.data(), nullptr};
@@ -64,7 +64,7 @@ double find_strained(const ClothBatches& batches, Cloth& cloth, uint32_t& count)
     return largest;
 }
 
-/// Returns what forces have lost by it.
+/// Returns the work that forces have lost by the displacement.
 double move(Body& body, uint32_t particle, Vec3 way, bool collides) {
     const size_t i = 4 * size_t{particle};
     const Vec3 before = get(&body.cloth.at[i]);
@@ -72,8 +72,8 @@ double move(Body& body, uint32_t particle, Vec3 way, bool collides) {
     return body.cloth.acceleration[i + 3] * dot(get(&body.cloth.acceleration[i]), before - get(&body.cloth.at[i]));
 }
 
-/// The speed at which the ends make the error larger, as far as it has made the error in a substep. Only of a body that
-/// touches something, as the time scheme of second order would go on with what has been stopped.
+/// Removes the speed at which the ends increase the error, limited to the error per substep. Only for a body in
+/// contact, because the second-order time scheme would otherwise continue the motion that has been stopped.
 void stop_straining(Cloth& cloth, const KeptLinks::Link& link, Vec3 direction, double error, double h) {
     float *a = &cloth.velocity[4 * size_t{link.a}], *b = &cloth.velocity[4 * size_t{link.b}];
     const double weight_a = cloth.at[4 * size_t{link.a} + 3], weight_b = cloth.at[4 * size_t{link.b} + 3];
@@ -84,7 +84,8 @@ void stop_straining(Cloth& cloth, const KeptLinks::Link& link, Vec3 direction, d
     put(b, get(b) - impulse * weight_b);
 }
 
-/// Both ends, unless the link is hardly strained. Adds what forces have lost by it; whether it was strained.
+/// Moves both ends, unless the link is hardly strained. Adds the work that forces have lost. Returns whether it was
+/// strained.
 bool relax(Body& body, const KeptLinks::Link& link, bool collides, double h, double& lost) {
     const float *a = &body.cloth.at[4 * size_t{link.a}], *b = &body.cloth.at[4 * size_t{link.b}];
     const auto weight_of = [&](uint32_t p, const float* at) {
@@ -102,7 +103,7 @@ bool relax(Body& body, const KeptLinks::Link& link, bool collides, double h, dou
     return true;
 }
 
-/// A pass over `strained`, after which that holds the links at all particles that it has moved.
+/// One pass over `strained`, which afterwards lists the links of all moved particles.
 void relax_listed(Body& body, uint32_t& count, bool collides, double h, double& lost) {
     const KeptLinks& kept = body.cloth.batches.kept;
     Cloth& cloth = body.cloth;
@@ -143,7 +144,7 @@ double relax_links(Body& body, bool collides, double h) {
             relax_listed(body, count, collides, h, lost);
         }
     }
-    // What is left grows with the square of the substep, and so do the passes.
+    // The remaining error grows with the square of the substep, and so does the number of passes.
     if (passes > 0) cloth.wanted_substep = std::min(cloth.wanted_substep, h * std::sqrt(aimed_passes / passes));
     return lost;
 }

@@ -1,3 +1,4 @@
+// The volume constraint of cloth: its value and gradient, and one Newton step (volume.h).
 #include "solver/cloth/volume.h"
 #include "foundation/status.h"
 #include "solver/body.h"
@@ -7,7 +8,7 @@
 namespace gphys {
 namespace {
 
-/// sum of a . (b x c) over the triangles; at(p) is a place.
+/// The sum of a . (b x c) over the triangles; at(p) is a position.
 template <class At>
 double six_volumes(const Body& body, At&& at) {
     double sum = 0;
@@ -51,7 +52,7 @@ bool encloses_volume(const Body& body) {
 }
 
 double volume_of(const Body& body) {
-    // Relative to a particle: far from the origin the products would cancel.
+    // Relative to a particle, because far from the origin the products would cancel.
     const Vec3 origin = body.particles.position[0];
     return six_volumes(body, [&](uint32_t p) { return body.particles.position[p] - origin; }) / 6;
 }
@@ -66,8 +67,8 @@ double stored_in_volume(const Body& body, double volume) {
 }
 
 void solve_volume(Body& body, double scale) {
-    // Volume grows with the third power of what is added to it: from a change of more than a tenth the
-    // gradient would be no guide.
+    // The volume grows with the third power of lengths. For a change of more than a tenth the gradient would be too
+    // inaccurate.
     constexpr double most_change = 0.1;
     Volume& volume = body.cloth.volume;
     Cloth& cloth = body.cloth;
@@ -76,7 +77,7 @@ void solve_volume(Body& body, double scale) {
     const double most = most_change * std::max(std::fabs(now), most_change * volume.rest);
     const double wanted = std::clamp(volume.rest - now - softness * volume.given, -most, most);
     find_gradient(body);
-    // Particles that touch something go along it, or off.
+    // Particles in contact move along their contact plane, or off it.
     const auto way = [&](uint32_t p) {
         Vec3 out = volume.gradient[p];
         if (!contacts.any_active()) return out;

@@ -1,9 +1,9 @@
-// The volume that the triangles of a cloth enclose, held as one constraint on all its particles:
+// The volume that the triangles of a cloth enclose, as one constraint on all its particles:
 //
 //     volume = rest - compliance * pressure,   V = sum over triangles of a . (b x c) / 6
 //
-// Its gradient at a particle is a third of the area around it, outward, so that pressure pushes it with
-// a force of pressure * gradient: what a gas inside does.
+// Its gradient at a particle is a third of the surrounding area, outward. So pressure pushes the particle with the
+// force pressure * gradient, as an enclosed gas does.
 #pragma once
 
 #include "foundation/math.h"
@@ -21,23 +21,23 @@ struct Volume {
     double rest = 0;        // m^3
     double compliance = 0;  // m^3/Pa; 0: rigid
     double pressure = 0;    // Pa, of the last substep
-    double given = 0;       // of the substep under way: times the gradient, it moves an average particle, in metres
+    double given = 0;       // in the substep under way: times the gradient, it moves an average particle, in metres
     Vector<Vec3> gradient;  // by particle
 };
 
-/// Whether each side of a triangle is the side of one other, passed the other way round. Throws std::bad_alloc.
+/// Whether each edge of a triangle is that of exactly one other triangle, in the opposite direction. Throws
+/// std::bad_alloc.
 bool encloses_volume(const Body& body);
 double volume_of(const Body& body);
-/// Of what is compressed, joules.
+/// Energy of the compression, joules.
 double stored_in_volume(const Body& body, double volume);
 
-/// For cloth during a substep: move its particles so that the volume is what it should be; `scale` is the
-/// average mass / step^2.
+/// For cloth during a substep: moves the particles to correct the volume. `scale` is the average mass / step^2.
 void solve_volume(Body& body, double scale);
-/// From the positions of cloth during a substep.
+/// For the positions of cloth during a substep.
 double cloth_volume(const Body& body);
 
-/// rest < 0: the present volume. The body keeps it from then on.
+/// rest < 0: the present volume. The body keeps the volume from then on.
 gphys_status set_volume(Body& body, double rest, double compliance);
 void release_volume(Body& body);
 

@@ -1,9 +1,9 @@
-// The motion of cloth as a whole: its momentum, its angular momentum and the rigid motion that has both.
+// Conservation of the momentum and angular momentum of cloth, by a rigid correction.
 //
-// Constraints act between particles, so they change neither of the two. Sweeps over them do: each link is taken along
-// the direction that it had before those after it moved its ends, and what keeps energy from growing slows all
-// motion. Where all that pushes a body from outside is known it therefore gets back, at the end of a substep, what it
-// lacks of both, as a rigid motion; energy is then only taken from what moves beside that motion.
+// Constraints act between particles, so they change neither. Sweeps over them do: each link is corrected along the
+// direction that it had before later links moved its ends, and limiting the energy slows all motion. If all external
+// forces on a body are known, it gets back the missing momentum and angular momentum at the end of a substep, as a
+// rigid motion. Energy is then only taken from the motion relative to that.
 #include "solver/cloth/whole_motion.h"
 #include "foundation/elementary.h"
 #include "solver/contact/collision.h"
@@ -12,7 +12,7 @@
 namespace gphys {
 namespace {
 
-/// Of some particles, about the origin of the cloth, per average mass.
+/// Moments of some particles, about the origin of the cloth, per average mass.
 struct Moments {
     double mass = 0, energy = 0;
     Vec3 places, momentum, spin;
@@ -28,12 +28,12 @@ struct Moments {
         energy += length_squared(velocity) * m / 2;
     }
     Vec3 centre() const { return places / mass; }
-    /// About the centre.
+    /// About the centre of mass.
     Vec3 own_spin() const { return spin - cross(centre(), momentum); }
 };
 
-/// The angular velocity with which a body of these moments has that spin. None about an axis that all particles lie
-/// on: what inertia there is about it is rounding.
+/// The angular velocity of a body with these moments and that angular momentum. 0 about an axis through all particles,
+/// because the inertia about it is a rounding error.
 Vec3 turning_of(const Moments& body, Vec3 spin) {
     constexpr double regularisation = 1e-9;
     const Vec3 c = body.centre();
@@ -47,7 +47,7 @@ Vec3 turning_of(const Moments& body, Vec3 spin) {
     return Vec3{dot(yz, spin), dot(zx, spin), dot(xy, spin)} / determinant;
 }
 
-/// A rigid motion: the velocity at the origin, and how it turns.
+/// A rigid motion: the velocity at the origin, and the angular velocity.
 struct Rigid {
     Vec3 velocity, turning;
 
@@ -57,19 +57,19 @@ Rigid rigid_motion_of(const Moments& body) {
     const Vec3 turning = turning_of(body, body.own_spin());
     return {body.momentum / body.mass - cross(turning, body.centre()), turning};
 }
-/// What is left of the energy without it.
+/// The energy of the motion relative to the rigid one.
 double energy_beside(const Moments& body) {
     const Vec3 spin = body.own_spin();
     return body.energy - length_squared(body.momentum) / (2 * body.mass) - dot(spin, turning_of(body, spin)) / 2;
 }
 
-/// visit(particle, relative mass, number of its first float), in order.
+/// Calls visit(index of the first float, relative mass) for each particle, in order.
 template <class Visit>
 void each_particle(const Cloth& cloth, Visit&& visit) {
     for (size_t i = 0; i < 4 * size_t{cloth.particles}; i += 4) visit(i, double{cloth.acceleration[i + 3]});
 }
 
-/// The rigid motion stays, and this part of all other motion.
+/// Keeps the rigid motion, and this fraction of all other motion.
 void slow_beside(Cloth& cloth, const Rigid& rigid, double kept) {
     each_particle(cloth, [&](size_t i, double) {
         const Vec3 common = rigid.at(get(&cloth.at[i]));

@@ -1,4 +1,4 @@
-// The momentum of cloth that nothing but forces and contacts has pushed.
+// Conservation of the momentum of cloth on which only forces and contacts act.
 #pragma once
 
 #include "foundation/math.h"
@@ -7,9 +7,10 @@ namespace gphys {
 
 struct Body;
 
-/// At the end of a substep of h seconds of cloth that nothing but forces and contacts has pushed, its
-/// momentum and angular momentum to what these make of those that it began with. If no energy comes from outside, what
-/// it gained, of which `stored` per average mass by elastic links, is taken from motion beside that as a rigid body.
+/// Call at the end of a substep of h seconds, for cloth on which only forces and contacts have acted. Sets its momentum
+/// and angular momentum to those that follow from the initial ones and these forces. If no energy comes from outside,
+/// the energy that it has gained, including `stored` per average mass in elastic links, is taken from the motion
+/// relative to the rigid one.
 void keep_momentum(Body& body, double h, double stored);
 
 }  // namespace gphys
