@@ -80,11 +80,11 @@ void cast_by(const Filters& filters, const uint32_t* items, uint32_t count, cons
 inline void set_missed(gphys_hit& out) { out = no_hit; }
 inline void set_missed(gphys_distance& out) { out = no_distance; }
 template <class Who>
-void ask_many(const Scene& scene, Ray* rays, uint32_t count, const Who& by, gphys_hit* const* out) {
+void cast_many(const Scene& scene, Ray* rays, uint32_t count, const Who& by, gphys_hit* const* out) {
     scene.raycast_many(rays, count, by, out);
 }
 template <class Who>
-void ask_many(const Scene& scene, Ray* rays, uint32_t count, const Who& by, gphys_distance* const* out) {
+void cast_many(const Scene& scene, Ray* rays, uint32_t count, const Who& by, gphys_distance* const* out) {
     scene.raycast_distance_many(rays, count, by, out);
 }
 
@@ -108,7 +108,7 @@ void raycast_each(const Scene& scene, const Strided<T>& in, uint32_t floats, uin
                           set_missed(*answers[k]);
                       }
                       cast_by(filter, items, size, [&](uint32_t first, uint32_t some, const auto& by) {
-                          ask_many(scene, rays + first, some, by, answers + first);
+                          cast_many(scene, rays + first, some, by, answers + first);
                       });
                   });
 }

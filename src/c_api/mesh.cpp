@@ -30,7 +30,7 @@ gphys_status check_rays(const gphys_ray* rays, uint32_t ray_stride, uint32_t cou
     return GPHYS_OK;
 }
 
-gphys_status refuse_deformable_hull(const gphys_mesh_desc& desc) {
+gphys_status reject_deformable_hull(const gphys_mesh_desc& desc) {
     if (desc.deformable == 0) return GPHYS_OK;
     return fail(GPHYS_ERROR_UNSUPPORTED, "desc.deformable: a hull keeps its form");
 }
@@ -92,7 +92,7 @@ gphys_status gphys_mesh_create_hull(const gphys_mesh_desc* desc, const float* po
     return guarded(__func__, [&]() -> gphys_status {
         gphys_mesh_desc settings{};
         GPHYS_TRY(read_mesh_desc(desc, settings));
-        GPHYS_TRY(refuse_deformable_hull(settings));
+        GPHYS_TRY(reject_deformable_hull(settings));
         GPHYS_REQUIRE(point_count == 0 || points, "points is null");
         GPHYS_TRY(check_out_stride("point_stride", point_stride, sizeof(gphys_vec3)));
         GPHYS_REQUIRE_POINTERS(out_mesh);
@@ -219,7 +219,7 @@ gphys_status gphys_mesh_create_from_snapshot(const gphys_mesh_desc* desc, const 
         Memory memory(settings.allocator);
         MeshParts parts;
         if (const char* wrong = read_mesh_snapshot(words, word_count, &memory, parts)) return invalid(wrong);
-        if (parts.arrays.kind == MeshKind::hull) GPHYS_TRY(refuse_deformable_hull(settings));
+        if (parts.arrays.kind == MeshKind::hull) GPHYS_TRY(reject_deformable_hull(settings));
         *out_mesh = wrap(create<Mesh>(settings.allocator, parts, settings.deformable != 0));
         return GPHYS_OK;
     });
@@ -262,8 +262,8 @@ gphys_status gphys_mesh_raycast_any_batch(const gphys_mesh* mesh, const gphys_ra
         const StridedOut<int32_t> out(out_hits, out_stride);
         const Strided<gphys_ray> each(rays, ray_stride);
         cast_at_mesh(each, count, out, [&](const gphys_ray* const* tile, const uint32_t* items, uint32_t size) {
-            const uint64_t met = unwrap(mesh)->raycast_any_many(tile, size);
-            for (uint32_t k = 0; k < size; ++k) out[items[k]] = static_cast<int32_t>(met >> k & 1);
+            const uint64_t found = unwrap(mesh)->raycast_any_many(tile, size);
+            for (uint32_t k = 0; k < size; ++k) out[items[k]] = static_cast<int32_t>(found >> k & 1);
         });
         return GPHYS_OK;
     });

@@ -10,10 +10,10 @@ constexpr ShapeNames moving_names{"moving_type", "moving"};
 
 bool sweep(const ShapeOrMesh& other, const Shape& moving, Vec3 displacement, gphys_hit& out) {
     Hit hit;
-    const bool met =
+    const bool found =
         other.mesh ? other.mesh->sweep(moving, displacement, hit) : sweep(other.shape, moving, displacement, hit);
-    if (met) out = to_contact(hit, displacement);
-    return met;
+    if (found) out = to_contact(hit, displacement);
+    return found;
 }
 
 bool penetration(const ShapeOrMesh& other, const Shape& moving, gphys_penetration& out) {

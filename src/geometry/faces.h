@@ -19,16 +19,16 @@ inline bool is_surface(const Shape& shape) {
 /// Whether a motion hits a side of the shape that `faces` includes. It hits the back if the normal points along the
 /// motion. Solids have no back, and a motion parallel to a surface hits neither side: both always count.
 template <class Solid>
-bool meets_side(const Solid&, Vec3, Faces) {
+bool hits_side(const Solid&, Vec3, Faces) {
     return true;
 }
-inline bool meets_side(const Plane& plane, Vec3 displacement, Faces faces) {
+inline bool hits_side(const Plane& plane, Vec3 displacement, Faces faces) {
     return faces.are_all() || faces.include(sign_of([&](auto number) {
                                                 using V = Vec<decltype(number)>;
                                                 return dot(V::of(plane.normal), V::of(displacement));
                                             }) > 0);
 }
-inline bool meets_side(const Triangle& triangle, Vec3 displacement, Faces faces) {
+inline bool hits_side(const Triangle& triangle, Vec3 displacement, Faces faces) {
     return faces.are_all() || faces.include(sign_of([&](auto number) {
                                                 using V = Vec<decltype(number)>;
                                                 const auto normal = cross(V::difference(triangle.b, triangle.a),

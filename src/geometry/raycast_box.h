@@ -127,13 +127,13 @@ public:
     }
 
     /// False if the ray certainly misses.
-    GPHYS_INLINE auto may_meet() const {
+    GPHYS_INLINE auto may_hit() const {
         return all_axes(at_most(Vector(), far_) & at_most(near_, end_ * fast_) &
                         at_most(by_component(near_, yzx(slow_)), by_component(yzx(far_), fast_)) &
                         at_most(by_component(near_, zxy(slow_)), by_component(zxy(far_), fast_)));
     }
     /// True if the ray certainly hits.
-    GPHYS_INLINE auto must_meet() const {
+    GPHYS_INLINE auto must_hit() const {
         const Vector near = positive(plus(near_, twice_margin_)), far = minus(far_, twice_margin_);
         const Vector above_zero = plus(Vector(), splat_as(end_, 0x1p-126f));
         return all_axes(at_most(above_zero, far) & at_most(near, end_ * slow_) &

@@ -471,7 +471,7 @@ bool Mesh::sweep(const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties, c
         }
     }
     const auto sweep_item = [&](const auto& item, Hit& candidate) {
-        return (is_hull() || meets_side(item, displacement, faces)) &&
+        return (is_hull() || hits_side(item, displacement, faces)) &&
                gphys::sweep(item, moving, displacement, candidate);
     };
     if (axes.is_one()) return find_contact(moving.center, moving.radius, displacement, sweep_item, hit, ties, axes);
@@ -490,7 +490,7 @@ bool Mesh::sweep(const Shape& moving, Vec3 displacement, Hit& hit, const AxisSca
     if (is_hull()) {
         const Vec3 center = axes(center_), reach = half + (extent.max - center);
         const double margin = 0x1p-48 * sum(abs(box.middle) + abs(center) + reach);
-        if (!RayAndBox<Vec3>(box.middle - center, reach, margin, displacement, 0, 1).may_meet()) return false;
+        if (!RayAndBox<Vec3>(box.middle - center, reach, margin, displacement, 0, 1).may_hit()) return false;
         if (overlaps(moving, axes)) {
             start_in_hull(moving, hit, axes);
             return true;
@@ -500,7 +500,7 @@ bool Mesh::sweep(const Shape& moving, Vec3 displacement, Hit& hit, const AxisSca
         }
     }
     const auto sweep_item = [&](const auto& item, Hit& candidate) {
-        return (is_hull() || meets_side(item, displacement, faces)) &&
+        return (is_hull() || hits_side(item, displacement, faces)) &&
                gphys::sweep(item, moving, displacement, candidate);
     };
     if (!find_contact(axes.inverse(box.middle), axes.inverse(half), axes.inverse(displacement), sweep_item, hit,

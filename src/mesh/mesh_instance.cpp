@@ -28,7 +28,7 @@ bool misses(const Ray& ray, const Box& box) {
     const double magnitude = sum(abs(ray.origin) + abs(center) + half);
     // Infinity times zero would be NaN. No hit is later than this.
     const double end = std::min(ray.t_max, 0x1p600);
-    return !RayAndBox<Vec3>(ray.origin - center, half, 0x1p-48 * magnitude, ray.direction, 0, end).may_meet();
+    return !RayAndBox<Vec3>(ray.origin - center, half, 0x1p-48 * magnitude, ray.direction, 0, end).may_hit();
 }
 
 void out_of_mesh(Hit& hit, const Transform& world) {

@@ -51,8 +51,8 @@ private:
         const Float4 end = splat4(static_cast<float>(std::min(t_max * direction_size_, most_end)));
         const RayAndBox<Float4> both(box.from, box.half, box.margin, box.turned_back(unit_direction_),
                                      unit_direction_slack_ * box.unit, end);
-        if (!both.may_meet()) return TriState::no;
-        return also_yes && both.must_meet() ? TriState::yes : TriState::open;
+        if (!both.may_hit()) return TriState::no;
+        return also_yes && both.must_hit() ? TriState::yes : TriState::open;
     }
 
     /// The box of the mesh is for mesh_instance.cpp, which has the ray in the mesh's space.

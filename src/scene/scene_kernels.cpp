@@ -116,7 +116,7 @@ TriStates8 rays_and_boxes(const Sight8& sight, const Vec<Float8>& half, Float8 u
     const Float8 margin = (splat(float_slack) * (sum(abs(sight.from)) + sum(half)) + sight.off) * unit;
     const RayAndBox<Vec<Float8>> both(turn_back(sight.from), half * unit, margin, turn_back(sight.direction),
                                       sight.direction_slack * unit, sight.end);
-    return {bits(both.may_meet()) ^ 0xff, bits(both.must_meet())};
+    return {bits(both.may_hit()) ^ 0xff, bits(both.must_hit())};
 }
 
 TriStates8 rays_and_aabbs(const RaysAndModels<RayQuads>& pairs) {

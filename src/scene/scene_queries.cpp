@@ -36,7 +36,7 @@ bool sweep_sides(const MeshInstance& instance, const Sphere& moving, Vec3 displa
 }
 template <class Primitive>
 bool sweep_sides(const Primitive& shape, const Sphere& moving, Vec3 displacement, Faces faces, Hit& hit) {
-    return meets_side(shape, displacement, faces) && sweep(shape, moving, displacement, hit);
+    return hits_side(shape, displacement, faces) && sweep(shape, moving, displacement, hit);
 }
 
 /// Whether a box may overlap a plane. The error of the sums is below 8 roundings of 2^-53 of what is

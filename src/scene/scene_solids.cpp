@@ -12,7 +12,7 @@ bool sweep_shape(const MeshInstance& instance, const Shape& moving, Vec3 displac
 }
 template <class Primitive>
 bool sweep_shape(const Primitive& shape, const Shape& moving, Vec3 displacement, Faces faces, Hit& hit) {
-    return meets_side(shape, displacement, faces) && sweep(Shape(shape), moving, displacement, hit);
+    return hits_side(shape, displacement, faces) && sweep(Shape(shape), moving, displacement, hit);
 }
 
 /// The penetrations into a model: add(Penetration, triangle).

@@ -104,7 +104,7 @@ void Solver::prepare(const Scene* scene, double dt) {
         if (!joints_current_) plan_joints();
         list_islands();
         particle_contacts_.reserve(state_.bodies, islands_, island_bodies_);
-        if (scene) look_around(*scene, dt);
+        if (scene) list_near_models(*scene, dt);
         bound_work(dt);
         std::sort(moving_.begin(), moving_.end());
         divide_work();
@@ -113,7 +113,7 @@ void Solver::prepare(const Scene* scene, double dt) {
         size_t given = 0;
         for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot)
             given += state_.bodies[slot].contacts.impulses.capacity();
-        givers_.reserve(given);
+        body_impulses_.reserve(given);
         impulses_.reserve(given);
     } catch (...) {
         for (Before& before : before_) before.put_back(state_.bodies[before.slot]);
@@ -191,7 +191,7 @@ void Solver::begin_step(const Scene* scene) noexcept {
 }
 
 /// Note where the models near the bodies stand, and which of them have moved since the last step.
-void Solver::look_around(const Scene& scene, double dt) {
+void Solver::list_near_models(const Scene& scene, double dt) {
     stretches_.clear();
     for (uint32_t i = 0; i < moving_.size(); ++i) {
         Body& body = state_.bodies[moving_[i].slot];

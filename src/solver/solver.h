@@ -3,43 +3,43 @@
 // bodies that influence each other.
 //
 //   body.h             what a body is composed of; each part is declared by its owner
-//   builders.cpp       bodies come and go
-//   state.cpp          their particles are changed by the caller, or all moved
-//   constraints.cpp    their constraints come and go
-//   settings.cpp       settings of the solver and of bodies, changed while these move
-//   constraint_settings.cpp  the same of constraints: winches and muscles
-//   prepare.cpp        before a step: plans, room, what is around, and who does what
-//   step.cpp           the step: which body is moved how
-//   time_scheme.h      the formulas by which constrained bodies go on
+//   builders.cpp       adding and removing bodies
+//   state.cpp          changes of particles by the caller; moving the origin
+//   constraints.cpp    adding and removing constraints
+//   settings.cpp       settings of the solver and of bodies
+//   constraint_settings.cpp  settings of constraints: winches and muscles
+//   prepare.cpp        before a step: plans, memory, nearby models, tasks
+//   step.cpp           the step: how each body is moved
+//   time_scheme.h      the time integration of constrained bodies
 //   islands.cpp        bodies that influence each other, moved together
 //   sleep.cpp          bodies at rest
 //   wind.cpp           drag and lift
-//   animation_targets.cpp  where an animation wants particles, and how far from there they may be
-//   state_range.cpp    the range of numbers that a step ends in
-//   error_targets.cpp  how many substeps a body takes
+//   animation_targets.cpp  positions from an animation, and how far from there particles may be
+//   state_range.cpp    the range of numbers in which a step ends
+//   error_targets.cpp  the number of substeps of a body
 //   stats.cpp          strain, energy, contacts
-//   body_meshes.cpp    bodies as meshes, for scenes to show
+//   body_meshes.cpp    bodies as meshes in scenes
 //   particles/         bodies without constraints: exact flight and impacts
-//   rope/              chains and trees: Newton on the whole chain
+//   rope/              chains and trees: Newton's method on the whole chain
 //     plan_chains.cpp    which constraints form chains
-//     rope_substep.cpp   a substep of one, and what it does beside models
-//     stages_kernels.cpp which go by two formulas, for a seventh of the error
-//     rope_direct.cpp    links, one rope at a time, by elimination of matrices
-//     rope_lanes.cpp     those that nothing disturbs, several side by side: rope_layout_kernels.cpp puts them there,
-//                        rope_kernels.cpp moves them
+//     rope_substep.cpp   a substep of a rope, also in contact with models
+//     stages_kernels.cpp whether a substep has two stages, for a seventh of the error
+//     rope_direct.cpp    links of a single rope, by block elimination
+//     rope_lanes.cpp     undisturbed ropes, several side by side, in the layout of rope_layout_kernels.cpp, moved by
+//                        rope_kernels.cpp
 //     rope_limits.cpp    links that only pull
-//     damping.h          damped links as undamped ones with other numbers
+//     damping.h          damped links as undamped ones with other parameters
 //   cloth/             cloth and graphs: colours of chains
 //     plan_cloth.cpp     chains and limits, packed for the kernels
 //     cloth.cpp          a substep
-//     cloth_contacts.cpp what cloth touches, as part of its chains
+//     cloth_contacts.cpp contacts with models, as part of its chains
 //     cloth_targets.cpp  its animation targets, as part of its chains
-//     relax_links.cpp    what chains have left strained: kept_links.cpp has which links, all but braces
-//     contact_cache.cpp     what of it holds from step to step
-//     reach_limits.cpp   how far cloth can be from its pins
-//     volume.cpp         what closed cloth encloses
-//   contact/           particles against the scene, against particles, and what models get from it
-//   joints/            joints between bodies: Newton on all joined chains, by sparse elimination
+//     relax_links.cpp    links that chains have left strained; kept_links.cpp: which links, all but braces
+//     contact_search.cpp the search for contact planes; contact_cache.cpp: reuse from step to step
+//     reach_limits.cpp   long range attachments to pins
+//     volume.cpp         the enclosed volume of closed cloth
+//   contact/           particles against the scene and against particles; impulses on models
+//   joints/            joints between bodies: Newton's method on all joined chains, by sparse elimination
 //   snapshot/          the whole state as words, and back; its hash
 #pragma once
 
@@ -56,16 +56,16 @@
 
 namespace gphys {
 
-/// What links of cloth are relaxed to if no target is set.
+/// The strain to which links of cloth are relaxed if no target is set.
 constexpr double usual_cloth_strain = 0.02;
 constexpr uint32_t most_substeps = 1000;
 constexpr float shortest_step = 1e-6f, longest_step = 0.5f;  // seconds
 
-/// A model that moves up to this fast, m/s, is seen to come before it meets a particle at rest, and is then
-/// met on its way; a faster one only where it arrives. Twice as fast: more models around each body to note.
+/// m/s: a model up to this fast is noticed before it hits a particle at rest, and is swept along its path. A faster one
+/// is only hit where it arrives. A larger value makes a step track more models around each body.
 constexpr double fastest_model = 50;
 
-/// All that the next step depends on, apart from the scene: what a snapshot holds.
+/// All state that the next step depends on, except the scene. Snapshots contain it.
 struct SolverState {
     explicit SolverState(std::pmr::memory_resource* memory)
         : ids(memory), bodies(memory), joint_ids(memory), joints(memory), seen(memory) {}
@@ -77,10 +77,10 @@ struct SolverState {
     Vector<Body> bodies;  // by slot
     IdTable joint_ids;
     Vector<Joint> joints;      // by slot
-    Vector<PlacedModel> seen;  // models near the bodies, where they stood at the last step
+    Vector<PlacedModel> seen;  // models near the bodies, with their places at the last step
 };
 
-/// By body, particle, model.
+/// Order: by body, particle, model.
 struct ContactOrder {
     bool operator()(const gphys_contact& a, const gphys_contact& b) const {
         if (a.body != b.body) return a.body < b.body;
@@ -111,21 +111,22 @@ public:
 
     /// Wakes all bodies if it changes.
     void set_gravity(Vec3 gravity);
-    /// Of a body, or all: 0.
+    /// For a body, or 0 for all.
     void set_wind(gphys_body_id of, const gphys_wind& wind);
     void set_substeps(uint32_t substeps) { state_.settings.substeps = substeps; }
     /// settings.cpp
     void set_settings(const SolverSettings& settings);
     const SolverSettings& settings() const { return state_.settings; }
-    /// All particles stay where they are in the world, and wake; false if one leaves the range of coordinates.
+    /// All particles stay where they are in the world, and wake. Returns false if one would leave the range of
+    /// coordinates.
     bool set_origin(Vec3 origin);
     Vec3 origin() const { return state_.origin; }
 
-    // Bodies. Values have been checked. Whatever fails, by status or std::bad_alloc, changes nothing.
+    // Bodies. Values have been checked. A function that fails, by status or std::bad_alloc, changes nothing.
 
     gphys_status add_particles(const gphys_body_desc& desc, const gphys_vec3* positions, uint32_t stride,
                                uint32_t count, gphys_body_id& out);
-    /// link_length 0: as placed.
+    /// link_length 0: the lengths as placed.
     gphys_status add_rope(const gphys_body_desc& desc, const gphys_vec3* positions, uint32_t stride, uint32_t count,
                           double link_length, gphys_body_id& out);
     gphys_status add_cloth(const gphys_body_desc& desc, Vec3 corner, Vec3 edge_u, Vec3 edge_v, uint32_t columns,
@@ -137,12 +138,12 @@ public:
     /// GPHYS_OK, or the failure that names a stale id.
     gphys_status check(gphys_body_id body) const;
     void list(Smallest<gphys_body_id>& out) const;
-    /// Of a valid id.
+    /// The id must be valid.
     const Body& body(gphys_body_id id) const { return state_.bodies[IdTable::slot_of(id)]; }
 
-    /// For functions that wake it themselves, once they have checked what they are to do.
+    /// For functions that wake it themselves, after their checks.
     Body& body(gphys_body_id id) { return state_.bodies[IdTable::slot_of(id)]; }
-    /// The same to be changed, which wakes it.
+    /// The body, to be changed: wakes it.
     Body& edit(gphys_body_id id) {
         Body& body = state_.bodies[IdTable::slot_of(id)];
         wake(body);
@@ -151,34 +152,34 @@ public:
     void wake_all();
     void list_sleeping(Smallest<gphys_body_id>& out) const;
 
-    /// A mesh in the form of a body, which follows it from now on. The caller holds it.
+    /// A mesh in the form of a body, which follows it from now on. The caller owns a reference.
     Mesh* make_mesh(const gphys_allocator* hooks, gphys_body_id id) { return meshes_.make(hooks, id, body(id)); }
-    /// The same body, edited, is seen by what shows it.
+    /// Updates the meshes of an edited body.
     void show(gphys_body_id id) noexcept { meshes_.follow(id, body(id)); }
 
-    // joints.cpp. Bodies and particles are there; rest < 0: the present distance.
+    // joints.cpp. Bodies and particles must exist; rest < 0: the present distance.
     gphys_status join(gphys_body_id body_a, uint32_t particle_a, gphys_body_id body_b, uint32_t particle_b, double rest,
                       double compliance, gphys_joint_id& out);
     gphys_status unjoin(gphys_joint_id joint);
-    /// Of one body, or all: 0.
+    /// For one body, or 0 for all.
     void list_joints(gphys_body_id of, Smallest<gphys_joint_info, JointOrder>& out) const;
 
-    /// May throw std::bad_alloc before anything has moved, not after. Then all that a snapshot holds is as it was.
+    /// May throw std::bad_alloc before anything has moved, not after. Then all state in snapshots is unchanged.
     void step(const Scene* scene, double dt);
     /// `steps` are those made; `leftover` the fraction of a step still owed. Throws std::bad_alloc if there is no
     /// memory for the first step; if there is none for a later one, that and those after it are left out.
     void advance(const Scene* scene, double frame_time, uint32_t& steps, double& leftover);
 
-    /// Of one body, or of all: 0.
+    /// For one body, or 0 for all.
     gphys_solver_stats stats(gphys_body_id body) const;
     void contacts(Smallest<gphys_contact, ContactOrder>& out) const;
     void impulses(Smallest<gphys_impulse, ImpulseOrder>& out) const;
 
     // snapshot.cpp
     void hash(uint32_t (&out)[2]) const;
-    /// GPHYS_INCOMPLETE, and nothing written, if it does not fit.
+    /// Returns GPHYS_INCOMPLETE, and writes nothing, if it does not fit.
     gphys_status snapshot(uint32_t* out, uint32_t capacity, uint32_t& total) const;
-    /// Throws std::bad_alloc. Whatever fails changes nothing.
+    /// Throws std::bad_alloc. A failure changes nothing.
     gphys_status restore(const uint32_t* words, uint32_t count);
 
 private:
@@ -186,21 +187,21 @@ private:
     struct ActiveBody {
         uint32_t size, slot, substeps;
         uint32_t chains;           // of its constraints
-        bool undisturbed = false;  // a rope that meets nothing while it stays in the box
-        bool starts = false;       // again: of undisturbed ropes
-        double fastest = 0;        // m/s, no particle is faster
-        Box close{};               // where it may come to in this step,
-        Box nearby{};              // and near to models that move,
-        uint32_t models_near = 0;  // and how many are there
-        bool models_move = false;  // some that have come by there
-        bool together = false;     // with others, in an island
+        bool undisturbed = false;  // a rope that hits nothing while it stays in the box
+        bool starts = false;       // for undisturbed ropes: start again after an interruption
+        double fastest = 0;        // m/s, bound for the particles' speeds
+        Box close{};               // where it may go in this step,
+        Box nearby{};              // the same, enlarged for models that move,
+        uint32_t models_near = 0;  // and the number of models there
+        bool models_move = false;  // whether some of them move
+        bool together = false;     // whether it is in an island with others
 
-        /// Of undisturbed ropes: whether they can be moved together.
+        /// For undisturbed ropes: whether they can be moved together.
         bool alike(const ActiveBody& other) const {
             return chains == 1 && other.chains == 1 && starts == other.starts && substeps == other.substeps;
         }
-        /// Undisturbed ropes last, those alike beside each other. The largest first: no worker begins a large
-        /// body when the others are done.
+        /// Undisturbed ropes last, similar ones next to each other. The largest first, so that no worker begins a
+        /// large body when the others are done.
         bool operator<(const ActiveBody& other) const {
             if (undisturbed != other.undisturbed) return other.undisturbed;
             if (undisturbed && starts != other.starts) return starts;
@@ -209,7 +210,7 @@ private:
             return size != other.size ? size > other.size : slot < other.slot;
         }
     };
-    /// Of moving_: what a worker takes at a time, one body, a part of one, or undisturbed ropes.
+    /// A range of moving_ that one worker takes: one body, a part of one, or undisturbed ropes.
     struct Task {
         uint32_t first, count;
         bool shared;    // one cloth, for all workers at once
@@ -221,18 +222,18 @@ private:
         Extent extent;
     };
 
-    /// What one body gave one model.
-    struct Giver {
+    /// The impulse of one body on one model.
+    struct BodyImpulse {
         gphys_model_id model;
         uint32_t slot;
         const ModelImpulse* impulse;
 
-        bool operator<(const Giver& other) const {
+        bool operator<(const BodyImpulse& other) const {
             return model != other.model ? model < other.model : slot < other.slot;
         }
     };
 
-    /// What prepare has changed of a body that a snapshot holds, should the step run out of memory.
+    /// The members of a body in snapshots that prepare has changed, to restore them if the step runs out of memory.
     struct Before {
         Before(uint32_t slot_, const Body& body, std::pmr::memory_resource* memory)
             : slot(slot_),
@@ -279,14 +280,14 @@ private:
     void move_island(const Island& island, const Scene* scene, double dt);
     /// Whether the body sleeps and nothing wakes it.
     bool sleeps_on(const Body& body, const Scene* scene);
-    void look_around(const Scene& scene, double dt);
+    void list_near_models(const Scene& scene, double dt);
     void bound_work(double dt);
     void find_disturbed(const Scene& scene);
     void add_impulses();
 
     const Workers workers_;
     SolverState state_{&memory};
-    /// Models near the bodies as they stand, and those of state_.seen that moved since.
+    /// Models near the bodies with their present places, and the models of state_.seen that have moved since.
     Vector<PlacedModel> next_seen_{&memory}, moved_{&memory};
     Vector<ActiveBody> moving_{&memory};
     Vector<Before> before_{&memory};
@@ -295,8 +296,8 @@ private:
     ThreadArena room_memory_{&memory};
     Vector<RopeRoom> rooms_{&memory};              // by worker
     Vector<FlightPlanes> flight_planes_{&memory};  // by worker, from the first step beside a scene on
-    /// Of the last step: by model and body, and by model.
-    Vector<Giver> givers_{&memory};
+    /// Impulses of the last step: by model and body, and by model.
+    Vector<BodyImpulse> body_impulses_{&memory};
     Vector<ModelImpulse> impulses_{&memory};
     /// The root of the set of bodies that each is in, and whether a root's set is awake.
     Vector<uint32_t> set_of_{&memory};
@@ -304,7 +305,7 @@ private:
     /// Islands of the step under way; their bodies by set, those of them that are joined, and their systems.
     Vector<Island> islands_{&memory};
     Vector<uint32_t> island_bodies_{&memory}, joined_bodies_{&memory}, island_systems_{&memory};
-    /// What the joints make; out of date after a change of joints or chains.
+    /// The systems of the joints; outdated after a change of joints or chains.
     Vector<JointSystem> systems_{&memory};
     Vector<Tether> tethers_{&memory};
     bool joints_current_ = false;

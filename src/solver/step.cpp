@@ -259,15 +259,15 @@ void Solver::simulate(const Scene* scene, double dt) {
 
 /// The sums of all bodies by model, in the order of the bodies. Within the room that is reserved.
 void Solver::add_impulses() {
-    givers_.clear();
+    body_impulses_.clear();
     impulses_.clear();
     for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
         if (!state_.ids.live(slot)) continue;
         for (const ModelImpulse& given : state_.bodies[slot].contacts.impulses)
-            givers_.push_back({given.model, slot, &given});
+            body_impulses_.push_back({given.model, slot, &given});
     }
-    std::sort(givers_.begin(), givers_.end());
-    for (const Giver& giver : givers_) {
+    std::sort(body_impulses_.begin(), body_impulses_.end());
+    for (const BodyImpulse& giver : body_impulses_) {
         if (impulses_.empty() || impulses_.back().model != giver.model) {
             impulses_.push_back(*giver.impulse);
         } else {

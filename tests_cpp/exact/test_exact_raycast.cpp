@@ -473,10 +473,10 @@ TEST_CASE("segments meet capsules when they do, but for 2^-48 of the distance, a
                 score.answer(given, expected.is, capsule, segment);
                 if (given) score.error(ulps(hit.t, expected.t), capsule, segment);
             } else {
-                const bool may_meet = truth(capsule, Line(segment), band).is,
+                const bool may_hit = truth(capsule, Line(segment), band).is,
                            may_miss = !truth(capsule, Line(segment), -band).is;
-                score.answer(given, may_meet, may_miss, capsule, segment);
-                score.answer(given_back, may_meet, may_miss, capsule, segment);
+                score.answer(given, may_hit, may_miss, capsule, segment);
+                score.answer(given_back, may_hit, may_miss, capsule, segment);
             }
         }
         return score;

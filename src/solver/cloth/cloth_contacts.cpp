@@ -12,11 +12,11 @@ namespace gphys {
 namespace {
 
 /// Adds the impulse of a particle to the model that it was last in contact with.
-void hand_over(Neighbour& n, Body& body, const CollisionContext& around) {
-    if (n.getting == 0) return;
+void flush_impulse(Neighbour& n, Body& body, const CollisionContext& around) {
+    if (n.impulse_model == 0) return;
     const double mass = body.cloth.average_mass * body.cloth.acceleration[4 * size_t{n.particle} + 3];
-    add_impulse(body, around, n.getting, body.cloth.origin, n.given * mass, n.turning * mass);
-    n.getting = 0;
+    add_impulse(body, around, n.impulse_model, body.cloth.origin, n.given * mass, n.turning * mass);
+    n.impulse_model = 0;
     n.given = n.turning = {};
 }
 
@@ -190,9 +190,9 @@ void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity
         contacts.active.push_back(number);
         n.pressed = 0;
         n.total = 0;
-        n.coming = (scheme.from_history(get(&cloth.velocity[i]), get(&cloth.velocity_before[i])) +
-                    get(&cloth.acceleration[i]) * h) *
-                   drag;
+        n.predicted_velocity = (scheme.from_history(get(&cloth.velocity[i]), get(&cloth.velocity_before[i])) +
+                                get(&cloth.acceleration[i]) * h) *
+                               drag;
         n.active_plane = static_cast<int32_t>(plane);
         n.active_planes |= 1u << plane;
         contacts.pushed = contacts.pushed || is_pushed(n);
@@ -284,11 +284,11 @@ void leave_planes(Body& body) {
 namespace {
 
 /// Adds the velocity that the particle has lost to the impulse on its model.
-void lose(Neighbour& n, Body& body, const CollisionContext& around, Vec3 velocity) {
+void add_lost_velocity(Neighbour& n, Body& body, const CollisionContext& around, Vec3 velocity) {
     const ContactPlane& plane = n.planes[n.active_plane];
-    if (n.getting != plane.model) {
-        hand_over(n, body, around);
-        n.getting = plane.model;
+    if (n.impulse_model != plane.model) {
+        flush_impulse(n, body, around);
+        n.impulse_model = plane.model;
     }
     const size_t i = 4 * size_t{n.particle};
     const Vec3 turning = cross(get(&body.cloth.at[i]) - plane.normal * body.particles.radius[n.particle], velocity);
@@ -307,7 +307,7 @@ void count_contacts(Body& body, const CollisionContext& around, double rate) {
         Neighbour& n = body.cloth.contacts.neighbours[number];
         const Vec3 velocity = get(&body.cloth.velocity[4 * size_t{n.particle}]);
         const Vec3 pulled = n.moved * rate;
-        lose(n, body, around, n.active_before_chains ? n.coming + pulled - velocity : pulled);
+        add_lost_velocity(n, body, around, n.active_before_chains ? n.predicted_velocity + pulled - velocity : pulled);
     }
 }
 
@@ -321,7 +321,7 @@ void turn_velocities(Body& body, const CollisionContext& around, double h) {
         const Vec3 start = get(&cloth.start[i]), place = place_on_plane(n, body.cloth.contacts, start);
         const Vec3 of_plane = (place - start) * rate;
         if (get(&cloth.at[i]) == place && body.settings.restitution * n.approach == 0) {
-            lose(n, body, around, get(velocity) - of_plane);
+            add_lost_velocity(n, body, around, get(velocity) - of_plane);
             put(velocity, of_plane);
             continue;
         }
@@ -329,7 +329,7 @@ void turn_velocities(Body& body, const CollisionContext& around, double h) {
         const double away = dot(get(velocity) - of_plane, normal);
         const double wanted = body.settings.restitution * n.approach;
         if (away >= wanted) continue;
-        lose(n, body, around, normal * (away - wanted));
+        add_lost_velocity(n, body, around, normal * (away - wanted));
         put(velocity, get(velocity) + normal * (wanted - away));
     }
 }
@@ -345,7 +345,7 @@ void stop_taken_back(Body& body, const CollisionContext& around, double h) {
         const double against = dot((place_on_plane(n, body.cloth.contacts, start) - start) / h - velocity, back);
         if (against <= 0 || square == 0) continue;
         const Vec3 slowed = velocity + back * std::min(1 / h, against / square);
-        lose(n, body, around, velocity - slowed);
+        add_lost_velocity(n, body, around, velocity - slowed);
         put(&cloth.velocity[i], slowed);
     }
 }
@@ -435,7 +435,7 @@ void stay_outside(Body& body, uint32_t particle) {
 }
 
 void finish_neighbour(Neighbour& n, Body& body, const CollisionContext& around) {
-    hand_over(n, body, around);
+    flush_impulse(n, body, around);
     const Vec3 at = body.cloth.origin + get(&body.cloth.at[4 * size_t{n.particle}]);
     for (uint32_t i = 0; i < n.plane_count; ++i) {
         const ContactPlane& plane = n.planes[i];

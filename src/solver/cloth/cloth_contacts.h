@@ -56,12 +56,12 @@ struct alignas(64) Neighbour {
     double approach;  // speed of approach to the contact plane at impact, if it is large enough to bounce; else 0
     bool active_before_chains;  // whether it was active before the chains were solved
     bool held;                  // whether friction holds it at its place on the contact plane
-    Vec3 coming;                // if active: the velocity predicted for the end of this substep
+    Vec3 predicted_velocity;    // if active: the velocity predicted for the end of this substep
     Vec3 chained;               // and its position after the chains, before limits
     Vec3 moved;  // metres: displacement by chains and limits; if it became active after them, by planes, reversed
     // For the impulses on models:
-    gphys_model_id getting;  // the model that gets the next two:
-    Vec3 given, turning;     // m/s: velocity that it has lost to the model, and its moment about the cloth's origin
+    gphys_model_id impulse_model;  // the model that gets the next two:
+    Vec3 given, turning;  // m/s: velocity that it has lost to the model, and its moment about the cloth's origin
     // For a particle that is deeper in a model than it can leave at once (leave_solids.cpp):
     uint32_t sunk_planes;  // bit i: contact plane i is where the particle is, not at the surface
     uint32_t sunk_most;    // the plane that it is deepest behind,

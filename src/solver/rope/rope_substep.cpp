@@ -248,13 +248,13 @@ void restore_shape(Body& body, RopeContacts& contacts, double step) {
 struct RopeMotion {
     Body& body;
     const Vec3 gravity;
-    bool leans;  // by the trapezoid rule; never in halves
+    bool by_trapezoid;  // by the trapezoid rule; never in halves
     RopeContacts* const contacts;
     TimeScheme scheme{1, 0};
     bool beside = false;  // whether contacts are solved together with the links
 
     void begin(const CollisionContext& around, double h) {
-        scheme = leans ? TimeScheme::trapezoid(h) : TimeScheme(h, body.history.earlier_step);
+        scheme = by_trapezoid ? TimeScheme::trapezoid(h) : TimeScheme(h, body.history.earlier_step);
         begin_chains(body, around, gravity, scheme);
         const auto begin_contacts = [&] { return contacts && contacts->begin(body, around, gravity, scheme.advance); };
         beside = begin_contacts();
@@ -273,7 +273,7 @@ struct RopeMotion {
     }
     void roll_back() {
         roll_back_chains(body);
-        leans = false;
+        by_trapezoid = false;
     }
 };
 
@@ -282,8 +282,8 @@ struct RopeMotion {
 bool starts_again(const Body& body) { return body.history.earlier_step == 0 && !body.contacts.has_contact; }
 
 void move_rope(Body& body, const CollisionContext& around, Vec3 gravity, double h, RopeContacts* contacts) {
-    const auto move_by = [&](const CollisionContext& within, double part, bool leans) {
-        RopeMotion motion{body, gravity, leans, contacts};
+    const auto move_by = [&](const CollisionContext& within, double part, bool by_trapezoid) {
+        RopeMotion motion{body, gravity, by_trapezoid, contacts};
         move_in_halves(motion, within, part);
     };
     const auto move_part = [&](const CollisionContext& within, double part) { move_by(within, part, false); };
@@ -292,10 +292,10 @@ void move_rope(Body& body, const CollisionContext& around, Vec3 gravity, double 
     if (starts_again(body)) {
         start_slowly(around, h, move_part);
     } else if (body.history.in_stages) {
-        bool leans = true;
+        bool by_trapezoid = true;
         move_in_parts(stages, around, h, [&](const CollisionContext& within, double part) {
-            move_by(within, part, leans);
-            leans = false;
+            move_by(within, part, by_trapezoid);
+            by_trapezoid = false;
         });
     } else {
         move_part(around, h);

@@ -232,7 +232,7 @@ gphys_status Solver::restore(const uint32_t* words, uint32_t count) {
     if (const char* wrong = read(archive, restored)) return refused(wrong);
     size_t given = 0;
     for (const Body& body : restored.bodies) given += body.contacts.impulses.size();
-    givers_.reserve(given);
+    body_impulses_.reserve(given);
     impulses_.reserve(given);
     const Vec3 shift = state_.origin - restored.origin;
     state_ = std::move(restored);
