@@ -1,4 +1,4 @@
-// How a batch is shared among a scene's workers: in chunks of items, each item with its own output element, so the
+// How a batch is shared among a scene's workers: in chunks of items. Each item has its own output element, so the
 // results do not depend on which thread handles which chunk.
 #pragma once
 
@@ -16,8 +16,8 @@
 
 namespace gphys {
 
-/// Items of a chunk. 256 rays take about 0.1 ms: a thousand times the cost of handing out a chunk, and a thousandth of
-/// a batch that is worth sharing.
+/// Items of a chunk. 256 rays take about 0.1 ms. That is a thousand times the cost of handing out a chunk, and a
+/// thousandth of a batch that is worth sharing.
 constexpr uint32_t batch_chunk = 256;
 
 inline uint32_t chunks_in(uint32_t count) { return count / batch_chunk + (count % batch_chunk != 0); }

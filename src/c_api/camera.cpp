@@ -622,7 +622,7 @@ gphys_status gphys_camera_pick_rays(const gphys_camera* camera, uint32_t x, uint
         const auto ray_of = [&](uint32_t column, uint32_t row, Ray& ray) {
             return unwrap(camera)->pick_ray(x + column + 0.5, y + row + 0.5, ray);
         };
-        // Whether a pixel has a ray is monotone in its x and in its y: testing the four corners is enough.
+        // Whether a pixel has a ray is monotone in x and in y, so testing the four corners suffices.
         Ray ray;
         for (uint32_t column : {0u, width - 1}) {
             for (uint32_t row : {0u, height - 1}) {

@@ -1,4 +1,4 @@
-// The desc by which meshes are made, whatever they are made of.
+// The desc of meshes, for all ways of creating them.
 #pragma once
 
 #include <cstddef>

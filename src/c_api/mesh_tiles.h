@@ -1,4 +1,4 @@
-// Many rays at one mesh, by tiles of rays that go much the same way.
+// Batches of rays against one mesh, in tiles of coherent rays.
 #pragma once
 
 #include "c_api/shape_input.h"
@@ -8,7 +8,8 @@
 
 namespace gphys {
 
-/// cast(rays, items, size) for the rays of each tile and their numbers. What is read and written of one is prefetched.
+/// Calls cast(rays, items, size) for the rays of each tile and their indices. Prefetches the input and output of the
+/// next tile.
 template <class Out, class Cast>
 void cast_at_mesh(const Strided<gphys_ray>& ray, uint32_t count, const StridedOut<Out>& out, const Cast& cast) {
     static_assert(ImageTiles::most <= Mesh::rays_at_once);

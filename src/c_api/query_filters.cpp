@@ -1,3 +1,4 @@
+// Reads and checks gphys_query_filter_desc (query_filters.h).
 #include "c_api/query_filters.h"
 
 #include <algorithm>

@@ -6,10 +6,10 @@
 
 namespace gphys {
 
-/// Null stands for the defaults, which `out` has.
+/// A null filter stands for the defaults, which `out` must have already.
 gphys_status read_filter(const Scene& scene, const gphys_query_filter_desc* filter, QueryFilter& out) noexcept;
 
-/// The filters of a batch. Those of single items are read from the caller's array when they are used.
+/// The filters of a batch. Filters of single items are read from the caller's array when they are used.
 class Filters {
 public:
     /// A single filter (null, or stride 0) is read here. Others must be checked, each once, before they are used.
@@ -17,7 +17,7 @@ public:
     bool is_one() const { return stride_ == 0; }
     gphys_status check(uint32_t item) const noexcept;
 
-    // `storage` holds what is read.
+    // `storage` receives the filter.
 
     const QueryFilter& of(uint32_t item, QueryFilter& storage) const noexcept;
     RayFilters of(const uint32_t* items, uint32_t count, QueryFilter* storage) const noexcept;

@@ -53,13 +53,13 @@ gphys_status check_transforms(const Workers& workers, const gphys_transform* tra
                       [&](uint32_t i) { return check_element("transforms", i, transform[i]); });
 }
 
-/// Each model has a desc of its own if desc_stride is not 0.
+/// With desc_stride 0, all models share one desc.
 gphys_status check_scale(const char* name, const gphys_vec3& scale) {
     const Defect defect = defect_of_scale(scale);
     return defect ? fail(GPHYS_ERROR_INVALID_ARGUMENT, name, defect) : GPHYS_OK;
 }
 
-/// Of a desc, which a program of 1.0 that is built anew may have filled with zeros.
+/// For a desc: a program written for 1.0 and compiled anew may have filled it with zeros.
 gphys_status complete_scale(const char* name, gphys_model_desc& desc) {
     if (desc.scale.x == 0 && desc.scale.y == 0 && desc.scale.z == 0) desc.scale = no_scale;
     return check_scale(name, desc.scale);
@@ -324,7 +324,7 @@ gphys_status gphys_scene_get_mesh(const gphys_scene* scene, gphys_model_id model
         const Mesh* const mesh = unwrap(scene)->mesh(model);
         if (!mesh) return fail(GPHYS_ERROR_UNSUPPORTED, "model: its shape is no mesh (see gphys_scene_get_shape)");
         mesh->retain();
-        *out_mesh = wrap(const_cast<Mesh*>(mesh));  // scenes change no meshes, but callers may
+        *out_mesh = wrap(const_cast<Mesh*>(mesh));  // scenes do not change meshes, but callers may
         return GPHYS_OK;
     });
 }

@@ -1,3 +1,4 @@
+// Reads and checks shapes of the caller (shape_input.h).
 #include "c_api/shape_input.h"
 
 #include "c_api/handles.h"

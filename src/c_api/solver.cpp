@@ -55,7 +55,7 @@ gphys_status read_body_desc(const gphys_body_desc* from, gphys_body_desc& desc) 
     return GPHYS_OK;
 }
 
-/// `name` is the parameter, or the product of parameters, that says how many particles the body gets.
+/// `name` is the parameter, or the product of parameters, that determines the number of particles.
 gphys_status check_count(const char* name, uint64_t count, uint32_t least, const char* range) {
     const double value = static_cast<double>(count);
     GPHYS_REQUIRE_IN_RANGE(count >= least, name, value, range);

@@ -28,7 +28,7 @@ gphys_status check_particle(const gphys_solver* solver, gphys_body_id body, uint
     return GPHYS_OK;
 }
 
-/// The input array of a setter: all elements are checked before any is used. defect_of(element).
+/// Checks all elements of a setter's input array before any is used. defect_of(element).
 template <class T, class DefectOf>
 gphys_status check_array(const char* name, const T* elements, uint32_t stride, uint32_t count, DefectOf&& defect_of) {
     if (count != 0) GPHYS_TRY(check_pointers(name, elements));

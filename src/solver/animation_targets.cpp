@@ -1,3 +1,4 @@
+// Animation targets: interpolation, and the projection of particles onto their bounds (animation_targets.h).
 #include "solver/animation_targets.h"
 #include "foundation/strided.h"
 #include "solver/body.h"
@@ -14,7 +15,7 @@ Vec3 unit(Vec3 v) {
     return v / length(v);
 }
 
-/// Of any length but 0.
+/// Of any length except 0.
 Vec3 normal_of(const AnimationTarget& target, double fraction) {
     const Vec3 between = target.from_normal + (target.to_normal - target.from_normal) * fraction;
     return between == Vec3{} ? target.to_normal : between;
@@ -49,7 +50,7 @@ void set_animation_targets(Body& body, uint32_t first, uint32_t count, const gph
         changed = true;
         if (target.max_distance == 0 && from[i].max_distance > 0 && body.particles.pinned(first + i) &&
             !is_attached(body.constraints, first + i)) {
-            // It stands still again.
+            // It is at rest again.
             body.particles.velocity[first + i] = {};
             interrupt(body);
         }
@@ -124,7 +125,7 @@ void end_targets(Body& body) {
 }
 
 Vec3 TargetBounds::turned(Vec3 velocity) const {
-    // Nearer to parallel than this two planes are one.
+    // Planes closer to parallel than this count as one.
     constexpr double least = 1e-6;
     const Vec3 a = bound[0].normal, b = bound[1].normal;
     const double lacks_a = bound[0].speed - dot(velocity, a);
@@ -140,7 +141,7 @@ TargetBound backstop_of(const AnimationTarget& target, double fraction, double t
     const Vec3 across = normal_of(target, fraction), turning = target.to_normal - target.from_normal;
     const double size = length(across);
     const Vec3 normal = across / size;
-    // As the normal turns the plane moves with it.
+    // As the normal rotates, the plane moves with it.
     const double turned = (dot(off, turning) - dot(off, normal) * dot(normal, turning)) / size;
     return {normal, dot(normal, center) - target.backstop, (dot(normal, target.to - target.from) - turned) / time};
 }
@@ -158,7 +159,7 @@ Vec3 allowed_place(const AnimationTarget& target, double fraction, double time, 
     bool behind = false;
     if (target.backstop < infinity) {
         normal = normal_of(target, fraction);
-        // Roots are taken of what is behind alone.
+        // The root is only taken for points behind the plane.
         const double height = dot(off, normal), square = length_squared(normal);
         behind = height < 0 && height * height > target.backstop * target.backstop * square;
         if (behind) {
@@ -170,7 +171,7 @@ Vec3 allowed_place(const AnimationTarget& target, double fraction, double time, 
     const double most = target.max_distance, square = length_squared(off);
     const bool beyond = square > most * most;
     if (beyond && behind && target.backstop < most) {
-        // Along the plane to the circle in which it meets the ball.
+        // Along the plane, to the circle in which it intersects the ball.
         const Vec3 along = off - normal * dot(off, normal);
         const double radius = std::sqrt((most - target.backstop) * (most + target.backstop));
         off = normal * -target.backstop + along * (radius / length(along));

@@ -1,4 +1,4 @@
-// What a body is composed of. Each part has a header of its own in the folder of its owner.
+// The parts of a body. Each part has its own header, in the folder of its owner.
 #pragma once
 
 #include "solver/animation_targets.h"
@@ -46,19 +46,19 @@ struct Body {
 
 inline bool is_graph(const Body& body) { return body.plan.method == GPHYS_SOLVE_GRAPH; }
 
-/// Unit. Coincident particles part along a fixed axis: any direction is as good.
+/// Unit direction from a to b. Coincident particles separate along a fixed axis; any direction will do.
 inline Vec3 link_direction(const Particles& particles, uint32_t a, uint32_t b) {
     const Vec3 along = particles.position[b] - particles.position[a];
     const double length = gphys::length(along);
     return length > 0 ? along / length : Vec3{1, 0, 0};
 }
-/// What a link of a rope, from a to b, has given to its particle a in a substep, newton seconds.
+/// The impulse of a rope's link, from a to b, on its particle a in a substep, newton seconds.
 inline Vec3 link_impulse(const Body& body, uint32_t a, uint32_t b, uint32_t link, const TimeScheme& scheme) {
     return link_direction(body.particles, a, b) *
            (body.rope.tension[link] * scheme.h + body.rope.earlier_tension[link] * scheme.lean);
 }
 
-/// Metres by which a constraint is too long or, below 0, too short; a maximum distance is never too short.
+/// Metres by which a constraint is too long or, below 0, too short. A maximum distance is never too short.
 inline double excess(const Particles& particles, const DistanceConstraint& c) {
     const double stretch = distance(particles.position[c.a], particles.position[c.b]) - c.rest;
     return c.limit ? std::max(0.0, stretch) : stretch;

@@ -1,12 +1,13 @@
+// Triangles, radii and vertices of the meshes of bodies (body_meshes.h).
 #include "solver/body_meshes.h"
 
 namespace gphys {
 namespace {
 
-/// Of a rope: links from each particle to the next; they come before the balls, one around each particle.
+/// For a rope: the links from each particle to the next. They precede the balls, one around each particle.
 uint32_t link_count(const Body& body) { return body.kind == GPHYS_BODY_ROPE ? body.particles.size() - 1 : 0; }
 
-/// Triangles of cloth; of a link from a to b: a, b, b; of a ball three times its particle.
+/// Triangles of cloth; for a link from a to b: a, b, b; for a ball three times its particle.
 Vector<uint32_t> indices_of(const Body& body, std::pmr::memory_resource* memory) {
     if (body.kind == GPHYS_BODY_CLOTH) return Vector<uint32_t>(body.cloth.triangles, memory);
     Vector<uint32_t> indices(memory);
@@ -16,8 +17,8 @@ Vector<uint32_t> indices_of(const Body& body, std::pmr::memory_resource* memory)
     return indices;
 }
 
-/// As MeshArrays has them. A link is there while a constraint holds its ends, as thick as the thinner of them; a ball
-/// where it is thicker than the links beside it, which hold it otherwise.
+/// Radii as in MeshArrays. A link exists while a constraint connects its ends, and is as thick as the thinner of them.
+/// A ball exists where it is thicker than the links beside it, which otherwise contain it.
 void find_radii(const Body& body, Vector<float>& radii) {
     const auto radius_of = [&](uint32_t particle) { return static_cast<float>(body.particles.radius[particle]); };
     const uint32_t links = link_count(body);
@@ -72,7 +73,7 @@ void BodyMeshes::release(const Entry& entry) noexcept {
     Mesh::release(entry.mesh);
 }
 
-/// The form of the body. There is room.
+/// The present form of the body. Uses reserved memory.
 MeshArrays BodyMeshes::arrays_of(const Body& body) noexcept {
     for (uint32_t p = 0; p < body.particles.size(); ++p) positions_[p] = narrow(body.particles.position[p]);
     MeshArrays arrays{&positions_[0].x, sizeof(gphys_vec3), body.particles.size(), nullptr, 0, MeshKind::body_surface,

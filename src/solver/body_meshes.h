@@ -1,6 +1,6 @@
-// Meshes in the form of bodies: what scenes show of them, and queries meet. A mesh follows its body whenever that has
-// changed: after a step, and after an edit that moves, cuts or thickens it. The scenes that have models of it hear of
-// it from the mesh (mesh_users.h), so a solver knows no scene but the one of the step under way.
+// Meshes in the form of bodies, for scenes and queries. A mesh follows its body after each change: a step, or an edit
+// that moves, cuts or thickens it. The mesh notifies the scenes with models of it (mesh_users.h), so a solver knows no
+// scene but the one of the step under way.
 #pragma once
 
 #include "mesh/mesh.h"
@@ -8,8 +8,8 @@
 
 namespace gphys {
 
-/// The particle nearest to a point, the lowest of those: of the corners of a triangle that the body's meshes have, or
-/// with GPHYS_NO_TRIANGLE of all. False if there is no such triangle.
+/// The particle nearest to a point, of several the lowest: among the corners of a triangle of the body's meshes, or
+/// with GPHYS_NO_TRIANGLE among all. Returns false if there is no such triangle.
 bool nearest_particle(const Body& body, uint32_t triangle, Vec3 point, uint32_t& out);
 
 class BodyMeshes {
@@ -19,16 +19,16 @@ public:
     BodyMeshes(const BodyMeshes&) = delete;
     BodyMeshes& operator=(const BodyMeshes&) = delete;
 
-    /// A new one, which the caller holds. What throws std::bad_alloc has changed nothing.
+    /// A new mesh, of which the caller owns a reference. If it throws std::bad_alloc, nothing has changed.
     Mesh* make(const gphys_allocator* hooks, gphys_body_id id, const Body& body);
 
-    // A mesh that cannot follow keeps the form that it has: where a model of it would leave the range of the world, or
-    // there is no memory. Those that nobody else holds are let go.
+    // A mesh that cannot follow keeps its form: if a model of it would leave the range of the world, or if there is no
+    // memory. Meshes that nobody else holds are released.
 
-    /// Those of one body follow it. `shift` is what its coordinates have grown by, without that it moved.
+    /// Updates the meshes of one body. `shift`: the change of its coordinates by a new origin, without motion.
     void follow(gphys_body_id id, const Body& body, Vec3 shift = {}) noexcept;
-    /// Each follows body_of(id): null if that is gone. Then, or if the body is no longer made of the same parts, the
-    /// mesh stays as it is and belongs to whoever holds it.
+    /// Updates each mesh from body_of(id), which is null if the body is gone. Then, or if the body no longer consists
+    /// of the same parts, the mesh keeps its form and belongs to its holders.
     template <class BodyOf>
     void follow_all(const BodyOf& body_of, Vec3 shift = {}) noexcept;
     void let_go(gphys_body_id id) noexcept;
@@ -45,7 +45,7 @@ private:
     static void release(const Entry& entry) noexcept;
 
     Vector<Entry> entries_;
-    // Room for the largest body.
+    // Capacity for the largest body.
     Vector<gphys_vec3> positions_;
     Vector<float> radii_;
 };

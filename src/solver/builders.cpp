@@ -1,5 +1,4 @@
-// Bodies come and go. A body is complete before the solver takes it in, so a failure on the way
-// leaves the solver as it was.
+// Adding and removing bodies. A body is complete before the solver takes it, so a failure leaves the solver unchanged.
 #include "foundation/strided.h"
 #include "mesh/mesh.h"
 #include "solver/solver.h"
@@ -33,18 +32,18 @@ Body make_body(gphys_body_kind kind, const gphys_body_desc& desc, const gphys_ve
     return body;
 }
 
-/// A rope or cloth has less than 2^24 constraints, or add_constraint says no.
+/// A rope or cloth has fewer than 2^24 constraints; otherwise add_constraint fails.
 gphys_status link(Body& body, uint32_t a, uint32_t b, double compliance) {
     gphys_constraint_id ignored;
     return add_constraint(body, {a, b, -1, compliance, 0, 0}, ignored);
 }
 
-/// How many edges a grid has in the direction (du, dv), as link_grid makes them.
+/// The number of edges that link_grid makes in a grid in the direction (du, dv).
 uint64_t grid_edges(uint32_t columns, uint32_t rows, uint32_t du, uint32_t dv) {
     return uint64_t{columns - std::min(columns, du)} * (rows - std::min(rows, dv));
 }
 
-/// The edges of a grid in the direction (columns, rows) = (du, dv).
+/// Links the edges of a grid in the direction (columns, rows) = (du, dv).
 gphys_status link_grid(Body& body, uint32_t columns, uint32_t rows, uint32_t du, int dv, double compliance) {
     const uint32_t down = dv < 0 ? static_cast<uint32_t>(-dv) : 0, up = dv > 0 ? static_cast<uint32_t>(dv) : 0;
     for (uint32_t row = down; row + up < rows; ++row) {
@@ -95,7 +94,7 @@ gphys_status Solver::add_rope(const gphys_body_desc& desc, const gphys_vec3* pos
 
 gphys_status Solver::add_cloth(const gphys_body_desc& desc, Vec3 corner, Vec3 edge_u, Vec3 edge_v, uint32_t columns,
                                uint32_t rows, gphys_body_id& out) {
-    // Before millions of particles are made in vain.
+    // Checked before millions of particles are made in vain.
     const bool shears = desc.cloth_flags & GPHYS_CLOTH_SHEAR, bends = desc.cloth_flags & GPHYS_CLOTH_BEND;
     const uint64_t edges = grid_edges(columns, rows, 0, 1) + grid_edges(columns, rows, 1, 0) +
                            (shears ? 2 * grid_edges(columns, rows, 1, 1) : 0) +
@@ -129,8 +128,8 @@ gphys_status Solver::add_cloth(const gphys_body_desc& desc, Vec3 corner, Vec3 ed
     if (desc.cloth_flags & GPHYS_CLOTH_SHEAR) {
         directions.push_back({1, 1, shear});
         directions.push_back({1, -1, shear});
-        // Both diagonals make each cell rigid in its plane, so no two particles can be further
-        // apart than in the flat sheet.
+        // Both diagonals make each cell rigid in its plane, so no two particles can be farther apart than in the flat
+        // sheet.
         if (shear == 0) body.cloth.rest_position = body.particles.position;
     }
     if (desc.cloth_flags & GPHYS_CLOTH_BEND) {
@@ -146,7 +145,7 @@ gphys_status Solver::add_cloth(const gphys_body_desc& desc, Vec3 corner, Vec3 ed
 
 namespace {
 
-/// A side of a triangle, from the lower to the higher vertex, and the corner opposite to it.
+/// An edge of a triangle, from the lower to the higher vertex, and the corner opposite to it.
 struct Side3 {
     uint32_t low, high, opposite;
 

@@ -1,6 +1,6 @@
-// What constraints are like may change while they act: a winch, a muscle. The chains of the body stay as they are
-// planned; their links are described anew. A length does not jump, which would throw what hangs on it: it goes to the
-// new one at constant speed during the next step.
+// Settings of constraints may change while they act: a winch, a muscle. The plan of the chains stays; the parameters of
+// their links are updated. A length does not jump, which would throw the load: it changes to the new one at constant
+// speed during the next step.
 #include "foundation/strided.h"
 #include "solver/rope/rope_kernels.h"
 #include "solver/solver.h"
@@ -10,7 +10,7 @@ namespace {
 
 bool before(const LengthChange& change, uint64_t slot) { return change.slot < slot; }
 
-/// Within the room that is reserved.
+/// Uses reserved memory.
 void change_length(Body& body, uint32_t slot, double to) {
     DistanceConstraint& constraint = body.constraints.by_slot[slot];
     if (to == constraint.rest) return;
@@ -19,7 +19,7 @@ void change_length(Body& body, uint32_t slot, double to) {
     if (at == body.constraints.length_changes.end() || at->slot != slot) {
         body.constraints.length_changes.insert(at, {slot, constraint.rest});
     }
-    // A sheet that does not keep its lengths is no longer flat, and reaches further.
+    // A sheet that does not keep its lengths is no longer flat, and may be larger.
     if (constraint.compliance == 0 && to > constraint.rest) {
         body.cloth.rest_position.clear();
         body.plan.reach_current = false;
@@ -27,7 +27,7 @@ void change_length(Body& body, uint32_t slot, double to) {
     constraint.rest = to;
 }
 
-/// visit(link, its place in ClothBatches::rest): as pack_cloth_chains has put them.
+/// Calls visit(link, its index in ClothBatches::rest), in the order of pack_cloth_chains.
 template <class Visit>
 void each_place(const Plan& plan, const ClothBatches& batches, Visit&& visit) {
     constexpr uint32_t lanes = 8;
@@ -80,7 +80,7 @@ void set_constraint_settings(Body& body, const gphys_constraint_id* ids, const g
         const bool was_rigid = constraint.compliance == 0;
         constraint.compliance = from[i].compliance;
         constraint.damping = from[i].damping;
-        // What is rigid no longer does not hold particles within its reach; what is so now does.
+        // A constraint that is no longer rigid must not limit the reach of particles; one that is rigid now must.
         if (was_rigid != (constraint.compliance == 0))
             body.cloth.rest_position.clear(), body.plan.reach_current = false;
         const double rest = from[i].rest_length;
@@ -111,7 +111,7 @@ void find_changed_links(Body& body) {
         }
         return;
     }
-    uint32_t limits = 0;  // passed so far, in the order in which they are packed
+    uint32_t limits = 0;  // limits so far, in the order in which they are packed
     each_place(plan, body.cloth.batches, [&](uint32_t link, uint32_t place) {
         const uint32_t limit = plan.limit[link] && plan.compliance[link] == 0 ? limits++ : ChangedLink::none;
         const uint32_t change = change_of[plan.slots[link]];

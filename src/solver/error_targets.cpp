@@ -1,17 +1,16 @@
-// How many substeps a body takes in a step: as many as are set, or with error targets as many as its
-// own motion needs. Strain after a step and the local error of the time scheme both go with the
-// square of the substep, so the length that would have met the targets follows from what was measured
-// with the last one.
+// The number of substeps of a body in a step: the set number, or with error targets as many as its own motion needs.
+// The strain after a step and the local error of the time scheme both grow with the square of the substep. So the
+// length that would have satisfied the targets follows from the measurement of the last one.
 //
-// Cloth that moves alone meets its target of strain in each substep (relax_links.cpp). There the measure is how much
-// relaxing that took, and when it was too much the rest of the step is divided anew.
+// Cloth that moves alone satisfies its strain target in each substep, by relaxation (relax_links.cpp). There the work
+// of the relaxation is the measure. If it was too much, the rest of the step is divided again.
 #include "solver/solver.h"
 #include "solver/time_scheme.h"
 
 namespace gphys {
 namespace {
 
-/// Of constraints that are to keep their lengths.
+/// Over rigid constraints.
 double largest_strain(const Body& body) {
     double largest = 0;
     for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
@@ -24,12 +23,12 @@ double largest_strain(const Body& body) {
     return largest;
 }
 
-/// What the last substep, of h seconds, did to a particle.
+/// The motion of a particle in the last substep, of h seconds.
 struct Advance {
     Vec3 way, velocity_earlier, velocity_before, velocity;
 };
 
-/// Of a body with constraints. visit(advance) for each particle that moves freely.
+/// For a body with constraints: calls visit(advance) for each free particle.
 template <class Visit>
 void for_each_advance(const Body& body, Visit&& visit) {
     const auto at = [](const Vector<float>& values, uint32_t p) {
@@ -48,11 +47,10 @@ void for_each_advance(const Body& body, Visit&& visit) {
     }
 }
 
-/// The local error of the last substep, metres, of the particle where it is largest: by Milne's device
-/// (1926), from the difference to another formula. Between the numerical positions x, with velocities
-/// x' - h^2/3 x''' by the second-order backward formula, the trapezoid rule is off by h^3/4 x'''; the
-/// formula itself by 2/9 h^3 x'''. After an interruption the substep was one of backward Euler, where
-/// both are off by h^2/2 x''.
+/// The local error of the last substep, in metres, of the particle with the largest one. By Milne's device (1926), from
+/// the difference to another formula. Let x be the numerical positions, with velocities x' - h^2/3 x''' by the
+/// second-order backward formula. The error of the trapezoid rule between them is h^3/4 x''', that of the formula
+/// itself 2/9 h^3 x'''. After an interruption the substep was one of backward Euler, where both errors are h^2/2 x''.
 double error_of_one_stage(const Body& body, double h) {
     const bool interrupted = body.history.earlier_step == 0;
     double largest = 0;
@@ -63,10 +61,10 @@ double error_of_one_stage(const Body& body, double h) {
     return std::sqrt(largest) * (interrupted ? 1 : 8.0 / 9);
 }
 
-/// The same of a substep in two stages, of which the first is the part s. The trapezoid rule knows the mean
-/// acceleration of its stage, which is that in the middle, and the backward formula the one at the end: their
-/// difference, over the time between, is x'''. The error is h^3 x''' (3 s^2 - 4 s + 2) / (12 (2 - s)) (Hosea &
-/// Shampine 1996).
+/// The same for a substep of two stages, the first of which is the fraction s. The trapezoid rule gives the mean
+/// acceleration of its stage, which is that in its middle, and the backward formula the one at the end. Their
+/// difference over the time between is x'''. The error is h^3 x''' (3 s^2 - 4 s + 2) / (12 (2 - s)) (Hosea & Shampine
+/// 1996).
 double error_of_two_stages(const Body& body, double h) {
     constexpr double s = first_stage, constant = (3 * s * s - 4 * s + 2) / (12 * (2 - s));
     const TimeScheme scheme((1 - s) * h, s * h);
@@ -93,14 +91,14 @@ double error_rate(const Body& body, double h) {
 
 namespace {
 
-/// What is no number counts as the most.
+/// NaN counts as the most.
 uint32_t count_of(double count, uint32_t most) { return count < most ? static_cast<uint32_t>(count) : most; }
 
 }  // namespace
 
 uint32_t least_substeps(const Body& body, double dt) {
-    // One sweep over a graph leaves an error that grows with the square of the substep. Beyond 25 ms, at
-    // which a sheet still falls by less than the length of its links, it would throw the sheet about.
+    // One sweep over a graph leaves an error that grows with the square of the substep. Beyond 25 ms, in which a sheet
+    // falls by less than the length of its links, it would throw the sheet about.
     constexpr double longest = 0.025;
     return is_graph(body) ? static_cast<uint32_t>(std::ceil(dt / longest)) : 1;
 }
@@ -114,8 +112,8 @@ uint32_t substeps_of(const Body& body, const SolverSettings& settings, double dt
 }
 
 uint32_t substeps_near_models(const Cloth& cloth, const SolverSettings& settings, double fastest, double dt) {
-    // What lands on a model is stopped by it, and bends the cloth behind. While no particle has come further than
-    // this part of a link's length meanwhile, the links can be relaxed; in twice the time some end 4 % too long.
+    // A particle that lands on a model stops, and bends the cloth behind it. If no particle goes farther than this
+    // fraction of a link's length in a substep, the links can be relaxed; at twice the distance some end 4 % too long.
     constexpr double longest_way = 0.5;
     if (settings.max_strain == 0 || cloth.most_strain == 0 || cloth.batches.link_length == 0) return 0;
     const double count = std::ceil(dt * fastest / (longest_way * cloth.batches.link_length));
@@ -130,21 +128,21 @@ uint32_t substeps_of_rest(const Body& body, const SolverSettings& settings, doub
 }
 
 void adapt_substep(Body& body, const SolverSettings& settings, double dt, uint32_t substeps) {
-    // The largest of thousands of strains jumps to three times its size within steps, so a third of a
-    // target is aimed at. Growing slowly, as what has come to a stop may soon be fast again; less so where a step
-    // that turns out too long is divided anew.
+    // The largest of thousands of strains may triple within steps, so a third of the target is aimed at. Growth is
+    // slow, because a body that has stopped may soon be fast again. It is less slow where a step that turns out too
+    // long is divided again.
     constexpr double aim = 1.0 / 3, most_growth = 1.0625, most_growth_relaxed = 1.125, most_shrinking = 0.25;
     body.substeps.made = substeps;
     if (settings.max_strain == 0 && settings.tolerance == 0) return;
     const double h = dt / substeps;
-    double part = 0;  // of the target: what there is of what may be
+    double part = 0;  // of the target: the measured error relative to the allowed one
     const bool relaxed = body.cloth.most_strain > 0;
     if (body.plan.method != GPHYS_SOLVE_FREE) {
         if (settings.max_strain > 0 && !relaxed) part = std::max(part, largest_strain(body) / settings.max_strain);
         if (settings.tolerance > 0) part = std::max(part, error_rate(body, h) / settings.tolerance);
     }
     const double factor = part > 0 ? std::sqrt(aim / part) : infinity;
-    // What grows by less than makes one substep fewer must not be forgotten.
+    // Growth by less than one substep fewer must accumulate.
     const double last = body.substeps.wanted > 0 ? body.substeps.wanted : h;
     double wanted =
         std::min(h * std::max(factor, most_shrinking), last * (relaxed ? most_growth_relaxed : most_growth));

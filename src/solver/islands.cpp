@@ -1,4 +1,4 @@
-// Which bodies may influence each other, and how they are moved together: substep by substep.
+// Islands: which bodies may influence each other (union-find), and how they are moved together, substep by substep.
 #include "solver/islands.h"
 
 #include "solver/contact/collision.h"
@@ -10,7 +10,8 @@
 
 namespace gphys {
 
-/// Bodies that collide with each other and may meet in this step: their boxes, swept and sorted along x.
+/// Unites bodies that collide with each other and may come into contact in this step: sort and sweep of their swept
+/// boxes along x (Baraff 1992).
 void Solver::unite_near_bodies(DisjointSets& sets, double dt) {
     reaches_.clear();
     for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
@@ -23,7 +24,7 @@ void Solver::unite_near_bodies(DisjointSets& sets, double dt) {
             fastest = std::max(fastest, length_squared(body.particles.velocity[p]));
             radius = std::max(radius, body.particles.radius[p]);
         }
-        // Twice as far as it flies: constraints may make a part of it faster.
+        // Twice as far as it flies, because constraints may make parts of it faster.
         const double room =
             radius + 2 * dt * (std::sqrt(fastest) + dt * length(state_.settings.gravity)) + way_to_targets(body);
         const Vec3 around{room, room, room};
@@ -45,7 +46,7 @@ void Solver::unite_near_bodies(DisjointSets& sets, double dt) {
     }
 }
 
-/// DisjointSets of bodies that joints hold together or that may meet. A set is awake if any of its bodies is.
+/// Sets of bodies that joints connect or that may come into contact. A set is awake if any of its bodies is.
 void Solver::unite_bodies(const Scene* scene, double dt) {
     const uint32_t slots = state_.ids.slots();
     DisjointSets sets(set_of_, slots);
@@ -66,7 +67,7 @@ void Solver::unite_bodies(const Scene* scene, double dt) {
     }
 }
 
-/// The sets that are awake, as islands.
+/// Makes islands of the sets that are awake.
 void Solver::list_islands() {
     islands_.clear();
     island_bodies_.clear();
@@ -104,7 +105,7 @@ void Solver::list_islands() {
         while (next < systems_.size() && set_of_system(island_systems_[next]) == set) ++next;
         island.system_count = next - island.first_system;
     }
-    // A body alone is moved alone, unless it collides with itself or its chains are joined.
+    // A single body is no island, unless it collides with itself or its chains are joined.
     const auto alone = [&](const Island& island) {
         const Body& first = state_.bodies[island_bodies_[island.first_body]];
         return island.body_count == 1 && !first.settings.self_collision && !first.plan.joined;
@@ -123,8 +124,8 @@ void Solver::list_islands() {
     }
 }
 
-/// A substep of bodies that collide with others. Contacts come between the prediction and the constraints, so
-/// that what constraints take back of them is no motion; the velocities are turned at the end.
+/// One substep of bodies that collide with others. Contacts are solved between the prediction and the constraints, so
+/// that corrections undone by constraints do not count as motion. The velocities are turned at the end.
 void Solver::move_colliding(const Island& island, const Joined& joined, const CollisionContext& around, double h) {
     const uint32_t* const slots = &island_bodies_[island.first_body];
     const Vec3 gravity = state_.settings.gravity;
@@ -156,7 +157,7 @@ void Solver::move_colliding(const Island& island, const Joined& joined, const Co
     }
 }
 
-/// All substeps of the bodies of an island. Touches nothing of others, allocates nothing.
+/// All substeps of the bodies of an island. Accesses no other bodies, and allocates nothing.
 void Solver::move_island(const Island& island, const Scene* scene, double dt) {
     const uint32_t* const slots = &island_bodies_[island.first_body];
     const uint32_t* const joined_slots = joined_bodies_.data() + island.first_joined;

@@ -1,12 +1,12 @@
-// Bodies that may influence each other in a step form an island, which one worker moves; so does one that
-// collides with itself.
+// Islands: bodies that may influence each other in a step, moved by one worker. A body that collides with itself is an
+// island, too.
 #pragma once
 
 #include "foundation/memory.h"
 
 namespace gphys {
 
-/// Disjoint sets of numbers; the root of a set is its lowest number.
+/// Union-find with path halving; the root of a set is its lowest member.
 class DisjointSets {
 public:
     DisjointSets(Vector<uint32_t>& parent, uint32_t count) : parent_(parent) {
@@ -27,7 +27,7 @@ private:
     Vector<uint32_t>& parent_;
 };
 
-/// What one worker moves: ranges of the solver's lists.
+/// The unit of work of one worker, as ranges of the solver's lists.
 struct Island {
     uint32_t size = 0;  // particles
     uint32_t first_body = 0, body_count = 0;
@@ -35,7 +35,7 @@ struct Island {
     uint32_t first_system = 0, system_count = 0;
     uint32_t first_particle = 0, colliding_count = 0;  // those that collide with others
 
-    /// The largest first: no worker begins a large one when the others are done.
+    /// The largest first, so that no worker begins a large one when the others are done.
     bool operator<(const Island& other) const {
         return size != other.size ? size > other.size : first_body < other.first_body;
     }

@@ -1,4 +1,4 @@
-// The parts of a substep, for bodies that move alone and for those that move together.
+// The parts of a substep, for bodies that move alone and in islands.
 #pragma once
 
 #include "solver/contact/collision.h"
@@ -8,18 +8,18 @@ namespace gphys {
 
 class RopeContacts;
 
-/// step.cpp: one substep of a body on its own. `contacts`: of a rope beside models that stand still, or null.
+/// step.cpp: one substep of a single body. `contacts`: for a rope near static models, else null.
 void move(Body& body, const CollisionContext& around, Vec3 gravity, double h, RopeContacts* contacts = nullptr);
-/// The same in two parts, between which others may push its particles: those without constraints are moved by
-/// the first, all others only predicted.
+/// The same in two parts, between which other bodies may push its particles. The first part moves bodies without
+/// constraints, and only predicts all others.
 void begin_move(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 void end_move(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 
-/// Attached particles, of those from first to end, after their models to some fraction of the step, in h seconds; and
-/// those that animation targets carry, after these.
+/// Moves the attached particles from first to end with their models, to a fraction of the step, in h seconds; and
+/// particles that animation targets carry with these.
 void follow_models(Body& body, double fraction, double h, uint32_t first, uint32_t end);
 
-/// One of the substeps of a step, or of the rest of one.
+/// Substep i of a step, or of the rest of one.
 inline CollisionContext part_of_step(const CollisionContext& step, uint32_t i, uint32_t substeps) {
     CollisionContext part = step;
     const double length = step.end - step.begin;
@@ -28,7 +28,7 @@ inline CollisionContext part_of_step(const CollisionContext& step, uint32_t i, u
     return part;
 }
 
-/// A substep in parts: move(part of the surroundings, part of h).
+/// A substep in parts: move(part of the context, part of h).
 template <size_t count, class Move>
 void move_in_parts(const double (&parts)[count], const CollisionContext& around, double h, Move&& move) {
     double done = 0;
@@ -41,13 +41,13 @@ void move_in_parts(const double (&parts)[count], const CollisionContext& around,
     }
 }
 
-/// A substep in which Newton's method does not find the lengths of all links is too long for it, and made in halves,
-/// and these again: half a second becomes parts of 4 ms, in which a link of 1 mm that gravity swings turns by 0.4
-/// radians. What is not found in the shortest ones either is not looked for any longer. Of `motion`: begin(around, h),
-/// solve() and began_in_shape(), then either finish(around, h) or take_back(). Returns whether all was found.
+/// If Newton's method does not find the lengths of all links, the substep is too long for it. Then it is divided into
+/// halves, recursively: half a second becomes parts of 4 ms, in which a link of 1 mm that swings under gravity turns by
+/// 0.4 radians. Lengths that are not found in the shortest parts are given up. `motion` has begin(around, h), solve()
+/// and began_in_shape(), and then either finish(around, h) or roll_back(). Returns whether all lengths were found.
 template <class Motion>
 bool move_in_halves(Motion& motion, const CollisionContext& around, double h, int halvings = 7) {
-    // Where links turn by a radian the method may go about for a while before it converges.
+    // Where links turn by a radian, the method may cycle for a while before it converges.
     constexpr int most_solutions = 8;
     constexpr double halves[] = {0.5, 0.5};
     motion.begin(around, h);
@@ -66,7 +66,7 @@ bool move_in_halves(Motion& motion, const CollisionContext& around, double h, in
     return found;
 }
 
-/// The first substep after an interruption. Not after a contact, which interrupts all the time; motion has no
+/// The first substep after an interruption. Not after a contact: contacts interrupt all the time, and the motion has no
 /// second derivative there.
 template <class Move>
 void start_slowly(const CollisionContext& around, double h, Move&& move) {

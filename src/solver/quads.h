@@ -1,4 +1,4 @@
-// Places and velocities as the kernels of cloth hold them: four floats a particle.
+// Positions and velocities in the layout of the cloth kernels: four floats for each particle.
 #pragma once
 
 #include "foundation/math.h"

@@ -5,7 +5,7 @@ namespace gphys {
 
 void Solver::set_settings(const SolverSettings& settings) {
     const SolverSettings& now = state_.settings;
-    // What is at rest by other measures may not be at rest by these.
+    // Bodies at rest by other measures may not be at rest by these.
     if (settings.gravity != now.gravity || settings.sleep_speed != now.sleep_speed ||
         settings.sleep_strain != now.sleep_strain || settings.sleep_time != now.sleep_time) {
         wake_all();
@@ -24,14 +24,14 @@ void Solver::set_wind(gphys_body_id of, const gphys_wind& wind) {
 
 void set_settings(Body& body, const BodySettings& settings) {
     Vector<Vec3> placed(body.contacts.self.placed.get_allocator());
-    if (settings.self_collision && !body.settings.self_collision) placed = body.particles.position;  // which may fail
+    if (settings.self_collision && !body.settings.self_collision) placed = body.particles.position;  // may throw
     wake(body);
     if (settings.self_collision != body.settings.self_collision) {
         body.contacts.self.placed.swap(placed);
         body.contacts.self.linked_begin.clear();
         body.contacts.self.linked.clear();
     }
-    // What friction holds now was not held by the same.
+    // What friction holds now was held by another friction.
     if (settings.friction != body.settings.friction || settings.static_friction != body.settings.static_friction) {
         body.contacts.stuck.clear();
     }

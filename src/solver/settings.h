@@ -26,11 +26,11 @@ struct BodySettings {
     uint32_t body_layers = 0;     // of the bodies it collides with
     uint32_t self_collision = 0;  // 1: with itself
 
-    /// Whether what is at rest on a model is held by more than slows what slides.
+    /// Whether static friction is larger than kinetic friction.
     bool sticks() const { return static_friction > friction; }
 };
 
-/// Throws std::bad_alloc, and then has changed nothing.
+/// If it throws std::bad_alloc, nothing has changed.
 void set_settings(Body& body, const BodySettings& settings);
 
 }  // namespace gphys

@@ -1,7 +1,7 @@
-// Bodies at rest fall asleep, and then cost one question to the scene a step. A body sleeps once it has
-// been slow for long enough and is hardly strained: speed alone would let a rope sleep that is about to
-// snap back. It wakes when it is edited, when gravity changes, and when anything about the models around
-// it does: one comes, goes or moves, or the scene is another. Bodies of an island sleep and wake together.
+// Bodies at rest fall asleep, and then cost one query of the scene per step. A body falls asleep once it has been slow
+// for long enough and is hardly strained. The speed alone would put a rope to sleep that is about to snap back. It
+// wakes when it is edited, when gravity changes, and when a model near it is added, removed or moved, or the scene is
+// another one. Bodies of an island sleep and wake together.
 #include "solver/contact/collision.h"
 #include "solver/contact/neighbourhood.h"
 #include "solver/solver.h"
@@ -14,9 +14,9 @@ bool is_slow(const Particles& particles, double speed) {
                        [&](Vec3 velocity) { return length_squared(velocity) <= speed * speed; });
 }
 
-/// Of a graph that has made a step. Where its links contradict each other and friction, as on sharp edges, its
-/// particles go to and fro by small ways without end, some of them further now and then: what counts is how far it goes
-/// in a step, on average. A flap that falls, be it of a few particles, is soon faster than the bound of each.
+/// For a graph that has made a step. If its links contradict each other and friction, as on sharp edges, its particles
+/// oscillate by small distances without end, and some farther now and then. So the average distance per step decides. A
+/// falling flap, even of a few particles, soon exceeds the bound for single particles.
 bool goes_slowly(const Body& body, double speed, double dt) {
     constexpr double most = 10;  // times the average, of each particle
     ClothWay all;
@@ -29,10 +29,10 @@ bool goes_slowly(const Body& body, double speed, double dt) {
            is_slow(body.particles, most * speed);
 }
 
-/// Of rigid constraints: what elastic ones hold may be at rest at any length, and so may braces of cloth that yield.
+/// Of rigid constraints only: elastic ones may be at rest at any length, and so may yielding braces of cloth.
 bool is_hardly_strained(const Body& body, double strain) {
     if (is_graph(body) && body.cloth.braces_yield) {
-        // As far as relax_links keeps them, and what models take them beyond.
+        // The strain that relax_links leaves, and that models may cause beyond it.
         strain = std::max(strain, 1.5 * body.cloth.most_strain);
         const Vector<KeptLinks::Link>& links = body.cloth.batches.kept.links;
         return std::all_of(links.begin(), links.end(), [&](const KeptLinks::Link& link) {
@@ -49,7 +49,7 @@ bool is_hardly_strained(const Body& body, double strain) {
     return true;
 }
 
-/// The models in the box of a sleeping body. visit(model).
+/// Calls visit(model) for the models in the box of a sleeping body.
 template <class Visit>
 uint64_t neighbourhood(const Body& body, const Scene* scene, Visit&& visit) {
     if (!scene || body.settings.layers == 0) return 0;
@@ -86,7 +86,7 @@ void fall_asleep(Body& body, const Scene* scene, double dt) {
     sleep.asleep = true;
     std::fill(body.particles.velocity.begin(), body.particles.velocity.end(), Vec3{});
     body.history.earlier_step = 0;
-    // What is beyond cannot come near before it is seen to come.
+    // A model beyond this is noticed before it can come near.
     sleep.box = swept_box(body, body.particles.position, body.particles.position, dt * fastest_model);
     sleep.neighbourhood = neighbourhood(body, scene, [](gphys_model_id) {});
 }
@@ -97,7 +97,7 @@ void rest(Body& body, const Scene* scene, const SolverSettings& settings, double
 
 bool Solver::sleeps_on(const Body& body, const Scene* scene) {
     if (!body.sleep.asleep) return false;
-    // Its models are seen like those of others: if one moves and wakes it, where it came from is known.
+    // Its models are tracked like those of other bodies: if one moves and wakes it, its former place is known.
     const auto see = [&](gphys_model_id model) { next_seen_.push_back({model, scene->world(model)}); };
     return neighbourhood(body, scene, see) == body.sleep.neighbourhood && !attachments_moved(body.constraints, scene);
 }

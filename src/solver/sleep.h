@@ -1,4 +1,4 @@
-// Bodies at rest, which are not moved until something wakes them.
+// Sleeping: bodies at rest are not moved until something wakes them.
 #pragma once
 
 #include "shapes/shapes.h"
@@ -9,18 +9,18 @@ class Scene;
 struct Body;
 struct SolverSettings;
 
-/// Of a body at rest.
+/// The state of a body at rest.
 struct Sleep {
     double calm = 0;  // seconds that it has been at rest
     bool asleep = false;
-    Box box;                     // if asleep: what lies in it may wake it,
-    uint64_t neighbourhood = 0;  // and this is a hash of that
+    Box box;                     // while asleep: models in it may wake it,
+    uint64_t neighbourhood = 0;  // and this is a hash of them
 };
 
-/// After the body has been moved by a step, whether it has been at rest for long enough.
+/// Call after a step has moved the body. Returns whether it has been at rest for long enough.
 bool is_calm(Body& body, const SolverSettings& settings, double dt);
 void fall_asleep(Body& body, const Scene* scene, double dt);
-/// Both, of a body alone.
+/// The same, and falls asleep; for a single body.
 void rest(Body& body, const Scene* scene, const SolverSettings& settings, double dt);
 void wake(Body& body);
 

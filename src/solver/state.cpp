@@ -1,5 +1,5 @@
-// The particles of one body, as the caller changes them. Values have been checked. What can fail
-// checks and makes room first, and wakes the body then.
+// Changes of the particles of one body by the caller. Values have been checked. Functions that can fail check and
+// allocate first, and then wake the body.
 #include "solver/state.h"
 #include "foundation/strided.h"
 #include "solver/solver.h"

@@ -1,4 +1,4 @@
-// The particles of a body, as the caller changes them.
+// Changes of the particles of a body by the caller.
 #pragma once
 
 #include "foundation/math.h"
@@ -9,7 +9,7 @@ namespace gphys {
 struct Body;
 struct Constraints;
 
-/// The caller has broken off the motion: the time scheme must not look back past this moment.
+/// The caller has interrupted the motion: the time scheme must not use the history before this moment.
 void interrupt(Body& body);
 void set_positions(Body& body, uint32_t first, uint32_t count, const gphys_vec3* positions, uint32_t stride);
 void set_velocities(Body& body, uint32_t first, uint32_t count, const gphys_vec3* velocities, uint32_t stride);
@@ -18,7 +18,7 @@ void set_radii(Body& body, uint32_t first, uint32_t count, const float* radii, u
 void set_forces(Body& body, uint32_t first, uint32_t count, const gphys_vec3* forces, uint32_t stride);
 void set_pinned(Body& body, uint32_t first, uint32_t count, bool pinned);
 bool is_attached(const Constraints& constraints, uint32_t particle);
-// These may fail, by status or std::bad_alloc, and wake the body unless they do.
+// These may fail, by status or std::bad_alloc. If they do not, they wake the body.
 void attach(Body& body, uint32_t particle, gphys_model_id model, Vec3 local);
 
 }  // namespace gphys

@@ -1,3 +1,4 @@
+// Keeps bodies in the range of numbers (state_range.h).
 #include "solver/state_range.h"
 
 #include "solver/contact/collision.h"
@@ -7,7 +8,7 @@
 namespace gphys {
 namespace {
 
-/// In a form that compilers compare several numbers side by side for. What is no number is not within.
+/// Written so that compilers vectorise it. NaN is not within.
 template <class Number>
 bool all_within(double limit, const Number* values, size_t count) {
     const Number most = static_cast<Number>(limit);
@@ -26,7 +27,7 @@ bool all_finite(const Vector<Number>& values) {
     return all_within(std::numeric_limits<Number>::max(), values.data(), values.size());
 }
 
-/// Ropes are brought back in each substep (finish_chains), so that where they have been is in range as well.
+/// Ropes are brought back in each substep (finish_chains), so that their history is in range, too.
 bool is_in_range(const Body& body) {
     if (!all_within(farthest_place, body.particles.position) || !all_within(fastest_particle, body.particles.velocity))
         return false;

@@ -1,4 +1,4 @@
-// What can be said about bodies: strain, energy, contacts, impulses.
+// Statistics of bodies: strain, energy, contacts, impulses.
 #include "solver/solver.h"
 
 namespace gphys {

@@ -96,7 +96,7 @@ void end_move(Body& body, const CollisionContext& around, Vec3 gravity, double h
     }
 }
 
-/// Before and after all substeps of one body that is moved alone.
+/// Call before and after all substeps of a body that is moved alone.
 void Solver::begin_moving(const ActiveBody& moving, const Scene* scene, double dt) {
     Body& body = state_.bodies[moving.slot];
     body.contacts.impulses.clear();
@@ -120,7 +120,7 @@ void Solver::end_moving(const ActiveBody& moving, const Scene* scene, double dt,
     rest(body, scene, state_.settings, dt);
 }
 
-/// In so many, or more if the first show that these are too long. Returns how many it were.
+/// Moves in `count` substeps, or in more if the first ones show that these are too long. Returns their number.
 uint32_t Solver::move_in_substeps(Body& body, uint32_t count, const CollisionContext& step, RopeContacts* contacts) {
     CollisionContext rest = step;
     uint32_t made = 0;
@@ -138,7 +138,7 @@ uint32_t Solver::move_in_substeps(Body& body, uint32_t count, const CollisionCon
     return made;
 }
 
-/// All substeps of one body. Touches nothing of other bodies, allocates nothing.
+/// All substeps of one body. Accesses no other bodies, and allocates nothing.
 void Solver::move_through(const ActiveBody& moving, uint32_t worker, const Scene* scene, double dt) {
     RopeRoom& room = rooms_[worker];
     Body& body = state_.bodies[moving.slot];
@@ -168,7 +168,7 @@ void Solver::move_through(const ActiveBody& moving, uint32_t worker, const Scene
     end_moving(moving, scene, dt, substeps);
 }
 
-/// The same of a part of a body, between its beginning and its end.
+/// The same for a part of a body, between begin_moving and end_moving.
 void Solver::move_part(const Task& task, uint32_t worker, const Scene* scene, double dt) {
     const ActiveBody& moving = moving_[task.first];
     Body& body = state_.bodies[moving.slot];
@@ -233,7 +233,7 @@ void Solver::simulate(const Scene* scene, double dt) {
     for (const Task& task : tasks_) {
         if (task.shared) move_shared(moving_[task.first], scene, dt);
     }
-    // A worker keeps its room while it takes one task after the other.
+    // Each worker keeps its memory from task to task.
     std::atomic<size_t> next{0};
     workers_.run(workers_.count(), [&](uint32_t worker) {
         for (size_t i; (i = next.fetch_add(1, std::memory_order_relaxed)) < islands_.size() + tasks_.size();) {
@@ -257,7 +257,7 @@ void Solver::simulate(const Scene* scene, double dt) {
     add_impulses();
 }
 
-/// The sums of all bodies by model, in the order of the bodies. Within the room that is reserved.
+/// Sums the impulses of all bodies by model, in the order of the bodies. Uses reserved memory.
 void Solver::add_impulses() {
     body_impulses_.clear();
     impulses_.clear();
@@ -278,8 +278,8 @@ void Solver::add_impulses() {
 }
 
 void Solver::advance(const Scene* scene, double frame_time, uint32_t& steps, double& leftover) {
-    // Frames and steps came as float32, so six steps of a 60th may be a hair longer than a tenth: a
-    // millionth of a step is not waited for.
+    // Frame times and steps were float32, so six steps of 1/60 s may be slightly longer than 0.1 s. A missing millionth
+    // of a step is ignored.
     const double owed = state_.owed + frame_time, length = state_.settings.fixed_step;
     const double due = std::floor(owed / length + 1e-6);
     const uint32_t wanted = static_cast<uint32_t>(std::min<double>(due, state_.settings.max_steps));
@@ -288,11 +288,11 @@ void Solver::advance(const Scene* scene, double frame_time, uint32_t& steps, dou
             simulate(scene, length);
         } catch (const std::bad_alloc&) {
             if (steps == 0) throw;
-            break;  // what has been made cannot be taken back, and is reported
+            break;  // steps that were made cannot be undone, and are reported
         }
     }
     if (steps > 0) show_all();
-    // Of frames of years the difference is rounding.
+    // For frame times of years, the difference is rounding.
     state_.owed = std::clamp(owed - due * length, 0.0, length);
     leftover = state_.owed / state_.settings.fixed_step;
 }

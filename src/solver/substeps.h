@@ -1,4 +1,4 @@
-// How many substeps a body takes, by error targets and a bound of work.
+// The number of substeps of a body, by error targets and a bound of work.
 #pragma once
 
 #include "foundation/math.h"
@@ -9,16 +9,16 @@ struct Body;
 struct Cloth;
 struct SolverSettings;
 
-/// How many substeps it takes.
+/// The substeps of a body.
 struct Substeps {
     uint32_t made = 0;     // in the last step
     uint32_t allowed = 0;  // in the step under way, by SolverSettings::max_work
-    double wanted = 0;     // seconds, as error targets want the next; 0: not measured yet
+    double wanted = 0;     // seconds of the next substep, by error targets; 0: not measured yet
 };
 
-/// The fewest substeps that a body may take; in how many substeps a body takes a step; at least,
-/// beside models, if its fastest particle has that speed; for the rest of it, when a part is done in so many; and what
-/// it has measured after it.
+/// least_substeps: the fewest allowed. substeps_of: the number for a step. substeps_near_models: the least near models,
+/// for the speed of its fastest particle. substeps_of_rest: the number for the rest of a step, of which a part is done.
+/// adapt_substep: measures the error of a finished step.
 uint32_t least_substeps(const Body& body, double dt);
 uint32_t substeps_of(const Body& body, const SolverSettings& settings, double dt);
 uint32_t substeps_near_models(const Cloth& cloth, const SolverSettings& settings, double fastest, double dt);

@@ -1,3 +1,4 @@
+// Aerodynamic forces: drag and lift of triangles, links and particles (wind.h).
 #include "solver/wind.h"
 #include "foundation/strided.h"
 #include "solver/body.h"
@@ -8,7 +9,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979324;
 
-/// Adds the forces of triangles and links up, by particle. `Relative` tells velocities relative to the air, `Place`
+/// Sums the forces of triangles and links by particle. `Relative` gives velocities relative to the air, `Place`
 /// positions, by particle.
 template <class Place, class Relative>
 class Forces {
@@ -35,7 +36,7 @@ public:
             add(p, u * -d, d);
         }
     }
-    /// Each force no larger than what ends the motion relative to the air at this rate, 1/s.
+    /// Limits each force to the one that would end the motion relative to the air at this rate, 1/s.
     void limit(double most) {
         for (uint32_t p = 0; p < body_.particles.size(); ++p) {
             if (air_.rate[p] > most) air_.force[p] *= most / air_.rate[p];
@@ -43,7 +44,7 @@ public:
     }
 
 private:
-    /// A force, and by how many newtons it grows at most when all velocities do by 1 m/s.
+    /// Adds a force; `growth`: newtons by which it grows at most if all velocities grow by 1 m/s.
     void add(uint32_t p, Vec3 force, double growth) {
         air_.force[p] += force;
         air_.rate[p] += growth * body_.particles.inverse_mass[p];
@@ -51,7 +52,7 @@ private:
 
     void add_triangle(const uint32_t* corners) {
         const uint32_t a = corners[0], b = corners[1], c = corners[2];
-        const Vec3 twice = cross(place_(b) - place_(a), place_(c) - place_(a));  // the area, along the normal
+        const Vec3 twice = cross(place_(b) - place_(a), place_(c) - place_(a));  // twice the area, along the normal
         const double area = length(twice);
         const Vec3 u = (relative_(a) + relative_(b) + relative_(c)) * (1.0 / 3);
         const double speed = length(u);
@@ -95,13 +96,13 @@ void add_up(Body& body, const Place& place, const Relative& relative, double mos
     forces.limit(most_rate);
 }
 
-/// The force of the end of the step, which depends on the velocity that it leaves: without drag that would be u
-/// relative to the air, with it v, and v (1 + c dt |v|) = u. A particle that falls has its terminal velocity exactly.
+/// Implicit drag: the force at the end of the step, which depends on the final velocity. Without drag that would be u
+/// relative to the air, with it v, and v (1 + c dt |v|) = u. A falling particle reaches its terminal velocity exactly.
 void fly_in_air(Body& body, Vec3 gravity, double dt) {
     const Air& air = body.air;
     const double part = 0.5 * air.wind.density * air.wind.drag * pi * dt;
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
-        const double w = body.particles.inverse_mass[p];  // 0: it gets no force
+        const double w = body.particles.inverse_mass[p];  // 0: no force
         const Vec3 u = body.particles.velocity[p] - velocity_at(air, p) + (gravity + body.particles.force[p] * w) * dt;
         const double growth = 4 * part * body.particles.radius[p] * body.particles.radius[p] * w * length(u);
         const double lost = 1 - 2 / (1 + std::sqrt(1 + growth));
@@ -144,7 +145,7 @@ void end_air(Body& body) {
     body.particles.forced = body.air.forced;
 }
 
-/// The velocities are those that the time scheme goes on with, of a particle that nothing pushes.
+/// Uses the velocities that the time scheme would give to particles without other forces.
 void blow_cloth(Body& body, const CollisionContext& around, double h) {
     Cloth& cloth = body.cloth;
     if (around.begin == 0) std::copy(cloth.acceleration.begin(), cloth.acceleration.end(), body.air.steady.begin());

@@ -1,9 +1,9 @@
-// The air around a body and what it does to it: drag and lift of triangles, drag of links and of free particles
-// (formulas: gphys_solver_set_wind).
+// The air around a body and its forces: drag and lift of triangles, drag of links and of free particles (formulas:
+// gphys_solver_set_wind).
 //
-// Forces are those of the velocities at the beginning, of a substep for cloth, which is light for its area and held by
-// its links, of a step for all else. They are true forces, also on what is held, until they would turn a velocity
-// relative to the air round; then they are limited to what ends it. So any strength is stable.
+// Forces follow from the velocities at the beginning: of a substep for cloth, which is light for its area and held by
+// its links, of a step for other bodies. They are the true forces, also on held particles, unless they would reverse a
+// velocity relative to the air. Then they are limited to those that end it. So wind of any strength is stable.
 #pragma once
 
 #include "foundation/math.h"
@@ -21,21 +21,21 @@ struct Air {
     bool blows() const { return wind.density > 0; }
 
     gphys_wind wind{};
-    Vector<Vec3> velocity;  // by particle, beside the wind's; empty: 0
+    Vector<Vec3> velocity;  // by particle, added to the wind's; empty: 0
 
-    // Of a step under way, by particle:
-    Vector<Vec3> force;    // newtons; during a step of what is not cloth in place of Body::force, which is in it
-    Vector<double> rate;   // 1/s, of all forces on the particle together: none changes its velocity faster
-    Vector<float> steady;  // of cloth: accelerations without air, as in Cloth
-    bool forced = false;   // what Body::forced was
+    // Of the step under way, by particle:
+    Vector<Vec3> force;    // newtons; except for cloth, it replaces Particles::force during a step, and includes it
+    Vector<double> rate;   // 1/s, of all forces on the particle: a bound for how fast they change its velocity
+    Vector<float> steady;  // for cloth: accelerations without air, see Cloth
+    bool forced = false;   // the value of Particles::forced before
 };
 
-/// Makes room; throws std::bad_alloc.
+/// Allocates memory. Throws std::bad_alloc.
 void reserve_air(Body& body);
-/// Around all substeps of a body that is no cloth: its forces have those of the air in them.
+/// Call before and after all substeps of a body that is not cloth: adds the forces of the air to its forces.
 void begin_air(Body& body, Vec3 gravity, double dt);
 void end_air(Body& body);
-/// Before a substep of cloth: its accelerations have those of the air in them.
+/// Call before a substep of cloth: adds the accelerations by the air to its accelerations.
 void blow_cloth(Body& body, const CollisionContext& around, double h);
 
 void set_air_velocities(Body& body, uint32_t first, uint32_t count, const gphys_vec3* velocities, uint32_t stride);
