@@ -55,8 +55,7 @@ private:
         Vec3 before, arrived;  // at the beginning of the substep, and at its end before contacts
         Vec3 at, velocity;
         Vec3 arrived_velocity;
-        const ContactPoint*
-            contact_points;  // contact_points_per_particle models that it has touched in this step, or null
+        const ContactPoint* contact_points;  // contact_points_per_particle of this step, or null
 
         double reach() const { return radius + margin; }
     };

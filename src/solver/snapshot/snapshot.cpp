@@ -214,22 +214,22 @@ gphys_status Solver::snapshot(uint32_t* out, uint32_t capacity, uint32_t& total)
 }
 
 gphys_status Solver::restore(const uint32_t* words, uint32_t count) {
-    const auto refused = [](const char* why) { return fail(GPHYS_ERROR_INVALID_ARGUMENT, why); };
+    const auto rejected = [](const char* why) { return fail(GPHYS_ERROR_INVALID_ARGUMENT, why); };
     Header header{};
     std::memcpy(&header, words, 4 * size_t{std::min(count, header_words)});
-    if (count < header_words) return refused("words: too few for a snapshot");
-    if (header.magic == swapped_magic) return refused("words: a snapshot in another byte order");
-    if (header.magic != magic) return refused("words: not a snapshot");
-    if (header.format != format) return refused("words: a snapshot of another version of the library");
-    if (header.words != count) return refused("count: not what the snapshot had");
+    if (count < header_words) return rejected("words: too few for a snapshot");
+    if (header.magic == swapped_magic) return rejected("words: a snapshot in another byte order");
+    if (header.magic != magic) return rejected("words: not a snapshot");
+    if (header.format != format) return rejected("words: a snapshot of another version of the library");
+    if (header.words != count) return rejected("count: not what the snapshot had");
     WordHash hash;
     hash.put(words + header_words, count - header_words);
     uint32_t found[2];
     split(hash.value(), found);
-    if (std::memcmp(found, header.hash, sizeof found) != 0) return refused("words: the snapshot is damaged");
+    if (std::memcmp(found, header.hash, sizeof found) != 0) return rejected("words: the snapshot is damaged");
     SolverState restored(&memory);
     Reader archive(words + header_words, count - header_words);
-    if (const char* wrong = read(archive, restored)) return refused(wrong);
+    if (const char* wrong = read(archive, restored)) return rejected(wrong);
     size_t given = 0;
     for (const Body& body : restored.bodies) given += body.contacts.impulses.size();
     body_impulses_.reserve(given);
