@@ -129,7 +129,7 @@ template <class N>
 GPHYS_INLINE constexpr Vec<N> minus(const Vec<N>& a, const Same<N>& b) {
     return {a.x - b, a.y - b, a.z - b};
 }
-/// The component where it is positive, else 0.
+/// Where it is positive, else 0.
 template <class N>
 GPHYS_INLINE constexpr Vec<N> positive(const Vec<N>& a) {
     const N zero{};

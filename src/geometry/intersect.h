@@ -114,7 +114,7 @@ struct TriangleCrossing {
     int facing;   // sign of dot(normal, direction)
 };
 bool crosses(const Triangle& triangle, const ShearedRay& ray, TriangleCrossing& crossing);
-/// The hit at a crossing. It costs more than crosses(), so it is computed for the nearest crossing only.
+/// The hit at a crossing. More expensive than crosses(), so computed for the nearest crossing only.
 Hit hit_at(const Triangle& triangle, const ShearedRay& ray, const TriangleCrossing& crossing);
 
 /// The barycentric weights of b and c of a point on the triangle; both 0 if it is degenerate.

@@ -1,5 +1,5 @@
-// The constants of ShearedRay (intersect.h; Woop, Benthin, Wald 2013), for one ray with Number = double, or for eight
-// with the Double8 of a kernel.
+// The constants of ShearedRay (intersect.h), for one ray with Number = double, or for eight with the Double8 of a
+// kernel.
 #pragma once
 
 #include "foundation/compiler.h"
@@ -17,8 +17,8 @@ public:
         sy = select(moves, y(direction) / along, 0);
     }
 
-    // z is the axis of the direction's largest component. If that component is negative, x and y are swapped, which
-    // keeps the winding order.
+    // z is the axis of the largest component of the direction. x and y are swapped if that is negative, which keeps
+    // the winding order.
     template <class Value>
     GPHYS_INLINE Number x(const Value (&v)[3]) const {
         return select(flips_, longest_.after_next(v), longest_.next(v));
@@ -39,7 +39,7 @@ private:
     Mask flips_;
 
 public:
-    Mask moves;  // false for a zero direction
+    Mask moves;  // unless the direction is zero
     Number sx, sy;
 };
 

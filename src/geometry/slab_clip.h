@@ -31,8 +31,8 @@ public:
         }
         return true;
     }
-    /// A contact with an edge lasts a single time, computed by two rounded divisions. For a flat shape the interval
-    /// lies between two gaps along normals that are opposite within rounding, which are known within the resolution.
+    /// The interval of a contact with an edge is a single time, computed by two rounded divisions; that with a flat
+    /// shape one of two gaps along normals that are opposite within rounding, which is known within the resolution.
     bool is_empty() const {
         if (leaves_ || begin_ <= end_ + 0x1p-50) return leaves_;
         const bool is_flat = length_squared(normal_ + end_normal_) < 0x1p-60;
@@ -47,7 +47,7 @@ public:
 
 private:
     double resolution_, begin_ = 0, end_ = 1, widest_ = -infinity;
-    double begin_speed_ = 0;  // the approach along normal_
+    double begin_speed_ = 0;  // along the normal
     Vec3 normal_, end_normal_, widest_normal_;
     bool leaves_ = false;
 };

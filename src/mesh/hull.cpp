@@ -110,7 +110,7 @@ namespace {
 constexpr double certain = 0x1p-44;
 // Squared length of the sum of the unit normals of two faces that nearly coincide, back to back.
 constexpr double blade = 0x1p-20;
-// Relative to the size: a smaller radius changes no answer by more than the documented bounds.
+// Relative to the size: a smaller radius makes no difference that the contract tells.
 constexpr double sharp = 0x1p-43;
 
 /// Calls visit(unit, gap) for every direction that can be the normal of a face of the Minkowski difference of the
@@ -145,7 +145,7 @@ bool for_each_gap(const Hull& hull, const AxisScale& axes, const Core& core, Vec
     for (const Hull::Edge& edge : hull.edges()) {
         const Vec3 one = axes.normal(hull.faces()[edge.face[0]].normal);
         const Vec3 other = axes.normal(hull.faces()[edge.face[1]].normal);
-        // On a blade, rounding would decide on which side the edge is.
+        // Of a blade, rounding would say on which side the edge is.
         const bool is_blade = length_squared(one + other) < blade;
         for (int k = 0; k < core.axis_count; ++k) {
             if (!is_blade && !(dot(one, core.axes[k]) * dot(other, core.axes[k]) < 0)) continue;
@@ -253,10 +253,10 @@ std::optional<bool> Mesh::sweep_sharp_at_hull(const Shape& moving, Vec3 displace
         if (core.axis_count == 0) return sweep_point_at_hull({from + core.center, displacement, 1}, hit, axes);
         const double size = hull_size(core, from, axes);
         SlabClip clip(touching * (size + max_component(abs(displacement))));
-        const bool may_hit = for_each_gap(hull_, axes, core, from, [&](Vec3 unit, double gap) {
+        const bool meets = for_each_gap(hull_, axes, core, from, [&](Vec3 unit, double gap) {
             return clip.cut(gap, -dot(unit, displacement), unit);
         });
-        if (!may_hit || clip.is_empty()) return false;
+        if (!meets || clip.is_empty()) return false;
         hit = Hit{};
         hit.t = std::min(clip.begin(), 1.0);
         hit.normal = clip.normal();

@@ -181,12 +181,12 @@ private:
     bool is_links() const { return kind_ == MeshKind::body_links; }
     /// Whether the rays of a batch are cast one by one.
     bool is_cast_singly() const { return magnified_ || is_links(); }
-    /// Whether a ray that crosses a triangle like this hits the mesh there. A ray from outside enters a hull through a
-    /// front face, even if it hits only an edge.
+    /// Whether a ray that crosses a triangle that way meets the mesh there: a ray from outside a hull enters it by its
+    /// front, also where it touches an edge only.
     bool counts(const TriangleCrossing& crossing, const Ray& ray) const {
         return is_hull() ? crossing.facing < 0 : ray.faces.include(crossing.facing > 0);
     }
-    /// The shortest way of an overlapping solid out of the hull.
+    /// The solid overlaps the hull.
     Penetration way_out_of_hull(const Shape& moving, const AxisScale& axes) const;
     /// An upper bound for the coordinates of the Minkowski difference of the hull and a core, both relative to `from`.
     double hull_size(const Core& core, Vec3 from, const AxisScale& axes) const;
@@ -201,7 +201,7 @@ private:
     /// and their edges have normals that the hull does not have. No result if rounding leaves the answer open.
     std::optional<bool> sweep_sharp_at_hull(const Shape& moving, Vec3 displacement, Hit& hit,
                                             const AxisScale& axes) const;
-    /// Replaces the normal of a triangle by that of the hull.
+    /// A normal of the hull in place of that of a triangle.
     void turn_to_hull(const Shape& moving, Vec3 displacement, Hit& hit, const AxisScale& axes) const;
     bool sweep_point_at_hull(const Ray& way, Hit& hit, const AxisScale& axes) const;
     void start_in_hull(const Sphere& moving, Vec3 displacement, Hit& hit, const AxisScale& axes) const;
@@ -250,7 +250,7 @@ private:
         PreparedRay of[rays_at_once];
     };
     NearestCrossing first_crossing(const PreparedRay& ray) const;
-    /// Calls at(i, hit) for each ray, in local space, that starts inside this hull. Returns the bits of those rays.
+    /// Of rays, in the mesh's own space, those that begin in a hull: at(i, hit) for each. Bits of which.
     template <class RayOf, class At>
     uint64_t begin_inside(uint32_t count, const RayOf& ray_of, const At& at) const;
     /// Runs kernels_.rays or rays_any on the ray packets that the rays are split into.

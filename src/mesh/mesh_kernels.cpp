@@ -81,7 +81,7 @@ void prepare_placed(const Ray* rays, uint32_t count, const MeshPlace& place, con
         const Rays8 eight(rays + first, count - first);
         const Vec<Double8> from{eight.origin[0], eight.origin[1], eight.origin[2]};
         const Vec<Double8> along{eight.direction[0], eight.direction[1], eight.direction[2]};
-        // The scalar form is MeshPlace::inverse_apply and inverse_apply_to_vector.
+        // MeshPlace::inverse_apply and inverse_apply_to_vector
         const Vec<Double8> origin = quotients(transpose_times(rotation, from - position), scale);
         const Vec<Double8> direction = quotients(transpose_times(rotation, along), scale);
         prepare_eight({origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}, eight.t_max, root,

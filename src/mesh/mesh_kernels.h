@@ -27,8 +27,8 @@ struct MeshKernels {
     /// Traverses a BVH whose items are the indices of `packets`, roughly front to back.
     void (*ray)(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay& ray,
                 const PacketVisitor& to);
-    /// The first hits of many rays on the triangles, or with `only_front` on front faces only. With `together`, the
-    /// rays have the same signs of direction, are at most RayPackets::most, and may be traversed as a packet.
+    /// Where many rays first cross the triangles, or with `only_front` those whose front they meet; up to
+    /// RayPackets::most with the same signs of direction may go together.
     void (*rays)(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay* rays,
                  uint32_t count, bool together, bool only_front, CrossesTriangle exact, NearestCrossing* nearest);
     /// The same, but any hit will do; only whether there is one counts.

@@ -45,7 +45,7 @@ struct NearestCrossing {
     const TrianglePacket* packet = nullptr;
 };
 
-/// The complete hit at the crossing; false if there is none.
+/// The whole answer; false if there is none.
 inline bool hit_at(const NearestCrossing& nearest, const ShearedRay& ray, Hit& hit) {
     if (nearest.triangle == GPHYS_NO_TRIANGLE) return false;
     hit = hit_at(nearest.packet->triangle(static_cast<int>(nearest.lane)), ray, nearest.crossing);

@@ -40,11 +40,11 @@ struct RaysAndTriangles {
 };
 
 struct Crossings8 {
-    uint32_t no, yes;  // pairs in neither are undecided
+    uint32_t no, yes;  // the others are open
     double t[8], u[8], v[8];
-    float rounded_t[8];  // as reported
-    float limit[8];      // where the traversal of the ray may end then
-    uint32_t back;       // the ray comes from behind
+    float rounded_t[8];  // as it is reported
+    float limit[8];      // where the walk of the ray may end then
+    uint32_t back;       // from behind
 
     GPHYS_INLINE Crossings8(const RaysAndTriangles& pairs, const PreparedRay* rays) {
         const auto ray = [&](int i) -> const PreparedRay& { return rays[pairs.ray[i]]; };

@@ -1,5 +1,5 @@
-// The numbers of a TriangleProbe before they are rounded to float: for one ray with Number = double, or for eight with
-// the Double8 of a kernel. This is the watertight test of Woop, Benthin and Wald (2013) with an error bound.
+// The numbers of a TriangleProbe before they are rounded to float, for one ray with Number = double, or for eight with
+// the Double8 of a kernel.
 #pragma once
 
 #include "bvh/ray_setup.h"
@@ -26,15 +26,15 @@ namespace gphys {
 // The host may flush numbers below 2^-126 to zero: each coordinate may have the error of four such flushes and, times
 // Z, that of the slope; each volume of three more.
 //
-// Nothing overflows: the root is within 2^53 of the start, coordinates stay below 2^55 and volumes below 2^111.
+// Nothing overflows: the root is within 2^53 of the beginning, coordinates stay below 2^55 and
+// volumes below 2^111.
 template <class Number>
 struct TriangleSetup {
     using Mask = decltype(Number() < Number());
 
     Number origin[3], slope_x, slope_y, error_slope_x, error_slope_y, error, margin, ahead;
 
-    /// `begin` and `slack` are those of the ray's probe of boxes in the root; `excludes`: whether that probe rejects
-    /// any box.
+    /// `begin` and `slack` are those of the ray's probe of boxes in the root, and whether it excludes any.
     template <class ShearOf, class Begin>
     GPHYS_INLINE TriangleSetup(const ShearOf& shear, const Number (&direction)[3], const Begin& begin, Number slack,
                                Mask excludes, const RaysRoot& root) {
@@ -62,7 +62,7 @@ struct TriangleSetup {
         error = 3 * error_x * error_y + flushed;
         margin = (1.01 * (off[2] + u * reach[2]) + flushed) * (1 + 2 * u);
         ahead = select(shear.z(direction) < 0, 0, 1);
-        const Mask useless = !(shear.moves & excludes);  // a zero direction, or numbers too large for floats
+        const Mask useless = !(shear.moves & excludes);  // nothing to shear along, or beyond floats
         if (any(useless)) let_pass(useless);
     }
 
