@@ -1,3 +1,4 @@
+// Validation of an id table that was read from a snapshot (ids.h).
 #include "foundation/ids.h"
 
 namespace gphys {

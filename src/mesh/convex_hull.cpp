@@ -1,3 +1,4 @@
+// The convex hull of points by quickhull with exact predicates (convex_hull.h).
 #include "mesh/convex_hull.h"
 
 #include <algorithm>

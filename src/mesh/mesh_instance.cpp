@@ -1,3 +1,4 @@
+// Queries of a placed mesh: transforms to its local space and back, with bounds for the rounding (mesh_instance.h).
 #include "mesh/mesh_instance.h"
 
 #include "geometry/raycast_box.h"

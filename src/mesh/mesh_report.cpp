@@ -1,3 +1,4 @@
+// Validation of triangle arrays: bad vertices, indices out of range, degenerate triangles, open edges (mesh_report.h).
 #include "mesh/mesh_report.h"
 
 #include <algorithm>

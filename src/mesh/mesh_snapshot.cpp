@@ -1,3 +1,4 @@
+// Writing and validating snapshots of meshes (mesh_snapshot.h).
 #include "mesh/mesh_snapshot.h"
 
 #include <limits>

@@ -1,3 +1,4 @@
+// The list of a mesh's observers, sorted and guarded by a mutex (mesh_users.h).
 #include "mesh/mesh_users.h"
 
 #include <functional>

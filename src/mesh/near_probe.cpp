@@ -1,3 +1,4 @@
+// Rounds a ball and a half-space to float (near_probe.h).
 #include "mesh/near_probe.h"
 
 namespace gphys {

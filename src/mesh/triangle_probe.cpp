@@ -1,3 +1,4 @@
+// Rounds a ray to float, with the error bounds of triangle_setup.h (triangle_probe.h).
 #include "mesh/triangle_probe.h"
 
 #include "mesh/triangle_setup.h"

@@ -1,3 +1,4 @@
+// Sums of impulses by model (impulses.h).
 #include "solver/contact/impulses.h"
 
 #include "solver/contact/collision.h"

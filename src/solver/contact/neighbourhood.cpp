@@ -1,3 +1,4 @@
+// The hash of a model (neighbourhood.h).
 #include "solver/contact/neighbourhood.h"
 
 #include "foundation/word_hash.h"

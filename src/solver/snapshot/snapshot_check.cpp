@@ -1,3 +1,4 @@
+// The checks of a state read from a snapshot (snapshot_check.h).
 #include "solver/snapshot/snapshot_check.h"
 
 #include "solver/state_range.h"
