@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Tests the library: ./test.sh [--long | --bindings | --platforms | --fuzz MINUTES | --soak | --coverage [--write]]
 # Installs what is missing, builds and runs the whole suite as users get the library, then again
-# under the address and undefined-behaviour sanitizers. --long adds a build with clang, tests of
+# under the address and undefined-behaviour sanitizers. Prints which lines and branches of each file these reach
+# (fuzz/coverage.py). --long adds a build with clang, tests of
 # minutes, such as a million queries of each kind against a linear scan, an hour of tests against
 # exact arithmetic, their short form with each compiler, unoptimised and for Haswell, on each
 # instruction set, and the workers under the thread sanitizer. --bindings instead tests the packages
@@ -20,7 +21,7 @@ source cmake/test_summary.sh
 presets=(release asan-ubsan)
 packages=(cmake ninja-build g++ clang pkg-config dpkg-dev lintian file locales catch2 libcmocka-dev libcgal-dev libassimp-dev libstb-dev
     libbenchmark-dev valgrind python3 python3-cffi luajit abigail-tools libmpfr-dev python3-sphinx python3-myst-parser furo python3-numpy python3-matplotlib
-    libsdl2-dev libgl-dev libgl1-mesa-dri xvfb xdotool libopenmpi-dev openmpi-bin)
+    libsdl2-dev libgl-dev libgl1-mesa-dri xvfb xdotool libopenmpi-dev openmpi-bin llvm libclang-rt-14-dev)
 configuration=()
 options=()
 usage() {
@@ -48,12 +49,10 @@ case ${1:-} in
         ;;
     --fuzz)
         [[ ${2:-} =~ ^[1-9][0-9]*$ ]] || usage
-        packages+=(libclang-rt-14-dev)
         ;;
     --soak) ;;
     --coverage)
         [[ ${2:-} =~ ^(--write|--missing)?$ ]] || usage
-        packages+=(llvm)
         ;;
     *)
         usage
@@ -116,6 +115,8 @@ for preset in "${presets[@]}"; do
         continue
     fi
     log=$build.log
+    export LLVM_PROFILE_FILE=$PWD/$build/profiles/%4m.profraw # for builds that count lines
+    rm -rf "$build/profiles"
     ctest --preset "$preset" --parallel "$jobs" "${configuration[@]}" | tee "$log"
     configuration=() # the first build only
     if ! count_tests "$log"; then
@@ -124,5 +125,11 @@ for preset in "${presets[@]}"; do
     fi
     passed=$((passed + ran_well))
     failed=$((failed + ran_badly))
+    if [ -d "$build/profiles" ]; then
+        fuzz/coverage.py "$build" --ctest | tee "$build/coverage.log"
+        read -r ran_well _ ran_badly _ < <(tail -n 1 "$build/coverage.log")
+        passed=$((passed + ${ran_well:-0}))
+        failed=$((failed + ${ran_badly:-1}))
+    fi
 done
 finish

@@ -15,4 +15,11 @@
 #include <math.h>
 #include <string.h>
 
+/* gcc defines it under the address sanitizer. */
+#if !defined(__SANITIZE_ADDRESS__) && defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define __SANITIZE_ADDRESS__ 1
+#endif
+#endif
+
 #endif
