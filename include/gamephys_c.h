@@ -460,7 +460,8 @@ GPHYS_API gphys_status gphys_shape_segment_test(gphys_shape_type type, const voi
  *                  the point to the sphere's centre; in double precision its dot with the
  *                  displacement is never above 0. Already overlapping: t = 0, GPHYS_HIT_INSIDE,
  *                  and the normal may be along the displacement too; where the centre itself is in
- *                  a solid, it is opposite to the displacement (zero if that is zero).
+ *                  a solid, it is opposite to the displacement (zero if that is zero). A sphere
+ *                  without radius gets the hit of the ray along its way.
  *  @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
  *  Error: as if the radius were off by 2^-40 of the largest coordinate difference, and 1 ulp of t.
  *  Cost: O(1), about 10 us for a frustum, which is approached step by step; O(log n + k) expected for a mesh. */

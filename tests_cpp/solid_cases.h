@@ -2,6 +2,7 @@
 // edges and corners meet exactly, and off it; flat and thin ones; far from the origin.
 #pragma once
 
+#include "convex_hull.h"
 #include "ray_cases.h"
 
 namespace test {
@@ -150,6 +151,28 @@ inline gphys::Shape grown(const gphys::Shape& shape, double by) {
             return result;
         },
         shape);
+}
+
+/// The slow twin of a shape that has one; without corners for others.
+inline Hull twin_of(const gphys::Shape& shape) {
+    return std::visit(
+        [](const auto& each) {
+            using S = std::decay_t<decltype(each)>;
+            Hull twin;
+            if constexpr (!std::is_same_v<S, gphys::Plane> && !std::is_same_v<S, gphys::Frustum>) twin = hull(each);
+            return twin;
+        },
+        shape);
+}
+
+/// How far two shapes get beyond the plane of their contact, which is between them.
+inline double beyond_plane(const Hull& shape, const Hull& solid, gphys::Vec3 point, gphys::Vec3 normal) {
+    double beyond = 0;
+    for (const gphys::Vec3& corner : shape.corners)
+        beyond = std::max(beyond, dot(normal, corner - point) + shape.radius);
+    for (const gphys::Vec3& corner : solid.corners)
+        beyond = std::max(beyond, dot(normal, point - corner) + solid.radius);
+    return beyond;
 }
 
 }  // namespace test

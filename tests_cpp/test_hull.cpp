@@ -100,9 +100,6 @@ test::Hull twin_of(const Mesh& mesh) {
     }
     return hull;
 }
-test::Hull twin_of(const Shape& solid) {
-    return with_solid(solid, [](const auto& each) { return test::hull(each); });
-}
 
 }  // namespace
 
@@ -403,6 +400,135 @@ TEST_CASE("a solid that is swept stops where it begins to overlap a hull") {
     CHECK(contacts > 1000);
     CHECK(starts > 500);
     CHECK(misses > 500);
+}
+
+TEST_CASE("a thin hull is met with a plane between it and what moves") {
+    const NoTraps watch;
+    struct Encounter {
+        std::vector<gphys_vec3> points;
+        Shape moving;
+        gphys_vec3 way;
+    };
+    // Balls that are little more than points at corners; boxes that are segments or points; a box that lies on a face.
+    const Encounter encounters[] = {
+        {{{-0x1p+0f, 0, 0x1.1a6264p-53f},
+          {0x1.1a6264p-53f, 0x1.1a6264p-54f, -0x1p-149f},
+          {-0x1.fffffcp-3f, -0x1.1a6262p-54f, 0x1p+0f},
+          {0x1.1a6264p-54f, 0x1p-2f, 0},
+          {-0x1p+0f, 0x1.1a6264p-54f, -0x1p+0f},
+          {0x1.1a6262p-53f, 0x1p-2f, 0}},
+         widen(gphys_sphere{{0x1p-53f, -0x1p+0f, -0x1.8p-28f}, 0x1.8p-28f}),
+         {-0x1.38eacap+1f, 0x1.38eacap+1f, -0x1.38eacap+1f}},
+        {{{-0x1.1a6268p-53f, 0, -0x1.1a6264p-52f},
+          {-0x1p+0f, -0x1.1a6264p-54f, -0x1.1a6264p-54f},
+          {0x1.1a6264p-54f, 0x1.000002p+0f, 0x1p-149f},
+          {-0x1p+0f, 0x1p-149f, 0x1p-147f},
+          {0, -0x1p-149f, -0x1.1a6264p-54f},
+          {-0x1p-1f, -0x1.1a6264p-54f, 0x1p+0f},
+          {-0x1p-149f, -0x1p+0f, 0x1p-2f}},
+         widen(gphys_sphere{{0x1p-49f, -0x1p-1f, -0x1.000004p+0f}, 0x1.8p-30f}),
+         {0, 0x1p+0f, 0x1.000004p+1f}},
+        {{{0x1.a7939ap-53f, 0x1p-25f, 0},
+          {-0x1p-2f, 0x1p-149f, -0x1.fffffep-3f},
+          {-0x1p-2f, -0x1.1a6264p-54f, 0x1.000004p+0f},
+          {-0x1p+0f, 0x1.000002p-2f, -0x1.1a6264p-54f},
+          {-0x1p-148f, -0x1p-1f, -0x1p-2f}},
+         widen(gphys_capsule{{0x1p-52f, -0x1p+0f, 0x1.fffffep-1f}, {0x1p+0f, -0x1.1a6264p-54f, 0x1.fffffep-1f}, 0}),
+         {0, 0x1p+1f, -0x1.fffffep+0f}},
+        {{{0x1p+12f, 0x1p-52f, 0},
+          {0x1.1a626p-52f, 0x1p-3f, -0x1p-2f},
+          {0x1.1a6264p-53f, -0x1p-149f, 0x1p-4f},
+          {0, -0x1p+0f, -0x1p-148f},
+          {-0x1p+0f, -0x1.a79396p-53f, -0x1p-9f},
+          {-0x1.1a6264p-54f, 0x1.1a6264p-54f, -0x1p-148f}},
+         widen(gphys_capsule{
+             {0x1.a79396p-54f, 0x1.1a6264p-55f, 0x1.8p-1f}, {0x1.a79396p-54f, 0x1.1a6264p-55f, 0x1.8p-1f}, 0x1p-1f}),
+         {0x1p+12f, 0x1p-52f, -0x1p-2f}},
+        {{{0x1.1a6264p-52f, 0, -0x1.8p-148f},
+          {0x1.000002p+0f, -0x1p-2f, -0x1p-24f},
+          {0x1.1a626p-54f, -0x1p+0f, 0x1p-2f},
+          {0x1p-31f, -0x1.1a6264p-52f, 0x1p-147f},
+          {-0x1.1a6264p-54f, -0x1.1a6264p-54f, 0x1.1a6264p-54f},
+          {0x1.000002p+0f, 0x1p-2f, 0x1p+0f},
+          {0x1.1a6264p-54f, -0x1.1a6264p-54f, 0x1p+0f},
+          {-0x1.1a6264p-54f, 0x1.800004p-15f, -0x1.1a6264p-54f},
+          {-0x1p-147f, 0x1p-148f, -0x1p+0f},
+          {-0x1p-28f, 0, -0x1p+0f},
+          {0, 0x1.1a6264p-52f, 0x1p-57f}},
+         widen(gphys_aabb{{-0x1.64d876p+4f, 0x1.14b7b6p+2f, 0x1.9ceb5p+2f},
+                          {-0x1.60d876p+4f, 0x1.34b7b6p+2f, 0x1.9ceb5p+2f}}),
+         {0x1.64d876p+5f, -0x1.14b7b6p+3f, -0x1.dceb5p+3f}},
+        {{{-0x1.1a626p-54f, -0x1.000002p-54f, 0x1p-2f},
+          {-0x1p+0f, -0x1p+0f, -0x1.8p-148f},
+          {0, 0x1.1a6264p-52f, 0x1.000002p+0f},
+          {0x1p-1f, 0x1p-148f, 0x1p-1f},
+          {0, 0x1.1a6264p-54f, -0x1.1a6264p-52f},
+          {0, 0x1.1a6264p-52f, 0x1.fffffep-1f},
+          {-0x1.1a6264p-52f, -0x1p-31f, 0x1.8p-148f},
+          {0x1.000002p+0f, -0x1p-1f, 0}},
+         widen(gphys_aabb{{0x1.2f0d3cp+12f, 0x1.43e816p+8f, 0x1.ff8468p+7f},
+                          {0x1.2f0d3cp+12f, 0x1.43e816p+8f, 0x1.ff8468p+7f}}),
+         {-0x1.2f0d3cp+13f, -0x1.43e816p+9f, -0x1.fd8468p+8f}},
+        {{{0x1p+0f, -0x1p-148f, 0x1p-148f},
+          {0x1p+0f, 0x1p+0f, -0x1p+0f},
+          {-0x1p-149f, -0x1p-147f, 0x1p-147f},
+          {0, 0x1.1a6264p-54f, 0x1.000004p-35f},
+          {0x1p+0f, 0x1p+0f, -0x1.1a626p-52f}},
+         widen(gphys_obb{{0x1.05125cp+1f, 0x1.788df4p+1f, -0x1.0030a2p+0f},
+                         {0x1p-147f, 0x1.1a6264p-54f, 0x1p-148f},
+                         {0, 0, 0, 0x1p+0f}}),
+         {-0x1.05125cp+2f, -0x1.788df4p+2f, 0x1.0030a2p+1f}},
+        {{{-0x1p-1f, -0x1.1a6262p-52f, 0x1p-147f},
+          {-0x1.1a6264p-54f, 0x1.1a6264p-54f, 0x1p-58f},
+          {0x1.1a6264p-53f, -0x1.8p-27f, -0x1p-28f},
+          {0x1p+0f, -0x1p+0f, -0x1p+0f},
+          {-0x1p+0f, -0x1.1a6262p-54f, -0x1p-21f}},
+         widen(gphys_obb{
+             {0x1p+0f, -0x1.1a6264p-54f, 0x1p+0f}, {0x1p+0f, 0, 0x1p+0f}, {0, 0x1.6a09e6p-1f, 0, 0x1.6a09e6p-1f}}),
+         {0x1.000004p+1f, 0x1p+1f, 0x1.1a6264p-52f}},
+        {{{-0x1p+0f, 0x1p-14f, -0x1.8p-23f},
+          {0x1.1a6266p-54f, 0x1.1a6264p-52f, 0x1p-1f},
+          {-0x1p-2f, 0x1p-2f, 0x1.a79396p-53f},
+          {-0x1p+0f, 0, -0x1.1a6262p-52f},
+          {0, 0x1.fffffep-19f, 0x1.000004p-2f},
+          {-0x1p+0f, -0x1.fffffep-1f, 0x1p+0f},
+          {-0x1p-40f, -0x1.1a6264p-53f, -0x1.1a6268p-54f},
+          {-0x1p-2f, -0x1.1a6264p-54f, 0x1.000002p-2f},
+          {0x1p+0f, -0x1.1a6264p-54f, -0x1p-2f}},
+         widen(gphys_obb{{-0x1p+0f, -0x1p-149f, -0x1p-43f}, {0, 0x1.8p-148f, 0x1p-149f}, {0, 0, 0, 0x1p+0f}}),
+         {0x1p+0f, 0, 0x1.ffb968p-44f}},
+    };
+    for (const Encounter& each : encounters) {
+        const HullMesh made(each.points);
+        const Vec3 way = widen(each.way);
+        Hit hit;
+        REQUIRE(made->sweep(each.moving, way, hit));
+        CHECK(dot(hit.normal, way) <= 1e-15 * length(way));
+        const test::Hull hull = twin_of(*made), solid = twin_of(moved(each.moving, way * hit.t));
+        double size = max_component(abs(way));
+        for (const Vec3& corner : hull.corners) size = std::max(size, length(corner - solid.corners[0]));
+        CHECK(beyond_plane(hull, solid, hit.point, hit.normal) < 0x1p-20 * size);
+    }
+}
+
+TEST_CASE("a capsule whose axis touches the edge of a hull goes out the way that a face says") {
+    const HullMesh made({{-0x1p-1f, 0x1p+0f, 0x1p-149f},
+                         {0x1p+0f, 0x1.1a6264p-54f, 0x1p+0f},
+                         {0x1p+0f, -0x1.a79396p-53f, 0x1p+0f},
+                         {0x1.1a6264p-54f, 0x1.1a6264p-54f, 0x1.1a6264p-54f},
+                         {-0x1.1a6264p-54f, 0x1p-148f, 0x1.1a6264p-54f},
+                         {-0x1.a79398p-53f, -0x1.8p-3f, 0x1.1a6264p-52f},
+                         {-0x1p+0f, 0x1.a79396p-53f, 0x1.800002p+14f}});
+    const Shape capsule = widen(gphys_capsule{{0x1.00cb24p-1f, -0x1.00cb24p+0f, 0x1.4036dep-55f},
+                                              {-0x1.fe69b8p-2f, 0x1.fe69b8p-1f, 0x1.6a701cp-53f},
+                                              0x1p-2f});
+    int ways = 0;
+    made->for_each_penetration(capsule, [&](const Penetration& out, uint32_t) {
+        ++ways;
+        const test::Hull solid = twin_of(moved(capsule, out.normal * out.depth));
+        CHECK(beyond_plane(twin_of(*made), solid, out.point, out.normal) < 0x1p-8);
+    });
+    CHECK(ways == 1);
 }
 
 TEST_CASE("a box as a hull is swept and left as the box is") {

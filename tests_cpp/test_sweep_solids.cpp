@@ -178,3 +178,93 @@ TEST_CASE("sweep of solids: a thin capsule is met although its offset is too sho
         CHECK(dot(hit.normal, way) <= 1e-15 * length(way));
     }
 }
+
+TEST_CASE("sweep of solids: what is thin is met with a plane between the two", "[sweep]") {
+    const NoTraps watch;
+    struct Encounter {
+        Shape other, moving;
+        gphys_vec3 way;
+    };
+    // Segments that move along themselves and past what they meet; capsules and boxes that a long way takes past an
+    // edge; flat boxes; balls that are little more than points at corners.
+    const Encounter encounters[] = {
+        {widen(gphys_sphere{{-0x1p-1f, 0x1.1a6264p-52f, 0x1.1a6268p-54f}, 0}),
+         widen(gphys_capsule{{-0x1.556ddp-2f, 0x1.02d36ep-54f, 0x1.55d9dp-41f},
+                             {0x1.554918p-1f, 0x1.0e9aecp-53f, -0x1.d543acp-38f},
+                             0}),
+         {-0x1p-1f, 0x1.a79398p-52f, -0x1.a79394p-52f}},
+        {widen(gphys_sphere{{0x1.000002p-1f, 0x1.000004p+15f, 0}, 0}),
+         widen(gphys_capsule{{-0x1p-55f, 0x1.d8b482p-1f, 0}, {-0x1p-55f, -0x1.3a5beap-4f, 0}, 0}),
+         {0x1.000002p-1f, 0x1.000004p+15f, 0}},
+        {widen(gphys_sphere{{-0x1p-148f, -0x1.1a6268p-54f, -0x1p-148f}, 0}),
+         widen(gphys_capsule{{0x1.74bd4cp-22f, 0x1.45a15ap-1f, -0x1.8p-23f},
+                             {-0x1.45a15ap-21f, 0x1.a2d0acp+0f, -0x1.8p-23f},
+                             0x1.8p-37f}),
+         {0x1.1a6264p-53f, -0x1p+1f, 0x1.8p-22f}},
+        {widen(gphys_capsule{
+             {-0x1.1a6266p-54f, 0x1p-148f, -0x1p-34f}, {-0x1p-148f, 0x1.8p-51f, -0x1.fffffep-1f}, 0x1.21295ep-63f}),
+         widen(gphys_capsule{{0, -0x1p-40f, -0x1p+0f}, {0, -0x1p-40f, -0x1p+0f}, 0}),
+         {0, 0x1.000d48p-39f, 0x1.725c72p+0f}},
+        {widen(gphys_capsule{
+             {0x1.1a6264p-54f, -0x1.fffffcp-57f, 0x1p+5f}, {-0x1p-147f, -0x1.1a6264p-52f, 0}, 0x1.1a6264p-55f}),
+         widen(gphys_capsule{{0, -0x1p-31f, -0x1p+0f}, {0, -0x1p-31f, -0x1p+0f}, 0}),
+         {-0x1.81f86p-55f, 0x1.fffffp-31f, 0x1.842f68p+3f}},
+        {widen(gphys_capsule{{-0x1p+20f, -0x1p+0f, -0x1.fffffep-1f}, {0x1.1a6264p-54f, 0x1p-147f, -0x1.8p-148f}, 0}),
+         widen(gphys_capsule{{0x1p+0f, -0x1.8p-41f, -0x1p-52f}, {0x1p+0f, -0x1.8p-41f, -0x1p-52f}, 0}),
+         {-0x1.de0428p+19f, -0x1.de0408p-1f, -0x1.de0406p-1f}},
+        {widen(gphys_capsule{{0x1p-147f, 0x1.8p+21f, -0x1.000002p+0f},
+                             {0x1.1a6264p-54f, 0x1.1a6264p-54f, 0x1.1a6264p-53f},
+                             0x1.8p-17f}),
+         widen(gphys_obb{{0x1.2b367p+2f, -0x1.93d1e8p+2f, 0x1.7bc33ap+2f},
+                         {0x1p-2f, 0x1p-2f, 0x1.1a6264p-54f},
+                         {0, 0x1.6a09e6p-1f, 0, 0x1.6a09e6p-1f}}),
+         {-0x1.2b3672p+3f, 0x1.f2e80cp+20f, -0x1.808cfep+3f}},
+        {widen(gphys_capsule{{0x1p-147f, -0x1.a79394p-53f, 0x1.000002p+22f},
+                             {-0x1p+0f, -0x1.1a6264p-54f, -0x1.1a6264p-54f},
+                             0x1.0624dep-13f}),
+         widen(gphys_obb{{-0x1p-49f, 0x1p-53f, 0},
+                         {0x1.8p-148f, 0x1.1a6264p-54f, 0x1.1a6264p-54f},
+                         {0, 0x1.6a09e6p-1f, 0, 0x1.6a09e6p-1f}}),
+         {-0x1.dadddep-13f, 0x1.709d6p-16f, 0x1.000002p+23f}},
+        {widen(gphys_capsule{{0x1p-147f, -0x1.a79394p-53f, 0x1.000002p+22f},
+                             {-0x1p+0f, -0x1.1a6264p-54f, -0x1.1a6264p-54f},
+                             0x1.0624dep-13f}),
+         widen(gphys_obb{{0, 0x1p-2f, 0x1p+0f}, {0x1.1a6264p-54f, 0x1.1a6264p-54f, 0x1p+0f}, {0, 0, 0, 0x1p+0f}}),
+         {0x1.6478dap-16f, -0x1.ffdd0cp-2f, 0x1.000002p+23f}},
+        {widen(gphys_obb{{0x1.1a6264p-54f, -0x1p-147f, 0x1p+0f}, {0, 0, 0x1.8p-51f}, {0, 0, 0, 0x1p+0f}}),
+         widen(gphys_capsule{{0, 0, 0x1p-2f}, {-0x1.4p+0f, -0x1.1a6264p-54f, 0x1.4p+0f}, 0}),
+         {0x1.1a6264p-52f, -0x1p-146f, 0x1.8p+0f}},
+        {widen(gphys_triangle{{0x1.fffffep-1f, -0x1.fffffcp-1f, 0x1.a79396p-53f},
+                              {-0x1p-148f, -0x1p+0f, 0x1p+0f},
+                              {-0x1p+0f, -0x1.1a6264p-54f, 0}}),
+         widen(gphys_sphere{{0, 0, -0x1.a79396p-53f}, 0x1.8p-148f}),
+         {0x1.fffffep-1f, -0x1.fffffcp-1f, 0x1.a79396p-52f}},
+        {widen(gphys_triangle{
+             {-0x1p-149f, 0x1.4p-147f, 0x1p+0f}, {0x1.8p-148f, 0x1p+0f, -0x1p-147f}, {0x1.000002p+3f, 0, -0x1p-148f}}),
+         widen(gphys_sphere{{-0x1.90e3bap-29f, 0x1.33d142p-29f, 0}, 0x1p-28f}),
+         {0x1.8p-147f, 0x1.7df728p+1f, -0x1.ep-145f}},
+    };
+    for (const auto& [other, moving, displacement] : encounters) {
+        const Vec3 way = widen(displacement);
+        Hit hit;
+        REQUIRE(sweep(other, moving, way, hit));
+        CHECK(hit.t > 0);
+        const Shape there = moved(moving, way * hit.t);
+        const test::Hull shape = twin_of(other), solid = twin_of(there);
+        double size = max_component(abs(way));
+        for (const Vec3& corner : shape.corners) size = std::max(size, length(corner - solid.corners[0]));
+        CHECK(overlaps(other, grown(there, 0x1p-40 * size)));
+        CHECK(dot(hit.normal, way) <= 1e-15 * length(way));
+        CHECK(beyond_plane(shape, solid, hit.point, hit.normal) < 0x1p-20 * size);
+    }
+}
+
+TEST_CASE("sweep of solids: rounding in the plane of a flat box makes no contact beside it", "[sweep]") {
+    const Shape triangle = widen(gphys_triangle{{0x1p-148f, -0x1p-25f, 0x1.1a6266p-54f},
+                                                {0x1.000002p+0f, -0x1.1a6264p-54f, -0x1.1a6264p-54f},
+                                                {-0x1.1a6264p-53f, -0x1.fffffep-15f, -0x1p-149f}});
+    const Shape plate = widen(
+        gphys_obb{{0x1p+0f, 0x1p+0f, 0}, {0x1.8p-148f, 0, 0x1.1a6264p-54f}, {0, 0x1.6a09e6p-1f, 0, 0x1.6a09e6p-1f}});
+    Hit hit;
+    CHECK_FALSE(sweep(triangle, plate, widen(gphys_vec3{-0x1p+1f, -0x1p+1f, 0x1.1a6266p-53f}), hit));
+}

@@ -38,6 +38,9 @@ constexpr double touching = 0x1p-46;
 /// pushed out along it keeps a penetration below the square of that, relative to its radius. For a smaller radius, the
 /// cores are in contact within rounding if the shapes are.
 constexpr double has_direction = 0x1p-32;
+/// Relative to the size: how far a plane moves there when its normal is rounded to floats. A normal of a contact has
+/// both shapes on their sides of the plane, but for that.
+constexpr double tilted = 0x1p-24;
 
 /// The point of the difference that is closest to the origin, and the point of the other core that it comes from.
 struct NearestDifference {
@@ -123,6 +126,11 @@ Separation separation(const ConvexDifference& set);
 /// The point of the other core that is closest to the moving one, given the separation along the normal. Computed with
 /// the cores farther apart, because the contact point of overlapping cores depends on rounding.
 Vec3 contact_on_other(const ConvexDifference& set, const Separation& separation);
+
+/// The normal of a first contact, for a difference that is there: of the given one and of those of the faces, against
+/// the motion, the one along which the cores are furthest apart. What a step at a distance would have met may be
+/// another part than what is met, and the direction of a short offset may be rounding.
+Vec3 contact_normal(const ConvexDifference& there, Vec3 displacement, Vec3 normal);
 
 /// The unit vector along cross(b - a, d - c), with a relative error of 2^-43, or 0.
 inline Vec3 unit_across(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {

@@ -77,4 +77,25 @@ Vec3 contact_on_other(const ConvexDifference& set, const Separation& separation)
     return set.after(separation.normal * (set.size() * 0.5 - separation.distance)).nearest().on_other;
 }
 
+Vec3 contact_normal(const ConvexDifference& there, Vec3 displacement, Vec3 normal) {
+    WidestGap gaps;
+    gaps.offer(there.gap(normal), normal);
+    const auto offer = [&](Vec3 unit) {
+        if (dot(unit, displacement) <= 0x1p-48 * length(displacement)) gaps.offer(there.gap(unit), unit);
+    };
+    const auto offer_both = [&](Vec3 unit) {
+        offer(unit);
+        offer(-unit);
+        return true;
+    };
+    there.for_each_normal(offer_both);
+    // Of a segment or a point, which has no faces.
+    offer_both(there.across());
+    const Vec3 line = there.line(), against = line * dot(displacement, line) - displacement;
+    if (against != Vec3{}) offer(normalized(against));
+    const Vec3 offset = there.nearest().offset;
+    if (there.radius() > 0 && offset != Vec3{}) offer(normalized(offset * -1.0));
+    return gaps.normal();
+}
+
 }  // namespace gphys

@@ -27,16 +27,19 @@ public:
             if (entry > begin_) begin_ = entry, begin_speed_ = approach;
         } else if (approach < 0 && gap > approach) {
             const double exit = gap / approach;
-            if (exit < end_) end_ = exit, end_normal_ = unit;
+            if (exit < end_) end_ = exit, end_speed_ = -approach;
         }
         return true;
     }
-    /// The interval of a contact with an edge is a single time, computed by two rounded divisions; that with a flat
-    /// shape one of two gaps along normals that are opposite within rounding, which is known within the resolution.
     bool is_empty() const {
-        if (leaves_ || begin_ <= end_ + 0x1p-50) return leaves_;
-        const bool is_flat = length_squared(normal_ + end_normal_) < 0x1p-60;
-        return !is_flat || (begin_ - end_) * begin_speed_ > 2 * resolution_;
+        return leaves_ || (is_open() && begin_ - resolution_ / begin_speed_ > end_ + resolution_ / end_speed_);
+    }
+    /// Whether the interval is shorter than rounding, as of a contact with an edge or of a flat shape. Then that of the
+    /// shapes cut with gaps smaller by the resolution says whether they touch, and the result is in it.
+    bool is_open() const { return begin_ > end_; }
+    bool is_in(const SlabClip& grown) {
+        begin_ = std::min(begin_, grown.end_);
+        return !grown.is_open();
     }
     bool may_touch_at_start() const { return widest_ <= resolution_; }
 
@@ -47,8 +50,8 @@ public:
 
 private:
     double resolution_, begin_ = 0, end_ = 1, widest_ = -infinity;
-    double begin_speed_ = 0;  // along the normal
-    Vec3 normal_, end_normal_, widest_normal_;
+    double begin_speed_ = 0, end_speed_ = 0;  // along the normal of each
+    Vec3 normal_, widest_normal_;
     bool leaves_ = false;
 };
 

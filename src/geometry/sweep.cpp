@@ -5,6 +5,7 @@
 // is approached by Newton's method.
 #include "foundation/exact.h"
 #include "geometry/capsule_axis.h"
+#include "geometry/convex.h"
 #include "geometry/intersect.h"
 
 namespace gphys {
@@ -147,19 +148,37 @@ bool sweep(const Plane& plane, const Sphere& moving, Vec3 displacement, Hit& hit
     return contact(t, closest_point(plane, center), normal, flags, hit);
 }
 
+namespace {
+
+/// A ball that is little more than a point meets all edges of a corner at once, within rounding. If some of the
+/// triangle is beyond the plane of the contact, another normal. All is relative to the centre at the start.
+void mend_normal(const Triangle& triangle, const Sphere& moving, Vec3 displacement, double size, Hit& hit) {
+    const Vec3 center = displacement * hit.t;
+    const double high =
+        std::max({dot(hit.normal, triangle.a), dot(hit.normal, triangle.b), dot(hit.normal, triangle.c)});
+    const double gap = dot(hit.normal, center) - high;
+    if (hit.t == 0 || gap >= moving.radius - tilted * (size + max_component(abs(displacement)))) return;
+    const ConvexDifference there(relative_to(center, triangle), core_of(Sphere{{}, moving.radius}));
+    hit.normal = contact_normal(there, displacement, hit.normal);
+}
+
+}  // namespace
+
 /// A contact with the face is the first: no point of the capsules around the edges is further from the plane.
 bool sweep(const Triangle& triangle, const Sphere& moving, Vec3 displacement, Hit& hit) {
     const Ray center_path = path(moving, displacement);
     if (moving.radius == 0) return raycast(triangle, center_path, hit);
     const auto& [a, b, c] = triangle;
     const Vec3 cross_product = accurate_cross(a, b, a, c);
+    // Relative to the centre: far from the origin the rounding of the foot would exceed the tolerance.
+    const Triangle around = relative_to(moving.center, triangle);
+    const double size = max_component(max(abs(around.a), max(abs(around.b), abs(around.c))));
     const Vec3 front = cross_product == Vec3{} ? Vec3{} : normalized(cross_product);
     const double height = dot(front, moving.center - a);
     const bool behind = height < 0 || (height == 0 && dot(front, displacement) > 0);
     const Vec3 up = behind ? -front : front;
 
     // Just outside of the face, which rounding of the offset face would miss.
-    const double size = max_component(max(abs(a - moving.center), max(abs(b - moving.center), abs(c - moving.center))));
     const double resolution = 0x1p-50 * size;
     const auto touches = [&] {
         if (std::fabs(std::fabs(height) - moving.radius) > resolution || dot(up, displacement) >= 0) return false;
@@ -171,8 +190,6 @@ bool sweep(const Triangle& triangle, const Sphere& moving, Vec3 displacement, Hi
         contact_at_start(moving, on_face ? -up : displacement, nearest, hit);
     } else {
         Hit first;
-        // Relative to the centre: far from the origin the rounding of the foot would exceed the tolerance.
-        const Triangle around{a - moving.center, b - moving.center, c - moving.center};
         if (std::fabs(height) > moving.radius && raycast(around, {up * -moving.radius, displacement, 1}, first)) {
             // At a distance of rounding errors the side is not certain.
             first.normal = dot(up, displacement) <= 0 ? up : -up;
@@ -182,6 +199,7 @@ bool sweep(const Triangle& triangle, const Sphere& moving, Vec3 displacement, Hi
                 Hit on_edge;
                 if (raycast(edge, center_path, on_edge) && on_edge.t < first.t) first = on_edge;
             }
+            if (first.t < infinity) mend_normal(around, moving, displacement, size, first);
         }
         if (first.t == infinity) return false;
         contact_on(triangle, moving, displacement, first);

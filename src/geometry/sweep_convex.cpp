@@ -8,6 +8,7 @@
 // (compare van den Bergen 2004).
 #include <algorithm>
 
+#include "foundation/compiler.h"
 #include "geometry/convex_pairs.h"
 #include "geometry/intersect.h"
 #include "geometry/slab_clip.h"
@@ -29,13 +30,17 @@ public:
     /// do.
     template <class Overlaps>
     bool find(const Overlaps& overlaps_at_start) {
-        if (!set_.for_each_normal([&](Vec3 unit) { return cut(unit); })) return false;
+        if (!set_.for_each_normal([&](Vec3 unit) { return cut(clip_, unit, 0); })) return false;
         is_at_start_ = clip_.may_touch_at_start() && overlaps_at_start();
         if (is_at_start_) return true;
-        if (clip_.is_empty()) return false;
+        if (clip_.is_empty() || (clip_.is_open() && !meets_within_rounding())) return false;
         begin_ = clip_.begin();
         normal_ = clip_.normal();
-        if (!set_.has_box() || set_.radius() > 0) return approach();
+        if (!set_.has_box() || set_.radius() > 0) {
+            if (!approach()) return false;
+            if (!is_round_ && is_beyond_plane()) normal_ = contact_normal(there(), displacement_, normal_);
+            return true;
+        }
         if (normal_ != Vec3{}) return true;
         // Touching within rounding, without overlap.
         normal_ = separation(set_).normal;
@@ -48,22 +53,38 @@ public:
     /// The contact point on the other core.
     Vec3 on_other() const {
         const Separation touching_there{0, normal_, on_other_, is_round_};
-        return contact_on_other(set_.after(displacement_ * begin_), touching_there);
+        return contact_on_other(there(), touching_there);
     }
 
 private:
-    /// Clip the interval by a slab. False if it is empty.
-    bool cut(Vec3 unit) {
+    ConvexDifference there() const { return set_.after(displacement_ * begin_); }
+
+    /// Clip an interval by a slab, with gaps smaller by so much. False if it is empty.
+    bool cut(SlabClip& clip, Vec3 unit, double grown_by) const {
         double low, high;
         set_.project(unit, low, high);
-        const double climb = dot(unit, displacement_);
-        return clip_.cut(-high - set_.radius(), -climb, unit) && clip_.cut(low - set_.radius(), climb, -unit);
+        const double climb = dot(unit, displacement_), radius = set_.radius() + grown_by;
+        return clip.cut(-high - radius, -climb, unit) && clip.cut(low - radius, climb, -unit);
+    }
+    GPHYS_NOINLINE bool meets_within_rounding() {
+        SlabClip grown(resolution_);
+        set_.for_each_normal([&](Vec3 unit) { return cut(grown, unit, resolution_); });
+        return clip_.is_in(grown);
+    }
+
+    /// Whether the cores are not on both sides of the plane of the contact, but for what rounds its normal.
+    bool is_beyond_plane() const {
+        double low, high;
+        set_.project(normal_, low, high);
+        const double gap = begin_ * dot(normal_, displacement_) - high;
+        return gap < set_.radius() - resolution_ * (tilted / touching);
     }
 
     bool approach() {
         // Quadratic convergence; linear, halving the error, where the shapes graze each other: 60 steps exhaust a
         // double.
         double clear = begin_, clear_gap = 0;
+        bool may_have_passed = false;
         for (int step = 0; step < 60; ++step) {
             const Separation apart = separation_after(displacement_ * begin_);
             const double gap = apart.distance - set_.radius();
@@ -78,16 +99,19 @@ private:
                 continue;
             }
             if (gap <= resolution_) return begin_ > 0 || approach > 0;
-            clear = begin_;
-            clear_gap = gap;
             const double left = gap - std::max(approach, 0.0) * (1 - begin_);
             if (approach <= 0 || left > 0) {
                 // The offset, off by the resolution, turns the normal by its share of the distance.
                 const double blur = 8 * resolution_ * (1 + length(displacement_) / apart.distance);
+                if (may_have_passed) begin_ = clear;
                 // Thinner shapes may touch or not.
-                return left <= blur && set_.radius() > 16 * resolution_ && approach_by_distance();
+                return (may_have_passed || left <= blur) && set_.radius() > 16 * resolution_ && approach_by_distance();
             }
+            clear = begin_;
+            clear_gap = gap;
             begin_ += gap / approach;
+            // So long a step makes of that turn a gap as wide as the band of the contract.
+            may_have_passed = (begin_ - clear) * length(displacement_) > 64 * apart.distance;
         }
         return true;
     }

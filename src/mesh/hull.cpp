@@ -110,8 +110,18 @@ namespace {
 constexpr double certain = 0x1p-44;
 // Squared length of the sum of the unit normals of two faces that nearly coincide, back to back.
 constexpr double blade = 0x1p-20;
+// Squared sine of the angle between an edge and an axis that are nearly parallel.
+constexpr double along = 0x1p-80;
 // Relative to the size: a smaller radius makes no difference that the contract tells.
 constexpr double sharp = 0x1p-43;
+// As for the separation: a shorter offset has no direction.
+constexpr double is_direction = has_direction / 4;
+
+double lowest(const Core& core, Vec3 unit) {
+    double low = dot(unit, core.center);
+    for (int k = 0; k < core.axis_count; ++k) low -= core.half[k] * std::fabs(dot(unit, core.axes[k]));
+    return low;
+}
 
 /// Calls visit(unit, gap) for every direction that can be the normal of a face of the Minkowski difference of the
 /// scaled hull and the core of a solid. `gap` is their distance along it, both relative to `from`. The directions are
@@ -122,9 +132,7 @@ template <class Visit>
 bool for_each_gap(const Hull& hull, const AxisScale& axes, const Core& core, Vec3 from, const Visit& visit) {
     const auto height = [&](Vec3 unit, Vec3 point) { return dot(unit, axes(point) - from); };
     const auto visit_above = [&](Vec3 unit, double hull_height) {
-        double low = dot(unit, core.center);
-        for (int k = 0; k < core.axis_count; ++k) low -= core.half[k] * std::fabs(dot(unit, core.axes[k]));
-        return visit(unit, low - hull_height);
+        return visit(unit, lowest(core, unit) - hull_height);
     };
     for (const Hull::Face& face : hull.faces()) {
         const Vec3 normal = axes.normal(face.normal);
@@ -142,17 +150,23 @@ bool for_each_gap(const Hull& hull, const AxisScale& axes, const Core& core, Vec
     for (int k = 0; core.axis_count == 3 && k < 3; ++k) {
         if (!visit_both(core.axes[k])) return false;
     }
+    double parallel[3];
+    for (int k = 0; k < core.axis_count; ++k) parallel[k] = along * length_squared(core.axes[k]);
     for (const Hull::Edge& edge : hull.edges()) {
         const Vec3 one = axes.normal(hull.faces()[edge.face[0]].normal);
         const Vec3 other = axes.normal(hull.faces()[edge.face[1]].normal);
-        // Of a blade, rounding would say on which side the edge is.
         const bool is_blade = length_squared(one + other) < blade;
         for (int k = 0; k < core.axis_count; ++k) {
-            if (!is_blade && !(dot(one, core.axes[k]) * dot(other, core.axes[k]) < 0)) continue;
+            const double rise = dot(one, core.axes[k]), fall = dot(other, core.axes[k]);
+            const double turn = rise * fall;
+            // Of a blade, or an edge along the axis, rounding would say on which side the edge is.
+            const bool is_open = is_blade || (std::fabs(turn) < parallel[k] &&
+                                              std::max(std::fabs(rise), std::fabs(fall)) < std::sqrt(parallel[k]));
+            if (!is_open && turn >= 0) continue;
             Vec3 unit = unit_across({}, core.axes[k], axes(edge.a), axes(edge.b));
             if (unit == Vec3{}) continue;
             if (dot(unit, one + other) < 0) unit = -unit;
-            if (!(is_blade ? visit_both(unit) : visit_above(unit, height(unit, edge.a)))) return false;
+            if (!(is_open ? visit_both(unit) : visit_above(unit, height(unit, edge.a)))) return false;
         }
     }
     return true;
@@ -161,8 +175,8 @@ bool for_each_gap(const Hull& hull, const AxisScale& axes, const Core& core, Vec
 /// The largest of the gaps of for_each_gap.
 struct WidestGap {
     WidestGap(const Hull& hull, const AxisScale& axes, const Core& core, Vec3 from) {
-        for_each_gap(hull, axes, core, from, [&](Vec3 unit, double along) {
-            if (along > gap) gap = along, normal = unit;
+        for_each_gap(hull, axes, core, from, [&](Vec3 unit, double height) {
+            if (height > gap) gap = height, normal = unit;
             return true;
         });
     }
@@ -225,7 +239,10 @@ Penetration Mesh::way_out_of_hull(const Shape& moving, const AxisScale& axes) co
             };
             for_each_overlap(moving, find_nearest, axes);
         }
-        const bool is_apart = nearest < infinity && nearest > certain * size;
+        const auto is_between = [&] {  // and not rounding
+            return nearest >= is_direction * size || gap_along(between.offset / -nearest, core, from, axes) >= distance;
+        };
+        const bool is_apart = nearest < infinity && nearest > certain * size && is_between();
         if (is_apart) {
             distance = nearest;
             normal = between.offset / -nearest;
@@ -252,11 +269,19 @@ std::optional<bool> Mesh::sweep_sharp_at_hull(const Shape& moving, Vec3 displace
         Core core = core_of(relative_to(from, solid));
         if (core.axis_count == 0) return sweep_point_at_hull({from + core.center, displacement, 1}, hit, axes);
         const double size = hull_size(core, from, axes);
-        SlabClip clip(touching * (size + max_component(abs(displacement))));
-        const bool meets = for_each_gap(hull_, axes, core, from, [&](Vec3 unit, double gap) {
-            return clip.cut(gap, -dot(unit, displacement), unit);
-        });
-        if (!meets || clip.is_empty()) return false;
+        const double resolution = touching * (size + max_component(abs(displacement)));
+        SlabClip clip(resolution);
+        const auto cut = [&](SlabClip& by, double grown_by) {
+            return for_each_gap(hull_, axes, core, from, [&](Vec3 unit, double gap) {
+                return by.cut(gap - grown_by, -dot(unit, displacement), unit);
+            });
+        };
+        if (!cut(clip, 0) || clip.is_empty()) return false;
+        if (clip.is_open()) {
+            SlabClip grown(resolution);
+            cut(grown, resolution);
+            if (!clip.is_in(grown)) return false;
+        }
         hit = Hit{};
         hit.t = std::min(clip.begin(), 1.0);
         hit.normal = clip.normal();
@@ -266,6 +291,8 @@ std::optional<bool> Mesh::sweep_sharp_at_hull(const Shape& moving, Vec3 displace
             if (!(dot(hit.normal, displacement) < 0)) return false;
         }
         core.center += displacement * hit.t;
+        core.radius = 0;
+        hit.normal = normal_at_hull(core, from, displacement, hit.normal, size, axes);
         hit.point = from + contact_on_hull(core, from, hit.normal, 0, size, hit.triangle, axes);
         const Triangle hit_triangle = axes(triangle(hit.triangle));
         // Beyond the edge of a blade the core may be within rounding of both planes and yet far from the hull.
@@ -276,13 +303,44 @@ std::optional<bool> Mesh::sweep_sharp_at_hull(const Shape& moving, Vec3 displace
     });
 }
 
+double Mesh::gap_along(Vec3 unit, const Core& core, Vec3 from, const AxisScale& axes) const {
+    double high = -infinity;
+    for (const gphys_vec3& vertex : vertices_) high = std::max(high, dot(unit, axes(widen(vertex)) - from));
+    return lowest(core, unit) - high;
+}
+
+Vec3 Mesh::normal_at_hull(const Core& core, Vec3 from, Vec3 displacement, Vec3 normal, double size,
+                          const AxisScale& axes) const {
+    double widest = gap_along(normal, core, from, axes);
+    if (widest >= core.radius - tilted * (size + max_component(abs(displacement)))) return normal;
+    const auto offer = [&](Vec3 unit) {
+        if (dot(unit, displacement) > 0x1p-48 * length(displacement)) return;
+        const double gap = gap_along(unit, core, from, axes);
+        if (gap > widest) widest = gap, normal = unit;
+    };
+    for_each_gap(hull_, axes, core, from, [&](Vec3 unit, double) {
+        offer(unit);
+        return true;
+    });
+    for (uint32_t i = 0; core.radius > 0 && i < triangle_count(); ++i) {
+        const Vec3 offset = ConvexDifference(relative_to(from, axes(triangle(i))), core).nearest().offset;
+        if (offset != Vec3{}) offer(normalized(offset * -1.0));
+    }
+    return normal;
+}
+
 void Mesh::turn_to_hull(const Shape& moving, Vec3 displacement, Hit& hit, const AxisScale& axes) const {
+    if (hit.flags & GPHYS_HIT_INSIDE) return;
     with_solid(moving, [&](const auto& solid) {
         const Vec3 from = reference_point(solid);
         Core core = core_of(relative_to(from, solid));
         core.center += displacement * hit.t;
-        const WidestGap widest(hull_, axes, core, from);
-        if (dot(widest.normal, displacement) < 0) hit.normal = widest.normal;
+        const double size = hull_size(core, from, axes);
+        const Vec3 normal = normal_at_hull(core, from, displacement, hit.normal, size, axes);
+        if (normal == hit.normal) return;
+        hit.normal = normal;
+        hit.point = from + contact_on_hull(core, from, normal, core.radius, size, hit.triangle, axes);
+        barycentric(axes(triangle(hit.triangle)), hit.point, hit.u, hit.v);
     });
 }
 

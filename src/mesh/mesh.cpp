@@ -474,9 +474,13 @@ bool Mesh::sweep(const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties, c
         return (is_hull() || hits_side(item, displacement, faces)) &&
                gphys::sweep(item, moving, displacement, candidate);
     };
-    if (axes.is_one()) return find_contact(moving.center, moving.radius, displacement, sweep_item, hit, ties, axes);
     const Vec3 half = axes.inverse(Vec3{moving.radius, moving.radius, moving.radius});
-    return find_contact(axes.inverse(moving.center), half, axes.inverse(displacement), sweep_item, hit, ties, axes);
+    const bool meets =
+        axes.is_one()
+            ? find_contact(moving.center, moving.radius, displacement, sweep_item, hit, ties, axes)
+            : find_contact(axes.inverse(moving.center), half, axes.inverse(displacement), sweep_item, hit, ties, axes);
+    if (meets && is_hull()) turn_to_hull(moving, displacement, hit, axes);
+    return meets;
 }
 
 bool Mesh::sweep(const Shape& moving, Vec3 displacement, Hit& hit, const AxisScale& axes, Faces faces) const {
@@ -507,7 +511,7 @@ bool Mesh::sweep(const Shape& moving, Vec3 displacement, Hit& hit, const AxisSca
                       Ties::as_reported, axes)) {
         return false;
     }
-    if (is_hull() && is_sharp(moving, displacement, axes)) turn_to_hull(moving, displacement, hit, axes);
+    if (is_hull()) turn_to_hull(moving, displacement, hit, axes);
     return true;
 }
 

@@ -201,7 +201,12 @@ private:
     /// and their edges have normals that the hull does not have. No result if rounding leaves the answer open.
     std::optional<bool> sweep_sharp_at_hull(const Shape& moving, Vec3 displacement, Hit& hit,
                                             const AxisScale& axes) const;
-    /// A normal of the hull in place of that of a triangle.
+    /// From the hull to the core along a unit vector, both relative to `from`.
+    double gap_along(Vec3 unit, const Core& core, Vec3 from, const AxisScale& axes) const;
+    /// The normal of a contact, or another if the hull and the core are not on both sides of the plane across it.
+    Vec3 normal_at_hull(const Core& core, Vec3 from, Vec3 displacement, Vec3 normal, double size,
+                        const AxisScale& axes) const;
+    /// A normal of the hull in place of that of a triangle which the hull has not.
     void turn_to_hull(const Shape& moving, Vec3 displacement, Hit& hit, const AxisScale& axes) const;
     bool sweep_point_at_hull(const Ray& way, Hit& hit, const AxisScale& axes) const;
     void start_in_hull(const Sphere& moving, Vec3 displacement, Hit& hit, const AxisScale& axes) const;

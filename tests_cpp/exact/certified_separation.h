@@ -78,8 +78,11 @@ public:
         : a_(a), b_(b), near_(a.core, b.core, by), zero_(0) {}
 
     bool at_most(const T& reach) const {
-        if (CGAL::certainly(reach >= zero_)) return near_.within(reach);
-        if (!CGAL::certainly(reach < zero_)) return false;
+        if (CGAL::certainly(reach >= zero_)) return near_.within(reach) || is_deep(zero_);
+        return CGAL::certainly(reach < zero_) && is_deep(reach);
+    }
+    /// Whether the two overlap along all normals, and by so much; `reach` is not above 0.
+    bool is_deep(const T& reach) const {
         bool some = false;
         const bool all = for_each_normal([&](const Vec& normal) {
             if (is_zero(normal)) return true;

@@ -87,9 +87,19 @@ private:
         const Vec3 normal = widen(hit.normal);
         // Of a radius that is little more than rounding, the direction is not known better.
         const double radius = met.radius();
-        const double turn = radius > 0 ? std::min(0x1p-36 * size_ / radius, 1.0) : std::is_same_v<Solid, gphys_sphere>;
+        const double turn = radius > 0 ? std::min(0x1p-36 * size_ / radius, 1.0) : 0;
         return std::fabs(length(normal) - 1) < 0x1p-22 && dot(normal, widen(way_)) <= 0 &&
-               met.gap(normal, hit.t) >= -rounding(hit) - turn * size_;
+               (met.gap(normal, hit.t) >= -rounding(hit) - turn * size_ || is_of_a_ray(hit));
+    }
+    /// A sphere without radius is met as by a ray, whose direction says the normal of a triangle without area.
+    bool is_of_a_ray(const gphys_hit& hit) const {
+        const auto& part = target_.parts[target_.part_of(hit.triangle)];
+        if constexpr (std::is_same_v<Solid, gphys_sphere> &&
+                      std::is_same_v<std::decay_t<decltype(part)>, gphys_triangle>) {
+            return solid_.radius == 0 && CGAL::collinear(exact(part.a), exact(part.b), exact(part.c)) &&
+                   length(widen(hit.normal) + normalized(widen(way_))) < 0x1p-22;
+        }
+        return false;
     }
     /// On the shape, and on the solid when it has come there.
     bool point_is_right(const gphys_hit& hit) const {
