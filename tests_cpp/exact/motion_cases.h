@@ -22,6 +22,20 @@ struct ShapeTarget {
     size_t part_of(uint32_t) const { return 0; }
 };
 
+/// A surface without end, which solids meet from either side.
+struct PlaneTarget {
+    gphys_plane plane;
+
+    bool make(Cases& c) {
+        c.make(plane);
+        return widen(plane.normal) != Vec3{};
+    }
+    gphys_shape_type type() const { return GPHYS_SHAPE_PLANE; }
+    const void* data() const { return &plane; }
+    const gphys_plane& sample() const { return plane; }
+    gphys_vec3 aim(Cases& c) const { return target_on(c, plane); }
+};
+
 class MeshTarget {
 public:
     std::vector<gphys_triangle> parts;

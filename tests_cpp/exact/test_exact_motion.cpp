@@ -1,6 +1,6 @@
-// When moving solids first touch convex shapes, meshes and hulls. A time is proved: until shortly before it, what the
-// solid has covered on its way stays away from the shape; around it the two meet. Shortly is an ulp of the time and the
-// band of the contract.
+// When moving solids first touch convex shapes, planes, meshes and hulls. A time is proved: until shortly before it,
+// what the solid has covered on its way stays away from the shape; around it the two meet. Shortly is an ulp of the
+// time and the band of the contract.
 #include "motion_cases.h"
 #include "score.h"
 
@@ -119,6 +119,76 @@ private:
     double size_ = 0, band_;
 };
 
+/// The same of a plane: by the heights of the solid above it, with 300 digits, for a normal has any length.
+template <class Solid>
+class Way<PlaneTarget, Solid> {
+public:
+    Way(const PlaneTarget& target, const Solid& solid, const gphys_vec3& way)
+        : plane_(target.plane), solid_(solid), way_(way), climb_(dot(BigVec(plane_.normal), BigVec(way))) {
+        const Rounded<Big> corners = rounded_of<Big>(solid, {});
+        const BigVec normal(plane_.normal);
+        const Big steepness = sqrt(dot(normal, normal)), radius = corners.radius * steepness;
+        for (const BigVec& corner : corners.corners) {
+            const Big height = dot(normal, corner) - Big(plane_.distance);
+            low_ = std::min(low_, Big(height - radius));
+            high_ = std::max(high_, Big(height + radius));
+        }
+        for (const VectorOf<double>& corner : rounded_of<double>(solid, {}).corners)
+            size_ = std::max(size_, largest(corner) + rounded(corners.radius));
+        size_ += std::fabs(plane_.distance) / rounded(steepness) + largest(widen(way));
+        band_ = Big(0x1p-40 * size_) * steepness;
+    }
+
+    bool proves_miss() const { return stays_away_until(1); }
+    bool proves(const gphys_hit& hit) const {
+        if (hit.flags & GPHYS_HIT_INSIDE) return hit.t == 0 && low_ <= band_ && high_ >= -band_;
+        const float before = std::nextafterf(hit.t, 0.0f), later = std::min(after(hit.t), 1.0f);
+        return hit.t >= 0 && hit.t <= 1 && gets_within(before, later) && stays_away_until(before) &&
+               normal_is_right(hit) && point_is_right(hit);
+    }
+
+private:
+    /// On one side.
+    bool stays_away_until(double t) const {
+        const Big rise = climb_ * Big(t);
+        return std::min(low_, Big(low_ + rise)) >= -band_ || std::max(high_, Big(high_ + rise)) <= band_;
+    }
+    bool gets_within(double from, double to) const {
+        // At one end of that time, or where the solid begins or ends to touch the plane, or that all but the band away.
+        const Big nearly = band_ * Big(0.999);
+        for (const Big& height : {low_, high_}) {
+            for (const Big& edge : {nearly, Big(0), Big(-nearly)}) {
+                if (climb_ != 0 && is_within((edge - height) / climb_, from, to)) return true;
+            }
+        }
+        return is_within(from, from, to) || is_within(to, from, to);
+    }
+    bool is_within(const Big& t, double from, double to) const {
+        return t >= from && t <= to && low_ + climb_ * t <= band_ && high_ + climb_ * t >= -band_;
+    }
+    bool normal_is_right(const gphys_hit& hit) const {
+        const Vec3 normal = widen(hit.normal), up = normalized(widen(plane_.normal));
+        const bool is_above = (hit.flags & GPHYS_HIT_BACK) == 0;
+        return length(normal - (is_above ? up : -up)) < 0x1p-22 && dot(normal, widen(way_)) <= 0 &&
+               (is_above ? low_ >= -band_ : high_ <= band_);
+    }
+    /// On the plane, and on the solid when it has come there.
+    bool point_is_right(const gphys_hit& hit) const {
+        const gphys_vec3 back{-way_.x, -way_.y, -way_.z};
+        const double near = 0x1p-20 * size_ + 0x1p-22 * largest(widen(hit.point)) + 4 * ulp_of(0);
+        const Vec3 normal = widen(plane_.normal);
+        return std::fabs(dot(normal, widen(hit.point)) - plane_.distance) <= near * length(normal) &&
+               Encounter<Solid, gphys_sphere>(solid_, {hit.point, 0}, back, hit.t).gets_within(near, hit.t, hit.t);
+    }
+
+    const gphys_plane plane_;
+    const Solid& solid_;
+    const gphys_vec3 way_;
+    const Big climb_;
+    Big low_ = INFINITY, high_ = -INFINITY, band_;
+    double size_ = 0;
+};
+
 template <class Target, class Solid>
 auto examine(const std::string& name, uint64_t seed) {
     return [=](Sweep<Solid> sweep, long count) {
@@ -158,6 +228,7 @@ void prove_sweeps(const std::string& name, uint64_t seed) {
     prove_sweep<ShapeTarget<gphys_aabb>, Solid>(name + ", AABB", seed + 2);
     prove_sweep<ShapeTarget<gphys_obb>, Solid>(name + ", OBB", seed + 3);
     prove_sweep<ShapeTarget<gphys_triangle>, Solid>(name + ", triangle", seed + 4);
+    prove_sweep<PlaneTarget, Solid>(name + ", plane", seed + 5);
 }
 template <class Solid>
 void prove_sweeps_of_meshes(const std::string& name, uint64_t seed) {
