@@ -493,6 +493,34 @@ void deform(Program& p, const Arrays& a) {
     call(gphys_mesh_destroy, mesh);
 }
 
+/// What overlaps a hull, which a scene may have scaled, gets out of it and is not swept anywhere; nor has a hull a
+/// back.
+void meet(Program& p, const gphys_mesh* hull) {
+    constexpr gphys_shape_type solids[] = {GPHYS_SHAPE_CAPSULE, GPHYS_SHAPE_AABB, GPHYS_SHAPE_OBB};
+    constexpr float scales[] = {1, 1, 0.5f, 4};
+    const AnyShape moving = p.shape(solids[p.below(3)]);
+    const gphys_vec3 way = p.direction();
+    gphys_model_desc desc;
+    call(gphys_model_desc_init, &desc, uint32_t{sizeof desc});
+    desc.scale = {scales[p.below(4)], scales[p.below(4)], scales[p.below(4)]};
+    if (!is_valid(moving)) return;
+    gphys_scene* scene = nullptr;
+    gphys_model_id model = 0;
+    call(gphys_scene_create, nullptr, &scene);
+    if (call(gphys_scene_add, scene, gphys_shape_type{GPHYS_SHAPE_MESH}, hull, nullptr, &desc, &model) == GPHYS_OK) {
+        gphys_penetration out{};
+        gphys_hit hit{};
+        uint32_t ways = 0;
+        call(gphys_scene_penetration, scene, moving.type, moving.bytes, ~0u, &out, 1u, &ways);
+        const gphys_status swept = call(gphys_scene_sweep, scene, moving.type, moving.bytes, &way, ~0u, &hit);
+        FUZZ_CHECK(ways <= 1 && (ways == 0 || out.triangle == GPHYS_NO_TRIANGLE), "there is one way out of a hull");
+        FUZZ_CHECK(ways == 0 || (swept == GPHYS_OK && (hit.flags & GPHYS_HIT_INSIDE) != 0 && hit.t == 0),
+                   "what overlaps a hull is met by it at the start");
+        FUZZ_CHECK(swept != GPHYS_OK || (hit.flags & GPHYS_HIT_BACK) == 0, "a hull has no back for solids");
+    }
+    call(gphys_scene_destroy, scene);
+}
+
 /// The hull of points holds them all, and its own vertices make it again.
 void enclose(Program& p, std::vector<gphys_vec3> points) {
     const auto make = [](const std::vector<gphys_vec3>& of, gphys_mesh*& out) {
@@ -532,6 +560,7 @@ void enclose(Program& p, std::vector<gphys_vec3> points) {
     }
     FUZZ_CHECK(met[0] == met[1] && same_bits(hits[0], hits[1]), "the vertices of a hull have the same hull");
     FUZZ_CHECK(met[0] != GPHYS_OK || (hits[0].flags & GPHYS_HIT_BACK) == 0, "a hull has no back");
+    meet(p, hull);
     call(gphys_mesh_destroy, again);
     call(gphys_mesh_destroy, hull);
 }
