@@ -478,7 +478,8 @@ GPHYS_API gphys_status gphys_shape_sweep_sphere(gphys_shape_type type, const voi
  *                  of a mesh that is no hull, those of its first triangle.
  *  @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape, for a
  *          frustum unless a sphere moves, and for other types that move
- *  Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1 ulp of t.
+ *  Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1 ulp of t. Point
+ *  and normal are those of that contact.
  *  Cost: O(1), 0.1 to 2 us; O(log n + k) expected for a mesh. */
 GPHYS_API gphys_status gphys_shape_sweep(gphys_shape_type type, const void* shape, gphys_shape_type moving_type,
                                          const void* moving, const gphys_vec3* displacement, gphys_hit* out_hit);
