@@ -2417,8 +2417,8 @@ inline std::optional<Hit> segment_test(ShapeRef shape, const Segment& segment) {
 // Result: t in 0..1 of the displacement; point: of contact, on the shape; normal: from the point to
 // the sphere's centre; in double precision its dot with the displacement is never above 0. Already
 // overlapping: t = 0, GPHYS_HIT_INSIDE, and the normal may be along the displacement too; where the
-// centre itself is in a solid, it is opposite to the displacement (zero if that is zero). std::nullopt
-// if nothing is found.
+// centre itself is in a solid, it is opposite to the displacement (zero if that is zero). A sphere
+// without radius gets the hit of the ray along its way. std::nullopt if nothing is found.
 // Throws Error with GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape.
 // Cost: O(1), about 10 us for a frustum, which is approached step by step; O(log n + k) expected for a
 // mesh.
@@ -2431,7 +2431,7 @@ inline std::optional<Hit> sweep_sphere(ShapeRef shape, const Sphere& sphere, con
 // First contact of a sphere, capsule, AABB or OBB that moves by displacement, without turning, with a
 // sphere, capsule, AABB, OBB, plane, triangle or mesh.
 // Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
-// ulp of t.
+// ulp of t. Point and normal are those of that contact.
 //   - displacement: metres; may be zero
 // Result: t, point and normal as in gamephys::sweep_sphere, whose answers a sphere gets. The point is
 // one of those where the two touch, always the same. Already overlapping, but for a sphere: t = 0,

@@ -2747,7 +2747,8 @@ def sweep_sphere(shape: Shape, sphere: low.Sphere | Sequence, displacement: low.
             the sphere's centre; in double precision its dot with the displacement is never above 0.
             Already overlapping: t = 0, HIT_INSIDE, and the normal may be along the displacement
             too; where the centre itself is in a solid, it is opposite to the displacement (zero if
-            that is zero). None if nothing is found.
+            that is zero). A sphere without radius gets the hit of the ray along its way. None if
+            nothing is found.
 
     Raises:
         Error, status ERROR_UNSUPPORTED: for a ray or a segment as the shape"""
@@ -2762,7 +2763,7 @@ def sweep(shape: Shape, moving: Shape, displacement: low.Vec3 | Sequence) -> low
     """First contact of a sphere, capsule, AABB or OBB that moves by displacement, without turning,
     with a sphere, capsule, AABB, OBB, plane, triangle or mesh.
     Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and
-    1 ulp of t.
+    1 ulp of t. Point and normal are those of that contact.
     Cost: O(1), 0.1 to 2 us; O(log n + k) expected for a mesh.
 
     Args:

@@ -3114,8 +3114,8 @@ pub fn segment_test(shape: &dyn Shape, segment: &Segment) -> Result<Option<Hit>>
 /// Returns t in 0..1 of the displacement; point: of contact, on the shape; normal: from the point to
 /// the sphere's centre; in double precision its dot with the displacement is never above 0. Already
 /// overlapping: t = 0, `HIT_INSIDE`, and the normal may be along the displacement too; where the centre
-/// itself is in a solid, it is opposite to the displacement (zero if that is zero). `None` if nothing
-/// is found.
+/// itself is in a solid, it is opposite to the displacement (zero if that is zero). A sphere without
+/// radius gets the hit of the ray along its way. `None` if nothing is found.
 ///
 /// # Errors
 /// * `Status::ERROR_UNSUPPORTED`: for a ray or a segment as the shape
@@ -3129,7 +3129,7 @@ pub fn sweep_sphere(shape: &dyn Shape, sphere: &Sphere, displacement: impl Into<
 /// sphere, capsule, AABB, OBB, plane, triangle or mesh.
 ///
 /// Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
-/// ulp of t.
+/// ulp of t. Point and normal are those of that contact.
 ///
 /// Cost: O(1), 0.1 to 2 us; O(log n + k) expected for a mesh.
 ///

@@ -2438,8 +2438,8 @@ module Gamephys
   # @return t in 0..1 of the displacement; point: of contact, on the shape; normal: from the point to
   #     the sphere's centre; in double precision its dot with the displacement is never above 0. Already
   #     overlapping: t = 0, HIT_INSIDE, and the normal may be along the displacement too; where the
-  #     centre itself is in a solid, it is opposite to the displacement (zero if that is zero). nil if
-  #     nothing is found.
+  #     centre itself is in a solid, it is opposite to the displacement (zero if that is zero). A sphere
+  #     without radius gets the hit of the ray along its way. nil if nothing is found.
   # @raise [Error] for a ray or a segment as the shape (ERROR_UNSUPPORTED)
   def self.sweep_sphere(shape, sphere, displacement)
     out_hit = Hit.room
@@ -2449,7 +2449,7 @@ module Gamephys
   # First contact of a sphere, capsule, AABB or OBB that moves by displacement, without turning, with a
   # sphere, capsule, AABB, OBB, plane, triangle or mesh.
   # Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
-  # ulp of t.
+  # ulp of t. Point and normal are those of that contact.
   # Cost: O(1), 0.1 to 2 us; O(log n + k) expected for a mesh.
   # @param displacement metres; may be zero
   # @return t, point and normal as in Gamephys.sweep_sphere, whose answers a sphere gets. The point is

@@ -329,8 +329,8 @@ public final class Gamephys extends GamephysBase {
      * @return t in 0..1 of the displacement; point: of contact, on the shape; normal: from the point to
      *     the sphere's centre; in double precision its dot with the displacement is never above 0. Already
      *     overlapping: t = 0, HIT_INSIDE, and the normal may be along the displacement too; where the
-     *     centre itself is in a solid, it is opposite to the displacement (zero if that is zero). empty if
-     *     nothing is found.
+     *     centre itself is in a solid, it is opposite to the displacement (zero if that is zero). A sphere
+     *     without radius gets the hit of the ray along its way. empty if nothing is found.
      * @throws GamephysException with ERROR_UNSUPPORTED: for a ray or a segment as the shape
      */
     public static Optional<Hit> sweepSphere(Shape shape, Sphere sphere, Vec3 displacement) {
@@ -344,7 +344,7 @@ public final class Gamephys extends GamephysBase {
      * First contact of a sphere, capsule, AABB or OBB that moves by displacement, without turning, with a
      * sphere, capsule, AABB, OBB, plane, triangle or mesh.
      * Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
-     * ulp of t.
+     * ulp of t. Point and normal are those of that contact.
      * Cost: O(1), 0.1 to 2 us; O(log n + k) expected for a mesh.
      * @param displacement metres; may be zero
      * @return t, point and normal as in Gamephys.sweepSphere, whose answers a sphere gets. The point is
