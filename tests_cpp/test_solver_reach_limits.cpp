@@ -42,35 +42,59 @@ std::vector<double> distances_from(const Body& body, uint32_t pin) {
     return distances;
 }
 
+/// As long as the way from the pin that each names, and a millionth of slack. Returns how many.
+size_t check_limits(const Body& body) {
+    const uint32_t size = body.particles.size();
+    std::vector<std::vector<double>> wanted(size), found(size), from(size);
+    for (uint32_t pin = 0; pin < size; ++pin) {
+        if (!body.particles.pinned(pin)) continue;
+        from[pin] = distances_from(body, pin);
+        for (uint32_t p = 0; p < size; ++p) {
+            if (!body.particles.pinned(p) && from[pin][p] < infinity) wanted[p].push_back(from[pin][p]);
+        }
+    }
+    for (const ReachLimit& limit : body.cloth.reach_limits) {
+        REQUIRE(body.particles.pinned(limit.anchor));
+        REQUIRE(limit.distance == from[limit.anchor][limit.particle] * (1 + 1e-6));
+        found[limit.particle].push_back(limit.distance);
+    }
+    for (uint32_t p = 0; p < size; ++p) {
+        std::sort(wanted[p].begin(), wanted[p].end());
+        wanted[p].resize(std::min<size_t>(wanted[p].size(), 4));
+        for (double& distance : wanted[p]) distance *= 1 + 1e-6;
+        REQUIRE(found[p] == wanted[p]);
+    }
+    return body.cloth.reach_limits.size();
+}
+
+bool same_limits(const Vector<ReachLimit>& a, const Vector<ReachLimit>& b) {
+    const auto same = [](const ReachLimit& l, const ReachLimit& r) {
+        return l.particle == r.particle && l.anchor == r.anchor && l.distance == r.distance;
+    };
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
+}
+
 }  // namespace
 
-TEST_CASE("reach limits are the lengths of the shortest ways from the four nearest pins") {
+TEST_CASE(
+    "reach limits are the lengths of the shortest ways from the four nearest pins, also of pins that come and go") {
     test::Random random(26);
     size_t count = 0;
     for (int round = 0; round < 200; ++round) {
         const uint32_t size = 5 + random.index(60);
         Body body = random_graph(random, size, 2 * size, 1 + random.index(12));
-        plan_reach_limits(body);
-        std::vector<std::vector<double>> wanted(size), found(size);
-        for (uint32_t pin = 0; pin < size; ++pin) {
-            if (!body.particles.pinned(pin)) continue;
-            const std::vector<double> distances = distances_from(body, pin);
-            for (uint32_t p = 0; p < size; ++p) {
-                if (!body.particles.pinned(p) && distances[p] < infinity) wanted[p].push_back(distances[p]);
-            }
-        }
-        for (const ReachLimit& limit : body.cloth.reach_limits) {
-            // As long as the way from the pin that it names, and a millionth of slack.
-            REQUIRE(body.particles.pinned(limit.anchor));
-            REQUIRE(limit.distance == distances_from(body, limit.anchor)[limit.particle] * (1 + 1e-6));
-            found[limit.particle].push_back(limit.distance);
-            ++count;
-        }
-        for (uint32_t p = 0; p < size; ++p) {
-            std::sort(wanted[p].begin(), wanted[p].end());
-            wanted[p].resize(std::min<size_t>(wanted[p].size(), 4));
-            for (double& distance : wanted[p]) distance *= 1 + 1e-6;
-            REQUIRE(found[p] == wanted[p]);
+        update_plan(body);
+        count += check_limits(body);
+        for (int edit = 0; edit < 4; ++edit) {
+            double& inverse_mass = body.particles.inverse_mass[random.index(size)];
+            inverse_mass = inverse_mass == 0 ? 1 : 0;
+            plan_reach_limits(body);
+            check_limits(body);
+            // In the same order as those that are found all at once.
+            const Vector<ReachLimit> followed = body.cloth.reach_limits;
+            body.cloth.pin_ways.clear();
+            plan_reach_limits(body);
+            REQUIRE(same_limits(followed, body.cloth.reach_limits));
         }
     }
     CHECK(count > 5000);

@@ -89,6 +89,7 @@ void set_constraint_settings(Body& body, const gphys_constraint_id* ids, const g
             rest < 0 ? distance(body.particles.position[constraint.a], body.particles.position[constraint.b]) : rest);
     }
     body.plan.described = false;
+    body.cloth.rigid.forget();
 }
 
 void forget_length_change(Constraints& constraints, uint32_t slot) {

@@ -15,9 +15,14 @@ void change_links(Constraints& constraints, uint32_t slot, int by) {
     }
 }
 
-void change_constraints(Body& body, uint32_t slot, int by) {
-    change_links(body.constraints, slot, by);
-    body.plan.chains_current = false;
+/// edit(): add_to_plan or remove_from_plan. What there is no memory for is planned again, before the next step.
+template <class Edit>
+void change_plan(Body& body, Edit&& edit) {
+    try {
+        body.plan.chains_current = edit();
+    } catch (const std::bad_alloc&) {
+        body.plan.chains_current = false;
+    }
     interrupt(body);
 }
 
@@ -37,7 +42,8 @@ gphys_status add_constraint(Body& body, const DistanceConstraint& constraint, gp
     DistanceConstraint& added = body.constraints.by_slot[slot];
     added = constraint;
     if (added.rest < 0) added.rest = distance(body.particles.position[added.a], body.particles.position[added.b]);
-    change_constraints(body, slot, 1);
+    change_links(body.constraints, slot, 1);
+    change_plan(body, [&] { return add_to_plan(body, slot); });
     return GPHYS_OK;
 }
 
@@ -60,9 +66,11 @@ gphys_status remove_constraint(Body& body, gphys_constraint_id id) {
     if (status != GPHYS_OK) return status;
     wake(body);
     const uint32_t slot = IdTable::slot_of(id);
-    change_constraints(body, slot, -1);
+    change_links(body.constraints, slot, -1);
     forget_length_change(body.constraints, slot);
     body.constraints.ids.remove(id);
+    change_plan(body, [&] { return remove_from_plan(body, slot); });
+    if (!body.cloth.rest_position.empty()) body.plan.reach_current = false;
     body.cloth.rest_position.clear();
     return GPHYS_OK;
 }

@@ -26,10 +26,13 @@ struct Plan {
           damping(memory),
           limit(memory) {}
 
+    static constexpr uint32_t most_edits = 64;
+
     gphys_solve_method method = GPHYS_SOLVE_FREE;
     // What follows from constraints and from pins; when out of date, what is there of it counts for nothing.
     bool chains_current = false, reach_current = false;
-    bool described = false;                           // whether the links of the chains are as their constraints are
+    uint32_t edits = 0;      // of the chains since the last step; beyond most_edits they are made again
+    bool described = false;  // whether the links of the chains are as their constraints are
     bool chains_packed = false, pins_packed = false;  // whether Cloth::batches are of them
 
     /// By colour. The chains of a colour share no particle, so their order within it is free.
@@ -48,6 +51,12 @@ struct Plan {
 gphys_solve_method method_of(const Body& body);
 /// Bring the plan up to date. Throws std::bad_alloc, and then leaves it out of date.
 void update_plan(Body& body);
+
+/// plan_edits.cpp: a constraint that is there is entered into the plan of cloth, or one that is gone taken out of it,
+/// in O(links) without planning again. False if it has to be, and then nothing is changed. They may throw
+/// std::bad_alloc, and have then changed nothing.
+bool add_to_plan(Body& body, uint32_t slot);
+bool remove_from_plan(Body& body, uint32_t slot);
 
 /// The rest of a plan that came out of a snapshot and has no defect. Throws std::bad_alloc.
 void complete_plan(Body& body);

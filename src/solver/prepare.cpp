@@ -183,6 +183,7 @@ void Solver::begin_step(const Scene* scene) noexcept {
     for (const ActiveBody& moving : moving_) {
         Body& body = state_.bodies[moving.slot];
         if (body.sleep.asleep) wake(body);
+        body.plan.edits = 0;
         aim_attachments(body, scene);
         begin_targets(body);
         each_kept_array(body, scene && body.settings.layers != 0,

@@ -31,6 +31,8 @@
 //     damping.h          damped links as undamped ones with other parameters
 //   cloth/             cloth and graphs: colours of chains
 //     plan_cloth.cpp     chains and limits, packed for the kernels
+//     plan_edits.cpp     its chains when a constraint comes or goes
+//     rigid_links.cpp    links by particle, for the two below that walk along them
 //     cloth.cpp          a substep
 //     cloth_contacts.cpp contacts with models, as part of its chains
 //     cloth_targets.cpp  its animation targets, as part of its chains

@@ -4,6 +4,7 @@
 #include "foundation/team.h"
 #include "solver/cloth/cloth_batches.h"
 #include "solver/cloth/cloth_contacts.h"
+#include "solver/cloth/rigid_links.h"
 #include "solver/cloth/volume.h"
 
 namespace gphys {
@@ -56,6 +57,8 @@ struct Cloth {
           volume(memory),
           rest_position(memory),
           triangles(memory),
+          rigid(memory),
+          pin_ways(memory),
           reach_limits(memory),
           batches(memory),
           contacts(memory) {}
@@ -89,6 +92,8 @@ struct Cloth {
     /// Empty for other bodies and for torn sheets.
     Vector<Vec3> rest_position;
     Vector<uint32_t> triangles;  // for drawing
+    RigidLinks rigid;            // of the plan, whatever is pinned
+    Vector<ReachWay> pin_ways;   // along them, in order: what the limits are made of. Empty: not known
     Vector<ReachLimit> reach_limits;
     ClothBatches batches;  // chains and limits in the layout of the kernels
     ClothContacts contacts;

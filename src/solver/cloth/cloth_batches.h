@@ -9,6 +9,18 @@ namespace gphys {
 
 struct Body;
 
+/// A way of known length from a pinned particle, along rigid links.
+struct ReachWay {
+    double length;
+    uint32_t particle, anchor;
+
+    /// The shortest first; equal ones in an order that is always the same.
+    bool operator<(const ReachWay& other) const {
+        if (length != other.length) return length < other.length;
+        return particle != other.particle ? particle < other.particle : anchor < other.anchor;
+    }
+};
+
 /// No further than this from a pinned particle.
 struct ReachLimit {
     uint32_t particle, anchor;

@@ -7,90 +7,78 @@
 namespace gphys {
 namespace {
 
-/// A rigid link as one of its particles sees it.
-struct Joint {
-    uint32_t to;
-    double rest;
+const RigidLinks::End* find(const RigidLinks& rigid, uint32_t a, uint32_t b) {
+    for (uint32_t i = rigid.begin[a]; i < rigid.begin[a + 1]; ++i) {
+        if (rigid.at[i].to == b) return &rigid.at[i];
+    }
+    return nullptr;
+}
 
-    bool operator<(const Joint& other) const { return to < other.to; }
-};
-
-/// The rigid links of a body by particle.
-class RigidLinks {
-public:
-    RigidLinks(const Body& body, std::pmr::memory_resource* memory)
-        : begin_(body.particles.size() + 1, 0, memory), at_(memory) {
-        const Plan& plan = body.plan;
-        const auto each = [&](auto&& visit) {
-            for (const Chain& chain : plan.chains) {
-                for (uint32_t j = 0; j < chain.link_count; ++j) {
-                    if (plan.compliance[chain.first_link + j] > 0) continue;
-                    const uint32_t* ends = &plan.particles[chain.first_particle + j];
-                    visit(ends[0], ends[1], plan.rest[chain.first_link + j]);
-                }
+/// Whether it crosses another one in a cell with both diagonals: of the three pairs of links without a common particle
+/// the diagonals have the largest sum of squares.
+bool is_brace(const RigidLinks& rigid, uint32_t a, uint32_t b, double rest) {
+    constexpr uint32_t most = 16;  // what has more neighbours in common with another is no grid
+    RigidLinks::End common[most], from_b[most];
+    uint32_t count = 0;
+    for (uint32_t i = rigid.begin[a], j = rigid.begin[b]; i < rigid.begin[a + 1] && j < rigid.begin[b + 1];) {
+        const RigidLinks::End &of_a = rigid.at[i], &of_b = rigid.at[j];
+        if (of_a.to == of_b.to && count < most) common[count] = of_a, from_b[count++] = of_b;
+        of_a.to <= of_b.to ? ++i : ++j;
+    }
+    const auto square = [](double x) { return x * x; };
+    for (uint32_t i = 0; i < count; ++i) {
+        for (uint32_t j = i + 1; j < count; ++j) {
+            const RigidLinks::End* across = find(rigid, common[i].to, common[j].to);
+            if (!across) continue;
+            const double sum = square(rest) + square(across->rest);
+            if (sum > square(common[i].rest) + square(from_b[j].rest) &&
+                sum > square(common[j].rest) + square(from_b[i].rest)) {
+                return true;
             }
-        };
-        each([&](uint32_t a, uint32_t b, double) { ++begin_[a + 1], ++begin_[b + 1]; });
-        for (uint32_t p = 0; p < body.particles.size(); ++p) begin_[p + 1] += begin_[p];
-        at_.resize(begin_.back());
-        Vector<uint32_t> next(begin_.begin(), begin_.end() - 1, memory);
-        each([&](uint32_t a, uint32_t b, double rest) {
-            at_[next[a]++] = {b, rest};
-            at_[next[b]++] = {a, rest};
-        });
-        for (uint32_t p = 0; p < body.particles.size(); ++p)
-            std::sort(at_.begin() + begin_[p], at_.begin() + begin_[p + 1]);
+        }
+    }
+    return false;
+}
+
+/// Whether links are braces, as far as it was known and is so still: a link that came or went makes others ones, or
+/// none, that join two of its particles and their neighbours.
+class Braces {
+public:
+    Braces(const Body& body, RigidLinks& rigid)
+        : rigid_(rigid), near_(body.particles.size(), 0, rigid.at.get_allocator()) {
+        rigid.braces.resize(body.constraints.ids.slots(), unknown);
+        for (const uint32_t p : rigid.changed) {
+            near_[p] = 1;
+            for (uint32_t i = rigid.begin[p]; i < rigid.begin[p + 1]; ++i) near_[rigid.at[i].to] = 1;
+        }
     }
 
-    /// Whether it crosses another one in a cell with both diagonals: of the three pairs of links without a common
-    /// particle the diagonals have the largest sum of squares.
-    bool is_brace(uint32_t a, uint32_t b, double rest) const {
-        constexpr uint32_t most = 16;  // what has more neighbours in common with another is no grid
-        Joint common[most], from_b[most];
-        uint32_t count = 0;
-        for (uint32_t i = begin_[a], j = begin_[b]; i < begin_[a + 1] && j < begin_[b + 1];) {
-            if (at_[i].to == at_[j].to && count < most) common[count] = at_[i], from_b[count++] = at_[j];
-            at_[i].to <= at_[j].to ? ++i : ++j;
-        }
-        const auto square = [](double x) { return x * x; };
-        for (uint32_t i = 0; i < count; ++i) {
-            for (uint32_t j = i + 1; j < count; ++j) {
-                const Joint* across = find(common[i].to, common[j].to);
-                if (!across) continue;
-                const double sum = square(rest) + square(across->rest);
-                if (sum > square(common[i].rest) + square(from_b[j].rest) &&
-                    sum > square(common[j].rest) + square(from_b[i].rest)) {
-                    return true;
-                }
-            }
-        }
-        return false;
+    bool contain(uint32_t slot, uint32_t a, uint32_t b, double rest) {
+        uint8_t& brace = rigid_.braces[slot];
+        if (brace == unknown || (near_[a] && near_[b])) brace = is_brace(rigid_, a, b, rest) ? yes : no;
+        return brace == yes;
     }
 
 private:
-    const Joint* find(uint32_t a, uint32_t b) const {
-        for (uint32_t i = begin_[a]; i < begin_[a + 1]; ++i) {
-            if (at_[i].to == b) return &at_[i];
-        }
-        return nullptr;
-    }
+    static constexpr uint8_t unknown = 0, no = 1, yes = 2;
 
-    Vector<uint32_t> begin_;  // by particle, in at_
-    Vector<Joint> at_;
+    RigidLinks& rigid_;
+    Vector<uint8_t> near_;  // by particle
 };
 
 }  // namespace
 
 void list_kept_links(Body& body) {
     constexpr uint32_t lanes = 8;
+    const Plan& plan = body.plan;
     ClothBatches& batches = body.cloth.batches;
     KeptLinks& kept = batches.kept;
     std::pmr::memory_resource* memory = kept.links.get_allocator().resource();
-    const RigidLinks rigid(body, memory);
+    Braces braces(body, body.cloth.rigid);
     kept.links.clear();
     kept.by_place.assign(batches.rest.size(), KeptLinks::none);
     kept.begin.assign(body.particles.size() + 1, 0);
-    for (ChainBatch& batch : batches.chains) {
+    const auto list_batch = [&](ChainBatch& batch, uint32_t first_chain) {
         batch.kept = 0;
         for (uint32_t i = 0; i < lanes * batch.link_count; ++i) {
             const uint32_t place = lanes * batch.first_link + i;
@@ -99,11 +87,18 @@ void list_kept_links(Body& body) {
             const uint32_t a = particles[0], b = particles[lanes];
             const double rest = batches.rest[place];
             if (rest == 0) continue;
-            const bool brace = body.kind == GPHYS_BODY_CLOTH && rigid.is_brace(a, b, rest);
+            const uint32_t slot = plan.slots[plan.chains[first_chain + i % lanes].first_link + i / lanes];
+            const bool brace = body.kind == GPHYS_BODY_CLOTH && braces.contain(slot, a, b, rest);
             batch.kept |= brace ? ChainBatch::braces : ChainBatch::threads;
             kept.by_place[place] = static_cast<uint32_t>(kept.links.size());
             kept.links.push_back({a, b, rest, batch.limit != 0, brace});
             ++kept.begin[a + 1], ++kept.begin[b + 1];
+        }
+    };
+    for (size_t colour = 0; colour + 1 < batches.colours.size(); ++colour) {
+        uint32_t chain = plan.colours[colour];
+        for (uint32_t i = batches.colours[colour]; i < batches.colours[colour + 1]; ++i, chain += lanes) {
+            list_batch(batches.chains[i], chain);
         }
     }
     for (uint32_t p = 0; p < body.particles.size(); ++p) kept.begin[p + 1] += kept.begin[p];
@@ -113,6 +108,7 @@ void list_kept_links(Body& body) {
         kept.at[next[kept.links[i].a]++] = i;
         kept.at[next[kept.links[i].b]++] = i;
     }
+    body.cloth.rigid.changed.clear();
 }
 
 }  // namespace gphys

@@ -121,25 +121,60 @@ void plan_direct_chains(Body& body) {
 
 namespace {
 
+/// Vectors, component by component, so that the compiler takes several at once.
+struct Vectors {
+    explicit Vectors(std::pmr::memory_resource* memory) : x(memory), y(memory), z(memory) {}
+
+    void resize(size_t size) { x.resize(size), y.resize(size), z.resize(size); }
+    void set(size_t i, Vec3 v) { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
+
+    /// As normalized does it, with the same bits; a zero stays.
+    void normalize() {
+        for (size_t i = 0; i < x.size(); ++i) {
+            const double largest = gphys::largest(gphys::largest(absolute(x[i]), absolute(y[i])), absolute(z[i]));
+            const double scale = largest > 0 ? largest : 1;
+            const double u = x[i] / scale, v = y[i] / scale, w = z[i] / scale;
+            const double length = largest > 0 ? square_root(u * u + v * v + w * w) : 1;
+            x[i] = u / length, y[i] = v / length, z[i] = w / length;
+        }
+    }
+
+    Vector<double> x, y, z;
+};
+
 /// For each constraint and each of its ends, the constraint that continues it straight on, or none.
 class StraightLines {
 public:
     StraightLines(const Body& body, std::pmr::memory_resource* memory)
-        : body_(body), next_(2 * size_t{body.constraints.ids.slots()}, none, memory) {
+        : body_(body),
+          next_(2 * size_t{body.constraints.ids.slots()}, none, memory),
+          directions_(memory),
+          ends_(memory),
+          away_(memory),
+          cosines_(memory),
+          pairs_(memory) {
+        find_directions();
         pair_up(memory);
     }
 
-    uint32_t next(uint32_t slot, uint32_t end_particle) const { return next_[index(slot, end_particle)]; }
+    uint32_t next(uint32_t slot, uint32_t end_particle) const {
+        return next_[place(slot, body_.constraints.by_slot[slot].b == end_particle)];
+    }
 
 private:
+    /// A constraint as one of its particles sees it.
+    struct End {
+        uint32_t place;  // in next_
+        bool limit;
+        double rest, compliance;
+    };
     /// Two constraints with a common particle; the lower straightness the straighter.
     struct Pair {
-        double straightness;  // cosine of the angle between them: -1 is straight on
-        uint32_t particle, first, second;
+        double straightness;     // cosine of the angle between them: -1 is straight on
+        uint32_t first, second;  // in ends_, which are in the order of slots
 
         bool operator<(const Pair& other) const {
             if (straightness != other.straightness) return straightness < other.straightness;
-            if (particle != other.particle) return particle < other.particle;
             return first != other.first ? first < other.first : second < other.second;
         }
     };
@@ -149,63 +184,86 @@ private:
     static constexpr double least_straight = -0.70710678118654752;
     static constexpr double most_ratio = 1.75;
 
-    size_t index(uint32_t slot, uint32_t particle) const {
-        return 2 * size_t{slot} + (body_.constraints.by_slot[slot].b == particle);
-    }
+    static uint32_t place(uint32_t slot, bool second_end) { return 2 * slot + second_end; }
 
-    Vec3 direction(uint32_t slot, uint32_t from) const {
-        const Vec3 along =
-            body_.particles.position[other_end(body_.constraints.by_slot[slot], from)] - body_.particles.position[from];
-        return along == Vec3{} ? along : normalized(along);
-    }
-
-    bool same_kind(const DistanceConstraint& a, const DistanceConstraint& b) const {
+    static bool same_kind(const End& a, const End& b) {
         if (a.limit || b.limit) return false;  // whether one pulls is decided for it alone
         return a.compliance == b.compliance && a.rest <= most_ratio * b.rest && b.rest <= most_ratio * a.rest;
     }
 
-    void pair_up(std::pmr::memory_resource* memory) {
-        Vector<uint32_t> begin(body_.particles.size() + 1, 0, memory);
-        for (uint32_t p = 0; p < body_.particles.size(); ++p)
-            begin[p + 1] = begin[p] + body_.constraints.links[p].degree;
-        Vector<uint32_t> at(begin.back(), memory), filled(begin.begin(), begin.end() - 1, memory);
-        for (uint32_t slot = 0; slot < body_.constraints.ids.slots(); ++slot) {
-            if (!body_.constraints.ids.live(slot)) continue;
-            at[filled[body_.constraints.by_slot[slot].a]++] = slot;
-            at[filled[body_.constraints.by_slot[slot].b]++] = slot;
+    void find_directions() {
+        const Constraints& constraints = body_.constraints;
+        directions_.resize(constraints.ids.slots());
+        for (uint32_t slot = 0; slot < constraints.ids.slots(); ++slot) {
+            if (!constraints.ids.live(slot)) continue;
+            const DistanceConstraint& c = constraints.by_slot[slot];
+            directions_.set(slot, body_.particles.position[c.b] - body_.particles.position[c.a]);
         }
-        Vector<Pair> pairs(memory);
-        Vector<Vec3> directions(memory);  // of the constraints at a particle
+        directions_.normalize();
+    }
+
+    void pair_up(std::pmr::memory_resource* memory) {
+        const Constraints& constraints = body_.constraints;
+        Vector<uint32_t> begin(body_.particles.size() + 1, 0, memory);
+        for (uint32_t p = 0; p < body_.particles.size(); ++p) begin[p + 1] = begin[p] + constraints.links[p].degree;
+        Vector<uint32_t> places(begin.back(), memory), filled(begin.begin(), begin.end() - 1, memory);
+        for (uint32_t slot = 0; slot < constraints.ids.slots(); ++slot) {
+            if (!constraints.ids.live(slot)) continue;
+            places[filled[constraints.by_slot[slot].a]++] = place(slot, false);
+            places[filled[constraints.by_slot[slot].b]++] = place(slot, true);
+        }
         for (uint32_t p = 0; p < body_.particles.size(); ++p) {
-            pairs.clear();
-            directions.clear();
-            for (uint32_t i = begin[p]; i < begin[p + 1]; ++i) directions.push_back(direction(at[i], p));
-            for (uint32_t i = begin[p]; i < begin[p + 1]; ++i) {
-                for (uint32_t j = i + 1; j < begin[p + 1]; ++j) {
-                    if (!same_kind(body_.constraints.by_slot[at[i]], body_.constraints.by_slot[at[j]])) continue;
-                    const double straightness = dot(directions[i - begin[p]], directions[j - begin[p]]);
-                    if (straightness <= least_straight) pairs.push_back({straightness, p, at[i], at[j]});
-                }
+            pair_up(places.data() + begin[p], begin[p + 1] - begin[p]);
+        }
+    }
+
+    /// Those at one particle, the straightest first.
+    void pair_up(const uint32_t* places, uint32_t count) {
+        ends_.resize(count);
+        away_.resize(count);
+        cosines_.resize(count);
+        pairs_.clear();
+        for (uint32_t i = 0; i < count; ++i) {
+            const uint32_t slot = places[i] / 2;
+            const DistanceConstraint& constraint = body_.constraints.by_slot[slot];
+            ends_[i] = {places[i], constraint.limit != 0, constraint.rest, constraint.compliance};
+            const double sign = places[i] % 2 == 0 ? 1 : -1;
+            away_.set(i, Vec3{directions_.x[slot], directions_.y[slot], directions_.z[slot]} * sign);
+        }
+        for (uint32_t i = 0; i < count; ++i) {
+            const double x = away_.x[i], y = away_.y[i], z = away_.z[i];
+            for (uint32_t j = i + 1; j < count; ++j) cosines_[j] = x * away_.x[j] + y * away_.y[j] + z * away_.z[j];
+            for (uint32_t j = i + 1; j < count; ++j) {
+                if (cosines_[j] <= least_straight && same_kind(ends_[i], ends_[j]))
+                    pairs_.push_back({cosines_[j], i, j});
             }
-            std::sort(pairs.begin(), pairs.end());
-            for (const Pair& pair : pairs) {
-                uint32_t& after_first = next_[index(pair.first, p)];
-                uint32_t& after_second = next_[index(pair.second, p)];
-                if (after_first != none || after_second != none) continue;
-                after_first = pair.second;
-                after_second = pair.first;
-            }
+        }
+        std::sort(pairs_.begin(), pairs_.end());
+        for (const Pair& pair : pairs_) {
+            uint32_t& after_first = next_[ends_[pair.first].place];
+            uint32_t& after_second = next_[ends_[pair.second].place];
+            if (after_first != none || after_second != none) continue;
+            after_first = ends_[pair.second].place / 2;
+            after_second = ends_[pair.first].place / 2;
         }
     }
 
     const Body& body_;
     Vector<uint32_t> next_;
+    Vectors directions_;  // by slot, from the first end to the second
+    // Of the constraints at one particle:
+    Vector<End> ends_;
+    Vectors away_;  // directions from the particle
+    Vector<double> cosines_;
+    Vector<Pair> pairs_;
 };
 
 /// Cover all constraints by lines, those with the lowest slots first. A line that meets itself ends
 /// there, for a chain passes no particle twice; what is left of it becomes another line.
 void collect_lines(const Body& body, Plan& lines, std::pmr::memory_resource* memory) {
     const StraightLines straight(body, memory);
+    lines.slots.reserve(body.constraints.ids.size());
+    lines.particles.reserve(2 * size_t{body.constraints.ids.size()});
     Vector<uint8_t> used(body.constraints.ids.slots(), 0, memory);
     Vector<uint32_t> seen(body.particles.size(), none, memory);  // the line that passed a particle last
     for (uint32_t seed = 0; seed < body.constraints.ids.slots(); ++seed) {
@@ -232,7 +290,6 @@ void collect_lines(const Body& body, Plan& lines, std::pmr::memory_resource* mem
             }
         }
     }
-    describe_links(body.constraints, lines);
 }
 
 /// The lowest colour whose chains leave all particles of the chain alone; masks has a bit per colour.
@@ -286,17 +343,20 @@ void plan_chain_colours(Body& body) {
     Plan lines(memory);
     collect_lines(body, lines, memory);
 
+    // Constraints of a line are of one kind.
+    const auto kind_of = [&](uint32_t line) -> const DistanceConstraint& {
+        return body.constraints.by_slot[lines.slots[lines.chains[line].first_link]];
+    };
     const uint32_t line_count = static_cast<uint32_t>(lines.chains.size());
     Vector<uint32_t> turn(line_count, memory);
     for (uint32_t i = 0; i < line_count; ++i) turn[i] = line_count - 1 - i;
-    std::stable_sort(turn.begin(), turn.end(), [&](uint32_t a, uint32_t b) {
-        return lines.compliance[lines.chains[a].first_link] > lines.compliance[lines.chains[b].first_link];
-    });
+    std::stable_sort(turn.begin(), turn.end(),
+                     [&](uint32_t a, uint32_t b) { return kind_of(a).compliance > kind_of(b).compliance; });
     Vector<uint32_t> colour(line_count, none, memory);
     uint32_t colour_count = 0;
     // Links that only pull, which are solved by another kernel, have colours of their own, the last.
     for (const uint32_t limit : {0u, 1u}) {
-        const auto of_kind = [&](uint32_t line) { return lines.limit[lines.chains[line].first_link] == limit; };
+        const auto of_kind = [&](uint32_t line) { return kind_of(line).limit == limit; };
         colour_count = colour_lines(body.particles, lines, turn, of_kind, colour_count, colour);
     }
 
@@ -308,13 +368,17 @@ void plan_chain_colours(Body& body) {
         return lines.chains[a].link_count > lines.chains[b].link_count;
     });
     clear_chains(plan);
+    plan.particles.reserve(lines.particles.size());
+    plan.slots.reserve(lines.slots.size());
     for (const uint32_t line : order) {
         const Chain& chain = lines.chains[line];
         if (plan.colours.size() == colour[line]) plan.colours.push_back(static_cast<uint32_t>(plan.chains.size()));
-        begin_chain(plan, lines.particles[chain.first_particle]);
-        for (uint32_t i = 0; i < chain.link_count; ++i) {
-            add_link(plan, lines.slots[chain.first_link + i], lines.particles[chain.first_particle + i + 1]);
-        }
+        plan.chains.push_back(
+            {static_cast<uint32_t>(plan.particles.size()), static_cast<uint32_t>(plan.slots.size()), chain.link_count});
+        const uint32_t* const particles = &lines.particles[chain.first_particle];
+        const uint32_t* const slots = &lines.slots[chain.first_link];
+        plan.particles.insert(plan.particles.end(), particles, particles + chain.link_count + 1);
+        plan.slots.insert(plan.slots.end(), slots, slots + chain.link_count);
     }
     plan.colours.push_back(line_count);
     describe_links(body.constraints, plan);
@@ -351,6 +415,8 @@ void update_plan(Body& body) {
     Plan& plan = body.plan;
     if (!plan.chains_current) {
         plan.chains_packed = false;
+        plan.edits = 0;
+        body.cloth.rigid.forget();
         plan.method = method_of(body);
         if (plan.method == GPHYS_SOLVE_FREE) clear_chains(plan);
         if (plan.method == GPHYS_SOLVE_DIRECT) plan_direct_chains(body);
@@ -365,6 +431,10 @@ void update_plan(Body& body) {
         note_kinds(body);
         plan.chains_packed = false;
         plan.described = true;
+    }
+    if (body.cloth.rigid.begin.empty() && plan.method == GPHYS_SOLVE_GRAPH) {
+        body.cloth.pin_ways.clear();
+        body.cloth.rigid.list(plan, body.particles.size());
     }
     if (!plan.reach_current) {
         body.cloth.reach_limits.clear();

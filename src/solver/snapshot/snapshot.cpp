@@ -35,7 +35,13 @@ static_assert(sizeof(Joint) == 56);
 template <class Archive, class Body>
 void visit_plan(Archive& archive, Body& body) {
     auto& plan = body.plan;
-    archive.flag(plan.chains_current);
+    // One word says whether it is up to date, and how often it has been edited since the last step.
+    uint32_t edits_or_none = plan.chains_current ? 1 + plan.edits : 0;
+    archive.value(edits_or_none);
+    if constexpr (!std::is_const_v<Body>) {
+        plan.chains_current = edits_or_none > 0;
+        plan.edits = std::max(edits_or_none, 1u) - 1;
+    }
     if (!plan.chains_current) return;
     archive.value(plan.method);
     if (plan.method == GPHYS_SOLVE_DIRECT) archive.array(body.rope.tension);

@@ -283,7 +283,7 @@ const char* defect_of_plan(const Body& body) {
     constexpr const char* wrong = "words: the plan of a body is none";
     const Plan& plan = body.plan;
     if (!plan.chains_current) return nullptr;
-    if (plan.method != method_of(body)) return wrong;
+    if (plan.edits > Plan::most_edits || plan.method != method_of(body)) return wrong;
     if (plan.method == GPHYS_SOLVE_DIRECT) {
         const bool fine = body.rope.tension.size() == body.constraints.ids.size() &&
                           all(body.rope.tension, [](double tension) { return is_finite(tension); });
