@@ -186,13 +186,13 @@ void compare_ray(const Bvh8& tree, const Boxes& boxes, const Ray& ray, double ra
     };
     std::feclearexcept(FE_ALL_EXCEPT);
     if (radius == 0) {
-        tree.raycast(ray, visit_all);
+        tree.raycast(ray, ray.t_max, visit_all);
     } else {
         tree.sweep(ray.origin, ray.direction, radius, visit_all);
     }
     REQUIRE(std::fetestexcept(trapped_exceptions) == 0);
     if (radius == 0) {
-        tree.raycast(ray, visit_nearest);
+        tree.raycast(ray, ray.t_max, visit_nearest);
     } else {
         tree.sweep(ray.origin, ray.direction, radius, visit_nearest);
     }
@@ -245,8 +245,8 @@ void compare_rays(const Bvh8& tree, const Boxes& boxes, std::vector<Ray> rays) {
     });
     rays = whole;
     for (uint32_t i = 0; i < count; ++i) {
-        tree.raycast(rays[i], [&](uint32_t item, double&) { alone[i].push_back(item); });
-        tree.raycast(rays[i], [&](uint32_t item, double& t_max) {
+        tree.raycast(rays[i], rays[i].t_max, [&](uint32_t item, double&) { alone[i].push_back(item); });
+        tree.raycast(rays[i], rays[i].t_max, [&](uint32_t item, double& t_max) {
             nearest_alone[i].meet(item, boxes.at(item), rays[i], 0, t_max);
         });
         std::sort(alone[i].begin(), alone[i].end());
@@ -684,7 +684,7 @@ TEST_CASE("visitors can end octree queries") {
     Bvh8 tree(std::pmr::get_default_resource());
     build(tree, boxes);
     int visits = 0;
-    tree.raycast({{2, 3, 4}, {1, 0, 0}, infinity}, [&](uint32_t, double& t_max) { ++visits, t_max = -1; });
+    tree.raycast({{2, 3, 4}, {1, 0, 0}, infinity}, infinity, [&](uint32_t, double& t_max) { ++visits, t_max = -1; });
     REQUIRE(visits == 1);
     tree.nearest({2, 3, 4}, infinity, [&](uint32_t, double& distance) { ++visits, distance = -1; });
     REQUIRE(visits == 2);
@@ -708,7 +708,7 @@ TEST_CASE("rays from beyond the range of float find the boxes of an octree") {
         const Ray ray{{far, 0, 0}, {-direction_scale, 0, 0}, infinity};
         std::set<uint32_t> visited;
         std::feclearexcept(FE_ALL_EXCEPT);
-        tree.raycast(ray, [&](uint32_t item, double&) { visited.insert(item); });
+        tree.raycast(ray, ray.t_max, [&](uint32_t item, double&) { visited.insert(item); });
         tree.sweep(ray.origin, ray.direction * 200, far / 1000, [&](uint32_t item, double&) { visited.insert(item); });
         double distance = infinity;
         tree.nearest(ray.origin, infinity, [&](uint32_t item, double& max_distance) {

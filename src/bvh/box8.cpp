@@ -43,18 +43,7 @@ RayProbe::RayProbe(Vec3 origin, Vec3 direction, double radius, const Box& root)
     : RayProbe(origin, direction, RaysRoot(root, radius)) {}
 
 RayProbe::RayProbe(Vec3 origin, Vec3 direction, const RaysRoot& root) {
-    const double from[3] = {origin.x, origin.y, origin.z}, along[3] = {direction.x, direction.y, direction.z};
-    const RaySetup<double> setup(from, along, root);
-    for (uint32_t k = 0; k < 3; ++k) {
-        near_origin[k] = static_cast<float>(setup.near_origin[k]);
-        far_origin[k] = static_cast<float>(setup.far_origin[k]);
-        back[k] = static_cast<float>(setup.back[k]);
-        const uint32_t backward = std::signbit(setup.along[k]) ? 24 : 0;
-        near_face[k] = 8 * k + backward;
-        far_face[k] = 8 * k + 24 - backward;
-        begin[k] = setup.begin[k];
-    }
-    course = {setup.slack, setup.scale, setup.start, setup.span};
+    put_probe(RaySetup<Vec3>(origin, direction, root), *this);
 }
 
 // As for a ball that is as large as the box is on its longest axis; on the others the faces are moved back by what they
@@ -75,12 +64,11 @@ float RayProbe::limit(double t_max) const {
     return static_cast<float>(ray_limit(t_max, course.slack, course.scale, course.start, course.span));
 }
 
-RaysRoot::RaysRoot(const Box& box, double r) : extent(largest_coordinate(box)), radius(r) {
-    for (int k = 0; k < 3; ++k) {
-        low[k] = box.min[k];
-        high[k] = box.max[k];
-    }
-}
+RaysRoot::RaysRoot(const Box& box, double r)
+    : low{box.min[0], box.min[1], box.min[2], box.min[0]},
+      high{box.max[0], box.max[1], box.max[2], box.max[0]},
+      extent(largest_coordinate(box)),
+      radius(r) {}
 
 RayPackets::RayPackets(const Box& root, uint32_t items) {
     const Vec3 low{root.min[0], root.min[1], root.min[2]}, high{root.max[0], root.max[1], root.max[2]};

@@ -34,11 +34,12 @@ inline bool operator==(const Box& a, const Box& b) {
 }
 /// What all rays have in common.
 struct RaysRoot {
+    RaysRoot() = default;
     explicit RaysRoot(const Box& box, double radius = 0);
 
-    double low[3], high[3];
-    double extent;  // the largest coordinate
-    double radius;  // of the rays
+    double low[4], high[4];  // x, y, z, x
+    double extent;           // the largest coordinate
+    double radius;           // of the rays
 };
 
 /// The span of a query that is so large that the tests let every box pass.

@@ -67,7 +67,7 @@ public:
     /// Boxes entered exactly at t_max are still visited. A direction of zero asks for the boxes
     /// around the origin.
     template <class Visit>
-    void raycast(const Ray& ray, Visit&& visit, ItemMemory items = {}) const;
+    void raycast(const Ray& ray, double t_max, Visit&& visit, ItemMemory items = {}) const;
     /// Up to rays_at_once rays. Neighbours that go much the same way are a packet; the others are
     /// interleaved, so that none waits for memory. visit(numbers, items, count) is for up to eight rays, each with
     /// an item, cuts short what it will of them, and tells which: bit k of the result is for rays[numbers[k]].
@@ -223,7 +223,10 @@ private:
 
     template <class Probe, class Visit>
     void traverse_to_bound(void (*kernel)(const BvhNode*, uint32_t, const Probe&, float, const BvhVisitor&),
-                           const Probe& probe, double bound, Visit& visit, ItemMemory items) const;
+                           const Probe& probe, double bound, float limit, Visit& visit, ItemMemory items) const;
+    template <class Visit>
+    void traverse_along(decltype(BvhKernels::ray) kernel, const Ray& ray, double t_max, Visit& visit,
+                        ItemMemory items) const;
     template <class Visit>
     void traverse_many(decltype(BvhKernels::rays) kernel, const Ray* rays, uint32_t count, Visit& visit,
                        ItemMemory items) const;

@@ -9,6 +9,7 @@
 #include "bvh/pair_traversal.h"
 #include "bvh/ray_lanes.h"
 #include "foundation/compiler.h"
+#include "foundation/simd_axes.h"
 
 namespace gphys::GPHYS_ISA {
 
@@ -17,10 +18,23 @@ namespace {
 void make_probes(const Ray* rays, uint32_t count, const RaysRoot& root, RayProbe* probes, float* limits) {
     for (uint32_t first = 0; first < count; first += 8) {
         const Rays8 eight(rays + first, count - first);
-        const RaySetup<Double8> setup(eight.origin, eight.direction, root);
+        const RaySetup<Vec<Double8>> setup(eight.origin, eight.direction, root);
         RayProbe* const to = probes + first;
         store(limits + first, put_probes(eight.t_max, setup, [&](int i) -> RayProbe& { return to[i]; }));
     }
+}
+
+float make_probe(const Ray& ray, double t_max, const Box& box, RayProbe& to) {
+    const Vec<double> low{box.min[0], box.min[1], box.min[2]}, high{box.max[0], box.max[1], box.max[2]};
+    const Axes lows = axes_of(low), highs = axes_of(high);
+    RaysRoot root;
+    store(root.low, lows);
+    store(root.high, highs);
+    root.extent = max_component(max(abs(lows), abs(highs)));
+    root.radius = 0;
+    const RaySetup<Axes> setup(axes_of(ray.origin), axes_of(ray.direction), root);
+    put_probe(setup, to);
+    return static_cast<float>(ray_limit(t_max, setup.slack, setup.scale, setup.start, setup.span));
 }
 
 template <class Test, class Probe>
@@ -131,6 +145,7 @@ void around_node(const BvhNode& node, Box& out) {
 
 extern const BvhKernels bvh_kernels{
     make_probes,
+    make_probe,
     closest_hit<SingleRayTest, RayProbe>,
     many_rays<ClosestHit>,
     many_rays<AnyHit>,

@@ -71,6 +71,8 @@ struct BvhKernels {
     /// The probes of many rays and their limits, with the same bits as one by one. `count` is at least
     /// 1; what is written is rounded up to a multiple of eight.
     void (*probes)(const Ray* rays, uint32_t count, const RaysRoot& root, RayProbe* probes, float* limits);
+    /// That of one ray in `box`, which encloses all that will be tested; returns its limit if it ends at t_max.
+    float (*probe)(const Ray& ray, double t_max, const Box& box, RayProbe& to);
     // Roughly nearest first.
     void (*ray)(const BvhNode* nodes, uint32_t root, const RayProbe& probe, float limit, const BvhVisitor& to);
     /// Many rays. Up to RayPackets::most with the same signs of direction may go as a packet.

@@ -12,14 +12,14 @@ namespace gphys {
 /// Runs a kernel whose visits move a bound, which the probe knows as a limit in its own unit.
 template <class Probe, class Visit>
 void Bvh8::traverse_to_bound(void (*kernel)(const BvhNode*, uint32_t, const Probe&, float, const BvhVisitor&),
-                             const Probe& probe, double bound, Visit& visit, ItemMemory items) const {
+                             const Probe& probe, double bound, float limit, Visit& visit, ItemMemory items) const {
     struct Context {
         const Probe& probe;
         Visit& visit;
         double bound;
         float limit;
     };
-    Context state{probe, visit, bound, probe.limit(bound)};
+    Context state{probe, visit, bound, limit};
     const auto step = [](void* context, uint32_t item) {
         Context& c = *static_cast<Context*>(context);
         const double before = c.bound;
@@ -27,13 +27,21 @@ void Bvh8::traverse_to_bound(void (*kernel)(const BvhNode*, uint32_t, const Prob
         if (c.bound != before) c.limit = c.probe.limit(c.bound);
         return c.limit;
     };
-    kernel(nodes_.data(), root_, probe, state.limit, {step, &state, items});
+    kernel(nodes_.data(), root_, probe, limit, {step, &state, items});
 }
 
 template <class Visit>
-void Bvh8::raycast(const Ray& ray, Visit&& visit, ItemMemory items) const {
+void Bvh8::traverse_along(decltype(BvhKernels::ray) kernel, const Ray& ray, double t_max, Visit& visit,
+                          ItemMemory items) const {
     if (root_ == none) return;
-    traverse_to_bound(kernels_.ray, RayProbe(ray.origin, ray.direction, 0, bounds_), ray.t_max, visit, items);
+    RayProbe probe;
+    const float limit = kernels_.probe(ray, t_max, bounds_, probe);
+    if (limit >= 0) traverse_to_bound(kernel, probe, t_max, limit, visit, items);
+}
+
+template <class Visit>
+void Bvh8::raycast(const Ray& ray, double t_max, Visit&& visit, ItemMemory items) const {
+    traverse_along(kernels_.ray, ray, t_max, visit, items);
 }
 
 template <class Visit>
@@ -87,38 +95,40 @@ void Bvh8::raycast_any_many(const Ray* rays, uint32_t count, Visit&& visit, Item
 
 template <class Visit>
 bool Bvh8::raycast_any(const Ray& ray, Visit&& visit, ItemMemory items) const {
-    if (root_ == none) return false;
     bool found = false;
     const auto until_found = [&](uint32_t item, double& t_max) {
         found = visit(item);
         if (found) t_max = -1;
     };
-    traverse_to_bound(kernels_.ray_any, RayProbe(ray.origin, ray.direction, 0, bounds_), ray.t_max, until_found, items);
+    traverse_along(kernels_.ray_any, ray, ray.t_max, until_found, items);
     return found;
 }
 
 template <class Visit>
 void Bvh8::sweep(Vec3 center, Vec3 displacement, double radius, Visit&& visit, ItemMemory items) const {
     if (root_ == none) return;
-    traverse_to_bound(kernels_.ray, RayProbe(center, displacement, radius, bounds_), 1, visit, items);
+    const RayProbe probe(center, displacement, radius, bounds_);
+    traverse_to_bound(kernels_.ray, probe, 1, probe.limit(1), visit, items);
 }
 
 template <class Visit>
 void Bvh8::sweep(Vec3 middle, Vec3 displacement, Vec3 half, Visit&& visit, ItemMemory items) const {
     if (root_ == none) return;
-    traverse_to_bound(kernels_.ray, RayProbe(middle, displacement, half, bounds_), 1, visit, items);
+    const RayProbe probe(middle, displacement, half, bounds_);
+    traverse_to_bound(kernels_.ray, probe, 1, probe.limit(1), visit, items);
 }
 
 template <class Visit>
 void Bvh8::nearest(Vec3 point, double max_distance, Visit&& visit, ItemMemory items) const {
     if (root_ == none) return;
-    traverse_to_bound(kernels_.point, PointProbe(point, bounds_), max_distance, visit, items);
+    const PointProbe probe(point, bounds_);
+    traverse_to_bound(kernels_.point, probe, max_distance, probe.limit(max_distance), visit, items);
 }
 
 template <class Visit>
 void Bvh8::nearest(const WeightedPointProbe& probe, double max_distance, Visit&& visit) const {
     if (root_ == none) return;
-    traverse_to_bound(kernels_.weighted_point, probe, max_distance, visit, {});
+    traverse_to_bound(kernels_.weighted_point, probe, max_distance, probe.limit(max_distance), visit, {});
 }
 
 /// A visitor of lists, or of single items as one of lists.

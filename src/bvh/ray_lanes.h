@@ -8,7 +8,8 @@
 namespace gphys::GPHYS_ISA {
 
 struct Rays8 {
-    Double8 origin[3], direction[3], t_max;
+    Vec<Double8> origin, direction;
+    Double8 t_max;
 
     /// `count` is at least 1; the last is repeated.
     Rays8(const Ray* rays, uint32_t count)
@@ -22,18 +23,18 @@ struct Rays8 {
         const auto at = [&](int i, int number) { return &ray_at(i).origin.x + number; };
         Double8 four[4];
         load_components([&](int i) { return at(i, 0); }, four);
-        for (int k = 0; k < 3; ++k) origin[k] = four[k];
+        origin = {four[0], four[1], four[2]};
         load_components([&](int i) { return at(i, 3); }, four);
-        for (int k = 0; k < 3; ++k) direction[k] = four[k];
+        direction = {four[0], four[1], four[2]};
         t_max = four[3];
     }
 };
 
 /// The probes of eight rays, which end at t_max: at(i) is where. Returns the limits.
 template <class At>
-Float8 put_probes(Double8 t_max, const RaySetup<Double8>& setup, const At& at) {
-    const auto quad = [](const Double8(&v)[3]) {
-        return Quads8{narrowed(v[0]), narrowed(v[1]), narrowed(v[2]), splat(0)};
+Float8 put_probes(Double8 t_max, const RaySetup<Vec<Double8>>& setup, const At& at) {
+    const auto quad = [](const Vec<Double8>& v) {
+        return Quads8{narrowed(v.x), narrowed(v.y), narrowed(v.z), splat(0)};
     };
     store_quads([&](int i) { return at(i).near_origin; }, quad(setup.near_origin));
     store_quads([&](int i) { return at(i).far_origin; }, quad(setup.far_origin));
@@ -45,7 +46,7 @@ Float8 put_probes(Double8 t_max, const RaySetup<Double8>& setup, const At& at) {
     };
     store_quads([&](int i) { return reinterpret_cast<float*>(at(i).near_face); }, faces(0, 24));
     store_quads([&](int i) { return reinterpret_cast<float*>(at(i).far_face); }, faces(24, 0));
-    const Double8 begin[] = {setup.begin[0], setup.begin[1], setup.begin[2], 0};
+    const Double8 begin[] = {setup.begin.x, setup.begin.y, setup.begin.z, 0};
     const Double8 course[] = {setup.slack, setup.scale, setup.start, setup.span};
     store_components([&](int i) { return at(i).begin; }, begin);
     store_components([&](int i) { return reinterpret_cast<double*>(&at(i).course); }, course);

@@ -1,5 +1,5 @@
 // What RayProbe (box8.h) consists of, before it is rounded to floats: one formula for one ray, with
-// Number = double, and for eight side by side, with the Double8 of a set of instructions. Derived in
+// Vector = Vec<double> or the Axes of a set of instructions, and for eight side by side, with Vec<Double8>. Derived in
 // box8.cpp.
 #pragma once
 
@@ -19,46 +19,51 @@ GPHYS_INLINE Number rounding_slack(Number w) {
     return 0x1p-48 * w + smallest_normal;
 }
 
-template <class Number>
+template <class N>
+GPHYS_INLINE void load(const double (&from)[4], Vec<N>& to) {
+    to = {from[0], from[1], from[2]};
+}
+
+template <class Vector>
 struct RaySetup {
-    Number near_origin[3], far_origin[3], back[3];
-    Number along[3];  // has the signs of the direction
-    Number begin[3];
+    using Number = decltype(max_component(Vector()));
+
+    Vector near_origin, far_origin, back;
+    Vector along;  // has the signs of the direction
+    Vector begin;
     Number slack, scale, start, span;
 
-    GPHYS_INLINE RaySetup(const Number (&from)[3], const Number (&direction)[3], const RaysRoot& root) {
-        const Number furthest = largest(absolute(from[0]), largest(absolute(from[1]), absolute(from[2])));
-        slack = rounding_slack(largest(largest(root.extent, furthest), root.radius));
+    GPHYS_INLINE RaySetup(const Vector& from, const Vector& direction, const RaysRoot& root) {
+        slack = rounding_slack(largest(largest(root.extent, max_component(abs(from))), root.radius));
         const Number margin = root.radius + slack;
-        const Number length = largest(absolute(direction[0]), largest(absolute(direction[1]), absolute(direction[2])));
+        const Vector size = abs(direction);
+        const Number length = max_component(size);
         const auto moves = 0 < length;
         scale = select(moves, length, 1);
         const Number to_unit = 1 / scale;
-        for (int k = 0; k < 3; ++k) along[k] = direction[k] * to_unit;
+        along = direction * to_unit;
 
-        const LongestAxis<Number> main(direction);
+        const LongestAxis<Vector> main(direction);
         const Number low = main.of(root.low), high = main.of(root.high);
-        const auto backward = main.of(direction) < 0;
+        const Number from_main = main.of(from), direction_main = main.of(direction);
+        const auto backward = direction_main < 0;
         const Number sense = select(backward, -1, 1);
-        start = largest(0, (select(backward, high, low) - main.of(from)) * sense - margin);
+        start = largest(0, (select(backward, high, low) - from_main) * sense - margin);
         start = select(moves, start, 0);
-        for (int k = 0; k < 3; ++k) begin[k] = from[k] + along[k] * start;
-        span = (select(backward, low, high) - main.of(begin)) * sense + margin;
+        begin = from + along * start;
+        span = (select(backward, low, high) - (from_main + direction_main * to_unit * start)) * sense + margin;
         span = select(moves, span, 0);
         // From further away the ray cannot come back to the root within its span.
-        const Number beyond = largest(absolute(begin[0]), largest(absolute(begin[1]), absolute(begin[2])));
-        const auto never = (span < 0) | (root.extent + span + margin < beyond);
+        const auto never = (span < 0) | (root.extent + span + margin < max_component(abs(begin)));
         span = select(never, -infinity, span);
 
         constexpr double rounding = 5 * 0x1p-24, flushed = 4 * smallest_normal;
         const Number wide = margin + rounding * root.extent + flushed;
-        for (int k = 0; k < 3; ++k) {
-            begin[k] = select(never, 0, begin[k]);
-            const Number width = with_sign(wide + rounding * (absolute(begin[k]) + margin), along[k]);
-            near_origin[k] = begin[k] + width;
-            far_origin[k] = begin[k] - width;
-            back[k] = -scale / with_sign(largest(absolute(direction[k]), 0x1p-68 * scale), direction[k]);
-        }
+        begin = select(never, Vector{}, begin);
+        const Vector width = with_signs(plus(plus(abs(begin), margin) * rounding, wide), along);
+        near_origin = begin + width;
+        far_origin = begin - width;
+        back = quotients(-scale, with_signs(at_least(size, 0x1p-68 * scale), direction));
         // Beyond this the margin alone is wider than any tree: no box can be excluded.
         const auto everything = 0x1p53 < margin;
         if (any(everything)) take_in(everything);
@@ -66,18 +71,36 @@ struct RaySetup {
 
 private:
     GPHYS_INLINE void take_in(decltype(Number() < Number()) everything) {
-        for (int k = 0; k < 3; ++k) {
-            near_origin[k] = select(everything, 0x1p56, near_origin[k]);
-            far_origin[k] = select(everything, -0x1p56, far_origin[k]);
-            back[k] = select(everything, -0x1p68, back[k]);
-            along[k] = select(everything, 0, along[k]);
-            begin[k] = select(everything, 0, begin[k]);
-        }
+        const auto all = [](double value) {
+            Vector of_axes;
+            load({value, value, value, value}, of_axes);
+            return of_axes;
+        };
+        near_origin = select(everything, all(0x1p56), near_origin);
+        far_origin = select(everything, all(-0x1p56), far_origin);
+        back = select(everything, all(-0x1p68), back);
+        along = select(everything, all(0), along);
+        begin = select(everything, all(0), begin);
         slack = select(everything, 0, slack);  // limits are to be floats
         start = select(everything, 0, start);
         span = select(everything, beyond_trees, span);
     }
 };
+
+template <class Vector>
+GPHYS_INLINE void put_probe(const RaySetup<Vector>& setup, RayProbe& probe) {
+    store_narrowed(probe.near_origin, setup.near_origin);
+    store_narrowed(probe.far_origin, setup.far_origin);
+    store_narrowed(probe.back, setup.back);
+    const uint32_t minus = signs_of(setup.along);
+    for (uint32_t k = 0; k < 3; ++k) {
+        const uint32_t backward = (minus >> k & 1) * 24;
+        probe.near_face[k] = 8 * k + backward;
+        probe.far_face[k] = 8 * k + 24 - backward;
+    }
+    store(probe.begin, setup.begin);
+    probe.course = {setup.slack, setup.scale, setup.start, setup.span};
+}
 
 /// What box tests compare with, before it is rounded to a float; negative if the ray meets nothing.
 ///

@@ -52,8 +52,8 @@ inline uint32_t lane_key(const float keys[8], int lane) {
 }
 
 /// Any number of hits, by insertion sort.
-inline int push_by_insertion(StackEntry* stack, int size, const uint32_t children[8], const NodeHits& node,
-                             uint32_t mark) {
+GPHYS_INLINE int push_by_insertion(StackEntry* stack, int size, const uint32_t children[8], const NodeHits& node,
+                                   uint32_t mark) {
     uint32_t sorted[8];  // descending
     int count = 0;
     for (uint32_t rest = node.lanes; rest != 0; rest &= rest - 1) {
@@ -71,8 +71,8 @@ inline int push_by_insertion(StackEntry* stack, int size, const uint32_t childre
 
 #if GPHYS_HAS_AVX2
 /// Up to four hits, by a sorting network of three steps: no unpredictable branch.
-inline int push_by_network_of_four(StackEntry* stack, int size, const uint32_t children[8], const NodeHits& node,
-                                   uint32_t mark) {
+GPHYS_INLINE int push_by_network_of_four(StackEntry* stack, int size, const uint32_t children[8], const NodeHits& node,
+                                         uint32_t mark) {
     int32_t packed;
     std::memcpy(&packed, compress_table.of[node.lanes], sizeof packed);
     const __m128i lanes = _mm_cvtepi8_epi32(_mm_cvtsi32_si128(packed));
@@ -95,16 +95,26 @@ inline int push_by_network_of_four(StackEntry* stack, int size, const uint32_t c
     return size + popcount(node.lanes);
 }
 
-/// Any number of hits, by the network of Batcher's odd-even merge sort (1968).
-inline int push_by_network_of_eight(StackEntry* stack, int size, const uint32_t children[8], const NodeHits& node,
-                                    uint32_t mark) {
+/// Keys with their lanes in them; where nothing is hit all bits are set.
+GPHYS_INLINE __m256i sortable_keys(const NodeHits& node) {
     const __m256i lanes = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
-    const __m256i lane_bit = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
     const __m256i no_lane = _mm256_set1_epi32(static_cast<int>(~lane_field));
-    const __m256i hit = _mm256_and_si256(_mm256_set1_epi32(static_cast<int>(node.lanes)), lane_bit);
-    const __m256i missed = _mm256_cmpeq_epi32(hit, _mm256_setzero_si256());
     const __m256i bits = _mm256_and_si256(_mm256_load_si256(reinterpret_cast<const __m256i*>(node.keys)), no_lane);
-    __m256i sorted = _mm256_or_si256(_mm256_or_si256(bits, lanes), missed);
+    const __m256i keys = _mm256_or_si256(bits, lanes);
+#if GPHYS_ISA_IS(avx512)
+    return _mm256_mask_mov_epi32(_mm256_set1_epi32(-1), static_cast<__mmask8>(node.lanes), keys);
+#else
+    const __m256i lane_bit = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
+    const __m256i hit = _mm256_and_si256(_mm256_set1_epi32(static_cast<int>(node.lanes)), lane_bit);
+    return _mm256_or_si256(keys, _mm256_cmpeq_epi32(hit, _mm256_setzero_si256()));
+#endif
+}
+
+/// Any number of hits, by the network of Batcher's odd-even merge sort (1968).
+GPHYS_INLINE int push_by_network_of_eight(StackEntry* stack, int size, const uint32_t children[8], const NodeHits& node,
+                                          uint32_t mark) {
+    const __m256i no_lane = _mm256_set1_epi32(static_cast<int>(~lane_field));
+    __m256i sorted = sortable_keys(node);
     const auto exchange = [&sorted](int a, int b, int c, int d, int e, int f, int g, int h) {
         const int partner[8] = {a, b, c, d, e, f, g, h};
         const __m256i with = _mm256_setr_epi32(a, b, c, d, e, f, g, h);
@@ -131,15 +141,9 @@ inline int push_by_network_of_eight(StackEntry* stack, int size, const uint32_t 
 #endif
 
 /// Of the lanes that are hit the one with the least key, the first of several; any if there are none.
-inline uint32_t nearest_lane(const NodeHits& node) {
+GPHYS_INLINE uint32_t nearest_lane(const NodeHits& node) {
 #if GPHYS_HAS_AVX2
-    const __m256i lanes = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
-    const __m256i lane_bit = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
-    const __m256i hit = _mm256_and_si256(_mm256_set1_epi32(static_cast<int>(node.lanes)), lane_bit);
-    const __m256i missed = _mm256_cmpeq_epi32(hit, _mm256_setzero_si256());
-    const __m256i no_lane = _mm256_set1_epi32(static_cast<int>(~lane_field));
-    const __m256i bits = _mm256_and_si256(_mm256_load_si256(reinterpret_cast<const __m256i*>(node.keys)), no_lane);
-    const __m256i keys = _mm256_or_si256(_mm256_or_si256(bits, lanes), missed);
+    const __m256i keys = sortable_keys(node);
     __m128i least = _mm_min_epu32(_mm256_castsi256_si128(keys), _mm256_extracti128_si256(keys, 1));
     least = _mm_min_epu32(least, _mm_shuffle_epi32(least, 0x4e));
     least = _mm_min_epu32(least, _mm_shuffle_epi32(least, 0xb1));
@@ -155,7 +159,8 @@ inline uint32_t nearest_lane(const NodeHits& node) {
 }
 
 /// Push the children that are hit, furthest first.
-inline int push_sorted(StackEntry* stack, int size, const uint32_t children[8], const NodeHits& node, bool items) {
+GPHYS_INLINE int push_sorted(StackEntry* stack, int size, const uint32_t children[8], const NodeHits& node,
+                             bool items) {
     const uint32_t mark = items ? item_mark : 0;
 #if GPHYS_HAS_AVX2
     if (popcount(node.lanes) <= 4) return push_by_network_of_four(stack, size, children, node, mark);

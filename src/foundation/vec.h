@@ -5,6 +5,8 @@
 // through memory.
 #pragma once
 
+#include <cstdint>
+
 #include "foundation/numbers.h"
 
 namespace gphys {
@@ -122,12 +124,29 @@ GPHYS_INLINE constexpr Vec<N> quotients(const Vec<N>& a, const Vec<N>& b) {
     return {a.x / b.x, a.y / b.y, a.z / b.z};
 }
 template <class N>
+GPHYS_INLINE constexpr Vec<N> quotients(const Same<N>& s, const Vec<N>& a) {
+    return {s / a.x, s / a.y, s / a.z};
+}
+/// The magnitudes of a with the signs of another vector.
+template <class N>
+GPHYS_INLINE Vec<N> with_signs(const Vec<N>& a, const Vec<N>& sign) {
+    return {with_sign(a.x, sign.x), with_sign(a.y, sign.y), with_sign(a.z, sign.z)};
+}
+template <class N>
+GPHYS_INLINE Vec<N> rounded_to_float(const Vec<N>& a) {
+    return {rounded_to_float(a.x), rounded_to_float(a.y), rounded_to_float(a.z)};
+}
+template <class N>
 GPHYS_INLINE constexpr Vec<N> plus(const Vec<N>& a, const Same<N>& b) {
     return {a.x + b, a.y + b, a.z + b};
 }
 template <class N>
 GPHYS_INLINE constexpr Vec<N> minus(const Vec<N>& a, const Same<N>& b) {
     return {a.x - b, a.y - b, a.z - b};
+}
+template <class N>
+GPHYS_INLINE constexpr Vec<N> at_least(const Vec<N>& a, const Same<N>& b) {
+    return {largest(a.x, b), largest(a.y, b), largest(a.z, b)};
 }
 /// Where it is positive, else 0.
 template <class N>
@@ -188,6 +207,21 @@ template <class N>
 GPHYS_INLINE Vec<N> normalized(const Vec<N>& a) {
     const Vec<N> scaled = a / max_component(abs(a));
     return scaled / length(scaled);
+}
+
+/// Of a vector of doubles: as floats, as it is, and bit k, whether component k has a minus sign.
+GPHYS_INLINE void store_narrowed(float (&to)[4], const Vec<double>& a) {
+    to[0] = static_cast<float>(a.x);
+    to[1] = static_cast<float>(a.y);
+    to[2] = static_cast<float>(a.z);
+}
+GPHYS_INLINE void store(double (&to)[4], const Vec<double>& a) {
+    to[0] = a.x;
+    to[1] = a.y;
+    to[2] = a.z;
+}
+GPHYS_INLINE uint32_t signs_of(const Vec<double>& a) {
+    return uint32_t{std::signbit(a.x)} | uint32_t{std::signbit(a.y)} << 1 | uint32_t{std::signbit(a.z)} << 2;
 }
 
 }  // namespace gphys

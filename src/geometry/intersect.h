@@ -115,7 +115,7 @@ struct TriangleCrossing {
 };
 bool crosses(const Triangle& triangle, const ShearedRay& ray, TriangleCrossing& crossing);
 /// The hit at a crossing. More expensive than crosses(), so computed for the nearest crossing only.
-Hit hit_at(const Triangle& triangle, const ShearedRay& ray, const TriangleCrossing& crossing);
+Hit hit_at(const Triangle& triangle, const Ray& ray, const TriangleCrossing& crossing);
 
 /// The barycentric weights of b and c of a point on the triangle; both 0 if it is degenerate.
 void barycentric(const Triangle& triangle, Vec3 point, double& u, double& v);

@@ -174,13 +174,12 @@ void barycentric(const Triangle& triangle, Vec3 point, double& u, double& v) {
 }
 
 ShearedRay::ShearedRay(const Ray& ray) : Ray(ray) {
-    const Shear<double> shear({ray.direction.x, ray.direction.y, ray.direction.z});
-    constexpr double axes[3] = {0, 1, 2};
-    kx = static_cast<int>(shear.x(axes));
-    ky = static_cast<int>(shear.y(axes));
-    kz = static_cast<int>(shear.z(axes));
-    for (int k = 0; k < 3; ++k) from[k] = ray.origin[k == 0 ? kx : k == 1 ? ky : kz];
-    speed = ray.direction[kz];
+    const SingleShear<Vec3> shear(ray.direction);
+    kx = shear.kx;
+    ky = shear.ky;
+    kz = shear.kz;
+    shear.turn(ray.origin, from);
+    speed = shear.speed;
     sx = shear.sx;
     sy = shear.sy;
     end = ray.t_max;
@@ -249,7 +248,7 @@ bool crosses(const Triangle& triangle, const ShearedRay& ray, TriangleCrossing& 
     return by_the_end;
 }
 
-Hit hit_at(const Triangle& triangle, const ShearedRay& ray, const TriangleCrossing& crossing) {
+Hit hit_at(const Triangle& triangle, const Ray& ray, const TriangleCrossing& crossing) {
     Hit hit;
     hit.t = crossing.t;
     const Vec3 normal = accurate_cross(triangle.a, triangle.b, triangle.a, triangle.c);

@@ -31,7 +31,7 @@ uint32_t Mesh::links_of(const TrianglePacket& packet) const {
 bool Mesh::raycast_links(const Ray& ray, Hit& hit) const {
     Hit first;
     float first_t = std::numeric_limits<float>::infinity();
-    bvh_.raycast(ray, [&](uint32_t number, double& t_max) {
+    bvh_.raycast(ray, ray.t_max, [&](uint32_t number, double& t_max) {
         const TrianglePacket& packet = packets_[number];
         for_each_lane(links_of(packet), [&](int lane) {
             Hit candidate;

@@ -177,21 +177,19 @@ Ray Mesh::magnified(const Ray& ray) const {
     return result;
 }
 
-NearestCrossing Mesh::first_crossing(const PreparedRay& ray) const {
+namespace {
+
+bool crosses_alone(const Ray& ray, const TrianglePacket& packet, uint32_t lane, TriangleCrossing& crossing) {
+    return crosses(packet.triangle(static_cast<int>(lane)), ShearedRay(ray), crossing);
+}
+
+}  // namespace
+
+NearestCrossing Mesh::crossing_by(decltype(MeshKernels::closest) kernel, const Ray& ray) const {
     NearestCrossing nearest;
-    float limit = ray.limit;
-    walk(ray, [&](const TrianglePacket& packet, uint32_t lanes) {
-        const float before = nearest.t;
-        for_each_lane(lanes, [&](int lane) {
-            TriangleCrossing crossing;
-            if (crosses(packet.triangle(lane), ray.sheared, crossing) && counts(crossing, ray.sheared)) {
-                nearest.take(crossing, reported(crossing.t), packet, static_cast<uint32_t>(lane));
-            }
-            return true;
-        });
-        if (nearest.t != before) limit = ray.along.limit(limit_of_ties<double>(nearest.t));
-        return limit;
-    });
+    if (!packets_.empty()) {
+        kernel(bvh_.nodes(), bvh_.root(), packets_.data(), ray, rays_root_, is_hull(), crosses_alone, nearest);
+    }
     return nearest;
 }
 
@@ -204,9 +202,8 @@ gphys_distance distance_of(const NearestCrossing& nearest) { return {nearest.t, 
 bool Mesh::raycast(const Ray& ray, Hit& hit) const {
     if (is_links()) return raycast_links(ray, hit);
     if (magnified_) return magnified_->raycast(magnified(ray), hit) && reduce(hit);
-    if (contains(ray.origin)) return started_inside(ray, hit);
-    const PreparedRay prepared(ray, rays_root_);
-    return hit_at(first_crossing(prepared), prepared.sheared, hit);
+    if (is_hull() && contains(ray.origin)) return started_inside(ray, hit);
+    return hit_at(crossing_by(kernels_.closest, ray), ray, hit);
 }
 
 bool Mesh::raycast_distance(const Ray& ray, gphys_distance& out) const {
@@ -217,7 +214,7 @@ bool Mesh::raycast_distance(const Ray& ray, gphys_distance& out) const {
         return true;
     }
     if (magnified_) return magnified_->raycast_distance(magnified(ray), out);
-    const NearestCrossing nearest = first_crossing(PreparedRay(ray, rays_root_));
+    const NearestCrossing nearest = crossing_by(kernels_.closest, ray);
     out = distance_of(nearest);
     return nearest.triangle != GPHYS_NO_TRIANGLE;
 }
@@ -395,18 +392,8 @@ uint64_t Mesh::raycast_any_many(const Ray* rays, uint32_t count, const MeshPlace
 bool Mesh::raycast_any(const Ray& ray) const {
     if (is_links()) return raycast_any_links(ray);
     if (magnified_) return magnified_->raycast_any(magnified(ray));
-    if (contains(ray.origin)) return true;
-    const PreparedRay prepared(ray, rays_root_);
-    bool found = false;
-    walk(prepared, [&](const TrianglePacket& packet, uint32_t lanes) {
-        for_each_lane(lanes, [&](int lane) {
-            TriangleCrossing crossing;
-            found = crosses(packet.triangle(lane), prepared.sheared, crossing) && counts(crossing, prepared.sheared);
-            return !found;
-        });
-        return found ? -1 : prepared.limit;
-    });
-    return found;
+    if (is_hull() && contains(ray.origin)) return true;
+    return crossing_by(kernels_.any, ray).triangle != GPHYS_NO_TRIANGLE;
 }
 
 bool Mesh::closest_point(Vec3 point, double max_distance, Vec3& out, uint32_t& triangle, const AxisScale& axes) const {

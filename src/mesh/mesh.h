@@ -181,11 +181,6 @@ private:
     bool is_links() const { return kind_ == MeshKind::body_links; }
     /// Whether the rays of a batch are cast one by one.
     bool is_cast_singly() const { return magnified_ || is_links(); }
-    /// Whether a ray that crosses a triangle that way meets the mesh there: a ray from outside a hull enters it by its
-    /// front, also where it touches an edge only.
-    bool counts(const TriangleCrossing& crossing, const Ray& ray) const {
-        return is_hull() ? crossing.facing < 0 : ray.faces.include(crossing.facing > 0);
-    }
     /// The solid overlaps the hull.
     Penetration way_out_of_hull(const Shape& moving, const AxisScale& axes) const;
     /// An upper bound for the coordinates of the Minkowski difference of the hull and a core, both relative to `from`.
@@ -254,7 +249,7 @@ private:
         PreparedRays() {}
         PreparedRay of[rays_at_once];
     };
-    NearestCrossing first_crossing(const PreparedRay& ray) const;
+    NearestCrossing crossing_by(decltype(MeshKernels::closest) kernel, const Ray& ray) const;
     /// Of rays, in the mesh's own space, those that begin in a hull: at(i, hit) for each. Bits of which.
     template <class RayOf, class At>
     uint64_t begin_inside(uint32_t count, const RayOf& ray_of, const At& at) const;
@@ -354,7 +349,7 @@ void Mesh::raycast_all(const Ray& ray, Visit&& visit) const {
 
 template <class Visit>
 void Mesh::raycast_all_links(const Ray& ray, Visit&& visit) const {
-    bvh_.raycast(ray, [&](uint32_t number, double&) {
+    bvh_.raycast(ray, ray.t_max, [&](uint32_t number, double&) {
         const TrianglePacket& packet = packets_[number];
         for_each_lane(links_of(packet), [&](int lane) {
             Hit hit;

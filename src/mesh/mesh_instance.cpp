@@ -1,8 +1,6 @@
 // Queries of a placed mesh: transforms to its local space and back, with bounds for the rounding (mesh_instance.h).
 #include "mesh/mesh_instance.h"
 
-#include "geometry/raycast_box.h"
-
 namespace gphys {
 
 namespace {
@@ -19,17 +17,6 @@ Ray into_mesh(const Ray& ray, const MeshPlace& place) {
     }
     local.faces = ray.faces;
     return local;
-}
-
-/// Whether a ray certainly misses a box.
-bool misses(const Ray& ray, const Box& box) {
-    const Vec3 low{box.min[0], box.min[1], box.min[2]}, high{box.max[0], box.max[1], box.max[2]};
-    const Vec3 center = (low + high) * 0.5, half = (high - low) * 0.5;
-    // A distance has an error of at most 4 * 2^-53 of this sum; its product with a speed adds a rounding.
-    const double magnitude = sum(abs(ray.origin) + abs(center) + half);
-    // Infinity times zero would be NaN. No hit is later than this.
-    const double end = std::min(ray.t_max, 0x1p600);
-    return !RayAndBox<Vec3>(ray.origin - center, half, 0x1p-48 * magnitude, ray.direction, 0, end).may_hit();
 }
 
 void out_of_mesh(Hit& hit, const Transform& world) {
@@ -65,7 +52,7 @@ Box bounds(const MeshInstance& instance) {
 bool raycast(const MeshInstance& instance, const Ray& ray, Hit& hit) {
     const MeshPlace place = instance.place();
     const Ray local = into_mesh(ray, place);
-    if (misses(local, instance.mesh.bounds()) || !instance.mesh.raycast(local, hit)) return false;
+    if (!instance.mesh.raycast(local, hit)) return false;
     instance.mesh.carry_out(hit, ray, place);
     return true;
 }
@@ -83,12 +70,12 @@ bool comes_near(const MeshInstance& instance, const Ray& ray) {
 
 bool raycast_any(const MeshInstance& instance, const Ray& ray) {
     const Ray local = into_mesh(ray, instance.place());
-    return !misses(local, instance.mesh.bounds()) && instance.mesh.raycast_any(local);
+    return instance.mesh.raycast_any(local);
 }
 
 bool raycast_distance(const MeshInstance& instance, const Ray& ray, gphys_distance& out) {
     const Ray local = into_mesh(ray, instance.place());
-    return !misses(local, instance.mesh.bounds()) && instance.mesh.raycast_distance(local, out);
+    return instance.mesh.raycast_distance(local, out);
 }
 
 bool sweep(const MeshInstance& instance, const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties, Faces faces) {

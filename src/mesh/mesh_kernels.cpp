@@ -8,6 +8,7 @@
 #include "bvh/ray_lanes.h"
 #include "foundation/compiler.h"
 #include "geometry/shear.h"
+#include "mesh/single_ray.h"
 #include "mesh/triangle_lanes.h"
 #include "mesh/triangle_setup.h"
 #include "mesh/triangle_test.h"
@@ -20,15 +21,15 @@ GPHYS_INLINE void prefetch_packet(const TrianglePacket* packets, uint32_t number
     prefetch_range(packets + number, sizeof(TrianglePacket));
 }
 
-GPHYS_INLINE void prepare_eight(const Double8 (&origin)[3], const Double8 (&direction)[3], Double8 t_max,
+GPHYS_INLINE void prepare_eight(const Vec<Double8>& origin, const Vec<Double8>& direction, Double8 t_max,
                                 const RaysRoot& root, PreparedRay* eight) {
     const auto at = [&](int i) -> PreparedRay& { return eight[i]; };
-    const RaySetup<Double8> along(origin, direction, root);
+    const RaySetup<Vec<Double8>> along(origin, direction, root);
     const Float8 limits = put_probes(t_max, along, [&](int i) -> RayProbe& { return at(i).along; });
 
     const Shear<Double8> shear(direction);
-    const TriangleSetup<Double8> setup(shear, direction, along.begin, along.slack, along.span < beyond_trees, root);
-    constexpr double number[3] = {0, 1, 2};
+    const TriangleSetup<Vec<Double8>> setup(shear, along.begin, along.slack, along.span < beyond_trees, root);
+    constexpr Vec<double> number{0, 1, 2};
     const auto axis = [](Double8 k) { return integer_bits(narrowed(k)); };
     const Quads8 axes{axis(shear.x(number)), axis(shear.y(number)), axis(shear.z(number)), splat(0)};
     store_quads([&](int i) { return reinterpret_cast<float*>(at(i).triangles.axis); }, axes);
@@ -42,9 +43,9 @@ GPHYS_INLINE void prepare_eight(const Double8 (&origin)[3], const Double8 (&dire
     store_quads([&](int i) { return reinterpret_cast<float*>(&at(i).triangles.rest); },
                 {ahead, splat(1) - ahead, narrowed(setup.margin), narrowed(setup.error)});
 
-    const Double8 begin[4] = {origin[0], origin[1], origin[2], direction[0]},
-                  go[4] = {direction[0], direction[1], direction[2], t_max};
-    const Double8 from[4] = {shear.x(origin), shear.y(origin), shear.z(origin), shear.z(direction)};
+    const Double8 begin[4] = {origin.x, origin.y, origin.z, direction.x},
+                  go[4] = {direction.x, direction.y, direction.z, t_max};
+    const Double8 from[4] = {shear.x(origin), shear.y(origin), shear.z(origin), shear.speed};
     const Double8 rest[4] = {shear.sx, shear.sy, t_max, 0};
     store_components([&](int i) { return &at(i).sheared.origin.x; }, begin);
     store_components([&](int i) { return &at(i).sheared.direction.x; }, go);
@@ -79,13 +80,10 @@ void prepare_placed(const Ray* rays, uint32_t count, const MeshPlace& place, con
     const Vec<Double8> scale = splat3(place.scale);
     for (uint32_t first = 0; first < count; first += 8) {
         const Rays8 eight(rays + first, count - first);
-        const Vec<Double8> from{eight.origin[0], eight.origin[1], eight.origin[2]};
-        const Vec<Double8> along{eight.direction[0], eight.direction[1], eight.direction[2]};
         // MeshPlace::inverse_apply and inverse_apply_to_vector
-        const Vec<Double8> origin = quotients(transpose_times(rotation, from - position), scale);
-        const Vec<Double8> direction = quotients(transpose_times(rotation, along), scale);
-        prepare_eight({origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}, eight.t_max, root,
-                      to + first);
+        const Vec<Double8> origin = quotients(transpose_times(rotation, eight.origin - position), scale);
+        const Vec<Double8> direction = quotients(transpose_times(rotation, eight.direction), scale);
+        prepare_eight(origin, direction, eight.t_max, root, to + first);
     }
 }
 
@@ -122,7 +120,7 @@ public:
     void finish() {
         uint32_t open = (1u << pairs_.count) - 1;
         if (pairs_.count >= worth_eight_lanes) {
-            const Crossings8 crossings(pairs_, rays_);
+            const CrossingsOfPairs crossings(pairs_, rays_);
             for (uint32_t yes = crossings.yes & open; yes != 0; yes &= yes - 1) {
                 const auto i = static_cast<uint32_t>(lowest_bit(yes));
                 if (take(i, crossings[i], crossings.rounded_t[i])) shorten(i, crossings.limit[i]);
@@ -264,6 +262,8 @@ uint32_t lanes_near(const TrianglePacket& packet, const Probe& probe, float limi
 extern const MeshKernels mesh_kernels{prepare,
                                       prepare_placed,
                                       walk_ray,
+                                      cast_ray<ClosestHit>,
+                                      cast_ray<AnyHit>,
                                       walk_rays<ClosestHit>,
                                       walk_rays<AnyHit>,
                                       hits,

@@ -18,6 +18,10 @@ struct PacketVisitor {
 using CrossesTriangle = bool (*)(const PreparedRay& ray, const TrianglePacket& packet, uint32_t lane,
                                  TriangleCrossing& crossing);
 
+/// The same for a ray as it is given.
+using CrossesTriangleAlone = bool (*)(const Ray& ray, const TrianglePacket& packet, uint32_t lane,
+                                      TriangleCrossing& crossing);
+
 struct MeshKernels {
     /// Prepares many rays, with the same bits as one by one. `count` is at least 1. Writes a multiple of eight rays.
     void (*prepare)(const gphys_ray* const* rays, uint32_t count, const RaysRoot& root, PreparedRay* to);
@@ -27,6 +31,12 @@ struct MeshKernels {
     /// Traverses a BVH whose items are the indices of `packets`, roughly front to back.
     void (*ray)(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay& ray,
                 const PacketVisitor& to);
+    /// Where one ray first crosses triangles whose sides it meets, or with `only_front` those whose front it meets;
+    /// and whether it crosses any, of which where is of no interest.
+    void (*closest)(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const Ray& ray,
+                    const RaysRoot& box, bool only_front, CrossesTriangleAlone exact, NearestCrossing& nearest);
+    void (*any)(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const Ray& ray, const RaysRoot& box,
+                bool only_front, CrossesTriangleAlone exact, NearestCrossing& nearest);
     /// Where many rays first cross the triangles, or with `only_front` those whose front they meet; up to
     /// RayPackets::most with the same signs of direction may go together.
     void (*rays)(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay* rays,

@@ -46,7 +46,7 @@ struct NearestCrossing {
 };
 
 /// The whole answer; false if there is none.
-inline bool hit_at(const NearestCrossing& nearest, const ShearedRay& ray, Hit& hit) {
+inline bool hit_at(const NearestCrossing& nearest, const Ray& ray, Hit& hit) {
     if (nearest.triangle == GPHYS_NO_TRIANGLE) return false;
     hit = hit_at(nearest.packet->triangle(static_cast<int>(nearest.lane)), ray, nearest.crossing);
     hit.triangle = nearest.triangle;

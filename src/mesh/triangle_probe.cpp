@@ -9,24 +9,25 @@ namespace {
 
 /// The interface of Shear, for a ray that is sheared already.
 struct KnownShear {
-    explicit KnownShear(const ShearedRay& r) : ray(r), moves(r.direction[r.kz] != 0), sx(r.sx), sy(r.sy) {}
+    explicit KnownShear(const ShearedRay& r) : ray(r), moves(r.speed != 0), speed(r.speed), sx(r.sx), sy(r.sy) {}
 
-    double x(const double (&v)[3]) const { return v[ray.kx]; }
-    double y(const double (&v)[3]) const { return v[ray.ky]; }
-    double z(const double (&v)[3]) const { return v[ray.kz]; }
+    void turn(const Vec3& v, double (&to)[3]) const {
+        to[0] = v[ray.kx];
+        to[1] = v[ray.ky];
+        to[2] = v[ray.kz];
+    }
 
     const ShearedRay& ray;
     bool moves;
-    double sx, sy;
+    double speed, sx, sy;
 };
 
 }  // namespace
 
 TriangleProbe::TriangleProbe(const ShearedRay& ray, const RayProbe& along, const RaysRoot& root)
     : axis{ray.kx, ray.ky, ray.kz} {
-    const double direction[3] = {ray.direction.x, ray.direction.y, ray.direction.z};
-    const TriangleSetup<double> setup(KnownShear(ray), direction, along.begin, along.course.slack, along.excludes(),
-                                      root);
+    const Vec3 begin{along.begin[0], along.begin[1], along.begin[2]};
+    const TriangleSetup<Vec3> setup(KnownShear(ray), begin, along.course.slack, along.excludes(), root);
     for (int k = 0; k < 3; ++k) origin[k] = static_cast<float>(setup.origin[k]);
     across = {{static_cast<float>(setup.slope_x), static_cast<float>(setup.slope_y)},
               {static_cast<float>(setup.error_slope_x), static_cast<float>(setup.error_slope_y)}};

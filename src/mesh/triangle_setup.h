@@ -1,5 +1,5 @@
-// The numbers of a TriangleProbe before they are rounded to float, for one ray with Number = double, or for eight with
-// the Double8 of a kernel.
+// The numbers of a TriangleProbe before they are rounded to float, for one ray with Vector = Vec<double> or the Axes of
+// a kernel, or for eight with Vec<Double8>.
 #pragma once
 
 #include "bvh/ray_setup.h"
@@ -28,27 +28,25 @@ namespace gphys {
 //
 // Nothing overflows: the root is within 2^53 of the beginning, coordinates stay below 2^55 and
 // volumes below 2^111.
-template <class Number>
+template <class Vector>
 struct TriangleSetup {
+    using Number = decltype(max_component(Vector()));
     using Mask = decltype(Number() < Number());
 
     Number origin[3], slope_x, slope_y, error_slope_x, error_slope_y, error, margin, ahead;
 
     /// `begin` and `slack` are those of the ray's probe of boxes in the root, and whether it excludes any.
-    template <class ShearOf, class Begin>
-    GPHYS_INLINE TriangleSetup(const ShearOf& shear, const Number (&direction)[3], const Begin& begin, Number slack,
-                               Mask excludes, const RaysRoot& root) {
-        Number reaches[3], offs[3], origins[3];
-        for (int k = 0; k < 3; ++k) {
-            origins[k] = rounded_to_float(begin[k]);
-            offs[k] = absolute(begin[k] - origins[k]) + slack;
-            reaches[k] = largest(root.high[k] - begin[k], begin[k] - root.low[k]);
-        }
-        const Number off[3] = {shear.x(offs), shear.y(offs), shear.z(offs)};
-        const Number reach[3] = {shear.x(reaches), shear.y(reaches), shear.z(reaches)};
-        origin[0] = shear.x(origins);
-        origin[1] = shear.y(origins);
-        origin[2] = shear.z(origins);
+    template <class ShearOf>
+    GPHYS_INLINE TriangleSetup(const ShearOf& shear, const Vector& begin, Number slack, Mask excludes,
+                               const RaysRoot& root) {
+        Vector low, high;
+        load(root.low, low);
+        load(root.high, high);
+        const Vector origins = rounded_to_float(begin);
+        Number off[3], reach[3];
+        shear.turn(origins, origin);
+        shear.turn(plus(abs(begin - origins), slack), off);
+        shear.turn(max(high - begin, begin - low), reach);
         constexpr double u = 0x1p-24, flushed = 0x1p-124;
         const auto across = [&](int k, Number per_step) {
             return 1.01 * (off[k] + 2 * u * reach[k] + absolute(per_step) * (off[2] + 4 * u * reach[2])) +
@@ -61,7 +59,7 @@ struct TriangleSetup {
         error_slope_y = 3.1 * error_x;
         error = 3 * error_x * error_y + flushed;
         margin = (1.01 * (off[2] + u * reach[2]) + flushed) * (1 + 2 * u);
-        ahead = select(shear.z(direction) < 0, 0, 1);
+        ahead = select(shear.speed < 0, 0, 1);
         const Mask useless = !(shear.moves & excludes);  // nothing to shear along, or beyond floats
         if (any(useless)) let_pass(useless);
     }

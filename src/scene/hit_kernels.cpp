@@ -34,9 +34,7 @@ struct RaysHere {
 
 private:
     GPHYS_INLINE explicit RaysHere(const Rays8& rays)
-        : origin{rays.origin[0], rays.origin[1], rays.origin[2]},
-          direction{rays.direction[0], rays.direction[1], rays.direction[2]},
-          t_max(rays.t_max) {}
+        : origin(rays.origin), direction(rays.direction), t_max(rays.t_max) {}
 };
 
 GPHYS_INLINE void put(Double8 t, const Vec<Double8>& point, const Vec<Double8>& normal, Hits8& hits) {

@@ -130,7 +130,8 @@ gphys_status Scene::raycast_by(const Ray& ray, const Filter& filter, gphys_hit& 
         });
         t_max = rest.t_max;
     };
-    bvh_.raycast(rest, visit, model_memory());
+    // The ray as it is given: the copy would be waited for.
+    bvh_.raycast(ray, rest.t_max, visit, model_memory());
     return first.status();
 }
 
@@ -516,7 +517,7 @@ void Scene::raycast_all_by(const Ray& given, const Filter& filter, Smallest<gphy
     };
     for (const uint32_t slot : unbounded_) test(slot);
     bvh_.raycast(
-        ray, [&](uint32_t slot, double&) { test(slot); }, model_memory());
+        ray, ray.t_max, [&](uint32_t slot, double&) { test(slot); }, model_memory());
 }
 
 gphys_status Scene::raycast(const Ray& ray, uint32_t layers, gphys_hit& out) const {

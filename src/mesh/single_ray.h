@@ -1,0 +1,112 @@
+// One ray alone at the triangles of a mesh, for kernels: set up in registers, walked to the nearest crossing, or to
+// any. Triangles that float tests leave are decided eight at a time, those of a packet, where registers are wide
+// enough.
+#pragma once
+
+#include "bvh/ordered_traversal.h"
+#include "bvh/ray_setup.h"
+#include "foundation/compiler.h"
+#include "foundation/simd_axes.h"
+#include "geometry/shear.h"
+#include "mesh/mesh_kernels.h"
+#include "mesh/triangle_lanes.h"
+#include "mesh/triangle_setup.h"
+#include "mesh/triangle_test.h"
+
+namespace gphys::GPHYS_ISA {
+
+/// What the test in doubles needs of a ray.
+struct RayInDoubles : SingleShear<Axes> {
+    GPHYS_INLINE RayInDoubles(const Axes& origin, const Axes& direction, double end)
+        : SingleShear<Axes>(direction), t_max(end) {
+        turn(origin, from);
+    }
+
+    double from[3], t_max;
+};
+
+GPHYS_INLINE TriangleProbe probe_of_triangles(const RayInDoubles& ray, const RaySetup<Axes>& along,
+                                              const RaysRoot& box) {
+    const TriangleSetup<Axes> setup(ray, along.begin, along.slack, along.span < beyond_trees, box);
+    const auto narrow = [](double value) { return static_cast<float>(value); };
+    TriangleProbe probe;
+    probe.axis[0] = ray.kx, probe.axis[1] = ray.ky, probe.axis[2] = ray.kz;
+    for (int k = 0; k < 3; ++k) probe.origin[k] = narrow(setup.origin[k]);
+    probe.across = {{narrow(setup.slope_x), narrow(setup.slope_y)},
+                    {narrow(setup.error_slope_x), narrow(setup.error_slope_y)}};
+    const float ahead = narrow(setup.ahead);
+    probe.rest = {ahead, 1 - ahead, narrow(setup.margin), narrow(setup.error)};
+    return probe;
+}
+
+/// The nearest crossing so far, among those that count.
+class CountedCrossings {
+public:
+    GPHYS_INLINE CountedCrossings(const Ray& ray, bool only_front, CrossesTriangleAlone exact, NearestCrossing& nearest)
+        : ray_(ray),
+          front_(only_front || ray.faces.front),
+          back_(!only_front && ray.faces.back),
+          edge_(!only_front && ray.faces.front),
+          exact_(exact),
+          nearest_(nearest) {}
+
+    /// Of a packet the lanes that may be crossed.
+    GPHYS_INLINE void take(const TrianglePacket& packet, uint32_t lanes, [[maybe_unused]] const RayInDoubles& ray) {
+        if constexpr (double_register_lanes >= 4) {
+            const CrossingsOfPacket crossings(packet, ray);
+            const uint32_t counted = (front_ ? ~crossings.back : 0) | (back_ ? crossings.back : 0);
+            for (uint32_t yes = crossings.yes & lanes & counted; yes != 0; yes &= yes - 1) {
+                const auto i = static_cast<uint32_t>(lowest_bit(yes));
+                nearest_.take(crossings[i], crossings.rounded_t[i], packet, i);
+            }
+            lanes &= ~(crossings.no | crossings.yes);
+        }
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const auto i = static_cast<uint32_t>(lowest_bit(lanes));
+            TriangleCrossing crossing;
+            if (!exact_(ray_, packet, i, crossing)) continue;
+            if (!(crossing.facing < 0 ? front_ : crossing.facing > 0 ? back_ : edge_)) continue;
+            nearest_.take(crossing, reported(crossing.t), packet, i);
+        }
+    }
+
+private:
+    const Ray& ray_;
+    bool front_, back_, edge_;
+    CrossesTriangleAlone exact_;
+    NearestCrossing& nearest_;
+};
+
+/// Order is ClosestHit or AnyHit.
+template <class Order>
+void cast_ray(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const Ray& ray, const RaysRoot& box,
+              bool only_front, CrossesTriangleAlone exact, NearestCrossing& nearest) {
+    const Axes origin = axes_of(ray.origin), direction = axes_of(ray.direction);
+    const RaySetup<Axes> along(origin, direction, box);
+    const auto limit_at = [&](double t) GPHYS_INLINE_LAMBDA {
+        return static_cast<float>(ray_limit(t, along.slack, along.scale, along.start, along.span));
+    };
+    float limit = limit_at(ray.t_max);
+    if (!(limit >= 0)) return;
+    RayProbe probe;
+    put_probe(along, probe);
+    const RayInDoubles exactly(origin, direction, ray.t_max);
+    const TriangleTest triangles(probe_of_triangles(exactly, along, box));
+    CountedCrossings crossings(ray, only_front, exact, nearest);
+    traverse_ordered(
+        nodes, root, SingleRayTest(probe), limit,
+        [&](uint32_t number) GPHYS_INLINE_LAMBDA {
+            const TrianglePacket& packet = packets[number];
+            const uint32_t lanes = triangles.hits(packet, limit);
+            if (lanes == 0) return limit;
+            const float before = nearest.t;
+            crossings.take(packet, lanes, exactly);
+            if (nearest.t < before) {
+                limit = std::is_same_v<Order, AnyHit> ? -1 : limit_at(limit_of_ties<double>(nearest.t));
+            }
+            return limit;
+        },
+        [](const BvhNode&) {});
+}
+
+}  // namespace gphys::GPHYS_ISA
