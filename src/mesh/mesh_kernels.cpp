@@ -120,7 +120,7 @@ public:
     void finish() {
         uint32_t open = (1u << pairs_.count) - 1;
         if (pairs_.count >= worth_eight_lanes) {
-            const CrossingsOfPairs crossings(pairs_, rays_);
+            const Crossings8 crossings(pairs_, rays_);
             for (uint32_t yes = crossings.yes & open; yes != 0; yes &= yes - 1) {
                 const auto i = static_cast<uint32_t>(lowest_bit(yes));
                 if (take(i, crossings[i], crossings.rounded_t[i])) shorten(i, crossings.limit[i]);

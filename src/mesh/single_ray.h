@@ -1,6 +1,6 @@
 // One ray alone at the triangles of a mesh, for kernels: set up in registers, walked to the nearest crossing, or to
-// any. Triangles that float tests leave are decided eight at a time, those of a packet, where registers are wide
-// enough.
+// any. The triangles that float tests leave are decided one by one: on average less than one, for which eight lanes of
+// doubles take longer with AVX2 and as long with AVX-512.
 #pragma once
 
 #include "bvh/ordered_traversal.h"
@@ -9,23 +9,12 @@
 #include "foundation/simd_axes.h"
 #include "geometry/shear.h"
 #include "mesh/mesh_kernels.h"
-#include "mesh/triangle_lanes.h"
 #include "mesh/triangle_setup.h"
 #include "mesh/triangle_test.h"
 
 namespace gphys::GPHYS_ISA {
 
-/// What the test in doubles needs of a ray.
-struct RayInDoubles : SingleShear<Axes> {
-    GPHYS_INLINE RayInDoubles(const Axes& origin, const Axes& direction, double end)
-        : SingleShear<Axes>(direction), t_max(end) {
-        turn(origin, from);
-    }
-
-    double from[3], t_max;
-};
-
-GPHYS_INLINE TriangleProbe probe_of_triangles(const RayInDoubles& ray, const RaySetup<Axes>& along,
+GPHYS_INLINE TriangleProbe probe_of_triangles(const SingleShear<Axes>& ray, const RaySetup<Axes>& along,
                                               const RaysRoot& box) {
     const TriangleSetup<Axes> setup(ray, along.begin, along.slack, along.span < beyond_trees, box);
     const auto narrow = [](double value) { return static_cast<float>(value); };
@@ -51,16 +40,7 @@ public:
           nearest_(nearest) {}
 
     /// Of a packet the lanes that may be crossed.
-    GPHYS_INLINE void take(const TrianglePacket& packet, uint32_t lanes, [[maybe_unused]] const RayInDoubles& ray) {
-        if constexpr (double_register_lanes >= 4) {
-            const CrossingsOfPacket crossings(packet, ray);
-            const uint32_t counted = (front_ ? ~crossings.back : 0) | (back_ ? crossings.back : 0);
-            for (uint32_t yes = crossings.yes & lanes & counted; yes != 0; yes &= yes - 1) {
-                const auto i = static_cast<uint32_t>(lowest_bit(yes));
-                nearest_.take(crossings[i], crossings.rounded_t[i], packet, i);
-            }
-            lanes &= ~(crossings.no | crossings.yes);
-        }
+    GPHYS_INLINE void take(const TrianglePacket& packet, uint32_t lanes) {
         for (; lanes != 0; lanes &= lanes - 1) {
             const auto i = static_cast<uint32_t>(lowest_bit(lanes));
             TriangleCrossing crossing;
@@ -90,8 +70,7 @@ void cast_ray(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets
     if (!(limit >= 0)) return;
     RayProbe probe;
     put_probe(along, probe);
-    const RayInDoubles exactly(origin, direction, ray.t_max);
-    const TriangleTest triangles(probe_of_triangles(exactly, along, box));
+    const TriangleTest triangles(probe_of_triangles(SingleShear<Axes>(direction), along, box));
     CountedCrossings crossings(ray, only_front, exact, nearest);
     traverse_ordered(
         nodes, root, SingleRayTest(probe), limit,
@@ -100,7 +79,7 @@ void cast_ray(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets
             const uint32_t lanes = triangles.hits(packet, limit);
             if (lanes == 0) return limit;
             const float before = nearest.t;
-            crossings.take(packet, lanes, exactly);
+            crossings.take(packet, lanes);
             if (nearest.t < before) {
                 limit = std::is_same_v<Order, AnyHit> ? -1 : limit_at(limit_of_ties<double>(nearest.t));
             }

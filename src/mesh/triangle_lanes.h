@@ -39,31 +39,28 @@ struct RaysAndTriangles {
     const TrianglePacket* packet[8];
 };
 
-/// What eight lanes say of a ray and a triangle each.
-class Crossings8 {
-public:
+struct Crossings8 {
     uint32_t no, yes;  // the others are open
     double t[8], u[8], v[8];
     float rounded_t[8];  // as it is reported
+    float limit[8];      // where the walk of the ray may end then
     uint32_t back;       // from behind
 
-    GPHYS_INLINE TriangleCrossing operator[](uint32_t i) const {
-        return {t[i], u[i], v[i], (back >> i & 1) != 0 ? 1 : -1};
-    }
+    GPHYS_INLINE Crossings8(const RaysAndTriangles& pairs, const PreparedRay* rays) {
+        const auto ray = [&](int i) -> const PreparedRay& { return rays[pairs.ray[i]]; };
+        const auto first = [&](int i, int k) {
+            return pairs.packet[i]->corner[0][ray(i).triangles.axis[k]] + pairs.lane[i];
+        };
+        Double8 from[4], rest[4], course[4];
+        load_components([&](int i) { return ray(i).sheared.from; }, from);
+        load_components([&](int i) { return &ray(i).sheared.sx; }, rest);
+        load_components([&](int i) { return &ray(i).along.course.slack; }, course);
+        const Double8 speed = from[3], t_max = rest[2];
 
-protected:
-    Crossings8() = default;
-
-    /// Of the ray: its beginning along the axes of its shear, the speed along z, slopes and end. Corner c of a triangle
-    /// along these axes: corner(c). Returns t.
-    template <class Corner>
-    GPHYS_INLINE Double8 decide(const Double8 (&from)[4], Double8 slope_x, Double8 slope_y, Double8 t_max,
-                                const Corner& corner) {
-        const Double8 speed = from[3];
         const auto sheared = [&](int of) {
-            const Vec<Double8> at = corner(of);
-            const Double8 z_of = at.z - from[2];
-            return Vec<Double8>{at.x - from[0] - slope_x * z_of, at.y - from[1] - slope_y * z_of, z_of};
+            const Vec<Double8> corner = corners8(first, of);
+            const Double8 z_of = corner.z - from[2];
+            return Vec<Double8>{corner.x - from[0] - rest[0] * z_of, corner.y - from[1] - rest[1] * z_of, z_of};
         };
         const Vec<Double8> a = sheared(0), b = sheared(1), c = sheared(2);
         const Double8 volume_a = c.x * b.y - c.y * b.x;
@@ -101,38 +98,11 @@ protected:
         store(v, weight_c);
         constexpr double last = std::numeric_limits<float>::max();
         gphys::GPHYS_ISA::store(rounded_t, narrowed(least(last, largest(way, 0.0) + 0.0)));
-        return way;
-    }
-};
-
-/// Of the rays of pairs with their triangles.
-struct CrossingsOfPairs : Crossings8 {
-    float limit[8];  // where the walk of the ray may end then
-
-    GPHYS_INLINE CrossingsOfPairs(const RaysAndTriangles& pairs, const PreparedRay* rays) {
-        const auto ray = [&](int i) -> const PreparedRay& { return rays[pairs.ray[i]]; };
-        const auto first = [&](int i, int k) {
-            return pairs.packet[i]->corner[0][ray(i).triangles.axis[k]] + pairs.lane[i];
-        };
-        Double8 from[4], rest[4], course[4];
-        load_components([&](int i) { return ray(i).sheared.from; }, from);
-        load_components([&](int i) { return &ray(i).sheared.sx; }, rest);
-        load_components([&](int i) { return &ray(i).along.course.slack; }, course);
-        const Double8 way = decide(from, rest[0], rest[1], rest[2], [&](int c) { return corners8(first, c); });
         const Double8 end = limit_of_ties(way);
         gphys::GPHYS_ISA::store(limit, narrowed(ray_limit(end, course[0], course[1], course[2], course[3])));
     }
-};
-
-/// Of one ray with the triangles of a packet.
-struct CrossingsOfPacket : Crossings8 {
-    template <class OfOneRay>
-    GPHYS_INLINE CrossingsOfPacket(const TrianglePacket& packet, const OfOneRay& ray) {
-        const Double8 from[4] = {ray.from[0], ray.from[1], ray.from[2], ray.speed};
-        decide(from, ray.sx, ray.sy, ray.t_max, [&](int c) {
-            const auto coordinate = [&](int axis) { return widened(load_aligned(packet.corner[c][axis])); };
-            return Vec<Double8>{coordinate(ray.kx), coordinate(ray.ky), coordinate(ray.kz)};
-        });
+    GPHYS_INLINE TriangleCrossing operator[](uint32_t i) const {
+        return {t[i], u[i], v[i], (back >> i & 1) != 0 ? 1 : -1};
     }
 };
 
