@@ -7,8 +7,6 @@
 // begins N tenths of a millimetre aside, so that runs differ. With --woven, diagonals and bending are springs on which
 // a particle would swing at so many radians a second; with --shear, diagonals alone. The mesh, if one is given, is made
 // 1.2 m high, and a sheet falls on it.
-#include <time.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -19,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "gamephys_c.h"
+#include "measure.h"
 
 namespace {
 
@@ -31,16 +29,6 @@ struct Options {
     double seconds = 0, max_strain = -1, damping = -1, sleep_speed = 0, woven = 0, shear = 0;
     int substeps = 0, flags = -1;
 };
-
-void check(gphys_status status) {
-    if (status != GPHYS_OK) throw std::runtime_error(gphys_last_error());
-}
-
-double now() {
-    timespec time;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 double distance(const gphys_vec3& a, const gphys_vec3& b) {
     return std::hypot(double{a.x} - b.x, double{a.y} - b.y, double{a.z} - b.z);

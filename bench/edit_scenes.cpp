@@ -4,8 +4,6 @@
 //   gamephys_bench_edits [--only NAME] [--repeat N]
 // "usual" is the shortest of the steps that follow the edit: what is pinned or joined may itself be moved in more time,
 // or less. Steps after an edit of a rope may differ by more than the edit costs, as its motion does.
-#include <time.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -16,22 +14,12 @@
 #include <tuple>
 #include <vector>
 
-#include "gamephys_c.h"
+#include "measure.h"
 
 namespace {
 
 constexpr float frame = 1.0f / 60;
 constexpr float spacing = 0.02f;
-
-void check(gphys_status status) {
-    if (status != GPHYS_OK) throw std::runtime_error(gphys_last_error());
-}
-
-double now() {
-    timespec time;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 /// A body that hangs or flies, a rope of ten links beside it, and a model that nothing touches.
 struct World {

@@ -2,8 +2,6 @@
 // that they touch, and laws that have a closed form. Strain is measured here, from positions, as how much too long and
 // how much too short links are. A run writes tables to standard output:
 //   gamephys_bench_ropes [--only NAME] [--frames N] [--substeps N]
-#include <time.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -15,7 +13,7 @@
 #include <tuple>
 #include <vector>
 
-#include "gamephys_c.h"
+#include "measure.h"
 
 namespace {
 
@@ -29,16 +27,6 @@ struct Options {
 
     bool wants(const std::string& name) const { return only.empty() || name.find(only) != std::string::npos; }
 };
-
-void check(gphys_status status) {
-    if (status != GPHYS_OK) throw std::runtime_error(gphys_last_error());
-}
-
-double now() {
-    timespec time;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 double distance(const gphys_vec3& a, const gphys_vec3& b) {
     return std::hypot(double{a.x} - b.x, double{a.y} - b.y, double{a.z} - b.z);

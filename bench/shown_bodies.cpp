@@ -2,8 +2,6 @@
 // built of its positions each frame, beside the step itself; and rays at it. Frames of the ways are interleaved, so
 // that all see the same motion. A row for each, to standard output:
 //   gamephys_bench_shown [--quick]
-#include <time.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
@@ -11,19 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "gamephys_c.h"
+#include "measure.h"
 
 namespace {
-
-void check(gphys_status status) {
-    if (status != GPHYS_OK) throw std::runtime_error(gphys_last_error());
-}
-
-double now() {
-    timespec time;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return 1e9 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec);
-}
 
 double median(std::vector<double> values) {
     std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 2), values.end());
@@ -69,7 +57,7 @@ struct Sheet {
     double step() {
         const double start = now();
         check(gphys_solver_step(solver, scene, 1.0f / 60));
-        return now() - start;
+        return 1e9 * (now() - start);
     }
     /// A mesh of what it is now, in place of the one before.
     double rebuild() {
@@ -82,7 +70,7 @@ struct Sheet {
                                 static_cast<uint32_t>(indices.size()), &mesh));
         check(gphys_scene_add(seen, GPHYS_SHAPE_MESH, mesh, nullptr, nullptr, &model));
         gphys_mesh_destroy(mesh);
-        return now() - start;
+        return 1e9 * (now() - start);
     }
     /// Nanoseconds a ray; `answers` is a sum over what they met.
     double rays(const std::vector<gphys_ray>& rays, std::vector<gphys_hit>& hits, bool batch, uint64_t& answers) const {
@@ -96,7 +84,7 @@ struct Sheet {
                 if (gphys_scene_raycast(seen, &rays[i], 1, &hits[i]) != GPHYS_OK) hits[i].triangle = GPHYS_NO_TRIANGLE;
             }
         }
-        const double took = (now() - start) / count;
+        const double took = 1e9 * (now() - start) / count;
         for (const gphys_hit& hit : hits) answers += hit.triangle;
         return took;
     }
