@@ -15,17 +15,6 @@ void change_links(Constraints& constraints, uint32_t slot, int by) {
     }
 }
 
-/// edit(): add_to_plan or remove_from_plan. What there is no memory for is planned again, before the next step.
-template <class Edit>
-void change_plan(Body& body, Edit&& edit) {
-    try {
-        body.plan.chains_current = edit();
-    } catch (const std::bad_alloc&) {
-        body.plan.chains_current = false;
-    }
-    interrupt(body);
-}
-
 }  // namespace
 
 void join_links(Constraints& constraints, uint32_t slot) { change_links(constraints, slot, 1); }
@@ -35,6 +24,7 @@ gphys_status add_constraint(Body& body, const DistanceConstraint& constraint, gp
         return fail(GPHYS_ERROR_CAPACITY, "a body has at most 2^24 - 1 constraints");
     }
     reserve_more(body.constraints.by_slot, 1);
+    reserve_plan_edit(body);
     wake(body);
     out = body.constraints.ids.add();
     const uint32_t slot = IdTable::slot_of(out);
@@ -43,7 +33,8 @@ gphys_status add_constraint(Body& body, const DistanceConstraint& constraint, gp
     added = constraint;
     if (added.rest < 0) added.rest = distance(body.particles.position[added.a], body.particles.position[added.b]);
     change_links(body.constraints, slot, 1);
-    change_plan(body, [&] { return add_to_plan(body, slot); });
+    body.plan.chains_current = add_to_plan(body, slot);
+    interrupt(body);
     return GPHYS_OK;
 }
 
@@ -64,12 +55,14 @@ gphys_status set_damping(Body& body, gphys_constraint_id id, double damping) {
 gphys_status remove_constraint(Body& body, gphys_constraint_id id) {
     const gphys_status status = check_constraint(body.constraints, id);
     if (status != GPHYS_OK) return status;
+    reserve_plan_edit(body);
     wake(body);
     const uint32_t slot = IdTable::slot_of(id);
     change_links(body.constraints, slot, -1);
     forget_length_change(body.constraints, slot);
     body.constraints.ids.remove(id);
-    change_plan(body, [&] { return remove_from_plan(body, slot); });
+    body.plan.chains_current = remove_from_plan(body, slot);
+    interrupt(body);
     if (!body.cloth.rest_position.empty()) body.plan.reach_current = false;
     body.cloth.rest_position.clear();
     return GPHYS_OK;

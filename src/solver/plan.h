@@ -52,11 +52,12 @@ gphys_solve_method method_of(const Body& body);
 /// Bring the plan up to date. Throws std::bad_alloc, and then leaves it out of date.
 void update_plan(Body& body);
 
-/// plan_edits.cpp: a constraint that is there is entered into the plan of cloth, or one that is gone taken out of it,
-/// in O(links) without planning again. False if it has to be, and then nothing is changed. They may throw
-/// std::bad_alloc, and have then changed nothing.
+/// plan_edits.cpp: a constraint is entered into the plan of cloth, or one that was removed is taken out of it, in
+/// O(links) without planning again. Returns false, without effect, if the body has to be planned again.
 bool add_to_plan(Body& body, uint32_t slot);
 bool remove_from_plan(Body& body, uint32_t slot);
+/// Call before either: what follows from an edit must not depend on memory. Throws std::bad_alloc.
+void reserve_plan_edit(Body& body);
 
 /// The rest of a plan that came out of a snapshot and has no defect. Throws std::bad_alloc.
 void complete_plan(Body& body);

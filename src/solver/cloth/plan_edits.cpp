@@ -75,13 +75,19 @@ void note_edit(Body& body, const DistanceConstraint& constraint) {
 
 }  // namespace
 
-bool add_to_plan(Body& body, uint32_t slot) {
+void reserve_plan_edit(Body& body) {
     Plan& plan = body.plan;
-    if (!can_edit(plan)) return false;
+    if (!can_edit(plan)) return;
     reserve_more(plan.chains, 1);
     reserve_more(plan.colours, 1);
     reserve_more(plan.particles, 2);
     reserve_more(plan.slots, 1);
+    reserve_more(body.cloth.rigid.changed, 2);
+}
+
+bool add_to_plan(Body& body, uint32_t slot) {
+    Plan& plan = body.plan;
+    if (!can_edit(plan)) return false;
     const DistanceConstraint& constraint = body.constraints.by_slot[slot];
     if (constraint.compliance == 0) body.cloth.rigid.change(constraint.a, constraint.b);
     const size_t colour = colour_for(body, plan, constraint);
@@ -100,7 +106,6 @@ bool add_to_plan(Body& body, uint32_t slot) {
 bool remove_from_plan(Body& body, uint32_t slot) {
     Plan& plan = body.plan;
     if (!can_edit(plan) || method_of(body) != GPHYS_SOLVE_GRAPH) return false;
-    reserve_more(plan.chains, 1);
     const DistanceConstraint& constraint = body.constraints.by_slot[slot];
     if (constraint.compliance == 0) body.cloth.rigid.change(constraint.a, constraint.b);
     const uint32_t link =

@@ -39,7 +39,6 @@ void RigidLinks::list(const Plan& plan, uint32_t particles) {
 }
 
 void RigidLinks::change(uint32_t a, uint32_t b) {
-    reserve_more(changed, 2);
     changed.insert(changed.end(), {a, b});
     begin.clear();
     at.clear();

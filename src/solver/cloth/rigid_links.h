@@ -26,7 +26,7 @@ struct RigidLinks {
 
     /// Those of the chains of a plan. O(links). Throws std::bad_alloc.
     void list(const Plan& plan, uint32_t particles);
-    /// They are to be listed again, as one between two particles came or went.
+    /// They are to be listed again, as one between two particles was added or removed. `changed` needs room for two.
     void change(uint32_t a, uint32_t b);
     /// The same, as any may be another.
     void forget();
