@@ -25,6 +25,7 @@ typedef unsigned char __mmask8;
 #define _MM_HINT_T0 1
 #define _CMP_LT_OS 1
 #define _CMP_LE_OS 2
+#define _CMP_EQ_OS 16
 
 // clang has builtins of these names, with the long of Windows.
 #define _BitScanForward scan_forward
@@ -97,7 +98,9 @@ __m256d _mm256_maskload_pd(const double*, __m256i), _mm256_castsi256_pd(__m256i)
 __m256d _mm256_permute2f128_pd(__m256d, __m256d, int), _mm256_blendv_pd(__m256d, __m256d, __m256d);
 __m256d _mm256_cmp_pd(__m256d, __m256d, int);
 __m128d _mm256_castpd256_pd128(__m256d), _mm256_extractf128_pd(__m256d, int);
-void _mm256_storeu_pd(double*, __m256d);
+__m256d _mm256_permute_pd(__m256d, int), _mm256_permute4x64_pd(__m256d, int);
+double _mm256_cvtsd_f64(__m256d);
+void _mm256_storeu_pd(double*, __m256d), _mm256_store_pd(double*, __m256d);
 int _mm256_movemask_pd(__m256d);
 
 __m256i _mm256_set1_epi32(int), _mm256_set1_epi64x(long long), _mm256_setzero_si256(void);
@@ -111,6 +114,7 @@ __m256i _mm256_min_epi32(__m256i, __m256i), _mm256_max_epi32(__m256i, __m256i);
 __m256i _mm256_unpacklo_epi32(__m256i, __m256i), _mm256_unpackhi_epi32(__m256i, __m256i);
 __m256i _mm256_permutevar8x32_epi32(__m256i, __m256i), _mm256_permute2x128_si256(__m256i, __m256i, int);
 __m256i _mm256_blendv_epi8(__m256i, __m256i, __m256i), _mm256_mask_blend_epi32(__mmask8, __m256i, __m256i);
+__m256i _mm256_mask_mov_epi32(__m256i, __mmask8, __m256i);
 __m128i _mm256_castsi256_si128(__m256i), _mm256_extracti128_si256(__m256i, int);
 void _mm256_storeu_si256(__m256i*, __m256i);
 __mmask8 _mm256_cmpeq_epi32_mask(__m256i, __m256i);
