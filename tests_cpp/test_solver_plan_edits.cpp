@@ -1,5 +1,6 @@
 // Constraints that come and go in cloth: its plan is changed beside them, not made again.
 #include "c_api/handles.h"
+#include "scene_fixture.h"
 #include "snapshots.h"
 #include "solver/solver.h"
 
@@ -128,4 +129,47 @@ TEST_CASE("cloth that is cut down to its threads is planned again as a body with
     CHECK(!plan_of(world, sheet).chains_current);
     world.step(1.0f / 60);
     CHECK(plan_of(world, sheet).method == GPHYS_SOLVE_DIRECT);
+}
+
+TEST_CASE(
+    "an edit of cloth for which there is no memory changes nothing, and one that succeeds is the same with little") {
+    test::CountedMemory memory;
+    const gphys_allocator hooks = memory.hooks();
+    gphys_solver_desc desc = World::desc();
+    World plenty(desc);
+    desc.allocator = &hooks;
+    World scarce(desc);
+    gphys_body_id sheet = 0;
+    for (World* world : {&plenty, &scarce}) {
+        sheet = world->cloth({0, 0, 0}, {1, 0, 0}, {0, 0, 1}, 8, 8);
+        world->pin(sheet, 0);
+        world->step(1.0f / 60);
+    }
+    size_t failures = 0;
+    // Each allocation of a call fails once.
+    const auto edit_both = [&](auto&& call) {
+        REQUIRE(call(plenty.solver) == GPHYS_OK);
+        const uint64_t before = hash(scarce.solver);
+        for (size_t later = 0;; ++later) {
+            memory.failing = memory.allocations + later;
+            const gphys_status status = call(scarce.solver);
+            memory.failing = SIZE_MAX;
+            if (status == GPHYS_OK) break;
+            REQUIRE(status == GPHYS_ERROR_OUT_OF_MEMORY);
+            REQUIRE(hash(scarce.solver) == before);
+            ++failures;
+        }
+        REQUIRE(hash(scarce.solver) == hash(plenty.solver));
+    };
+    for (uint32_t i = 0; i < Plan::most_edits / 2; ++i) {
+        gphys_constraint_id added = 0;
+        edit_both([&](gphys_solver* solver) {
+            return gphys_solver_add_distance(solver, sheet, i, 63 - i, -1, i % 2 ? 0 : 0.01f, &added);
+        });
+        const gphys_constraint_id removed = constraints_of(plenty, sheet)[5 * i];
+        edit_both([&](gphys_solver* solver) { return gphys_solver_remove_constraint(solver, sheet, removed); });
+    }
+    CHECK(failures > 0);
+    for (World* world : {&plenty, &scarce}) world->step(1.0f / 60);
+    CHECK(hash(scarce.solver) == hash(plenty.solver));
 }
