@@ -6,7 +6,6 @@
 #include "solver/state.h"
 
 namespace gphys {
-namespace {
 
 void change_links(Constraints& constraints, uint32_t slot, int by) {
     for (const uint32_t p : {constraints.by_slot[slot].a, constraints.by_slot[slot].b}) {
@@ -15,16 +14,12 @@ void change_links(Constraints& constraints, uint32_t slot, int by) {
     }
 }
 
-}  // namespace
-
-void join_links(Constraints& constraints, uint32_t slot) { change_links(constraints, slot, 1); }
-
 gphys_status add_constraint(Body& body, const DistanceConstraint& constraint, gphys_constraint_id& out) {
     if (!body.constraints.ids.reserve(1)) {
         return fail(GPHYS_ERROR_CAPACITY, "a body has at most 2^24 - 1 constraints");
     }
     reserve_more(body.constraints.by_slot, 1);
-    reserve_plan_edit(body);
+    const bool in_plan = can_add_to_plan(body);
     wake(body);
     out = body.constraints.ids.add();
     const uint32_t slot = IdTable::slot_of(out);
@@ -33,7 +28,8 @@ gphys_status add_constraint(Body& body, const DistanceConstraint& constraint, gp
     added = constraint;
     if (added.rest < 0) added.rest = distance(body.particles.position[added.a], body.particles.position[added.b]);
     change_links(body.constraints, slot, 1);
-    body.plan.chains_current = add_to_plan(body, slot);
+    body.plan.chains_current = in_plan;
+    if (in_plan) add_to_plan(body, slot);
     interrupt(body);
     return GPHYS_OK;
 }
@@ -55,13 +51,14 @@ gphys_status set_damping(Body& body, gphys_constraint_id id, double damping) {
 gphys_status remove_constraint(Body& body, gphys_constraint_id id) {
     const gphys_status status = check_constraint(body.constraints, id);
     if (status != GPHYS_OK) return status;
-    reserve_plan_edit(body);
-    wake(body);
     const uint32_t slot = IdTable::slot_of(id);
+    const bool in_plan = can_remove_from_plan(body, slot);
+    wake(body);
     change_links(body.constraints, slot, -1);
     forget_length_change(body.constraints, slot);
     body.constraints.ids.remove(id);
-    body.plan.chains_current = remove_from_plan(body, slot);
+    body.plan.chains_current = in_plan;
+    if (in_plan) remove_from_plan(body, slot);
     interrupt(body);
     if (!body.cloth.rest_position.empty()) body.plan.reach_current = false;
     body.cloth.rest_position.clear();

@@ -75,8 +75,8 @@ struct ConstraintOrder {
 };
 
 // Of a body. What may fail, by status or std::bad_alloc, has then changed nothing; else it wakes the body.
-/// Enter a constraint that is there among the links of its particles.
-void join_links(Constraints& constraints, uint32_t slot);
+/// Adds a constraint to the links of its particles (by = 1), or removes it (-1).
+void change_links(Constraints& constraints, uint32_t slot, int by);
 /// rest < 0: the present distance.
 gphys_status add_constraint(Body& body, const DistanceConstraint& constraint, gphys_constraint_id& out);
 /// GPHYS_OK, or the failure that names a stale id.

@@ -49,15 +49,19 @@ struct Plan {
 
 /// Which method suits the constraints. O(particles). Throws std::bad_alloc.
 gphys_solve_method method_of(const Body& body);
+/// The same of a body whose particles have so many constraints.
+gphys_solve_method method_of(const Body& body, uint32_t constraints);
 /// Bring the plan up to date. Throws std::bad_alloc, and then leaves it out of date.
 void update_plan(Body& body);
 
-/// plan_edits.cpp: a constraint is entered into the plan of cloth, or one that was removed is taken out of it, in
-/// O(links) without planning again. Returns false, without effect, if the body has to be planned again.
-bool add_to_plan(Body& body, uint32_t slot);
-bool remove_from_plan(Body& body, uint32_t slot);
-/// Call before either: what follows from an edit must not depend on memory. Throws std::bad_alloc.
-void reserve_plan_edit(Body& body);
+/// plan_edits.cpp: whether a constraint can be added to or removed from the plan of cloth without planning the body
+/// again. Call before anything changes, because it makes room: what an edit leads to must not depend on memory. Throws
+/// std::bad_alloc.
+bool can_add_to_plan(Body& body);
+bool can_remove_from_plan(Body& body, uint32_t slot);
+/// O(links). Call after the constraint was added, or removed.
+void add_to_plan(Body& body, uint32_t slot);
+void remove_from_plan(Body& body, uint32_t slot);
 
 /// The rest of a plan that came out of a snapshot and has no defect. Throws std::bad_alloc.
 void complete_plan(Body& body);

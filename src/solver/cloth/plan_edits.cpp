@@ -5,9 +5,17 @@
 namespace gphys {
 namespace {
 
-/// Whether the plan is there, and not so much changed since the last step that planning again is cheaper.
-bool can_edit(const Plan& plan) {
-    return plan.chains_current && plan.method == GPHYS_SOLVE_GRAPH && plan.edits < Plan::most_edits;
+/// Whether a body that loses a constraint is still a graph with a ring.
+bool has_ring_without(Body& body, uint32_t slot) {
+    struct Without {
+        Constraints& constraints;
+        uint32_t slot;
+
+        Without(Constraints& c, uint32_t removed) : constraints(c), slot(removed) { change_links(c, slot, -1); }
+        ~Without() { change_links(constraints, slot, 1); }
+    };
+    const Without without(body.constraints, slot);
+    return method_of(body, body.constraints.ids.size() - 1) == GPHYS_SOLVE_GRAPH;
 }
 
 uint32_t end_particle(const Chain& chain) { return chain.first_particle + chain.link_count + 1; }
@@ -75,19 +83,21 @@ void note_edit(Body& body, const DistanceConstraint& constraint) {
 
 }  // namespace
 
-void reserve_plan_edit(Body& body) {
+bool can_add_to_plan(Body& body) {
     Plan& plan = body.plan;
-    if (!can_edit(plan)) return;
+    if (!plan.chains_current || plan.method != GPHYS_SOLVE_GRAPH || plan.edits == Plan::most_edits) return false;
     reserve_more(plan.chains, 1);
     reserve_more(plan.colours, 1);
     reserve_more(plan.particles, 2);
     reserve_more(plan.slots, 1);
     reserve_more(body.cloth.rigid.changed, 2);
+    return true;
 }
 
-bool add_to_plan(Body& body, uint32_t slot) {
+bool can_remove_from_plan(Body& body, uint32_t slot) { return can_add_to_plan(body) && has_ring_without(body, slot); }
+
+void add_to_plan(Body& body, uint32_t slot) {
     Plan& plan = body.plan;
-    if (!can_edit(plan)) return false;
     const DistanceConstraint& constraint = body.constraints.by_slot[slot];
     if (constraint.compliance == 0) body.cloth.rigid.change(constraint.a, constraint.b);
     const size_t colour = colour_for(body, plan, constraint);
@@ -100,12 +110,10 @@ bool add_to_plan(Body& body, uint32_t slot) {
     number_chains(plan, chain);
     for (size_t i = colour + 1; i < plan.colours.size(); ++i) ++plan.colours[i];
     note_edit(body, constraint);
-    return true;
 }
 
-bool remove_from_plan(Body& body, uint32_t slot) {
+void remove_from_plan(Body& body, uint32_t slot) {
     Plan& plan = body.plan;
-    if (!can_edit(plan) || method_of(body) != GPHYS_SOLVE_GRAPH) return false;
     const DistanceConstraint& constraint = body.constraints.by_slot[slot];
     if (constraint.compliance == 0) body.cloth.rigid.change(constraint.a, constraint.b);
     const uint32_t link =
@@ -130,7 +138,6 @@ bool remove_from_plan(Body& body, uint32_t slot) {
     for (uint32_t part = parts; part-- > 0;) move_behind_longer(plan, i + part, end);
     if (*colour == *(colour - 1)) plan.colours.erase(colour);
     note_edit(body, constraint);
-    return true;
 }
 
 }  // namespace gphys

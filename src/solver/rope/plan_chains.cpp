@@ -81,8 +81,7 @@ uint32_t longest_chain(const Plan& plan) {
 }  // namespace
 
 /// In trees, walking inward from all ends passes every constraint.
-gphys_solve_method method_of(const Body& body) {
-    const uint32_t constraint_count = body.constraints.ids.size();
+gphys_solve_method method_of(const Body& body, uint32_t constraint_count) {
     if (body.cloth.volume.held) return GPHYS_SOLVE_GRAPH;
     if (constraint_count == 0) return GPHYS_SOLVE_FREE;
     for (const Links& links : body.constraints.links) {
@@ -93,6 +92,8 @@ gphys_solve_method method_of(const Body& body) {
         body, [](uint32_t) {}, [&](uint32_t, uint32_t) { ++passed; });
     return passed == constraint_count ? GPHYS_SOLVE_DIRECT : GPHYS_SOLVE_GRAPH;
 }
+
+gphys_solve_method method_of(const Body& body) { return method_of(body, body.constraints.ids.size()); }
 
 namespace {
 

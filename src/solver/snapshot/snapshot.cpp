@@ -144,7 +144,7 @@ void write(Sink& sink, const SolverState& state) {
 void complete(Body& body) {
     body.constraints.links.resize(body.particles.size());
     for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
-        if (body.constraints.ids.live(slot)) join_links(body.constraints, slot);
+        if (body.constraints.ids.live(slot)) change_links(body.constraints, slot, 1);
     }
     body.particles.forced = std::any_of(body.particles.force.begin(), body.particles.force.end(),
                                         [](Vec3 force) { return force != Vec3{}; });
