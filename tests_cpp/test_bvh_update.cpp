@@ -191,7 +191,9 @@ TEST_CASE("items that jump one by one leave an octree as good as items removed a
         items.build(replaced);
         for (uint32_t change = 0; change < 3 * items.count(); ++change) {
             const uint32_t i = change % items.count();
-            items.boxes[i] = box_at(random.direction() * random.uniform(0, 50), random.uniform(0.4, 2));
+            // One after the other: compilers differ in the order of arguments, and the data would, too.
+            const double size = random.uniform(0.4, 2), distance = random.uniform(0, 50);
+            items.boxes[i] = box_at(random.direction() * distance, size);
             updated.update(i, items.boxes[i]);
             replaced.remove(i);
             replaced.insert(i, items.boxes[i]);
@@ -203,7 +205,7 @@ TEST_CASE("items that jump one by one leave an octree as good as items removed a
         cost_built += cost_of_build(items);
     }
     REQUIRE(cost_updated <= 1.02f * cost_replaced);
-    REQUIRE(cost_updated <= 1.38f * cost_built);
+    REQUIRE(cost_updated <= 1.36f * cost_built);
 }
 
 TEST_CASE("an octree stays good and small while its items wander one by one, come and go") {
