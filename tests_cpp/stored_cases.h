@@ -58,7 +58,7 @@ struct Tally {
     /// Whether the verdict agrees with the exact answer.
     bool add(TriState verdict, bool truth) {
         ++(verdict == TriState::no ? no : verdict == TriState::yes ? yes : open);
-        return verdict == TriState::open || (verdict == TriState::yes) == truth;
+        return verdict == TriState::undecided || (verdict == TriState::yes) == truth;
     }
 };
 inline std::ostream& operator<<(std::ostream& out, const Tally& tally) {
@@ -67,7 +67,7 @@ inline std::ostream& operator<<(std::ostream& out, const Tally& tally) {
 
 /// That of one of eight questions.
 inline TriState verdict_of(const TriStates8& verdicts, int k) {
-    return verdict_of((verdicts.no >> k & 1) != 0, (verdicts.yes >> k & 1) != 0);
+    return tri_state((verdicts.no >> k & 1) != 0, (verdicts.yes >> k & 1) != 0);
 }
 
 /// As scenes keep models.

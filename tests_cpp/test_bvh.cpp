@@ -489,9 +489,9 @@ TEST_CASE("queries side by side find in an octree what each finds alone, on ever
                 Bvh8 tree(std::pmr::get_default_resource(), isa);
                 build(tree, items);
                 for (int round = 0; round < 10; ++round) {
-                    const uint32_t queries = 1 + random.index(OverlapItems::most_queries);
-                    Box boxes[OverlapItems::most_queries];
-                    Sphere balls[OverlapItems::most_queries];
+                    const uint32_t queries = 1 + random.index(OverlapItems::max_queries);
+                    Box boxes[OverlapItems::max_queries];
+                    Sphere balls[OverlapItems::max_queries];
                     for (uint32_t k = 0; k < queries; ++k) {
                         boxes[k] = random_box(random, kind);
                         const Vec3 low{boxes[k].min[0], boxes[k].min[1], boxes[k].min[2]};
@@ -499,7 +499,7 @@ TEST_CASE("queries side by side find in an octree what each finds alone, on ever
                         balls[k] = {low, size};
                         if (random.index(2)) boxes[k] = bounds(balls[k]);
                     }
-                    OverlapItems met[OverlapItems::most_queries];
+                    OverlapItems met[OverlapItems::max_queries];
                     tree.overlap_boxes(boxes, queries, {}, {}, met);
                     for (uint32_t k = 0; k < queries; ++k) {
                         compare(met[k], [&](const auto& visit) { tree.overlap_box(boxes[k], visit); });

@@ -285,7 +285,7 @@ TEST_CASE("the box around a node is that around its lanes in use, on any instruc
         }
         for (const Isa isa : test::isas()) {
             Box same;
-            bvh_kernels(isa).around(node, same);
+            bvh_kernels(isa).node_bounds(node, same);
             REQUIRE(same == around);
         }
     }

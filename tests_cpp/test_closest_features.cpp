@@ -131,7 +131,7 @@ TEST_CASE("of a packet's triangles those behind a plane are left out, and no oth
                 REQUIRE(kernels.find(&of.box, &packet, 1, probe, &near) == 1);
                 uint32_t open_lanes = 0;
                 std::feclearexcept(FE_ALL_EXCEPT);
-                const uint32_t left = kernels.leave_out(&near, 1, probe, HalfSpaceProbe(normal, height), &open_lanes);
+                const uint32_t left = kernels.cull(&near, 1, probe, HalfSpaceProbe(normal, height), &open_lanes);
                 REQUIRE(std::fetestexcept(trapped) == 0);
                 const double margin = 4e-6 * extent(*of.mesh, point);
                 for_each_lane(packet->lanes(), [&](int lane) {
@@ -260,7 +260,7 @@ TEST_CASE("parts around points of a scene come nearest first, without those behi
             };
             REQUIRE(parts->select_point(i) >= expected.size());
             ClosestFeature part;
-            for (uint32_t k = random.index(3); k > 0 && parts->take_nearest(part); --k) {
+            for (uint32_t k = random.index(3); k > 0 && parts->pop_nearest(part); --k) {
                 takes(part);
                 // Across the way to it or anyhow.
                 const Vec3 normal = random.index(4) ? part.normal : random.direction();
@@ -273,9 +273,9 @@ TEST_CASE("parts around points of a scene come nearest first, without those behi
                 expected.erase(behind, expected.end());
             }
             double bound = infinity;
-            parts->for_each_left([&](uint32_t, double distance) { bound = std::min(bound, distance); });
+            parts->for_each_remaining([&](uint32_t, double distance) { bound = std::min(bound, distance); });
             const size_t left = expected.size();
-            while (parts->take_nearest(part)) {
+            while (parts->pop_nearest(part)) {
                 if (expected.size() == left) REQUIRE(bound <= part.distance);
                 takes(part);
             }
@@ -304,7 +304,7 @@ TEST_CASE("parts are told to be too many, and none is missing unless") {
         size_t expected = 0, found = 0;
         mesh->for_each_overlap(ball, [&](uint32_t) { return ++expected, true; });
         parts->select_point(0);
-        for (ClosestFeature part; parts->take_nearest(part);) ++found;
+        for (ClosestFeature part; parts->pop_nearest(part);) ++found;
         REQUIRE(found <= expected);
         if (complete) REQUIRE(found == expected);
         if (expected > 8 * 128) REQUIRE(!complete);

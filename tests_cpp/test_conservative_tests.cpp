@@ -73,10 +73,10 @@ TEST_CASE("quick tests of boxes never contradict the exact ones") {
         cases.next();
         Tally& tally = cases.coarse() ? coarse : fine;
         const Aabb aabb = widen(cases.aabb());
-        REQUIRE(agree(cases, tally, ConservativeBlock(as_obb(aabb)),
+        REQUIRE(agree(cases, tally, ConservativeBoxQuery(as_obb(aabb)),
                       [&](const auto& shape) { return overlaps(Shape(aabb), Shape(shape)); }));
         const Obb obb = widen(cases.obb());
-        REQUIRE(agree(cases, tally, ConservativeBlock(obb),
+        REQUIRE(agree(cases, tally, ConservativeBoxQuery(obb),
                       [&](const auto& shape) { return overlaps(Shape(obb), Shape(shape)); }));
     }
     CHECK(fine.no > 10000);
@@ -255,9 +255,9 @@ TEST_CASE("of eight boxes at once a ball is told the truth, or nothing, and the 
             radius = static_cast<float>(length(center - eight.closest(center)));
         }
         query = Sphere{center, radius};
-        return [ball = BallLanes(center, radius)](const SceneKernels& kernels, const float* quads,
-                                                  const uint32_t* first_quad) {
-            return kernels.boxes_near(quads, first_quad, ball);
+        return [ball = SphereQueryLanes(center, radius)](const SceneKernels& kernels, const float* quads,
+                                                         const uint32_t* first_quad) {
+            return kernels.boxes_and_sphere(quads, first_quad, ball);
         };
     });
 }
@@ -274,9 +274,10 @@ TEST_CASE("of eight boxes at once a box is told the truth, or nothing, and the s
         }
         const Aabb box = widen(gphys_aabb{narrow(center - half), narrow(center + half)});
         query = box;
-        return [block = BlockLanes(box)](const SceneKernels& kernels, const float* quads, const uint32_t* first_quad) {
-            return kernels.boxes_in_block(quads, first_quad, block);
-        };
+        return
+            [block = BoxQueryLanes(box)](const SceneKernels& kernels, const float* quads, const uint32_t* first_quad) {
+                return kernels.boxes_and_box(quads, first_quad, block);
+            };
     });
 }
 
@@ -305,11 +306,11 @@ TEST_CASE("quick tests raise no floating-point exception, however far the ray an
     const auto fill = [](auto& eight, const auto* one) { std::fill_n(eight, 8, one); };
     for (const Isa isa : test::isas()) {
         const SceneKernels& kernels = scene_kernels(isa);
-        kernels.boxes_near(&stored.world.position.x, same, BallLanes({-1e15, 1e15, 1e15}, 1e15));
-        kernels.boxes_near(&stored.world.position.x, same, BallLanes({}, 0));
-        kernels.boxes_in_block(&stored.world.position.x, same,
-                               BlockLanes(Aabb{{-1e15, -1e15, -1e15}, {1e15, 1e15, 1e15}}));
-        kernels.boxes_in_block(&stored.world.position.x, same, BlockLanes(Aabb{}));
+        kernels.boxes_and_sphere(&stored.world.position.x, same, SphereQueryLanes({-1e15, 1e15, 1e15}, 1e15));
+        kernels.boxes_and_sphere(&stored.world.position.x, same, SphereQueryLanes({}, 0));
+        kernels.boxes_and_box(&stored.world.position.x, same,
+                              BoxQueryLanes(Aabb{{-1e15, -1e15, -1e15}, {1e15, 1e15, 1e15}}));
+        kernels.boxes_and_box(&stored.world.position.x, same, BoxQueryLanes(Aabb{}));
         for (const Vec3 direction : {Vec3{1, 0, 0}, Vec3{1e-45, 0, 0}, Vec3{1e15, 1e15, 1e15}, Vec3{}}) {
             for (const double t_max : {infinity, 0.0, -1.0, 1e38}) {
                 const Ray ray{{-1e15, 0, 1e15}, direction, t_max};

@@ -62,7 +62,7 @@ TEST_CASE("of eight rays each gets the hit that it gets alone, or is left open, 
             Hit hit;
             const bool truth = eight.meets(k, hit);
             if (verdict == TriState::yes) REQUIRE(same_hit(hits, k, hit));
-            if (verdict == TriState::open && truth && hit.flags != 0) {
+            if (verdict == TriState::undecided && truth && hit.flags != 0) {
                 ++tallies.inside;
             } else {
                 REQUIRE(eight.tally_of(k, tallies).add(verdict, truth));

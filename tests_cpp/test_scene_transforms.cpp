@@ -208,11 +208,11 @@ TEST_CASE("the boxes of eight turned Aabbs at once are those of each, on any ins
         }
         for (const Isa isa : test::isas()) {
             Box8 boxes;
-            const uint32_t known = bounds_kernels(isa).turned_aabbs(models, boxes);
+            const uint32_t known = bounds_kernels(isa).rotated_aabbs(models, boxes);
             for (int k = 0; k < 8; ++k) {
                 const Stored& one = stored[7 - k];
                 const bool known_one = (known >> k & 1) != 0;
-                REQUIRE(known_one == (is_turned(one.world.rotation) && is_centered(one.box)));
+                REQUIRE(known_one == (is_rotated(one.world.rotation) && is_centered(one.box)));
                 if (!known_one) continue;
                 ++told;
                 const Box truth = conservative_bounds(one.box, one.world), box = boxes.lane(k);

@@ -84,7 +84,7 @@ TEST_CASE("planes and boxes are swept as the scene sweeps them") {
         Hit quick, exact;
         const TriState verdict = flat.sweep(moving, way, quick);
         ++counts[static_cast<int>(verdict)];
-        if (verdict == TriState::open) continue;
+        if (verdict == TriState::undecided) continue;
         const bool met = scene.sweep_model(model, moving, way, exact);
         CAPTURE(i, moving.radius, quick.t, exact.t);
         if (met != (verdict == TriState::yes)) {  // at the very end of the way, or at an edge
@@ -100,7 +100,7 @@ TEST_CASE("planes and boxes are swept as the scene sweeps them") {
     }
     CHECK(counts[static_cast<int>(TriState::yes)] > 4000);
     CHECK(counts[static_cast<int>(TriState::no)] > 20000);
-    figure("sweeps left open", counts[static_cast<int>(TriState::open)] / 60000.0, "");
+    figure("sweeps left open", counts[static_cast<int>(TriState::undecided)] / 60000.0, "");
 
     Scene scene(nullptr);
     const gphys_sphere ball{{0, 0, 0}, 1};

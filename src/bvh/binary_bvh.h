@@ -1,7 +1,10 @@
-// Top-down construction of a binary BVH: a range of boxes is split until each part fits into a leaf. Eight-wide BVHs
-// are made from it by collapsing levels, so that the sum of the areas of all nodes, which rays visit in proportion to
-// it, is least. The collapse is found by dynamic programming from the leaves up (Ylitie, Karras, Laine, "Efficient
-// Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", 2017, section 3).
+// A binary BVH, built top-down: a range of boxes is split (sah.h) until each part fits into a leaf. An eight-wide BVH
+// is made from it by collapsing levels.
+//
+// A random ray visits a node in proportion to the node's surface area. So the collapse minimises the sum of the areas
+// of all wide nodes, by dynamic programming from the leaves up (Ylitie, Karras, Laine, "Efficient Incoherent Ray
+// Traversal on GPUs Through Compressed Wide BVHs", 2017, section 3). To collapse every three levels into one would be
+// simpler, but gives nodes with few children where leaves lie at different depths.
 #pragma once
 
 #include "bvh/sah.h"
@@ -15,50 +18,50 @@ class BinaryBvh {
 public:
     static constexpr uint32_t none = 0xffffffffu;
 
-    /// Of the items that `cut` halves: where the halves are cut, unless they are leaves.
-    struct Cut {
-        uint32_t below[2];
-        uint32_t height;  // levels of cuts, at least 1
-        uint32_t shares;  // see share()
+    /// An inner node. It is known by the index of the first item of its second child.
+    struct Split {
+        uint32_t children[2];  // none: a leaf
+        uint32_t height;       // levels of inner nodes from here down, at least 1
+        uint32_t left_shares;  // see left_share()
 
-        /// Of at most `nodes` eight-wide nodes, from 2 to 8, that are to hold these items: how many the first half
-        /// gets. 0: one node for both is best, which is not asked of 8.
-        uint32_t share(uint32_t nodes) const { return shares >> (4 * (nodes - 2)) & 15; }
+        /// The best way to hold these items in at most `nodes` wide nodes, 2 to 8: the number of nodes for the first
+        /// child. 0: one node for both children is best; never for 8.
+        uint32_t left_share(uint32_t nodes) const { return left_shares >> (4 * (nodes - 2)) & 15; }
     };
 
-    /// Puts the items in order. No leaf is below more than `max_height` cuts, which must be enough
-    /// to halve that often. Workers share the work; the result is the same for any number of them.
+    /// Sorts the items into the order of the leaves. No leaf has more than `max_height` inner nodes above it;
+    /// max_height must suffice for halving down to leaves. The result does not depend on the number of workers.
     BinaryBvh(Vector<BoxedItem>& items, uint32_t max_height, const Workers* workers);
 
-    /// Cuts are known by the index of the first item behind them. none: all is one leaf.
+    /// none: all items are in one leaf.
     uint32_t root() const { return root_; }
-    const Cut& operator[](uint32_t cut) const { return slots_[cut].cut; }
-    uint32_t height(uint32_t cut) const { return cut == none ? 0 : slots_[cut].cut.height; }
+    const Split& operator[](uint32_t split_at) const { return slots_[split_at].split; }
+    uint32_t height(uint32_t split_at) const { return split_at == none ? 0 : slots_[split_at].split.height; }
 
 private:
-    /// First a place for an item on its way, then for the cut before that item.
+    /// Scratch memory of the partition until the range is split, then the inner node.
     union Slot {
         Slot() {}
         BoxedItem item;
-        Cut cut;
+        Split split;
     };
     struct Range {
         uint32_t first = 0, last = 0, max_height = 0;
         uint32_t size() const { return last - first; }
     };
 
-    struct Part {
-        uint32_t cut = none;
+    struct Subtree {
+        uint32_t split_at = none;
         Box box;
-        /// The least sum of half areas of nodes, with all below them, if there are at most i + 1 on top.
+        /// cost[i]: the least sum of half areas of all wide nodes, with at most i + 1 of them at the top.
         double cost[7];
     };
 
     uint32_t split(Range range);
-    static Part leaf(const Box& box);
-    Part join(uint32_t cut, const Part& low, const Part& high);
-    Part cut_all(Range range);
-    Part cut_shared(Range whole, const Workers& workers);
+    static Subtree leaf(const Box& box);
+    Subtree join(uint32_t split_at, const Subtree& low, const Subtree& high);
+    Subtree build_range(Range range);
+    Subtree build_parallel(Range whole, const Workers& workers);
 
     BoxedItem* items_;
     Vector<Slot> slots_;

@@ -1,3 +1,4 @@
+// The probes of box8.h: rounding to float, with the derivations of all margins.
 #include "bvh/box8.h"
 
 #include "bvh/ray_setup.h"
@@ -24,47 +25,45 @@ double largest_coordinate(const Box& box) {
 // to where the main axis enters the root box, which keeps all numbers as small as the tree.
 //
 // Let u = 2^-24, b the face of a box and E the largest coordinate of the root. For d > 0 the entry into
-// a box is (b - o) / d. Computed is (b - o') i, where i is a float that is 1 / d within a factor of 1 + u,
-// and o' is the origin as seen from the face. With the inverse there are three roundings of at most
-// (|b| + |o'|) / d: the result is off by less than 3.1 u (E + |o'|) / d, besides what is below the smallest
-// normal float and may be flushed to zero, three times. With o' that much ahead of the origin, another
-// u |o'| for its own rounding and the slack, the computed entry is no later than the true one; with o' as
-// far behind, the computed exit is no earlier. A ray that meets the box has entry <= exit in truth, and
-// so in what is computed. For d < 0 ahead is downward, and the rest is the same.
+// a box is (b - o) / d. The test computes (b - o') i: i is a float within a factor of 1 + u of 1 / d, and o' is the
+// origin moved by the margin. With the inverse there are three roundings of at most (|b| + |o'|) / d. So the error is
+// less than 3.1 u (E + |o'|) / d, plus three times the smallest normal float, below which hosts may flush to zero. Let
+// o' be ahead of the origin by this error, by u |o'| for its own rounding, and by the slack: then the computed entry is
+// no later than the true one. With o' as far behind, the computed exit is no earlier. A ray that hits the box has
+// entry <= exit in truth, and so in the computed numbers. For d < 0, ahead is downward; the rest is the same.
 //
-// An axis with |d| < 2^-68 has an inverse too large for float: sums of up to 2^57 are to be multiplied
-// by it. It is treated as d = 2^-68 with the same sign, as a float the inverse is 2^68. On it the ray moves by less
-// than 2^-68 span within the root, which is span long on the main axis: far less than the slack by which the origin is
-// widened, 2^-48 w, as span < 8 w. So if the ray meets the box, then to the float origins the box
-// is in front of the near one, entry < 0, and at least slack / 2 behind the far one: the exit is
-// beyond 2^-49 w * 2^68 > span, and this axis lets the box pass. Components of exactly zero need no
-// other case.
+// An axis with |d| < 2^-68 has an inverse too large for float, since it is multiplied by sums of up to 2^57. It is
+// treated as d = 2^-68 with the same sign; the inverse is the float 2^68. On this axis the ray moves by less than
+// 2^-68 span within the root, which is `span` long on the main axis. That is far less than the slack of the origin,
+// 2^-48 w, since span < 8 w. So for a ray that hits the box, the box is in front of the near origin (entry < 0) and at
+// least slack / 2 behind the far one: the exit is beyond 2^-49 w * 2^68 > span, and this axis accepts the box.
+// Components of exactly zero need no case of their own.
 RayProbe::RayProbe(Vec3 origin, Vec3 direction, double radius, const Box& root)
-    : RayProbe(origin, direction, RaysRoot(root, radius)) {}
+    : RayProbe(origin, direction, RootBounds(root, radius)) {}
 
-RayProbe::RayProbe(Vec3 origin, Vec3 direction, const RaysRoot& root) {
-    put_probe(RaySetup<Vec3>(origin, direction, root), *this);
+RayProbe::RayProbe(Vec3 origin, Vec3 direction, const RootBounds& root) {
+    store_probe(RaySetup<Vec3>(origin, direction, root), *this);
 }
 
-// As for a ball that is as large as the box is on its longest axis; on the others the faces are moved back by what they
-// are nearer. That leaves out 2^-20 of it, and another 2^-22 of the origins, which are rounded once more.
+// A ball with the radius of the box's longest axis. On the other axes, where the box is smaller, the origins are moved
+// back by the difference, less 2^-20 of it and less 2^-22 of the origins, which are rounded once more.
 RayProbe::RayProbe(Vec3 middle, Vec3 displacement, Vec3 half, const Box& root)
     : RayProbe(middle, displacement, max_component(half), root) {
-    if (!excludes()) return;
+    if (!may_reject()) return;
     for (int k = 0; k < 3; ++k) {
         const double rounded = 0x1p-22 * std::max(std::fabs(near_origin[k]), std::fabs(far_origin[k]));
-        const double nearer = std::max((max_component(half) - half[k]) * (1 - 0x1p-20) - rounded, 0.0);
-        const double back_again = near_face[k] < far_face[k] ? -nearer : nearer;
-        near_origin[k] = static_cast<float>(near_origin[k] + back_again);
-        far_origin[k] = static_cast<float>(far_origin[k] - back_again);
+        const double difference = std::max((max_component(half) - half[k]) * (1 - 0x1p-20) - rounded, 0.0);
+        const double backward = near_face[k] < far_face[k] ? -difference : difference;
+        near_origin[k] = static_cast<float>(near_origin[k] + backward);
+        far_origin[k] = static_cast<float>(far_origin[k] - backward);
     }
 }
 
 float RayProbe::limit(double t_max) const {
-    return static_cast<float>(ray_limit(t_max, course.slack, course.scale, course.start, course.span));
+    return static_cast<float>(ray_limit(t_max, path.slack, path.scale, path.start, path.span));
 }
 
-RaysRoot::RaysRoot(const Box& box, double r)
+RootBounds::RootBounds(const Box& box, double r)
     : low{box.min[0], box.min[1], box.min[2], box.min[0]},
       high{box.max[0], box.max[1], box.max[2], box.max[0]},
       extent(largest_coordinate(box)),
@@ -77,27 +76,26 @@ RayPackets::RayPackets(const Box& root, uint32_t items) {
     leaf_size_ = 2 * radius_ / cbrt(1.0 + items);
 }
 
-RayPackets::Corridor RayPackets::corridor_of(const Ray& ray) const {
-    const double reach = distance(ray.origin, centre_) + radius_, apart = leaf_size_ * leaf_size_;
-    // From the only point that the tree has, nothing comes near.
-    const double slope = reach > 0 ? apart / (reach * reach) : 0;
-    return {ray, apart, slope * length_squared(ray.direction)};
+RayPackets::CoherenceBounds RayPackets::coherence_bounds_of(const Ray& ray) const {
+    const double reach = distance(ray.origin, centre_) + radius_, distance_squared = leaf_size_ * leaf_size_;
+    // reach is 0 if the tree is a point at the origin of the ray.
+    const double slope = reach > 0 ? distance_squared / (reach * reach) : 0;
+    return {ray, distance_squared, slope * length_squared(ray.direction)};
 }
 
-// The gap on each axis is computed between the box and the interval of floats around the point:
-// one rounding; its square another three, the sum two more. Hence the computed squared distance
-// exceeds the true lower bound by a factor of at most 1 + 6u.
+// The gap on each axis lies between the box and the two floats around the point: one rounding. Its square takes another
+// three, the sum two more. So the computed squared distance exceeds the true lower bound by a factor of at most 1 + 6u.
 PointProbe::PointProbe(Vec3 point, const Box& root) {
     slack_ = rounding_slack(std::max(largest_coordinate(root), max_component(abs(point))));
     for (int k = 0; k < 3; ++k) {
-        // Nearer to the tree than the point is: still a lower bound, and its square fits a float.
+        // Clamping moves the point nearer to the tree: still a lower bound, and its square fits a float.
         const double clamped = std::clamp(point[k], -0x1p61, 0x1p61);
         low[k] = round_down(clamped);
         high[k] = round_up(clamped);
     }
 }
 
-// Another rounding for each gap: a factor of 1 + 8u in all. What the point is off by is multiplied, too.
+// The weight adds a rounding to each gap: a factor of 1 + 8u in all. It also multiplies the error of the point.
 WeightedPointProbe::WeightedPointProbe(Vec3 point, Vec3 weights, const Box& root) : PointProbe(point, root) {
     slack_ = 0;
     for (int k = 0; k < 3; ++k) {
@@ -105,7 +103,7 @@ WeightedPointProbe::WeightedPointProbe(Vec3 point, Vec3 weights, const Box& root
         const double furthest =
             std::max(std::fabs(point[k]), double{std::max(std::fabs(root.min[k]), std::fabs(root.max[k]))});
         slack_ = std::max(slack_, rounding_slack(weight_k * furthest));
-        // As if clamped where the weights count.
+        // Clamped in the weighted space.
         const double clamped = std::clamp(point[k], -0x1p61 / weight_k, 0x1p61 / weight_k);
         low[k] = round_down(clamped - 0x1p-52 * std::fabs(clamped));
         high[k] = round_up(clamped + 0x1p-52 * std::fabs(clamped));
@@ -119,9 +117,9 @@ float PointProbe::limit(double max_distance) const {
     return round_up(reach * reach);
 }
 
-// The far corner's distance is computed from the interval around the centre as well, with as many
-// roundings: it falls short of the true one's square by a factor of at least 1 - 6u. Squares below the
-// smallest normal float may be flushed to zero, three of them.
+// The distance of the farthest corner is computed from the two floats around the centre as well, with as many
+// roundings: its square is at least 1 - 6u of the true one. Hosts may flush each of the three squares to zero if it is
+// below the smallest normal float.
 BallProbe::BallProbe(Vec3 center, double radius, const Box& root) {
     const PointProbe point(center, root);
     std::copy_n(point.low, 3, low);
@@ -131,10 +129,9 @@ BallProbe::BallProbe(Vec3 center, double radius, const Box& root) {
     inside_below = round_down(reach * reach * (1 - 16 * unit_roundoff) - 4.0 * std::numeric_limits<float>::min());
 }
 
-// With differences to the frustum's origin the sum of three products has five roundings in each
-// term, the plane's own components included: it is within 5u of the sum of magnitudes, for which
-// 8u leaves room for the rounding of that sum and of the comparison's right side. On each axis the
-// larger of both faces' magnitudes stands for that of the corner.
+// Coordinates are differences to the frustum's origin. Each term of the sum of three products has five roundings,
+// including that of the plane's component. So the error is within 5u of the sum of magnitudes; 8u covers the rounding
+// of that sum and of the comparison's right side, too. The magnitude on an axis is the larger of the two faces'.
 FrustumProbe::FrustumProbe(const Frustum& frustum, const Box& box) : around(box) {
     const bool too_far = max_component(abs(frustum.origin)) > 0x1p57;
     for (int k = 0; k < 3; ++k) {
@@ -147,13 +144,13 @@ FrustumProbe::FrustumProbe(const Frustum& frustum, const Box& box) : around(box)
         const Plane& exact = frustum.planes[p];
         const double scale = max_component(abs(exact.normal));
         if (too_far) {
-            plane = {{}, {}, -1, 1};  // decides nothing
+            plane = {{}, {}, -1, 1};  // neither outside nor inside
         } else if (scale == 0) {
             const float side = exact.distance <= 0 ? -1.0f : 1.0f;  // all of space or nothing
             plane = {{}, {}, side, side};
         } else {
-            // A component below 2^-100 cannot be a float of full precision; left out, it changes
-            // the sum by no more than 2^-100 times the largest difference, 2^58.
+            // A component below 2^-100 has no float of full precision. Without it, the sum changes by no more than
+            // 2^-100 times the largest difference, 2^58.
             double slack = 0;
             for (int k = 0; k < 3; ++k) {
                 const double component = exact.normal[k] / scale;

@@ -1,4 +1,6 @@
-// Eight boxes against a probe, for kernels. The bounds of rounding are derived in box8.cpp.
+// Tests of a probe (box8.h) against eight boxes, for kernels: one lane for each box, no branches. Ray: slab test (Kay
+// and Kajiya 1986, in the conservative form of Ize 2013). Point and ball: distance to an AABB (Arvo 1990). Frustum: the
+// corners nearest and farthest along a plane's normal (Haines and Wallace 1991). box8.cpp derives the margins.
 #pragma once
 
 #include "bvh/box8.h"
@@ -7,8 +9,10 @@
 
 namespace gphys::GPHYS_ISA {
 
-/// Where a ray is in eight boxes, or eight rays are in one: from the last entry into a slab to the first exit or to
-/// the end. enters(axis) and leaves(axis) are those of the slabs.
+/// The part of one ray inside eight boxes, or of eight rays inside one box: from the last entry into a slab to the
+/// first exit or the ray's end. enters(axis) and leaves(axis) give the entries and exits of the slabs.
+///     entry = max(enters(0), enters(1), enters(2), 0);  exit = min(leaves(0), leaves(1), leaves(2), end)
+///     hit = entry <= exit
 struct SlabInterval {
     Float8 entry, exit;
 
@@ -20,22 +24,25 @@ struct SlabInterval {
     uint32_t hits() const { return bits(entry <= exit); }
 };
 
+/// One of several rays. The probe stays in memory.
 class RayTest {
 public:
     RayTest() = default;
     /// The probe must live as long.
     explicit RayTest(const RayProbe& probe) : probe_(&probe) {}
 
-    /// Lanes that the ray meets no later than at `limit`; `entry` is where, in the same unit, and `exit` where it
-    /// leaves them or ends. Counted from the boxes back to the origin, as what comes from memory is best subtracted.
+    /// Lanes that the ray hits no later than at `limit`. `entry` and `exit` are in the unit of `limit`.
+    ///     entry[k] = (origin - face[k]) * (-1 / direction): the boxes are the subtrahend, so their load is part of the
+    ///     subtraction
     uint32_t hits(const Box8& boxes, float limit, Float8& entry, Float8& exit) const {
         const RayProbe& ray = *probe_;
-        const Float8 back[3] = {splat(ray.back[0]), splat(ray.back[1]), splat(ray.back[2])};
+        const Float8 minus_inverse[3] = {splat(ray.minus_inverse[0]), splat(ray.minus_inverse[1]),
+                                         splat(ray.minus_inverse[2])};
         const auto enters = [&](int k) {
-            return (splat(ray.near_origin[k]) - load_aligned(boxes.from(ray.near_face[k]))) * back[k];
+            return (splat(ray.near_origin[k]) - load_aligned(boxes.row_from(ray.near_face[k]))) * minus_inverse[k];
         };
         const auto leaves = [&](int k) {
-            return (splat(ray.far_origin[k]) - load_aligned(boxes.from(ray.far_face[k]))) * back[k];
+            return (splat(ray.far_origin[k]) - load_aligned(boxes.row_from(ray.far_face[k]))) * minus_inverse[k];
         };
         const SlabInterval within(enters, leaves, splat(limit));
         entry = within.entry;
@@ -51,14 +58,14 @@ private:
     const RayProbe* probe_;
 };
 
-/// The same of a ray that is alone, whose numbers stay in registers.
+/// The same for a single ray, with its numbers in registers.
 class SingleRayTest {
 public:
     explicit SingleRayTest(const RayProbe& probe) {
         for (int k = 0; k < 3; ++k) {
             near_origin_[k] = splat(probe.near_origin[k]);
             far_origin_[k] = splat(probe.far_origin[k]);
-            back_[k] = splat(probe.back[k]);
+            minus_inverse_[k] = splat(probe.minus_inverse[k]);
             near_face_[k] = probe.near_face[k];
             far_face_[k] = probe.far_face[k];
         }
@@ -66,19 +73,22 @@ public:
 
     uint32_t hits(const Box8& boxes, float limit, Float8& entry) const {
         const auto enters = [&](int k) {
-            return (near_origin_[k] - load_aligned(boxes.from(near_face_[k]))) * back_[k];
+            return (near_origin_[k] - load_aligned(boxes.row_from(near_face_[k]))) * minus_inverse_[k];
         };
-        const auto leaves = [&](int k) { return (far_origin_[k] - load_aligned(boxes.from(far_face_[k]))) * back_[k]; };
+        const auto leaves = [&](int k) {
+            return (far_origin_[k] - load_aligned(boxes.row_from(far_face_[k]))) * minus_inverse_[k];
+        };
         const SlabInterval within(enters, leaves, splat(limit));
         entry = within.entry;
         return within.hits();
     }
 
 private:
-    Float8 near_origin_[3], far_origin_[3], back_[3];
+    Float8 near_origin_[3], far_origin_[3], minus_inverse_[3];
     uint32_t near_face_[3], far_face_[3];
 };
 
+///     distance_squared = sum over axes of max(min[k] - point[k], point[k] - max[k], 0)^2
 class PointTest {
 public:
     explicit PointTest(const PointProbe& probe) {
@@ -106,6 +116,7 @@ private:
     Float8 low_[3], high_[3];
 };
 
+/// The same with a weight on each axis.
 class WeightedPointTest : PointTest {
 public:
     explicit WeightedPointTest(const WeightedPointProbe& probe)
@@ -120,7 +131,7 @@ private:
     Float8 weight_[3];
 };
 
-/// Boxes that share a point with a given one: exact.
+/// Overlap of two boxes; exact. Touching counts.
 class BoxTest {
 public:
     explicit BoxTest(const Box& box)
@@ -131,7 +142,7 @@ public:
     uint32_t hits(const Box8& boxes) const {
         return bits(boxes_overlap(corner(boxes.row), corner(boxes.row + 3), min_, max_));
     }
-    /// The same, and which lanes are wholly inside the box.
+    /// `inside`: lanes wholly inside the box.
     uint32_t hits(const Box8& boxes, uint32_t& inside) const {
         const Vec<Float8> low = corner(boxes.row), high = corner(boxes.row + 3);
         inside = bits((min_.x <= low.x) & (high.x <= max_.x) & (min_.y <= low.y) & (high.y <= max_.y) &
@@ -147,6 +158,7 @@ private:
     Vec<Float8> min_, max_;
 };
 
+///     nearest = sum of gap^2 <= radius^2: overlaps;  farthest = sum of reach^2 <= radius^2: inside
 class BallTest {
 public:
     explicit BallTest(const BallProbe& probe)
@@ -157,18 +169,18 @@ public:
         }
     }
 
-    /// Lanes that are not wholly outside the ball, and those wholly inside.
+    /// Lanes not wholly outside the ball. `inside`: lanes wholly inside.
     uint32_t hits(const Box8& boxes, uint32_t& inside) const {
-        Float8 nearest = splat(0), furthest = splat(0);  // squared distances
+        Float8 nearest = splat(0), farthest = splat(0);  // squared distances
         for (int k = 0; k < 3; ++k) {
-            // How far both faces are beyond the centre, outward: the larger one is the gap, if it is
-            // positive, and the smaller one, without its sign, leads to the far corner.
+            // a and b: distances from the centre to the two faces, positive outside. The larger is the gap, if
+            // positive. The smaller, without its sign, is the distance to the farther face.
             const Float8 a = load_aligned(boxes.row[k]) - high_[k], b = low_[k] - load_aligned(boxes.row[3 + k]);
             const Float8 gap = max(max(a, b), splat(0)), reach = min(a, b);
             nearest = nearest + gap * gap;
-            furthest = furthest + reach * reach;
+            farthest = farthest + reach * reach;
         }
-        inside = bits(furthest <= inside_below_);
+        inside = bits(farthest <= inside_below_);
         return bits(nearest <= outside_above_);
     }
 
@@ -176,6 +188,9 @@ private:
     Float8 low_[3], high_[3], outside_above_, inside_below_;
 };
 
+/// For each plane: outside if the corner farthest along the normal is outside, wholly inside if the nearest is inside.
+///     upper = normal . farthest corner;  lower = normal . nearest corner
+///     outside = upper < distance;  inside = lower >= distance
 class FrustumTest {
 public:
     static constexpr uint32_t all_planes = 0x3f;
@@ -190,8 +205,8 @@ public:
         }
     }
 
-    /// Lanes that are not wholly outside one of `planes`. crossed: for each lane those of them that it is not
-    /// wholly inside, a set of bits as a whole number.
+    /// Lanes that are wholly outside none of `planes`. crossed: for each lane the planes that it is not wholly inside
+    /// of, a bit set as an integer.
     uint32_t hits(const Box8& boxes, uint32_t planes, Float8& crossed) const {
         return test<true>(boxes, planes, crossed);
     }
@@ -203,18 +218,17 @@ public:
 private:
     template <bool also_crossed>
     uint32_t test(const Box8& boxes, uint32_t planes, Float8& crossed) const {
-        Float8 face[6], magnitude[3];  // as seen from the origin
+        Float8 face[6], magnitude[3];  // relative to the frustum's origin
         for (int k = 0; k < 3; ++k) {
             face[k] = load_aligned(boxes.row[k]) - splat(probe_.origin_high[k]);
             face[3 + k] = load_aligned(boxes.row[3 + k]) - splat(probe_.origin_low[k]);
-            magnitude[k] = max(face[3 + k], splat(0) - face[k]);  // of whichever has the larger one
+            magnitude[k] = max(face[3 + k], splat(0) - face[k]);  // the larger of both faces'
         }
         crossed = splat(0);
         uint32_t hit = 0xff;
         for (uint32_t rest = planes; rest != 0; rest &= rest - 1) {
             const int p = lowest_bit(rest);
             const FrustumProbe::FloatPlane& plane = probe_.planes[p];
-            // Of the corners furthest in and furthest out.
             Float8 upper = splat(0), lower = splat(0), error = splat(0);
             for (int k = 0; k < 3; ++k) {
                 const Float8 normal = splat(plane.normal[k]);

@@ -1,3 +1,4 @@
+// The kernels of bvh_kernels.h: each combines a traversal with a test of boxes and a visitor.
 #include "bvh/bvh_kernels.h"
 
 #include <limits>
@@ -15,25 +16,26 @@ namespace gphys::GPHYS_ISA {
 
 namespace {
 
-void make_probes(const Ray* rays, uint32_t count, const RaysRoot& root, RayProbe* probes, float* limits) {
+/// Scalar form: make_probe for each ray.
+void make_probes(const Ray* rays, uint32_t count, const RootBounds& root, RayProbe* probes, float* limits) {
     for (uint32_t first = 0; first < count; first += 8) {
         const Rays8 eight(rays + first, count - first);
         const RaySetup<Vec<Double8>> setup(eight.origin, eight.direction, root);
         RayProbe* const to = probes + first;
-        store(limits + first, put_probes(eight.t_max, setup, [&](int i) -> RayProbe& { return to[i]; }));
+        store(limits + first, store_probes(eight.t_max, setup, [&](int i) -> RayProbe& { return to[i]; }));
     }
 }
 
 float make_probe(const Ray& ray, double t_max, const Box& box, RayProbe& to) {
     const Vec<double> low{box.min[0], box.min[1], box.min[2]}, high{box.max[0], box.max[1], box.max[2]};
     const Axes lows = axes_of(low), highs = axes_of(high);
-    RaysRoot root;
+    RootBounds root;
     store(root.low, lows);
     store(root.high, highs);
     root.extent = max_component(max(abs(lows), abs(highs)));
     root.radius = 0;
     const RaySetup<Axes> setup(axes_of(ray.origin), axes_of(ray.direction), root);
-    put_probe(setup, to);
+    store_probe(setup, to);
     return static_cast<float>(ray_limit(t_max, setup.slack, setup.scale, setup.start, setup.span));
 }
 
@@ -42,8 +44,7 @@ void closest_hit(const BvhNode* nodes, uint32_t root, const Probe& probe, float 
     traverse_ordered(
         nodes, root, Test(probe), limit, [&](uint32_t item) { return to.visit(to.context, item); },
         [&](const BvhNode& leaf) GPHYS_INLINE_LAMBDA {
-            // Which of them will be visited is not known yet; of those that are in use most are. A prefetch of no
-            // memory does no harm.
+            // Before the test of the boxes: most items will be visited. Unused lanes are prefetched, too, without harm.
             const char* const first = static_cast<const char*>(to.items.first);
             for (const uint32_t item : leaf.child) prefetch(first + size_t{item} * to.items.size);
         });
@@ -73,7 +74,7 @@ void many_rays(const BvhNode* nodes, uint32_t root, const RayProbe* probes, cons
     PacketTest packet(probe_of, of_all.limits, count);
     const bool done = traverse_packet(
         nodes, root, packet, count,
-        [&](uint32_t group, uint32_t mask, uint32_t item) { visits.add(group, mask, item); }, [&] { visits.finish(); },
+        [&](uint32_t group, uint32_t mask, uint32_t item) { visits.add(group, mask, item); }, [&] { visits.flush(); },
         prefetch_of);
     if (!done) interleaved(of_all.limits);
 }
@@ -112,8 +113,8 @@ void overlaps(const BvhNode* nodes, uint32_t root, const Probe* probes, uint32_t
         items, items_inside, found);
 }
 
-/// Of three rows the least of each, of both halves of the lanes: out[k] or out[4 + k].
-void least_of_rows(const Float8 (&rows)[3], float (&out)[8]) {
+/// out[k] and out[4 + k]: the minima of rows[k] over the two halves of the lanes.
+void minima_of_rows(const Float8 (&rows)[3], float (&out)[8]) {
     Float8 least;
     for (int i = 0; i < register_count; ++i) {
         FloatRegister lanes[4] = {rows[0].part[i], rows[1].part[i], rows[2].part[i], rows[2].part[i]};
@@ -123,18 +124,19 @@ void least_of_rows(const Float8 (&rows)[3], float (&out)[8]) {
     store(out, least);
 }
 
-void around_node(const BvhNode& node, Box& out) {
+/// Scalar form: Bvh8::union_of. Unused lanes count as the largest float.
+void node_bounds(const BvhNode& node, Box& out) {
     static constexpr float numbers[8] = {0, 1, 2, 3, 4, 5, 6, 7};
     const Mask8 used = load(numbers) <= splat(static_cast<float>(node.count) - 1);
-    const Float8 beyond_all = splat(std::numeric_limits<float>::max()), zero = splat(0);
-    Float8 low[3], high[3];  // the latter with the other sign
+    const Float8 largest_float = splat(std::numeric_limits<float>::max()), zero = splat(0);
+    Float8 low[3], high[3];  // high is negated, so that both are minima
     for (int k = 0; k < 3; ++k) {
-        low[k] = choose(used, load(node.boxes.row[k]), beyond_all);
-        high[k] = choose(used, zero - load(node.boxes.row[3 + k]), beyond_all);
+        low[k] = choose(used, load(node.boxes.row[k]), largest_float);
+        high[k] = choose(used, zero - load(node.boxes.row[3 + k]), largest_float);
     }
     float min[8], less_max[8];
-    least_of_rows(low, min);
-    least_of_rows(high, less_max);
+    minima_of_rows(low, min);
+    minima_of_rows(high, less_max);
     for (int k = 0; k < 3; ++k) {
         out.min[k] = min[k] < min[4 + k] ? min[k] : min[4 + k];
         out.max[k] = 0 - (less_max[k] < less_max[4 + k] ? less_max[k] : less_max[4 + k]);
@@ -158,7 +160,7 @@ extern const BvhKernels bvh_kernels{
     overlaps<BallTest, BallProbe>,
     traverse_frustum,
     traverse_pairs,
-    around_node,
+    node_bounds,
 };
 
 }  // namespace gphys::GPHYS_ISA

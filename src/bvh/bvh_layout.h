@@ -1,9 +1,9 @@
-// An BVH without its boxes, which follow from those of its items: what snapshots keep of a tree, so that loading it
-// takes no search for cuts.
+// The topology of a BVH, as snapshots store it: a restore then needs no search for splits. The boxes are not stored,
+// since they follow from those of the items.
 //
-// A word for each node, parents before their children and the first child first (preorder): the number of its
-// children less one, and leaf_mark if these are items. Items stand in the order of the leaves. Any words can be
-// checked in one pass, and what passes is a tree whose boxes are right, because they are made anew.
+// One word for each node in preorder: the number of children minus one, plus leaf_mark if they are items. Items are in
+// the order of the leaves. One pass validates any words. Valid words always give a correct tree, because the boxes are
+// computed again.
 #pragma once
 
 #include "bvh/bvh_node.h"
@@ -19,7 +19,7 @@ struct BvhLayout {
     uint32_t item_count;
 
     uint32_t item(uint32_t i) const { return items ? items[i] : i; }
-    /// What is wrong with the nodes, or nullptr. That items are different is for the caller to check.
+    /// What is wrong with the nodes, or nullptr. The caller checks that the items are distinct.
     const char* defect() const;
 };
 

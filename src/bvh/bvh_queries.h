@@ -1,5 +1,5 @@
-// The queries of bvh8.h: a probe made of the question, a traversal by the kernels of this processor
-// (bvh_kernels.h), and the visitor called for what it finds.
+// The queries of bvh8.h: each makes a probe, runs a kernel (bvh_kernels.h), and passes the items to the visitor.
+// Visitors are templates here and function pointers in the kernels, so that the kernels are compiled once.
 #pragma once
 
 #include <type_traits>
@@ -9,7 +9,8 @@
 
 namespace gphys {
 
-/// Runs a kernel whose visits move a bound, which the probe knows as a limit in its own unit.
+/// Runs a kernel whose visitor lowers a bound (t_max or a distance). The probe converts the bound to the kernel's
+/// limit.
 template <class Probe, class Visit>
 void Bvh8::traverse_to_bound(void (*kernel)(const BvhNode*, uint32_t, const Probe&, float, const BvhVisitor&),
                              const Probe& probe, double bound, float limit, Visit& visit, ItemMemory items) const {
@@ -31,8 +32,8 @@ void Bvh8::traverse_to_bound(void (*kernel)(const BvhNode*, uint32_t, const Prob
 }
 
 template <class Visit>
-void Bvh8::traverse_along(decltype(BvhKernels::ray) kernel, const Ray& ray, double t_max, Visit& visit,
-                          ItemMemory items) const {
+void Bvh8::traverse_ray(decltype(BvhKernels::ray) kernel, const Ray& ray, double t_max, Visit& visit,
+                        ItemMemory items) const {
     if (root_ == none) return;
     RayProbe probe;
     const float limit = kernels_.probe(ray, t_max, bounds_, probe);
@@ -41,11 +42,11 @@ void Bvh8::traverse_along(decltype(BvhKernels::ray) kernel, const Ray& ray, doub
 
 template <class Visit>
 void Bvh8::raycast(const Ray& ray, double t_max, Visit&& visit, ItemMemory items) const {
-    traverse_along(kernels_.ray, ray, t_max, visit, items);
+    traverse_ray(kernels_.ray, ray, t_max, visit, items);
 }
 
 template <class Visit>
-void Bvh8::traverse_many(decltype(BvhKernels::rays) kernel, const Ray* rays, uint32_t count, Visit& visit,
+void Bvh8::traverse_rays(decltype(BvhKernels::rays) kernel, const Ray* rays, uint32_t count, Visit& visit,
                          ItemMemory items) const {
     if (root_ == none || count == 0) return;
     struct Context {
@@ -53,11 +54,11 @@ void Bvh8::traverse_many(decltype(BvhKernels::rays) kernel, const Ray* rays, uin
 
         RayProbe probes[rays_at_once];
         float limits[rays_at_once];
-        uint32_t first;  // of the rays that the kernel has been given
+        uint32_t first;  // ray of the present run
         const Ray* rays;
         Visit& visit;
 
-        uint32_t take(const uint32_t* from_first, const uint32_t* some, uint32_t size, float* new_limits) {
+        uint32_t visit_pairs(const uint32_t* from_first, const uint32_t* some, uint32_t size, float* new_limits) {
             uint32_t numbers[8];
             for (uint32_t k = 0; k < size; ++k) numbers[k] = first + from_first[k];
             const uint32_t shorter = visit(numbers, some, size);
@@ -69,28 +70,28 @@ void Bvh8::traverse_many(decltype(BvhKernels::rays) kernel, const Ray* rays, uin
         }
     };
     Context state(rays, visit);
-    kernels_.probes(rays, count, RaysRoot(bounds_), state.probes, state.limits);
-    const auto take = [](void* context, const uint32_t* from_first, const uint32_t* some, uint32_t size,
-                         float* new_limits) {
-        return static_cast<Context*>(context)->take(from_first, some, size, new_limits);
+    kernels_.probes(rays, count, RootBounds(bounds_), state.probes, state.limits);
+    const auto visit_pairs = [](void* context, const uint32_t* from_first, const uint32_t* some, uint32_t size,
+                                float* new_limits) {
+        return static_cast<Context*>(context)->visit_pairs(from_first, some, size, new_limits);
     };
     const auto probe_of = [&](uint32_t i) -> const RayProbe& { return state.probes[i]; };
     const auto ray_of = [&](uint32_t i) -> const Ray& { return rays[i]; };
     RayPackets(bounds_, size_).split(ray_of, probe_of, count, [&](uint32_t first, uint32_t last, bool is_packet) {
         state.first = first;
         kernel(nodes_.data(), root_, state.probes + first, state.limits + first, last - first, is_packet,
-               {take, &state, items});
+               {visit_pairs, &state, items});
     });
 }
 
 template <class Visit>
 void Bvh8::raycast_many(const Ray* rays, uint32_t count, Visit&& visit, ItemMemory items) const {
-    traverse_many(kernels_.rays, rays, count, visit, items);
+    traverse_rays(kernels_.rays, rays, count, visit, items);
 }
 
 template <class Visit>
 void Bvh8::raycast_any_many(const Ray* rays, uint32_t count, Visit&& visit, ItemMemory items) const {
-    traverse_many(kernels_.rays_any, rays, count, visit, items);
+    traverse_rays(kernels_.rays_any, rays, count, visit, items);
 }
 
 template <class Visit>
@@ -100,7 +101,7 @@ bool Bvh8::raycast_any(const Ray& ray, Visit&& visit, ItemMemory items) const {
         found = visit(item);
         if (found) t_max = -1;
     };
-    traverse_along(kernels_.ray_any, ray, ray.t_max, until_found, items);
+    traverse_ray(kernels_.ray_any, ray, ray.t_max, until_found, items);
     return found;
 }
 
@@ -131,13 +132,13 @@ void Bvh8::nearest(const WeightedPointProbe& probe, double max_distance, Visit&&
     traverse_to_bound(kernels_.weighted_point, probe, max_distance, probe.limit(max_distance), visit, {});
 }
 
-/// A visitor of lists, or of single items as one of lists.
+/// Adapts a visitor of lists or of single items.
 template <class Visit>
 BvhListVisitor Bvh8::list_visitor(Visit& visit, ItemMemory items, ItemMemory items_inside) {
-    constexpr bool of_any = std::is_invocable_v<Visit&, const uint32_t*, uint32_t>;
+    constexpr bool ignores_inside = std::is_invocable_v<Visit&, const uint32_t*, uint32_t>;
     const auto all = [](void* context, const uint32_t* list, uint32_t count, [[maybe_unused]] bool inside) -> bool {
         Visit& to = *static_cast<Visit*>(context);
-        if constexpr (of_any) {
+        if constexpr (ignores_inside) {
             return to(list, count);
         } else if constexpr (std::is_invocable_v<Visit&, const uint32_t*, uint32_t, bool>) {
             return to(list, count, inside);
@@ -145,7 +146,7 @@ BvhListVisitor Bvh8::list_visitor(Visit& visit, ItemMemory items, ItemMemory ite
             return std::all_of(list, list + count, [&](uint32_t item) { return to(item, inside); });
         }
     };
-    return {all, const_cast<void*>(static_cast<const void*>(&visit)), items, items_inside, !of_any};
+    return {all, const_cast<void*>(static_cast<const void*>(&visit)), items, items_inside, !ignores_inside};
 }
 
 template <class Visit>
@@ -167,7 +168,7 @@ inline void Bvh8::overlap_boxes(const Box* boxes, uint32_t count, ItemMemory ite
 
 inline void Bvh8::overlap_balls(const Sphere* balls, uint32_t count, ItemMemory items, ItemMemory items_inside,
                                 OverlapItems* found) const {
-    BallProbe probes[OverlapItems::most_queries];
+    BallProbe probes[OverlapItems::max_queries];
     for (uint32_t i = 0; i < count; ++i) {
         found[i].clear();
         probes[i] = BallProbe(balls[i].center, balls[i].radius, bounds_);
@@ -193,8 +194,8 @@ bool Bvh8::overlap_pairs(const Bvh8& other, Visit&& visit) const {
                           {pair, const_cast<void*>(static_cast<const void*>(&visit))});
 }
 
-template <class Touches, class Visit>
-bool Bvh8::overlap(Touches&& touches, Visit&& visit) const {
+template <class MayOverlap, class Visit>
+bool Bvh8::overlap(MayOverlap&& may_overlap, Visit&& visit) const {
     if (root_ == none) return true;
     NodeRef stack[bvh_max_open];
     int size = 0;
@@ -203,7 +204,7 @@ bool Bvh8::overlap(Touches&& touches, Visit&& visit) const {
         const NodeRef ref = stack[--size];
         const Node& node = nodes_[index_of(ref)];
         for (uint32_t lane = 0; lane < node.count; ++lane) {
-            if (!touches(node.boxes.lane(static_cast<int>(lane)))) continue;
+            if (!may_overlap(node.boxes.lane(static_cast<int>(lane)))) continue;
             if (!is_leaf(ref)) {
                 stack[size++] = node.child[lane];
             } else if (!visit(node.child[lane])) {

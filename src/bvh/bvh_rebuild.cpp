@@ -1,24 +1,25 @@
-// Keeping a changing BVH good: what has degraded is built again, a part at a time, so that each
-// change pays a bounded price and none waits for a build of all that did not change.
+// Partial rebuilds keep the quality of a changing BVH. Each call rebuilds a bounded part of the tree, so that its cost
+// is in proportion to its changes. Only when the whole tree has degraded, it is rebuilt at once. The measure of quality
+// is that of the SAH: the sum of the areas of all nodes. Tree rotations (Kopta et al., "Fast, effective BVH updates for
+// animated scenes", 2012) improve a tree as well, but do not fill sparse leaves.
 #include "bvh/bvh8.h"
 
 namespace gphys {
 
 namespace {
 
-/// A part of the tree is built again when one in so many of its items has been added since: each addition pays for two
-/// items.
-constexpr uint32_t renewed_when_added = 2;
-/// Parts of more items are not, so that no change takes more than some ten microseconds: large enough for full leaves
-/// and good cuts.
-constexpr uint32_t most_renewed = 512;
-/// While many move, one in so many pays for an item to be built again: twice a refit on average.
-constexpr uint32_t moves_per_renewal = 8;
-/// By how much the area has grown since the last build when parts are built again, and when all is.
-/// Rays visit nodes in proportion to it. What only moves about stays below the first or not far above
-/// it; the second is reached when all change places at once, and by then a build costs less than the
-/// rays that it speeds up.
-constexpr double renewed_growth = 1.05, rebuilt_growth = 2;
+/// A subtree is rebuilt when more than one in so many of its items has been inserted since its last build. So each
+/// insertion pays for the rebuild of two items.
+constexpr uint32_t items_per_addition = 2;
+/// The largest such subtree: small enough for some ten microseconds, large enough for full leaves and good splits.
+constexpr uint32_t max_rebuilt_items = 512;
+/// In large updates, one in so many moves pays for the rebuild of an item. With that, an update takes twice a refit on
+/// average.
+constexpr uint32_t moves_per_rebuilt_item = 8;
+/// Growth of the area since the last build that starts partial rebuilds, and a complete one. Rays visit nodes in
+/// proportion to the area. Items that move around stay near the first value. The second is reached when all items
+/// change places at once; then a build costs less than the rays that it speeds up.
+constexpr double partial_rebuild_growth = 1.05, full_rebuild_growth = 2;
 
 Box intersection(const Box& a, const Box& b) {
     Box box;
@@ -32,33 +33,33 @@ Box intersection(const Box& a, const Box& b) {
 
 }  // namespace
 
-/// Around a change build the largest part again that is small enough, once enough has been added to it: insertions
-/// leave leaves less full than a build does, and cut with less choice.
-void Bvh8::renew_around(uint32_t item) noexcept {
+/// Rebuilds the largest subtree around an item that has at most max_rebuilt_items, if enough was inserted into it.
+/// Insertions leave leaves emptier than a build, and choose splits among fewer candidates.
+void Bvh8::rebuild_around(uint32_t item) noexcept {
     uint32_t node = none;
-    for (uint32_t above = nodes_[place_of_[item] / 8].parent; above != none; above = nodes_[above].parent) {
-        if (nodes_[above].items > most_renewed) break;
+    for (uint32_t above = nodes_[item_lane_[item] / 8].parent; above != none; above = nodes_[above].parent) {
+        if (nodes_[above].items > max_rebuilt_items) break;
         node = above;
     }
-    if (node == none || nodes_[node].added <= nodes_[node].items / renewed_when_added) return;
+    if (node == none || nodes_[node].added <= nodes_[node].items / items_per_addition) return;
     nodes_[node].added = 0;
     try {
         rebuild_children(node, (1u << nodes_[node].count) - 1);
     } catch (const std::bad_alloc&) {
-        return;  // an improvement less
+        return;  // the tree is valid without the rebuild
     }
 }
 
-/// While many move: in turn, build a child of the root again together with the one that it overlaps
-/// most, so that they exchange the items that have crossed over. If it has more items than half of
-/// those that move, the same in it: no call costs more than a few refits.
-void Bvh8::renew_in_turn(uint32_t changes) {
+/// After a large update: rebuilds one child of the root together with the sibling that it overlaps most, so that items
+/// that have crossed over change between them. Successive calls choose the children cyclically. If the child has more
+/// items than half of the moves, the same is done one level down. So no call costs more than a few refits.
+void Bvh8::rebuild_next_part(uint32_t changes) {
     const uint32_t limit = changes / 2;
-    credit_ = std::min(credit_ + changes / moves_per_renewal, limit);
+    budget_ = std::min(budget_ + changes / moves_per_rebuilt_item, limit);
     NodeRef ref = root_;
-    for (uint32_t turn = turn_; !is_leaf(ref); turn /= 8) {
+    for (uint32_t path = cursor_; !is_leaf(ref); path /= 8) {
         const Node& node = nodes_[ref];
-        const uint32_t first = turn % node.count;
+        const uint32_t first = path % node.count;
         const uint32_t count = items_below(nodes_[index_of(node.child[first])]);
         if (count > limit) {
             ref = node.child[first];
@@ -77,32 +78,32 @@ void Bvh8::renew_in_turn(uint32_t changes) {
             second = i;
             both = count + added;
         }
-        if (credit_ < both) return;
+        if (budget_ < both) return;
         rebuild_children(ref, 1u << first | 1u << second);
-        credit_ -= both;
-        ++turn_;
+        budget_ -= both;
+        ++cursor_;
         return;
     }
 }
 
-/// Whether the area is so much larger than after the last build, absolutely or against the root's: a
-/// scene may draw together or spread out, and an item that flies off takes the root along.
-bool Bvh8::grown(double area, double factor) const {
+/// Whether the area has grown by `factor` since the last build: absolutely, or relative to the root's area. Both, since
+/// a scene may contract or spread out, and a single item that flies off enlarges the root.
+bool Bvh8::has_grown(double area, double factor) const {
     return area > factor * built_area_ || area * built_root_area_ > factor * built_area_ * half_area(bounds_);
 }
 
-/// The boxes of many items have changed.
+/// Call after changes of the boxes of many items.
 void Bvh8::refit_all(uint32_t changes) noexcept {
     if (root_ == none) return;
     const double area = refit();
     try {
-        if (grown(area, rebuilt_growth)) {
+        if (has_grown(area, full_rebuild_growth)) {
             rebuild();
-        } else if (grown(area, renewed_growth)) {
-            renew_in_turn(changes);
+        } else if (has_grown(area, partial_rebuild_growth)) {
+            rebuild_next_part(changes);
         }
     } catch (const std::bad_alloc&) {
-        return;  // an improvement less; the tree is as sound as before
+        return;  // the tree is valid without the rebuild
     }
 }
 

@@ -1,8 +1,8 @@
-// Changing the BVH. Items enter at the leaf whose box grows least; what is full splits, upward to
-// the root, so that no order of insertions makes a tree deep (Guttman, "R-Trees: a Dynamic Index
-// Structure for Spatial Searching", 1984). Leaves that moving items have stretched give them up one
-// by one to better ones. So each change costs O(levels), and all bounds stay tight. Where enough has been added, a part
-// of the tree is built again (bvh_rebuild.cpp).
+// Insertions, removals, moves and refits of the BVH. An item is inserted into the leaf whose box grows least. Full
+// nodes split, upward to the root, so no order of insertions makes the tree deep (Guttman, "R-Trees: a Dynamic Index
+// Structure for Spatial Searching", 1984). An item that moves is reinserted if its leaf has degraded; else the boxes
+// above it are refitted. So each change costs O(levels), and all bounds stay tight. Splits alone degrade the tree over
+// time: where enough was inserted, a part is rebuilt (bvh_rebuild.cpp).
 #include <numeric>
 
 #include "bvh/bvh8.h"
@@ -13,32 +13,32 @@ namespace gphys {
 
 namespace {
 
-/// Both parts of a node that splits have at least three children: fewer would make sparse trees, and
-/// leave less choice of where to cut.
-constexpr uint64_t balanced_cuts = 0b1111000;  // 3 to 6 of 9
+/// Both parts of a split node have at least three of the nine children: fewer would make sparse trees, more would leave
+/// fewer candidates for the split.
+constexpr uint64_t balanced_splits = 0b1111000;  // 3 to 6 of 9
 constexpr uint32_t small_leaf = 2;
 
-/// A leaf is degraded when its area, absolutely or as a share of the root's (a scene may spread out or
-/// draw together), has grown by this. Higher: worse trees; lower: more items are placed anew, which
-/// costs about five times a refit.
-constexpr float spoiling_growth = 1.5f;
+/// A leaf is degraded when its area has grown by this factor, absolutely or relative to the root's area, since a scene
+/// may spread out or contract. A higher factor gives worse trees; a lower one more reinsertions, which cost about five
+/// times a refit.
+constexpr float degraded_growth = 1.5f;
 
-/// In parts of fewer items no child is lifted: they are soon built again as a whole.
-constexpr uint32_t lifted_from = 1024;
+/// No child is lifted in a smaller subtree: it is soon rebuilt as a whole.
+constexpr uint32_t min_lift_items = 1024;
 
 float smaller(float a, float b) { return a < b ? a : b; }
 float larger(float a, float b) { return a > b ? a : b; }
 
-void fetch_ahead(const BvhNode& node) {
+void prefetch_node(const BvhNode& node) {
     const char* first = reinterpret_cast<const char*>(&node);
     for (size_t byte = 0; byte < sizeof node; byte += 64) prefetch(first + byte);
 }
 
 }  // namespace
 
-/// Insertions leave leaves that are more than half full: with the nodes above them one for four items.
+/// Insertions keep leaves more than half full. With the inner nodes, that is at most one node for four items.
 void Bvh8::reserve(uint32_t count) {
-    place_of_.reserve(count);
+    item_lane_.reserve(count);
     nodes_.reserve(count / 4);
 }
 
@@ -46,11 +46,11 @@ void Bvh8::reserve_nodes(uint32_t count) {
     if (count > free_count_) reserve_more(nodes_, count - free_count_);
 }
 
-/// A new child may split each level, and add one.
+/// A new child may split a node on each level, and add a level.
 uint32_t Bvh8::nodes_for_additions(uint32_t additions) const { return additions * (levels() + additions); }
 
-/// For changes that must not fail, and can be left undone.
-bool Bvh8::have_room(uint32_t additions) noexcept {
+/// For optional changes inside functions that must not fail.
+bool Bvh8::try_reserve_nodes(uint32_t additions) noexcept {
     if (levels() + additions > max_levels) return false;
     try {
         reserve_nodes(nodes_for_additions(additions));
@@ -60,8 +60,8 @@ bool Bvh8::have_room(uint32_t additions) noexcept {
     }
 }
 
-/// Room must have been reserved.
-Bvh8::NodeRef Bvh8::take_node(bool leaf) {
+/// Memory was reserved before.
+Bvh8::NodeRef Bvh8::allocate_node(bool leaf) {
     uint32_t index = first_free_;
     if (index != none) {
         first_free_ = nodes_[index].parent;
@@ -76,34 +76,34 @@ Bvh8::NodeRef Bvh8::take_node(bool leaf) {
     return leaf ? index | leaf_bit : index;
 }
 
-void Bvh8::release_node(uint32_t index) {
+void Bvh8::free_node(uint32_t index) {
     nodes_[index].count = 0;
     nodes_[index].parent = first_free_;
     first_free_ = index;
     ++free_count_;
 }
 
-/// Make `child`, an item in a leaf and a NodeRef otherwise, the occupant of a lane.
+/// Stores `child` in a lane: an item in a leaf, else a NodeRef.
 void Bvh8::put(NodeRef node, uint32_t lane, uint32_t child, const Box& box) {
     const uint32_t index = index_of(node);
     nodes_[index].boxes.set_lane(static_cast<int>(lane), box);
     nodes_[index].child[lane] = child;
     if (is_leaf(node)) {
-        place_of_[child] = 8 * index + lane;
+        item_lane_[child] = 8 * index + lane;
     } else {
         nodes_[index_of(child)].parent = index;
         nodes_[index_of(child)].lane = lane;
     }
 }
 
-/// Give up a lane; the last one moves into it.
+/// Removes a lane; the last one moves into it.
 void Bvh8::drop(NodeRef node, uint32_t lane) {
     Node& n = nodes_[index_of(node)];
     const uint32_t last = --n.count;
     if (lane != last) put(node, lane, n.child[last], n.boxes.lane(static_cast<int>(last)));
 }
 
-/// A child takes the place of its parent, whose only one it is.
+/// Replaces a node by its only child.
 void Bvh8::replace(uint32_t index, NodeRef by) {
     const uint32_t parent = nodes_[index].parent;
     if (parent == none) {
@@ -112,10 +112,11 @@ void Bvh8::replace(uint32_t index, NodeRef by) {
     } else {
         put(parent, nodes_[index].lane, by, nodes_[index].boxes.lane(0));
     }
-    release_node(index);
+    free_node(index);
 }
 
-/// The leaf reached by always taking the child whose area grows least, and of those the smallest. It will get an item.
+/// The leaf for a new item: descends to the child whose area grows least, of equal ones to the smallest. Counts the
+/// item in the inner nodes.
 Bvh8::NodeRef Bvh8::leaf_to_join(const Box& box) {
     NodeRef ref = root_;
     while (!is_leaf(ref)) {
@@ -123,7 +124,7 @@ Bvh8::NodeRef Bvh8::leaf_to_join(const Box& box) {
         ++node.items;
         ++node.added;
         const auto& row = node.boxes.row;
-        // In float for all eight: areas are far from overflow, and which child it is need not be exact.
+        // In float, for all eight: areas are far from overflow, and the choice need not be exact.
         float area[8], growth[8];
         for (int i = 0; i < 8; ++i) {
             const float x = row[3][i] - row[0][i], y = row[4][i] - row[1][i], z = row[5][i] - row[2][i];
@@ -142,7 +143,7 @@ Bvh8::NodeRef Bvh8::leaf_to_join(const Box& box) {
     return ref;
 }
 
-/// The lanes of a node have changed: pass its new box on, as far up as it makes a difference.
+/// After changes of a node's lanes: updates the boxes above, up to the first that stays the same.
 void Bvh8::refit_upward(uint32_t index) {
     for (;;) {
         const Box box = union_of(nodes_[index]);
@@ -157,12 +158,12 @@ void Bvh8::refit_upward(uint32_t index) {
     }
 }
 
-/// Recompute all boxes below a node from those of the items; returns the area of all nodes there.
+/// Computes all boxes below a node from those of the items. Returns the sum of half areas of the nodes below.
 double Bvh8::refit_below(NodeRef ref, Box& box) {
     Node& node = nodes_[index_of(ref)];
     double area = 0;
     if (!is_leaf(ref)) {
-        for (uint32_t i = 0; i < node.count; ++i) fetch_ahead(nodes_[index_of(node.child[i])]);
+        for (uint32_t i = 0; i < node.count; ++i) prefetch_node(nodes_[index_of(node.child[i])]);
         for (uint32_t i = 0; i < node.count; ++i) {
             Box child_box;
             area += refit_below(node.child[i], child_box);
@@ -170,11 +171,11 @@ double Bvh8::refit_below(NodeRef ref, Box& box) {
             node.boxes.set_lane(static_cast<int>(i), child_box);
         }
     }
-    kernels_.around(node, box);
+    kernels_.node_bounds(node, box);
     return area;
 }
 
-/// The same for the whole tree, the subtrees below two levels of nodes being shared.
+/// The same for the whole tree. Workers share the subtrees below the two top levels.
 double Bvh8::refit() {
     uint32_t top[9], top_count = 0;
     NodeRef subtrees[64];
@@ -191,7 +192,7 @@ double Bvh8::refit() {
             }
         }
     }
-    run(size_ < shared_size ? nullptr : workers_, subtree_count, [&](uint32_t s) {
+    run(size_ < parallel_size ? nullptr : workers_, subtree_count, [&](uint32_t s) {
         Box box;
         areas[s] = refit_below(subtrees[s], box);
         const Node& node = nodes_[index_of(subtrees[s])];
@@ -207,26 +208,26 @@ double Bvh8::refit() {
     return half_area(bounds_) + area;
 }
 
-void Bvh8::note_made(uint32_t leaf) {
-    nodes_[leaf].made_area = static_cast<float>(half_area(union_of(nodes_[leaf])));
-    nodes_[leaf].made_root_area = static_cast<float>(half_area(bounds_));
+void Bvh8::record_leaf_area(uint32_t leaf) {
+    nodes_[leaf].built_area = static_cast<float>(half_area(union_of(nodes_[leaf])));
+    nodes_[leaf].built_root_area = static_cast<float>(half_area(bounds_));
 }
 
 bool Bvh8::degraded(uint32_t leaf) const {
     const Node& node = nodes_[leaf];
-    const double area = half_area(union_of(node)), made_area = double{spoiling_growth} * node.made_area;
-    return area > made_area || area * node.made_root_area > made_area * half_area(bounds_);
+    const double area = half_area(union_of(node)), built_area = double{degraded_growth} * node.built_area;
+    return area > built_area || area * node.built_root_area > built_area * half_area(bounds_);
 }
 
-/// Part a full node and one child more into the node and a new sibling, where their areas are least.
+/// Divides the children of a full node and one more between the node and a new sibling, at least cost (SAH).
 Bvh8::NodeRef Bvh8::split(NodeRef node, uint32_t child, const Box& box) {
     const uint32_t index = index_of(node);
     BoxedItem children[9];
     for (int i = 0; i < 8; ++i) children[i] = {nodes_[index].boxes.lane(i), nodes_[index].child[i]};
     children[8] = {box, child};
-    const BoxedItem* middle = split_few(children, children + 9, balanced_cuts, 1);
+    const BoxedItem* middle = split_few(children, children + 9, balanced_splits, 1);
     const double added = is_leaf(node) ? 0 : added_share(node);
-    const NodeRef sibling = take_node(is_leaf(node));
+    const NodeRef sibling = allocate_node(is_leaf(node));
     nodes_[index].count = 0;
     for (const BoxedItem* i = children; i != children + 9; ++i) {
         const NodeRef home = i < middle ? node : sibling;
@@ -234,18 +235,18 @@ Bvh8::NodeRef Bvh8::split(NodeRef node, uint32_t child, const Box& box) {
     }
     for (const NodeRef half : {node, sibling}) {
         if (is_leaf(half)) {
-            note_made(index_of(half));
+            record_leaf_area(index_of(half));
         } else {
             count_below(half);
-            note_added(half, added);
+            set_added_share(half, added);
         }
     }
     return sibling;
 }
 
-/// If one of the children of a full node and `child` has more items than all others together, `child` becomes that one,
-/// to go to the parent, and the others stay. Where items come in order, each is added to the same end of the tree: to
-/// split there would leave that end one level deeper below a few others again and again.
+/// Alternative to a split of a full node, for sorted input: items that arrive in order are all inserted at the same end
+/// of the tree, and repeated splits would make that end deeper and deeper. If one of the nine children has more items
+/// than the other eight together, the node keeps the eight, and `child` becomes the heavy one, for the parent.
 bool Bvh8::lift(uint32_t node, uint32_t& child, Box& box) {
     uint32_t heaviest = none, most = items_below(nodes_[index_of(child)]), all = most;
     for (uint32_t i = 0; i < 8; ++i) {
@@ -256,7 +257,7 @@ bool Bvh8::lift(uint32_t node, uint32_t& child, Box& box) {
             heaviest = i;
         }
     }
-    if (all < lifted_from || most <= all / 2) return false;
+    if (all < min_lift_items || most <= all / 2) return false;
     const double added = added_share(node);
     if (heaviest != none) {
         const NodeRef lifted = nodes_[node].child[heaviest];
@@ -266,11 +267,11 @@ bool Bvh8::lift(uint32_t node, uint32_t& child, Box& box) {
         box = lifted_box;
     }
     count_below(node);
-    note_added(node, added);
+    set_added_share(node, added);
     return true;
 }
 
-/// Give a node one child more. What is full gives its parent one child more. There is room.
+/// Adds a child to a node. A full node splits, and its parent gets a child. Memory was reserved before.
 void Bvh8::add_child(NodeRef node, uint32_t child, Box box) {
     while (nodes_[index_of(node)].count == 8) {
         if (is_leaf(node) || !lift(node, child, box)) {
@@ -279,7 +280,7 @@ void Bvh8::add_child(NodeRef node, uint32_t child, Box box) {
         }
         const Box node_box = union_of(nodes_[index_of(node)]);
         if (node == root_) {
-            root_ = take_node(false);
+            root_ = allocate_node(false);
             nodes_[root_].count = 2;
             put(root_, 0, node, node_box);
             put(root_, 1, child, box);
@@ -295,33 +296,33 @@ void Bvh8::add_child(NodeRef node, uint32_t child, Box box) {
     refit_upward(index_of(node));
 }
 
-/// Put an item into the tree, for which there is room.
+/// Inserts an item. Memory was reserved before.
 void Bvh8::attach(uint32_t item, const Box& box) {
     if (root_ == none) {
-        root_ = take_node(true);
+        root_ = allocate_node(true);
     }
     add_child(leaf_to_join(box), item, box);
-    note_made(place_of_[item] / 8);
+    record_leaf_area(item_lane_[item] / 8);
     ++size_;
 }
 
-/// Take an item out of the tree and return the leaf that it was in, or none if that has gone too.
+/// Removes an item. Returns the leaf that it was in, or none if the leaf was removed, too.
 uint32_t Bvh8::detach(uint32_t item) {
-    const uint32_t leaf = place_of_[item] / 8;
-    drop(leaf | leaf_bit, place_of_[item] % 8);
-    place_of_[item] = none;
+    const uint32_t leaf = item_lane_[item] / 8;
+    drop(leaf | leaf_bit, item_lane_[item] % 8);
+    item_lane_[item] = none;
     --size_;
     for (uint32_t above = nodes_[leaf].parent; above != none; above = nodes_[above].parent) --nodes_[above].items;
     uint32_t index = leaf;
-    // Nodes that have become empty go, up to one that has not.
+    // Removes nodes that have become empty.
     while (nodes_[index].count == 0 && nodes_[index].parent != none) {
         const uint32_t parent = nodes_[index].parent;
         drop(parent, nodes_[index].lane);
-        release_node(index);
+        free_node(index);
         index = parent;
     }
     if (nodes_[index].count == 0) {
-        release_node(index);
+        free_node(index);
         root_ = none;
         bounds_ = Box();
         return none;
@@ -332,10 +333,10 @@ uint32_t Bvh8::detach(uint32_t item) {
     return none;
 }
 
-/// A leaf of very few items is not worth its node: they go elsewhere, if that needs no memory.
-void Bvh8::dissolve_if_small(uint32_t leaf) {
+/// Moves the items of a leaf with very few of them to other leaves, if memory permits.
+void Bvh8::reinsert_small_leaf(uint32_t leaf) {
     if (leaf == none || nodes_[leaf].count > small_leaf || nodes_[leaf].parent == none) return;
-    if (!have_room(small_leaf)) return;
+    if (!try_reserve_nodes(small_leaf)) return;
     BoxedItem items[small_leaf];
     const uint32_t count = nodes_[leaf].count;
     for (uint32_t i = 0; i < count; ++i)
@@ -344,7 +345,7 @@ void Bvh8::dissolve_if_small(uint32_t leaf) {
     for (uint32_t i = 0; i < count; ++i) attach(items[i].item, items[i].box);
 }
 
-/// Find a better leaf for an item, for which there is room; returns as detach does.
+/// Moves an item to the leaf that suits it best. Memory was reserved before. Returns as detach does.
 uint32_t Bvh8::reinsert(uint32_t item) {
     const Box moving = box(item);
     const uint32_t leaf = detach(item);
@@ -352,16 +353,16 @@ uint32_t Bvh8::reinsert(uint32_t item) {
     return leaf;
 }
 
-/// What is below a node, from what its children know of themselves.
+/// Recounts the items and levels of a node from its children.
 void Bvh8::count_below(uint32_t index) {
     Node& node = nodes_[index];
     node.items = 0;
     for (uint32_t i = 0; i < node.count; ++i) node.items += items_below(nodes_[index_of(node.child[i])]);
-    note_levels(index);
+    update_levels(index);
 }
 
-/// The children of a node have changed: how many levels it has, and how many those above have at least.
-void Bvh8::note_levels(uint32_t index) {
+/// After changes of a node's children: recounts its levels, and raises those of the nodes above where needed.
+void Bvh8::update_levels(uint32_t index) {
     Node& node = nodes_[index];
     node.levels = 2;
     for (uint32_t i = 0; i < node.count; ++i)
@@ -380,15 +381,15 @@ uint32_t Bvh8::level_of(uint32_t index) const {
 }
 
 void Bvh8::insert(uint32_t item, const Box& box) {
-    // All that can fail comes first.
-    if (item >= place_of_.size()) {
-        reserve_more(place_of_, item + size_t{1} - place_of_.size());
-        place_of_.resize(size_t{item} + 1, none);
+    // Whatever can fail comes first.
+    if (item >= item_lane_.size()) {
+        reserve_more(item_lane_, item + size_t{1} - item_lane_.size());
+        item_lane_.resize(size_t{item} + 1, none);
     }
     if (levels() >= max_levels) rebuild();
     reserve_nodes(nodes_for_additions(1));
     attach(item, box);
-    renew_around(item);
+    rebuild_around(item);
 }
 
 void Bvh8::insert_many(const uint32_t* items, const Box* boxes, uint32_t count) {
@@ -396,7 +397,7 @@ void Bvh8::insert_many(const uint32_t* items, const Box* boxes, uint32_t count) 
         Vector<BoxedItem> all(nodes_.memory());
         all.reserve(size_t{size_} + count);
         append_items(root_, all);
-        size_t limit = place_of_.size();
+        size_t limit = item_lane_.size();
         for (uint32_t i = 0; i < count; ++i) {
             all.push_back({boxes[i], items[i]});
             limit = std::max(limit, size_t{items[i]} + 1);
@@ -413,34 +414,34 @@ void Bvh8::insert_many(const uint32_t* items, const Box* boxes, uint32_t count) 
     }
 }
 
-void Bvh8::remove(uint32_t item) noexcept { dissolve_if_small(detach(item)); }
+void Bvh8::remove(uint32_t item) noexcept { reinsert_small_leaf(detach(item)); }
 
-/// What has left its neighbours at once, or with them has stretched their leaf, goes to a better one.
+/// Reinserts the item if its new box is apart from its leaf's, or if the leaf has degraded; else refits.
 void Bvh8::update(uint32_t item, const Box& box) noexcept {
-    const uint32_t leaf = place_of_[item] / 8;
+    const uint32_t leaf = item_lane_[item] / 8;
     const bool stays_near = overlaps(box_of(leaf), box), jumps = !overlaps(this->box(item), box);
-    nodes_[leaf].boxes.set_lane(static_cast<int>(place_of_[item] % 8), box);
-    if ((!stays_near || degraded(leaf)) && have_room(1)) {
-        dissolve_if_small(reinsert(item));
+    nodes_[leaf].boxes.set_lane(static_cast<int>(item_lane_[item] % 8), box);
+    if ((!stays_near || degraded(leaf)) && try_reserve_nodes(1)) {
+        reinsert_small_leaf(reinsert(item));
     } else {
         refit_upward(leaf);
-        // Another place in the same leaf, which may not be the best: as if it had been added there.
+        // The leaf may not be the best one for the new place: counts as an insertion.
         for (uint32_t above = nodes_[leaf].parent; jumps && above != none; above = nodes_[above].parent)
             ++nodes_[above].added;
     }
-    renew_around(item);
+    rebuild_around(item);
 }
 
 void Bvh8::clear() noexcept {
     nodes_.clear();
-    std::fill(place_of_.begin(), place_of_.end(), none);
+    std::fill(item_lane_.begin(), item_lane_.end(), none);
     root_ = none;
     bounds_ = Box();
     size_ = 0;
     first_free_ = none;
     free_count_ = 0;
     built_area_ = built_root_area_ = 0;
-    credit_ = 0;
+    budget_ = 0;
 }
 
 }  // namespace gphys

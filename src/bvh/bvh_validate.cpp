@@ -1,9 +1,10 @@
-// Looking at the BVH as a whole: statistics, and a check of all that must hold.
+// Statistics of the BVH (SAH cost: MacDonald and Booth 1990), and a check of all its invariants.
 #include "bvh/bvh8.h"
 
 namespace gphys {
 
-/// The number of nodes that a random ray through the root visits, times the root's area.
+/// The sum of half areas below a node. Divided by the root's, it is the expected number of nodes that a random ray
+/// through the root visits.
 double Bvh8::area_below(NodeRef ref) const {
     if (is_leaf(ref)) return 0;
     const Node& node = nodes_[ref];
@@ -25,13 +26,13 @@ gphys_octree_stats Bvh8::stats() const {
     });
     const double root_area = half_area(bounds_);
     double item_area = 0;
-    for (uint32_t item = 0; item < place_of_.size(); ++item) {
-        if (place_of_[item] != none) item_area += half_area(box(item));
+    for (uint32_t item = 0; item < item_lane_.size(); ++item) {
+        if (item_lane_[item] != none) item_area += half_area(box(item));
     }
-    // A tree without extent is visited as a whole.
+    // In a tree without extent every ray visits all nodes.
     stats.cost = static_cast<float>(root_area > 0 ? 1 + (area_below(root_) + item_area) / root_area
                                                   : static_cast<double>(stats.node_count) + size_);
-    const uint64_t bytes = nodes_.capacity() * sizeof(Node) + place_of_.capacity() * sizeof(uint32_t);
+    const uint64_t bytes = nodes_.capacity() * sizeof(Node) + item_lane_.capacity() * sizeof(uint32_t);
     stats.memory_bytes = static_cast<uint32_t>(std::min<uint64_t>(bytes, std::numeric_limits<uint32_t>::max()));
     return stats;
 }
@@ -73,7 +74,7 @@ const char* Bvh8::defect() const {
                     items_of_children += items_below(below);
                     stack[size++] = child;
                 } else {
-                    if (child >= place_of_.size() || place_of_[child] != 8 * index + i) {
+                    if (child >= item_lane_.size() || item_lane_[child] != 8 * index + i) {
                         return "an item does not know its leaf";
                     }
                     ++item_count;
@@ -84,7 +85,7 @@ const char* Bvh8::defect() const {
     }
     if (item_count != size_) return "items are missing";
     uint32_t placed = 0;
-    for (const uint32_t place : place_of_) placed += place != none;
+    for (const uint32_t place : item_lane_) placed += place != none;
     if (placed != size_) return "an item outside the tree has a place";
     uint32_t free_count = 0;
     for (uint32_t index = first_free_; index != none && free_count <= free_count_; index = nodes_[index].parent) {

@@ -1,5 +1,5 @@
-// Compress-store (vpcompressd of AVX-512, by a table for other sets): the elements that a mask selects, stored one
-// after the other. A loop over the mask would end with an unpredictable branch; this takes none.
+// Compress-store: stores the elements that a mask selects, without gaps, as vpcompressd of AVX-512 does. Here a table
+// gives the permutation for each mask. A loop over the mask would end with an unpredictable branch; this has none.
 #pragma once
 
 #include "foundation/compiler.h"
@@ -7,7 +7,7 @@
 
 namespace gphys::GPHYS_ISA {
 
-/// For each mask of eight lanes the selected ones in ascending order, then -1.
+/// of[mask]: the lanes in the mask, ascending, then -1.
 struct CompressTable {
     int8_t of[256][8];
 
@@ -23,7 +23,7 @@ struct CompressTable {
 };
 inline constexpr CompressTable compress_table;
 
-/// Stores from[lane] | bits for each lane of the mask, and returns how many those are. Writes eight elements.
+/// Stores from[lane] | bits for each lane in the mask; returns their number. Writes eight elements.
 inline uint32_t compress_store(uint32_t* to, const uint32_t from[8], uint32_t mask, uint32_t bits = 0) {
 #if GPHYS_HAS_AVX2
     const __m128i packed = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(compress_table.of[mask]));

@@ -1,10 +1,10 @@
-// Interleaved traversal of the tree by many rays, each by itself, for kernels: while one would wait for memory, others
-// go on. Each ray is a state machine (ordered_traversal.h); before it is put aside, what it needs next is prefetched
-// (asynchronous memory access chaining: Kocberber, Falsafi, Grot 2015).
+// Interleaved traversal, for kernels: many rays traverse the tree independently, and while one waits for memory, others
+// continue. Each ray is a state machine (ordered_traversal.h). Before a ray is suspended, its next node or item is
+// prefetched (asynchronous memory access chaining: Kocberber, Falsafi, Grot 2015).
 //
-// Steps are taken by several rays side by side, as their arithmetic is independent and loops of a fixed number of
-// rounds have predictable branches. All of a group leave their nodes before any of them goes on: whether to a node or
-// to an item is unpredictable, and a branch that is resolved early costs less.
+// Several rays take a step together: their arithmetic is independent, and loops with a fixed number of rounds have
+// predictable branches. All rays of a group leave their nodes before any is suspended: whether the next step is a node
+// or an item is an unpredictable branch, and one that is resolved early costs less.
 #pragma once
 
 #include <type_traits>
@@ -15,30 +15,30 @@
 
 namespace gphys::GPHYS_ISA {
 
-/// Order is ClosestHit or AnyHit. probe_of(ray) is a RayProbe; visit(rays, items, count, limits) is for up to eight, as
-/// that of BvhRayVisitor, after prefetch_of(item) for each.
+/// Order is ClosestHit or AnyHit. probe_of(ray) gives a RayProbe. visit(rays, items, count, limits) gets up to eight
+/// pairs, as BvhRayVisitor does; prefetch_of(item) precedes it for each.
 template <class Order, class ProbeOf, class Visit, class PrefetchOf>
 void traverse_interleaved(const BvhNode* nodes, uint32_t root, const ProbeOf& probe_of, const float* limits,
                           uint32_t count, const Visit& visit, const PrefetchOf& prefetch_of) {
-    constexpr uint32_t task_count = 16;                 // rays under way
-    constexpr uint32_t node_group = 4, item_group = 8;  // that take a step side by side
+    constexpr uint32_t task_count = 16;                 // rays in flight
+    constexpr uint32_t node_group = 4, item_group = 8;  // rays that take a step together
     struct alignas(64) Task {
         RayTest test;
         uint32_t ray;
-        const BvhNode* here;  // the node that it is at, or was last
+        const BvhNode* here;  // the present node, or the last one
         NodeHits hits;
         Order traversal;
     };
     Task tasks[task_count];
     typename Order::Stack stacks[task_count];
-    /// Tasks by their numbers, first in, first out: four bits each, in a register.
+    /// First in, first out. Numbers of tasks, four bits each, in one register.
     struct Queue {
         Task* tasks;
         uint64_t numbers = 0;
         uint32_t size = 0;
 
         void add(const Task& task) { numbers |= static_cast<uint64_t>(&task - tasks) << (4 * size++); }
-        Task& take() {
+        Task& pop() {
             Task& task = tasks[numbers % task_count];
             numbers /= task_count;
             --size;
@@ -57,8 +57,8 @@ void traverse_interleaved(const BvhNode* nodes, uint32_t root, const ProbeOf& pr
         task.here = &node_at(nodes, root);
         at_node.add(task);
     };
-    const auto put_aside = [&](Task& task, bool goes_on) {
-        if (!goes_on) {
+    const auto suspend = [&](Task& task, bool is_active) {
+        if (!is_active) {
             begin(task);
         } else if (task.traversal.at_item()) {
             at_item.add(task);
@@ -72,23 +72,23 @@ void traverse_interleaved(const BvhNode* nodes, uint32_t root, const ProbeOf& pr
     const auto test_nodes = [&](auto some) {
         constexpr uint32_t size = some;
         Task* now[size];
-        bool goes_on[size];
+        bool is_active[size];
         GPHYS_UNROLLED
         for (uint32_t i = 0; i < size; ++i) {
-            now[i] = &at_node.take();
+            now[i] = &at_node.pop();
             now[i]->traversal.test_node(*now[i]->here, now[i]->test, now[i]->hits);
         }
         GPHYS_UNROLLED
-        for (uint32_t i = 0; i < size; ++i) goes_on[i] = now[i]->traversal.leave_node(*now[i]->here, now[i]->hits);
+        for (uint32_t i = 0; i < size; ++i) is_active[i] = now[i]->traversal.leave_node(*now[i]->here, now[i]->hits);
         GPHYS_UNROLLED
-        for (uint32_t i = 0; i < size; ++i) put_aside(*now[i], goes_on[i]);
+        for (uint32_t i = 0; i < size; ++i) suspend(*now[i], is_active[i]);
     };
     const auto visit_items = [&](uint32_t size) {
         Task* now[item_group];
         uint32_t rays[item_group], items[item_group];
         float new_limits[item_group];
         for (uint32_t i = 0; i < size; ++i) {
-            now[i] = &at_item.take();
+            now[i] = &at_item.pop();
             rays[i] = now[i]->ray;
             items[i] = now[i]->traversal.item();
         }
@@ -96,7 +96,7 @@ void traverse_interleaved(const BvhNode* nodes, uint32_t root, const ProbeOf& pr
             const int i = lowest_bit(moved);
             now[i]->traversal.set_limit(new_limits[i]);
         }
-        for (uint32_t i = 0; i < size; ++i) put_aside(*now[i], now[i]->traversal.leave_item());
+        for (uint32_t i = 0; i < size; ++i) suspend(*now[i], now[i]->traversal.leave_item());
     };
     for (Task& task : tasks) begin(task);
     for (;;) {

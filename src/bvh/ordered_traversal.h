@@ -1,17 +1,17 @@
-// Ordered depth-first traversal of the tree by one query, for kernels: the children of a node are visited in the order
-// of their keys, and what the limit rules out is pruned.
+// Ordered depth-first traversal of the tree by one query, for kernels: children are visited in the order of their keys,
+// and pruned by the limit.
 //
-// Closest hit: front to back, by where the ray enters boxes or how far they are from the point. A hit moves the limit
-// to itself (branch and bound; of rays Wald et al., "Ray tracing deformable scenes using dynamic bounding volume
-// hierarchies", 2007, for eight children at a time Wald, Benthin, Boulos, "Getting rid of packets", 2008; of points
-// Roussopoulos, Kelley, Vincent, "Nearest neighbor queries", 1995).
+// Closest hit: front to back; the key is the entry of the ray into the box, or the distance of the box from the point.
+// A hit lowers the limit (branch and bound). Rays: Wald et al., "Ray tracing deformable scenes using dynamic bounding
+// volume hierarchies", 2007; eight children at a time: Wald, Benthin, Boulos, "Getting rid of packets", 2008. Points:
+// Roussopoulos, Kelley, Vincent, "Nearest neighbor queries", 1995.
 //
-// Any hit: the first hit ends the traversal, so the child in which the ray is longest comes first, as it is the most
-// likely to have one (the greatest expected benefit: Ize and Hansen, "RTSAH traversal order for occlusion rays",
-// 2011), and the others in no order, which costs less than sorting them.
+// Any hit: the first hit ends the traversal. The child that contains the longest part of the ray comes first, as it is
+// the most likely to give a hit (Ize and Hansen, "RTSAH traversal order for occlusion rays", 2011). The others are not
+// sorted, which would cost more.
 //
-// Either is a state machine with one step for each node or item, so that several can be interleaved
-// (interleaved_traversal.h).
+// Each of these two classes is a state machine with one step for each node or item, so that many can be interleaved
+// (interleaved_traversal.h). traverse_ordered is the closest hit of a single query, without interleaving.
 #pragma once
 
 #include "bvh/box8_tests.h"
@@ -46,13 +46,13 @@ public:
         out.lanes = test.hits(here.boxes, limit_, keys) & lanes_of(here);
         store(out.keys, keys);
     }
-    // Each goes on to the next node or item, and returns false at the end.
+    // Each moves to the next node or item, and returns false at the end.
     bool leave_node(const BvhNode& here, const NodeHits& hits) {
         size_ = push_sorted(stack_, size_, here.child, hits, is_leaf(child_of(at_)));
         return next();
     }
     bool leave_item() { return next(); }
-    /// A lower limit. Pruned at once: to test each entry as it is popped would be an unpredictable branch each time.
+    /// Lowers the limit and prunes the stack at once: a test of each popped entry would be an unpredictable branch.
     void set_limit(float limit) {
         limit_ = limit;
         size_ = 1 + prune(limit, stack_ + 1, size_ - 1);
@@ -70,7 +70,7 @@ private:
     StackEntry* stack_;
 };
 
-/// For rays whose limit stays until a hit ends them.
+/// The limit stays the same until a hit ends the ray.
 class AnyHit {
 public:
     using Stack = uint32_t[stack_size + 8];  // compress_store writes eight
@@ -109,12 +109,12 @@ public:
     void set_limit(float) { size_ = 0; }
 
 private:
-    /// Of all lanes: where one that is not hit is the longest, what is stored for it lies beyond the top.
+    /// The lane with the greatest key. It may be a lane that is not hit: what is stored for it lies above the stack.
     static uint32_t longest_of(const NodeHits& hits) {
         const Float8 lengths = load(hits.keys);
         return static_cast<uint32_t>(lowest_bit(bits(greatest_lane(lengths) <= lengths)));
     }
-    static constexpr uint32_t item_bit = bvh_leaf_bit >> 1;  // neither nodes nor items are ever so many
+    static constexpr uint32_t item_bit = bvh_leaf_bit >> 1;  // numbers of nodes and items stay below it
 
     uint32_t at_;
     float limit_;
@@ -122,13 +122,11 @@ private:
     uint32_t* stack_;
 };
 
-/// The closest hit of one query alone. visit(item) returns the limit that holds from then on; a negative one ends the
-/// traversal.
+/// The closest hit of a single query. visit(item) returns the new limit; a negative one ends the traversal.
 ///
-/// The items of a leaf are visited at once, nearest first, and never lie on the stack. Of the children of an inner node
-/// the nearest is found without waiting for the others to be sorted, which the processor then does while it waits for
-/// the memory of that child; the one after it is prefetched. prefetch_items(leaf) comes before the boxes of a leaf
-/// are tested.
+/// The items of a leaf are visited at once, nearest first; they are never on the stack. In an inner node, the nearest
+/// child is found before the others are sorted: so the processor sorts while it waits for the memory of that child. The
+/// second nearest child is prefetched. prefetch_items(leaf) precedes the test of a leaf's boxes.
 template <class Test, class Visit, class PrefetchItems>
 void traverse_ordered(const BvhNode* nodes, uint32_t root, const Test& test, float limit, const Visit& visit,
                       const PrefetchItems& prefetch_items) {

@@ -1,10 +1,10 @@
-// Packet traversal, for kernels: rays that go much the same way visit each node once for all of them, front to back by
-// the first of them to enter. Inner nodes are tested by interval arithmetic over the whole packet, the items of leaves
-// first for groups of eight rays and then for each ray (Boulos, Wald, Benthin, "Geometric and arithmetic culling
-// methods for entire ray packets", 2006; Reshetov, Soupikov, Hurley, "Multi-level ray tracing algorithm", 2005).
+// Packet traversal, for kernels: coherent rays visit each node once for all of them, front to back by the earliest
+// entry. Inner nodes are tested by interval arithmetic for the whole packet. The items of a leaf are tested for groups
+// of eight rays, then for each ray (Boulos, Wald, Benthin, "Geometric and arithmetic culling methods for entire ray
+// packets", 2006; Reshetov, Soupikov, Hurley, "Multi-level ray tracing algorithm", 2005).
 //
-// A packet whose rays come apart costs more than its rays alone: it is given up, and they go on interleaved
-// (interleaved_traversal.h).
+// A packet that diverges costs more than its rays cost separately. PacketCost detects that; then the rays continue
+// interleaved (interleaved_traversal.h).
 #pragma once
 
 #include "bvh/packet_test.h"
@@ -14,10 +14,10 @@
 
 namespace gphys::GPHYS_ISA {
 
-/// The limits of the rays of a packet. Groups of eight are filled up with none.
+/// The limits of the rays of a packet, padded to groups of eight with -1: no ray.
 struct PacketLimits {
-    static_assert(RayPackets::most <= bvh_most_rays);
-    alignas(32) float limits[bvh_most_rays];
+    static_assert(RayPackets::max_rays <= bvh_max_rays);
+    alignas(32) float limits[bvh_max_rays];
 
     template <class LimitOf>
     PacketLimits(uint32_t count, const LimitOf& limit_of) {
@@ -26,27 +26,27 @@ struct PacketLimits {
     }
 };
 
-/// Numbers of rays, for compress_store.
-struct Numbers {
-    uint32_t up_to[RayPackets::most];
+/// 0, 1, 2, ...: what compress_store selects the numbers of rays or lanes from.
+struct LaneNumbers {
+    uint32_t values[RayPackets::max_rays];
 
-    constexpr Numbers() : up_to{} {
-        for (uint32_t i = 0; i < RayPackets::most; ++i) up_to[i] = i;
+    constexpr LaneNumbers() : values{} {
+        for (uint32_t i = 0; i < RayPackets::max_rays; ++i) values[i] = i;
     }
 };
-inline constexpr Numbers numbers;
+inline constexpr LaneNumbers lane_numbers;
 
-/// Pairs of a ray and an item, kept back until there are eight: to visit eight takes little longer than one.
+/// Collects pairs of a ray and an item. The visitor gets eight at a time, since eight take little longer than one.
 template <class Visit>
 class VisitQueue {
 public:
     /// visit(rays, items, count)
     explicit VisitQueue(const Visit& visit) : visit_(visit) {}
 
-    /// The rays of a group (PacketTest) that a mask selects.
+    /// Adds the rays of a group (PacketTest) that `mask` selects.
     void add(uint32_t group, uint32_t mask, uint32_t item) {
         for (uint32_t i = 0; i < 8; ++i) items_[count_ + i] = item;
-        count_ += compress_store(rays_ + count_, numbers.up_to + 8 * group, mask);
+        count_ += compress_store(rays_ + count_, lane_numbers.values + 8 * group, mask);
         if (count_ < 8) return;
         visit_(rays_, items_, 8u);
         count_ -= 8;
@@ -55,7 +55,7 @@ public:
             items_[i] = items_[8 + i];
         }
     }
-    void finish() {
+    void flush() {
         if (count_ > 0) visit_(rays_, items_, count_);
         count_ = 0;
     }
@@ -65,35 +65,35 @@ private:
     uint32_t rays_[16], items_[16], count_ = 0;
 };
 
-/// Whether the packet is still cheaper than its rays alone would be. How far apart they are tells little, as leaves
-/// differ in size; what the traversal has met so far tells more. Alone, each ray would have visited some nodes, and
-/// about one for each item that it may hit. The packet has visited nodes, and in leaves has tested groups and rays; a
-/// test of one box costs about a third of that of a node. The weights are fitted to the benchmark of batches
-/// (bench/batches.cpp), which fails where a batch takes longer than its single calls.
+/// Compares the cost of a packet with the estimated cost of its rays traversed separately. The distance between the
+/// rays predicts that badly, because leaves differ in size; so the estimate uses what the traversal has visited so far.
+/// Separately, each ray visits some nodes, and about one more for each item that it may hit. The packet visits nodes,
+/// and in leaves tests groups and rays; a test of one box costs about a third of a node. The weights are fitted to the
+/// benchmark of batches (bench/batches.cpp), which fails where a batch takes longer than its single calls.
 class PacketCost {
 public:
-    explicit PacketCost(uint32_t rays) : alone_(nodes_of_each * rays) {}
+    explicit PacketCost(uint32_t rays) : separate_(nodes_per_ray * rays) {}
 
     void add_node() { packet_ += node; }
     void add_groups(uint32_t count) { packet_ += group * count; }
     void add_box(uint32_t rays) {
         packet_ += box;
-        alone_ += item * rays;
+        separate_ += item * rays;
     }
-    bool is_too_high() const { return packet_ > alone_; }
+    bool is_too_high() const { return packet_ > separate_; }
 
 private:
-    static constexpr uint32_t node = 3, group = 2, box = 1, nodes_of_each = 12, item = 4;
+    static constexpr uint32_t node = 3, group = 2, box = 1, nodes_per_ray = 12, item = 4;
 
-    uint32_t packet_ = 0, alone_;
+    uint32_t packet_ = 0, separate_;
 };
 
-/// visit(group, mask, item) is for the rays of a group that may hit the item; it may put off to move limits until
-/// settle() at the end of a leaf. False if the packet has come to cost too much: then each ray has to begin again by
-/// itself, with the limit that it has.
-template <class Visit, class Settle, class PrefetchOf>
+/// visit(group, mask, item) gets the rays of a group that may hit the item. It may defer new limits until flush(), at
+/// the end of a leaf. Returns false if the packet costs too much: then each ray has to be traversed separately from the
+/// root, with its present limit.
+template <class Visit, class Flush, class PrefetchOf>
 bool traverse_packet(const BvhNode* nodes, uint32_t root, PacketTest& test, uint32_t count, const Visit& visit,
-                     const Settle& settle, const PrefetchOf& prefetch_of) {
+                     const Flush& flush, const PrefetchOf& prefetch_of) {
     if (test.limit() < 0) return true;
     StackEntry stack[stack_size];
     int size = 0;
@@ -119,7 +119,7 @@ bool traverse_packet(const BvhNode* nodes, uint32_t root, PacketTest& test, uint
             constexpr uint64_t lane_of_groups = 0x0101010101010101;
             for (uint32_t rest = hits.lanes; rest != 0; rest &= rest - 1) prefetch_of(node.child[lowest_bit(rest)]);
             StackEntry ordered[8 + stack_slack];
-            for (int left = push_sorted(ordered, 0, numbers.up_to, hits, false); left-- > 0;) {
+            for (int left = push_sorted(ordered, 0, lane_numbers.values, hits, false); left-- > 0;) {
                 const uint32_t lane = child_of(ordered[left]);
                 for (uint64_t rest = groups >> lane & lane_of_groups; rest != 0; rest &= rest - 1) {
                     const auto group = static_cast<uint32_t>(lowest_bit(rest)) / 8;
@@ -128,7 +128,7 @@ bool traverse_packet(const BvhNode* nodes, uint32_t root, PacketTest& test, uint
                     if (mask != 0) visit(group, mask, node.child[lane]);
                 }
             }
-            settle();
+            flush();
             test.set_limits();
         }
         if (cost.is_too_high()) return false;

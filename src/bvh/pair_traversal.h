@@ -1,6 +1,6 @@
-// Pairs of items of two trees whose boxes overlap, for kernels: simultaneous traversal of both (Gottschalk, Lin,
-// Manocha, "OBBTree", 1996). Each lane of one node is tested against the eight of the other; where one side has come to
-// its items, the other goes down alone.
+// Pairs of items of two trees whose boxes overlap, for kernels: simultaneous traversal of both trees (Gottschalk, Lin,
+// Manocha, "OBBTree", 1996). Each lane of one node is tested against the eight of the other. At an item of one tree,
+// the traversal continues in the other alone.
 #pragma once
 
 #include "bvh/box8_tests.h"
@@ -8,7 +8,7 @@
 
 namespace gphys::GPHYS_ISA {
 
-/// False if the visitor ended it.
+/// Returns false if the visitor ended it.
 inline bool traverse_pairs(const BvhNode* nodes, uint32_t root, const BvhNode* other_nodes, uint32_t other_root,
                            const BvhPairVisitor& to) {
     const auto below_other = [&](uint32_t item, const BoxTest& test, uint32_t ref) {
@@ -24,7 +24,7 @@ inline bool traverse_pairs(const BvhNode* nodes, uint32_t root, const BvhNode* o
     struct Pair {
         uint32_t a, b;
     };
-    // Each step goes down at least one level on one side and leaves at most 63 pairs behind.
+    // Each step descends at least one level in one tree and leaves at most 63 pairs on the stack.
     Pair stack[64 * bvh_max_levels];
     int size = 0;
     stack[size++] = {root, other_root};

@@ -1,6 +1,5 @@
-// What RayProbe (box8.h) consists of, before it is rounded to floats: one formula for one ray, with
-// Vector = Vec<double> or the Axes of a set of instructions, and for eight side by side, with Vec<Double8>. Derived in
-// box8.cpp.
+// The numbers of RayProbe (box8.h) before they are rounded to float. One formula: for one ray with Vector = Vec<double>
+// or Axes (simd_axes.h), for eight rays with Vec<Double8>. box8.cpp has the derivation.
 #pragma once
 
 #include "bvh/box8.h"
@@ -11,9 +10,9 @@ namespace gphys {
 
 constexpr double smallest_normal = std::numeric_limits<float>::min();
 
-/// What the double arithmetic of a query whose largest coordinate is w may be off by: a few dozen
-/// roundings of 2^-53 each. The smallest normal float beside it keeps differences of coordinates
-/// clear of the subnormals, which some hosts flush to zero.
+/// Bound of the rounding of a query's double arithmetic, if its largest coordinate is w: a few dozen roundings of
+/// 2^-53. The smallest normal float keeps differences of coordinates away from the subnormals, which some hosts flush
+/// to zero.
 template <class Number>
 GPHYS_INLINE Number rounding_slack(Number w) {
     return 0x1p-48 * w + smallest_normal;
@@ -28,12 +27,12 @@ template <class Vector>
 struct RaySetup {
     using Number = decltype(max_component(Vector()));
 
-    Vector near_origin, far_origin, back;
-    Vector along;  // has the signs of the direction
-    Vector begin;
+    Vector near_origin, far_origin, minus_inverse;
+    Vector unit_direction;  // its largest component is 1 or -1
+    Vector begin;           // the origin, moved forward to the root box
     Number slack, scale, start, span;
 
-    GPHYS_INLINE RaySetup(const Vector& from, const Vector& direction, const RaysRoot& root) {
+    GPHYS_INLINE RaySetup(const Vector& from, const Vector& direction, const RootBounds& root) {
         slack = rounding_slack(largest(largest(root.extent, max_component(abs(from))), root.radius));
         const Number margin = root.radius + slack;
         const Vector size = abs(direction);
@@ -41,7 +40,7 @@ struct RaySetup {
         const auto moves = 0 < length;
         scale = select(moves, length, 1);
         const Number to_unit = 1 / scale;
-        along = direction * to_unit;
+        unit_direction = direction * to_unit;
 
         const LongestAxis<Vector> main(direction);
         const Number low = main.of(root.low), high = main.of(root.high);
@@ -50,27 +49,27 @@ struct RaySetup {
         const Number sense = select(backward, -1, 1);
         start = largest(0, (select(backward, high, low) - from_main) * sense - margin);
         start = select(moves, start, 0);
-        begin = from + along * start;
+        begin = from + unit_direction * start;
         span = (select(backward, low, high) - (from_main + direction_main * to_unit * start)) * sense + margin;
         span = select(moves, span, 0);
-        // From further away the ray cannot come back to the root within its span.
+        // Farther away, the ray cannot reach the root within its span.
         const auto never = (span < 0) | (root.extent + span + margin < max_component(abs(begin)));
         span = select(never, -infinity, span);
 
         constexpr double rounding = 5 * 0x1p-24, flushed = 4 * smallest_normal;
         const Number wide = margin + rounding * root.extent + flushed;
         begin = select(never, Vector{}, begin);
-        const Vector width = with_signs(plus(plus(abs(begin), margin) * rounding, wide), along);
+        const Vector width = with_signs(plus(plus(abs(begin), margin) * rounding, wide), unit_direction);
         near_origin = begin + width;
         far_origin = begin - width;
-        back = quotients(-scale, with_signs(at_least(size, 0x1p-68 * scale), direction));
-        // Beyond this the margin alone is wider than any tree: no box can be excluded.
+        minus_inverse = quotients(-scale, with_signs(at_least(size, 0x1p-68 * scale), direction));
+        // With a larger margin, no box can be rejected: the margin alone is wider than any tree.
         const auto everything = 0x1p53 < margin;
-        if (any(everything)) take_in(everything);
+        if (any(everything)) accept_all(everything);
     }
 
 private:
-    GPHYS_INLINE void take_in(decltype(Number() < Number()) everything) {
+    GPHYS_INLINE void accept_all(decltype(Number() < Number()) everything) {
         const auto all = [](double value) {
             Vector of_axes;
             load({value, value, value, value}, of_axes);
@@ -78,33 +77,32 @@ private:
         };
         near_origin = select(everything, all(0x1p56), near_origin);
         far_origin = select(everything, all(-0x1p56), far_origin);
-        back = select(everything, all(-0x1p68), back);
-        along = select(everything, all(0), along);
+        minus_inverse = select(everything, all(-0x1p68), minus_inverse);
+        unit_direction = select(everything, all(0), unit_direction);
         begin = select(everything, all(0), begin);
-        slack = select(everything, 0, slack);  // limits are to be floats
+        slack = select(everything, 0, slack);  // limits must fit into floats
         start = select(everything, 0, start);
-        span = select(everything, beyond_trees, span);
+        span = select(everything, unbounded_span, span);
     }
 };
 
 template <class Vector>
-GPHYS_INLINE void put_probe(const RaySetup<Vector>& setup, RayProbe& probe) {
+GPHYS_INLINE void store_probe(const RaySetup<Vector>& setup, RayProbe& probe) {
     store_narrowed(probe.near_origin, setup.near_origin);
     store_narrowed(probe.far_origin, setup.far_origin);
-    store_narrowed(probe.back, setup.back);
-    const uint32_t minus = signs_of(setup.along);
+    store_narrowed(probe.minus_inverse, setup.minus_inverse);
+    const uint32_t minus = signs_of(setup.unit_direction);
     for (uint32_t k = 0; k < 3; ++k) {
         const uint32_t backward = (minus >> k & 1) * 24;
         probe.near_face[k] = 8 * k + backward;
         probe.far_face[k] = 8 * k + 24 - backward;
     }
     store(probe.begin, setup.begin);
-    probe.course = {setup.slack, setup.scale, setup.start, setup.span};
+    probe.path = {setup.slack, setup.scale, setup.start, setup.span};
 }
 
-/// What box tests compare with, before it is rounded to a float; negative if the ray meets nothing.
-///
-/// There is room for that rounding, and for those of tests that add to the limit in floats (triangle_test.h).
+/// The end of the ray in the unit of the box tests, before it is rounded to float; negative if the ray hits no box. The
+/// factor covers that rounding, and those of tests that add to the limit in float (triangle_test.h).
 template <class Number>
 GPHYS_INLINE Number ray_limit(Number t_max, Number slack, Number scale, Number start, Number span) {
     const Number end = least(t_max * scale - start, span) + slack;

@@ -1,6 +1,7 @@
-// The stack of an ordered traversal (ordered_traversal.h, packet_traversal.h), for kernels: children with their keys,
-// the one to visit next on top. The children of a node are sorted as they are pushed, and entries that a shorter
-// limit rules out are pruned, both without branches on their number.
+// The stack of ordered traversals (ordered_traversal.h, packet_traversal.h), for kernels: entries of a child and its
+// key, the next to visit on top. Pushes sort the children of a node, by sorting networks (Batcher 1968) where the
+// instruction set has permutations; prune() removes the entries beyond a lower limit. Both avoid unpredictable branches
+// on the number of entries.
 #pragma once
 
 #include <cstring>
@@ -21,13 +22,13 @@ struct NodeHits {
     alignas(32) float keys[8];
 };
 
-/// A child in the low half, its key in the high half: the bits of a float >= 0, which sort as the float does. The
-/// lowest three bits of the key hold the lane while children are sorted, and then tell items from nodes; without them
-/// a key is at most a little less, so that nothing is pruned too soon.
+/// Low half: the child. High half: the key, the bits of a float >= 0, which sort as the float does. The lowest three
+/// bits of the key hold the lane during the sort, then the mark of items. They make a key at most a little smaller, so
+/// nothing is pruned that must be visited.
 using StackEntry = uint64_t;
 constexpr uint32_t lane_field = 7, item_mark = 1;
 constexpr uint32_t minus_infinity = 0xff800000u;
-/// Lies at the bottom of a stack and is never pruned: its key is below all limits.
+/// The bottom of a stack. It is never pruned: its key is below all limits.
 constexpr StackEntry sentinel = uint64_t{minus_infinity} << 32;
 
 inline uint32_t child_of(StackEntry entry) { return static_cast<uint32_t>(entry); }
@@ -39,19 +40,19 @@ inline float key_of(StackEntry entry) {
     return key;
 }
 
-/// push_sorted and prune may write this many entries beyond the last.
+/// push_sorted and prune may write this many entries above the top.
 constexpr int stack_slack = 8;
-/// With the sentinel.
+/// With the sentinel and the slack.
 constexpr int stack_size = 1 + bvh_max_open + stack_slack;
 
-/// What is sorted: the bits of a key with the lane in them.
+/// The sorted value: the bits of a key, with the lane in the lowest bits.
 inline uint32_t lane_key(const float keys[8], int lane) {
     uint32_t key_bits;
     std::memcpy(&key_bits, keys + lane, sizeof key_bits);
     return (key_bits & ~lane_field) | static_cast<uint32_t>(lane);
 }
 
-/// Any number of hits, by insertion sort.
+/// Any number of hits, by insertion sort; also the scalar meaning of the networks below.
 GPHYS_INLINE int push_by_insertion(StackEntry* stack, int size, const uint32_t children[8], const NodeHits& node,
                                    uint32_t mark) {
     uint32_t sorted[8];  // descending
@@ -79,7 +80,7 @@ GPHYS_INLINE int push_by_network_of_four(StackEntry* stack, int size, const uint
     const __m256 keys = _mm256_permutevar8x32_ps(_mm256_load_ps(node.keys), _mm256_castsi128_si256(lanes));
     const __m128i no_lane = _mm_set1_epi32(static_cast<int>(~lane_field));
     const __m128i bits = _mm_and_si128(_mm_castps_si128(_mm256_castps256_ps128(keys)), no_lane);
-    // Where there is no hit all bits are set, which is less than any key.
+    // Lanes without a hit have all bits set: as signed integers, less than any key.
     __m128i sorted = _mm_or_si128(bits, lanes);
     const auto exchange = [&sorted](__m128i other, auto blend) {
         sorted = blend(_mm_max_epi32(sorted, other), _mm_min_epi32(sorted, other));
@@ -95,7 +96,7 @@ GPHYS_INLINE int push_by_network_of_four(StackEntry* stack, int size, const uint
     return size + popcount(node.lanes);
 }
 
-/// Keys with their lanes in them; where nothing is hit all bits are set.
+/// lane_key() of all lanes; lanes without a hit have all bits set.
 GPHYS_INLINE __m256i sortable_keys(const NodeHits& node) {
     const __m256i lanes = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
     const __m256i no_lane = _mm256_set1_epi32(static_cast<int>(~lane_field));
@@ -110,7 +111,7 @@ GPHYS_INLINE __m256i sortable_keys(const NodeHits& node) {
 #endif
 }
 
-/// Any number of hits, by the network of Batcher's odd-even merge sort (1968).
+/// Any number of hits, by the network of Batcher's odd-even merge sort.
 GPHYS_INLINE int push_by_network_of_eight(StackEntry* stack, int size, const uint32_t children[8], const NodeHits& node,
                                           uint32_t mark) {
     const __m256i no_lane = _mm256_set1_epi32(static_cast<int>(~lane_field));
@@ -140,7 +141,7 @@ GPHYS_INLINE int push_by_network_of_eight(StackEntry* stack, int size, const uin
 }
 #endif
 
-/// Of the lanes that are hit the one with the least key, the first of several; any if there are none.
+/// The hit lane with the least key, of equal ones the first; any lane if there is no hit.
 GPHYS_INLINE uint32_t nearest_lane(const NodeHits& node) {
 #if GPHYS_HAS_AVX2
     const __m256i keys = sortable_keys(node);
@@ -158,7 +159,7 @@ GPHYS_INLINE uint32_t nearest_lane(const NodeHits& node) {
 #endif
 }
 
-/// Push the children that are hit, furthest first.
+/// Pushes the hit children, farthest first.
 GPHYS_INLINE int push_sorted(StackEntry* stack, int size, const uint32_t children[8], const NodeHits& node,
                              bool items) {
     const uint32_t mark = items ? item_mark : 0;
@@ -171,7 +172,7 @@ GPHYS_INLINE int push_sorted(StackEntry* stack, int size, const uint32_t childre
 }
 
 #if GPHYS_HAS_AVX2
-/// For each mask of four entries the selected ones as pairs of 32-bit lanes, in order.
+/// of[mask]: the selected ones of four entries, as pairs of 32-bit lanes, for compress-store.
 struct HalvesOfEntries {
     alignas(32) int32_t of[16][8];
 
@@ -189,12 +190,12 @@ struct HalvesOfEntries {
 inline constexpr HalvesOfEntries halves_of_entries;
 #endif
 
-/// Compresses entries to those with keys up to a limit, in their order, and returns how many. Reads and writes up to
-/// stack_slack more.
+/// Keeps the entries with keys up to a limit, in their order, and returns their number. Reads and writes up to
+/// stack_slack more. The scalar form is the last branch.
 inline int prune(float limit, StackEntry* entries, int size) {
     int kept = 0;
 #if GPHYS_HAS_AVX2
-    // Keys compare as signed numbers; their lowest bits do not count.
+    // Keys compare as signed integers; their lowest three bits are ignored.
     uint32_t limit_bits;
     std::memcpy(&limit_bits, &limit, sizeof limit_bits);
     const auto last = static_cast<int64_t>(uint64_t{limit_bits | lane_field} << 32 | 0xffffffffu);

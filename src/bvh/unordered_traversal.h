@@ -1,9 +1,9 @@
-// Unordered depth-first traversal of the tree by one query, for kernels: any hit of a single ray, and what one box
-// overlaps.
+// Unordered depth-first traversal by one query, for kernels: any hit of a single ray, and the items that overlap one
+// box.
 //
-// The order of AnyHit (ordered_traversal.h) is for rays that are interleaved. A single one would wait for the node that
-// it has just chosen; here all children are prefetched as they are pushed. Among 20,000 models a single any-hit ray
-// takes a third longer in that order, at 1.02 of the instructions.
+// All children are prefetched when they are pushed. The order of AnyHit (ordered_traversal.h) suits interleaved rays: a
+// single ray would wait for the node that it has just chosen. Among 20,000 models a single any-hit ray takes a third
+// longer in that order, at 1.02 of the instructions.
 #pragma once
 
 #include "bvh/prefetch.h"
@@ -12,7 +12,7 @@
 
 namespace gphys::GPHYS_ISA {
 
-/// hits(boxes) gives lanes; visit(leaf, lanes) returns whether to go on. False if one did not.
+/// hits(boxes) gives the lanes. visit(leaf, lanes) returns false to end the traversal; then the result is false.
 template <class Hits, class Visit>
 bool traverse_unordered(const BvhNode* nodes, uint32_t root, const Hits& hits, const Visit& visit) {
     uint32_t stack[stack_size];

@@ -61,15 +61,15 @@ void cast_by_tiles(const Scene& scene, const ImageTiles& tiles, RayOf&& ray_of, 
 }
 
 /// cast(first, count, filter) for the rays of a tile, which belong to `items`: with layers once, with filters in groups
-/// of most_ray_filters.
+/// of max_ray_filters.
 template <class Cast>
 void cast_by(uint32_t layers, const uint32_t*, uint32_t count, const Cast& cast) {
     cast(0, count, layers);
 }
 template <class Cast>
 void cast_by(const Filters& filters, const uint32_t* items, uint32_t count, const Cast& cast) {
-    QueryFilter storage[most_ray_filters];
-    const uint32_t at_once = filters.is_one() ? count : most_ray_filters;
+    QueryFilter storage[max_ray_filters];
+    const uint32_t at_once = filters.is_one() ? count : max_ray_filters;
     for (uint32_t first = 0; first < count; first += at_once) {
         const uint32_t some = std::min(at_once, count - first);
         cast(first, some, filters.of(items + first, some, storage));

@@ -69,13 +69,13 @@ inline gphys_status check_concatenation(const char* name, const void* out, uint3
     return GPHYS_OK;
 }
 
-/// The overlaps of shapes first .. first + count - 1, at most OverlapItems::most_queries: one traversal finds the
+/// The overlaps of shapes first .. first + count - 1, at most OverlapItems::max_queries: one traversal finds the
 /// candidates of all, then each shape tests its own. list_of(i, add_all) as in concatenate.
 template <class Filter, class ListOf>
 void list_overlaps(const Scene& scene, gphys_shape_type type, const Strided<char>& shapes, uint32_t first,
                    uint32_t count, const Filter& filter, const ListOf& list_of) {
-    Shape queries[OverlapItems::most_queries];
-    OverlapItems candidates[OverlapItems::most_queries];
+    Shape queries[OverlapItems::max_queries];
+    OverlapItems candidates[OverlapItems::max_queries];
     // Valid when they were checked. If another thread has made one invalid since, all lists are empty.
     bool valid = true;
     for (uint32_t k = 0; k < count; ++k) valid &= read_shape(type, &shapes[first + k], queries[k]) == GPHYS_OK;
@@ -248,8 +248,8 @@ gphys_status scene_overlap_batch(const gphys_scene* scene, gphys_shape_type type
     GPHYS_TRY(check_concatenation("out_models", out_models, capacity, out_offsets));
     return concatenate<gphys_model_id, std::less<gphys_model_id>>(
         workers, out_models, capacity, count, out_offsets, [&](uint32_t begin, uint32_t end, const auto& list_of) {
-            for (uint32_t first = begin; first < end; first += OverlapItems::most_queries) {
-                const uint32_t size = std::min(end - first, OverlapItems::most_queries);
+            for (uint32_t first = begin; first < end; first += OverlapItems::max_queries) {
+                const uint32_t size = std::min(end - first, OverlapItems::max_queries);
                 list_overlaps(*unwrap(scene), type, shape, first, size, filter, list_of);
             }
         });

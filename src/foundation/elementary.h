@@ -25,9 +25,9 @@ Decay decay(double z);
 struct SinCos {
     double sin, cos;
 };
-/// x| <= 4; NaN for larger ones.
+/// For magnitudes of x up to 4; NaN for larger ones.
 SinCos sin_cos(double x);
-/// x| <= 4; NaN for larger ones.
+/// For magnitudes of x up to 4; NaN for larger ones.
 double tan(double x);
 double cbrt(double x);
 

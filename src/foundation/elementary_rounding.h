@@ -10,7 +10,7 @@
 
 namespace gphys {
 
-/// integer 2^exponent.
+/// The number integer * 2^exponent.
 struct Parts {
     uint64_t integer;
     int exponent;
@@ -27,7 +27,7 @@ inline Parts parts_of(double x) {
     return field == 0 ? Parts{mantissa, -1074} : Parts{mantissa | uint64_t{1} << 52, field - 1075};
 }
 
-/// fraction 2^(exponent - 128), the high half of the fraction is not 0.
+/// The number fraction * 2^(exponent - 128). The high half of the fraction is not 0.
 struct Approximation {
     U128 fraction;
     int exponent;

@@ -17,7 +17,7 @@ public:
     template <class Source>
     explicit Pool(Source* memory) : records_(memory) {}
 
-    /// Reserve memory so that the next `count` calls of add do not throw.
+    /// Reserves memory so that the next `count` calls of add do not throw.
     void reserve(uint32_t count) {
         if (count > free_count_) reserve_more(records_, count - free_count_);
     }

@@ -48,7 +48,7 @@ public:
     const T& largest() const { return out_[0]; }
     uint32_t total() const { return total_; }
 
-    /// Sort what was kept; returns how many were added (saturating).
+    /// Sorts the kept values; returns the number of added ones (saturating).
     uint32_t finish() {
         const uint32_t count = std::min(total_, capacity_);
         if constexpr (std::is_unsigned_v<T> && std::is_same_v<Less, std::less<T>>) {

@@ -33,7 +33,7 @@ inline Vec3 reference_point(const Aabb& box) { return box.min; }
 inline Vec3 reference_point(const Obb& box) { return box.center; }
 
 /// Relative to the size of a difference and its displacement: shapes closer than this count as in contact.
-constexpr double touching = 0x1p-46;
+constexpr double contact_tolerance = 0x1p-46;
 /// Relative to the size of a difference. The direction of a longer offset has an error below 2^-16. So a ball that is
 /// pushed out along it keeps a penetration below the square of that, relative to its radius. For a smaller radius, the
 /// cores are in contact within rounding if the shapes are.
@@ -128,8 +128,8 @@ Separation separation(const ConvexDifference& set);
 Vec3 contact_on_other(const ConvexDifference& set, const Separation& separation);
 
 /// The normal of a first contact, for a difference that is there: of the given one and of those of the faces, against
-/// the motion, the one along which the cores are furthest apart. What a step at a distance would have met may be
-/// another part than what is met, and the direction of a short offset may be rounding.
+/// the motion, the one along which the cores are farthest apart. A step at a distance may find another part than the
+/// contact, and the direction of a short offset may be rounding.
 Vec3 contact_normal(const ConvexDifference& there, Vec3 displacement, Vec3 normal);
 
 /// The unit vector along cross(b - a, d - c), with a relative error of 2^-43, or 0.

@@ -29,7 +29,7 @@ Penetration pair(const Plane& plane, const Moving& moving) {
 
 Penetration penetration(const Shape& shape, const Shape& moving) {
     return with_pair(shape, moving, [](const auto& other, const auto& solid) {
-        Penetration way{};  // of a frustum, which the interface refuses
+        Penetration way{};  // for a frustum, which the interface rejects
         if constexpr (!std::is_same_v<decltype(other), const Frustum&>) way = pair(other, solid);
         return way;
     });

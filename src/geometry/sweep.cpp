@@ -73,11 +73,11 @@ bool sweep(const Sphere& sphere, const Sphere& moving, Vec3 displacement, Hit& h
 bool sweep(const Capsule& capsule, const Sphere& moving, Vec3 displacement, Hit& hit) {
     if (moving.radius == 0) return raycast(capsule, path(moving, displacement), hit);
     const Capsule grown{capsule.a, capsule.b, capsule.radius + moving.radius};
-    const bool meets =
+    const bool is_hit =
         touches_at_start(capsule, moving, displacement, hit) ||
         (raycast(grown, path(moving, displacement), hit) && contact_on(capsule, moving, displacement, hit));
-    if (meets && hit.t == 0) mend_normal(capsule, moving, hit);
-    return meets;
+    if (is_hit && hit.t == 0) mend_normal(capsule, moving, hit);
+    return is_hit;
 }
 
 /// The squared distance of the centre from the box is the sum of squares over the axes on which it is outside. Between
@@ -150,7 +150,7 @@ bool sweep(const Plane& plane, const Sphere& moving, Vec3 displacement, Hit& hit
 
 namespace {
 
-/// A ball that is little more than a point meets all edges of a corner at once, within rounding. If some of the
+/// A ball that is little more than a point hits all edges of a corner at once, within rounding. If some of the
 /// triangle is beyond the plane of the contact, another normal. All is relative to the centre at the start.
 void mend_normal(const Triangle& triangle, const Sphere& moving, Vec3 displacement, double size, Hit& hit) {
     const Vec3 center = displacement * hit.t;

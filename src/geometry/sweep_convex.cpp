@@ -22,8 +22,8 @@ public:
     Course(const ConvexDifference& set, Vec3 displacement)
         : set_(set),
           displacement_(displacement),
-          resolution_(touching * (set.size() + max_component(abs(displacement)))),
-          is_round_(set.radius() * touching > resolution_ * has_direction),
+          resolution_(contact_tolerance * (set.size() + max_component(abs(displacement)))),
+          is_round_(set.radius() * contact_tolerance > resolution_ * has_direction),
           clip_(resolution_) {}
 
     /// False without contact. Calls overlaps_at_start() if the shapes may overlap at t = 0; sets is_at_start if they
@@ -77,7 +77,7 @@ private:
         double low, high;
         set_.project(normal_, low, high);
         const double gap = begin_ * dot(normal_, displacement_) - high;
-        return gap < set_.radius() - resolution_ * (tilted / touching);
+        return gap < set_.radius() - resolution_ * (tilted / contact_tolerance);
     }
 
     bool approach() {
@@ -91,7 +91,7 @@ private:
             const double approach = -dot(apart.normal, displacement_);
             on_other_ = apart.on_other;
             // Else the normal of a step at a distance, or of a slab, is more accurate than one at contact.
-            const bool is_clear = is_round_ || apart.distance * touching > resolution_ * has_direction;
+            const bool is_clear = is_round_ || apart.distance * contact_tolerance > resolution_ * has_direction;
             if (is_clear || normal_ == Vec3{}) normal_ = apart.normal;
             if (gap < -4 * resolution_ && clear_gap > 0) {
                 // Too far, by a normal whose rounding a long way multiplies: back by the chord.
@@ -130,17 +130,17 @@ private:
                 low += third;
             }
         }
-        double touches = low + (high - low) / 2;
+        double impact_time = low + (high - low) / 2;
         for (const double end : {low, high, 1.0}) {
-            if (gap_at(end) < gap_at(touches)) touches = end;
+            if (gap_at(end) < gap_at(impact_time)) impact_time = end;
         }
-        if (gap_at(touches) > resolution_) return false;
-        while (touches - begin_ > 0x1p-53 * touches) {
-            const double middle = begin_ + (touches - begin_) / 2;
-            if (middle <= begin_ || middle >= touches) break;
-            (gap_at(middle) > resolution_ ? begin_ : touches) = middle;
+        if (gap_at(impact_time) > resolution_) return false;
+        while (impact_time - begin_ > 0x1p-53 * impact_time) {
+            const double middle = begin_ + (impact_time - begin_) / 2;
+            if (middle <= begin_ || middle >= impact_time) break;
+            (gap_at(middle) > resolution_ ? begin_ : impact_time) = middle;
         }
-        begin_ = touches;
+        begin_ = impact_time;
         const Separation contact = separation_after(displacement_ * begin_);
         on_other_ = contact.on_other;
         normal_ = contact.normal;
@@ -245,7 +245,7 @@ Vec3 BoxInMotion::half_with_rounding(const Box& shapes, Vec3 displacement) const
         const double apart = std::max(shapes.max[axis] - middle[axis], middle[axis] - shapes.min[axis]);
         size += 2 * (std::max(apart, 0.0) + half[axis]);
     }
-    const double margin = touching * size;
+    const double margin = contact_tolerance * size;
     return half + Vec3{margin, margin, margin};
 }
 

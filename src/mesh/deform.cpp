@@ -42,14 +42,14 @@ const char* Mesh::set_vertices(const MeshArrays& arrays) {
         return area;
     };
     const double area = change();
-    const char* const refusal = users_->refusal();
-    if (refusal) {
+    const char* const error = users_->check();
+    if (error) {
         change();
     } else {
         users_->mesh_changed();
     }
     if (magnified) release(magnified);
-    if (refusal || packets_.empty()) return refusal;
+    if (error || packets_.empty()) return error;
     if (area > packed_growth * packed_area_ ||
         area * packed_root_area_ > packed_growth * packed_area_ * half_area(bounds())) {
         try {

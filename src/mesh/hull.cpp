@@ -73,7 +73,7 @@ bool Mesh::contains(Vec3 point, const AxisScale& axes) const {
     return hull_.contains(point, axes);
 }
 
-bool Mesh::holds_point_of(const Shape& shape, const AxisScale& axes) const {
+bool Mesh::contains_point_of(const Shape& shape, const AxisScale& axes) const {
     return std::visit(
         [&](const auto& each) {
             using S = std::decay_t<decltype(each)>;
@@ -91,7 +91,7 @@ bool Mesh::holds_point_of(const Shape& shape, const AxisScale& axes) const {
         shape);
 }
 
-bool Mesh::holds_part_of(const Mesh& other) const {
+bool Mesh::contains_part_of(const Mesh& other) const {
     if (!is_hull()) return false;
     bool held = false;
     other.bvh_.overlap_box(bounds(), [&](uint32_t number, bool) {
@@ -112,7 +112,7 @@ constexpr double certain = 0x1p-44;
 constexpr double blade = 0x1p-20;
 // Squared sine of the angle between an edge and an axis that are nearly parallel.
 constexpr double along = 0x1p-80;
-// Relative to the size: a smaller radius makes no difference that the contract tells.
+// Relative to the size: a smaller radius changes results by less than their documented accuracy.
 constexpr double sharp = 0x1p-43;
 // As for the separation: a shorter offset has no direction.
 constexpr double is_direction = has_direction / 4;
@@ -216,7 +216,7 @@ Vec3 Mesh::contact_on_hull(const Core& core, Vec3 from, Vec3 normal, double dist
     return point;
 }
 
-Penetration Mesh::way_out_of_hull(const Shape& moving, const AxisScale& axes) const {
+Penetration Mesh::penetration_of_hull(const Shape& moving, const AxisScale& axes) const {
     return with_solid(moving, [&](const auto& solid) {
         const Vec3 from = reference_point(solid);
         const Core core = core_of(relative_to(from, solid));
@@ -269,7 +269,7 @@ std::optional<bool> Mesh::sweep_sharp_at_hull(const Shape& moving, Vec3 displace
         Core core = core_of(relative_to(from, solid));
         if (core.axis_count == 0) return sweep_point_at_hull({from + core.center, displacement, 1}, hit, axes);
         const double size = hull_size(core, from, axes);
-        const double resolution = touching * (size + max_component(abs(displacement)));
+        const double resolution = contact_tolerance * (size + max_component(abs(displacement)));
         SlabClip clip(resolution);
         const auto cut = [&](SlabClip& by, double grown_by) {
             return for_each_gap(hull_, axes, core, from, [&](Vec3 unit, double gap) {
@@ -329,7 +329,7 @@ Vec3 Mesh::normal_at_hull(const Core& core, Vec3 from, Vec3 displacement, Vec3 n
     return normal;
 }
 
-void Mesh::turn_to_hull(const Shape& moving, Vec3 displacement, Hit& hit, const AxisScale& axes) const {
+void Mesh::use_hull_normal(const Shape& moving, Vec3 displacement, Hit& hit, const AxisScale& axes) const {
     if (hit.flags & GPHYS_HIT_INSIDE) return;
     with_solid(moving, [&](const auto& solid) {
         const Vec3 from = reference_point(solid);
@@ -345,7 +345,7 @@ void Mesh::turn_to_hull(const Shape& moving, Vec3 displacement, Hit& hit, const 
 }
 
 void Mesh::start_in_hull(const Shape& moving, Hit& hit, const AxisScale& axes) const {
-    const Penetration way = way_out_of_hull(moving, axes);
+    const Penetration way = penetration_of_hull(moving, axes);
     hit = Hit{};
     hit.t = 0;
     hit.point = way.point;

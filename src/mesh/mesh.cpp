@@ -123,7 +123,7 @@ void Mesh::measure() noexcept {
     hash_ = mesh_hash(hash, kind_);
     if (packets_.empty()) return;
     const Box box = bounds();
-    rays_root_ = RaysRoot(box);
+    rays_root_ = RootBounds(box);
     center_ = (Vec3{box.min[0], box.min[1], box.min[2]} + Vec3{box.max[0], box.max[1], box.max[2]}) * 0.5;
     double squared = 0;
     for (const gphys_vec3& vertex : vertices_) squared = std::max(squared, length_squared(widen(vertex) - center_));
@@ -462,12 +462,12 @@ bool Mesh::sweep(const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties, c
                gphys::sweep(item, moving, displacement, candidate);
     };
     const Vec3 half = axes.inverse(Vec3{moving.radius, moving.radius, moving.radius});
-    const bool meets =
+    const bool is_hit =
         axes.is_one()
             ? find_contact(moving.center, moving.radius, displacement, sweep_item, hit, ties, axes)
             : find_contact(axes.inverse(moving.center), half, axes.inverse(displacement), sweep_item, hit, ties, axes);
-    if (meets && is_hull()) turn_to_hull(moving, displacement, hit, axes);
-    return meets;
+    if (is_hit && is_hull()) use_hull_normal(moving, displacement, hit, axes);
+    return is_hit;
 }
 
 bool Mesh::sweep(const Shape& moving, Vec3 displacement, Hit& hit, const AxisScale& axes, Faces faces) const {
@@ -498,12 +498,12 @@ bool Mesh::sweep(const Shape& moving, Vec3 displacement, Hit& hit, const AxisSca
                       Ties::as_reported, axes)) {
         return false;
     }
-    if (is_hull()) turn_to_hull(moving, displacement, hit, axes);
+    if (is_hull()) use_hull_normal(moving, displacement, hit, axes);
     return true;
 }
 
 bool Mesh::overlaps(const Shape& shape, const AxisScale& axes) const {
-    if (is_hull() && holds_point_of(shape, axes)) return true;
+    if (is_hull() && contains_point_of(shape, axes)) return true;
     bool found = false;
     const auto find = [&](uint32_t) {
         found = true;
@@ -514,7 +514,7 @@ bool Mesh::overlaps(const Shape& shape, const AxisScale& axes) const {
 }
 
 bool Mesh::overlaps(const Mesh& other) const {
-    if (holds_part_of(other) || other.holds_part_of(*this)) return true;
+    if (contains_part_of(other) || other.contains_part_of(*this)) return true;
     return !bvh_.overlap_pairs(other.bvh_, [&](uint32_t mine, uint32_t theirs) {
         const TrianglePacket &a = packets_[mine], &b = other.packets_[theirs];
         return for_each_lane(lanes_in_box(a, other.bvh_.box(theirs)), [&](int lane) {

@@ -155,7 +155,7 @@ public:
     template <class Visit>
     void for_each_penetration(const Shape& moving, Visit&& visit, const AxisScale& axes = {}) const {
         if (is_hull()) {
-            if (overlaps(moving, axes)) visit(way_out_of_hull(moving, axes), GPHYS_NO_TRIANGLE);
+            if (overlaps(moving, axes)) visit(penetration_of_hull(moving, axes), GPHYS_NO_TRIANGLE);
             return;
         }
         const auto visit_way_out = [&](uint32_t index) {
@@ -182,7 +182,7 @@ private:
     /// Whether the rays of a batch are cast one by one.
     bool is_cast_singly() const { return magnified_ || is_links(); }
     /// The solid overlaps the hull.
-    Penetration way_out_of_hull(const Shape& moving, const AxisScale& axes) const;
+    Penetration penetration_of_hull(const Shape& moving, const AxisScale& axes) const;
     /// An upper bound for the coordinates of the Minkowski difference of the hull and a core, both relative to `from`.
     double hull_size(const Core& core, Vec3 from, const AxisScale& axes) const;
     /// The contact point of a hull and a core, relative to `from`, after moving them along the normal by their
@@ -191,27 +191,27 @@ private:
                          uint32_t& nearest_triangle, const AxisScale& axes) const;
     /// Whether the radius of a moving solid is too small to change the answer.
     bool is_sharp(const Shape& moving, Vec3 displacement, const AxisScale& axes) const;
-    /// Sweeps such a solid, without its radius, against the hull as a whole. It does not overlap at the start. Single
-    /// triangles would not do: where the solid hits an edge of the hull, rounding may miss each of the triangles there,
-    /// and their edges have normals that the hull does not have. No result if rounding leaves the answer open.
+    /// Sweeps such a solid, without its radius, against the hull as a whole. It does not overlap at the start. Sweeps
+    /// against single triangles would fail: at an edge of the hull, rounding may miss each of the triangles, and their
+    /// edges have normals that the hull does not have. No result if rounding leaves it undecided.
     std::optional<bool> sweep_sharp_at_hull(const Shape& moving, Vec3 displacement, Hit& hit,
                                             const AxisScale& axes) const;
     /// From the hull to the core along a unit vector, both relative to `from`.
     double gap_along(Vec3 unit, const Core& core, Vec3 from, const AxisScale& axes) const;
-    /// The normal of a contact, or another if the hull and the core are not on both sides of the plane across it.
+    /// The normal of a contact, or another one if the plane across it does not separate hull and core.
     Vec3 normal_at_hull(const Core& core, Vec3 from, Vec3 displacement, Vec3 normal, double size,
                         const AxisScale& axes) const;
-    /// A normal of the hull in place of that of a triangle which the hull has not.
-    void turn_to_hull(const Shape& moving, Vec3 displacement, Hit& hit, const AxisScale& axes) const;
+    /// Replaces a normal that only a triangle has by a normal of the hull.
+    void use_hull_normal(const Shape& moving, Vec3 displacement, Hit& hit, const AxisScale& axes) const;
     bool sweep_point_at_hull(const Ray& way, Hit& hit, const AxisScale& axes) const;
     void start_in_hull(const Sphere& moving, Vec3 displacement, Hit& hit, const AxisScale& axes) const;
     void start_in_hull(const Shape& moving, Hit& hit, const AxisScale& axes) const;
     /// Whether some point of the shape, if it has any, is in this hull.
-    bool holds_point_of(const Shape& shape, const AxisScale& axes) const;
+    bool contains_point_of(const Shape& shape, const AxisScale& axes) const;
     /// Whether the first corner of some triangle of the other mesh is in this hull.
-    bool holds_part_of(const Mesh& other) const;
+    bool contains_part_of(const Mesh& other) const;
     Capsule link(const Triangle& triangle, uint32_t index) const { return {triangle.a, triangle.b, radii_[index]}; }
-    /// visit(item), where item is the scaled triangle, or the capsule that the triangle stands for.
+    /// visit(item), where item is the scaled triangle, or the capsule that the triangle represents.
     template <class Visit>
     auto with_item(const TrianglePacket& packet, int lane, const AxisScale& axes, Visit&& visit) const {
         if (is_links()) return visit(link(packet.triangle(lane), packet.index[lane]));
@@ -250,7 +250,7 @@ private:
         PreparedRay of[rays_at_once];
     };
     NearestCrossing crossing_by(decltype(MeshKernels::closest) kernel, const Ray& ray) const;
-    /// Of rays, in the mesh's own space, those that begin in a hull: at(i, hit) for each. Bits of which.
+    /// at(i, hit) for each ray, in the mesh's own space, that begins inside a hull. Returns their bits.
     template <class RayOf, class At>
     uint64_t begin_inside(uint32_t count, const RayOf& ray_of, const At& at) const;
     /// Runs kernels_.rays or rays_any on the ray packets that the rays are split into.
@@ -261,7 +261,7 @@ private:
     /// Visits the packets with triangles that the ray may hit, roughly front to back. visit(packet, lanes) returns the
     /// new limit; a negative one ends the traversal.
     template <class Visit>
-    void walk(const PreparedRay& ray, Visit&& visit) const;
+    void traverse(const PreparedRay& ray, Visit&& visit) const;
 
     // Implementations of raycast_all and closest_point, for this mesh or for the magnified one.
     template <class Visit>
@@ -298,7 +298,7 @@ private:
     Vector<float> radii_{&memory};  // of links
     Vector<TrianglePacket> packets_{&memory};
     Bvh8 bvh_;
-    RaysRoot rays_root_;
+    RootBounds rays_root_;
     Vec3 center_;
     double radius_ = 0;
     gphys_sphere ball_{};
@@ -322,7 +322,7 @@ private:
 };
 
 template <class Visit>
-void Mesh::walk(const PreparedRay& ray, Visit&& visit) const {
+void Mesh::traverse(const PreparedRay& ray, Visit&& visit) const {
     if (packets_.empty()) return;
     using Function = std::remove_reference_t<Visit>;
     const auto step = [](void* context, const TrianglePacket& packet, uint32_t lanes) {
@@ -364,7 +364,7 @@ void Mesh::raycast_all_links(const Ray& ray, Visit&& visit) const {
 template <class Visit>
 void Mesh::cross_all(const Ray& ray, Visit&& visit) const {
     const PreparedRay prepared(ray, rays_root_);
-    walk(prepared, [&](const TrianglePacket& packet, uint32_t lanes) {
+    traverse(prepared, [&](const TrianglePacket& packet, uint32_t lanes) {
         for_each_lane(lanes, [&](int lane) {
             const Triangle corners = packet.triangle(lane);
             TriangleCrossing crossing;

@@ -57,7 +57,7 @@ bool raycast(const MeshInstance& instance, const Ray& ray, Hit& hit) {
     return true;
 }
 
-bool comes_near(const MeshInstance& instance, const Ray& ray) {
+bool may_hit(const MeshInstance& instance, const Ray& ray) {
     const Vec3 to_center = instance.place().apply(instance.mesh.center()) - ray.origin;
     const double radius = instance.mesh.radius(instance.axes) * instance.world.scale, radius_squared = radius * radius;
     if (length_squared(to_center) <= radius_squared) return true;

@@ -24,7 +24,7 @@ inline uint64_t raycast_many(const MeshInstance& instance, const Ray* rays, uint
     return instance.mesh.raycast_many(rays, count, instance.place(), out);
 }
 /// Whether a ray comes within the bounding ball of the mesh, up to rounding.
-bool comes_near(const MeshInstance& instance, const Ray& ray);
+bool may_hit(const MeshInstance& instance, const Ray& ray);
 bool raycast_any(const MeshInstance& instance, const Ray& ray);
 /// The t and triangle that raycast reports.
 bool raycast_distance(const MeshInstance& instance, const Ray& ray, gphys_distance& out);

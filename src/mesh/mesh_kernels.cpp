@@ -22,13 +22,13 @@ GPHYS_INLINE void prefetch_packet(const TrianglePacket* packets, uint32_t number
 }
 
 GPHYS_INLINE void prepare_eight(const Vec<Double8>& origin, const Vec<Double8>& direction, Double8 t_max,
-                                const RaysRoot& root, PreparedRay* eight) {
+                                const RootBounds& root, PreparedRay* eight) {
     const auto at = [&](int i) -> PreparedRay& { return eight[i]; };
     const RaySetup<Vec<Double8>> along(origin, direction, root);
-    const Float8 limits = put_probes(t_max, along, [&](int i) -> RayProbe& { return at(i).along; });
+    const Float8 limits = store_probes(t_max, along, [&](int i) -> RayProbe& { return at(i).along; });
 
     const Shear<Double8> shear(direction);
-    const TriangleSetup<Vec<Double8>> setup(shear, along.begin, along.slack, along.span < beyond_trees, root);
+    const TriangleSetup<Vec<Double8>> setup(shear, along.begin, along.slack, along.span < unbounded_span, root);
     constexpr Vec<double> number{0, 1, 2};
     const auto axis = [](Double8 k) { return integer_bits(narrowed(k)); };
     const Quads8 axes{axis(shear.x(number)), axis(shear.y(number)), axis(shear.z(number)), splat(0)};
@@ -59,7 +59,7 @@ GPHYS_INLINE void prepare_eight(const Vec<Double8>& origin, const Vec<Double8>& 
     store_components([&](int i) { return &at(i).sheared.t_max; }, no_rest);
 }
 
-void prepare(const gphys_ray* const* rays, uint32_t count, const RaysRoot& root, PreparedRay* to) {
+void prepare(const gphys_ray* const* rays, uint32_t count, const RootBounds& root, PreparedRay* to) {
     static_assert(sizeof(gphys_ray) == 7 * sizeof(float));
     for (uint32_t first = 0; first < count; first += 8) {
         const auto given = [&](int i) {
@@ -74,7 +74,7 @@ void prepare(const gphys_ray* const* rays, uint32_t count, const RaysRoot& root,
 Vec<Double8> splat3(const Vec3& v) { return {v.x, v.y, v.z}; }
 Matrix<Double8> splat3(const Mat3& m) { return {splat3(m.x), splat3(m.y), splat3(m.z)}; }
 
-void prepare_placed(const Ray* rays, uint32_t count, const MeshPlace& place, const RaysRoot& root, PreparedRay* to) {
+void prepare_placed(const Ray* rays, uint32_t count, const MeshPlace& place, const RootBounds& root, PreparedRay* to) {
     const Vec<Double8> position = splat3(place.world.position);
     const Matrix<Double8> rotation = splat3(place.world.rotation);
     const Vec<Double8> scale = splat3(place.scale);

@@ -18,30 +18,30 @@ struct PacketVisitor {
 using CrossesTriangle = bool (*)(const PreparedRay& ray, const TrianglePacket& packet, uint32_t lane,
                                  TriangleCrossing& crossing);
 
-/// The same for a ray as it is given.
+/// The same for a ray that was not prepared.
 using CrossesTriangleAlone = bool (*)(const Ray& ray, const TrianglePacket& packet, uint32_t lane,
                                       TriangleCrossing& crossing);
 
 struct MeshKernels {
     /// Prepares many rays, with the same bits as one by one. `count` is at least 1. Writes a multiple of eight rays.
-    void (*prepare)(const gphys_ray* const* rays, uint32_t count, const RaysRoot& root, PreparedRay* to);
+    void (*prepare)(const gphys_ray* const* rays, uint32_t count, const RootBounds& root, PreparedRay* to);
     /// The same for rays in double precision that are no segments, transformed into a mesh at `place`.
-    void (*prepare_placed)(const Ray* rays, uint32_t count, const MeshPlace& place, const RaysRoot& root,
+    void (*prepare_placed)(const Ray* rays, uint32_t count, const MeshPlace& place, const RootBounds& root,
                            PreparedRay* to);
     /// Traverses a BVH whose items are the indices of `packets`, roughly front to back.
     void (*ray)(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay& ray,
                 const PacketVisitor& to);
-    /// Where one ray first crosses triangles whose sides it meets, or with `only_front` those whose front it meets;
-    /// and whether it crosses any, of which where is of no interest.
+    /// closest: the nearest crossing of one ray with a triangle, on the sides that the ray allows (Ray::faces), or with
+    /// `only_front` on the front. any: any such crossing.
     void (*closest)(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const Ray& ray,
-                    const RaysRoot& box, bool only_front, CrossesTriangleAlone exact, NearestCrossing& nearest);
-    void (*any)(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const Ray& ray, const RaysRoot& box,
-                bool only_front, CrossesTriangleAlone exact, NearestCrossing& nearest);
-    /// Where many rays first cross the triangles, or with `only_front` those whose front they meet; up to
-    /// RayPackets::most with the same signs of direction may go together.
+                    const RootBounds& box, bool only_front, CrossesTriangleAlone exact, NearestCrossing& nearest);
+    void (*any)(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const Ray& ray,
+                const RootBounds& box, bool only_front, CrossesTriangleAlone exact, NearestCrossing& nearest);
+    /// The nearest crossings of many rays on any side, or with `only_front` on the front. together: the rays form a
+    /// packet, at most RayPackets::max_rays with the same signs of direction.
     void (*rays)(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay* rays,
                  uint32_t count, bool together, bool only_front, CrossesTriangle exact, NearestCrossing* nearest);
-    /// The same, but any hit will do; only whether there is one counts.
+    /// The same with any crossing; only its existence counts.
     void (*rays_any)(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay* rays,
                      uint32_t count, bool together, bool only_front, CrossesTriangle exact, NearestCrossing* nearest);
     /// The hits at the nearest crossings. Bit i of the result is set if the hit of ray i was written.

@@ -11,7 +11,7 @@ namespace gphys {
 /// The data that kernels and the exact test need, prepared for one ray or for eight at once (mesh_kernels.h).
 struct PreparedRay {
     PreparedRay() = default;
-    PreparedRay(const Ray& ray, const RaysRoot& root)
+    PreparedRay(const Ray& ray, const RootBounds& root)
         : sheared(ray),
           along(ray.origin, ray.direction, root),
           triangles(sheared, along, root),

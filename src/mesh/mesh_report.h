@@ -12,7 +12,7 @@ namespace gphys {
 enum class MeshKind : uint32_t {
     surface = GPHYS_MESH_SURFACE,
     body_surface = GPHYS_MESH_BODY_SURFACE,
-    /// For a body: a triangle a, b, b stands for the capsule from a to b.
+    /// For a body: a triangle a, b, b represents the capsule from a to b.
     body_links = GPHYS_MESH_BODY_LINKS,
     /// The surface of a convex solid, made by make_hull (convex_hull.h).
     hull = GPHYS_MESH_HULL

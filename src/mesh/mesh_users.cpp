@@ -27,10 +27,10 @@ void MeshUsers::leave(MeshUser& user, uint32_t model) noexcept {
     users_.erase(std::lower_bound(users_.begin(), users_.end(), User{&user, model}, before));
 }
 
-const char* MeshUsers::refusal() const {
+const char* MeshUsers::check() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     for (const User& each : users_) {
-        if (const char* why = each.user->refusal_of_mesh(each.model)) return why;
+        if (const char* why = each.user->check_mesh(each.model)) return why;
     }
     return nullptr;
 }

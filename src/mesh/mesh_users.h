@@ -12,7 +12,7 @@ namespace gphys {
 class MeshUser {
 public:
     /// Why the model cannot accept the present mesh, or null.
-    virtual const char* refusal_of_mesh(uint32_t model) const = 0;
+    virtual const char* check_mesh(uint32_t model) const = 0;
     /// The mesh has changed, and no user has rejected the change.
     virtual void mesh_changed(uint32_t model) noexcept = 0;
     /// All vertices have been shifted by `by`. The model moves the other way, so that it stays where it is.
@@ -32,7 +32,7 @@ public:
     /// Undoes one join of the model.
     void leave(MeshUser& user, uint32_t model) noexcept;
 
-    const char* refusal() const;
+    const char* check() const;
     void mesh_changed() const noexcept;
     void mesh_shifted(Vec3 by) const noexcept;
 

@@ -123,8 +123,8 @@ void measure(NearPacket& near, const NearProbe& probe) {
     near.measured = 1;
 }
 
-uint32_t leave_out(NearPacket* packets, uint32_t count, const NearProbe& probe, const HalfSpaceProbe& plane,
-                   uint32_t* open) {
+uint32_t cull(NearPacket* packets, uint32_t count, const NearProbe& probe, const HalfSpaceProbe& plane,
+              uint32_t* open) {
     const Vec<Float8> normal{splat(plane.normal[0]), splat(plane.normal[1]), splat(plane.normal[2])};
     uint32_t left = 0;
     for (uint32_t k = 0; k < count; ++k) {
@@ -161,6 +161,6 @@ float nearest(const NearPacket* packets, uint32_t count, uint32_t& place) {
 
 }  // namespace
 
-const NearKernels near_kernels = {find, measure, leave_out, nearest};
+const NearKernels near_kernels = {find, measure, cull, nearest};
 
 }  // namespace gphys::GPHYS_ISA

@@ -25,8 +25,8 @@ struct NearKernels {
     void (*measure)(NearPacket& packet, const NearProbe& probe);
     /// Culls the triangles that are certainly behind the plane, and packets that have no others. Bit i of open[k] is
     /// set if triangle i of packet k may be behind it. Returns how many packets are left.
-    uint32_t (*leave_out)(NearPacket* packets, uint32_t count, const NearProbe& probe, const HalfSpaceProbe& plane,
-                          uint32_t* open);
+    uint32_t (*cull)(NearPacket* packets, uint32_t count, const NearProbe& probe, const HalfSpaceProbe& plane,
+                     uint32_t* open);
     /// The least distance and its place: 8 * packet + triangle. Infinity if all triangles are culled.
     float (*nearest)(const NearPacket* packets, uint32_t count, uint32_t& place);
 };

@@ -1,6 +1,6 @@
-// One ray alone at the triangles of a mesh, for kernels: set up in registers, walked to the nearest crossing, or to
-// any. The triangles that float tests leave are decided one by one: on average less than one, for which eight lanes of
-// doubles take longer with AVX2 and as long with AVX-512.
+// A single ray against the triangles of a mesh, for kernels: prepared in registers, then traversed to the nearest or to
+// any crossing. Triangles that the float test does not reject get the exact test one by one: on average there is less
+// than one, for which eight lanes of doubles take longer with AVX2 and as long with AVX-512.
 #pragma once
 
 #include "bvh/ordered_traversal.h"
@@ -15,8 +15,8 @@
 namespace gphys::GPHYS_ISA {
 
 GPHYS_INLINE TriangleProbe probe_of_triangles(const SingleShear<Axes>& ray, const RaySetup<Axes>& along,
-                                              const RaysRoot& box) {
-    const TriangleSetup<Axes> setup(ray, along.begin, along.slack, along.span < beyond_trees, box);
+                                              const RootBounds& box) {
+    const TriangleSetup<Axes> setup(ray, along.begin, along.slack, along.span < unbounded_span, box);
     const auto narrow = [](double value) { return static_cast<float>(value); };
     TriangleProbe probe;
     probe.axis[0] = ray.kx, probe.axis[1] = ray.ky, probe.axis[2] = ray.kz;
@@ -28,7 +28,7 @@ GPHYS_INLINE TriangleProbe probe_of_triangles(const SingleShear<Axes>& ray, cons
     return probe;
 }
 
-/// The nearest crossing so far, among those that count.
+/// The nearest crossing so far, among those on allowed sides.
 class CountedCrossings {
 public:
     GPHYS_INLINE CountedCrossings(const Ray& ray, bool only_front, CrossesTriangleAlone exact, NearestCrossing& nearest)
@@ -39,8 +39,8 @@ public:
           exact_(exact),
           nearest_(nearest) {}
 
-    /// Of a packet the lanes that may be crossed.
-    GPHYS_INLINE void take(const TrianglePacket& packet, uint32_t lanes) {
+    /// Tests some lanes of a packet.
+    GPHYS_INLINE void test(const TrianglePacket& packet, uint32_t lanes) {
         for (; lanes != 0; lanes &= lanes - 1) {
             const auto i = static_cast<uint32_t>(lowest_bit(lanes));
             TriangleCrossing crossing;
@@ -59,7 +59,7 @@ private:
 
 /// Order is ClosestHit or AnyHit.
 template <class Order>
-void cast_ray(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const Ray& ray, const RaysRoot& box,
+void cast_ray(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const Ray& ray, const RootBounds& box,
               bool only_front, CrossesTriangleAlone exact, NearestCrossing& nearest) {
     const Axes origin = axes_of(ray.origin), direction = axes_of(ray.direction);
     const RaySetup<Axes> along(origin, direction, box);
@@ -69,7 +69,7 @@ void cast_ray(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets
     float limit = limit_at(ray.t_max);
     if (!(limit >= 0)) return;
     RayProbe probe;
-    put_probe(along, probe);
+    store_probe(along, probe);
     const TriangleTest triangles(probe_of_triangles(SingleShear<Axes>(direction), along, box));
     CountedCrossings crossings(ray, only_front, exact, nearest);
     traverse_ordered(
@@ -79,7 +79,7 @@ void cast_ray(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets
             const uint32_t lanes = triangles.hits(packet, limit);
             if (lanes == 0) return limit;
             const float before = nearest.t;
-            crossings.take(packet, lanes);
+            crossings.test(packet, lanes);
             if (nearest.t < before) {
                 limit = std::is_same_v<Order, AnyHit> ? -1 : limit_at(limit_of_ties<double>(nearest.t));
             }

@@ -40,10 +40,10 @@ struct RaysAndTriangles {
 };
 
 struct Crossings8 {
-    uint32_t no, yes;  // the others are open
+    uint32_t no, yes;  // the others are undecided
     double t[8], u[8], v[8];
     float rounded_t[8];  // as it is reported
-    float limit[8];      // where the walk of the ray may end then
+    float limit[8];      // the limit of the ray's traversal after the hit
     uint32_t back;       // from behind
 
     GPHYS_INLINE Crossings8(const RaysAndTriangles& pairs, const PreparedRay* rays) {
@@ -51,10 +51,10 @@ struct Crossings8 {
         const auto first = [&](int i, int k) {
             return pairs.packet[i]->corner[0][ray(i).triangles.axis[k]] + pairs.lane[i];
         };
-        Double8 from[4], rest[4], course[4];
+        Double8 from[4], rest[4], path[4];
         load_components([&](int i) { return ray(i).sheared.from; }, from);
         load_components([&](int i) { return &ray(i).sheared.sx; }, rest);
-        load_components([&](int i) { return &ray(i).along.course.slack; }, course);
+        load_components([&](int i) { return &ray(i).along.path.slack; }, path);
         const Double8 speed = from[3], t_max = rest[2];
 
         const auto sheared = [&](int of) {
@@ -99,7 +99,7 @@ struct Crossings8 {
         constexpr double last = std::numeric_limits<float>::max();
         gphys::GPHYS_ISA::store(rounded_t, narrowed(least(last, largest(way, 0.0) + 0.0)));
         const Double8 end = limit_of_ties(way);
-        gphys::GPHYS_ISA::store(limit, narrowed(ray_limit(end, course[0], course[1], course[2], course[3])));
+        gphys::GPHYS_ISA::store(limit, narrowed(ray_limit(end, path[0], path[1], path[2], path[3])));
     }
     GPHYS_INLINE TriangleCrossing operator[](uint32_t i) const {
         return {t[i], u[i], v[i], (back >> i & 1) != 0 ? 1 : -1};

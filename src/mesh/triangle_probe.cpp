@@ -24,10 +24,10 @@ struct KnownShear {
 
 }  // namespace
 
-TriangleProbe::TriangleProbe(const ShearedRay& ray, const RayProbe& along, const RaysRoot& root)
+TriangleProbe::TriangleProbe(const ShearedRay& ray, const RayProbe& along, const RootBounds& root)
     : axis{ray.kx, ray.ky, ray.kz} {
     const Vec3 begin{along.begin[0], along.begin[1], along.begin[2]};
-    const TriangleSetup<Vec3> setup(KnownShear(ray), begin, along.course.slack, along.excludes(), root);
+    const TriangleSetup<Vec3> setup(KnownShear(ray), begin, along.path.slack, along.may_reject(), root);
     for (int k = 0; k < 3; ++k) origin[k] = static_cast<float>(setup.origin[k]);
     across = {{static_cast<float>(setup.slope_x), static_cast<float>(setup.slope_y)},
               {static_cast<float>(setup.error_slope_x), static_cast<float>(setup.error_slope_y)}};

@@ -11,7 +11,7 @@ namespace gphys {
 struct alignas(16) TriangleProbe {
     TriangleProbe() = default;
     /// `along` is the same ray's probe of boxes in `root`, and overlaps some of them.
-    TriangleProbe(const ShearedRay& ray, const RayProbe& along, const RaysRoot& root);
+    TriangleProbe(const ShearedRay& ray, const RayProbe& along, const RootBounds& root);
 
     int axis[4];      // kx, ky, kz of the sheared ray; the fourth is unused
     float origin[4];  // on these axes

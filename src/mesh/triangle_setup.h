@@ -35,10 +35,10 @@ struct TriangleSetup {
 
     Number origin[3], slope_x, slope_y, error_slope_x, error_slope_y, error, margin, ahead;
 
-    /// `begin` and `slack` are those of the ray's probe of boxes in the root, and whether it excludes any.
+    /// `begin`, `slack` and may_reject() are those of the ray's RayProbe for the root box.
     template <class ShearOf>
-    GPHYS_INLINE TriangleSetup(const ShearOf& shear, const Vector& begin, Number slack, Mask excludes,
-                               const RaysRoot& root) {
+    GPHYS_INLINE TriangleSetup(const ShearOf& shear, const Vector& begin, Number slack, Mask may_reject,
+                               const RootBounds& root) {
         Vector low, high;
         load(root.low, low);
         load(root.high, high);
@@ -60,7 +60,7 @@ struct TriangleSetup {
         error = 3 * error_x * error_y + flushed;
         margin = (1.01 * (off[2] + u * reach[2]) + flushed) * (1 + 2 * u);
         ahead = select(shear.speed < 0, 0, 1);
-        const Mask useless = !(shear.moves & excludes);  // nothing to shear along, or beyond floats
+        const Mask useless = !(shear.moves & may_reject);  // nothing to shear along, or beyond floats
         if (any(useless)) let_pass(useless);
     }
 

@@ -32,7 +32,7 @@ public:
         }
     }
 
-    /// Lanes that the ray may meet no later than at `limit` (RayProbe::limit).
+    /// Lanes that the ray may hit no later than at `limit` (RayProbe::limit).
     GPHYS_INLINE uint32_t hits(const TrianglePacket& packet, float limit) const {
         Float8 x[3], y[3], z[3];
         for (int c = 0; c < 3; ++c) {

@@ -1,4 +1,5 @@
-// Queries of a scene with a camera: the model under a pixel, models in a rectangle of pixels, models in view.
+// Queries of a scene with a camera: the model under a pixel, models in a rectangle of pixels, models in view. A pixel
+// becomes a ray and a rectangle a frustum, so there is no picking algorithm besides the scene's queries.
 #pragma once
 
 #include "camera/camera.h"
@@ -6,7 +7,7 @@
 
 namespace gphys {
 
-// Filter is uint32_t, for layers, or QueryFilter.
+// Filter is uint32_t (layers) or QueryFilter.
 
 /// The first model on the ray through a pixel. GPHYS_OK or GPHYS_NO_HIT.
 template <class Filter>

@@ -1,4 +1,4 @@
-// The nearest result of a query so far.
+// The nearest result of a query so far. Queries visit models in an order that depends on the BVH; the result does not.
 #pragma once
 
 #include <limits>
@@ -8,8 +8,7 @@
 
 namespace gphys {
 
-/// The best result so far: the smallest value as it is reported, then the lowest id, independent of the order of
-/// traversal.
+/// The smallest reported value (reported.h), of equal ones the lowest id.
 struct BestCandidate {
     float value = std::numeric_limits<float>::infinity();
     uint32_t slot = Bvh8::none;

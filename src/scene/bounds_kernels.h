@@ -1,4 +1,5 @@
-// Kernels for the AABBs of eight models at a time, for the BVH.
+// World AABBs of eight rotated boxes at a time, for updates of the BVH: one model in each lane, with the formula of
+// conservative_bounds (Arvo, "Transforming axis-aligned bounding boxes", Graphics Gems 1990).
 #pragma once
 
 #include "bvh/box8.h"
@@ -7,10 +8,9 @@
 namespace gphys {
 
 struct BoundsKernels {
-    /// conservative_bounds (conservative_shape.h) of eight Aabbs, with the same bits: models[k] is the transform, two
-    /// words of no interest, min and max. Of no use are lanes without a rotation and of boxes that are not about their
-    /// origins; the result tells the others.
-    uint32_t (*turned_aabbs)(const float* const models[8], Box8& out);
+    /// conservative_bounds (conservative_shape.h) of eight Aabbs, with the same bits. models[k]: transform, two unused
+    /// words, min, max. Returns the valid lanes: models with a rotation whose boxes are centred on their origins.
+    uint32_t (*rotated_aabbs)(const float* const models[8], Box8& out);
 };
 
 GPHYS_DECLARE_KERNELS(BoundsKernels, bounds_kernels)

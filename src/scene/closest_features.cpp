@@ -1,3 +1,4 @@
+// The search of closest_features.h: lower bounds from kernels (near_kernels.h), exact distances on demand.
 #include "scene/closest_features.h"
 
 namespace gphys {
@@ -38,9 +39,9 @@ bool ClosestFeatures::add_mesh(const Mesh& mesh, const Transform& world, const A
         centers = {min(centers.min, center), max(centers.max, center)};
         reach = std::max<double>(reach, placed.probes[i].radius);
     }
-    const Vec3 room{reach, reach, reach};
-    const Box all = bounds(Aabb{centers.min - room, centers.max + room});
-    // Each mesh begins with boxes of its own.
+    const Vec3 margin{reach, reach, reach};
+    const Box all = bounds(Aabb{centers.min - margin, centers.max + margin});
+    // Each mesh starts at a new Box8.
     const uint32_t first = placed.first_packet = (packet_count_ + 7) / 8 * 8;
     uint32_t count = 0;
     const bool complete = mesh.bvh().overlap_box(all, [&](uint32_t number, bool) {
@@ -51,7 +52,7 @@ bool ClosestFeatures::add_mesh(const Mesh& mesh, const Transform& world, const A
         return true;
     });
     if (count == 0) return complete;
-    for (uint32_t i = count; i % 8 != 0; ++i) {  // which nothing reads but arithmetic side by side
+    for (uint32_t i = count; i % 8 != 0; ++i) {  // valid numbers in unused lanes
         boxes_[(first + i) / 8].set_lane(static_cast<int>(i % 8), boxes_[first / 8].lane(0));
     }
     placed.packet_count = count;
@@ -62,7 +63,7 @@ bool ClosestFeatures::add_mesh(const Mesh& mesh, const Transform& world, const A
 
 uint32_t ClosestFeatures::select_point(uint32_t point) {
     point_ = point;
-    known_count_ = 0;
+    exact_count_ = 0;
     uint32_t near_count = 0;
     for (uint32_t i = 0; i < mesh_count_; ++i) {
         PlacedMesh& mesh = meshes_[i];
@@ -77,37 +78,38 @@ uint32_t ClosestFeatures::select_point(uint32_t point) {
         const Sphere& ball = primitive.balls[point];
         ClosestFeature part{primitive.model, primitive.tag, {}, {}, 0, false, {}};
         scene_->closest_point_model(primitive.model, ball.center, part.closest, part.normal, part.distance);
-        if (part.distance <= ball.radius) known_[known_count_++] = part;
+        if (part.distance <= ball.radius) exact_[exact_count_++] = part;
     }
-    return known_count_ + 8 * near_count;
+    return exact_count_ + 8 * near_count;
 }
 
-uint32_t ClosestFeatures::nearest_known() const {
+uint32_t ClosestFeatures::nearest_exact() const {
     uint32_t best = 0;
-    for (uint32_t i = 1; i < known_count_; ++i) {
-        if (known_[i].distance < known_[best].distance) best = i;
+    for (uint32_t i = 1; i < exact_count_; ++i) {
+        if (exact_[i].distance < exact_[best].distance) best = i;
     }
     return best;
 }
 
-/// The others keep their order, which decides between those that are equally near.
-void ClosestFeatures::take_out(uint32_t known) {
-    std::copy(known_ + known + 1, known_ + known_count_, known_ + known);
-    --known_count_;
+/// Keeps the order of the others, which decides between equal distances.
+void ClosestFeatures::remove_exact(uint32_t exact) {
+    std::copy(exact_ + exact + 1, exact_ + exact_count_, exact_ + exact);
+    --exact_count_;
 }
 
-void ClosestFeatures::compute(const PlacedMesh& mesh, uint32_t place) {
+void ClosestFeatures::compute_exact(const PlacedMesh& mesh, uint32_t place) {
     NearPacket& near = near_[mesh.first_near + place / 8];
     const int lane = static_cast<int>(place % 8);
     near.distance[lane] = std::numeric_limits<float>::infinity();
     const Sphere& ball = mesh.balls[point_];
     ClosestFeature part{mesh.model, mesh.tag, {}, {}, 0, true, mesh.triangle(*near.packet, lane)};
     closest_point_triangle(part.triangle, ball.center, part.closest, part.normal, part.distance);
-    if (part.distance <= ball.radius) known_[known_count_++] = part;
+    if (part.distance <= ball.radius) exact_[exact_count_++] = part;
 }
 
-/// Packets are measured when no other triangle is certainly nearer.
-float ClosestFeatures::nearest_in(const PlacedMesh& mesh, uint32_t& place) {
+/// The lane with the least lower bound. The first bound of a packet is that of its box; its triangles are measured only
+/// when that bound is the least.
+float ClosestFeatures::nearest_lane_of(const PlacedMesh& mesh, uint32_t& place) {
     NearPacket* const near = near_ + mesh.first_near;
     for (;;) {
         const float distance = kernels_.nearest(near, mesh.near_count, place);
@@ -116,26 +118,26 @@ float ClosestFeatures::nearest_in(const PlacedMesh& mesh, uint32_t& place) {
     }
 }
 
-bool ClosestFeatures::take_nearest(ClosestFeature& out) {
+bool ClosestFeatures::pop_nearest(ClosestFeature& out) {
     for (;;) {
         double bound = infinity;
         const PlacedMesh* nearest = nullptr;
         uint32_t place = 0;
         for (uint32_t i = 0; i < mesh_count_; ++i) {
             uint32_t at;
-            const double distance = nearest_in(meshes_[i], at) * meshes_[i].unit;
+            const double distance = nearest_lane_of(meshes_[i], at) * meshes_[i].unit;
             if (distance < bound) bound = distance, nearest = &meshes_[i], place = at;
         }
-        const uint32_t known = nearest_known();
-        // If more are equally near than the array holds, any subset will do.
-        const bool found = known_count_ > 0 && (known_[known].distance < bound || known_count_ == most_exact);
+        const uint32_t exact = nearest_exact();
+        // If the array is full of equal distances, any of them will do.
+        const bool found = exact_count_ > 0 && (exact_[exact].distance < bound || exact_count_ == most_exact);
         if (!found && !nearest) return false;
         if (!found) {
-            compute(*nearest, place);
+            compute_exact(*nearest, place);
             continue;
         }
-        out = known_[known];
-        take_out(known);
+        out = exact_[exact];
+        remove_exact(exact);
         return true;
     }
 }
@@ -144,23 +146,23 @@ void ClosestFeatures::cull_behind(Vec3 normal, double height, uint32_t tag) {
     const auto is_behind = [&](const Triangle& t) {
         return dot(normal, t.a) <= height && dot(normal, t.b) <= height && dot(normal, t.c) <= height;
     };
-    for (uint32_t i = known_count_; i-- > 0;) {
-        if (known_[i].is_triangle && known_[i].tag == tag && is_behind(known_[i].triangle)) take_out(i);
+    for (uint32_t i = exact_count_; i-- > 0;) {
+        if (exact_[i].is_triangle && exact_[i].tag == tag && is_behind(exact_[i].triangle)) remove_exact(i);
     }
     for (uint32_t i = 0; i < mesh_count_; ++i) {
         PlacedMesh& mesh = meshes_[i];
         if (mesh.tag != tag || mesh.near_count == 0) continue;
-        // As the mesh sees it, from the point.
+        // The half-space in the space of the mesh, relative to the point.
         const Vec3 across = mesh.axes(transpose_times(mesh.world.rotation, normal));
         const double slope = mesh.axes.is_one() ? 1 : length(across);
         const Vec3 local = mesh.axes.is_one() ? across : across / slope;
         const double above = (height - dot(normal, mesh.balls[point_].center)) / (mesh.world.scale * slope);
-        uint32_t open[most_packets];
+        uint32_t lanes[most_packets];
         NearPacket* const near = near_ + mesh.first_near;
         mesh.near_count =
-            kernels_.leave_out(near, mesh.near_count, mesh.probes[point_], HalfSpaceProbe(local, above), open);
+            kernels_.cull(near, mesh.near_count, mesh.probes[point_], HalfSpaceProbe(local, above), lanes);
         for (uint32_t k = 0; k < mesh.near_count; ++k) {
-            for_each_lane(open[k], [&](int lane) {
+            for_each_lane(lanes[k], [&](int lane) {
                 if (is_behind(mesh.triangle(*near[k].packet, lane))) {
                     near[k].distance[lane] = std::numeric_limits<float>::infinity();
                 }

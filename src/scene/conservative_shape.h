@@ -1,11 +1,13 @@
-// Shapes for quick tests: made from what a model stores without a division or a normalised rotation.
+// Shapes for the conservative tests (conservative_tests.h): made from a model's stored shape and transform without a
+// division and without a normalised rotation, so cheaper than the exact shape.
 //
-// A conservative test runs before the exact one. Its "no" and "yes" are certain. What it leaves undecided goes to
-// the exact test (intersect.h): the first hit of a ray, and shapes within rounding of a touch.
+// A conservative test runs before the exact one. Its "no" and "yes" are certain. "Undecided" goes to the exact test
+// (intersect.h): the first hit of a ray, and shapes within rounding of contact. This is a floating-point filter in the
+// sense of exact geometric computation (Fortune and Van Wyk 1993).
 //
-// Errors. A number of the conservative or of the exact test has some dozens of roundings of 2^-53 of its input
+// Errors. Each number of the conservative or the exact test has some dozens of roundings of 2^-53 of its input
 // coordinates. `slack`, 2^-43 of their sum, covers a thousand roundings, several times the largest difference of the
-// two tests; within it the answer is undecided.
+// two tests. Within it the answer is undecided.
 #pragma once
 
 #include "foundation/compiler.h"
@@ -16,35 +18,33 @@
 
 namespace gphys {
 
-enum class TriState { no, yes, open };
-/// For a test of which only a "no" is used.
-constexpr TriState unless_no(TriState verdict) { return verdict == TriState::no ? TriState::no : TriState::open; }
+enum class TriState { no, yes, undecided };
+/// For a test of which only "no" is valid.
+constexpr TriState only_no(TriState result) { return result == TriState::no ? TriState::no : TriState::undecided; }
 
-/// Without a branch, because a "yes" is unpredictable.
-constexpr TriState verdict_of(bool is_no, bool is_yes) {
-    return static_cast<TriState>(is_yes | !(is_no | is_yes) << 1);
-}
+/// Without a branch, which would be unpredictable.
+constexpr TriState tri_state(bool is_no, bool is_yes) { return static_cast<TriState>(is_yes | !(is_no | is_yes) << 1); }
 
 constexpr double slack = 0x1p-43;
 
-/// The same in float32. A rotation of a vector takes 23 roundings of 2^-24 at most; no test has more
-/// than two of them and a dozen others, and this stands for 128.
+/// The same for float32: 128 roundings of 2^-24. A rotation of a vector takes at most 23; no test has more than two
+/// rotations and a dozen others.
 constexpr float float_slack = 0x1p-17f;
-/// And of a number that is rounded once or twice.
+/// For a number that is rounded once or twice.
 constexpr float few_roundings = 0x1p-21f;
 
-/// What numbers below the smallest normal float may lose: some hundred times 2^-149, and still more
-/// where it is multiplied by the margin of a speed.
+/// Bound of what numbers lose below the smallest normal float: some hundred times 2^-149, with reserve for products
+/// with other margins.
 constexpr double smallest_slack = 0x1p-120;
 
-// For the squared distance of a point from a box in float32. Margins are for distances on an axis, and what is
-// squared has another eighteen roundings of 2^-24; this stands for 64.
+/// For squared distances of a point from a box in float32, besides the margins of the coordinates: 64 roundings of
+/// 2^-24. The sum of squares takes eighteen.
 constexpr float square_slack = 0x1p-18f;
-/// Squares may be flushed to zero below 2^-126.
+/// Hosts may flush squares below 2^-126 to zero.
 constexpr float smallest_square = 0x1p-120f;
-/// Beyond all boxes, and its square fits a float.
+/// Beyond all boxes; its square fits a float.
 constexpr double most_reach = 0x1p60;
-/// Of the largest component of a direction, that its inverse is finite; and of the way along it, in floats.
+/// Lower bound of the largest component of a direction, so that its inverse is finite. Upper bound of t_max in floats.
 constexpr double least_speed = 0x1p-200, most_end = 0x1p100;
 
 inline ScaledRotation<Float4> scaled_rotation(Float4 q) {
@@ -54,28 +54,28 @@ inline ScaledRotation<Float4> scaled_rotation(Float4 q) {
 struct ConservativeSphere {
     Vec3 center;
     double radius;
-    double magnitude;  // sum of the coordinates that went into it, without signs
+    double magnitude;  // sum of the absolute values of its input coordinates
 };
 
 struct ConservativeBox {
     Mat3 axes;
-    double unit;  // the length of each axis
+    double unit;  // the length of each axis, since the rotation is not normalised
     Vec3 center, half;
     double magnitude;
 
-    /// Along the axes from the centre, times `unit`.
+    /// Relative to the centre, on the box's axes; times `unit`.
     Vec3 local(Vec3 point) const { return transpose_times(axes, point - center); }
 };
 
-/// Rare, so not inlined at every place where a shape is transformed.
-GPHYS_NOINLINE inline Vec3 turned_point(Vec3 point, const gphys_quat& rotation) {
+/// Rare, so not inlined.
+GPHYS_NOINLINE inline Vec3 rotated_point(Vec3 point, const gphys_quat& rotation) {
     const Quat q = widen(rotation);
     return scaled_rotation_matrix(q) * point * (1 / norm_squared(q));
 }
 inline Vec3 conservative_point(Vec3 point, const gphys_transform& world) {
     const Vec3 position = widen(world.position), scaled = point * world.scale;
-    if (!is_turned(world.rotation) || point == Vec3{}) return position + scaled;
-    return position + turned_point(scaled, world.rotation);
+    if (!is_rotated(world.rotation) || point == Vec3{}) return position + scaled;
+    return position + rotated_point(scaled, world.rotation);
 }
 
 inline ConservativeSphere conservative_sphere(Vec3 center, double radius, const gphys_transform& world) {
@@ -90,7 +90,7 @@ inline ConservativeSphere conservative_shape(const gphys_sphere& sphere, const g
 struct CenterAndHalf {
     Vec3 center, half;
 
-    /// Sum of the coordinates of the box placed in the world.
+    /// ConservativeBox::magnitude of the box in the world.
     double magnitude(const gphys_transform& world) const {
         return sum(abs(widen(world.position))) + (sum(abs(center)) + sum(half)) * world.scale;
     }
@@ -111,7 +111,7 @@ inline ConservativeBox conservative_shape(const gphys_aabb& box, const gphys_tra
 }
 inline ConservativeBox conservative_shape(const gphys_obb& box, const gphys_transform& world) {
     ConservativeBox result = conservative_box(center_and_half(box), world);
-    if (!is_turned(box.rotation)) return result;
+    if (!is_rotated(box.rotation)) return result;
     const Quat q = widen(box.rotation);
     result.axes = result.axes * scaled_rotation_matrix(q);
     result.unit *= norm_squared(q);
@@ -123,7 +123,6 @@ inline ConservativeBox conservative_shape(const ModelMesh& stored, const gphys_t
     return conservative_box(center_and_half(box.min, box.max), world);
 }
 
-/// Half the sum and half the difference of the faces of a stored box.
 struct FloatBox {
     Float4 center, half;
 };
@@ -133,24 +132,24 @@ inline FloatBox float_box(const gphys_aabb& box) {
 }
 inline FloatBox float_box(const gphys_obb& box) { return {load4(box.center), load4(box.half_extents)}; }
 
-/// About the origin of its model, for which the position alone places it: told by its bits, as hosts may
-/// take subnormal numbers for zero.
+/// Whether a box is centred on the origin of its model: then its centre is the model's position, without rounding.
+/// Compares bits, since hosts may treat subnormal numbers as zero.
 inline bool is_centered(const gphys_aabb& box) {
     const Mask4 signs = mask4(INT32_MIN, INT32_MIN, INT32_MIN, 0);
     return !any(as_mask(load4(box.min)) ^ as_mask(load4(box.max)) ^ signs);
 }
 inline bool is_centered(const gphys_obb& box) { return !any(as_mask(load4(box.center))); }
 
-/// A float box that holds a stored one where it is.
+/// A float box that contains a stored box in the world.
 template <class Stored>
 Box conservative_bounds(const Stored& stored, const gphys_transform& world) {
     Float4 rotation = load4(world.rotation);
     if constexpr (std::is_same_v<Stored, gphys_obb>) {
-        if (is_turned(stored.rotation)) rotation = narrow4(widen(world.rotation) * widen(stored.rotation));
+        if (is_rotated(stored.rotation)) rotation = narrow4(widen(world.rotation) * widen(stored.rotation));
     }
-    const ScaledRotation<Float4> turn = scaled_rotation(rotation);
+    const ScaledRotation<Float4> scaled = scaled_rotation(rotation);
     const Float4 half = float_box(stored).half * world.scale;
-    const Float4 extents = outer_extents(turn, half);
+    const Float4 extents = outer_extents(scaled, half);
     Float4 low, high;
     if (is_centered(stored)) {
         const Float4 position = load4(world.position);
@@ -174,7 +173,7 @@ Box conservative_bounds(const Stored& stored, const gphys_transform& world) {
     return result;
 }
 
-/// A stored box and where it is: rays and points have tests of their own for it.
+/// A stored box and its transform. Rays and points have float32 tests for it.
 template <class Stored>
 struct ConservativePlacedBox {
     const Stored& box;
@@ -183,7 +182,7 @@ struct ConservativePlacedBox {
     operator ConservativeBox() const { return conservative_shape(box, world); }
 };
 
-/// A point as two floats: their sum is within 2^-48 of it.
+/// A point as a sum of two floats per coordinate, within 2^-48 of it.
 struct SplitPoint {
     explicit SplitPoint(Vec3 point)
         : exact(point), head(narrow4(point)), rest(narrow4(point - Vec3{head[0], head[1], head[2]})) {}
@@ -192,14 +191,14 @@ struct SplitPoint {
     Float4 head, rest;
 };
 
-/// A stored box as a point sees it, in float32: on the axes of the world and then, times `unit`, on its
-/// own. Where the point and what places the box are floats, as they mostly are, their difference is
-/// rounded once, and nothing of a place far away is lost.
+/// A stored box relative to a point, in float32, on the box's own axes, times `unit`. If the point has float
+/// coordinates, as most do, its difference from the box's position is rounded once; so distance from the origin costs
+/// no precision.
 template <class Stored>
-class BoxInSight {
+class RelativeBox {
 public:
-    /// `magnitude` is that of the point.
-    BoxInSight(const ConservativePlacedBox<Stored>& placed, const SplitPoint& point, double magnitude)
+    /// `magnitude`: sum of the point's absolute coordinates.
+    RelativeBox(const ConservativePlacedBox<Stored>& placed, const SplitPoint& point, double magnitude)
         : placed_(placed) {
         const FloatBox box = float_box(placed.box);
         const gphys_transform& world = placed.world;
@@ -213,10 +212,10 @@ public:
         } else {
             from = point.head - position + point.rest;
         }
-        // What hosts flush to zero of the box is scaled, too.
+        // Scaled, as are the box's numbers that hosts flush to zero.
         const float rounding = static_cast<float>(slack * magnitude + smallest_slack * (1 + double{world.scale}));
         margin = sum(float_slack * (abs(from) + half) + static_cast<float>(slack) * sums) + rounding;
-        from = turned_back(from);
+        from = to_box_axes(from);
         unit = scaled_rotation(load4(world.rotation)).norm_squared();
         if constexpr (std::is_same_v<Stored, gphys_obb>) {
             unit *= scaled_rotation(load4(placed.box.rotation)).norm_squared();
@@ -225,8 +224,8 @@ public:
         margin *= unit;
     }
 
-    /// A vector of the world on the box's axes, times `unit`.
-    Float4 turned_back(Float4 v) const {
+    /// A world vector on the box's axes, times `unit`.
+    Float4 to_box_axes(Float4 v) const {
         v = scaled_rotation(load4(placed_.world.rotation)).inverse(v);
         if constexpr (std::is_same_v<Stored, gphys_obb>) {
             v = scaled_rotation(load4(placed_.box.rotation)).inverse(v);
@@ -234,14 +233,14 @@ public:
         return v;
     }
 
-    Float4 from, half, unit;  // the point from the centre
-    Float4 margin;            // of each coordinate
+    Float4 from, half, unit;  // from: the point relative to the box's centre
+    Float4 margin;            // error bound of each coordinate
 
 private:
     const ConservativePlacedBox<Stored>& placed_;
 };
 
-/// The box of a mesh when asked for: rays are quicker with the sphere that holds the mesh.
+/// A mesh: points and boxes test its AABB, rays its bounding sphere, which is cheaper.
 struct ConservativeMesh {
     const ModelMesh& stored;
     const gphys_transform& world;
@@ -255,19 +254,19 @@ struct ConservativeMesh {
 };
 
 template <class Stored>
-constexpr bool has_quick_shape = !std::is_same_v<Stored, gphys_capsule> && !std::is_same_v<Stored, gphys_plane> &&
-                                 !std::is_same_v<Stored, gphys_triangle>;
+constexpr bool has_conservative_shape = !std::is_same_v<Stored, gphys_capsule> &&
+                                        !std::is_same_v<Stored, gphys_plane> && !std::is_same_v<Stored, gphys_triangle>;
 
 template <class Stored>
 constexpr bool is_box = std::is_same_v<Stored, gphys_aabb> || std::is_same_v<Stored, gphys_obb>;
 
-/// Run a conservative test on a stored shape: test(conservative shape) returns the TriState.
+/// Runs a conservative test on a stored shape: test(conservative shape) returns the TriState.
 template <class Stored, class Test>
 TriState conservative_verdict(const Stored& shape, const gphys_transform& world, Test&& test) {
-    if constexpr (!has_quick_shape<Stored>) {
-        return TriState::open;
+    if constexpr (!has_conservative_shape<Stored>) {
+        return TriState::undecided;
     } else if constexpr (std::is_same_v<Stored, ModelMesh>) {
-        return unless_no(test(ConservativeMesh{shape, world}));
+        return only_no(test(ConservativeMesh{shape, world}));
     } else if constexpr (is_box<Stored>) {
         return test(ConservativePlacedBox<Stored>{shape, world});
     } else {

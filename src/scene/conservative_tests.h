@@ -1,4 +1,6 @@
-// The conservative tests of a ray, of a point with a radius (a sphere, or the nearest distance so far) and of a box.
+// The conservative tests of a ray, of a point with a radius (a sphere, or the nearest distance so far) and of a box,
+// against the shapes of conservative_shape.h. They share the formulas of the exact tests (raycast_sphere.h,
+// raycast_box.h, overlap_boxes.h), with margins for all roundings.
 #pragma once
 
 #include "geometry/overlap_boxes.h"
@@ -8,10 +10,10 @@
 
 namespace gphys {
 
-/// By how much two amounts differ for certain; `error` covers both.
-inline TriState at_most(double a, double b, double error) { return verdict_of(a > b + error, a + error < b); }
+/// Whether a <= b; `error` bounds the errors of both.
+inline TriState at_most(double a, double b, double error) { return tri_state(a > b + error, a + error < b); }
 
-/// Whether a ray meets a shape by the time t_max.
+/// Whether a ray hits a shape no later than at t_max.
 class ConservativeRay {
 public:
     explicit ConservativeRay(const Ray& ray)
@@ -27,7 +29,7 @@ public:
     TriState operator()(const ConservativeShape& shape, double t_max) const {
         return verdict<true>(shape, t_max);
     }
-    /// The same if only a "no" is used.
+    /// The same, cheaper, for callers that use only "no".
     template <class ConservativeShape>
     TriState rejects(const ConservativeShape& shape, double t_max) const {
         return verdict<false>(shape, t_max);
@@ -39,30 +41,30 @@ private:
         const Vec3 closest =
             closest_on_ray(origin_.exact - sphere.center, direction_, direction_squared_, clipped(t_max));
         const double magnitude = origin_magnitude_ + sphere.magnitude;
-        const TriState verdict =
+        const TriState result =
             at_most(length_squared(closest), sphere.radius * sphere.radius, slack * magnitude * magnitude);
-        return also_yes ? verdict : unless_no(verdict);
+        return also_yes ? result : only_no(result);
     }
 
-    /// In float32, all axes at once.
+    /// In float32, with the three axes in one register.
     template <bool also_yes, class Stored>
     TriState verdict(const ConservativePlacedBox<Stored>& placed, double t_max) const {
-        const BoxInSight<Stored> box(placed, origin_, origin_magnitude_);
+        const RelativeBox<Stored> box(placed, origin_, origin_magnitude_);
         const Float4 end = splat4(static_cast<float>(std::min(t_max * direction_size_, most_end)));
-        const RayAndBox<Float4> both(box.from, box.half, box.margin, box.turned_back(unit_direction_),
+        const RayAndBox<Float4> both(box.from, box.half, box.margin, box.to_box_axes(unit_direction_),
                                      unit_direction_slack_ * box.unit, end);
         if (!both.may_hit()) return TriState::no;
-        return also_yes && both.must_hit() ? TriState::yes : TriState::open;
+        return also_yes && both.must_hit() ? TriState::yes : TriState::undecided;
     }
 
-    /// The box of the mesh is for mesh_instance.cpp, which has the ray in the mesh's space.
+    /// mesh_instance.cpp tests the box of the mesh, with the ray in the mesh's space.
     template <bool also_yes>
     TriState verdict(const ConservativeMesh& mesh, double t_max) const {
         return verdict<also_yes>(mesh.sphere(), t_max);
     }
 
-    /// An infinite t_max would make NaN of 0. With coordinates and directions of floats nothing is
-    /// met later than this.
+    /// An infinite t_max would give NaN with a zero component. With float coordinates and directions, no hit is later
+    /// than this.
     static double clipped(double t_max) { return std::min(t_max, 0x1p600); }
 
     SplitPoint origin_;
@@ -70,11 +72,11 @@ private:
     double direction_squared_;  // above 0
     double origin_magnitude_;
     double direction_size_;  // its largest component
-    Float4 unit_direction_;  // in parts of that
+    Float4 unit_direction_;  // divided by that
     Float4 unit_direction_slack_;
 };
 
-/// Whether a shape comes within `reach` of a point.
+/// Whether a shape is within `reach` of a point.
 class ConservativePoint {
 public:
     explicit ConservativePoint(Vec3 point) : point_(point), magnitude_(sum(abs(point))) {}
@@ -91,15 +93,15 @@ public:
     /// In float32.
     template <class Stored>
     TriState operator()(const ConservativePlacedBox<Stored>& placed, double reach) const {
-        const BoxInSight<Stored> box(placed, point_, magnitude_);
+        const RelativeBox<Stored> box(placed, point_, magnitude_);
         const Float4 outside = abs(box.from) - box.half;
         const auto squared = [&](Float4 margin) {
             const Float4 gap = positive(outside + margin);
             return sum(gap * gap)[0];
         };
         const float far = static_cast<float>(std::min(reach, most_reach)) * box.unit[0], limit = far * far;
-        return verdict_of(squared(-box.margin) > limit * (1 + square_slack) + smallest_square,
-                          squared(box.margin) + smallest_square < limit * (1 - square_slack));
+        return tri_state(squared(-box.margin) > limit * (1 + square_slack) + smallest_square,
+                         squared(box.margin) + smallest_square < limit * (1 - square_slack));
     }
 
 private:
@@ -108,24 +110,24 @@ private:
 };
 
 /// Whether a box overlaps a shape.
-class ConservativeBlock {
+class ConservativeBoxQuery {
 public:
-    explicit ConservativeBlock(const Obb& box)
+    explicit ConservativeBoxQuery(const Obb& box)
         : box_(box),
-          turned_(!(box.axes.x == Vec3{1, 0, 0} && box.axes.y == Vec3{0, 1, 0})),
+          is_rotated_(!(box.axes.x == Vec3{1, 0, 0} && box.axes.y == Vec3{0, 1, 0})),
           magnitude_(sum(abs(box.center)) + sum(box.half)) {}
 
     TriState operator()(const ConservativeSphere& sphere) const {
-        const Vec3 outside = max(abs(seen(sphere.center - box_.center)) - box_.half, {});
+        const Vec3 outside = max(abs(to_local(sphere.center - box_.center)) - box_.half, {});
         const double magnitude = magnitude_ + sphere.magnitude;
         return at_most(length_squared(outside), sphere.radius * sphere.radius, slack * magnitude * magnitude);
     }
 
     /// The separating axis test in this box's own frame.
     TriState operator()(const ConservativeBox& other) const {
-        const Matrix<double> axes{seen(other.axes.x), seen(other.axes.y), seen(other.axes.z)};
-        const BoxAndRotatedBox<double> both{box_.half, seen(other.center - box_.center), other.half, axes, abs(axes),
-                                            other.unit};
+        const Matrix<double> axes{to_local(other.axes.x), to_local(other.axes.y), to_local(other.axes.z)};
+        const BoxAndRotatedBox<double> both{
+            box_.half, to_local(other.center - box_.center), other.half, axes, abs(axes), other.unit};
         const double margin = slack * other.unit * (magnitude_ + other.magnitude);
         if (max_component(abs(both.other_center) * both.unit - both.half * both.unit) < -margin) return TriState::yes;
         const double gap = both.face_gap();
@@ -134,25 +136,25 @@ public:
     }
 
 private:
-    Vec3 seen(Vec3 v) const { return turned_ ? transpose_times(box_.axes, v) : v; }
+    Vec3 to_local(Vec3 v) const { return is_rotated_ ? transpose_times(box_.axes, v) : v; }
 
     Obb box_;
-    bool turned_;
+    bool is_rotated_;
     double magnitude_;
 };
 
-// The conservative test of an overlap with a query shape: a function of a conservative shape.
+// The conservative test of an overlap with a query shape, as a function of a conservative shape.
 
 inline auto conservative_overlap(const Sphere& query) {
     return [point = ConservativePoint(query.center), reach = query.radius](const auto& shape) {
         return point(shape, reach);
     };
 }
-inline auto conservative_overlap(const Aabb& query) { return ConservativeBlock(as_obb(query)); }
-inline auto conservative_overlap(const Obb& query) { return ConservativeBlock(query); }
+inline auto conservative_overlap(const Aabb& query) { return ConservativeBoxQuery(as_obb(query)); }
+inline auto conservative_overlap(const Obb& query) { return ConservativeBoxQuery(query); }
 template <class Query>
 auto conservative_overlap(const Query&) {
-    return [](const auto&) { return TriState::open; };
+    return [](const auto&) { return TriState::undecided; };
 }
 
 }  // namespace gphys

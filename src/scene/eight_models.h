@@ -1,4 +1,5 @@
-// The arguments and results of kernels that test eight rays against eight models.
+// Arguments and results of kernels that test eight pairs of a ray and a model, one pair in each lane (hit_kernels.h,
+// scene_kernels.h).
 #pragma once
 
 #include "foundation/isa.h"
@@ -6,18 +7,18 @@
 
 namespace gphys {
 
-/// Where the shape of a stored model begins, in floats.
+/// Offset of the shape in a stored model, in floats.
 constexpr uint32_t shape_at = 10;
 
-/// Eight rays, and the model that each asks about.
+/// Eight pairs of a ray and a model.
 template <class RayForm>
 struct RaysAndModels {
     const RayForm* ray[8];
-    const float* model[8];  // its transform, two words of no interest, and the first six of its shape
-    const float* other[8];  // a sphere, or the ball around a mesh; the rotation of an Obb
+    const float* model[8];  // transform, two unused words, the first six words of the shape
+    const float* other[8];  // sphere; bounding sphere of a mesh; rotation of an Obb
 };
 
-/// Masks of eight tests: certainly no, and certainly yes. The others are undecided.
+/// Results of eight tests, as masks. In neither mask: undecided.
 struct TriStates8 {
     uint32_t no, yes;
 };

@@ -1,3 +1,4 @@
+// Scaled shapes (model_scale.h): products in double, rounded once; checks of what a shape may be scaled by.
 #include "scene/model_scale.h"
 
 #include "foundation/floating_point.h"
@@ -12,7 +13,7 @@ constexpr const char* too_large = "scale: the scaled shape would be beyond GPHYS
 constexpr const char* unequal =
     "scale: three different numbers are for meshes, hulls, triangles and boxes without a rotation of their own";
 
-/// Within twice the range, which floats hold: whether it is in the range is asked afterwards.
+/// Clamped to twice the range of coordinates, which a float can hold; defect() rejects it afterwards.
 gphys_vec3 product(const gphys_vec3& v, const gphys_vec3& scale) {
     const Vec3 exact = by_component(widen(v), widen(scale));
     constexpr Vec3 limit{2 * most, 2 * most, 2 * most};
@@ -24,11 +25,11 @@ float product(float size, const gphys_vec3& scale) {
 bool is_equal(const gphys_vec3& scale) { return scale.x == scale.y && scale.y == scale.z; }
 
 template <class Shape>
-ScaleRefusal refusal(const void* shape, const gphys_vec3& scale) {
+ScaleError scale_error(const void* shape, const gphys_vec3& scale) {
     Shape stored;
     std::memcpy(&stored, shape, sizeof stored);
     bool any_scale = std::is_same_v<Shape, gphys_aabb> || std::is_same_v<Shape, gphys_triangle>;
-    if constexpr (std::is_same_v<Shape, gphys_obb>) any_scale = !is_turned(stored.rotation);
+    if constexpr (std::is_same_v<Shape, gphys_obb>) any_scale = !is_rotated(stored.rotation);
     if (!any_scale && !is_equal(scale)) return {GPHYS_ERROR_UNSUPPORTED, unequal};
     if (defect(scaled(stored, scale))) return {GPHYS_ERROR_INVALID_ARGUMENT, too_large};
     return {};
@@ -66,7 +67,7 @@ gphys_triangle scaled(const gphys_triangle& triangle, const gphys_vec3& scale) {
     return {product(triangle.a, scale), product(triangle.b, scale), product(triangle.c, scale)};
 }
 
-ScaleRefusal refusal_of_scale(const Mesh& mesh, const gphys_vec3& scale) {
+ScaleError check_scale(const Mesh& mesh, const gphys_vec3& scale) {
     if (is_one(scale)) return {};
     if (mesh.kind() == MeshKind::body_links) {
         return {GPHYS_ERROR_UNSUPPORTED, "scale: the form of a rope or of particles has none but 1 1 1"};
@@ -77,23 +78,23 @@ ScaleRefusal refusal_of_scale(const Mesh& mesh, const gphys_vec3& scale) {
     return {};
 }
 
-ScaleRefusal refusal_of_scale(gphys_shape_type type, const void* shape, const gphys_vec3& scale) {
+ScaleError check_scale(gphys_shape_type type, const void* shape, const gphys_vec3& scale) {
     if (is_one(scale)) return {};
     switch (type) {
         case GPHYS_SHAPE_SPHERE:
-            return refusal<gphys_sphere>(shape, scale);
+            return scale_error<gphys_sphere>(shape, scale);
         case GPHYS_SHAPE_CAPSULE:
-            return refusal<gphys_capsule>(shape, scale);
+            return scale_error<gphys_capsule>(shape, scale);
         case GPHYS_SHAPE_AABB:
-            return refusal<gphys_aabb>(shape, scale);
+            return scale_error<gphys_aabb>(shape, scale);
         case GPHYS_SHAPE_OBB:
-            return refusal<gphys_obb>(shape, scale);
+            return scale_error<gphys_obb>(shape, scale);
         case GPHYS_SHAPE_PLANE:
-            return refusal<gphys_plane>(shape, scale);
+            return scale_error<gphys_plane>(shape, scale);
         case GPHYS_SHAPE_TRIANGLE:
-            return refusal<gphys_triangle>(shape, scale);
+            return scale_error<gphys_triangle>(shape, scale);
         default:
-            return refusal_of_scale(*static_cast<const Mesh*>(shape), scale);
+            return check_scale(*static_cast<const Mesh*>(shape), scale);
     }
 }
 

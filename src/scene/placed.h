@@ -1,4 +1,5 @@
-// A public shape transformed to world space, in double precision: visit gets the primitive, or the instance of a mesh.
+// A stored shape in world space, in double precision, for the exact tests: visit(primitive), or visit(MeshInstance).
+// The transform is applied at each query instead of being stored, since a model then fits into one cache line.
 #pragma once
 
 #include "foundation/float4.h"
@@ -8,14 +9,14 @@
 
 namespace gphys {
 
-inline bool is_turned(const gphys_quat& rotation) { return rotation.x != 0 || rotation.y != 0 || rotation.z != 0; }
+inline bool is_rotated(const gphys_quat& rotation) { return rotation.x != 0 || rotation.y != 0 || rotation.z != 0; }
 
 template <class Stored, class Visit>
 auto with_placed(const Stored& shape, const gphys_transform& world, Visit&& visit) {
     return visit(transformed(widen(shape), widen(world)));
 }
 
-/// Without rotation, not even of negative zeros, the centre takes no matrix to get the same bits.
+/// With all rotation bits zero, the same bits result without a rotation matrix.
 template <class Visit>
 auto with_placed(const gphys_sphere& shape, const gphys_transform& world, Visit&& visit) {
     const Sphere sphere = widen(shape);
@@ -25,11 +26,11 @@ auto with_placed(const gphys_sphere& shape, const gphys_transform& world, Visit&
     return visit(Sphere{widen(world.position) + Mat3() * (sphere.center * scale), sphere.radius * scale});
 }
 
-/// Without rotation a box keeps its faces where they are, to the last bit.
+/// Without rotation the faces of a box are exact.
 template <class Visit>
 auto with_placed(const gphys_aabb& shape, const gphys_transform& world, Visit&& visit) {
     const Aabb box = widen(shape);
-    if (is_turned(world.rotation)) return visit(transformed(box, widen(world)));
+    if (is_rotated(world.rotation)) return visit(transformed(box, widen(world)));
     const Vec3 position = widen(world.position);
     const double scale = world.scale;
     return visit(Aabb{position + box.min * scale, position + box.max * scale});

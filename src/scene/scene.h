@@ -1,18 +1,18 @@
-// Models - a shape or a shared mesh, placed in the world, perhaps below a parent - and the BVH
-// that finds them. The C layer has checked all values; ids are checked here.
+// A scene: models and the BVH over their AABBs. A model is a shape or a shared mesh with a transform, and may have a
+// parent. The C layer has checked all values; the scene checks ids.
 //
-//   scene_models.cpp      models come and go, and hang below one another
-//   scene_transforms.cpp  they move, and their descendants with them
-//   scene_rays.cpp        rays
-//   scene_queries.cpp     overlaps, nearest, sweeps, culling
-//   scene_solids.cpp      sweeps of capsules and boxes, and ways out
-//   scene_contact.cpp     one model and one point, for collision response
-//   scene_snapshot.cpp    copied out as words, and restored
-//   scene_check.cpp       is everything in agreement?
+//   scene_models.cpp      add, remove, change, set_parent
+//   scene_transforms.cpp  set_transforms, set_origin; propagation to descendants
+//   scene_rays.cpp        raycasts, single and batched
+//   scene_queries.cpp     overlap, nearest, sphere sweep, cull
+//   scene_solids.cpp      sweeps of capsules and boxes; penetration
+//   scene_contact.cpp     closest point and sweep of one model, for collision response
+//   scene_snapshot.cpp    snapshot, restore, hash
+//   scene_check.cpp       consistency check
 //
-// A model's world transform is stored as float32. Everything else is derived from it: the shape in world space (in
-// double, when a query needs it) and the model's AABB in the BVH (rounded outward). A query traverses the BVH, tests
-// the exact shape of each candidate, and prunes by the best result so far.
+// A model's world transform is stored as float32. The rest is derived from it: the shape in world space (in double,
+// when a query needs it), and the model's AABB in the BVH (rounded outward). A query traverses the BVH, tests each
+// candidate first conservatively and then exactly, and prunes by the best result so far.
 #pragma once
 
 #include <algorithm>
@@ -42,15 +42,14 @@ class HeldMeshes;
 
 using DeepestPenetrations = Smallest<gphys_penetration, DeepestFirst>;
 
-/// By t as the caller sees it, then id: the order of lists of hits.
+/// The order of lists of hits: by reported t, then by id.
 struct FirstHit {
     bool operator()(const gphys_hit& a, const gphys_hit& b) const { return a.t != b.t ? a.t < b.t : a.model < b.model; }
 };
 
 class Scene {
 public:
-    /// World transforms have a scale from 1 / max_scale to max_scale, so that their inverses are as
-    /// harmless as they are.
+    /// World transforms have a scale from 1 / max_scale to max_scale, so that inverses are in range, too.
     static constexpr float max_scale = GPHYS_MAX_COORDINATE;
 
     explicit Scene(const gphys_allocator* hooks, uint32_t reserve_models = 0, uint32_t worker_count = 1,
@@ -59,11 +58,11 @@ public:
     Scene& operator=(const Scene&) = delete;
     ~Scene();
 
-    mutable Memory memory;  // also for const functions that say that they allocate
+    mutable Memory memory;  // mutable for the const functions that are documented to allocate
 
-    // Models. Whatever fails, by status or by std::bad_alloc, leaves the scene as it was.
+    // Changes. A call that fails, by status or std::bad_alloc, leaves the scene unchanged.
 
-    /// `shapes` are public structs of the type, strided, or one Mesh; `transforms` may be null.
+    /// `shapes`: public structs of the type, with a stride, or one Mesh. `transforms` may be null.
     gphys_status add(gphys_shape_type type, const void* shapes, uint32_t shape_stride,
                      const gphys_transform* transforms, uint32_t transform_stride, uint32_t count,
                      Strided<gphys_model_desc> descs, gphys_model_id* out_models);
@@ -76,29 +75,28 @@ public:
     gphys_status remove(const gphys_model_id* models, uint32_t count);
     gphys_status remove_subtree(gphys_model_id model);
     void clear();
-    /// Throws std::bad_alloc, with nothing changed.
     void rebuild_octree() { bvh_.rebuild(); }
     /// A public struct of the type, or a Mesh.
     gphys_status set_shape(gphys_model_id model, gphys_shape_type type, const void* shape);
-    /// A valid one.
+    /// `scale` is valid (defect_of_scale).
     gphys_status set_scale(gphys_model_id model, const gphys_vec3& scale);
     gphys_status set_parent(gphys_model_id model, gphys_model_id parent, bool keep_world);
     gphys_status set_transforms(const gphys_model_id* models, const gphys_transform* transforms,
                                 uint32_t transform_stride, uint32_t count);
     gphys_status set_layers(gphys_model_id model, uint32_t layers);
-    /// All models stay where they are in the world.
+    /// Changes the coordinates of all models; they stay where they are in the world.
     gphys_status set_origin(Vec3 origin);
     Vec3 origin() const { return origin_; }
     gphys_status set_tag(gphys_model_id model, uint32_t tag);
 
     bool has(gphys_model_id model) const { return ids_.has(model); }
-    /// GPHYS_OK, or the failure that a stale id is.
+    /// GPHYS_OK or GPHYS_ERROR_INVALID_ID.
     gphys_status check(gphys_model_id model) const;
     uint32_t size() const { return ids_.size(); }
     template <class Visit>
     void for_each_model(Visit&& visit) const;  // visit(id), by slot
 
-    // About one model; the id is valid.
+    // Of one model; the id is valid.
 
     gphys_shape_type type(gphys_model_id model) const { return at(model).type(); }
     uint32_t layers(gphys_model_id model) const { return at(model).layers; }
@@ -110,9 +108,9 @@ public:
     const gphys_transform& local(gphys_model_id model) const { return local_of(IdTable::slot_of(model)); }
     const gphys_transform& world(gphys_model_id model) const { return at(model).world; }
     Transform world_transform(gphys_model_id model) const { return widen(at(model).world); }
-    /// The public struct that queries see: scaled. Not for meshes.
+    /// The public struct, scaled, as queries read it. Not for meshes.
     void copy_shape(gphys_model_id model, void* out) const;
-    /// The one that add was given.
+    /// The public struct as given to add() or set_shape().
     void copy_unscaled_shape(gphys_model_id model, void* out) const;
     gphys_vec3 scale(gphys_model_id model) const { return scale_of(IdTable::slot_of(model)); }
     /// False if the model is unbounded.
@@ -124,43 +122,42 @@ public:
     /// What is inconsistent in the scene, or nullptr.
     const char* defect() const;
 
-    /// As gphys_scene_get_snapshot, gphys_scene_restore and gphys_scene_get_hash. A library may be the scene itself.
+    // As gphys_scene_get_snapshot, gphys_scene_restore and gphys_scene_get_hash. `library` may be this scene.
+
     gphys_status snapshot(bool embed_meshes, uint32_t* out, uint32_t capacity, uint32_t& total) const;
     gphys_status restore(const Scene& library, const uint32_t* words, uint32_t count);
     void hash(uint32_t (&out)[2]) const;
 
-    /// `ignored_model` is left out, and with `subtree` all below it; 0 or a model that is gone is none. `ids` are
-    /// left out, too, and must live as long as the filter.
+    /// A filter that ignores `ignored_model`, with `subtree` also its descendants, and the models in `ids`. 0 and ids
+    /// of removed models are allowed. `ids` must outlive the filter.
     QueryFilter query_filter(uint32_t layers, gphys_model_id ignored_model, bool subtree,
                              const IgnoredIds& ids = {}) const;
 
-    // Queries see the models of which layers & the model's layers is not 0 or, with a filter, those of them that it
-    // does not leave out. GPHYS_OK or GPHYS_NO_HIT.
+    // Queries. Candidates are the models with (layers & model's layers) != 0 that the filter does not ignore. They
+    // return GPHYS_OK or GPHYS_NO_HIT.
 
     gphys_status raycast(const Ray& ray, uint32_t layers, gphys_hit& out) const;
     gphys_status raycast(const Ray& ray, const QueryFilter& filter, gphys_hit& out) const;
-    /// Up to rays_at_once rays, faster than one by one; they are cut short where they hit. Where nothing
-    /// is hit, *out[i] is left alone.
+    /// Closest hits of up to rays_at_once rays. Lowers rays[i].t_max to the hit. Without a hit, *out[i] is unchanged.
     static constexpr uint32_t rays_at_once = Bvh8::rays_at_once;
     void raycast_many(Ray* rays, uint32_t count, uint32_t layers, gphys_hit* const* out) const;
     void raycast_many(Ray* rays, uint32_t count, const RayFilters& filters, gphys_hit* const* out) const;
-    /// The same of distances only: out[i] keeps what is in it where nothing is hit.
+    /// The same without points and normals.
     void raycast_distance_many(Ray* rays, uint32_t count, uint32_t layers, gphys_distance* const* out) const;
     void raycast_distance_many(Ray* rays, uint32_t count, const RayFilters& filters, gphys_distance* const* out) const;
     bool raycast_any(const Ray& ray, uint32_t layers) const;
     bool raycast_any(const Ray& ray, const QueryFilter& filter) const;
-    /// The same for many rays: bit i of the result for ray i.
+    /// The same for many rays: bit i of the result is for ray i.
     uint64_t raycast_any_many(Ray* rays, uint32_t count, uint32_t layers) const;
     uint64_t raycast_any_many(Ray* rays, uint32_t count, const RayFilters& filters) const;
     void raycast_all(const Ray& ray, uint32_t layers, Smallest<gphys_hit, FirstHit>& out) const;
     void raycast_all(const Ray& ray, const QueryFilter& filter, Smallest<gphys_hit, FirstHit>& out) const;
-    /// `candidates`: what find_candidates has found for the shape.
+    /// `candidates`: the result of find_candidates for the shape, or null.
     void overlap(const Shape& shape, uint32_t layers, Smallest<gphys_model_id>& out,
                  const OverlapItems* candidates = nullptr) const;
     void overlap(const Shape& shape, const QueryFilter& filter, Smallest<gphys_model_id>& out,
                  const OverlapItems* candidates = nullptr) const;
-    /// The first step of overlap for 1 to OverlapItems::most_queries shapes of one type, which takes less time side by
-    /// side.
+    /// The first step of overlap(), interleaved for 1 to OverlapItems::max_queries shapes of one type.
     void find_candidates(const Shape* shapes, uint32_t count, uint32_t layers, OverlapItems* candidates) const;
     gphys_status nearest(Vec3 point, double max_distance, uint32_t layers, gphys_nearest& out) const;
     gphys_status nearest(Vec3 point, double max_distance, const QueryFilter& filter, gphys_nearest& out) const;
@@ -169,27 +166,26 @@ public:
     /// For a moving sphere, capsule or box.
     gphys_status sweep(const Shape& moving, Vec3 displacement, uint32_t layers, gphys_hit& out) const;
     gphys_status sweep(const Shape& moving, Vec3 displacement, const QueryFilter& filter, gphys_hit& out) const;
-    /// The way of a sphere, capsule or box out of each model, or each triangle of a mesh, that it overlaps.
+    /// The penetrations of a sphere, capsule or box into each model, or each triangle of a mesh, that it overlaps.
     void penetration(const Shape& moving, uint32_t layers, DeepestPenetrations& out) const;
     void penetration(const Shape& moving, const QueryFilter& filter, DeepestPenetrations& out) const;
-    /// World boxes that lie outside none of the six planes and of the frustum's own box, in
-    /// arithmetic rounded outward: a superset of what the frustum sees.
-    /// The lowest `capacity` ids, ascending; returns how many there are. Beyond them `out` is scratch.
+    /// The models whose world AABBs are outside none of the six planes and overlap the frustum's AABB, by conservative
+    /// arithmetic. Writes the lowest `capacity` ids, ascending; returns the number of all. The rest of `out` is
+    /// scratch.
     uint32_t cull(const Frustum& frustum, uint32_t layers, gphys_model_id* out, uint32_t capacity) const;
     uint32_t cull(const Frustum& frustum, const QueryFilter& filter, gphys_model_id* out, uint32_t capacity) const;
-    /// Candidates for what collides: models whose world box touches the box, and planes that touch it, but for those
-    /// in the form of a body. visit(id).
+    /// Candidates for collisions: visit(id) for models whose world AABBs overlap the box, and planes that overlap it,
+    /// except the models of bodies.
     template <class Visit>
     void for_each_in_box(const Box& box, uint32_t layers, Visit&& visit) const;
 
-    // One model, in world space; the id is valid.
+    // Queries of one model, in world space; the id is valid.
 
-    /// Whether the shape itself has a point in the box; a mesh is tested through its tree.
+    /// Exact overlap of the shape and the box.
     bool overlaps_box(gphys_model_id model, const Box& box) const;
     bool sweep_model(gphys_model_id model, const Sphere& moving, Vec3 displacement, Hit& hit) const;
-    /// Where to push a point to. normal: unit, outward of a solid, towards the point's side of a
-    /// surface. signed_distance: < 0 inside a solid, and `out` is the nearest point of its surface.
-    /// False only for a mesh without triangles.
+    /// out: the closest point of the shape's surface. normal: unit; outward of a solid; of a surface, towards the
+    /// point. signed_distance: < 0 inside a solid. False only for a mesh without triangles.
     bool closest_point_model(gphys_model_id model, Vec3 point, Vec3& out, Vec3& normal, double& signed_distance) const;
     /// Null if it is a primitive.
     const Mesh* mesh(gphys_model_id model) const { return stored_mesh(IdTable::slot_of(model)); }
@@ -197,59 +193,60 @@ public:
 private:
     static constexpr uint32_t none = 0xffffffff;
 
-    /// What a model has only while it has a parent or children: most never do.
+    /// Hierarchy data, stored only while a model has a parent or children.
     struct Family {
-        uint32_t parent = none, first_child = none, next = none, previous = none;  // slots
+        uint32_t parent = none, first_child = none, next = none, previous = none;  // slots; next, previous: siblings
         uint32_t child_count = 0;
         gphys_transform local;
-        gphys_transform old_local;  // of set_transforms, should it fail
+        gphys_transform old_local;  // for the rollback of set_transforms
     };
 
-    /// All data that a query needs of a candidate, in one cache line.
+    /// What a query reads of a candidate, in one cache line.
     struct alignas(64) Model {
         gphys_transform world;
         uint32_t layers;
-        uint32_t family : 24;  // in families_, or no_family: then local and world are the same
+        uint32_t family : 24;  // index in families_; no_family: local and world transform are the same
         uint32_t type_ : 6;
-        uint32_t moving : 1, carried : 1;  // marks of set_transforms and remove, 0 between calls
-        uint32_t shape[6];                 // the public struct, or as much of it as fits, or a ModelMesh
+        uint32_t moving : 1, carried : 1;  // marks of set_transforms and remove; 0 between calls
+        uint32_t shape[6];                 // the first words of the public struct, or of a ModelMesh
 
         gphys_shape_type type() const { return static_cast<gphys_shape_type>(type_); }
         bool has_family() const { return family != no_family; }
     };
     static constexpr uint32_t no_family = (1u << 24) - 1;
-    /// The rest of a struct that is larger than Model::shape: of a capsule, box or triangle. Of a scaled mesh the ball
-    /// around it.
+    /// The words of a capsule, Obb or triangle that do not fit into Model::shape; of a scaled mesh, its bounding
+    /// sphere.
     struct ShapeTail {
         uint32_t words[4];
     };
     static constexpr size_t largest_shape_words = sizeof(gphys_obb) / sizeof(uint32_t);
-    /// What a model that is no mesh was given, if its scale is not one.
+    /// The original shape of a primitive whose scale is not one.
     struct Unscaled {
         gphys_vec3 scale = no_scale;
         uint32_t shape[largest_shape_words] = {};
     };
-    /// The word of Model::shape, unused by planes, that holds where in unbounded_ a plane stands.
+    /// A word of Model::shape that planes do not use: the plane's index in unbounded_.
     static constexpr size_t position_in_list = sizeof(gphys_plane) / sizeof(uint32_t);
     template <class Stored>
     static constexpr size_t head_size = std::min(sizeof(Stored), sizeof Model::shape);
 
-    // The two steps by which queries see a model (query_filter.h), and both for several that are known to be in the
-    // layers: visit(slot) for each that is seen, and how many these are. `layers` is of a query without a filter.
-    bool may_see(uint32_t layers, uint32_t slot) const { return (models_[slot].layers & layers) != 0; }
-    bool may_see(const QueryFilter& filter, uint32_t slot) const {
+    // The two steps of a filter (query_filter.h). for_each_passing_in_layers does both for models that are known to be
+    // in the layers: visit(slot) for each that passes; returns their number.
+    bool may_pass(uint32_t layers, uint32_t slot) const { return (models_[slot].layers & layers) != 0; }
+    bool may_pass(const QueryFilter& filter, uint32_t slot) const {
         return (models_[slot].layers & filter.layers) != 0 && slot != filter.ignored_slot && !is_below(slot, filter);
     }
-    static constexpr bool sees(uint32_t, uint32_t) { return true; }
-    bool sees(const QueryFilter& filter, uint32_t slot) const {
-        return filter.ignored.empty() || !filter.ignored.hold(ids_.id(slot));
+    static constexpr bool passes(uint32_t, uint32_t) { return true; }
+    bool passes(const QueryFilter& filter, uint32_t slot) const {
+        return filter.ignored.empty() || !filter.ignored.contains(ids_.id(slot));
     }
     template <class Visit>
-    static uint32_t for_each_seen_of_layers(uint32_t layers, const uint32_t* slots, uint32_t count, Visit&& visit);
+    static uint32_t for_each_passing_in_layers(uint32_t layers, const uint32_t* slots, uint32_t count, Visit&& visit);
     template <class Visit>
-    uint32_t for_each_seen_of_layers(const QueryFilter& filter, const uint32_t* slots, uint32_t count,
-                                     Visit&& visit) const;
-    /// Most models have no family, which is told by what has been read already.
+    uint32_t for_each_passing_in_layers(const QueryFilter& filter, const uint32_t* slots, uint32_t count,
+                                        Visit&& visit) const;
+    /// Whether the model is a descendant of the ignored one. Most models have no family; the flag is in the cache line
+    /// read.
     bool is_below(uint32_t slot, const QueryFilter& filter) const {
         return filter.ignores_below && models_[slot].has_family() && is_below(slot, filter.ignored_slot);
     }
@@ -257,7 +254,7 @@ private:
     static uint32_t layers_of(uint32_t layers) { return layers; }
     static uint32_t layers_of(const QueryFilter& filter) { return filter.layers; }
 
-    // The queries; Filter is uint32_t, for layers, or QueryFilter, and Filters is uint32_t or RayFilters.
+    // The queries. Filter is uint32_t (layers) or QueryFilter; Filters is uint32_t or RayFilters.
     template <class T>
     class Storage;
     template <class Answer>
@@ -297,15 +294,14 @@ private:
 
     ItemMemory model_memory() const { return {models_.data(), sizeof(Model)}; }
     ItemMemory id_memory() const { return {ids_.ids(), sizeof(uint32_t)}; }
-    /// Whether of a model wholly inside a solid only its id is read: all models are in the layers.
-    bool inside_is_enough(uint32_t layers) const { return (common_layers_ & layers) != 0; }
-    ItemMemory memory_of_inside(uint32_t layers) const {
-        return inside_is_enough(layers) ? id_memory() : model_memory();
-    }
+    /// Whether a model wholly inside a query is a result without a test, because all models are in the layers. Then
+    /// only its id is read.
+    bool inside_is_result(uint32_t layers) const { return (common_layers_ & layers) != 0; }
+    ItemMemory inside_memory(uint32_t layers) const { return inside_is_result(layers) ? id_memory() : model_memory(); }
     const Model& at(gphys_model_id model) const { return models_[IdTable::slot_of(model)]; }
 
-    // Shapes. visit gets some public struct, or ModelMesh, of the type; the model's; the same placed
-    // in the world.
+    // Shapes. with_type: visit(a default public struct of the type, or ModelMesh). with_stored: visit(the model's
+    // stored shape). with_shape: visit(the shape in world space).
     template <class Visit>
     static auto with_type(gphys_shape_type type, Visit&& visit);
     template <class Visit>
@@ -314,15 +310,15 @@ private:
     auto with_shape(uint32_t slot, Visit&& visit) const;
     template <class Stored>
     Stored stored(uint32_t slot) const;
-    /// Test a model that has passed the layer mask: the conservative test of the stored shape, then, if undecided, the
-    /// filter and the exact test of the shape in world space.
+    /// Tests a model that has passed may_pass(): the conservative test of the stored shape, the filter, then, if
+    /// undecided, the exact test of the shape in world space.
     template <class Filter, class Conservative, class Exact>
     bool decide(const Filter& filter, uint32_t slot, Conservative&& conservative, Exact&& exact) const;
     template <class Filter>
     bool hits_unbounded(const Ray& ray, const Filter& filter) const;
     template <class Answers, class OnHit>
     uint32_t hits_by_kernels(const EightPairs& pairs, const Ray* rays, const OnHit& hit) const;
-    void make_room_for_shapes(gphys_shape_type type, bool scaled, size_t size);
+    void reserve_shapes(gphys_shape_type type, bool scaled, size_t size);
     void store_shape(uint32_t slot, const void* shape, const gphys_vec3& scale);
     void store_ball(uint32_t slot, const ModelMesh& stored);
     gphys_status change_shape(uint32_t slot, gphys_shape_type type, const void* shape, const gphys_vec3& scale);
@@ -331,12 +327,12 @@ private:
     const Mesh* stored_mesh(uint32_t slot) const {
         return models_[slot].type() == GPHYS_SHAPE_MESH ? stored<ModelMesh>(slot).mesh : nullptr;
     }
-    void discard_shape(uint32_t slot);
-    void let_go(const Mesh* mesh, uint32_t slot);
+    void release_shape(uint32_t slot);
+    void release_mesh(const Mesh* mesh, uint32_t slot);
     void list_large_mesh(uint32_t slot);
     void unlist_large_mesh(uint32_t slot);
     double mesh_radius(uint32_t slot) const;
-    /// Whether it has the form of a body of a solver, which collides with other bodies by itself.
+    /// Whether the model is the mesh of a solver's body. The solver handles collisions of bodies itself.
     bool is_body(uint32_t slot) const {
         const Mesh* const mesh = stored_mesh(slot);
         return mesh && mesh->is_body();
@@ -347,12 +343,13 @@ private:
     // Families, by slot.
     Family& family(uint32_t slot) { return families_[models_[slot].family]; }
     const Family& family(uint32_t slot) const { return families_[models_[slot].family]; }
-    Family& take_family(uint32_t slot);
+    Family& ensure_family(uint32_t slot);
     void drop_family_if_alone(uint32_t slot);
     uint32_t parent_of(uint32_t slot) const { return models_[slot].has_family() ? family(slot).parent : none; }
     void link(uint32_t slot, uint32_t parent);
     void unlink(uint32_t slot);
-    /// The slot after `slot` in a walk through the tree of models below `top`, parents first.
+    /// The slot after `slot` in a preorder traversal of the hierarchy below `top`; none at the end. next_beside skips
+    /// the descendants of `slot`.
     uint32_t next_below(uint32_t slot, uint32_t top) const;
     uint32_t next_beside(uint32_t slot, uint32_t top) const;
     void remove_slot(uint32_t slot);
@@ -365,43 +362,44 @@ private:
     const gphys_transform& local_of(uint32_t slot) const;
     void set_local(uint32_t slot, const gphys_transform& local);
     void derive_world(uint32_t slot);
-    void forget_place(uint32_t slot);
+    void reset_place(uint32_t slot);
     Box world_box(uint32_t slot, const gphys_transform& world) const;
-    /// What is wrong with a model that stands there; its box, but not of a plane.
-    const char* place(uint32_t slot, const gphys_transform& world, Box& box) const;
-    const char* place(uint32_t slot, const gphys_transform& world) const;
+    /// What is wrong with the model at `world`, or nullptr. `box`: its AABB; not set for planes.
+    const char* check_placement(uint32_t slot, const gphys_transform& world, Box& box) const;
+    const char* check_placement(uint32_t slot, const gphys_transform& world) const;
     float farthest_point(uint32_t slot) const;
-    template <class PutSome>
-    void put_all(uint32_t count, bool on_any_thread, const PutSome& put_some) const;
+    template <class UpdateSome>
+    void update_parallel(uint32_t count, bool on_any_thread, const UpdateSome& update_some) const;
     template <class Put>
-    void put_eight(const gphys_model_id* models, uint32_t count, const Put& put) const;
-    /// What is wrong with one of the transforms: then none has moved.
+    void update_eight(const gphys_model_id* models, uint32_t count, const Put& put) const;
+    // Return what is wrong with one of the transforms, or nullptr; if there is an error, no model has moved.
     const char* move_alone(const gphys_model_id* models, const Strided<gphys_transform>& local, uint32_t count);
     const char* move_with_relatives(const gphys_model_id* models, const Strided<gphys_transform>& local,
                                     uint32_t count);
-    const char* carry(uint32_t top, uint32_t& moved);
-    void carry_back(uint32_t top);
+    const char* propagate(uint32_t top, uint32_t& moved);
+    void restore_worlds(uint32_t top);
     template <class Put>
-    void put_below(uint32_t top, const Put& put) const;
+    void update_subtree(uint32_t top, const Put& put) const;
     void mark_carried(const gphys_model_id* models, uint32_t count);
     void unmark_carried(const gphys_model_id* models, uint32_t count);
-    const char* carry_relatives(const gphys_model_id* models, uint32_t count, uint32_t& moved);
-    void put_back_relatives(const gphys_model_id* models, uint32_t count);
+    const char* propagate_relatives(const gphys_model_id* models, uint32_t count, uint32_t& moved);
+    void roll_back_relatives(const gphys_model_id* models, uint32_t count);
 
-    /// What a deformable mesh tells of its new form, model by model.
+    /// Notifications of deformable meshes about their new vertices, one for each model.
     class MeshFollower final : public MeshUser {
     public:
         explicit MeshFollower(Scene& scene) : scene_(scene) {}
-        const char* refusal_of_mesh(uint32_t slot) const override;
+        const char* check_mesh(uint32_t slot) const override;
         void mesh_changed(uint32_t slot) noexcept override;
         void mesh_shifted(uint32_t slot, Vec3 by) noexcept override;
 
     private:
         Scene& scene_;
     };
+
     // Snapshots.
     struct Contents;
-    void exchange(Contents& other) noexcept;
+    void swap_contents(Contents& other) noexcept;
     void release_meshes();
     template <class Visit>
     void for_each_mesh(Visit&& visit) const;
@@ -411,31 +409,32 @@ private:
                             const Scene& library, HeldMeshes& found);
     const char* read_models(Reader& reader, const HeldMeshes& meshes, uint32_t parts);
     bool any_scaled() const;
-    const char* hang_up(const Vector<uint32_t>& parents);
-    const char* lay_out(const BvhLayout& layout);
+    const char* link_families(const Vector<uint32_t>& parents);
+    const char* build_bvh(const BvhLayout& layout);
 
     const SceneKernels& kernels_ = scene_kernels(chosen_isa());
     const BoundsKernels& bounds_kernels_ = bounds_kernels(chosen_isa());
     const SlotSetKernels& slot_set_kernels_ = slot_set_kernels(chosen_isa());
-    const HitKernels* hit_kernels_ = hit_kernels(chosen_isa());  // null without a wide set
+    const HitKernels* hit_kernels_ = hit_kernels(chosen_isa());  // null for narrow sets
     const Workers workers_;
     IdTable ids_{&memory};
     LargeArray<Model> models_{&memory};           // by slot
     LargeArray<uint32_t> tags_{&memory};          // by slot
-    LargeArray<ShapeTail> shape_tails_{&memory};  // by slot, up to the last that needed one
+    LargeArray<ShapeTail> shape_tails_{&memory};  // by slot, up to the last that has one
     Pool<Family> families_{&memory};
     Bvh8 bvh_{&memory, chosen_isa(), &workers_};  // items are slots
-    Vec3 origin_;                                 // in the world, of all coordinates
-    LargeArray<WorldPlace> places_{&memory};          // by slot, of models without a parent; since set_origin
-    LargeArray<Unscaled> unscaled_{&memory};          // by slot, up to the last that needed one
-    float widest_scale_ = 1;                      // of all meshes that there were, their largest number or inverse
-    float farthest_point_ = 0;                    // of all shapes that there were, from the origins of their models
-    // That each model is in, a change of layers may leave some out; none if there is a model without
-    // any point, an empty mesh.
+    Vec3 origin_;                                 // of all coordinates, in the world
+    LargeArray<WorldPlace> places_{&memory};      // by slot, for models without a parent; empty before set_origin
+    LargeArray<Unscaled> unscaled_{&memory};      // by slot, up to the last that has one
+    // Upper bounds over all models so far: of a mesh's scale factors and inverses, and of the distance of a shape's
+    // points from the model's origin. With them, most checks of placements need no AABB.
+    float widest_scale_ = 1;
+    float farthest_point_ = 0;
+    // Layers that all models are in; may lack some after set_layers. 0 if there is an empty mesh, which has no points.
     uint32_t common_layers_ = ~0u;
-    Vector<uint32_t> unbounded_{&memory};  // slots of planes: no BVH holds them, and there are few
-    // Slots of meshes that were the largest when they were added. Batches of rays are quicker if such a mesh answers
-    // many rays at once; the answers do not depend on which are listed.
+    Vector<uint32_t> unbounded_{&memory};  // slots of planes; they are few and not in the BVH
+    // Slots of the largest meshes. In batches such a mesh is tested with all rays at once, which is faster. The results
+    // do not depend on which meshes are listed.
     static constexpr uint32_t most_large_meshes = 4;
     uint32_t large_meshes_[most_large_meshes], large_mesh_count_ = 0;
     MeshFollower mesh_follower_{*this};
@@ -488,40 +487,40 @@ bool Scene::decide(const Filter& filter, uint32_t slot, Conservative&& conservat
     return with_stored(slot, [&](const auto& shape) {
         const gphys_transform& world = models_[slot].world;
         const TriState verdict = conservative_verdict(shape, world, conservative);
-        if (verdict == TriState::no || !sees(filter, slot)) return false;
-        return verdict == TriState::open ? with_placed(shape, world, exact) : verdict == TriState::yes;
+        if (verdict == TriState::no || !passes(filter, slot)) return false;
+        return verdict == TriState::undecided ? with_placed(shape, world, exact) : verdict == TriState::yes;
     });
 }
 
-/// Tell the BVH where the models from `top` down are.
+/// Updates the AABBs of `top` and its descendants.
 template <class Put>
-void Scene::put_below(uint32_t top, const Put& put) const {
+void Scene::update_subtree(uint32_t top, const Put& put) const {
     for (uint32_t slot = top; slot != none; slot = next_below(slot, top)) {
         if (models_[slot].type() != GPHYS_SHAPE_PLANE) put(slot, world_box(slot, models_[slot].world));
     }
 }
 
 template <class Visit>
-uint32_t Scene::for_each_seen_of_layers(uint32_t, const uint32_t* slots, uint32_t count, Visit&& visit) {
+uint32_t Scene::for_each_passing_in_layers(uint32_t, const uint32_t* slots, uint32_t count, Visit&& visit) {
     std::for_each(slots, slots + count, visit);
     return count;
 }
 
 template <class Visit>
-uint32_t Scene::for_each_seen_of_layers(const QueryFilter& filter, const uint32_t* slots, uint32_t count,
-                                        Visit&& visit) const {
-    const auto visit_if = [&](const auto& is_seen) {
-        uint32_t seen = 0;
+uint32_t Scene::for_each_passing_in_layers(const QueryFilter& filter, const uint32_t* slots, uint32_t count,
+                                           Visit&& visit) const {
+    const auto visit_if = [&](const auto& is_passing) {
+        uint32_t passing = 0;
         for (uint32_t i = 0; i < count; ++i) {
-            if (!is_seen(slots[i])) continue;
+            if (!is_passing(slots[i])) continue;
             visit(slots[i]);
-            ++seen;
+            ++passing;
         }
-        return seen;
+        return passing;
     };
     const auto is_other = [&](uint32_t slot) { return slot != filter.ignored_slot; };
     if (!filter.ignores_below && filter.ignored.empty()) return visit_if(is_other);
-    return visit_if([&](uint32_t slot) { return is_other(slot) && !is_below(slot, filter) && sees(filter, slot); });
+    return visit_if([&](uint32_t slot) { return is_other(slot) && !is_below(slot, filter) && passes(filter, slot); });
 }
 
 template <class Visit>
@@ -541,18 +540,18 @@ void Scene::for_each_child(gphys_model_id model, Visit&& visit) const {
 
 template <class Visit>
 void Scene::for_each_in_box(const Box& box, uint32_t layers, Visit&& visit) const {
-    const auto offer = [&](uint32_t slot) {
+    const auto visit_if_candidate = [&](uint32_t slot) {
         if ((models_[slot].layers & layers) != 0 && !is_body(slot)) visit(ids_.id(slot));
         return true;
     };
     for (const uint32_t slot : unbounded_) {
-        if (overlaps_box(ids_.id(slot), box)) offer(slot);
+        if (overlaps_box(ids_.id(slot), box)) visit_if_candidate(slot);
     }
     bvh_.overlap_box(
-        box, [&](uint32_t slot, bool) { return offer(slot); }, model_memory(), model_memory());
+        box, [&](uint32_t slot, bool) { return visit_if_candidate(slot); }, model_memory(), model_memory());
 }
 
-/// As Scene::closest_point_model, of a triangle in world space.
+/// Scene::closest_point_model for a triangle in world space.
 void closest_point_triangle(const Triangle& triangle, Vec3 point, Vec3& out, Vec3& normal, double& distance);
 
 }  // namespace gphys

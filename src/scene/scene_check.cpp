@@ -1,4 +1,4 @@
-// Consistency check of all data of a scene, for gphys_scene_validate and the tests.
+// Consistency check of a scene, for gphys_scene_validate and the tests. Derives again what is stored, and compares.
 #include <algorithm>
 #include <cstring>
 
@@ -28,7 +28,7 @@ const char* Scene::defect() const {
 
         if (common_layers_ & ~model.layers) return "a model is not in the layers common to all";
         Box box;
-        if (place(slot, model.world, box)) return "a model stands where the scene cannot hold it";
+        if (check_placement(slot, model.world, box)) return "a model stands where the scene cannot hold it";
         const bool is_plane = model.type() == GPHYS_SHAPE_PLANE;
         if (is_plane == bvh_.contains(slot)) return "a model is not where queries look for it";
         if (is_plane) {
@@ -68,7 +68,7 @@ const char* Scene::defect() const {
     if (families != families_.size()) return "records of families are miscounted";
     if (linked_children != counted_children) return "a child is missing from its parent's list";
 
-    // Models on a cycle are below no root.
+    // Models of a cycle are not reached from any root.
     uint32_t reached = 0;
     for (uint32_t slot = 0; slot < ids_.slots(); ++slot) {
         if (!ids_.live(slot) || parent_of(slot) != none) continue;

@@ -1,4 +1,6 @@
-// Closest point and sphere sweep against a single model, for the collision response of the solver.
+// Closest point and sphere sweep of a single model, for the collision response of the solver. Other than the scene's
+// query, the closest point is on the surface also for a point inside, with a normal and a signed distance (Ericson,
+// "Real-Time Collision Detection", 2005, chapter 5).
 #include "scene/scene.h"
 
 namespace gphys {
@@ -10,10 +12,10 @@ struct Contact {
     double signed_distance;
 };
 
-/// An arbitrary but fixed normal where the surface has none.
+/// The normal where the surface has none: arbitrary, but fixed.
 constexpr Vec3 some_direction{1, 0, 0};
 
-/// A ball around `center`, which lies on the shape's axis.
+/// A sphere, or the cross-section of a capsule, around `center`.
 Contact contact_of_ball(Vec3 center, double radius, Vec3 normal_at_center, Vec3 point) {
     const Vec3 outward = point - center;
     const double distance = length(outward);
@@ -58,8 +60,8 @@ Contact contact_of(const Plane& plane, Vec3 point) {
     return {point - unit * side, side < 0 ? -unit : unit, std::fabs(side)};
 }
 
-/// Of a surface at its closest point. On the surface itself the difference is rounding noise and the
-/// face decides; only its front counts if it is of a hull and the point is not inside.
+/// At the closest point of a surface. If the point is on the surface, the difference is rounding noise, and the normal
+/// is the face's. only_front: of a hull with the point outside, whose face normals point outward.
 Contact contact_of_surface(const Triangle& triangle, Vec3 closest, Vec3 point, bool only_front = false) {
     const Vec3 away = point - closest;
     const double distance = length(away);
@@ -83,7 +85,7 @@ bool find_contact(const Primitive& shape, Vec3 point, Contact& out) {
     return true;
 }
 
-/// Of a hull that holds the point: on its nearest face.
+/// A hull that contains the point: its nearest face.
 Contact contact_within(const MeshInstance& hull, Vec3 point, Vec3 local) {
     Vec3 normal;
     const double depth = hull.mesh.hull().depth(local, normal, hull.axes) * hull.world.scale;

@@ -1,3 +1,5 @@
+// The kernels of scene_kernels.h. Each has the numbers and margins of a scalar test in conservative_tests.h, named
+// above it, with one model in each lane.
 #include "scene/scene_kernels.h"
 
 #include "bvh/ray_lanes.h"
@@ -11,6 +13,7 @@ namespace gphys::GPHYS_ISA {
 
 namespace {
 
+/// Scalar form: the constructor of ConservativeRay.
 void make_ray_quads(const Ray* rays, uint32_t count, RayQuads* to) {
     for (uint32_t first = 0; first < count; first += 8) {
         const Rays8 eight(rays + first, count - first);
@@ -40,82 +43,82 @@ void make_ray_quads(const Ray* rays, uint32_t count, RayQuads* to) {
 }
 
 Vec<Float8> splat3(const float (&v)[3]) { return {splat(v[0]), splat(v[1]), splat(v[2])}; }
-/// The squared length of what remains of the components above `less`.
+/// Squared length of a vector whose components are reduced by `less`, to at least 0.
 Float8 square_beyond(const Vec<Float8>& a, Float8 less) {
     const Float8 zero = splat(0), x = max(a.x - less, zero), y = max(a.y - less, zero), z = max(a.z - less, zero);
     return x * x + y * y + z * z;
 }
 
-/// Eight rotations.
+/// Eight rotations by quaternions.
 class Rotations8 : public ScaledRotation<Vec<Float8>> {
 public:
     Rotations8(Float8 x, Float8 y, Float8 z, Float8 w) : ScaledRotation({x, y, z}, w) {}
 
-    /// Lanes that leave all vectors as they are, to the last bit.
-    Mask8 none() const { return is_none() & (abs(w()) <= splat(1)) & (splat(1) <= abs(w())); }
-    /// Lanes that turn nothing.
-    Mask8 is_none() const { return sum(abs(axis())) <= splat(0); }
+    /// Lanes that change no bit of any vector.
+    Mask8 is_identity() const { return has_no_rotation() & (abs(w()) <= splat(1)) & (splat(1) <= abs(w())); }
+    /// Lanes without a rotation; the quaternion's w may be any number.
+    Mask8 has_no_rotation() const { return sum(abs(axis())) <= splat(0); }
     /// Times norm_squared().
     Matrix<Float8> matrix() const {
         return scaled_rotation_matrix(Quaternion<Float8>{axis().x, axis().y, axis().z, w()});
     }
 };
 
-/// The placements of eight models.
+/// The transforms of eight models.
 struct Worlds8 {
     explicit Worlds8(const RaysAndModels<RayQuads>& pairs) : Worlds8(quads(pairs, 0), quads(pairs, 4)) {}
 
     Vec<Float8> position;
-    Rotations8 turn;
+    Rotations8 rotation;
     Float8 scale;
 
 private:
     static Quads8 quads(const RaysAndModels<RayQuads>& pairs, int from) {
         return load_quads([&](int i) { return pairs.model[i] + from; });
     }
-    Worlds8(const Quads8& a, const Quads8& b) : position{a.x, a.y, a.z}, turn(a.w, b.x, b.y, b.z), scale(b.w) {}
+    Worlds8(const Quads8& a, const Quads8& b) : position{a.x, a.y, a.z}, rotation(a.w, b.x, b.y, b.z), scale(b.w) {}
 };
 
-/// Eight rays, relative to the centres of the shapes that they are tested against.
-struct Sight8 {
-    /// `center` is in its model.
-    GPHYS_INLINE Sight8(const RaysAndModels<RayQuads>& pairs, const Worlds8& world, const Vec<Float8>& center) {
+/// Eight rays, relative to the centres of the shapes of their models.
+struct RelativeRays8 {
+    /// `center` is in the space of the model.
+    GPHYS_INLINE RelativeRays8(const RaysAndModels<RayQuads>& pairs, const Worlds8& world, const Vec<Float8>& center) {
         const Quads8 head = load_quads([&](int i) { return pairs.ray[i]->head; });
         const Quads8 rest = load_quads([&](int i) { return pairs.ray[i]->rest; });
         const Quads8 to = load_quads([&](int i) { return pairs.ray[i]->direction; });
         direction = {to.x, to.y, to.z};
         direction_slack = to.w;
         end = head.w;
-        off = rest.w + splat(static_cast<float>(slack)) * sum(abs(world.position)) +
-              splat(static_cast<float>(smallest_slack)) * (splat(1) + world.scale);
+        error = rest.w + splat(static_cast<float>(slack)) * sum(abs(world.position)) +
+                splat(static_cast<float>(smallest_slack)) * (splat(1) + world.scale);
         from = {head.x, head.y, head.z};
         const Float8 zero = splat(0), one = splat(1);
         const Mask8 centered = sum(abs(center)) <= zero;
         if (bits(centered) != 0xff) {
-            // Where a model leaves its shape as it is, the centre is as exact as it was found; the first of
-            // two differences is rounded, too.
+            // With the identity, the centre has only its own roundings. The first of two differences is rounded, too.
             const Vec<Float8> scaled = world.scale * center;
-            from = from - one / world.turn.norm_squared() * world.turn(scaled);
-            const Mask8 as_it_is = world.turn.none() & (world.scale <= one) & (one <= world.scale);
+            from = from - one / world.rotation.norm_squared() * world.rotation(scaled);
+            const Mask8 is_unchanged = world.rotation.is_identity() & (world.scale <= one) & (one <= world.scale);
             const Float8 few = splat(few_roundings);
-            off = off + choose(as_it_is, few, splat(float_slack)) * sum(abs(scaled)) +
-                  choose(centered, zero, few * sum(abs(from)));
+            error = error + choose(is_unchanged, few, splat(float_slack)) * sum(abs(scaled)) +
+                    choose(centered, zero, few * sum(abs(from)));
         }
         from = from - world.position + Vec<Float8>{rest.x, rest.y, rest.z};
     }
 
     Vec<Float8> from, direction;
     Float8 end, direction_slack;
-    Float8 off;  // by how much each coordinate is, besides some roundings of what is added up in the end
+    Float8 error;  // error bound of each coordinate, besides float_slack times the sums
 };
 
-/// ConservativeRay::verdict of placed boxes: the same numbers and margins. `half` and `turn_back` are of boxes in
-/// the world, `unit` is what that multiplies lengths by.
-template <class TurnBack>
-TriStates8 rays_and_boxes(const Sight8& sight, const Vec<Float8>& half, Float8 unit, const TurnBack& turn_back) {
-    const Float8 margin = (splat(float_slack) * (sum(abs(sight.from)) + sum(half)) + sight.off) * unit;
-    const RayAndBox<Vec<Float8>> both(turn_back(sight.from), half * unit, margin, turn_back(sight.direction),
-                                      sight.direction_slack * unit, sight.end);
+/// ConservativeRay::verdict of placed boxes. to_box_axes(v) rotates a world vector to the box's axes and multiplies its
+/// length by `unit`.
+template <class ToBoxAxes>
+TriStates8 rays_and_boxes(const RelativeRays8& rays, const Vec<Float8>& half, Float8 unit,
+                          const ToBoxAxes& to_box_axes) {
+    const Float8 margin = (splat(float_slack) * (sum(abs(rays.from)) + sum(half)) + rays.error) * unit;
+    const RayAndBox<Vec<Float8>> both(to_box_axes(rays.from), half * unit, margin, to_box_axes(rays.direction),
+                                      rays.direction_slack * unit, rays.end);
     return {bits(both.may_hit()) ^ 0xff, bits(both.must_hit())};
 }
 
@@ -124,9 +127,9 @@ TriStates8 rays_and_aabbs(const RaysAndModels<RayQuads>& pairs) {
     const Quads8 b = load_quads([&](int i) { return pairs.model[i] + shape_at + 2; });
     const Vec<Float8> low{a.x, a.y, a.z}, high{b.y, b.z, b.w};
     const Worlds8 world(pairs);
-    const Sight8 sight(pairs, world, splat(0.5f) * (low + high));
-    return rays_and_boxes(sight, splat(0.5f) * world.scale * (high - low), world.turn.norm_squared(),
-                          [&](const Vec<Float8>& v) { return world.turn.inverse(v); });
+    const RelativeRays8 rays(pairs, world, splat(0.5f) * (low + high));
+    return rays_and_boxes(rays, splat(0.5f) * world.scale * (high - low), world.rotation.norm_squared(),
+                          [&](const Vec<Float8>& v) { return world.rotation.inverse(v); });
 }
 
 TriStates8 rays_and_obbs(const RaysAndModels<RayQuads>& pairs) {
@@ -134,43 +137,43 @@ TriStates8 rays_and_obbs(const RaysAndModels<RayQuads>& pairs) {
     const Quads8 b = load_quads([&](int i) { return pairs.model[i] + shape_at + 2; });
     const Quads8 q = load_quads([&](int i) { return pairs.other[i]; });
     const Worlds8 world(pairs);
-    const Rotations8 turn(q.x, q.y, q.z, q.w);
-    const Sight8 sight(pairs, world, {a.x, a.y, a.z});
-    return rays_and_boxes(sight, world.scale * Vec<Float8>{b.y, b.z, b.w},
-                          world.turn.norm_squared() * turn.norm_squared(),
-                          [&](const Vec<Float8>& v) { return turn.inverse(world.turn.inverse(v)); });
+    const Rotations8 rotation(q.x, q.y, q.z, q.w);
+    const RelativeRays8 rays(pairs, world, {a.x, a.y, a.z});
+    return rays_and_boxes(rays, world.scale * Vec<Float8>{b.y, b.z, b.w},
+                          world.rotation.norm_squared() * rotation.norm_squared(),
+                          [&](const Vec<Float8>& v) { return rotation.inverse(world.rotation.inverse(v)); });
 }
 
-/// Whether the point of a ray that is closest to the centre is certainly outside, or inside. float_slack is 128 units
-/// of rounding.
+/// ConservativeRay::verdict of spheres, in float: whether the point of the ray that is closest to the centre is
+/// certainly outside or inside the sphere.
 TriStates8 rays_and_spheres(const RaysAndModels<RayQuads>& pairs) {
     const Quads8 sphere = load_quads([&](int i) { return pairs.other[i]; });
     const Worlds8 world(pairs);
-    const Sight8 sight(pairs, world, {sphere.x, sphere.y, sphere.z});
+    const RelativeRays8 rays(pairs, world, {sphere.x, sphere.y, sphere.z});
     const Float8 zero = splat(0), radius = world.scale * sphere.w;
-    const Float8 margin = splat(float_slack) * (sum(abs(sight.from)) + radius) + splat(4) * sight.off;
-    const Float8 squared = max(dot(sight.direction, sight.direction), splat(1));  // of a ray without direction, one
-    const Vec<Float8> closest = abs(closest_on_ray(sight.from, sight.direction, squared, sight.end));
+    const Float8 margin = splat(float_slack) * (sum(abs(rays.from)) + radius) + splat(4) * rays.error;
+    const Float8 squared = max(dot(rays.direction, rays.direction), splat(1));  // 1 for a direction of zero
+    const Vec<Float8> closest = abs(closest_on_ray(rays.from, rays.direction, squared, rays.end));
     const Float8 limit = radius * radius, above = limit * splat(1 + square_slack) + splat(smallest_square);
     const Float8 below = limit * splat(1 - square_slack), least = splat(smallest_square);
     return {bits(square_beyond(closest, margin) <= above) ^ 0xff,
             bits(below <= square_beyond(closest, zero - margin) + least) ^ 0xff};
 }
 
-/// Eight models that are Aabbs, as a point sees them: by the numbers and margins of BoxInSight (conservative_shape.h).
+/// Eight Aabbs relative to a point: RelativeBox (conservative_shape.h).
 struct Boxes8 {
-    Boxes8(const float* quads, const uint32_t* first_quad, const SeenFrom& point)
+    Boxes8(const float* quads, const uint32_t* first_quad, const QueryPoint& point)
         : Boxes8(quad(quads, first_quad, 0), quad(quads, first_quad, 1), quad(quads, first_quad, 2),
                  quad(quads, first_quad, 3), point) {}
 
-    Vec<Float8> half, from;  // on the axes of the world, the point from the centre
-    Rotations8 turn;
-    Float8 margin;      // of each coordinate
-    uint32_t centered;  // those about their origins; of the others nothing is known
+    Vec<Float8> half, from;  // from: the point relative to the centre, on the world's axes
+    Rotations8 rotation;
+    Float8 margin;      // error bound of each coordinate
+    uint32_t centered;  // lanes centred on their origins; the others are not valid
 
 private:
-    Boxes8(const Quads8& a, const Quads8& b, const Quads8& c, const Quads8& d, const SeenFrom& point)
-        : turn(a.w, b.x, b.y, b.z) {
+    Boxes8(const Quads8& a, const Quads8& b, const Quads8& c, const Quads8& d, const QueryPoint& point)
+        : rotation(a.w, b.x, b.y, b.z) {
         const Vec<Float8> position{a.x, a.y, a.z}, low{c.z, c.w, d.x}, high{d.y, d.z, d.w};
         const Float8 scale = b.w;
         centered = bits(equal_bits(splat(0) - low.x, high.x) & equal_bits(splat(0) - low.y, high.y) &
@@ -188,11 +191,11 @@ private:
     }
 };
 
-/// ConservativePoint of the placed boxes: the same numbers and margins.
-TriStates8 boxes_near(const float* quads, const uint32_t* first_quad, const BallLanes& ball) {
+/// ConservativePoint of placed boxes.
+TriStates8 boxes_and_sphere(const float* quads, const uint32_t* first_quad, const SphereQueryLanes& ball) {
     const Boxes8 boxes(quads, first_quad, ball.center);
-    const Float8 unit = boxes.turn.norm_squared();
-    const Vec<Float8> outside = abs(boxes.turn.inverse(boxes.from)) - unit * boxes.half;
+    const Float8 unit = boxes.rotation.norm_squared();
+    const Vec<Float8> outside = abs(boxes.rotation.inverse(boxes.from)) - unit * boxes.half;
     const Float8 scaled_margin = boxes.margin * unit, far = splat(ball.reach) * unit, limit = far * far;
     const Float8 at_least = square_beyond(outside, scaled_margin),
                  at_most = square_beyond(outside, splat(0) - scaled_margin);
@@ -202,20 +205,19 @@ TriStates8 boxes_near(const float* quads, const uint32_t* first_quad, const Ball
     return {no & boxes.centered, yes & boxes.centered};
 }
 
-/// As ConservativeBlock, where the query is parallel to the axes of the world. To models that are not turned at all the
-/// axes of faces are enough.
+/// ConservativeBoxQuery for an AABB query: separating axes. Models without a rotation need only the axes of faces.
 ///
-/// A component of an axis is off by at most 18 roundings of 2^-24 of `unit`: six, of numbers that add up to three times
-/// that. What is added up of such components and distances takes five more. float_slack stands for 128.
-TriStates8 boxes_in_block(const float* quads, const uint32_t* first_quad, const BlockLanes& block) {
+/// Error of a component of an axis: at most 18 roundings of 2^-24 of `unit`, since six roundings apply to numbers that
+/// add up to three times `unit`. Sums of products with such components take five more. float_slack covers 128.
+TriStates8 boxes_and_box(const float* quads, const uint32_t* first_quad, const BoxQueryLanes& block) {
     const Boxes8 boxes(quads, first_quad, block.center);
-    const Float8 unit = boxes.turn.norm_squared();
+    const Float8 unit = boxes.rotation.norm_squared();
     const Vec<Float8> sizes = splat3(block.half);
-    const Matrix<Float8> axes = boxes.turn.matrix();
+    const Matrix<Float8> axes = boxes.rotation.matrix();
     const BoxAndRotatedBox<Float8> both{sizes, boxes.from, boxes.half, axes, abs(axes), unit};
     const Float8 margin = unit * (boxes.margin + splat(float_slack) * sum(sizes));
     Float8 gap = both.face_gap();
-    gap = choose(boxes.turn.is_none(), gap, max(gap, both.edge_gap()));
+    gap = choose(boxes.rotation.has_no_rotation(), gap, max(gap, both.edge_gap()));
     const uint32_t no = bits(gap <= margin) ^ 0xff, yes = bits(splat(0) - margin <= gap) ^ 0xff;
     return {no & boxes.centered, yes & boxes.centered};
 }
@@ -223,6 +225,6 @@ TriStates8 boxes_in_block(const float* quads, const uint32_t* first_quad, const 
 }  // namespace
 
 extern const SceneKernels scene_kernels{make_ray_quads, rays_and_spheres, rays_and_aabbs,
-                                        rays_and_obbs,  boxes_near,       boxes_in_block};
+                                        rays_and_obbs,  boxes_and_sphere, boxes_and_box};
 
 }  // namespace gphys::GPHYS_ISA

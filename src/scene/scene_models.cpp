@@ -1,5 +1,6 @@
-// Adding, removing and parenting models. Every change first reserves memory, then checks, then modifies the scene,
-// which cannot fail any more.
+// Adding, removing, changing and parenting models. Each change reserves memory, checks its arguments, and only then
+// modifies the scene, which cannot fail (strong exception guarantee). The hierarchy is a tree of first child and
+// siblings.
 #include <algorithm>
 #include <type_traits>
 
@@ -10,8 +11,7 @@ namespace gphys {
 
 namespace {
 
-/// Make sure that slots below `size` exist. Other containers may fail later: more than needed is
-/// harmless.
+/// Makes slots below `size` exist. If a later allocation fails, the additional slots do no harm.
 template <class T>
 void grow(LargeArray<T>& by_slot, size_t size) {
     if (size <= by_slot.size()) return;
@@ -37,8 +37,8 @@ gphys_status Scene::check(gphys_model_id model) const {
     return has(model) ? GPHYS_OK : fail(GPHYS_ERROR_INVALID_ID, "model: no such model, or no longer");
 }
 
-/// Room for what store_shape writes for slots below `size`.
-void Scene::make_room_for_shapes(gphys_shape_type type, bool scaled, size_t size) {
+/// Reserves what store_shape writes for slots below `size`.
+void Scene::reserve_shapes(gphys_shape_type type, bool scaled, size_t size) {
     const bool is_mesh = type == GPHYS_SHAPE_MESH;
     if (is_mesh ? scaled : with_type(type, [](auto stored) { return sizeof stored > sizeof Model::shape; })) {
         grow(shape_tails_, size);
@@ -49,7 +49,7 @@ void Scene::make_room_for_shapes(gphys_shape_type type, bool scaled, size_t size
 void Scene::store_shape(uint32_t slot, const void* shape, const gphys_vec3& scale) {
     const bool is_scaled = !is_one(scale), is_mesh = models_[slot].type() == GPHYS_SHAPE_MESH;
     if (slot < unscaled_.size()) unscaled_[slot] = Unscaled();
-    if (is_scaled) widest_scale_ = std::max(widest_scale_, is_mesh ? width_of(scale) : 1);
+    if (is_scaled) widest_scale_ = std::max(widest_scale_, is_mesh ? largest_factor(scale) : 1);
     with_type(models_[slot].type(), [&](auto stored) {
         if constexpr (std::is_same_v<decltype(stored), ModelMesh>) {
             stored = ModelMesh(static_cast<const Mesh*>(shape), scale);
@@ -71,11 +71,11 @@ void Scene::store_shape(uint32_t slot, const void* shape, const gphys_vec3& scal
     });
 }
 
-void Scene::discard_shape(uint32_t slot) {
-    if (const Mesh* mesh = stored_mesh(slot)) let_go(mesh, slot);
+void Scene::release_shape(uint32_t slot) {
+    if (const Mesh* mesh = stored_mesh(slot)) release_mesh(mesh, slot);
 }
 
-/// Which batches of rays read as they do that of a mesh with scale one.
+/// Batches of rays read the bounding sphere of a scaled mesh from its ShapeTail.
 void Scene::store_ball(uint32_t slot, const ModelMesh& stored) {
     const gphys_sphere ball = ball_around(*stored.mesh, stored.axes());
     static_assert(sizeof ball == sizeof(ShapeTail));
@@ -87,16 +87,16 @@ gphys_vec3 Scene::scale_of(uint32_t slot) const {
     return slot < unscaled_.size() ? unscaled_[slot].scale : no_scale;
 }
 
-void Scene::let_go(const Mesh* mesh, uint32_t slot) {
+void Scene::release_mesh(const Mesh* mesh, uint32_t slot) {
     mesh->leave(mesh_follower_, slot);
     Mesh::release(mesh);
 }
 
-const char* Scene::MeshFollower::refusal_of_mesh(uint32_t slot) const {
+const char* Scene::MeshFollower::check_mesh(uint32_t slot) const {
     const ModelMesh stored = scene_.stored<ModelMesh>(slot);
-    if (const ScaleRefusal refusal = refusal_of_scale(*stored.mesh, stored.scale)) return refusal.why;
+    if (const ScaleError error = check_scale(*stored.mesh, stored.scale)) return error.why;
     Box box;
-    return scene_.place(slot, scene_.models_[slot].world, box);
+    return scene_.check_placement(slot, scene_.models_[slot].world, box);
 }
 
 void Scene::MeshFollower::mesh_changed(uint32_t slot) noexcept {
@@ -106,7 +106,7 @@ void Scene::MeshFollower::mesh_changed(uint32_t slot) noexcept {
     scene_.farthest_point_ = std::max(scene_.farthest_point_, scene_.farthest_point(slot));
 }
 
-/// A model that cannot go there, beyond the range of coordinates, stays.
+/// The model stays where it is if the new position is out of range.
 void Scene::MeshFollower::mesh_shifted(uint32_t slot, Vec3 by) noexcept {
     gphys_transform local = scene_.local_of(slot);
     const Transform wide = widen(local);
@@ -120,7 +120,7 @@ void Scene::MeshFollower::mesh_shifted(uint32_t slot, Vec3 by) noexcept {
     const gphys_model_id model = scene_.ids_.id(slot);
     try {
         if (scene_.set_transforms(&model, &local, 0, 1) == GPHYS_OK && placed) scene_.places_[slot] = place;
-    } catch (const std::bad_alloc&) {  // it stays, too
+    } catch (const std::bad_alloc&) {  // the model stays
     }
 }
 
@@ -131,8 +131,8 @@ gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shap
     bool is_scaled = false;
     const Strided<char> shape(static_cast<const char*>(shapes), shape_stride);
     for (uint32_t i = 0; i < count; ++i) {
-        if (const ScaleRefusal refusal = refusal_of_scale(type, &shape[i], descs[i].scale)) {
-            return fail(refusal.status, refusal.why);
+        if (const ScaleError error = check_scale(type, &shape[i], descs[i].scale)) {
+            return fail(error.status, error.why);
         }
         is_scaled = is_scaled || !is_one(descs[i].scale);
         if (descs[i].parent != 0 && !has(descs[i].parent)) {
@@ -150,19 +150,19 @@ gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shap
     const size_t slots_needed = *std::max_element(slots.begin(), slots.end()) + size_t{1};
     grow(models_, slots_needed);
     grow(tags_, slots_needed);
-    make_room_for_shapes(type, is_scaled, slots_needed);
+    reserve_shapes(type, is_scaled, slots_needed);
     const bool bounded = type != GPHYS_SHAPE_PLANE;
     if (!bounded) reserve_more(unbounded_, count);
-    families_.reserve(2 * with_parent);  // parents may become such by it
+    families_.reserve(2 * with_parent);  // a parent may need a Family, too
 
-    // Until the ids exist, nobody sees what is written to their slots.
+    // Slots without an id are not read: what is written there has no effect before ids_.add().
     constexpr gphys_transform identity{{0, 0, 0}, {0, 0, 0, 1}, 1};
     const Strided<gphys_transform> local(transforms ? transforms : &identity, transforms ? transform_stride : 0);
     uint32_t placed = 0;
     const Mesh* const mesh = type == GPHYS_SHAPE_MESH ? static_cast<const Mesh*>(shapes) : nullptr;
     if (mesh) mesh->join(mesh_follower_, slots.data(), count);
-    const auto discard_all = [&] {
-        for (uint32_t i = 0; i < placed; ++i) discard_shape(slots[i]);
+    const auto release_all = [&] {
+        for (uint32_t i = 0; i < placed; ++i) release_shape(slots[i]);
         for (uint32_t i = placed; mesh && i < count; ++i) mesh->leave(mesh_follower_, slots[i]);
     };
     for (; placed < count;) {
@@ -179,9 +179,9 @@ gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shap
         store_shape(slot, &shape[placed], desc.scale);
         ++placed;
         farthest_point_ = std::max(farthest_point_, farthest_point(slot));
-        const char* wrong = place(slot, model.world, boxes[placed - 1]);
+        const char* wrong = check_placement(slot, model.world, boxes[placed - 1]);
         if (wrong) {
-            discard_all();
+            release_all();
             return fail(GPHYS_ERROR_INVALID_ARGUMENT, wrong);
         }
     }
@@ -189,7 +189,7 @@ gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shap
         try {
             bvh_.insert_many(slots.data(), boxes.data(), count);
         } catch (...) {
-            discard_all();
+            release_all();
             throw;
         }
     }
@@ -225,11 +225,11 @@ gphys_status Scene::set_scale(gphys_model_id id, const gphys_vec3& scale) {
     return change_shape(slot, type(id), shape, scale);
 }
 
-/// As add, of the one thing that changes. The new shape is stored in the place of the old one, where all that is asked
-/// of it finds it, and put back if it cannot stand there.
+/// Stores the new shape in place of the old one, so that check_placement() reads it, and restores the old one on
+/// errors.
 gphys_status Scene::change_shape(uint32_t slot, gphys_shape_type type, const void* shape, const gphys_vec3& scale) {
-    if (const ScaleRefusal refusal = refusal_of_scale(type, shape, scale)) return fail(refusal.status, refusal.why);
-    make_room_for_shapes(type, !is_one(scale), slot + size_t{1});
+    if (const ScaleError error = check_scale(type, shape, scale)) return fail(error.status, error.why);
+    reserve_shapes(type, !is_one(scale), slot + size_t{1});
     const bool bounded = type != GPHYS_SHAPE_PLANE, was_bounded = models_[slot].type() != GPHYS_SHAPE_PLANE;
     if (was_bounded && !bounded) reserve_more(unbounded_, 1);
     if (type == GPHYS_SHAPE_MESH) static_cast<const Mesh*>(shape)->join(mesh_follower_, &slot, 1);
@@ -239,23 +239,23 @@ gphys_status Scene::change_shape(uint32_t slot, gphys_shape_type type, const voi
     const ShapeTail old_tail = slot < shape_tails_.size() ? shape_tails_[slot] : ShapeTail();
     const Unscaled old_unscaled = slot < unscaled_.size() ? unscaled_[slot] : Unscaled();
     model.type_ = static_cast<uint32_t>(type);
-    store_shape(slot, shape, scale);  // a mesh is held before the old one, which may be the same, is let go
-    const auto put_back = [&] {
-        discard_shape(slot);
+    store_shape(slot, shape, scale);  // retains the new mesh before the old one is released; they may be the same
+    const auto restore = [&] {
+        release_shape(slot);
         model = old;
         if (slot < shape_tails_.size()) shape_tails_[slot] = old_tail;
         if (slot < unscaled_.size()) unscaled_[slot] = old_unscaled;
     };
     Box box;
-    if (const char* wrong = place(slot, model.world, box)) {
-        put_back();
+    if (const char* wrong = check_placement(slot, model.world, box)) {
+        restore();
         return fail(GPHYS_ERROR_INVALID_ARGUMENT, wrong);
     }
     if (bounded && !was_bounded) {
         try {
             bvh_.insert(slot, box);
         } catch (...) {
-            put_back();
+            restore();
             throw;
         }
     }
@@ -273,7 +273,7 @@ gphys_status Scene::change_shape(uint32_t slot, gphys_shape_type type, const voi
     if (old.type() == GPHYS_SHAPE_MESH) {
         ModelMesh was;
         std::memcpy(&was, old.shape, sizeof was);
-        let_go(was.mesh, slot);
+        release_mesh(was.mesh, slot);
     }
     return GPHYS_OK;
 }
@@ -310,13 +310,13 @@ void Scene::remove_slot(uint32_t slot) {
         bvh_.remove(slot);
     }
     unlist_large_mesh(slot);
-    discard_shape(slot);
-    forget_place(slot);
+    release_shape(slot);
+    reset_place(slot);
     ids_.remove(ids_.id(slot));
 }
 
-/// So that a state does not depend on what was in the slot before.
-void Scene::forget_place(uint32_t slot) {
+/// So that the state does not depend on an earlier model in the slot.
+void Scene::reset_place(uint32_t slot) {
     if (slot < places_.size()) places_[slot] = WorldPlace();
 }
 
@@ -346,7 +346,7 @@ void Scene::list_unbounded(uint32_t slot) {
     unbounded_.push_back(slot);
 }
 
-/// Replaced by the last element (swap and pop).
+/// Swap and pop.
 void Scene::unlist_unbounded(uint32_t position) {
     const uint32_t last = unbounded_.back();
     unbounded_.pop_back();
@@ -358,7 +358,7 @@ void Scene::unlist_unbounded(uint32_t position) {
 gphys_status Scene::remove_subtree(gphys_model_id model) {
     const gphys_status status = check(model);
     if (status != GPHYS_OK) return status;
-    // Leaves first, so that no child is moved to the roots before it goes.
+    // Postorder, so that no child becomes a root before its removal.
     const uint32_t top = IdTable::slot_of(model);
     for (uint32_t slot = top;;) {
         while (models_[slot].has_family() && family(slot).first_child != none) slot = family(slot).first_child;
@@ -374,7 +374,7 @@ void Scene::clear() {
     unbounded_.clear();
     large_mesh_count_ = 0;
     for_each_model([&](gphys_model_id model) {
-        discard_shape(IdTable::slot_of(model));
+        release_shape(IdTable::slot_of(model));
         ids_.remove(model);
     });
     families_.clear();
@@ -425,8 +425,8 @@ bool Scene::bounds(gphys_model_id model, Box& out) const {
 
 // Families: parents, children and siblings.
 
-/// Memory was reserved before. The record starts with the model's local transform.
-Scene::Family& Scene::take_family(uint32_t slot) {
+/// The model's Family; makes one if there is none. Memory was reserved before.
+Scene::Family& Scene::ensure_family(uint32_t slot) {
     Model& model = models_[slot];
     if (!model.has_family()) {
         Family alone;
@@ -445,8 +445,8 @@ void Scene::drop_family_if_alone(uint32_t slot) {
 }
 
 void Scene::link(uint32_t slot, uint32_t parent) {
-    take_family(parent);
-    Family& child = take_family(slot);
+    ensure_family(parent);
+    Family& child = ensure_family(slot);
     Family& above = family(parent);
     child.parent = parent;
     child.next = above.first_child;
@@ -456,7 +456,7 @@ void Scene::link(uint32_t slot, uint32_t parent) {
     ++above.child_count;
 }
 
-/// The model becomes a root, with the local transform in its record if it keeps one.
+/// Makes the model a root. Drops Families that are no longer needed.
 void Scene::unlink(uint32_t slot) {
     Family& child = family(slot);
     const uint32_t parent = child.parent;
@@ -521,22 +521,22 @@ gphys_status Scene::set_parent(gphys_model_id model, gphys_model_id parent, bool
     const uint32_t old_parent = parent_of(slot);
     gphys_transform local = old_local;
     if (keep_world) local = new_parent == none ? old_world : relative(models_[new_parent].world, old_world);
-    const auto hang_below = [&](uint32_t above, const gphys_transform& transform) {
+    const auto reparent = [&](uint32_t above, const gphys_transform& transform) {
         if (models_[slot].has_family()) unlink(slot);
         if (above != none) link(slot, above);
         set_local(slot, transform);
     };
-    hang_below(new_parent, local);
+    reparent(new_parent, local);
     uint32_t moved = 0;
     const char* wrong = gphys::defect(local) ? "parent: the local transform is out of range" : nullptr;
-    if (!wrong) wrong = carry(slot, moved);
+    if (!wrong) wrong = propagate(slot, moved);
     if (wrong) {
-        hang_below(old_parent, old_local);
-        carry_back(slot);
+        reparent(old_parent, old_local);
+        restore_worlds(slot);
         return fail(GPHYS_ERROR_INVALID_ARGUMENT, wrong);
     }
-    if (new_parent != none) forget_place(slot);
-    bvh_.update_many(moved, [&](const auto& put, bool) { put_below(slot, put); });
+    if (new_parent != none) reset_place(slot);
+    bvh_.update_many(moved, [&](const auto& put, bool) { update_subtree(slot, put); });
     return GPHYS_OK;
 }
 

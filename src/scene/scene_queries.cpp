@@ -1,5 +1,6 @@
-// Queries of the scene except raycasts (scene_rays.cpp). Each traverses the BVH, and the list of unbounded models,
-// tests the exact shape of each candidate, and returns the limit by which the traversal prunes.
+// Overlap, nearest, sphere sweep and culling in the scene. Each query goes through the list of unbounded models and
+// traverses the BVH. It tests each candidate conservatively, then exactly if undecided, and lowers the limit by which
+// the traversal prunes. Results are ordered by what is reported, so they do not depend on the order of traversal.
 #include <cmath>
 
 #include "foundation/compiler.h"
@@ -30,7 +31,7 @@ bool closest_point_of(const Primitive& shape, Vec3 point, double, Vec3& out, uin
     return true;
 }
 
-/// For a moving sphere, with the sides that the filter lets pass.
+/// Sweep of a sphere against the sides of surfaces that the filter allows.
 bool sweep_sides(const MeshInstance& instance, const Sphere& moving, Vec3 displacement, Faces faces, Hit& hit) {
     return sweep(instance, moving, displacement, hit, Ties::as_reported, faces);
 }
@@ -39,8 +40,8 @@ bool sweep_sides(const Primitive& shape, const Sphere& moving, Vec3 displacement
     return hits_side(shape, displacement, faces) && sweep(shape, moving, displacement, hit);
 }
 
-/// Whether a box may overlap a plane. The error of the sums is below 8 roundings of 2^-53 of what is
-/// added up.
+/// Conservative overlap of a plane and a box. The error of the sums is below 8 roundings of 2^-53 of the sum of
+/// magnitudes.
 bool may_overlap(const Plane& plane, const Box& box) {
     double middle = -plane.distance, reach = 0, magnitude = std::fabs(plane.distance);
     for (int k = 0; k < 3; ++k) {
@@ -64,50 +65,50 @@ bool Scene::overlaps_box(gphys_model_id model, const Box& box) const {
     return with_shape(IdTable::slot_of(model), [&](const auto& shape) { return overlaps_shape(shape, query); });
 }
 
-/// Those of a list that overlap a query: Aabbs by test_eight(quads, first_quad), others by test(slot).
+/// Adds the models of a list that overlap the query: Aabbs by test_eight(quads, first_quad), others by test(slot).
 template <class Filter, class TestEight, class Test>
 void Scene::overlap_each(const TestEight& test_eight, const uint32_t* slots, uint32_t count, const Filter& filter,
                          const Test& test, Smallest<gphys_model_id>& out) const {
     constexpr uint32_t quads = sizeof(Model) / (4 * sizeof(float));
     static_assert(quads == 4);
-    uint32_t boxes[8], first_quad[8], waiting = 0;
+    uint32_t boxes[8], first_quad[8], pending = 0;
     const auto decide_boxes = [&] {
-        for (uint32_t k = waiting; k < 8; ++k) first_quad[k] = first_quad[0];
-        const TriStates8 verdicts = test_eight(reinterpret_cast<const float*>(models_.data()), first_quad);
-        for (uint32_t k = 0; k < waiting; ++k) {
-            out.add_if((verdicts.yes >> k & 1) && sees(filter, boxes[k]), ids_.id(boxes[k]));
+        for (uint32_t k = pending; k < 8; ++k) first_quad[k] = first_quad[0];
+        const TriStates8 results = test_eight(reinterpret_cast<const float*>(models_.data()), first_quad);
+        for (uint32_t k = 0; k < pending; ++k) {
+            out.add_if((results.yes >> k & 1) && passes(filter, boxes[k]), ids_.id(boxes[k]));
         }
-        uint32_t open = ~(verdicts.no | verdicts.yes) & ((1u << waiting) - 1);
-        for (; open != 0; open &= open - 1) test(boxes[lowest_bit(open)]);
-        waiting = 0;
+        uint32_t undecided = ~(results.no | results.yes) & ((1u << pending) - 1);
+        for (; undecided != 0; undecided &= undecided - 1) test(boxes[lowest_bit(undecided)]);
+        pending = 0;
     };
     for (uint32_t i = 0; i < count; ++i) {
         const uint32_t slot = slots[i];
-        if (!may_see(filter, slot)) continue;
+        if (!may_pass(filter, slot)) continue;
         if (models_[slot].type() != GPHYS_SHAPE_AABB) {
             test(slot);
             continue;
         }
-        boxes[waiting] = slot;
-        first_quad[waiting] = quads * slot;
-        if (++waiting == 8) decide_boxes();
+        boxes[pending] = slot;
+        first_quad[pending] = quads * slot;
+        if (++pending == 8) decide_boxes();
     }
-    if (waiting > 0) decide_boxes();
+    if (pending > 0) decide_boxes();
 }
 
 void Scene::find_candidates(const Shape* shapes, uint32_t count, uint32_t layers, OverlapItems* candidates) const {
-    const ItemMemory models = model_memory(), if_inside = memory_of_inside(layers);
+    const ItemMemory models = model_memory(), if_inside = inside_memory(layers);
     std::visit(
         [&](const auto& first) {
             using Query = std::decay_t<decltype(first)>;
             if constexpr (std::is_same_v<Query, Plane> || std::is_same_v<Query, Frustum>) {
                 for (uint32_t i = 0; i < count; ++i) candidates[i].complete = false;
             } else if constexpr (std::is_same_v<Query, Sphere>) {
-                Sphere balls[OverlapItems::most_queries];
+                Sphere balls[OverlapItems::max_queries];
                 for (uint32_t i = 0; i < count; ++i) balls[i] = std::get<Sphere>(shapes[i]);
                 bvh_.overlap_balls(balls, count, models, if_inside, candidates);
             } else {
-                Box boxes[OverlapItems::most_queries];
+                Box boxes[OverlapItems::max_queries];
                 for (uint32_t i = 0; i < count; ++i) boxes[i] = gphys::bounds(std::get<Query>(shapes[i]));
                 bvh_.overlap_boxes(boxes, count, models, std::is_same_v<Query, Aabb> ? if_inside : models, candidates);
             }
@@ -125,23 +126,25 @@ void Scene::overlap_by(const Shape& query, const Filter& filter, Smallest<gphys_
             using Query = std::decay_t<decltype(shape)>;
             const auto conservative = conservative_overlap(shape);
             const auto test = [&](uint32_t slot) {
-                out.add_if(may_see(filter, slot) && decide(filter, slot, conservative, exact), ids_.id(slot));
+                out.add_if(may_pass(filter, slot) && decide(filter, slot, conservative, exact), ids_.id(slot));
                 return true;
             };
             for (const uint32_t slot : unbounded_) test(slot);
-            // A box inside the query shape is a result without a test of the model.
-            const bool inside_is_found = inside_is_enough(layers);
+            // A model whose AABB is wholly inside the query is a result without a test of its shape.
+            const bool is_result_if_inside = inside_is_result(layers);
             const auto find = [&](uint32_t slot, bool wholly_inside) {
-                if (!wholly_inside || !inside_is_found) return test(slot);
-                for_each_seen_of_layers(filter, &slot, 1, [&](uint32_t seen) { out.add(ids_.id(seen)); });
+                if (!wholly_inside || !is_result_if_inside) return test(slot);
+                for_each_passing_in_layers(filter, &slot, 1,
+                                           [&](uint32_t slot_in_layers) { out.add(ids_.id(slot_in_layers)); });
                 return true;
             };
-            const ItemMemory models = model_memory(), if_inside = memory_of_inside(layers);
+            const ItemMemory models = model_memory(), if_inside = inside_memory(layers);
             const bool has_candidates = candidates && candidates->complete;
             const auto find_by = [&](const auto& test_eight) {
                 return [&](const uint32_t* slots, uint32_t count, bool wholly_inside) {
-                    if (wholly_inside && inside_is_found) {
-                        for_each_seen_of_layers(filter, slots, count, [&](uint32_t slot) { out.add(ids_.id(slot)); });
+                    if (wholly_inside && is_result_if_inside) {
+                        for_each_passing_in_layers(filter, slots, count,
+                                                   [&](uint32_t slot) { out.add(ids_.id(slot)); });
                     } else {
                         overlap_each(test_eight, slots, count, filter, test, out);
                     }
@@ -157,17 +160,17 @@ void Scene::overlap_by(const Shape& query, const Filter& filter, Smallest<gphys_
             } else if constexpr (std::is_same_v<Query, Frustum>) {
                 bvh_.frustum(shape, box_around(shape), find, models, if_inside);
             } else if constexpr (std::is_same_v<Query, Sphere>) {
-                const BallLanes ball(shape.center, shape.radius);
+                const SphereQueryLanes ball(shape.center, shape.radius);
                 const auto near_ball = [&](const float* quads, const uint32_t* first) {
-                    return kernels_.boxes_near(quads, first, ball);
+                    return kernels_.boxes_and_sphere(quads, first, ball);
                 };
                 const auto find_all = find_by(near_ball);
                 has_candidates ? find_among_candidates(find_all)
                                : bvh_.overlap_ball(shape.center, shape.radius, find_all, models, if_inside);
             } else if constexpr (std::is_same_v<Query, Aabb>) {
-                const BlockLanes block(shape);
+                const BoxQueryLanes block(shape);
                 const auto in_block = [&](const float* quads, const uint32_t* first) {
-                    return kernels_.boxes_in_block(quads, first, block);
+                    return kernels_.boxes_and_box(quads, first, block);
                 };
                 const auto find_all = find_by(in_block);
                 has_candidates ? find_among_candidates(find_all)
@@ -190,10 +193,10 @@ gphys_status Scene::nearest_by(Vec3 point, double max_distance, const Filter& fi
     double reach = max_distance;
     Vec3 closest, candidate;
     uint32_t closest_triangle = GPHYS_NO_TRIANGLE, triangle = GPHYS_NO_TRIANGLE;
-    const auto conservative = [&](const auto& shape) { return unless_no(conservative_point(shape, reach)); };
+    const auto conservative = [&](const auto& shape) { return only_no(conservative_point(shape, reach)); };
     const auto exact = [&](const auto& shape) { return closest_point_of(shape, point, reach, candidate, triangle); };
     const auto test = [&](uint32_t slot) {
-        if (!may_see(filter, slot) || !decide(filter, slot, conservative, exact)) return;
+        if (!may_pass(filter, slot) || !decide(filter, slot, conservative, exact)) return;
         const double square = length_squared(candidate - point);
         if (square > reach * reach) return;
         const float distance = reported(std::sqrt(square));
@@ -224,7 +227,7 @@ gphys_status Scene::sweep_by(const Sphere& moving, Vec3 displacement, const Filt
         return sweep_sides(shape, moving, displacement, faces_of(filter), hit);
     };
     const auto test = [&](uint32_t slot) {
-        if (!may_see(filter, slot) || !sees(filter, slot) || !with_shape(slot, exact)) return;
+        if (!may_pass(filter, slot) || !passes(filter, slot) || !with_shape(slot, exact)) return;
         const float t = reported(hit.t);
         if (!best.is_beaten_by(t, slot, ids_)) return;
         best = {t, slot};
@@ -245,38 +248,39 @@ gphys_status Scene::sweep_by(const Sphere& moving, Vec3 displacement, const Filt
 template <class Filter>
 uint32_t Scene::cull_by(const Frustum& frustum, const Filter& filter, gphys_model_id* out, uint32_t capacity) const {
     const bool all_in_layers = (common_layers_ & layers_of(filter)) != 0;
-    // Calls add(slot), and returns how often.
-    const auto walk = [&](const auto& add) {
+    // add(slot) for each result; returns their number.
+    const auto find = [&](const auto& add) {
         uint32_t total = 0;
-        const auto add_if_seen = [&](uint32_t slot) {
-            if (!may_see(filter, slot) || !sees(filter, slot)) return;
+        const auto add_if_passing = [&](uint32_t slot) {
+            if (!may_pass(filter, slot) || !passes(filter, slot)) return;
             add(slot);
             ++total;
         };
         for (const uint32_t slot : unbounded_) {
             const auto is_in_view = [&](const auto& shape) { return overlaps_shape(shape, frustum); };
-            if (with_shape(slot, is_in_view)) add_if_seen(slot);
+            if (with_shape(slot, is_in_view)) add_if_passing(slot);
         }
         bvh_.frustum(frustum, box_around(frustum), [&](const uint32_t* slots, uint32_t count) {
             if (all_in_layers) {
-                total += for_each_seen_of_layers(filter, slots, count, add);
+                total += for_each_passing_in_layers(filter, slots, count, add);
             } else {
-                std::for_each(slots, slots + count, add_if_seen);
+                std::for_each(slots, slots + count, add_if_passing);
             }
             return true;
         });
         return total;
     };
 
-    // Sorting thousands of ids takes longer than finding them. If the output array has space behind them, a bit set
-    // of their slots orders them.
+    // A sort of thousands of ids takes longer than the query. If the output array has space after the results, a bit
+    // set of their slots sorts them (slot_set.h).
     const uint32_t beyond = SlotSet::words_for(ids_.slots()) + SlotSet::spare;
     if (capacity > beyond) {
         SlotSet slots(out + (capacity - beyond + SlotSet::spare), ids_.slots());
-        const uint32_t total = walk([&](uint32_t slot) { slots.add(slot); });
+        const uint32_t total = find([&](uint32_t slot) { slots.add(slot); });
         if (total <= capacity - beyond) {
             slots.list(slot_set_kernels_, ids_.ids(), out);
-            // Slots that were used again have later generations. Counted to the end, several are compared at once.
+            // The order of ids differs from that of slots where slots were reused: generations differ. Counts instead
+            // of stopping at the first: the loop is vectorised.
             uint32_t descents = 0;
             for (uint32_t i = 1; i < total; ++i) descents += out[i] < out[i - 1];
             if (descents != 0) std::sort(out, out + total);
@@ -284,7 +288,7 @@ uint32_t Scene::cull_by(const Frustum& frustum, const Filter& filter, gphys_mode
         }
     }
     Smallest<gphys_model_id> lowest(out, capacity);
-    walk([&](uint32_t slot) { lowest.add(ids_.id(slot)); });
+    find([&](uint32_t slot) { lowest.add(ids_.id(slot)); });
     return lowest.finish();
 }
 

@@ -1,5 +1,6 @@
-// Raycasts of the scene: a BVH traversal, and for each candidate a conservative test, then the exact one if that is
-// undecided. Single rays use conservative_tests.h, batches the kernels, which test eight rays at a time.
+// Raycasts of the scene: a BVH traversal; for each candidate a conservative test, then the exact one if that is
+// undecided. Single rays use conservative_tests.h. Batches use kernels that test eight pairs of a ray and a model at a
+// time: on wide instruction sets hit_kernels.h, which gives the exact hit, else scene_kernels.h.
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -17,7 +18,7 @@ namespace gphys {
 
 namespace {
 
-/// raycast of the sides that the filter lets pass; meshes see to that themselves.
+/// raycast against the sides that the filter allows. Meshes test the sides of their triangles themselves.
 template <class Placed>
 bool cast(const Placed& shape, const Ray& ray, Hit& hit) {
     return raycast(shape, ray, hit) &&
@@ -50,23 +51,24 @@ private:
     alignas(T) unsigned char room_[sizeof(T)];
 };
 
-/// The first hit of one ray, among candidates in any order. Answer is gphys_hit, or gphys_distance for less of it.
+/// The closest hit of one ray, from candidates in any order. Answer is gphys_hit, or gphys_distance without point and
+/// normal.
 template <class Answer>
 class Scene::FirstHitOfRay {
     static constexpr bool only_distance = std::is_same_v<Answer, gphys_distance>;
 
 public:
-    /// The ray must outlive this; its t_max is reduced at each hit. `out` gets the first hit so far and is not written
-    /// without one.
+    /// The ray must outlive this; each hit lowers its t_max. `out` is the closest hit so far, and unchanged without
+    /// one. Tests the unbounded models at once.
     template <class Filter>
     FirstHitOfRay(const Scene& scene, Ray& ray, const Filter& filter, Answer& out)
         : scene_(&scene), rest_(&ray), t_max_(ray.t_max), out_(&out) {
         for (const uint32_t slot : scene.unbounded_) {
-            if (scene.may_see(filter, slot) && scene.sees(filter, slot)) test(slot);
+            if (scene.may_pass(filter, slot) && scene.passes(filter, slot)) test(slot);
         }
     }
 
-    // Tests of models that pass the filter. Each returns whether t_max was reduced.
+    // Tests of models that pass the filter. Each returns whether t_max was lowered.
 
     bool test(uint32_t slot) {
         return scene_->with_shape(slot, [&](const auto& shape) { return test(slot, shape); });
@@ -83,17 +85,17 @@ public:
         return cast(shape, *rest_, hit) &&
                accept(slot, reported(hit.t), [&](uint32_t model, uint32_t tag) { return answer_of(hit, model, tag); });
     }
-    /// A hit that is reported at t, as hit_of(id, tag) makes it.
+    /// A hit with reported t; hit_of(id, tag) makes its Answer.
     template <class HitOf>
     bool accept(uint32_t slot, float t, const HitOf& hit_of) {
         return accept_if_seen(uint32_t{GPHYS_ALL_LAYERS}, slot, t, hit_of);
     }
     template <class Filter, class HitOf>
     bool accept_if_seen(const Filter& filter, uint32_t slot, float t, const HitOf& hit_of) {
-        if (!best_.is_beaten_by(t, slot, scene_->ids_) || !scene_->sees(filter, slot)) return false;
+        if (!best_.is_beaten_by(t, slot, scene_->ids_) || !scene_->passes(filter, slot)) return false;
         best_ = {t, slot};
         *out_ = hit_of(scene_->ids_.id(slot), scene_->tags_[slot]);
-        // Others may be reported at the same t, and have a lower id.
+        // Not t itself: models reported at the same t may have a lower id.
         rest_->t_max = std::min(t_max_, limit_of_ties<double>(t));
         return true;
     }
@@ -110,8 +112,8 @@ private:
     }
 
     const Scene* scene_;
-    Ray* rest_;     // how far other models can still come before the hit
-    double t_max_;  // of the ray as it was given
+    Ray* rest_;     // its t_max: the limit for further hits
+    double t_max_;  // of the caller's ray
     BestCandidate best_;
     Answer* out_;
 };
@@ -123,33 +125,33 @@ gphys_status Scene::raycast_by(const Ray& ray, const Filter& filter, gphys_hit& 
     FirstHitOfRay<gphys_hit> first(*this, rest, filter, out);
     const auto conservative = [&](const auto& shape) { return conservative_ray.rejects(shape, rest.t_max); };
     const auto visit = [&](uint32_t slot, double& t_max) {
-        if (!may_see(filter, slot)) return;
+        if (!may_pass(filter, slot)) return;
         decide(filter, slot, conservative, [&](const auto& shape) {
             first.test(slot, shape);
             return true;
         });
         t_max = rest.t_max;
     };
-    // The ray as it is given: the copy would be waited for.
+    // `ray`, not `rest`: a load from the fresh copy would stall on store forwarding.
     bvh_.raycast(ray, rest.t_max, visit, model_memory());
     return first.status();
 }
 
-/// Meshes that most rays of a batch come near, such as the level around a camera. They are tested before the traversal
-/// of the scene's BVH, for all rays at once, so that coherent rays share the traversal of the mesh as well.
+/// The meshes that most rays of a batch may hit, such as the level around a camera. They are tested before the
+/// traversal of the scene's BVH, with all rays at once, so that coherent rays share the traversal of the mesh, too.
 class Scene::LargeMeshes {
 public:
-    /// cast_mesh(mesh, rays, count, hit) calls hit(ray, answer) for rays that hit the mesh; accept(ray, slot, answer)
-    /// gets these.
+    /// cast_mesh(mesh, rays, count, hit) calls hit(ray, answer) for the rays that hit the mesh. accept(ray, slot,
+    /// answer) gets them.
     template <class Filters, class CastMesh, class Accept>
     LargeMeshes(const Scene& scene, const Ray* rays, uint32_t count, const Filters& filters, const CastMesh& cast_mesh,
                 const Accept& accept) {
         if (count < fewest_rays || std::any_of(rays, rays + count, is_cast_singly)) return;
         for (uint32_t i = 0; i < scene.large_mesh_count_; ++i) {
             const uint32_t slot = scene.large_meshes_[i];
-            if (!all_see(scene, slot, count, filters)) continue;
+            if (!all_pass(scene, slot, count, filters)) continue;
             with_placed(scene.stored<ModelMesh>(slot), scene.models_[slot].world, [&](const MeshInstance& mesh) {
-                if (!most_come_near(mesh, rays, count)) return;
+                if (!most_may_hit(mesh, rays, count)) return;
                 cast_mesh(mesh, rays, count, [&](uint32_t i, const auto& answer) { accept(i, slot, answer); });
                 slots_[count_++] = slot;
             });
@@ -157,25 +159,25 @@ public:
     }
 
     uint32_t count() const { return count_; }
-    bool contain(uint32_t slot) const { return std::find(slots_, slots_ + count_, slot) != slots_ + count_; }
+    bool contains(uint32_t slot) const { return std::find(slots_, slots_ + count_, slot) != slots_ + count_; }
 
 private:
     static constexpr uint32_t fewest_rays = 16;
 
     static bool is_cast_singly(const Ray& ray) { return ray.is_segment || !ray.faces.are_all(); }
-    static bool all_see(const Scene& scene, uint32_t slot, uint32_t, uint32_t layers) {
-        return scene.may_see(layers, slot);
+    static bool all_pass(const Scene& scene, uint32_t slot, uint32_t, uint32_t layers) {
+        return scene.may_pass(layers, slot);
     }
-    static bool all_see(const Scene& scene, uint32_t slot, uint32_t count, const RayFilters& filters) {
+    static bool all_pass(const Scene& scene, uint32_t slot, uint32_t count, const RayFilters& filters) {
         for (uint32_t i = 0; i < (filters.step == 0 ? 1 : count); ++i) {
-            if (!scene.may_see(filters.of(i), slot) || !scene.sees(filters.of(i), slot)) return false;
+            if (!scene.may_pass(filters.of(i), slot) || !scene.passes(filters.of(i), slot)) return false;
         }
         return true;
     }
-    /// Judged by eight of them.
-    static bool most_come_near(const MeshInstance& mesh, const Ray* rays, uint32_t count) {
+    /// Decided by a sample of eight rays.
+    static bool most_may_hit(const MeshInstance& mesh, const Ray* rays, uint32_t count) {
         uint32_t near = 0;
-        for (uint32_t k = 0; k < 8; ++k) near += comes_near(mesh, rays[k * count / 8]);
+        for (uint32_t k = 0; k < 8; ++k) near += may_hit(mesh, rays[k * count / 8]);
         return near > 4;
     }
 
@@ -184,8 +186,8 @@ private:
 
 namespace {
 
-// Raycasts of large meshes. Apart, so that their arrays are on the stack only while they are needed. Each ray that hits
-// gets hit(ray, answer).
+// Raycasts of large meshes: hit(ray, answer) for each ray that hits. Not inlined, so that their arrays are on the stack
+// only while they are needed.
 
 template <class Visit>
 void for_each_bit(uint64_t bits, const Visit& visit) {
@@ -235,7 +237,7 @@ auto kernels_for(const HitKernels& kernels) {
 
 }  // namespace
 
-/// Up to eight pairs of a ray, by its index, and the model it is tested against.
+/// Up to eight pairs of a ray (by index) and a candidate model, sorted by the type of the model.
 class Scene::EightPairs {
 public:
     template <class Filters>
@@ -245,20 +247,22 @@ public:
         static_assert(offsetof(Model, world) == 0 && offsetof(Model, shape) == shape_at * sizeof(float));
         for (uint32_t k = 0; k < count; ++k) {
             const Model& model = scene.models_[slots[k]];
-            const bool may_be_seen = scene.may_see(filter_of_ray(filters, numbers[k]), slots[k]);
-            of_type_[model.type()] |= uint32_t{may_be_seen && !large.contain(slots[k])} << k;
+            const bool passes_mask = scene.may_pass(filter_of_ray(filters, numbers[k]), slots[k]);
+            of_type_[model.type()] |= uint32_t{passes_mask && !large.contains(slots[k])} << k;
         }
     }
 
-    /// Those whose models may be seen and have not been asked.
-    uint32_t seen() const { return std::accumulate(std::begin(of_type_), std::end(of_type_), 0u, std::bit_or<>()); }
-    /// What kernel(pairs) says of those of a type.
+    /// The pairs whose models pass the filter's mask and are not among the large meshes.
+    uint32_t candidates() const {
+        return std::accumulate(std::begin(of_type_), std::end(of_type_), 0u, std::bit_or<>());
+    }
+    /// The result of kernel(pairs) for the pairs with models of a type.
     template <class RayForm, class Kernel>
     TriStates8 test(gphys_shape_type type, const RayForm* rays, const Kernel& kernel) const {
         const uint32_t some = of_type_[type];
         if (some == 0) return {0, 0};
         RaysAndModels<RayForm> pairs;
-        // Lanes of another type repeat the first of this type.
+        // Other lanes repeat the first pair of this type.
         const auto first = static_cast<uint32_t>(lowest_bit(some));
         for (uint32_t k = 0; k < 8; ++k) {
             const uint32_t pair = (some >> k & 1) != 0 ? k : first, slot = slots_[pair];
@@ -266,8 +270,8 @@ public:
             pairs.model[k] = &scene_.models_[slot].world.position.x;
             pairs.other[k] = other_words(type, slot);
         }
-        const TriStates8 verdicts = kernel(pairs);
-        return {verdicts.no & some, verdicts.yes & some};
+        const TriStates8 results = kernel(pairs);
+        return {results.no & some, results.yes & some};
     }
 
 private:
@@ -295,24 +299,24 @@ private:
 /// The conservative tests of many rays, eight at a time.
 class Scene::ConservativeRays {
 public:
-    /// The rays must live as long.
+    /// The rays must outlive this.
     ConservativeRays(const Scene& scene, const Ray* rays, uint32_t count) : kernels_(scene.kernels_), rays_(rays) {
         if (count > 0) kernels_.ray_quads(rays, count, quads_);
     }
 
     TriStates8 test(const EightPairs& pairs) const {
         TriStates8 all = {0, 0};
-        for (const TriStates8& verdicts : {pairs.test(GPHYS_SHAPE_SPHERE, quads_, kernels_.rays_and_spheres),
-                                           pairs.test(GPHYS_SHAPE_AABB, quads_, kernels_.rays_and_aabbs),
-                                           pairs.test(GPHYS_SHAPE_OBB, quads_, kernels_.rays_and_obbs)}) {
-            all.no |= verdicts.no;
-            all.yes |= verdicts.yes;
+        for (const TriStates8& results : {pairs.test(GPHYS_SHAPE_SPHERE, quads_, kernels_.rays_and_spheres),
+                                          pairs.test(GPHYS_SHAPE_AABB, quads_, kernels_.rays_and_aabbs),
+                                          pairs.test(GPHYS_SHAPE_OBB, quads_, kernels_.rays_and_obbs)}) {
+            all.no |= results.no;
+            all.yes |= results.yes;
         }
-        // Of a mesh the ball is around it.
+        // The bounding sphere of a mesh: only "no" is valid.
         all.no |= pairs.test(GPHYS_SHAPE_MESH, quads_, kernels_.rays_and_spheres).no;
         return all;
     }
-    /// The ray ends earlier.
+    /// Call after t_max of a ray was lowered.
     void shorten(uint32_t ray) { quads_[ray].end = ray_end(rays_[ray].t_max, rays_[ray].direction); }
 
 private:
@@ -321,16 +325,16 @@ private:
     RayQuads quads_[rays_at_once];
 };
 
-/// A primitive in world space, transformed once for several consecutive rays that test it.
+/// Keeps a primitive in world space for consecutive rays that test the same model.
 class Scene::SharedModel {
 public:
     explicit SharedModel(const Scene& scene) : scene_(scene) {}
 
-    /// The models of the tests that follow.
+    /// Announces the models of the next tests.
     void expect(const uint32_t* slots, uint32_t count) {
         expected_ = count > 1 && (slots[0] == slots[1] || slots[count - 2] == slots[count - 1]);
     }
-    /// Null if that is not worth it.
+    /// Null if no other test is likely to use it.
     const Shape* place(uint32_t slot) {
         if (!expected_ || scene_.models_[slot].type() == GPHYS_SHAPE_MESH) return nullptr;
         if (slot != slot_) {
@@ -349,8 +353,8 @@ private:
     std::optional<Shape> placed_;
 };
 
-/// Decides pairs by the kernels that compute hits: hit(k, answers) for those that hit. Returns those decided. Answers
-/// is Hits8, or eight floats for distances.
+/// Tests pairs by the kernels that compute hits: hit(k, answers) for each hit. Returns the mask of decided pairs.
+/// Answers is Hits8, or eight floats for distances.
 template <class Answers, class OnHit>
 uint32_t Scene::hits_by_kernels(const EightPairs& pairs, const Ray* rays, const OnHit& hit) const {
     uint32_t decided = pairs
@@ -361,9 +365,9 @@ uint32_t Scene::hits_by_kernels(const EightPairs& pairs, const Ray* rays, const 
                            .no;
     const auto test = [&](gphys_shape_type type, auto kernel) {
         Answers hits;
-        const TriStates8 verdicts = pairs.test(type, rays, [&](const auto& some) { return kernel(some, hits); });
-        decided |= verdicts.no | verdicts.yes;
-        for (uint32_t rest = verdicts.yes; rest != 0; rest &= rest - 1) {
+        const TriStates8 results = pairs.test(type, rays, [&](const auto& some) { return kernel(some, hits); });
+        decided |= results.no | results.yes;
+        for (uint32_t rest = results.yes; rest != 0; rest &= rest - 1) {
             hit(static_cast<uint32_t>(lowest_bit(rest)), hits);
         }
     };
@@ -374,7 +378,7 @@ uint32_t Scene::hits_by_kernels(const EightPairs& pairs, const Ray* rays, const 
     return decided;
 }
 
-/// Models of the BVH other than the large meshes. Apart, so that its arrays are not on the stack beside theirs.
+/// The models of the BVH except the large meshes. Not inlined, so that its arrays are not on the stack beside theirs.
 template <class Filters, class Answer>
 GPHYS_NOINLINE void Scene::raycast_bvh_by(Ray* rays, uint32_t count, const Filters& filters, const LargeMeshes& large,
                                           Storage<FirstHitOfRay<Answer>>* first) const {
@@ -383,23 +387,23 @@ GPHYS_NOINLINE void Scene::raycast_bvh_by(Ray* rays, uint32_t count, const Filte
     SharedModel shared(*this);
     const auto visit = [&](const uint32_t* numbers, const uint32_t* slots, uint32_t size) {
         const EightPairs pairs(*this, numbers, slots, size, filters, large);
-        uint32_t open = pairs.seen(), shorter = 0;
+        uint32_t undecided = pairs.candidates(), shorter = 0;
         if (hit_kernels_) {
             using Answers = std::conditional_t<std::is_same_v<Answer, gphys_distance>, float[8], Hits8>;
-            open &= ~hits_by_kernels<Answers>(pairs, rays, [&](uint32_t k, const auto& hits) {
+            undecided &= ~hits_by_kernels<Answers>(pairs, rays, [&](uint32_t k, const auto& hits) {
                 const auto hit_of = [&](uint32_t model, uint32_t tag) { return answer_of(hits, k, model, tag); };
                 shorter |= uint32_t{first[numbers[k]]->accept_if_seen(filter_of_ray(filters, numbers[k]), slots[k],
                                                                       reported_t(hits, k), hit_of)}
                            << k;
             });
         } else {
-            open &= ~conservative.test(pairs).no;
+            undecided &= ~conservative.test(pairs).no;
             shared.expect(slots, size);
         }
-        for (; open != 0; open &= open - 1) {
-            const auto k = static_cast<uint32_t>(lowest_bit(open));
+        for (; undecided != 0; undecided &= undecided - 1) {
+            const auto k = static_cast<uint32_t>(lowest_bit(undecided));
             First& of = *first[numbers[k]];
-            if (!sees(filter_of_ray(filters, numbers[k]), slots[k])) continue;
+            if (!passes(filter_of_ray(filters, numbers[k]), slots[k])) continue;
             const Shape* placed = shared.place(slots[k]);
             if (!(placed ? of.test(slots[k], *placed) : of.test(slots[k]))) continue;
             shorter |= 1u << k;
@@ -435,7 +439,7 @@ template <class Filter>
 bool Scene::hits_unbounded(const Ray& ray, const Filter& filter) const {
     const auto exact = [&](const auto& shape) { return is_hit(shape, ray); };
     for (const uint32_t slot : unbounded_) {
-        if (may_see(filter, slot) && with_shape(slot, exact) && sees(filter, slot)) return true;
+        if (may_pass(filter, slot) && with_shape(slot, exact) && passes(filter, slot)) return true;
     }
     return false;
 }
@@ -448,7 +452,7 @@ bool Scene::raycast_any_by(const Ray& given, const Filter& filter) const {
     const auto conservative = [&](const auto& shape) { return conservative_ray(shape, ray.t_max); };
     const auto exact = [&](const auto& shape) { return is_hit(shape, ray); };
     const auto visit = [&](uint32_t slot) {
-        return may_see(filter, slot) && decide(filter, slot, conservative, exact);
+        return may_pass(filter, slot) && decide(filter, slot, conservative, exact);
     };
     return bvh_.raycast_any(ray, visit, model_memory());
 }
@@ -460,7 +464,7 @@ uint64_t Scene::raycast_any_many_by(Ray* rays, uint32_t count, const Filters& fi
     for (uint32_t i = 0; i < count; ++i) {
         if (!hits_unbounded(rays[i], filter_of_ray(filters, i))) continue;
         hits |= uint64_t{1} << i;
-        // Those that are done already have no way to go.
+        // A negative t_max excludes the ray from the traversals.
         rays[i].t_max = -1;
     }
     const LargeMeshes large(
@@ -476,19 +480,20 @@ uint64_t Scene::raycast_any_many_by(Ray* rays, uint32_t count, const Filters& fi
     const ConservativeRays conservative(*this, rays, count);
     const auto visit = [&](const uint32_t* numbers, const uint32_t* slots, uint32_t size) {
         const EightPairs pairs(*this, numbers, slots, size, filters, large);
-        const TriStates8 verdicts = conservative.test(pairs);
-        const auto is_seen = [&](uint32_t k) { return sees(filter_of_ray(filters, numbers[k]), slots[k]); };
-        uint32_t done = verdicts.yes;
+        const TriStates8 results = conservative.test(pairs);
+        const auto passes_filter = [&](uint32_t k) { return passes(filter_of_ray(filters, numbers[k]), slots[k]); };
+        uint32_t done = results.yes;
         if constexpr (std::is_same_v<Filters, RayFilters>) {
             for (uint32_t rest = done; rest != 0; rest &= rest - 1) {
                 const auto k = static_cast<uint32_t>(lowest_bit(rest));
-                if (!is_seen(k)) done &= ~(1u << k);
+                if (!passes_filter(k)) done &= ~(1u << k);
             }
         }
-        for (uint32_t open = pairs.seen() & ~(verdicts.no | verdicts.yes); open != 0; open &= open - 1) {
-            const auto k = static_cast<uint32_t>(lowest_bit(open));
+        for (uint32_t undecided = pairs.candidates() & ~(results.no | results.yes); undecided != 0;
+             undecided &= undecided - 1) {
+            const auto k = static_cast<uint32_t>(lowest_bit(undecided));
             const auto exact = [&](const auto& shape) { return is_hit(shape, rays[numbers[k]]); };
-            if ((hits >> numbers[k] & 1) == 0 && is_seen(k) && with_shape(slots[k], exact)) done |= 1u << k;
+            if ((hits >> numbers[k] & 1) == 0 && passes_filter(k) && with_shape(slots[k], exact)) done |= 1u << k;
         }
         for (uint32_t rest = done; rest != 0; rest &= rest - 1) {
             const uint32_t ray = numbers[lowest_bit(rest)];
@@ -512,7 +517,7 @@ void Scene::raycast_all_by(const Ray& given, const Filter& filter, Smallest<gphy
         return cast(shape, ray, hit);
     };
     const auto test = [&](uint32_t slot) {
-        if (!may_see(filter, slot) || !decide(filter, slot, conservative, exact)) return;
+        if (!may_pass(filter, slot) || !decide(filter, slot, conservative, exact)) return;
         out.add(to_hit(hit, ids_.id(slot), tags_[slot]));
     };
     for (const uint32_t slot : unbounded_) test(slot);

@@ -1,3 +1,4 @@
+// Writing and reading snapshots of a scene (scene_snapshot.h), and its hash.
 #include "scene/scene_snapshot.h"
 
 #include <algorithm>
@@ -11,11 +12,11 @@
 
 namespace gphys {
 
-/// A mesh that models use, by its contents.
+/// A mesh that models use, identified by its contents.
 struct UsedMesh {
     uint32_t hash[2];
     uint32_t vertices, indices;
-    uint32_t words;  // of its embedded snapshot; 0: it is not embedded
+    uint32_t words;  // of its embedded snapshot; 0: not embedded
 
     static UsedMesh of(const Mesh& mesh, uint32_t words) {
         return {{static_cast<uint32_t>(mesh.hash()), static_cast<uint32_t>(mesh.hash() >> 32)},
@@ -25,7 +26,7 @@ struct UsedMesh {
     }
 };
 
-/// Meshes that are held until they are let go with this.
+/// References to meshes, released by the destructor.
 class HeldMeshes {
 public:
     explicit HeldMeshes(std::pmr::memory_resource* memory) : meshes_(memory) {}
@@ -36,7 +37,7 @@ public:
     HeldMeshes& operator=(const HeldMeshes&) = delete;
 
     void reserve(uint32_t count) { meshes_.reserve(count); }
-    /// There is room, and one hold passes to this.
+    /// Takes over one reference. Memory was reserved before.
     void take(const Mesh* mesh) { meshes_.push_back(mesh); }
     uint32_t size() const { return static_cast<uint32_t>(meshes_.size()); }
     const Mesh* operator[](uint32_t number) const { return meshes_[number]; }
@@ -47,20 +48,20 @@ private:
 
 namespace {
 
-/// In an order of contents, whether they are embedded or not.
+/// Order by contents; ignores whether they are embedded.
 bool operator<(const UsedMesh& a, const UsedMesh& b) { return std::memcmp(&a, &b, offsetof(UsedMesh, words)) < 0; }
 
 using Sizes = SceneSnapshotSizes;
 constexpr const char* cut_short = "words: no snapshot has these lengths";
 
-/// A model but for its place in the world and its shape.
+/// A model without its place in the world and its shape.
 struct ModelWords {
     uint32_t type, layers, tag;
-    uint32_t parent;  // a slot, or all bits
+    uint32_t parent;  // slot; ~0: none
     gphys_transform local;
 };
 
-/// Different meshes, numbered in the order in which they come.
+/// Numbers distinct meshes in the order of their addition.
 class MeshNumbers {
 public:
     explicit MeshNumbers(std::pmr::memory_resource* memory) : meshes_(memory), by_address_(memory) {}
@@ -92,7 +93,7 @@ private:
     Vector<Entry> by_address_;
 };
 
-/// The meshes of a scene, to be found by what they hold.
+/// The meshes of a scene, searched by contents.
 class MeshesByContents {
 public:
     MeshesByContents(const MeshNumbers& meshes, std::pmr::memory_resource* memory) : entries_(memory) {
@@ -125,7 +126,7 @@ bool is_place_in_world(Vec3 place) { return max_component(abs(place)) <= 2 * GPH
 
 }  // namespace
 
-/// All but the BVH that a snapshot holds and what follows from it.
+/// All members of a scene that a snapshot replaces, except the BVH.
 struct Scene::Contents {
     explicit Contents(Memory* memory)
         : ids(memory),
@@ -151,7 +152,7 @@ struct Scene::Contents {
     uint32_t large_meshes[most_large_meshes];
 };
 
-void Scene::exchange(Contents& other) noexcept {
+void Scene::swap_contents(Contents& other) noexcept {
     std::swap(ids_, other.ids);
     models_.swap(other.models);
     tags_.swap(other.tags);
@@ -183,7 +184,7 @@ bool Scene::any_scaled() const {
     return false;
 }
 
-/// put_mesh(mesh) writes what stands for a mesh.
+/// put_mesh(mesh) writes the reference to a mesh.
 template <class Sink, class PutMesh>
 void Scene::write_state(Sink& sink, const PutMesh& put_mesh) const {
     Writer<Sink> writer(sink);
@@ -276,20 +277,21 @@ uint64_t scene_snapshot_checksum(const uint32_t* words, uint32_t count) {
 
 namespace {
 
-/// What is wrong with one, or nullptr.
+/// Returns what is wrong, or nullptr.
 const char* load_embedded(const uint32_t* words, const UsedMesh& used, Memory& memory, HeldMeshes& meshes) {
     MeshParts parts;
     if (const char* wrong = read_mesh_snapshot(words, used.words, &memory, parts)) return wrong;
-    const bool is_it = parts.hash == (uint64_t{used.hash[1]} << 32 | used.hash[0]) &&
-                       parts.arrays.vertex_count == used.vertices && parts.arrays.index_count == used.indices;
-    if (!is_it) return "words: an embedded mesh is another one than the models use";
+    const bool is_same = parts.hash == (uint64_t{used.hash[1]} << 32 | used.hash[0]) &&
+                         parts.arrays.vertex_count == used.vertices && parts.arrays.index_count == used.indices;
+    if (!is_same) return "words: an embedded mesh is another one than the models use";
     meshes.take(create<Mesh>(memory.hooks(), parts, false));
     return nullptr;
 }
 
 }  // namespace
 
-/// Those of a snapshot, in its order: embedded ones, and those that models of the library use. Returns what is wrong.
+/// Finds the meshes of a snapshot, in its order: embedded ones, and ones that models of the library use. Returns what
+/// is wrong, or nullptr.
 const char* Scene::find_meshes(const Vector<UsedMesh>& wanted, const uint32_t* embedded, uint32_t embedded_words,
                                const Scene& library, HeldMeshes& found) {
     const auto is_embedded = [](const UsedMesh& used) { return used.words > 0; };
@@ -315,7 +317,7 @@ const char* Scene::find_meshes(const Vector<UsedMesh>& wanted, const uint32_t* e
     return embedded_words == 0 ? nullptr : cut_short;
 }
 
-/// Into a scene without contents. Returns what is wrong.
+/// Reads the models into an empty scene. Returns what is wrong, or nullptr.
 const char* Scene::read_models(Reader& reader, const HeldMeshes& meshes, uint32_t parts) {
     reader.value(origin_);
     IdTable::visit(reader, ids_);
@@ -341,7 +343,7 @@ const char* Scene::read_models(Reader& reader, const HeldMeshes& meshes, uint32_
         if (gphys::defect(words.local)) return "words: a model's transform is out of range";
         if (!is_place_in_world(place.world())) return "words: a model is in no place of the world";
         if (defect_of_scale(scale)) return "words: a model's scale is out of range";
-        make_room_for_shapes(static_cast<gphys_shape_type>(words.type), !is_one(scale), slots);
+        reserve_shapes(static_cast<gphys_shape_type>(words.type), !is_one(scale), slots);
         if (placed) places_[slot] = place;
         tags_[slot] = words.tag;
         parents[slot] = words.parent;
@@ -357,7 +359,7 @@ const char* Scene::read_models(Reader& reader, const HeldMeshes& meshes, uint32_
                 reader.value(number);
                 if (!reader.good() || number >= meshes.size()) return "words: a model uses a mesh that is none";
                 const Mesh* const mesh = meshes[number];
-                if (refusal_of_scale(*mesh, scale)) return wrong_scale;
+                if (check_scale(*mesh, scale)) return wrong_scale;
                 mesh->join(mesh_follower_, &slot, 1);
                 model.type_ = words.type;
                 store_shape(slot, mesh, scale);
@@ -367,7 +369,7 @@ const char* Scene::read_models(Reader& reader, const HeldMeshes& meshes, uint32_
                 reader.value(shape);
                 if (!reader.good()) return cut_short;
                 if (gphys::defect(shape)) return "words: a model's shape is out of range";
-                if (refusal_of_scale(static_cast<gphys_shape_type>(words.type), &shape, scale)) return wrong_scale;
+                if (check_scale(static_cast<gphys_shape_type>(words.type), &shape, scale)) return wrong_scale;
                 model.type_ = words.type;
                 store_shape(slot, &shape, scale);
                 return nullptr;
@@ -375,12 +377,13 @@ const char* Scene::read_models(Reader& reader, const HeldMeshes& meshes, uint32_
         });
         if (wrong) return wrong;
     }
-    return hang_up(parents);
+    return link_families(parents);
 }
 
-/// Models, whose local transforms stand in place of those in the world, below their parents. Returns what is wrong.
-const char* Scene::hang_up(const Vector<uint32_t>& parents) {
-    for (uint32_t slot = ids_.slots(); slot-- > 0;) {  // so that a list of children begins with the lowest
+/// Links models to their parents and derives the world transforms; before, Model::world has the local ones. Returns
+/// what is wrong, or nullptr.
+const char* Scene::link_families(const Vector<uint32_t>& parents) {
+    for (uint32_t slot = ids_.slots(); slot-- > 0;) {  // so that lists of children begin with the lowest slot
         if (!ids_.live(slot) || parents[slot] == none) continue;
         if (parents[slot] >= ids_.slots() || !ids_.live(parents[slot])) return "words: a model's parent is none";
         const gphys_transform local = models_[slot].world;
@@ -395,7 +398,7 @@ const char* Scene::hang_up(const Vector<uint32_t>& parents) {
             derive_world(slot);
             Box box;
             if (models_[slot].type() == GPHYS_SHAPE_PLANE) {
-                if (const char* wrong = place(slot, models_[slot].world, box)) return wrong;
+                if (const char* wrong = check_placement(slot, models_[slot].world, box)) return wrong;
                 reserve_more(unbounded_, 1);
                 list_unbounded(slot);
             }
@@ -405,84 +408,84 @@ const char* Scene::hang_up(const Vector<uint32_t>& parents) {
     return reached == ids_.size() ? nullptr : "words: models are their own parents";
 }
 
-/// The BVH of models that have been read. Returns what is wrong; what fails leaves the BVH as it was.
-const char* Scene::lay_out(const BvhLayout& layout) {
+/// Builds the BVH of the models from a layout. Returns what is wrong, or nullptr; on failure the BVH is unchanged.
+const char* Scene::build_bvh(const BvhLayout& layout) {
     constexpr const char* wrong_items = "words: the bvh does not hold the models";
     if (layout.defect()) return "words: the bvh is none";
     if (layout.item_count != ids_.size() - unbounded_.size()) return wrong_items;
-    Vector<uint8_t> seen(ids_.slots(), 0, &memory);
+    Vector<uint8_t> is_item(ids_.slots(), 0, &memory);
     Vector<Box> boxes(layout.item_count, &memory);
     for (uint32_t i = 0; i < layout.item_count; ++i) {
         const uint32_t slot = layout.item(i);
-        if (slot >= ids_.slots() || !ids_.live(slot) || seen[slot] || models_[slot].type() == GPHYS_SHAPE_PLANE) {
+        if (slot >= ids_.slots() || !ids_.live(slot) || is_item[slot] || models_[slot].type() == GPHYS_SHAPE_PLANE) {
             return wrong_items;
         }
-        seen[slot] = 1;
-        if (const char* wrong = place(slot, models_[slot].world, boxes[i])) return wrong;
+        is_item[slot] = 1;
+        if (const char* wrong = check_placement(slot, models_[slot].world, boxes[i])) return wrong;
         farthest_point_ = std::max(farthest_point_, farthest_point(slot));
     }
     bvh_.build(layout, boxes.data());
     return nullptr;
 }
 
-/// There may be models without an id yet, or ids without a model.
+/// Also for a state that was read only in part: models without an id, or ids without a model.
 void Scene::release_meshes() {
     const size_t slots = std::min<size_t>(models_.size(), ids_.slots());
     for (uint32_t slot = 0; slot < slots; ++slot) {
-        if (ids_.live(slot)) discard_shape(slot);
+        if (ids_.live(slot)) release_shape(slot);
     }
 }
 
-/// The new contents are read in the place of the old ones, where all that is asked of them finds them, and the old ones
-/// put back if they are none.
+/// Reads the new contents in place of the old ones, so that all member functions apply to them. On an error the old
+/// ones are swapped back.
 gphys_status Scene::restore(const Scene& library, const uint32_t* words, uint32_t count) {
-    const auto refused = [](const char* why) { return fail(GPHYS_ERROR_INVALID_ARGUMENT, why); };
+    const auto reject = [](const char* why) { return fail(GPHYS_ERROR_INVALID_ARGUMENT, why); };
     SnapshotHeader header;
     if (const char* wrong = read_header(words, count, scene_snapshot_magic, scene_snapshot_format, header)) {
-        return refused(wrong);
+        return reject(wrong);
     }
-    if (!header.has_checksum(scene_snapshot_checksum(words, count))) return refused("words: the snapshot is damaged");
+    if (!header.has_checksum(scene_snapshot_checksum(words, count))) return reject("words: the snapshot is damaged");
     Sizes sizes{};
     Reader all(words + snapshot_header_words, count - snapshot_header_words);
     all.value(sizes);
     const uint64_t behind = uint64_t{sizes.nodes} + sizes.items + sizes.embedded_words;
     const uint64_t before = snapshot_header_words + sizeof sizes / 4;
-    if (!all.good() || before + behind > count || sizes.parts > (has_places | has_scales)) return refused(cut_short);
+    if (!all.good() || before + behind > count || sizes.parts > (has_places | has_scales)) return reject(cut_short);
     Reader reader(words + before, static_cast<size_t>(count - before - behind));
     const uint32_t* const nodes = words + (count - behind);
     const BvhLayout layout{nodes, sizes.nodes, nodes + sizes.nodes, sizes.items};
 
-    if (sizes.meshes > (count - before) / (sizeof(UsedMesh) / 4)) return refused(cut_short);
+    if (sizes.meshes > (count - before) / (sizeof(UsedMesh) / 4)) return reject(cut_short);
     Vector<UsedMesh> wanted(sizes.meshes, &memory);
     for (UsedMesh& mesh : wanted) reader.value(mesh);
-    if (!reader.good()) return refused(cut_short);
+    if (!reader.good()) return reject(cut_short);
     HeldMeshes meshes(&memory);
     if (const char* wrong =
             find_meshes(wanted, nodes + sizes.nodes + sizes.items, sizes.embedded_words, library, meshes)) {
-        return refused(wrong);
+        return reject(wrong);
     }
 
     Contents old(&memory);
-    exchange(old);
-    const auto put_back = [&] {
+    swap_contents(old);
+    const auto restore_old = [&] {
         release_meshes();
-        exchange(old);
+        swap_contents(old);
     };
     try {
         const char* wrong = read_models(reader, meshes, sizes.parts);
         if (!wrong && !reader.finished()) wrong = cut_short;
-        if (!wrong) wrong = lay_out(layout);
+        if (!wrong) wrong = build_bvh(layout);
         if (wrong) {
-            put_back();
-            return refused(wrong);
+            restore_old();
+            return reject(wrong);
         }
     } catch (...) {
-        put_back();
+        restore_old();
         throw;
     }
-    exchange(old);
+    swap_contents(old);
     release_meshes();
-    exchange(old);
+    swap_contents(old);
     return GPHYS_OK;
 }
 

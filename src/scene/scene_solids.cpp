@@ -1,4 +1,5 @@
-// Sweeps and penetrations of spheres, capsules and boxes in the scene.
+// Sweeps of capsules and boxes in the scene, and penetrations of spheres, capsules and boxes. The candidates come from
+// the BVH by the moving shape's AABB; the exact tests are sweep_convex.cpp and penetration.cpp.
 #include "geometry/faces.h"
 #include "scene/best_candidate.h"
 #include "scene/scene.h"
@@ -15,13 +16,13 @@ bool sweep_shape(const Primitive& shape, const Shape& moving, Vec3 displacement,
     return hits_side(shape, displacement, faces) && sweep(Shape(shape), moving, displacement, hit);
 }
 
-/// The penetrations into a model: add(Penetration, triangle).
+/// add(penetration, triangle) for each penetration into a model.
 template <class Add>
-void each_way_out(const MeshInstance& instance, const Shape& moving, const Add& add) {
+void visit_penetrations(const MeshInstance& instance, const Shape& moving, const Add& add) {
     for_each_penetration(instance, moving, add);
 }
 template <class Primitive, class Add>
-void each_way_out(const Primitive& shape, const Shape& moving, const Add& add) {
+void visit_penetrations(const Primitive& shape, const Shape& moving, const Add& add) {
     if (overlaps(Shape(shape), moving)) add(gphys::penetration(Shape(shape), moving), GPHYS_NO_TRIANGLE);
 }
 
@@ -37,7 +38,7 @@ gphys_status Scene::sweep_by(const Shape& moving, Vec3 displacement, const Filte
         return sweep_shape(shape, moving, displacement, faces_of(filter), hit);
     };
     const auto test = [&](uint32_t slot) {
-        if (!may_see(filter, slot) || !sees(filter, slot) || !with_shape(slot, exact)) return;
+        if (!may_pass(filter, slot) || !passes(filter, slot) || !with_shape(slot, exact)) return;
         const float t = reported(hit.t);
         if (!best.is_beaten_by(t, slot, ids_)) return;
         best = {t, slot};
@@ -60,10 +61,10 @@ gphys_status Scene::sweep_by(const Shape& moving, Vec3 displacement, const Filte
 template <class Filter>
 void Scene::penetration_by(const Shape& moving, const Filter& filter, DeepestPenetrations& out) const {
     const auto test = [&](uint32_t slot) {
-        if (!may_see(filter, slot) || !sees(filter, slot)) return true;
+        if (!may_pass(filter, slot) || !passes(filter, slot)) return true;
         with_shape(slot, [&](const auto& shape) {
-            each_way_out(shape, moving, [&](const Penetration& way, uint32_t triangle) {
-                out.add(to_penetration(way, triangle, ids_.id(slot), tags_[slot]));
+            visit_penetrations(shape, moving, [&](const Penetration& penetration, uint32_t triangle) {
+                out.add(to_penetration(penetration, triangle, ids_.id(slot), tags_[slot]));
             });
         });
         return true;

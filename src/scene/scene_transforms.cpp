@@ -1,6 +1,8 @@
-// Setting transforms of models and their descendants. New transforms are written in place, where children read their
-// parent's. If a model would leave the range of coordinates, the old transforms are restored and all world transforms
-// derived from them again, which gives the same bits as before.
+// set_transforms, set_origin, and the propagation of transforms to descendants.
+//
+// New transforms are written in place, since children read their parent's. If a model would leave the range of
+// coordinates, the old local transforms are restored and all world transforms derived again, which gives the same bits
+// as before. To store all old world transforms would need memory for each descendant.
 #include "scene/scene.h"
 
 #include "foundation/compiler.h"
@@ -9,7 +11,7 @@ namespace gphys {
 
 namespace {
 
-/// About fifty microseconds of work, much more than waking a thread takes.
+/// Fifty microseconds of work: much more than waking a thread takes.
 constexpr uint32_t models_per_task = 1024;
 
 }  // namespace
@@ -18,7 +20,7 @@ const gphys_transform& Scene::local_of(uint32_t slot) const {
     return models_[slot].has_family() ? family(slot).local : models_[slot].world;
 }
 
-/// Without a parent the world transform is the local one; with a parent, carry() derives it.
+/// Without a parent the world transform is the local one; with a parent, propagate() derives it.
 void Scene::set_local(uint32_t slot, const gphys_transform& local) {
     if (models_[slot].has_family()) family(slot).local = local;
     if (parent_of(slot) == none) models_[slot].world = local;
@@ -29,11 +31,11 @@ void Scene::derive_world(uint32_t slot) {
     if (parent != none) models_[slot].world = composed(models_[parent].world, family(slot).local);
 }
 
-/// Not for planes.
+/// The model's AABB. Not for planes.
 Box Scene::world_box(uint32_t slot, const gphys_transform& world) const {
     return with_stored(slot, [&](const auto& stored) {
         if constexpr (is_box<std::decay_t<decltype(stored)>>) {
-            if (is_turned(world.rotation)) return conservative_bounds(stored, world);
+            if (is_rotated(world.rotation)) return conservative_bounds(stored, world);
         }
         return with_placed(stored, world, [](const auto& shape) {
             if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, Plane>) {
@@ -45,7 +47,7 @@ Box Scene::world_box(uint32_t slot, const gphys_transform& world) const {
     });
 }
 
-GPHYS_NOINLINE const char* Scene::place(uint32_t slot, const gphys_transform& world, Box& box) const {
+GPHYS_NOINLINE const char* Scene::check_placement(uint32_t slot, const gphys_transform& world, Box& box) const {
     if (gphys::defect(world)) return "transform: the world transform is out of range";
     if (world.scale < 1 / max_scale) return "transform.scale: below 1 / GPHYS_MAX_COORDINATE";
     if (models_[slot].type() == GPHYS_SHAPE_PLANE) return nullptr;
@@ -64,19 +66,20 @@ GPHYS_NOINLINE const char* Scene::place(uint32_t slot, const gphys_transform& wo
     return nullptr;
 }
 
-/// The same for a valid transform, without the box. Nearly always all is far within the range: no
-/// position is beyond GPHYS_MAX_COORDINATE.
-inline const char* Scene::place(uint32_t slot, const gphys_transform& world) const {
+/// The same for a valid transform, without the box. Fast path: nearly all models are far within the range, which the
+/// upper bounds of the scene show. Valid positions are within GPHYS_MAX_COORDINATE.
+inline const char* Scene::check_placement(uint32_t slot, const gphys_transform& world) const {
     constexpr float max_reach = max_box_coordinate / 2 - GPHYS_MAX_COORDINATE;
     constexpr double few_roundings = 1 - 0x1p-20;
     const double widest = widest_scale_, scale = world.scale;
     const bool usual_scale = scale * widest <= max_scale * few_roundings && scale * few_roundings >= widest / max_scale;
     if (farthest_point_ * world.scale < max_reach && usual_scale) return nullptr;
     Box box;
-    return place(slot, world, box);
+    return check_placement(slot, world, box);
 }
 
-/// As the sum of its coordinates; 0 for a plane.
+/// Upper bound of the distance of the shape's points from the model's origin: the sum of the coordinates of the AABB's
+/// farthest corner. 0 for a plane.
 float Scene::farthest_point(uint32_t slot) const {
     return with_stored(slot, [&](const auto& stored) -> float {
         using Shape = std::decay_t<decltype(stored)>;
@@ -95,19 +98,18 @@ float Scene::farthest_point(uint32_t slot) const {
     });
 }
 
-/// Derive the worlds from `top` down and count them. Stops at the first model that cannot stand
-/// where it would.
-const char* Scene::carry(uint32_t top, uint32_t& moved) {
+/// Derives the world transforms from `top` down and counts them. Stops at the first error and returns it.
+const char* Scene::propagate(uint32_t top, uint32_t& moved) {
     for (uint32_t slot = top; slot != none; slot = next_below(slot, top)) {
         derive_world(slot);
         Box box;
-        if (const char* wrong = place(slot, models_[slot].world, box)) return wrong;
+        if (const char* wrong = check_placement(slot, models_[slot].world, box)) return wrong;
         ++moved;
     }
     return nullptr;
 }
 
-void Scene::carry_back(uint32_t top) {
+void Scene::restore_worlds(uint32_t top) {
     for (uint32_t slot = top; slot != none; slot = next_below(slot, top)) derive_world(slot);
 }
 
@@ -124,22 +126,22 @@ gphys_status Scene::set_transforms(const gphys_model_id* models, const gphys_tra
     return wrong ? fail(GPHYS_ERROR_INVALID_ARGUMENT, wrong) : GPHYS_OK;
 }
 
-/// put_some(begin, end) for all models that move: by the workers if they are different items of the BVH.
-template <class PutSome>
-void Scene::put_all(uint32_t count, bool on_any_thread, const PutSome& put_some) const {
+/// update_some(begin, end) over all models that move; on any thread only if they are distinct items of the BVH.
+template <class UpdateSome>
+void Scene::update_parallel(uint32_t count, bool on_any_thread, const UpdateSome& update_some) const {
     workers_.run(on_any_thread ? count / models_per_task + 1 : 1, [&](uint32_t task) {
         const uint32_t begin = on_any_thread ? task * models_per_task : 0;
-        put_some(begin, on_any_thread ? std::min(begin + models_per_task, count) : count);
+        update_some(begin, on_any_thread ? std::min(begin + models_per_task, count) : count);
     });
 }
 
-/// Tell the BVH where up to eight models are.
+/// Updates the AABBs of up to eight models.
 template <class Put>
-void Scene::put_eight(const gphys_model_id* models, uint32_t count, const Put& put) const {
+void Scene::update_eight(const gphys_model_id* models, uint32_t count, const Put& put) const {
     const auto model = [&](uint32_t k) -> const Model& { return models_[IdTable::slot_of(models[k])]; };
-    constexpr uint32_t worth_it = 3;  // two one by one take about as long as eight at once
+    constexpr uint32_t min_lanes = 3;  // eight at once take as long as two single ones
     uint32_t aabbs = 0;
-    for (uint32_t k = 0; count >= worth_it && k < count; ++k) {
+    for (uint32_t k = 0; count >= min_lanes && k < count; ++k) {
         aabbs |= uint32_t{model(k).type() == GPHYS_SHAPE_AABB} << k;
     }
     Box8 boxes;
@@ -147,7 +149,7 @@ void Scene::put_eight(const gphys_model_id* models, uint32_t count, const Put& p
         const auto first = static_cast<uint32_t>(lowest_bit(aabbs));
         const float* quads[8];
         for (uint32_t k = 0; k < 8; ++k) quads[k] = &model((aabbs >> k & 1) != 0 ? k : first).world.position.x;
-        aabbs &= bounds_kernels_.turned_aabbs(quads, boxes);
+        aabbs &= bounds_kernels_.rotated_aabbs(quads, boxes);
     }
     for (uint32_t k = 0; k < count; ++k) {
         const uint32_t slot = IdTable::slot_of(models[k]);
@@ -159,28 +161,28 @@ void Scene::put_eight(const gphys_model_id* models, uint32_t count, const Put& p
     }
 }
 
-/// No model stands twice or has relatives: once all are checked nothing can fail.
+/// For models without duplicates and relatives: after the checks nothing can fail, so nothing is rolled back.
 const char* Scene::move_alone(const gphys_model_id* models, const Strided<gphys_transform>& local, uint32_t count) {
     for (uint32_t i = 0; i < count; ++i) {
-        if (const char* wrong = place(IdTable::slot_of(models[i]), local[i])) return wrong;
+        if (const char* wrong = check_placement(IdTable::slot_of(models[i]), local[i])) return wrong;
     }
     bvh_.update_many(count, [&](const auto& put, bool on_any_thread) {
-        put_all(count, on_any_thread, [&](uint32_t begin, uint32_t end) {
+        update_parallel(count, on_any_thread, [&](uint32_t begin, uint32_t end) {
             for (uint32_t first = begin; first < end; first += 8) {
                 const uint32_t some = std::min(end - first, 8u);
                 for (uint32_t i = first; i < first + some; ++i) models_[IdTable::slot_of(models[i])].world = local[i];
-                put_eight(models + first, some, put);
+                update_eight(models + first, some, put);
             }
         });
     });
     return nullptr;
 }
 
-/// A model without relatives moves alone: it is checked first, and cannot fail once written. The
-/// others are written first, each where its children find it, and put back if one fails.
+/// The general case. A model without relatives is checked first, and written when nothing can fail. Models with
+/// relatives are written first, since their children read them, and rolled back on an error.
 const char* Scene::move_with_relatives(const gphys_model_id* models, const Strided<gphys_transform>& local,
                                        uint32_t count) {
-    // Backwards, so that of a model that stands twice the last transform is met first.
+    // In reverse order: of a model that is listed twice, the last transform counts.
     const char* wrong = nullptr;
     uint32_t moved = 0;
     bool with_relatives = false;
@@ -193,14 +195,14 @@ const char* Scene::move_with_relatives(const gphys_model_id* models, const Strid
             family(slot).old_local = family(slot).local;
             set_local(slot, local[i]);
         } else {
-            wrong = place(slot, local[i]);
+            wrong = check_placement(slot, local[i]);
             ++moved;
         }
     }
     if (with_relatives) {
         mark_carried(models, count);
-        if (!wrong) wrong = carry_relatives(models, count, moved);
-        if (wrong) put_back_relatives(models, count);
+        if (!wrong) wrong = propagate_relatives(models, count, moved);
+        if (wrong) roll_back_relatives(models, count);
     }
     for (uint32_t i = count; i-- > 0;) {
         Model& model = models_[IdTable::slot_of(models[i])];
@@ -209,20 +211,21 @@ const char* Scene::move_with_relatives(const gphys_model_id* models, const Strid
     }
     if (!wrong) {
         bvh_.update_many(moved, [&](const auto& put, bool on_any_thread) {
-            // If each stands once and takes none along, they are different items.
-            put_all(count, on_any_thread && !with_relatives && moved == count, [&](uint32_t begin, uint32_t end) {
-                for (uint32_t i = begin; i < end; ++i) {
-                    const uint32_t slot = IdTable::slot_of(models[i]);
-                    if (!models_[slot].carried) put_below(slot, put);
-                }
-            });
+            // In parallel only if no model is listed twice and no descendants move: then all items differ.
+            update_parallel(count, on_any_thread && !with_relatives && moved == count,
+                            [&](uint32_t begin, uint32_t end) {
+                                for (uint32_t i = begin; i < end; ++i) {
+                                    const uint32_t slot = IdTable::slot_of(models[i]);
+                                    if (!models_[slot].carried) update_subtree(slot, put);
+                                }
+                            });
         });
     }
     if (with_relatives) unmark_carried(models, count);
     return wrong;
 }
 
-/// Every model without a parent moves the other way, and the others with it.
+/// Moves all roots in the opposite direction; their descendants follow.
 gphys_status Scene::set_origin(Vec3 origin) {
     Vector<gphys_model_id> models(&memory);
     Vector<gphys_transform> transforms(&memory);
@@ -252,15 +255,15 @@ gphys_status Scene::set_origin(Vec3 origin) {
     return GPHYS_OK;
 }
 
-/// What hangs below a moving model is carried along with it and must not be moved twice. A model
-/// that is marked already has all its descendants marked: each is visited once.
+/// Marks the descendants of moving models: they move with them and must not be moved twice. The descendants of a marked
+/// model are marked already, so each is visited once.
 void Scene::mark_carried(const gphys_model_id* models, uint32_t count) {
     for (uint32_t i = 0; i < count; ++i) {
         const uint32_t top = IdTable::slot_of(models[i]);
         for (uint32_t slot = next_below(top, top); slot != none;) {
-            const bool seen = models_[slot].carried;
+            const bool was_marked = models_[slot].carried;
             models_[slot].carried = 1;
-            slot = seen ? next_beside(slot, top) : next_below(slot, top);
+            slot = was_marked ? next_beside(slot, top) : next_below(slot, top);
         }
     }
 }
@@ -276,23 +279,23 @@ void Scene::unmark_carried(const gphys_model_id* models, uint32_t count) {
     }
 }
 
-const char* Scene::carry_relatives(const gphys_model_id* models, uint32_t count, uint32_t& moved) {
+const char* Scene::propagate_relatives(const gphys_model_id* models, uint32_t count, uint32_t& moved) {
     for (uint32_t i = 0; i < count; ++i) {
         const uint32_t slot = IdTable::slot_of(models[i]);
         if (!models_[slot].has_family() || models_[slot].carried) continue;
-        if (const char* wrong = carry(slot, moved)) return wrong;
+        if (const char* wrong = propagate(slot, moved)) return wrong;
     }
     return nullptr;
 }
 
-void Scene::put_back_relatives(const gphys_model_id* models, uint32_t count) {
+void Scene::roll_back_relatives(const gphys_model_id* models, uint32_t count) {
     for (uint32_t i = 0; i < count; ++i) {
         const uint32_t slot = IdTable::slot_of(models[i]);
         if (models_[slot].has_family() && models_[slot].moving) set_local(slot, family(slot).old_local);
     }
     for (uint32_t i = 0; i < count; ++i) {
         const uint32_t slot = IdTable::slot_of(models[i]);
-        if (models_[slot].has_family() && !models_[slot].carried) carry_back(slot);
+        if (models_[slot].has_family() && !models_[slot].carried) restore_worlds(slot);
     }
 }
 

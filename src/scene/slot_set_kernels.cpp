@@ -1,3 +1,4 @@
+// The kernel of slot_set_kernels.h.
 #include "scene/slot_set_kernels.h"
 
 #include "bvh/compress_store.h"
@@ -6,7 +7,7 @@ namespace gphys::GPHYS_ISA {
 
 namespace {
 
-uint32_t* take(const uint32_t* words, uint32_t word_count, const uint32_t* entries, uint32_t* out) {
+uint32_t* list(const uint32_t* words, uint32_t word_count, const uint32_t* entries, uint32_t* out) {
     for (uint32_t word = 0; word < word_count; ++word, entries += 32) {
         const uint32_t set = words[word];
         if (set == 0) continue;
@@ -18,6 +19,6 @@ uint32_t* take(const uint32_t* words, uint32_t word_count, const uint32_t* entri
 
 }  // namespace
 
-extern const SlotSetKernels slot_set_kernels{take};
+extern const SlotSetKernels slot_set_kernels{list};
 
 }  // namespace gphys::GPHYS_ISA

@@ -216,7 +216,7 @@ double ContactSearch::push_out(float* ball, Neighbour& found) const {
 void ContactSearch::choose_planes(uint32_t p, Vec3 at, double& reach, Neighbour& found) {
     const Vec3 origin = body_.cloth.origin;
     const double off = body_.particles.radius[p] + clearance(body_, p, at);
-    for (ClosestFeature part; found.plane_count < Neighbour::most_planes && parts_.take_nearest(part);) {
+    for (ClosestFeature part; found.plane_count < Neighbour::most_planes && parts_.pop_nearest(part);) {
         // Coplanar triangles share a contact plane. Half of the margin, or of radius plus margin, covers their
         // rounding. Parts with another motion are not culled, because they may come to the front.
         const double height = dot(part.normal, part.closest) + (off - body_.particles.radius[p]) / 2;
@@ -234,7 +234,7 @@ void ContactSearch::choose_planes(uint32_t p, Vec3 at, double& reach, Neighbour&
         plane.moving_collider = part.tag;
     }
     if (found.plane_count < Neighbour::most_planes) return;
-    parts_.for_each_left([&](uint32_t moving_collider, double distance) {
+    parts_.for_each_remaining([&](uint32_t moving_collider, double distance) {
         reach = std::max(0.0, std::min(reach, nearest_in_step(moving_collider, distance, at) - off));
     });
 }

@@ -87,10 +87,10 @@ TriState FlatModel::sweep(const Sphere& moving, Vec3 displacement, Hit& hit) con
         const double through = gap / approach;
         if (through > t) t = through, axis = k, above = side;
     }
-    if (axis < 0) return TriState::open;
+    if (axis < 0) return TriState::undecided;
     for (int k = 0; k < 3; ++k) {
         const double there = at[k] + along[k] * t;
-        if (k != axis && (there < low_[k] || there > high_[k])) return TriState::open;
+        if (k != axis && (there < low_[k] || there > high_[k])) return TriState::undecided;
     }
     const Vec3 out{axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
     const Vec3 normal = turned_ ? get(axes_[axis]) : out;

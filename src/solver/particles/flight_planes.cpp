@@ -65,7 +65,7 @@ void FlightPlanes::settle(const Body& body, uint32_t p, uint32_t point) {
     ball.count = 0;
     ball.sight = clear;
     parts_.select_point(point);
-    for (ClosestFeature part; parts_.take_nearest(part); ++ball.count) {
+    for (ClosestFeature part; parts_.pop_nearest(part); ++ball.count) {
         // Too many parts; or the particle overlaps one, and has to be pushed out.
         if (ball.count == most_planes || part.distance <= radius) {
             ball.sight = blocked;

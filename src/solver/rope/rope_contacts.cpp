@@ -103,7 +103,7 @@ void RopeContacts::settle(const Body& body, uint32_t p, uint32_t point) {
         probes_[point].radius = off + reach;
     }
     uint32_t count = 0;
-    for (ClosestFeature part; count < most_parts && parts_.take_nearest(part); ++count) {
+    for (ClosestFeature part; count < most_parts && parts_.pop_nearest(part); ++count) {
         RopeContact contact{};
         contact.model = part.model;
         contact.normal = part.normal;
@@ -117,7 +117,8 @@ void RopeContacts::settle(const Body& body, uint32_t p, uint32_t point) {
         }
     }
     if (count < most_parts) return;
-    parts_.for_each_left([&](uint32_t, double distance) { reach = std::max(0.0, std::min(reach, distance - off)); });
+    parts_.for_each_remaining(
+        [&](uint32_t, double distance) { reach = std::max(0.0, std::min(reach, distance - off)); });
 }
 
 /// The reach is the distance that particles can go in the rest of the step, and half as much again.
