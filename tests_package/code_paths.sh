@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# docs/code_paths.md names files and functions in the order of a call: each file must exist, and each function be in it.
+# docs/code_paths.md names files and functions in the order of a call: each file must exist, each function be in it, and
+# each table have at most twelve files.
 # SOURCE is the checkout.
 set -euo pipefail
 cd "$SOURCE"
@@ -22,6 +23,12 @@ while read -r file; do
         wrong=1
     fi
 done < <(grep -o '`src/[^`]*`' "$page" | tr -d '`' | sort -u)
+long=$(awk -F'`' '/^##/ { table = $0 }
+    /^\| `/ && !seen[table, $2]++ && ++files[table] == 13 { print table }' "$page")
+[ -z "$long" ] || {
+    echo "$page: more than twelve files in $long"
+    wrong=1
+}
 [ "$rows" -ge 40 ] || {
     echo "$page: only $rows rows are read"
     wrong=1
