@@ -394,6 +394,12 @@ void World::inspect_scene() {
         FUZZ_CHECK(status == GPHYS_OK || status == GPHYS_ERROR_OUT_OF_MEMORY, "an octree is built anew");
         FUZZ_CHECK(call(gphys_scene_validate, scene_) == GPHYS_OK, "a scene is sound after its octree was built anew");
     }
+    if (models_.size() % 8 == 3) {
+        int32_t done = 7;
+        const gphys_status status = call(gphys_scene_maintain_octree, scene_, p_.below(2000), &done);
+        FUZZ_CHECK(status == GPHYS_OK || (status == GPHYS_ERROR_OUT_OF_MEMORY && done == 7), "an octree is maintained");
+        FUZZ_CHECK(call(gphys_scene_validate, scene_) == GPHYS_OK, "a scene is sound after its octree was maintained");
+    }
     uint32_t total = 0;
     std::vector<gphys_model_id> ids(models_.size() + 1);
     const uint32_t capacity = p_.one_in(3) ? p_.below(4) : static_cast<uint32_t>(models_.size());
@@ -506,6 +512,7 @@ void World::misuse_scene() {
         call(gphys_scene_remove_subtree, none, id),
         call(gphys_scene_clear, none),
         call(gphys_scene_rebuild_octree, none),
+        call(gphys_scene_maintain_octree, scene_, 1u, nullptr),
         call(gphys_scene_get_models, scene_, nullptr, 3u, &total),
         call(gphys_scene_get_info, scene_, id, nullptr),
         call(gphys_scene_get_shape, scene_, id, static_cast<void*>(&box), 3u),

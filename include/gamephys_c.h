@@ -769,7 +769,7 @@ typedef struct gphys_octree_stats {
     uint32_t node_count;
     uint32_t leaf_count;
     uint32_t depth;        /* levels; 0 when empty */
-    uint32_t rebuilds;     /* times it was rebuilt as a whole since creation */
+    uint32_t rebuilds;     /* times it was rebuilt as a whole by one call since creation */
     float cost;            /* expected node and item tests of a random ray that meets the root box */
     uint32_t memory_bytes; /* of the tree; saturates at 2^32 - 1 */
 } gphys_octree_stats;
@@ -1466,10 +1466,20 @@ GPHYS_API gphys_status gphys_scene_penetration_filtered_batch(const gphys_scene*
 
 /** Build the scene's octree anew, as good as that of one gphys_scene_add_batch. Never needed: ids, answers and their
  *  bits stay as they are. Where many models were added one by one, such as a level that was streamed in, rays then take
- *  0.4 to 0.8 of the time.
+ *  0.5 to 0.9 of the time.
  *  @return GPHYS_ERROR_OUT_OF_MEMORY, with nothing changed
  *  Cost: O(n log n), 0.15 to 0.45 us a model, less with workers; allocates.  Since 1.1. */
 GPHYS_API gphys_status gphys_scene_rebuild_octree(gphys_scene* scene);
+/** Rebuild the octree in parts, one in each call, until it is as good as after gphys_scene_rebuild_octree: for levels
+ *  that are streamed in while frames go on. Each gphys_scene_add and gphys_scene_remove does a part by itself; these
+ *  calls do the rest. Never needed: ids, answers and their bits stay as they are. Models may be added, moved and removed
+ *  between the calls. An update of an eighth of them or more by one call starts again.
+ *  @param budget    how much work to do, as a number of models, of 0.5 to 1 us each. The work is the same on every
+ *                   machine and does not depend on time.
+ *  @param out_done  1: nothing is left to do, since fewer than one in 64 models were added one by one; 0: call again
+ *  @return GPHYS_ERROR_OUT_OF_MEMORY: the octree is as before, and the next call begins again
+ *  Cost: O(budget); allocates, until it is done about 130 bytes a model.  Since 1.1. */
+GPHYS_API gphys_status gphys_scene_maintain_octree(gphys_scene* scene, uint32_t budget, int32_t* out_done);
 /** How the scene's octree is made up. Cost: O(nodes). */
 GPHYS_API gphys_status gphys_scene_get_octree_stats(const gphys_scene* scene, gphys_octree_stats* out_stats);
 /** Boxes of the scene's octree, each parent before its children. Kept when too many: the first.

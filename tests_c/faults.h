@@ -10,7 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#define MOST_CALLS 256
+#define MOST_CALLS 512
 #define FRAME (1 / 60.0f)
 
 /* Allocator hooks: `failing` is the number of the allocation that fails, -1 for none. */
@@ -66,13 +66,13 @@ static inline void mix(uint64_t* digest, const void* from, size_t size) {
 }
 
 static inline void mix_scene(uint64_t* digest, const gphys_scene* scene) {
-    gphys_model_id models[256];
+    gphys_model_id models[1024];
     gphys_hit hits[16];
     const gphys_ray rays[2] = {{{-20, 0.5f, 0.2f}, {1, 0, 0}, 100}, {{0.3f, 20, 0.1f}, {0, -1, 0.01f}, 100}};
     double origin[3];
     uint32_t total = 0, i;
     assert_int_equal(gphys_scene_validate(scene), GPHYS_OK);
-    assert_int_equal(gphys_scene_get_models(scene, models, 256, &total), GPHYS_OK);
+    assert_int_equal(gphys_scene_get_models(scene, models, 1024, &total), GPHYS_OK);
     mix(digest, models, total * sizeof *models);
     for (i = 0; i < total; ++i) {
         gphys_model_info info;

@@ -194,6 +194,7 @@ static void null_and_bad_strides_are_refused_everywhere(void** state) {
     gphys_octree_stats stats;
     gphys_octree_box octree_box;
     uint32_t total = 55;
+    int32_t done = 7;
     (void)state;
     assert_invalid(gphys_scene_has(NULL, models[0]));
     assert_invalid(gphys_scene_remove(NULL, models[0]));
@@ -202,6 +203,9 @@ static void null_and_bad_strides_are_refused_everywhere(void** state) {
     assert_invalid(gphys_scene_remove_subtree(NULL, models[0]));
     assert_invalid(gphys_scene_clear(NULL));
     assert_invalid(gphys_scene_rebuild_octree(NULL));
+    assert_invalid(gphys_scene_maintain_octree(NULL, 1, &done));
+    assert_invalid(gphys_scene_maintain_octree(scene, 1, NULL));
+    assert_int_equal(done, 7);
     assert_invalid(gphys_scene_get_models(NULL, models, 2, &total));
     assert_invalid(gphys_scene_get_models(scene, NULL, 2, &total));
     assert_invalid(gphys_scene_get_models(scene, models, 2, NULL));
@@ -337,6 +341,56 @@ static void an_octree_built_anew_is_that_of_one_call(void** state) {
     assert_memory_equal(&hit, &again, sizeof hit);
     gphys_scene_destroy(grown);
     gphys_scene_destroy(built);
+}
+
+static void maintenance_makes_an_octree_as_good_as_new_while_the_scene_changes(void** state) {
+    enum { SIDE = 60, COUNT = SIDE * SIDE };
+    static gphys_model_id models[COUNT];
+    static const gphys_aabb box = {{-0.4f, -0.4f, -0.4f}, {0.4f, 0.4f, 0.4f}};
+    gphys_scene* scene;
+    gphys_octree_stats before, after, fresh;
+    gphys_transform place;
+    int32_t done = 0;
+    uint32_t i, calls = 0;
+    (void)state;
+    memset(&place, 0, sizeof place);
+    place.rotation.w = place.scale = 1;
+    assert_int_equal(gphys_scene_create(NULL, &scene), GPHYS_OK);
+    assert_int_equal(gphys_scene_maintain_octree(scene, 1000, &done), GPHYS_OK); /* of no model */
+    assert_int_equal(done, 1);
+    for (i = 0; i < COUNT; ++i) {
+        place.position.x = (float)(i % SIDE);
+        place.position.z = (float)(i / SIDE);
+        assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_AABB, &box, &place, NULL, &models[i]), GPHYS_OK);
+    }
+    assert_int_equal(gphys_scene_get_octree_stats(scene, &before), GPHYS_OK);
+    assert_int_equal(gphys_scene_maintain_octree(scene, 0, &done), GPHYS_OK);
+    assert_int_equal(done, 0);
+    for (; !done; ++calls) {
+        assert_true(calls < COUNT);
+        assert_int_equal(gphys_scene_maintain_octree(scene, 100, &done), GPHYS_OK);
+        assert_int_equal(gphys_scene_validate(scene), GPHYS_OK);
+        if (calls != 10) continue;
+        /* One that moves, and one that goes and comes back elsewhere. */
+        place.position.x = (float)(calls % SIDE) + 0.5f;
+        place.position.z = (float)(7 * calls % SIDE) + 0.5f;
+        assert_int_equal(gphys_scene_set_transform(scene, models[calls], &place), GPHYS_OK);
+        place.position.z = SIDE - 1 - place.position.z;
+        assert_int_equal(gphys_scene_remove(scene, models[COUNT - 1 - calls]), GPHYS_OK);
+        assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_AABB, &box, &place, NULL, &models[COUNT - 1 - calls]),
+                         GPHYS_OK);
+    }
+    assert_true(calls > 10 && calls < 200); /* so many models are built a hundred at a time, and what changes */
+    assert_int_equal(gphys_scene_get_octree_stats(scene, &after), GPHYS_OK);
+    assert_int_equal(gphys_scene_rebuild_octree(scene), GPHYS_OK);
+    assert_int_equal(gphys_scene_get_octree_stats(scene, &fresh), GPHYS_OK);
+    assert_int_equal(after.item_count, COUNT);
+    assert_int_equal(after.rebuilds, before.rebuilds); /* no call built all of it */
+    assert_true(after.cost < 0.95f * before.cost);
+    assert_true(after.cost < fresh.cost + 1.1f); /* the changes may have given the root a parent, which costs 1 */
+    assert_int_equal(gphys_scene_maintain_octree(scene, 0, &done), GPHYS_OK);
+    assert_int_equal(done, 1);
+    gphys_scene_destroy(scene);
 }
 
 static void the_tree_of_models_can_be_read(void** state) {
@@ -605,6 +659,7 @@ int main(void) {
         cmocka_unit_test(null_and_bad_strides_are_refused_everywhere),
         cmocka_unit_test(what_was_set_is_what_one_gets),
         cmocka_unit_test(an_octree_built_anew_is_that_of_one_call),
+        cmocka_unit_test(maintenance_makes_an_octree_as_good_as_new_while_the_scene_changes),
         cmocka_unit_test(the_tree_of_models_can_be_read),
         cmocka_unit_test(a_snapshot_brings_back_the_scene),
         cmocka_unit_test(the_mesh_of_a_model_is_had_back),

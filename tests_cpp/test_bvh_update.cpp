@@ -1,4 +1,5 @@
 // What changes cost an octree, and what they leave of its quality. Work is counted, never timed.
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -229,6 +230,73 @@ TEST_CASE("an octree stays good and small while its items wander one by one, com
     REQUIRE(tree.stats().rebuilds == 0);
     REQUIRE(tree.stats().cost <= 1.3f * cost_of_build(items));
     REQUIRE(tree.stats().memory_bytes <= 1.5 * bytes);
+}
+
+TEST_CASE("an octree renewed while its items come, go and move is that of its items, and as good as new") {
+    for (const uint32_t per_step : {0u, 1u, 7u}) {
+        INFO(per_step << " changes for each step of maintenance");
+        test::Random random(26 + per_step);
+        Items items = scattered(random, 6000, 30);
+        Bvh8 tree(std::pmr::get_default_resource());
+        // In order of one axis, as a level is streamed.
+        std::sort(items.boxes.begin(), items.boxes.end(),
+                  [](const Box& a, const Box& b) { return a.min[0] < b.min[0]; });
+        for (uint32_t i = 0; i < items.count(); ++i) tree.insert(i, items.boxes[i]);
+        const float grown_cost = tree.stats().cost;
+        uint32_t steps = 0;
+        while (!tree.maintain(20)) {
+            REQUIRE(++steps < 3000);
+            for (uint32_t change = 0; change < per_step && steps < 40; ++change) {
+                const uint32_t i = static_cast<uint32_t>(random.index(static_cast<int>(items.count())));
+                const uint32_t kind = static_cast<uint32_t>(random.index(4));
+                if (kind == 0) tree.remove(i);
+                if (kind <= 1) {
+                    const double size = random.uniform(0.4, 2), distance = random.uniform(0, 30);
+                    items.boxes[i] = box_at(random.direction() * distance, size);
+                }
+                if (kind > 1) move(items.boxes[i], random.direction() * 0.3);
+                if (kind == 0) {
+                    tree.insert(i, items.boxes[i]);
+                } else {
+                    tree.update(i, items.boxes[i]);
+                }
+            }
+            if (steps % 50 == 0) require_sound(tree);
+        }
+        REQUIRE(steps > 50);
+        require_sound(tree);
+        REQUIRE(tree.size() == items.count());
+        for (uint32_t i = 0; i < items.count(); ++i) REQUIRE(tree.box(i) == items.boxes[i]);
+        if (per_step == 0) REQUIRE(tree.stats().cost < 0.9f * grown_cost);
+        REQUIRE(tree.stats().cost <= (per_step == 0 ? 1.001f : 1.2f) * cost_of_build(items));
+    }
+}
+
+TEST_CASE("an octree that loses all its items during a renewal is empty") {
+    test::Random random(27);
+    const Items items = scattered(random, 2000, 30);
+    Bvh8 tree(std::pmr::get_default_resource());
+    for (uint32_t i = 0; i < items.count(); ++i) tree.insert(i, items.boxes[i]);
+    REQUIRE(!tree.maintain(10));
+    for (uint32_t i = 0; i < items.count(); ++i) tree.remove(i);
+    while (!tree.maintain(100)) REQUIRE(tree.size() == 0);
+    require_sound(tree);
+    REQUIRE(tree.size() == 0);
+    tree.insert(5, items.boxes[5]);
+    require_sound(tree);
+    REQUIRE(tree.box(5) == items.boxes[5]);
+}
+
+TEST_CASE("a renewal of items at one point halves them") {
+    Bvh8 tree(std::pmr::get_default_resource());
+    Items items;
+    for (uint32_t i = 0; i < 3000; ++i) {
+        items.add(box_at({1, 2, 3}, 0.5));
+        tree.insert(i, items.boxes.back());
+    }
+    while (!tree.maintain(50)) require_sound(tree);
+    require_sound(tree);
+    REQUIRE(tree.stats().cost <= 1.001f * cost_of_build(items));
 }
 
 TEST_CASE("an octree that loses most of its items gives up its nodes") {

@@ -326,6 +326,9 @@ func TestModelsAreMovedDescribedAndRemoved(t *testing.T) {
 	try(t, scene.RemoveBatch([]ModelID{mesh}))
 	must(scene.Add(capsule, nil, nil))
 	try(t, scene.RebuildOctree())
+	if done, err := scene.MaintainOctree(1000); err != nil || !done {
+		t.Error(done, err)
+	}
 	try(t, scene.Clear())
 	same(t, len(must(scene.Models())), 0)
 }

@@ -29,11 +29,14 @@ BinaryBvh::BinaryBvh(Vector<BoxedItem>& items, uint32_t max_height, const Worker
     root_ = (parallel ? build_parallel(whole, *workers) : build_range(whole)).split_at;
 }
 
-/// Returns the first item of the second part. Splits by cost while halving would still keep max_height.
+/// Whether halving would keep max_height below any split.
+bool BinaryBvh::may_split_by_cost(Range range) { return height_of_halves(range.size()) < range.max_height; }
+
+/// Returns the first item of the second part.
 uint32_t BinaryBvh::split(Range range) {
     BoxedItem *first = items_ + range.first, *last = items_ + range.last;
-    const bool by_cost = height_of_halves(range.size()) < range.max_height;
-    BoxedItem* middle = by_cost ? split_by_cost(first, last, &slots_[range.first].item) : split_by_count(first, last);
+    BoxedItem* middle =
+        may_split_by_cost(range) ? split_by_cost(first, last, &slots_[range.first].item) : split_by_count(first, last);
     return static_cast<uint32_t>(middle - items_);
 }
 

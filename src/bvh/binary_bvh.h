@@ -38,7 +38,12 @@ public:
     const Split& operator[](uint32_t split_at) const { return slots_[split_at].split; }
     uint32_t height(uint32_t split_at) const { return split_at == none ? 0 : slots_[split_at].split.height; }
 
+    class Gradual;
+
 private:
+    /// Not split yet.
+    explicit BinaryBvh(Vector<BoxedItem>& items) : items_(items.data()), slots_(items.size(), items.get_allocator()) {}
+
     /// Scratch memory of the partition until the range is split, then the inner node.
     union Slot {
         Slot() {}
@@ -57,6 +62,7 @@ private:
         double cost[7];
     };
 
+    static bool may_split_by_cost(Range range);
     uint32_t split(Range range);
     static Subtree leaf(const Box& box);
     Subtree join(uint32_t split_at, const Subtree& low, const Subtree& high);

@@ -38,6 +38,9 @@ public:
     template <class Source>  // as of LargeArray
     explicit Bvh8(Source* memory, Isa isa = chosen_isa(), const Workers* workers = nullptr)
         : kernels_(bvh_kernels(isa)), workers_(workers), nodes_(memory), item_lane_(memory) {}
+    Bvh8(const Bvh8&) = delete;
+    Bvh8& operator=(const Bvh8&) = delete;
+    ~Bvh8() { cancel_renewal(); }
 
     // Changes. Boxes are within max_box_coordinate. Memory is proportional to the largest item. Functions that throw
     // std::bad_alloc have changed nothing. noexcept functions cannot fail: without memory they skip an improvement of
@@ -62,6 +65,9 @@ public:
     template <class Moves>
     void update_many(uint32_t count, Moves&& moves) noexcept;
     void clear() noexcept;
+    /// Goes on with the renewal of a tree to which items were added one by one (bvh_renewal.h), for the time that a
+    /// build of so many items takes. True: nothing is left to do.
+    bool maintain(uint32_t items);
 
     bool contains(uint32_t item) const { return item < item_lane_.size() && item_lane_[item] != none; }
     Box box(uint32_t item) const { return node_of(item).boxes.lane(static_cast<int>(item_lane_[item] % 8)); }
@@ -159,7 +165,25 @@ private:
     /// A smaller tree is refitted in less time than waking a thread takes.
     static constexpr uint32_t parallel_size = 8192;
 
+    /// A part of the tree is rebuilt when more than one in so many of its items has been inserted since its last build.
+    /// So each insertion pays for the rebuild of two items.
+    static constexpr uint32_t items_per_addition = 2;
+    /// The largest part that one call rebuilds: small enough for some ten microseconds, large enough for full leaves
+    /// and good splits.
+    static constexpr uint32_t max_rebuilt_items = 512;
+
     class Builder;
+    class Renewal;
+    enum class Change { addition, removal, move };
+
+    /// An empty tree that is to replace another. It does not renew itself.
+    struct Replacement {};
+    Bvh8(const Bvh8& other, Replacement)
+        : kernels_(other.kernels_),
+          workers_(other.workers_),
+          nodes_(other.nodes_.alike()),
+          item_lane_(other.item_lane_.alike()),
+          renews_itself_(false) {}
 
     static uint32_t items_below(const Node& node) { return node.levels == 1 ? node.count : node.items; }
     uint32_t levels() const { return root_ == none ? 0 : nodes_[index_of(root_)].levels; }
@@ -220,6 +244,18 @@ private:
     void rebuild_around(uint32_t item) noexcept;
     void rebuild_next_part(uint32_t changes);
 
+    /// Whether more than one in so many items has been inserted since the last build of all.
+    bool is_worn(uint32_t one_in) const { return size_ > max_rebuilt_items && added_ > size_ / one_in; }
+    void begin_renewal();
+    void cancel_renewal() noexcept;
+    void finish_renewal() noexcept;
+    void renew_gradually(uint32_t item, Change change) noexcept;
+    /// Call after each change of a single item.
+    void note_change(uint32_t item, Change change) noexcept {
+        added_ += change == Change::addition;
+        if (renews_itself_ && (renewal_ || change == Change::addition)) renew_gradually(item, change);
+    }
+
     uint32_t level_of(uint32_t index) const;
     double area_below(NodeRef ref) const;
 
@@ -249,6 +285,11 @@ private:
     // Of rebuild_next_part: which part is next, and how many items it may rebuild.
     uint32_t cursor_ = 0, budget_ = 0;
     uint32_t rebuilds_ = 0;
+
+    uint32_t added_ = 0;  // items that were inserted one by one since the last build of all
+    const bool renews_itself_ = true;
+    Renewal* renewal_ = nullptr;  // null: none is in progress
+    uint32_t paid_work_ = 0;      // of the renewal, not done yet
 };
 
 }  // namespace gphys

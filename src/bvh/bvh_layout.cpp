@@ -103,6 +103,10 @@ void Bvh8::build(const BvhLayout& layout, const Box* boxes) {
         nodes[index].built_root_area = static_cast<float>(root_area);
     }
 
+    cancel_renewal();
+    added_ = 0;
+    cancel_renewal();
+    added_ = 0;
     if (size_ > 0) ++rebuilds_;
     nodes_.swap(nodes);
     item_lane_.swap(item_lane);

@@ -8,11 +8,6 @@ namespace gphys {
 
 namespace {
 
-/// A subtree is rebuilt when more than one in so many of its items has been inserted since its last build. So each
-/// insertion pays for the rebuild of two items.
-constexpr uint32_t items_per_addition = 2;
-/// The largest such subtree: small enough for some ten microseconds, large enough for full leaves and good splits.
-constexpr uint32_t max_rebuilt_items = 512;
 /// In large updates, one in so many moves pays for the rebuild of an item. With that, an update takes twice a refit on
 /// average.
 constexpr uint32_t moves_per_rebuilt_item = 8;
@@ -94,6 +89,7 @@ bool Bvh8::has_grown(double area, double factor) const {
 
 /// Call after changes of the boxes of many items.
 void Bvh8::refit_all(uint32_t changes) noexcept {
+    cancel_renewal();
     if (root_ == none) return;
     const double area = refit();
     try {

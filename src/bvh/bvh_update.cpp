@@ -390,6 +390,7 @@ void Bvh8::insert(uint32_t item, const Box& box) {
     reserve_nodes(nodes_for_additions(1));
     attach(item, box);
     rebuild_around(item);
+    note_change(item, Change::addition);
 }
 
 void Bvh8::insert_many(const uint32_t* items, const Box* boxes, uint32_t count) {
@@ -414,7 +415,10 @@ void Bvh8::insert_many(const uint32_t* items, const Box* boxes, uint32_t count) 
     }
 }
 
-void Bvh8::remove(uint32_t item) noexcept { reinsert_small_leaf(detach(item)); }
+void Bvh8::remove(uint32_t item) noexcept {
+    reinsert_small_leaf(detach(item));
+    note_change(item, Change::removal);
+}
 
 /// Reinserts the item if its new box is apart from its leaf's, or if the leaf has degraded; else refits.
 void Bvh8::update(uint32_t item, const Box& box) noexcept {
@@ -430,9 +434,12 @@ void Bvh8::update(uint32_t item, const Box& box) noexcept {
             ++nodes_[above].added;
     }
     rebuild_around(item);
+    note_change(item, jumps ? Change::addition : Change::move);
 }
 
 void Bvh8::clear() noexcept {
+    cancel_renewal();
+    added_ = 0;
     nodes_.clear();
     std::fill(item_lane_.begin(), item_lane_.end(), none);
     root_ = none;

@@ -247,6 +247,14 @@ gphys_status gphys_scene_rebuild_octree(gphys_scene* scene) {
     });
 }
 
+gphys_status gphys_scene_maintain_octree(gphys_scene* scene, uint32_t budget, int32_t* out_done) {
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(scene, out_done);
+        *out_done = unwrap(scene)->maintain_octree(budget) ? 1 : 0;
+        return GPHYS_OK;
+    });
+}
+
 gphys_status gphys_scene_has(const gphys_scene* scene, gphys_model_id model) {
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_REQUIRE_POINTERS(scene);

@@ -76,6 +76,7 @@ public:
     gphys_status remove_subtree(gphys_model_id model);
     void clear();
     void rebuild_octree() { bvh_.rebuild(); }
+    bool maintain_octree(uint32_t budget) { return bvh_.maintain(budget); }
     /// A public struct of the type, or a Mesh.
     gphys_status set_shape(gphys_model_id model, gphys_shape_type type, const void* shape);
     /// `scale` is valid (defect_of_scale).

@@ -200,6 +200,7 @@ TEST_CASE("models") {
     scene.remove(scene.add(ball));
     scene.add(ball);
     scene.rebuild_octree();
+    CHECK(scene.maintain_octree(1000));
     scene.clear();
     CHECK(scene.get_models().empty());
     scene.set_origin({1e9 + 0.5, 0, 0});

@@ -346,6 +346,7 @@ public class SceneTests {
         scene.RemoveBatch(new[] { mesh });
         scene.Add(capsule);
         scene.RebuildOctree();
+        Assert.IsTrue(scene.MaintainOctree(1000));
         scene.Clear();
         Assert.AreEqual(0, scene.GetModels().Length);
     }

@@ -159,6 +159,7 @@ public class GamephysTest {
         assertTrue(scene.getSceneBounds().isEmpty());
         scene.add(BALL);
         scene.rebuildOctree();
+        assertTrue(scene.maintainOctree(1000));
         scene.clear();
         assertEquals(0, scene.getModels().size());
         scene.setOrigin(new double[] {1e9 + 0.5, 0, 0});

@@ -126,6 +126,7 @@ test('models', () => {
     assert.strictEqual(scene.has(child), false);
     scene.add(ball);
     scene.rebuildOctree();
+    assert.equal(scene.maintainOctree(1000), true);
     scene.clear();
     assert.strictEqual(scene.getSceneBounds(), null);
 });

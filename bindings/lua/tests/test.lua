@@ -110,6 +110,7 @@ function tests.models()
     assert(scene:get_scene_bounds() == nil)
     scene:add(ball)
     scene:rebuild_octree()
+    assert(scene:maintain_octree(1000))
     scene:clear()
     assert(select(2, scene:get_models()) == 0)
     scene:set_origin { 1e9 + 0.5, 0, 0 }

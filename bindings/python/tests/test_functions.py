@@ -97,6 +97,7 @@ class Functions(unittest.TestCase):
         self.assertIsNone(scene.get_scene_bounds())
         scene.add(BALL)
         scene.rebuild_octree()
+        assert scene.maintain_octree(1000)
         scene.clear()
         self.assertEqual(len(scene.get_models()), 0)
         scene.set_origin((1e9 + 0.5, 0, 0))

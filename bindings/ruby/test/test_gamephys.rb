@@ -119,6 +119,7 @@ class TestGamephys < Minitest::Test
     assert_nil scene.get_scene_bounds
     scene.add(BALL)
     scene.rebuild_octree
+    assert scene.maintain_octree(1000)
     scene.clear
     assert_equal 0, scene.get_models.size
     scene.set_origin([1e9 + 0.5, 0, 0])

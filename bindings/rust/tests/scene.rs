@@ -362,6 +362,7 @@ fn models_are_moved_described_and_removed() {
     let more = [scene.add(&Sphere::default(), None, None).unwrap(), scene.add(&Sphere::default(), None, None).unwrap()];
     scene.remove_batch(&more[..1]).unwrap();
     scene.rebuild_octree().unwrap();
+    assert!(scene.maintain_octree(1000).unwrap());
     scene.clear().unwrap();
     assert!(scene.get_models().unwrap().is_empty() && scene.get_scene_bounds().unwrap().is_none());
 }
