@@ -1472,8 +1472,8 @@ GPHYS_API gphys_status gphys_scene_penetration_filtered_batch(const gphys_scene*
 GPHYS_API gphys_status gphys_scene_rebuild_octree(gphys_scene* scene);
 /** Rebuild the octree in parts, one in each call, until it is as good as after gphys_scene_rebuild_octree: for levels
  *  that are streamed in while frames go on. Each gphys_scene_add and gphys_scene_remove does a part by itself; these
- *  calls do the rest. Never needed: ids, answers and their bits stay as they are. Models may be added, moved and removed
- *  between the calls. An update of an eighth of them or more by one call starts again.
+ *  calls do the rest. Never needed: ids, answers and their bits stay as they are. Models may be added, moved and
+ * removed between the calls. An update of an eighth of them or more by one call starts again.
  *  @param budget    how much work to do, as a number of models, of 0.5 to 1 us each. The work is the same on every
  *                   machine and does not depend on time.
  *  @param out_done  1: nothing is left to do, since fewer than one in 64 models were added one by one; 0: call again

@@ -1381,6 +1381,18 @@ static inline go_gphys_scene_rebuild_octree_result go_gphys_scene_rebuild_octree
     return r;
 }
 
+typedef struct go_gphys_scene_maintain_octree_result {
+    gphys_status status;
+    char* message;
+    int32_t out_done;
+} go_gphys_scene_maintain_octree_result;
+static inline go_gphys_scene_maintain_octree_result go_gphys_scene_maintain_octree(void* scene, uint32_t budget) {
+    go_gphys_scene_maintain_octree_result r = {0};
+    r.status = gphys_scene_maintain_octree(scene, budget, &r.out_done);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_scene_get_octree_stats_result {
     gphys_status status;
     char* message;

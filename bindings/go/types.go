@@ -416,7 +416,7 @@ type OctreeStats struct {
 	LeafCount uint32
 	// levels; 0 when empty
 	Depth uint32
-	// times it was rebuilt as a whole since creation
+	// times it was rebuilt as a whole by one call since creation
 	Rebuilds uint32
 	// expected node and item tests of a random ray that meets the root box
 	Cost float32

@@ -131,6 +131,7 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_scene_penetration_filtered(SceneHandle scene, ShapeType type, void* shape, QueryFilterDesc* filter, Penetration* out_penetrations, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_scene_penetration_filtered_batch(SceneHandle scene, ShapeType type, void* shapes, uint shape_stride, uint count, QueryFilterDesc* filters, uint filter_stride, Penetration* out_penetrations, uint capacity, uint* out_offsets);
     [DllImport(Library)] internal static extern Status gphys_scene_rebuild_octree(SceneHandle scene);
+    [DllImport(Library)] internal static extern Status gphys_scene_maintain_octree(SceneHandle scene, uint budget, int* out_done);
     [DllImport(Library)] internal static extern Status gphys_scene_get_octree_stats(SceneHandle scene, OctreeStats* out_stats);
     [DllImport(Library)] internal static extern Status gphys_scene_get_octree_boxes(SceneHandle scene, OctreeBox* out_boxes, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_scene_validate(SceneHandle scene);

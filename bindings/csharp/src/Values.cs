@@ -467,7 +467,7 @@ public partial struct OctreeStats {
     public uint LeafCount;
     /// <summary>levels; 0 when empty</summary>
     public uint Depth;
-    /// <summary>times it was rebuilt as a whole since creation</summary>
+    /// <summary>times it was rebuilt as a whole by one call since creation</summary>
     public uint Rebuilds;
     /// <summary>expected node and item tests of a random ray that meets the root box</summary>
     public float Cost;

@@ -545,6 +545,10 @@ export function objects(memory) {
         rebuildOctree() {
             check(native.gphys_scene_rebuild_octree(this.pointer));
         }
+        maintainOctree(budget) {
+            check(native.gphys_scene_maintain_octree(this.pointer, budget, base));
+            return v.i32[0] !== 0;
+        }
         getOctreeStats() {
             check(native.gphys_scene_get_octree_stats(this.pointer, base));
             return readOctreeStats(v, 0);

@@ -126,6 +126,7 @@ export const signatures = {
     gphys_scene_penetration_filtered: 'ipippaup',
     gphys_scene_penetration_filtered_batch: 'ipiauupuaua',
     gphys_scene_rebuild_octree: 'ip',
+    gphys_scene_maintain_octree: 'ipup',
     gphys_scene_get_octree_stats: 'ipp',
     gphys_scene_get_octree_boxes: 'ipaup',
     gphys_scene_validate: 'ip',

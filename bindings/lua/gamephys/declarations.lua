@@ -189,6 +189,7 @@ gphys_status gphys_scene_sweep_filtered_batch(const gphys_scene *scene, gphys_sh
 gphys_status gphys_scene_penetration_filtered(const gphys_scene *scene, gphys_shape_type type, const void *shape, const gphys_query_filter_desc *filter, gphys_penetration *out_penetrations, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_scene_penetration_filtered_batch(const gphys_scene *scene, gphys_shape_type type, const void *shapes, uint32_t shape_stride, uint32_t count, const gphys_query_filter_desc *filters, uint32_t filter_stride, gphys_penetration *out_penetrations, uint32_t capacity, uint32_t *out_offsets);
 gphys_status gphys_scene_rebuild_octree(gphys_scene *scene);
+gphys_status gphys_scene_maintain_octree(gphys_scene *scene, uint32_t budget, int32_t *out_done);
 gphys_status gphys_scene_get_octree_stats(const gphys_scene *scene, gphys_octree_stats *out_stats);
 gphys_status gphys_scene_get_octree_boxes(const gphys_scene *scene, gphys_octree_box *out_boxes, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_scene_validate(const gphys_scene *scene);

@@ -346,7 +346,7 @@ class OctreeStats(Value, Structure):
     node_count: int
     leaf_count: int
     depth: int  # levels; 0 when empty
-    rebuilds: int  # times it was rebuilt as a whole since creation
+    rebuilds: int  # times it was rebuilt as a whole by one call since creation
     cost: float  # expected node and item tests of a random ray that meets the root box
     memory_bytes: int  # of the tree; saturates at 2^32 - 1
     _fields_ = [("item_count", c_uint32), ("unbounded_count", c_uint32), ("node_count", c_uint32), ("leaf_count", c_uint32), ("depth", c_uint32), ("rebuilds", c_uint32), ("cost", c_float), ("memory_bytes", c_uint32)]
@@ -806,6 +806,7 @@ gphys_scene_sweep_filtered_batch = function("gphys_scene_sweep_filtered_batch", 
 gphys_scene_penetration_filtered = function("gphys_scene_penetration_filtered", c_int32, [c_void_p, c_int32, c_void_p, c_void_p, c_void_p, c_uint32, c_void_p])
 gphys_scene_penetration_filtered_batch = function("gphys_scene_penetration_filtered_batch", c_int32, [c_void_p, c_int32, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
 gphys_scene_rebuild_octree = function("gphys_scene_rebuild_octree", c_int32, [c_void_p])
+gphys_scene_maintain_octree = function("gphys_scene_maintain_octree", c_int32, [c_void_p, c_uint32, c_void_p])
 gphys_scene_get_octree_stats = function("gphys_scene_get_octree_stats", c_int32, [c_void_p, c_void_p])
 gphys_scene_get_octree_boxes = function("gphys_scene_get_octree_boxes", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
 gphys_scene_validate = function("gphys_scene_validate", c_int32, [c_void_p])

@@ -147,6 +147,7 @@ extern "C" {
     pub fn gphys_scene_penetration_filtered(scene: *mut gphys_scene, type_: ShapeType, shape: *const c_void, filter: *const QueryFilterDesc, out_penetrations: *mut Penetration, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_scene_penetration_filtered_batch(scene: *mut gphys_scene, type_: ShapeType, shapes: *const c_void, shape_stride: u32, count: u32, filters: *const QueryFilterDesc, filter_stride: u32, out_penetrations: *mut Penetration, capacity: u32, out_offsets: *mut u32) -> Status;
     pub fn gphys_scene_rebuild_octree(scene: *mut gphys_scene) -> Status;
+    pub fn gphys_scene_maintain_octree(scene: *mut gphys_scene, budget: u32, out_done: *mut i32) -> Status;
     pub fn gphys_scene_get_octree_stats(scene: *mut gphys_scene, out_stats: *mut OctreeStats) -> Status;
     pub fn gphys_scene_get_octree_boxes(scene: *mut gphys_scene, out_boxes: *mut OctreeBox, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_scene_validate(scene: *mut gphys_scene) -> Status;

@@ -489,7 +489,7 @@ pub struct OctreeStats {
     pub leaf_count: u32,
     /// levels; 0 when empty
     pub depth: u32,
-    /// times it was rebuilt as a whole since creation
+    /// times it was rebuilt as a whole by one call since creation
     pub rebuilds: u32,
     /// expected node and item tests of a random ray that meets the root box
     pub cost: f32,

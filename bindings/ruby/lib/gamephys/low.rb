@@ -155,6 +155,7 @@ module Gamephys
     attach_function :gphys_scene_penetration_filtered, [:pointer, :int32, :pointer, :pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_scene_penetration_filtered_batch, [:pointer, :int32, :pointer, :uint32, :uint32, :pointer, :uint32, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_scene_rebuild_octree, [:pointer], :int32
+    attach_function :gphys_scene_maintain_octree, [:pointer, :uint32, :pointer], :int32
     attach_function :gphys_scene_get_octree_stats, [:pointer, :pointer], :int32
     attach_function :gphys_scene_get_octree_boxes, [:pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_scene_validate, [:pointer], :int32

@@ -132,6 +132,7 @@ class LowFunctions {
     static native int gphys_scene_penetration_filtered(Pointer scene, int type, Pointer shape, Pointer filter, Pointer outPenetrations, int capacity, Pointer outTotal);
     static native int gphys_scene_penetration_filtered_batch(Pointer scene, int type, Pointer shapes, int shapeStride, int count, Pointer filters, int filterStride, Pointer outPenetrations, int capacity, Pointer outOffsets);
     static native int gphys_scene_rebuild_octree(Pointer scene);
+    static native int gphys_scene_maintain_octree(Pointer scene, int budget, Pointer outDone);
     static native int gphys_scene_get_octree_stats(Pointer scene, Pointer outStats);
     static native int gphys_scene_get_octree_boxes(Pointer scene, Pointer outBoxes, int capacity, Pointer outTotal);
     static native int gphys_scene_validate(Pointer scene);
