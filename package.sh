@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # Builds packages as users find them, into build/packages, and tests each from its file in an empty environment:
-#   ./package.sh NAME...   of npm wheel crate go nuget maven rock gem deb vcpkg conan; all: every one
+#   ./package.sh NAME...   of npm page wheel crate go nuget maven rock gem deb vcpkg conan; all: every one
 # Installs the tools that Debian has (packaging/tools.txt). The last line is "N passed, N failed", then what was skipped
 # or tested in part, with the reason.
 set -uo pipefail
 cd "$(dirname "$0")"
 source cmake/install_packages.sh
 
-known=(npm wheel crate go nuget maven rock gem deb vcpkg conan)
+known=(npm page wheel crate go nuget maven rock gem deb vcpkg conan)
 usage="usage: ./package.sh NAME... of ${known[*]}, or all"
 case ${1:-} in
     '') echo "$usage" >&2 && exit 2 ;;

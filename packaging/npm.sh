@@ -27,6 +27,10 @@ node -e '
     let loads = 0;
     for (let i = 0; i + 1 < code.length; ++i) if (code[i] === 0xfd && code[i + 1] === 0) ++loads;
     console.log(`gamephys.wasm: ${code.length} bytes, ${require("node:zlib").gzipSync(code).length} compressed, ${loads} loads of SIMD`);
+    // The sizes that its README states, to a tenth.
+    const [, size, packed] = /\(([\d.]+) MB, (\d+) KB with gzip\)/.exec(require("node:fs").readFileSync("node_modules/gamephys/README.md", "utf8"));
+    const near = (stated, bytes) => Math.abs(stated - bytes) < 0.1 * bytes;
+    if (!near(1e6 * size, code.length) || !near(1e3 * packed, require("node:zlib").gzipSync(code).length)) throw new Error("the README states other sizes");
     process.exit(loads > 1000 && WebAssembly.validate(code) ? 0 : 1);'
 
 cat >types.ts <<'END'

@@ -1,4 +1,4 @@
-// The mouse: what is under it, orbit, pan and zoom, a rectangle to select, the cloth to pull.
+// The mouse: what is under it, orbit, pan and zoom, a rectangle to select, bodies to pull.
 export class Controls {
     #mode;
     #from;
@@ -19,7 +19,7 @@ export class Controls {
             this.#from = at(event);
             if (event.button === 2) this.#mode = 'pan';
             else if (event.shiftKey) this.#mode = 'select';
-            else this.#mode = app.world.grab(...this.#from) ? 'cloth' : 'orbit';
+            else this.#mode = app.world.grab(...this.#from) ? 'pull' : 'orbit';
         });
         canvas.addEventListener('pointermove', (event) => {
             const to = at(event);
@@ -30,10 +30,10 @@ export class Controls {
             if (this.#mode === 'pan') camera.orbitPan(-right * app.metresPerPixel, down * app.metresPerPixel);
             if (this.#mode === 'orbit' || this.#mode === 'pan') this.#from = to;
             if (this.#mode === 'select') outline(to);
-            if (this.#mode === 'cloth') app.world.drag(...to);
+            if (this.#mode === 'pull') app.world.drag(...to);
         });
         canvas.addEventListener('pointerup', (event) => {
-            if (this.#mode === 'cloth') app.world.release();
+            if (this.#mode === 'pull') app.world.release();
             if (this.#mode === 'select') {
                 marquee.style.display = 'none';
                 const to = at(event);

@@ -1,6 +1,7 @@
-// The page: each frame moves the cloth, asks what is in view and under the mouse, and draws.
+// The page: each frame moves what bends, asks what is in view and under the mouse, and draws.
 import { Controls } from './controls.js';
 import { bunnyGeometry, objGeometry } from './meshes.js';
+import { PRESETS } from './presets.js';
 import { View } from './view.js';
 import { World } from './world.js';
 
@@ -30,11 +31,15 @@ const app = {
     mouse: undefined, // its pixel
     frames: 0,
     seconds: 0, // simulated
+    paused: false,
+    speed: 1,
 
     build() {
         this.world?.close();
         const positions = this.geometry.getAttribute('position').array, { array } = this.geometry.index;
-        this.world = new World(positions, Uint32Array.from(array), Number(element('count').value));
+        element('counted').hidden = element('preset').value !== 'statues';
+        const build = PRESETS[element('preset').value], count = Number(element('count').value);
+        this.world = new World(positions, Uint32Array.from(array), (world) => build(world, count));
         this.world.camera.setPerspective(FIELD_OF_VIEW, 0.1, 2000);
         this.resize();
         this.world.orbit();
@@ -63,7 +68,7 @@ const app = {
     frame(seconds) {
         const { world } = this;
         this.seconds += seconds;
-        timed('step', () => world.step(seconds));
+        if (seconds > 0) timed('step', () => world.step(seconds));
         world.camera.orbitUpdate();
         const visible = timed('cull', () => world.visible());
         const under = this.mouse && timed('pick', () => world.pick(...this.mouse));
@@ -71,13 +76,16 @@ const app = {
         this.visible = visible;
         element('visible').textContent = `${visible.length} of ${world.ids.length}`;
         element('hovered').textContent = !under ? 'nothing' : under.number === undefined ? 'ground' : `${under.number}, ${under.hit.t.toFixed(2)} m`;
-        element('contacts').textContent = world.contacts;
+        const { contact_count, strain_max } = world.solver.getStats(0);
+        element('contacts').textContent = contact_count;
+        element('strain').textContent = `${(100 * strain_max).toFixed(2)} %`;
         view.draw(visible, this.hovered, this.selected);
     },
 };
 
 new Controls(canvas, element('marquee'), app);
-element('count').addEventListener('change', () => app.build());
+for (const name of Object.keys(PRESETS)) element('preset').add(new Option(name));
+for (const choice of ['preset', 'count']) element(choice).addEventListener('change', () => app.build());
 element('octree').addEventListener('change', (event) => view.showOctree(event.target.checked));
 element('mesh').addEventListener('change', async ({ target }) => {
     if (!target.files.length) return;
@@ -85,11 +93,20 @@ element('mesh').addEventListener('change', async ({ target }) => {
     app.build();
 });
 addEventListener('resize', () => app.resize());
+addEventListener('keydown', ({ key, target }) => {
+    if (target.tagName === 'SELECT') return;
+    if (key === ' ') app.paused = !app.paused;
+    if (key === '.') app.paused = app.once = true; // a single step
+    if (key === '[') app.speed = Math.max(app.speed / 2, 1 / 16);
+    if (key === ']') app.speed = Math.min(app.speed * 2, 4);
+});
 
 app.build();
 let before = performance.now(), frames = 0, since = before;
 function loop(time) {
-    app.frame(Math.min(Math.max(0, time - before) / 1000, 1 / 30)); // where drawing is slow, slow motion
+    const passed = Math.min(Math.max(0, time - before) / 1000, 1 / 30); // where drawing is slow, slow motion
+    app.frame(app.once ? 1 / 60 : app.paused ? 0 : app.speed * passed);
+    app.once = false;
     before = time;
     frames += 1;
     app.frames += 1;

@@ -1,10 +1,12 @@
 // Draws the world with three.js: one instanced mesh for each kind, with what is in view only.
 import * as THREE from 'three';
-import { KINDS } from './world.js';
+import { CAPSULE } from './world.js';
+import { capsuleGeometry, DRAWN, points } from './bodies.js';
 
-const COLOURS = [0xc9b79c, 0x9fb8a8, 0xa9aec4].map((colour) => new THREE.Color(colour));
+const COLOURS = [0xc9b79c, 0x9fb8a8, 0xa9aec4, 0xa9aec4].map((colour) => new THREE.Color(colour));
 const HOVERED = new THREE.Color(0xff8a1f);
 const SELECTED = new THREE.Color(0x2f6fe4);
+const MATRIX = new THREE.Matrix4(), POSITION = new THREE.Vector3(), TURN = new THREE.Quaternion(), SCALE = new THREE.Vector3();
 
 export class View {
     constructor(canvas) {
@@ -26,36 +28,44 @@ export class View {
         this.world = world;
         this.stage = new THREE.Group();
         this.scene.add(this.stage);
+        this.octree = undefined;
 
-        const reach = 2 * 1.1 * Math.sqrt(world.ids.length + 40);
-        const ground = new THREE.Mesh(new THREE.PlaneGeometry(2 * reach, 2 * reach).rotateX(-Math.PI / 2),
+        const ground = new THREE.Mesh(new THREE.PlaneGeometry(4 * world.reach, 4 * world.reach).rotateX(-Math.PI / 2),
             new THREE.MeshLambertMaterial({ color: 0xcdd5cf, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }));
+        ground.visible = world.hasGround;
         this.stage.add(ground);
+        this.#showObjects(geometry);
+        this.bodies = world.bodies.map((body) => new DRAWN[body.kind](body, this.stage, world));
+        if (world.scan) this.scan = points(this.stage, world.scan.length);
+    }
 
-        const round = world.ids.length > 5000 ? 1 : 3; // subdivisions
+    /** An instanced mesh for each kind of object, and one for each capsule. */
+    #showObjects(geometry) {
+        const { world } = this, count = world.ids.length;
+        const round = count > 5000 ? 1 : 3; // subdivisions
         const geometries = [geometry, new THREE.IcosahedronGeometry(0.5, round).translate(0, 0.5, 0), new THREE.BoxGeometry(0.8, 0.8, 0.8).translate(0, 0.4, 0)];
-        this.matrices = new Float32Array(16 * world.ids.length);
-        const matrix = new THREE.Matrix4(), position = new THREE.Vector3(), turn = new THREE.Quaternion(), scale = new THREE.Vector3();
-        for (let i = 0; i < world.ids.length; ++i) {
-            const row = world.transforms.subarray(8 * i, 8 * i + 8);
-            matrix.compose(position.fromArray(row), turn.fromArray(row, 3), scale.setScalar(row[7])).toArray(this.matrices, 16 * i);
-        }
-        this.instances = KINDS.map((_, kind) => {
-            const count = world.kinds.reduce((sum, k) => sum + (k === kind), 0);
-            const mesh = new THREE.InstancedMesh(geometries[kind], new THREE.MeshLambertMaterial(), Math.max(1, count));
-            mesh.instanceColor = new THREE.InstancedBufferAttribute(new Float32Array(3 * Math.max(1, count)), 3);
+        this.instanceOf = Uint8Array.from(world.kinds, (kind, number) =>
+            kind === CAPSULE ? geometries.push(capsuleGeometry(world.capsules.get(number))) - 1 : kind);
+        this.colours = world.colours.map((colour, number) => (colour === undefined ? COLOURS[world.kinds[number]] : new THREE.Color(colour)));
+        this.matrices = new Float32Array(16 * count);
+        for (let number = 0; number < count; ++number) this.#place(number);
+        const counts = new Uint32Array(geometries.length);
+        for (const instance of this.instanceOf) ++counts[instance];
+        this.instances = geometries.map((shape, i) => {
+            const room = Math.max(1, counts[i]);
+            const mesh = new THREE.InstancedMesh(shape, new THREE.MeshLambertMaterial(), room);
+            mesh.instanceColor = new THREE.InstancedBufferAttribute(new Float32Array(3 * room), 3);
             mesh.frustumCulled = false; // the library has culled
             this.stage.add(mesh);
             return mesh;
         });
+    }
 
-        const cloth = new THREE.BufferGeometry();
-        cloth.setAttribute('position', new THREE.BufferAttribute(Float32Array.from(world.clothPositions.f32), 3));
-        cloth.setIndex(new THREE.BufferAttribute(world.clothTriangles, 1));
-        this.cloth = new THREE.Mesh(cloth, new THREE.MeshLambertMaterial({ color: 0xb23a48, side: THREE.DoubleSide }));
-        this.cloth.frustumCulled = false;
-        this.stage.add(this.cloth);
-        this.octree = undefined;
+    /** Put an object's matrix where the world has it. */
+    #place(number) {
+        const row = this.world.transforms.subarray(8 * number, 8 * number + 8);
+        SCALE.fromArray(this.world.sizes[number]).multiplyScalar(row[7]);
+        MATRIX.compose(POSITION.fromArray(row), TURN.fromArray(row, 3), SCALE).toArray(this.matrices, 16 * number);
     }
 
     /** Lines along the boxes of the scene's octree, or none. */
@@ -91,19 +101,18 @@ export class View {
 
     draw(visible, hovered, selected) {
         const { world, instances } = this;
+        for (const number of world.moved) this.#place(number);
+        world.moved.clear();
         for (const mesh of instances) mesh.count = 0;
         for (const number of visible) {
-            const kind = world.kinds[number], mesh = instances[kind], at = mesh.count++;
+            const mesh = instances[this.instanceOf[number]], at = mesh.count++;
             mesh.instanceMatrix.array.set(this.matrices.subarray(16 * number, 16 * number + 16), 16 * at);
-            const colour = number === hovered ? HOVERED : selected.has(number) ? SELECTED : COLOURS[kind];
+            const colour = number === hovered ? HOVERED : selected.has(number) ? SELECTED : this.colours[number];
             colour.toArray(mesh.instanceColor.array, 3 * at);
         }
         for (const mesh of instances) mesh.instanceMatrix.needsUpdate = mesh.instanceColor.needsUpdate = true;
-
-        const positions = this.cloth.geometry.getAttribute('position');
-        positions.array.set(world.clothPositions.f32);
-        positions.needsUpdate = true;
-        this.cloth.geometry.computeVertexNormals();
+        for (const body of this.bodies) body.update();
+        if (world.scan) this.#showScan();
 
         this.camera.matrixWorld.fromArray(world.camera.getWorldMatrix());
         this.camera.matrix.copy(this.camera.matrixWorld);
@@ -111,5 +120,16 @@ export class View {
         this.camera.projectionMatrix.fromArray(world.camera.getProjectionMatrix());
         this.camera.projectionMatrixInverse.copy(this.camera.projectionMatrix).invert();
         this.renderer.render(this.scene, this.camera);
+    }
+
+    /** A dot at each hit of the world's scan. */
+    #showScan() {
+        const { f32, u32, length, stride } = this.world.scan, attribute = this.scan.geometry.getAttribute('position');
+        let count = 0;
+        for (let i = 0, at = 0; i < length; ++i, at += stride / 4) {
+            if (u32[at] !== 0) attribute.array.set(f32.subarray(at + 3, at + 6), 3 * count++); // model, and the point
+        }
+        this.scan.geometry.setDrawRange(0, count);
+        attribute.needsUpdate = true;
     }
 }
