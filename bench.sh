@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Times the library and others beside it.
 #   ./bench.sh                     the quick report, about five minutes: build/bench/report.md
-#   ./bench.sh --report [--quick]  the report in full, some hours: docs/report.md, its figures and the README's table.
+#   ./bench.sh --report [--quick]  the report in full, an hour and a half: docs/report.md, its figures and the README's table.
 #                                  An interrupted run goes on where it was; --quick is a part of the work, in five
 #                                  minutes.
 #   ./bench.sh SUITE...            of scene mesh query update accuracy batches solver: build/bench/<suite>.csv with a
@@ -100,26 +100,8 @@ if [ ${#suites[@]} -gt 0 ] || [ $solver$batches = OFFOFF ]; then
     build/release/bench/gamephys_bench --out=build/bench "${suites[@]}" "${arguments[@]}"
 fi
 
-# One plot a case of the accuracy suite: false answers against time. None is drawn at 1e-7.
+# A plot of each suite, time against n, a line for each implementation and case; but of accuracy, which the report draws.
 accuracy=build/bench/accuracy.csv
-for case in $([ ! -f $accuracy ] || awk -F, 'NR>1 {print $2}' $accuracy | sort -u); do
-    gnuplot - <<PLOT
-set terminal pngcairo size 560,360
-set output "build/bench/accuracy_$case.png"
-set datafile separator ","
-set logscale xy
-set grid
-set yrange [5e-8:1]
-set xlabel "ns per operation"
-set ylabel "share of false answers"
-set title "$case" noenhanced
-set offsets graph 0.3, graph 0.3, 0, 0
-points = "< awk -F, -v OFS=, '\$2==\"$case\" {print \$5,(\$7>0?\$7:1e-7),\$3}' $accuracy"
-plot points using 1:2 with points pt 7 notitle, points using 1:2:3 with labels offset 0,1 noenhanced notitle
-PLOT
-done
-
-# One plot of each other suite: time against n, a line for each implementation and case.
 for csv in build/bench/*.csv; do
     [ -e "$csv" ] || continue # of the solver alone
     [ "$csv" != $accuracy ] || continue
@@ -169,9 +151,7 @@ fi
 
 python3 bench/report.py build/bench | tee build/bench/ratios.md
 if [ $docs = ON ] && [ -f $accuracy ]; then
-    python3 bench/accuracy.py build/bench docs/accuracy_scores.csv >build/bench/accuracy.md
-    cp build/bench/accuracy.md docs/accuracy.md
-    cp build/bench/accuracy_*.png docs/images/
+    python3 bench/accuracy.py build/bench docs/accuracy_scores.csv docs/accuracy.md
 fi
 if [ $docs = ON ] && [ $solver = ON ]; then
     python3 bench/report.py build/bench --docs-solver >docs/solver_figures.md

@@ -98,7 +98,9 @@ public:
     explicit Bench(const Options& options) : options_(options) {}
 
     bool quick() const { return options_.quick; }
-    uint32_t ray_count(uint32_t n) const { return options_.quick ? 50000 : n >= 1000000 ? 500000 : 1000000; }
+    uint32_t ray_count(uint32_t n) const {
+        return options_.quick ? 50000 : n >= 4000000 ? 200000 : n >= 1000000 ? 500000 : 1000000;
+    }
     uint32_t camera_width() const { return options_.quick ? 256 : 1024; }
     std::vector<gphys_ray> camera_rays(float half_side) const {
         return bench::camera_rays(half_side, camera_width(), camera_width() * 3 / 4);

@@ -16,11 +16,13 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+from matplotlib.ticker import FuncFormatter
 
 sys.path.insert(0, str(Path(__file__).parent / "figures"))
+from cases import CALLS, HARD
 from cost_error import figure as cost_error_figure
 from marks import look, shown
-from report import number, read, table, tables
+from report import QUANTILES, latencies, number, read, table, tables
 
 WRONG = ("WRONG_FRACTION", "DIFFERS", "FALSE_FRACTION")
 # Panels of ordinary work: title, then (case, what its label says behind the name of the library).
@@ -32,16 +34,20 @@ ORDINARY = [
     ("A random ray at a mesh", [("mesh_ray_random", "batch"), ("mesh_single_random", "")]),
     ("The nearest box to a point", [("nearest_box", "batch")]),
     ("A segment at boxes", [("segment", "batch")]),
-    ("A sphere swept at boxes", [("sweep_sphere", "batch")]),
 ]
-HARD = {
-    "boxes_random": "Random rays, many boxes", "leaks_near": "Rays out of a closed mesh",
-    "leaks_far": "The same, 370 km from the origin", "leaks_slivers": "The same, triangles of 1e6 : 1",
-    "ray_box_edges": "Rays at faces, edges and corners", "ray_sphere_tangent": "Tangents of a sphere from 1000 km",
-    "sphere_touches_box": "Spheres that touch a corner",
-}
+# Panels of the share of wrong answers. Where the answer is a number of models, the error is that share already.
+ANSWERS = [
+    ("A random ray at boxes", "scene_ray_random"), ("A ray at spheres", "sphere_ray_random"), ("A ray at convex hulls", "hull_ray_random"),
+    ("A segment at boxes", "segment"), ("Which boxes a sphere overlaps", "overlap_sphere"), ("Which boxes a box overlaps", "overlap_box"),
+    ("Which hulls contain a point", "hull_contains"), ("Culling, per box", "cull"), ("A sphere swept at boxes", "sweep_sphere"),
+    ("A capsule swept at boxes", "sweep_capsule"), ("A box swept at boxes", "sweep_box"), ("A capsule swept at convex hulls", "hull_sweep_capsule"),
+]
+COUNTED = ("overlap_sphere", "overlap_box", "hull_contains", "cull")
 SOLVER = {"chain_30": "Swinging chain: error after a second", "rope_1e3": "Rope of 1000 links, weight of 1000 links",
-          "ropes_1000x30": "1000 ropes of 30 links", "cloth_100": "Cloth of 100 x 100 on two corners"}
+          "ropes_1000x30": "1000 ropes of 30 links", "cloth_100": "Cloth of 100 x 100 on two corners",
+          "cloth_100_bend": "The cloth, stiff against bending", "free_100k_landing": "100,000 particles landing on boxes"}
+# The error of a panel of the solver, if it is not the strain: the column, and the label of the axis.
+SOLVER_ERRORS = {"chain_30": ("position_error", "distance, m"), "free_100k_landing": ("position_error", "depth in a box, m")}
 
 
 # Rows of the summary: what it is, and the case.
@@ -93,30 +99,35 @@ def percent(share):
 
 
 def ordinary_panels(rows):
-    """The panels, and a row for each library that gave wrong answers. Work that only gamephys does right has no panel:
-    nothing would be compared there."""
-    panels, wrong = [], []
+    """Libraries with wrong answers are left out: an error of distance would be meaningless for them. So is work where
+    nobody else is left."""
+    panels = []
     for title, cases in ORDINARY:
         points, n = [], 0
         for case, how in cases:
             n = largest(rows, case) or n
             for name, row in rows.get((case, n), {}).items():
-                if name.startswith("gamephys_2") or row["unit"] != "ns":
+                if name.startswith("gamephys_") or row["unit"] != "ns" or row["error_unit"] in WRONG:
                     continue
                 own_batch = name == "gamephys" or "packets" in name
                 singly = any(name in rows.get((other, largest(rows, other)), {}) for other, what in cases if not what)
                 if how and singly and not own_batch:
                     continue  # a loop of single calls, which the other case has
-                if row["error_unit"] in WRONG:
-                    if row["error"]:
-                        own = rows[case, n]["gamephys"]
-                        wrong.append([title + (", " + how if how else ""), shown(name), f"{number(row['value'])} ns", percent(row["error"]),
-                                      f"{number(own['value'])} ns", percent(own["error"]) if own["error_unit"] in WRONG else "0"])
-                    continue
                 points.append((row["value"], row["median"], row["error"], name, shown(name) + (f", {how}" if how and len(cases) > 1 and name == "gamephys" else "")))
-        if any(not library.startswith("gamephys") for *_, library, _ in points):
+        if any(library != "gamephys" for *_, library, _ in points):
             panels.append((f"{title} ({n:,})", points))
-    return panels, wrong
+    return panels
+
+
+def answer_panels(rows):
+    panels = []
+    for title, case in ANSWERS:
+        n = largest(rows, case)
+        points = [(row["value"], row["median"], row["error"] if case in COUNTED or row["error_unit"] in WRONG else 0, name, shown(name))
+                  for name, row in rows.get((case, n), {}).items() if not name.startswith("gamephys_") and "packets" not in name]
+        if len(points) > 1:
+            panels.append((f"{title} ({n:,})", points))
+    return panels
 
 
 def hard_panels(rows):
@@ -130,41 +141,65 @@ def hard_panels(rows):
 
 
 def solver_panels(rows):
-    panels = []
+    """(panels, the labels of their error axes)"""
+    panels, labels = [], []
     for case, title in SOLVER.items():
-        points = []
-        for row in rows:
-            if row["case"] != case or row["method"] == "2_apart":
-                continue
-            error = row["position_error"] if case == "chain_30" else row["strain_max"]
-            if error:
-                points.append((float(row["ms"]), 0, float(error), row["method"], f"{shown(row['method'])} {row['substeps']}"))
+        column, label = SOLVER_ERRORS.get(case, ("strain_max", "largest strain"))
+        points = [(float(row["ms"]), 0, float(row[column]), row["method"], f"{shown(row['method'])} {row['substeps']}")
+                  for row in rows if row["case"] == case and row[column]]
         if points:
             panels.append((title, points))
-    return panels
+            labels.append(label)
+    return panels, labels
 
 
-def growth(rows, path):
-    """Time of a ray against the number of boxes: single and batch, random and of a camera."""
-    drawing, grid = plt.subplots(1, 2, figsize=(12, 4.3), layout="constrained", sharey=True)
-    for axes, title, batch, single in ((grid[0], "Random rays", "scene_ray_random", "scene_single_random"),
-                                       (grid[1], "Rays of a camera", "scene_ray_rows", "scene_single_rows")):
-        for name in ("gamephys", "embree", "bullet"):
-            for case, style, how in ((batch, "-", "batch"), (single, "--", "single calls")):
-                if how == "batch" and name == "embree":
-                    continue  # a loop of single calls
-                points = sorted((n, by[name]["value"]) for (this, n), by in rows.items() if this == case and name in by)
-                if points:
-                    colour, marker = look(name)
-                    axes.loglog(*zip(*points), style, marker=marker, color=colour, label=f"{shown(name)}, {how}",
-                                markeredgecolor="white")
-        axes.set_title(title, loc="left")
-        axes.set_xlabel("boxes")
-    grid[0].set_ylabel("ns per ray")
-    grid[1].legend(loc="center left", bbox_to_anchor=(1, 0.5), handlelength=3.5)
+def save(drawing, path):
     drawing.savefig(path.with_suffix(".svg"), metadata={"Date": None})
     drawing.savefig(path.with_suffix(".png"))
     plt.close(drawing)
+
+
+def growth(rows, path):
+    """Time of a ray against the number of boxes: single calls and batches, random rays and those of a camera."""
+    lines = [("gamephys", "batch", "-", "gamephys, batch"), ("gamephys", "single", "--", "gamephys, single calls"),
+             ("embree", "single", "--", "Embree, single calls"), ("embree_packets", "batch", "-", "Embree, packets"),
+             ("bullet", "batch", "--", "Bullet, single calls")]
+    drawing, grid = plt.subplots(1, 2, figsize=(12, 4.3), layout="constrained", sharey=True)
+    legend = {}
+    for axes, title, of in ((grid[0], "Random rays", {"batch": "scene_ray_random", "single": "scene_single_random"}),
+                            (grid[1], "Rays of a camera", {"batch": "scene_ray_rows", "single": "scene_single_rows"})):
+        for name, how, style, label in lines:
+            points = sorted((n, by[name]["value"]) for (this, n), by in rows.items() if this == of[how] and name in by)
+            if points:
+                colour, marker = look(name)
+                legend[label], = axes.loglog(*zip(*points), style, marker=marker, color=colour, markeredgecolor="white")
+        axes.set_title(title, loc="left")
+        axes.set_xlabel("boxes")
+        axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:,.0f}"))
+        axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:,.0f}"))
+    grid[0].set_ylabel("ns per ray")
+    grid[1].legend(legend.values(), legend, loc="center left", bbox_to_anchor=(1, 0.5), handlelength=3.5)
+    save(drawing, path)
+
+
+def latency_figure(suites, path):
+    """The distribution of the times of single calls, at the largest number of objects for which all were measured."""
+    found = latencies(suites)
+    n = max(n for _, n in found)
+    calls = [call for call in CALLS if (call, n) in found][::-1]
+    drawing, axes = plt.subplots(figsize=(12, 0.5 * len(calls) + 1.2), layout="constrained")
+    shades = dict(zip(QUANTILES, ("#D55E00", "#E69F00", "#56B4E9", "#0072B2")))
+    for y, call in enumerate(calls):
+        times = found[call, n]
+        axes.plot([times["p50"], times["max"]], [y, y], color="#bbbbbb", zorder=1)
+        for end, marker in zip(QUANTILES, "osD^"):
+            axes.plot([times[end]], [y], marker, color=shades[end], markeredgecolor="white", label=QUANTILES[end] if y == 0 else None)
+    axes.set_xscale("log")
+    axes.set_yticks(range(len(calls)), [CALLS[call] for call in calls])
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value / 1000:,g} µs"))
+    axes.set_title(f"One call among {n:,} boxes", loc="left")
+    axes.legend(loc="center left", bbox_to_anchor=(1, 0.5))
+    save(drawing, path)
 
 
 def summary(rows):
@@ -224,13 +259,17 @@ Each panel is one kind of work. Left is faster, down is more exact; both axes ar
 
 ## Ordinary work
 
-The error is the largest relative error of a distance, in a sample compared with a loop in double precision. "0" means that every distance is the true one, rounded to float32.
+The error is the largest relative error of a distance, in a sample compared with a loop in double precision. "0" means that every distance is the true one, rounded to float32. Libraries with wrong answers are in the next figure only: an error of distance would be meaningless for them.
 
 ![Cost against error, ordinary work](images/report_ordinary.png)
 
-{wrong}## Hard cases
+Here the error is the share of wrong answers: a false or missed hit, another model at another distance, or another number of models.
 
-On this input floating-point formulas fail. The error is the share of wrong answers: a false hit or a missed one. The truth is known because the input consists of whole numbers, or because no ray leaves a closed surface.
+![Cost against wrong answers, ordinary work](images/report_answers.png)
+
+## Hard cases
+
+On most of this input floating-point formulas fail; the first four panels are plain work beside it. The error is the share of wrong answers: a false hit or a missed one. The truth is known because the input consists of whole numbers, or because no ray leaves a closed surface.
 
 ![Cost against false answers, hard cases](images/report_hard.png)
 
@@ -243,9 +282,19 @@ The error is the largest strain of rigid links, or the distance from a reference
 
 ![Cost against error, solver](images/report_solver.png)
 
+Energy over a million steps, beside the integrators of the *Game Physics Cookbook*. This figure does not depend on the machine; `./bench.sh energy` draws it.
+
+![Energy over a million steps](images/energy.png)
+
 ## Growth
 
 ![Time of a ray against the number of boxes](images/report_growth.png)
+
+## Latency
+
+Each call is timed alone, in three runs, of which the fastest counts: the median, the times below which 99 % and 99.9 % of the calls stay, and the longest.
+
+![Latency of single calls](images/report_latency.png)
 
 ## All kinds of work
 
@@ -258,24 +307,21 @@ The time of gamephys, and its ratio to that of each other library. † marks lib
 
 gamephys is built with the flags that users get and called through its C interface, in batches where they exist. The time ends when the answers are in memory. The box tests that a user writes for Embree are compiled for this processor; Embree's packets have sixteen rays and its flag for coherent rays.
 
-- `_camera` are the rays of an image in tiles of 8 by 8 pixels, `_rows` the same row by row, `_single_` calls for one ray each, `_miss` rays that point away from everything. `mesh_model_` are rays at a mesh that is the only model of a scene; other libraries have the mesh without a scene.
-- Bytes are all memory allocated through the libraries' allocator hooks, plus the boxes that Embree's tests read; `memory_peak_` is the maximum during the build.
-- `simd_blocks` is a linear scan over blocks of 64 neighbouring boxes, with a box around each block.
-- `gamephys_fresh` is a scene built from the same boxes in one batch, compared with one that grew or changed by single calls (`after_`).
-- `gamephys_plain` is the same query without a filter, compared with one that leaves out a model.
-- `add_`, `churn_` and `latency_` are single calls, each the fastest of three runs, with the default allocator: the median, the 99th and 99.9th percentile, and the longest.
-- `gamephys_2_apart` are two independent threads, each with half of the queries: the limit of the machine.
+- Rays of a camera come in tiles of 8 by 8 pixels, or row by row. A mesh is taken by itself, or as the only model of a scene; other libraries have it without a scene.
+- Memory is all that was allocated through the libraries' allocator hooks, plus the boxes that Embree's tests read.
+- "Linear scan of blocks" tests a box around each 64 neighbouring boxes first.
+- "Built anew" is a scene built from the same boxes in one batch, compared with one that grew or changed by single calls.
+- "Without a filter" is the same query, compared with one that leaves out a model.
+- "Multiplied vertices" is a mesh whose vertices were multiplied by the scale, compared with a model that has that scale. "As a mesh" are the hulls as meshes, which have no inside.
+- "Two independent threads" each have half of the work: the limit of the machine. Culling, moving, saving and loading use one thread.
+
+What a call costs from each language is in [bindings.md](bindings.md).
 
 [What limits the speed](limits_of_speed.md) explains the rows in which gamephys is slower.
 
 {rows}
 Each figure exists as SVG, too, beside the PNG. [accuracy.md](accuracy.md) has the promises, [solver.md](solver.md) the solver's cases.
 """
-
-WRONG_ANSWERS = """These libraries are not drawn, because some of their answers were wrong: a false or missed hit, another model at another distance, or another number of models. An error of distance would be meaningless for them.
-
-"""
-
 
 def put_summary(readme, text):
     before, rest = readme.read_text().split(MARKS[0])
@@ -288,24 +334,23 @@ def main():
     plt.style.use(str(Path(__file__).parent / "figures/style.mplstyle"))
     suites, solver, seconds, load_average = load(directory)
     rows = {key: by for cases in suites.values() for key, by in cases.items()}
-    ordinary, wrong = ordinary_panels(rows)
-    lost = cost_error_figure(images / "report_ordinary", ordinary, "ns per operation", "largest relative error")
-    lost += cost_error_figure(images / "report_hard", hard_panels(rows), "ns per operation", "false answers", percent=True)
-    solver_work = solver_panels(solver)
-    if not (ordinary and rows and solver_work):
+    ordinary, (solver_work, solver_errors) = ordinary_panels(rows), solver_panels(solver)
+    if not (ordinary and latencies(suites) and solver_work):
         sys.exit("the measurements are not complete: run_report.py goes on with them")
-    lost += cost_error_figure(images / "report_solver", solver_work, "ms per frame",
-                              ["distance, m" if "chain" in title else "largest strain" for title, _ in solver_work])
+    lost = cost_error_figure(images / "report_ordinary", ordinary, "ns per operation", "largest relative error")
+    lost += cost_error_figure(images / "report_answers", answer_panels(rows), "ns per operation", "wrong answers", percent=True)
+    lost += cost_error_figure(images / "report_hard", hard_panels(rows), "ns per operation", "false answers", percent=True)
+    lost += cost_error_figure(images / "report_solver", solver_work, "ms per frame", solver_errors)
     growth(rows, images / "report_growth")
+    latency_figure(suites, images / "report_latency")
     if lost:
         sys.exit("no room for these labels:\n" + "\n".join(lost))
     machine = (directory / "machine.txt").read_text().splitlines()
     quick = any(line.startswith("Work: a part") for line in machine)
     busy = ", so times are too long and ratios less certain: repeat it on a quiet machine" if load_average > 0.7 * os.cpu_count() else ""
-    wrong_table = WRONG_ANSWERS + table(["work", "library", "time", "wrong answers", "gamephys", "wrong answers"], wrong) + "\n" if wrong else ""
     page.write_text(PAGE.format(machine="  \n".join(machine) + "  ", minutes=math.ceil(seconds / 60), load=load_average, busy=busy,
-                                quick=" --quick" if quick else "", wrong=wrong_table, price=price(rows), summary=summary(rows),
-                                rows=tables(suites).replace("## ", "### ")))
+                                quick=" --quick" if quick else "", price=price(rows), summary=summary(rows),
+                                rows=tables(suites, solver).replace("## ", "### ")))
     for readme in sys.argv[4:]:
         put_summary(Path(readme), "  \n".join(machine) + "\n\n" + summary(rows))
 

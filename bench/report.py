@@ -9,9 +9,19 @@ import csv
 import pathlib
 import sys
 
+sys.path.insert(0, str(pathlib.Path(__file__).parent / "figures"))
+from cases import CALLS, SOLVER, words
+from marks import shown
+
 SUITES = ["scene", "mesh", "query", "update", "accuracy"]
-OTHERS = ["gamephys_fresh", "gamephys_plain", "embree", "embree_robust", "embree_packets", "embree_packets_robust", "bullet", "fcl", "nanoflann", "simd_sweep", "simd_blocks"]
+OTHERS = ["gamephys_fresh", "gamephys_plain", "gamephys_multiplied", "gamephys_mesh",
+          "embree", "embree_robust", "embree_packets", "embree_packets_robust",
+          "bullet", "fcl", "nanoflann", "simd_sweep", "simd_blocks"]
 WRONG = ("WRONG_FRACTION", "DIFFERS")
+TITLES = {"scene": "Rays at scenes", "mesh": "Meshes", "query": "Other queries", "update": "Scenes that change"}
+QUANTILES = {"p50": "median", "p99": "99 % are shorter", "p99_9": "99.9 % are shorter", "max": "longest"}
+# Calls that one thread answers.
+ONE_THREAD = ("cull", "update_all", "update_some", "replace_some", "save_scene", "save_scene_bytes", "load_scene")
 
 SOLVER_PAGE = """# Figures of the solver
 
@@ -20,10 +30,10 @@ SOLVER_PAGE = """# Figures of the solver
 Written by `./bench.sh solver --peers --docs`. A row is a case moved by a method; [solver.md](solver.md) describes the cases.
 
 - **substeps** are those of a 60 Hz frame; iterations for Bullet and Jakobsen.
-- **ms a frame** is the processor time of the median frame. For cases of threads it is wall time; `2_apart` are two independent threads with a solver each, and the time is that of both together.
+- **ms a frame** is the processor time of the median frame. For one and two threads it is wall time; "two independent threads" have a solver each, and the time is that of both together.
 - **stretch** and **compression** are relative to the length of rigid links: the largest of the run for cases that begin in free space.
-- `free_...` are particles that rain on boxes: all fly, land, or lie, and the mean of three seconds. Their error is the depth of the deepest particle in a box or the ground at the end.
-- `drape_within_2_percent` is `drape_over_mesh` with `max_strain` set to 2 %, over ten seconds: the mean of all frames and its average substeps, or the longest frame and the maximum of substeps.
+- The error of particles is the depth of the deepest one in a box or the ground at the end; that of the chain is the distance from a reference solution after a second.
+- Cloth within 2 % strain has `max_strain` set: the row has the mean of all frames of ten seconds and its average substeps, or the longest frame and the maximum of substeps.
 
 """
 
@@ -51,52 +61,64 @@ def table(head, rows):
     return "".join("| " + " | ".join(line) + " |\n" for line in lines) + "\n"
 
 
+def own_ratio(by, name):
+    """The time of gamephys / that of another, with a mark where the other's answers differ."""
+    if name not in by:
+        return ""
+    return number(by["gamephys"]["value"] / by[name]["value"]) + (" †" if by[name]["error_unit"] in WRONG and by[name]["error"] else "")
+
+
 def ratios(cases):
-    others = [name for name in OTHERS if any(name in case for case in cases.values())]
+    cases = {key: by for key, by in cases.items() if "gamephys" in by and not quantile(key[0])}
+    others = [name for name in OTHERS if any(name in by for by in cases.values())]
+    rows = [[words(case), f"{n:,}", f"{number(by['gamephys']['value'])} {by['gamephys']['unit']}", *(own_ratio(by, name) for name in others)]
+            for (case, n), by in cases.items()]
+    return table(["work", "objects", "gamephys", *map(shown, others)], rows) if rows else ""
+
+
+def quantile(case):
+    """(call, quantile) of a case that is a quantile of the times of single calls, or None."""
+    return next(((case[:-len(end) - 1], end) for end in QUANTILES if case.endswith("_" + end)), None)
+
+
+def latencies(suites):
+    """{(call, n): {quantile: ns}}"""
+    found = {}
+    for (case, n), by in suites.get("update", {}).items():
+        if quantile(case):
+            call, end = quantile(case)
+            found.setdefault((call, n), {})[end] = by["gamephys"]["value"]
+    return found
+
+
+def latency_table(suites):
+    rows = [[CALLS.get(call, call), f"{n:,}", *(f"{number(times[end])} ns" for end in QUANTILES)]
+            for (call, n), times in latencies(suites).items()]
+    return table(["single call", "objects", *QUANTILES.values()], rows) if rows else ""
+
+
+def thread_table(suites, solver):
+    """The speed-up by a second thread, beside that of two independent threads: what the machine allows."""
     rows = []
-    for (case, n), by in cases.items():
-        if "gamephys" not in by:
-            continue
-        own = by["gamephys"]
-        row = [f"`{case}`", f"{n:,}", f"{number(own['value'])} {own['unit']}"]
-        for name in others:
-            if name in by:
-                mark = " †" if by[name]["error_unit"] in WRONG else ""
-                row.append(number(own["value"] / by[name]["value"]) + mark)
-            else:
-                row.append("")
-        rows.append(row)
-    return table(["case", "objects", "gamephys"] + others, rows)
+    for cases in suites.values():
+        for (case, n), by in cases.items():
+            if {"gamephys", "gamephys_2_threads"} <= set(by) and case not in ONE_THREAD:
+                apart = by.get("gamephys_2_apart")
+                own = by["gamephys"]["value"]
+                rows.append([words(case), f"{n:,}", number(own / by["gamephys_2_threads"]["value"]),
+                             number(own / apart["value"]) if apart else ""])
+    ms = {(row["case"], row["method"]): float(row["ms"]) for row in solver}
+    for case, method in ms:
+        if method == "1_thread":
+            one = ms[case, method]
+            rows.append([SOLVER[case], "", number(one / ms[case, "2_threads"]), number(one / ms[case, "2_apart"])])
+    return table(["work", "objects", "speed-up by a second thread", "by two independent threads"], rows) if rows else ""
 
 
-def within(suites):
-    """gamephys beside itself."""
-    rows = []
-
-    def compare(what, suite, case, name, other_case, other_name, invert=False):
-        for (this, n), by in suites.get(suite, {}).items():
-            other = suites[suite].get((other_case, n), {}).get(other_name)
-            if this == case and name in by and other:
-                ratio = by[name]["value"] / other["value"]
-                apart = by.get("gamephys_2_apart") if invert else None
-                rows.append([what, f"{n:,}", number(1 / ratio if invert else ratio),
-                             number(other["value"] / apart["value"]) if apart else ""])
-
-    compare("any hit / closest hit", "scene", "scene_ray_any", "gamephys", "scene_ray_random", "gamephys")
-    compare("rays after 100 frames of motion / after a build", "update", "ray_after_update", "gamephys",
-            "ray_after_update", "gamephys_fresh")
-    for suite, cases in suites.items():
-        for case in dict.fromkeys(case for case, _ in cases):
-            if case != "cull":  # a single call, which one thread answers
-                compare(f"speed-up of `{case}` by a second thread", suite, case, "gamephys_2_threads", case,
-                        "gamephys", invert=True)
-    return table(["gamephys beside itself", "objects", "ratio", "two callers apart"], rows) if rows else ""
-
-
-def tables(suites):
-    text = "".join(f"## {suite}\n\n{ratios(cases)}" for suite, cases in suites.items() if suite != "accuracy")
-    own = within(suites)
-    return text + (f"## gamephys compared with itself\n\n{own}" if own else "")
+def tables(suites, solver=()):
+    parts = [(title, ratios(suites.get(suite, {}))) for suite, title in TITLES.items()]
+    parts += [("Single calls", latency_table(suites)), ("A second thread", thread_table(suites, solver))]
+    return "".join(f"## {title}\n\n{rows}" for title, rows in parts if rows)
 
 
 def solver_page(directory):
@@ -104,7 +126,7 @@ def solver_page(directory):
         return f"{100 * float(text):.2g} %" if text else ""
 
     with (directory / "solver.csv").open(newline="") as file:
-        rows = [[f"`{row['case']}`", row["method"], row["substeps"], number(float(row["ms"])),
+        rows = [[SOLVER.get(row["case"], f"`{row['case']}`"), shown(row["method"]), row["substeps"], number(float(row["ms"])),
                  percent(row["strain_max"]), percent(row["compression_max"]), percent(row["strain_rms"]), row["position_error"]]
                 for row in csv.DictReader(file)]
     machine = "  \n".join((directory / "machine.txt").read_text().splitlines())

@@ -14,12 +14,12 @@ import sys
 import time
 from pathlib import Path
 
-SOLVER = ["chain_30", "rope_1e3", "rope_1e6", "ropes_1000x30", "cloth_100", "cloth_100_bend"]
+SOLVER = ["chain_30", "rope_1e3", "ropes_1000x30", "cloth_100", "cloth_100_bend", "free_100k", "ropes_threads", "cloth_300_threads"]
 
 
 def parts(quick):
     """(name, program, arguments, seconds that it takes on a machine of two cores: for the first estimate)"""
-    sizes = {1000: 15, 10000: 25} if quick else {1000: 200, 10000: 240, 100000: 400, 1000000: 1500}
+    sizes = {1000: 15, 10000: 25} if quick else {1000: 200, 10000: 240, 100000: 400, 1000000: 900, 4000000: 900}
     extra = ["--quick"] if quick else []
     found = [(f"scene_{n}", "gamephys_bench", ["scene", f"--objects={n}", *extra], seconds) for n, seconds in sizes.items()]
     suites = {"accuracy": (25, 600), "mesh": (15, 300), "query": (25, 600), "update": (15, 200)}

@@ -26,8 +26,9 @@ class ErrorAxis:
 
     def __init__(self, errors, of_shares):
         positive = [error for error in errors if error > 0]
-        self.low = math.floor(math.log10(min(positive))) if positive else -8
-        self.high = math.ceil(math.log10(max(positive))) if positive else -4
+        nothing = (-3, -1) if of_shares else (-8, -4)  # the decades shown where no error is above zero
+        self.low = math.floor(math.log10(min(positive))) if positive else nothing[0]
+        self.high = math.ceil(math.log10(max(positive))) if positive else nothing[1]
         if of_shares:  # which end at 100 %
             self.high = min(self.high, 0)
             self.low = min(self.low, self.high - 2)
@@ -72,7 +73,7 @@ def panel(axes, title, points, cost_label, error_label, percent=False):
     axes.set_title(title, loc="left")
     axes.set_xlabel(cost_label)
     axes.set_ylabel(error_label)
-    scale.dress(axes, (lambda d: f"{100 * 10.0 ** d:g} %") if percent else power)
+    scale.dress(axes, (lambda d: f"{100 * 10.0 ** d:.{max(0, -2 - d)}f} %") if percent else power)
     line = front([(cost, error) for cost, _, error, _, _ in points])
     xs, ys = [line[0][0]], [axes.get_ylim()[1]]
     for cost, error in line:

@@ -18,7 +18,10 @@ LOOKS = {
 NAMES = {
     "gamephys_float": "gamephys, plain float tests", "embree": "Embree", "embree_robust": "Embree robust",
     "embree_packets": "Embree packets", "embree_packets_robust": "Embree robust packets", "bullet": "Bullet",
-    "fcl": "FCL", "simd_sweep": "SIMD sweep", "simd_blocks": "SIMD blocks", "xpbd": "XPBD", "jakobsen": "Jakobsen",
+    "gamephys_fresh": "built anew", "gamephys_plain": "without a filter", "gamephys_multiplied": "multiplied vertices",
+    "gamephys_mesh": "as a mesh", "1_thread": "gamephys, one thread", "2_threads": "gamephys, two threads",
+    "2_apart": "gamephys, two independent threads",
+    "fcl": "FCL", "simd_sweep": "linear scan", "simd_blocks": "linear scan of blocks", "xpbd": "XPBD", "jakobsen": "Jakobsen",
 }
 
 
