@@ -11,19 +11,20 @@ from pathlib import Path
 from reach.check import called, left_out
 
 sys.dont_write_bytecode = True
-# language: its name, the folder of its package, what carries its calls
+# language: its name, the folder of its package, what carries its calls, a call, what a query that finds nothing
+# returns, how an error arrives
 LANGUAGES = {
-    "c": ("C", "", ""),
-    "cpp": ("C++", "cpp", "two headers over the C header"),
-    "rust": ("Rust", "rust", "a crate without dependencies"),
-    "go": ("Go", "go", "cgo"),
-    "csharp": ("C# (Mono)", "csharp", "P/Invoke"),
-    "java": ("Java (JNA)", "java", "JNA"),
-    "python": ("Python", "python", "ctypes, numpy"),
-    "javascript": ("JavaScript (Node)", "javascript", "koffi"),
-    "wasm": ("JavaScript (WebAssembly)", "javascript", "the library as WebAssembly, in browsers and Node"),
-    "lua": ("Lua (LuaJIT)", "lua", "LuaJIT's FFI"),
-    "ruby": ("Ruby", "ruby", "the ffi gem"),
+    "c": ("C", "", "", "gphys_scene_raycast_batch(scene, ...)", "`GPHYS_NO_HIT`", "a negative status"),
+    "cpp": ("C++", "cpp", "two headers over the C header", "scene.raycast_batch(...)", "empty `std::optional`", "exception `gamephys::Error`"),
+    "rust": ("Rust", "rust", "a crate without dependencies", "scene.raycast_batch(...)", "`None`", "`Result`"),
+    "go": ("Go", "go", "cgo", "scene.RaycastBatch(...)", "`found` is false", "`*gamephys.Error`"),
+    "csharp": ("C# (Mono)", "csharp", "P/Invoke", "scene.RaycastBatch(...)", "`null`", "exception `GamephysException`"),
+    "java": ("Java (JNA)", "java", "JNA", "scene.raycastBatch(...)", "empty `Optional`", "exception `GamephysException`"),
+    "python": ("Python", "python", "ctypes, numpy", "scene.raycast_batch(...)", "`None`", "exception `gamephys.Error`"),
+    "javascript": ("JavaScript (Node)", "javascript", "koffi", "scene.raycastBatch(...)", "`null`", "exception `GamephysError`"),
+    "wasm": ("JavaScript (WebAssembly)", "javascript", "the library as WebAssembly, in browsers and Node", "scene.raycastBatch(...)", "`null`", "exception `GamephysError`"),
+    "lua": ("Lua (LuaJIT)", "lua", "LuaJIT's FFI", "scene:raycast_batch(...)", "`nil`", "error with `status`"),
+    "ruby": ("Ruby", "ruby", "the ffi gem", "scene.raycast_batch(...)", "`nil`", "exception `Gamephys::Error`"),
 }
 CASES = {"scalar": "number", "vec3": "vector", "raycast": "one ray", "raycast_batch": "ray of a batch"}
 # Languages without a package, and what keeps them from reading the header.
@@ -44,6 +45,10 @@ Each package has a short README, examples, and a method for each C function. Its
 
 {packages}
 
+The name of a method is that of the C function without prefix and object, in the style of the language. In all of them a batch takes your arrays. The reference lists every function, with examples in C: `./docs.sh` builds it.
+
+{names}
+
 D (ImportC) and PHP (FFI) read the preprocessed header, so their [examples](../examples/languages) call the C functions directly. LuaJIT and Python's cffi can read it too, and have packages. Other languages need their own declarations, or are untested:
 
 | language | why |
@@ -58,12 +63,12 @@ Nanoseconds per call through the package of the language, including the library'
 
 In a batch the language hardly matters: it is one call, and the arrays are not copied. WebAssembly runs the library's WebAssembly build, whose vectors have 128 bits instead of 256.
 
-## What the tests call
-
-The C functions that the tests of each package call, recorded by an interposed library ([bindings/reach](../bindings/reach)). Packages call some functions internally: those that destroy objects, fill in default settings and return the text of errors.
-
 {reach}
 """
+
+
+REACH = ("The tests of each package call every function of the header, which a recorder between package and library "
+         "sees ([bindings/reach](../bindings/reach))")
 
 
 def table(head, rows, align):
@@ -86,17 +91,16 @@ def main():
     costs = [[LANGUAGES[of][0], *(figure(times[of, case]) for case in CASES)] for of in measured]
     tested = [of for of in LANGUAGES if (calls / of).is_dir()]
     reached, excused = {of: called(calls, of) for of in tested}, left_out()
-    marks = [[f"`{name}`", *("✓" if name in reached[of] else "–" for of in tested)] for name in functions]
-    sums = ["together", *(str(sum(name in reached[of] for name in functions)) for of in tested)]
-    reach = table(["function", *(LANGUAGES[of][0] for of in tested)], [*marks, sums], ["---"] + [":-:"] * len(tested))
-    for of in tested:
-        for name, reason in excused.get(of, {}).items():
-            reach += f"\n\n{LANGUAGES[of][0]} leaves out `{name}`: {reason}."
+    missing = [f"- {LANGUAGES[of][0]} leaves out `{name}`: {excused.get(of, {}).get(name, 'its tests do not call it')}."
+               for of in tested for name in functions if name not in reached[of]]
+    reach = REACH + (", except:\n\n" + "\n".join(missing) if missing else ".")
     Path(sys.argv[3]).write_text(TEXT.format(
         machine=rows[0]["processor"], reach=reach,
         packages=table(["language", "package", "calls through"],
                        [[name, f"[{Path(folder).name}](../bindings/{folder})", through]
-                        for name, folder, through in LANGUAGES.values() if name != "C"], ["---"] * 3),
+                        for name, folder, through, *_ in LANGUAGES.values() if name != "C"], ["---"] * 3),
+        names=table(["language", "a call", "a query that finds nothing", "an error"],
+                    [[name, f"`{call}`", nothing, error] for name, _, _, call, nothing, error in LANGUAGES.values()], ["---"] * 4),
         others="\n".join(f"| {name} | {missing} |" for name, missing in OTHERS.items()),
         times=table(["", *CASES.values()], costs, ["---"] + ["--:"] * len(CASES))))
 

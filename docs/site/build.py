@@ -119,8 +119,8 @@ def main():
     (tree / "reference").mkdir()
     for name, text in reference.pages().items():
         (tree / "reference" / f"{name}.rst").write_text(text + "\n")
-    for paths in reference.callers.values():
-        for path in paths:
+    for calls in reference.callers.values():
+        for _, path, _, _ in calls:
             if not path.endswith(".md"):
                 (tree / path).parent.mkdir(parents=True, exist_ok=True)
                 shutil.copyfile(source / path, tree / path)
