@@ -64,7 +64,7 @@ int main(void) {
     const gphys_ray forward = {{25, 1, 0}, {0, 0, 1}, INFINITY};
     gphys_hit hit;
     MUST(gphys_scene_raycast(scene, &forward, GPHYS_ALL_LAYERS, &hit));
-    printf("ray: pyramid %u, triangle %u, %g m away\n", (unsigned)hit.model, (unsigned)hit.triangle, hit.t);
+    printf("ray: a pyramid, triangle %u, %g m away\n", (unsigned)hit.triangle, hit.t);
     EXPECT(hit.model == pyramids[5] && fabsf(hit.t - 9.5f) < 1e-6f && hit.normal.z < 0);
 
     /* Segment: a line of sight, first with the robot in the way, then looking past its layer. */
@@ -89,8 +89,7 @@ int main(void) {
     gphys_model_id found[3];
     uint32_t total = 0;
     EXPECT(gphys_scene_overlap(scene, GPHYS_SHAPE_AABB, &box, LAYER_WORLD, found, 3, &total) == GPHYS_INCOMPLETE);
-    printf("box: %u models, the first three are %u %u %u\n", (unsigned)total, (unsigned)found[0], (unsigned)found[1],
-           (unsigned)found[2]);
+    printf("box: %u models, and room for three of them\n", (unsigned)total);
     EXPECT(total == 5 && found[0] < found[1] && found[1] < found[2]);
 
     /* Sweep: a ball of radius 1 that falls from a height of 11 stops on the ground after 10 m. */

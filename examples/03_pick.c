@@ -67,7 +67,7 @@ int main(void) {
     gphys_hit hit;
     MUST(gphys_camera_project(camera, &shapes[0].center, &pixel));
     MUST(gphys_camera_pick(camera, scene, pixel.x, pixel.y, GPHYS_ALL_LAYERS, &hit));
-    printf("pixel (%.1f, %.1f) shows model %u\n", pixel.x, pixel.y, (unsigned)hit.model);
+    printf("pixel (%.1f, %.1f) shows the %s\n", pixel.x, pixel.y, hit.model == balls[0] ? "left ball" : "wrong ball");
     EXPECT(hit.model == balls[0]);
     MUST(gphys_camera_unproject(camera, &pixel, &back));
     EXPECT(fabsf(back.x + 4) < 1e-3f && fabsf(back.y) < 1e-3f && fabsf(back.z - 9) < 1e-3f);
@@ -85,8 +85,7 @@ int main(void) {
     gphys_hit behind[4];
     MUST(gphys_camera_pick_ray(camera, 320, 160, &ray));
     MUST(gphys_scene_raycast_all(scene, &ray, GPHYS_ALL_LAYERS, behind, 4, &total));
-    printf("after a quarter turn the middle pixel shows model %u, and %u models lie on its ray\n", (unsigned)hit.model,
-           (unsigned)total);
+    printf("after a quarter turn %u balls lie on the ray of the middle pixel\n", (unsigned)total);
     EXPECT(total == 3 && behind[0].model == hit.model && behind[1].model == balls[1]);
 
     gphys_camera_destroy(camera);

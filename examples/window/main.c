@@ -16,8 +16,7 @@
 
 static const char help[] =
     "drag: orbit, or pull cloth and ropes    shift+drag: select    right drag: pan    wheel: zoom\n"
-    "1-8: scene    space: pause    . step    [ ] speed    O octree    V cull seen from outside    R record    H help   "
-    " Esc";
+    "1-8: scene  space: pause  . step  [ ] speed  O octree  V cull seen from outside  R record  H help  Esc";
 
 typedef enum gesture { NOTHING, ORBIT, PAN, MARQUEE, PULL } gesture;
 

@@ -168,7 +168,8 @@ static void rope_bridge(stage* s) {
     add_ground(s);
     add_box(s, (gphys_vec3){-7, 0, -2}, (gphys_vec3){-4, 2.5f, 2}, stone);
     add_box(s, (gphys_vec3){4, 0, -2}, (gphys_vec3){7, 2.5f, 2}, stone);
-    gphys_body_desc desc = body(30, 0.05f);
+    gphys_body_desc desc = body(120, 0.05f); /* heavy and damped, so that the balls do not leap */
+    desc.damping = 2;
     desc.cloth_flags = GPHYS_CLOTH_BEND;
     desc.body_layers = 1;
     const gphys_body_id deck = add_cloth(s, &desc, (gphys_vec3){-4.1f, 2.56f, -0.6f}, (gphys_vec3){8.2f, 0, 0},

@@ -22,7 +22,7 @@ static class Program {
                 scene.AddBatch(mesh, pyramids, places);
             }
             var hit = scene.Raycast(new Ray((25, 1, 0), (0, 0, 1), float.PositiveInfinity)).Value;
-            Console.WriteLine($"ray: pyramid {hit.Model}, triangle {hit.Triangle}, {hit.T:F3} m away");
+            Console.WriteLine($"ray: a pyramid, triangle {hit.Triangle}, {hit.T:F3} m away");
             Expect(hit.Model == pyramids[5] && Math.Abs(hit.T - 9.5) < 1e-6, "the sixth pyramid is hit");
             Expect(scene.Raycast(new Ray((25, 1, 0), (0, 1, 0), float.PositiveInfinity)) == null, "nothing is above");
             Expect(scene.Overlap(new Aabb((-1, 0.5f, 8), (21, 1, 12))).Length == 5, "five pyramids reach into the box");

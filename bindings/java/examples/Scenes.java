@@ -36,7 +36,7 @@ public class Scenes {
             int hand = scene.add(new Sphere(new Vec3(0, 0, 0), 0.5f), at(0, 2, 0), new ModelDesc().layers(LAYER_ROBOT).parent(arm));
 
             Hit hit = scene.raycast(new Ray(new Vec3(25, 1, 0), new Vec3(0, 0, 1), Float.POSITIVE_INFINITY)).orElseThrow();
-            System.out.printf("ray: pyramid %d, triangle %d, %.1f m away%n", hit.model(), hit.triangle(), hit.t());
+            System.out.printf("ray: a pyramid, triangle %d, %.1f m away%n", hit.triangle(), hit.t());
             check(hit.model() == pyramids.get(5) && Math.abs(hit.t() - 9.5) < 1e-6);
 
             Segment sight = new Segment(new Vec3(0, 3, -10), new Vec3(0, 3, 0));

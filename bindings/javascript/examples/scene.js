@@ -17,7 +17,7 @@ const pyramids = scene.addBatch(mesh, places).u32;
 mesh.close();
 
 const hit = scene.raycast({ origin: [25, 1, 0], direction: [0, 0, 1], t_max: Infinity });
-console.log(`ray: pyramid ${hit.model}, triangle ${hit.triangle}, ${hit.t.toFixed(3)} m away`);
+console.log(`ray: a pyramid, triangle ${hit.triangle}, ${hit.t.toFixed(3)} m away`);
 assert.strictEqual(hit.model, pyramids[5]);
 assert.strictEqual(scene.raycast([[25, 1, 0], [0, 1, 0], Infinity]), null);
 assert.strictEqual(scene.overlap(gp.aabb([-1, 0.5, 8], [21, 1, 12])).length, 5);

@@ -19,7 +19,7 @@ local arm = scene:add(gp.Capsule({ 0, 0, 0 }, { 0, 1, 0 }, 0.2), { { 0, 1, -5 },
 local hand = scene:add(gp.Sphere({ 0, 0, 0 }, 0.5), { { 0, 2, 0 }, { 0, 0, 0, 1 }, 1 }, { layers = LAYER_ROBOT, parent = arm })
 
 local hit = scene:raycast(gp.Ray({ 25, 1, 0 }, { 0, 0, 1 }, math.huge))
-print(('ray: pyramid %d, triangle %d, %g m away'):format(hit.model, hit.triangle, hit.t))
+print(('ray: a pyramid, triangle %d, %g m away'):format(hit.triangle, hit.t))
 assert(hit.model == pyramids[5] and math.abs(hit.t - 9.5) < 1e-6)
 
 local sight = gp.Segment({ 0, 3, -10 }, { 0, 3, 0 })

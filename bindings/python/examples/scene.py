@@ -28,7 +28,7 @@ with gp.Scene() as scene:
                      gp.ModelDesc(layers=LAYER_ROBOT, parent=arm))
 
     hit = scene.raycast(gp.Ray((25, 1, 0), (0, 0, 1), math.inf))
-    print(f"ray: pyramid {hit.model}, triangle {hit.triangle}, {hit.t:g} m away")
+    print(f"ray: a pyramid, triangle {hit.triangle}, {hit.t:g} m away")
     assert hit.model == pyramids[5] and abs(hit.t - 9.5) < 1e-6
 
     sight = gp.Segment((0, 3, -10), (0, 3, 0))

@@ -26,7 +26,7 @@ Scene.open do |scene|
   hand = scene.add(Sphere.new([0, 0, 0], 0.5), [[0, 2, 0], STILL, 1], layers: LAYER_ROBOT, parent: arm)
 
   hit = scene.raycast(Ray.new([25, 1, 0], [0, 0, 1], Float::INFINITY))
-  puts format('ray: pyramid %<model>d, triangle %<triangle>d, %<t>g m away', hit.to_h)
+  puts format('ray: a pyramid, triangle %<triangle>d, %<t>g m away', hit.to_h)
   assert hit.model == pyramids[5] && (hit.t - 9.5).abs < 1e-6
 
   sight = Segment.new([0, 3, -10], [0, 3, 0])

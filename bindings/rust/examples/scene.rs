@@ -16,7 +16,7 @@ fn main() -> Result<()> {
     }
     let ahead = Ray::new([25.0, 1.0, 0.0], [0.0, 0.0, 1.0], f32::INFINITY);
     let hit = scene.raycast(&ahead, ALL_LAYERS)?.expect("a pyramid");
-    println!("ray: pyramid {}, triangle {}, {:.3} m away", hit.model, hit.triangle, hit.t);
+    println!("ray: a pyramid, triangle {}, {:.3} m away", hit.triangle, hit.t);
     assert!(hit.model == pyramids[5] && (hit.t - 9.5).abs() < 1e-6);
     assert!(scene.raycast(&Ray { direction: [0.0, 1.0, 0.0].into(), ..ahead }, ALL_LAYERS)?.is_none());
     assert_eq!(scene.overlap(&Aabb::new([-1.0, 0.5, 8.0], [21.0, 1.0, 12.0]), ALL_LAYERS)?.len(), 5);

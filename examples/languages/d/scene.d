@@ -44,7 +44,7 @@ void main() {
     gphys_hit hit;
     auto forward = gphys_ray(gphys_vec3(25, 1, 0), gphys_vec3(0, 0, 1), float.infinity);
     enforce(gphys_scene_raycast(scene, &forward, allLayers, &hit).must == GPHYS_OK);
-    writefln("ray: pyramid %s, triangle %s, %s m away", hit.model, hit.triangle, hit.t);
+    writefln("ray: a pyramid, triangle %s, %s m away", hit.triangle, hit.t);
     enforce(hit.model == pyramids[5] && isClose(hit.t, 9.5, 1e-6));
 
     auto sight = gphys_segment(gphys_vec3(0, 3, -10), gphys_vec3(0, 3, 0));

@@ -36,7 +36,7 @@ $hand = $add($gp->GPHYS_SHAPE_SPHERE, $ball, value('gphys_transform', [[0, 2, 0]
 $hit = $gp->new('gphys_hit');
 $forward = value('gphys_ray', [[25, 1, 0], [0, 0, 1], INF]);
 must($gp->gphys_scene_raycast($scene, FFI::addr($forward), ALL_LAYERS, FFI::addr($hit)));
-echo "ray: pyramid $hit->model, triangle $hit->triangle, $hit->t m away\n";
+echo "ray: a pyramid, triangle $hit->triangle, $hit->t m away\n";
 expect($hit->model === $pyramids[5] && abs($hit->t - 9.5) < 1e-6);
 
 $sight = value('gphys_segment', [[0, 3, -10], [0, 3, 0]]);

@@ -49,7 +49,7 @@ func main() {
 	ray := gamephys.Ray{Origin: gamephys.Vec(25, 1, 0), Direction: gamephys.Vec(0, 0, 1), TMax: infinity}
 	hit, found, err := scene.Raycast(ray, gamephys.AllLayers)
 	try(err)
-	fmt.Printf("ray: pyramid %d, triangle %d, %.3f m away\n", hit.Model, hit.Triangle, hit.T)
+	fmt.Printf("ray: a pyramid, triangle %d, %.3f m away\n", hit.Triangle, hit.T)
 	expect(found && hit.Model == pyramids[5] && math.Abs(float64(hit.T)-9.5) < 1e-6, "the sixth pyramid is hit")
 	ray.Direction = gamephys.Vec(0, 1, 0)
 	_, found, err = scene.Raycast(ray, gamephys.AllLayers)
