@@ -162,14 +162,22 @@ TEST_CASE("a snapshot's arrays of a body have the lengths that belong together")
     REQUIRE(takes(rope, [](Body&) {}));
     REQUIRE(takes(sheet, [](Body&) {}));
     const Change longer[] = {
-        [](Body& b) { b.particles.velocity.emplace_back(); }, [](Body& b) { b.particles.force.emplace_back(); },
-        [](Body& b) { b.particles.mass.push_back(1); },       [](Body& b) { b.particles.inverse_mass.push_back(1); },
-        [](Body& b) { b.particles.radius.push_back(0); },     [](Body& b) { b.constraints.by_slot.push_back({}); },
-        [](Body& b) { b.cloth.rest_position.resize(10); },    [](Body& b) { b.contacts.self.placed.resize(10); },
-        [](Body& b) { b.history.start.resize(10); },          [](Body& b) { b.history.start_velocity.resize(10); },
-        [](Body& b) { b.contacts.points.resize(10); },        [](Body& b) { b.contacts.stuck.resize(10); },
-        [](Body& b) { b.cloth.search_balls.resize(10); },     [](Body& b) { b.cloth.triangles.push_back(0); },
-        [](Body& b) { b.settings.self_collision = 2; },       [](Body& b) { b.settings.self_collision ^= 1; },
+        [](Body& b) { b.particles.velocity.emplace_back(); },
+        [](Body& b) { b.particles.force.emplace_back(); },
+        [](Body& b) { b.particles.mass.push_back(1); },
+        [](Body& b) { b.particles.inverse_mass.push_back(1); },
+        [](Body& b) { b.particles.radius.push_back(0); },
+        [](Body& b) { b.constraints.by_slot.push_back({}); },
+        [](Body& b) { b.cloth.sheet.rest_position.resize(10); },
+        [](Body& b) { b.contacts.self.placed.resize(10); },
+        [](Body& b) { b.history.start.resize(10); },
+        [](Body& b) { b.history.start_velocity.resize(10); },
+        [](Body& b) { b.contacts.points.resize(10); },
+        [](Body& b) { b.contacts.stuck.resize(10); },
+        [](Body& b) { b.cloth.cache.search_balls.resize(10); },
+        [](Body& b) { b.cloth.sheet.triangles.push_back(0); },
+        [](Body& b) { b.settings.self_collision = 2; },
+        [](Body& b) { b.settings.self_collision ^= 1; },
     };
     for (const Change& change : longer) {
         INFO(&change - longer);
@@ -179,7 +187,7 @@ TEST_CASE("a snapshot's arrays of a body have the lengths that belong together")
     // A body has particles, and some arrays may be missing.
     Memory memory(nullptr);
     CHECK(defect(Body(&memory)) != nullptr);
-    CHECK(takes(sheet, [](Body& b) { b.cloth.rest_position.clear(); }));
+    CHECK(takes(sheet, [](Body& b) { b.cloth.sheet.rest_position.clear(); }));
     CHECK(takes(rope, [](Body& b) { b.history.start.clear(), b.history.start_velocity.clear(); }));
     CHECK(takes(
         sheet, [](Body& b) { b.contacts.points.resize(9 * contact_points_per_particle), b.contacts.stuck.resize(9); }));
@@ -227,19 +235,19 @@ TEST_CASE("a snapshot's numbers of a body are in their ranges, each by itself") 
         rope, [](Body& b) -> Vec3& { return b.history.start_velocity.resize(4), b.history.start_velocity.back(); },
         speed);
     check_vector(
-        sheet, [](Body& b) -> Vec3& { return b.cloth.rest_position.back(); }, place);
+        sheet, [](Body& b) -> Vec3& { return b.cloth.sheet.rest_position.back(); }, place);
     check_vector(
-        sheet, [](Body& b) -> Vec3& { return b.cloth.origin; }, place);
+        sheet, [](Body& b) -> Vec3& { return b.cloth.state.origin; }, place);
 
     CHECK(takes(sheet, [](Body& b) { b.contacts.stuck.assign(9, 1); }));
     CHECK_FALSE(takes(sheet, [](Body& b) { b.contacts.stuck.assign(9, 1), b.contacts.stuck.back() = 2; }));
-    for (Vector<float> Cloth::*const floats : {&Cloth::moved, &Cloth::velocity_before}) {
-        CHECK(takes(sheet, [&](Body& b) { (b.cloth.*floats).assign(1, 1e30f); }));
-        CHECK_FALSE(takes(sheet, [&](Body& b) { (b.cloth.*floats).assign(1, HUGE_VALF); }));
+    for (Vector<float> ClothState::*const floats : {&ClothState::moved, &ClothState::velocity_before}) {
+        CHECK(takes(sheet, [&](Body& b) { (b.cloth.state.*floats).assign(1, 1e30f); }));
+        CHECK_FALSE(takes(sheet, [&](Body& b) { (b.cloth.state.*floats).assign(1, HUGE_VALF); }));
     }
-    const uint32_t corners = static_cast<uint32_t>(sheet.cloth.triangles.size());
+    const uint32_t corners = static_cast<uint32_t>(sheet.cloth.sheet.triangles.size());
     REQUIRE(corners > 0);
-    CHECK_FALSE(takes(sheet, [](Body& b) { b.cloth.triangles.back() = 9; }));
+    CHECK_FALSE(takes(sheet, [](Body& b) { b.cloth.sheet.triangles.back() = 9; }));
 }
 
 TEST_CASE("a snapshot's masses are positive, of pinned particles too, and fit their inverses") {
@@ -284,19 +292,19 @@ TEST_CASE("a snapshot's touches, boxes and looks around are of numbers") {
         CHECK_FALSE(takes(sheet, [&](Body& b) { b.sleep.box.min[i] = -HUGE_VALF; }));
         CHECK_FALSE(takes(sheet, [&](Body& b) { b.sleep.box.max[i] = HUGE_VALF; }));
     }
-    const auto with_look = [&](size_t number, float value) {
+    const auto with_search = [&](size_t number, float value) {
         return takes(sheet, [&](Body& b) {
-            b.cloth.search_balls.assign(size_t{4} * 9, 1);
-            b.cloth.search_balls[size_t{4} * 8 + number] = value;
+            b.cloth.cache.search_balls.assign(size_t{4} * 9, 1);
+            b.cloth.cache.search_balls[size_t{4} * 8 + number] = value;
         });
     };
     const float far = 4 * GPHYS_MAX_COORDINATE, further = std::nextafter(far, HUGE_VALF);
     for (size_t axis = 0; axis < 3; ++axis) {
-        CHECK(with_look(axis, -far));
-        CHECK_FALSE(with_look(axis, -further));
+        CHECK(with_search(axis, -far));
+        CHECK_FALSE(with_search(axis, -further));
     }
-    for (const float reach : {0.0f, far, Cloth::no_ball}) CHECK(with_look(3, reach));
-    for (const float reach : {-0.5f, further, HUGE_VALF}) CHECK_FALSE(with_look(3, reach));
+    for (const float reach : {0.0f, far, ContactCache::no_ball}) CHECK(with_search(3, reach));
+    for (const float reach : {-0.5f, further, HUGE_VALF}) CHECK_FALSE(with_search(3, reach));
 }
 
 TEST_CASE("a snapshot's impulses are of numbers, and by model") {
@@ -433,7 +441,7 @@ void reverse_family(Plan& plan, size_t family) {
     }
 }
 
-TEST_CASE("in a snapshot's plan of cloth the longest chain of a family comes first, others in any order") {
+TEST_CASE("in a snapshot's plan of cloth the longest chain of a colour comes first, others in any order") {
     Bodies bodies;
     Body& sheet = bodies.sheet();
     const Plan& plan = sheet.plan;
@@ -460,7 +468,7 @@ TEST_CASE("a snapshot's plan of cloth has each constraint once, and solves side 
     REQUIRE(plan.chains.size() > 2);
     REQUIRE(plan.colours.size() > 2);
     REQUIRE(plan.reach_current);
-    REQUIRE_FALSE(sheet.cloth.reach_limits.empty());
+    REQUIRE_FALSE(sheet.cloth.reach.limits.empty());
     CHECK(taken([](Body&) {}));
     CHECK_FALSE(taken([](Body& b) { b.plan.particles.back() = 9; }));
 
@@ -507,12 +515,12 @@ TEST_CASE("a snapshot's plan of cloth has each constraint once, and solves side 
     CHECK_FALSE(taken([](Body& b) { b.constraints.by_slot[b.plan.slots[1]].limit ^= 1; }));
 
     // Limits lead from a free particle to a pinned one.
-    CHECK_FALSE(taken([](Body& b) { b.cloth.reach_limits.back().particle = 9; }));
-    CHECK_FALSE(taken([](Body& b) { b.cloth.reach_limits.back().anchor = 9; }));
-    CHECK_FALSE(taken([](Body& b) { b.cloth.reach_limits.back().particle = 0; }));
-    CHECK_FALSE(taken([](Body& b) { b.cloth.reach_limits.back().anchor = 1; }));
+    CHECK_FALSE(taken([](Body& b) { b.cloth.reach.limits.back().particle = 9; }));
+    CHECK_FALSE(taken([](Body& b) { b.cloth.reach.limits.back().anchor = 9; }));
+    CHECK_FALSE(taken([](Body& b) { b.cloth.reach.limits.back().particle = 0; }));
+    CHECK_FALSE(taken([](Body& b) { b.cloth.reach.limits.back().anchor = 1; }));
     const auto distance = [&](double metres) {
-        return taken([&](Body& b) { b.cloth.reach_limits.back().distance = metres; });
+        return taken([&](Body& b) { b.cloth.reach.limits.back().distance = metres; });
     };
     CHECK(distance(0));
     CHECK(distance(4 * range * IdTable::capacity));

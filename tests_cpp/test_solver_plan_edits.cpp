@@ -46,12 +46,13 @@ void check_lists(const World& world, gphys_body_id id) {
     if (!is_graph(body)) return;
     const auto braces = [&] {
         std::vector<bool> out;
-        for (const KeptLinks::Link& link : body.cloth.batches.kept.links) out.push_back(link.brace);
+        for (const KeptLinks::Link& link : body.cloth.relaxation.kept.links) out.push_back(link.brace);
         return out;
     };
     const std::vector<bool> followed = braces();
     body.cloth.rigid.braces.clear();
-    list_kept_links(body);
+    list_kept_links(body.cloth.relaxation.kept, body.cloth.batches, body.cloth.rigid, body.plan, body.particles.size(),
+                    body.constraints.ids.slots(), body.kind == GPHYS_BODY_CLOTH);
     CHECK(braces() == followed);
 }
 

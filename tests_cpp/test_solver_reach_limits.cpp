@@ -53,7 +53,7 @@ size_t check_limits(const Body& body) {
             if (!body.particles.pinned(p) && from[pin][p] < infinity) wanted[p].push_back(from[pin][p]);
         }
     }
-    for (const ReachLimit& limit : body.cloth.reach_limits) {
+    for (const ReachLimit& limit : body.cloth.reach.limits) {
         REQUIRE(body.particles.pinned(limit.anchor));
         REQUIRE(limit.distance == from[limit.anchor][limit.particle] * (1 + 1e-6));
         found[limit.particle].push_back(limit.distance);
@@ -64,7 +64,7 @@ size_t check_limits(const Body& body) {
         for (double& distance : wanted[p]) distance *= 1 + 1e-6;
         REQUIRE(found[p] == wanted[p]);
     }
-    return body.cloth.reach_limits.size();
+    return body.cloth.reach.limits.size();
 }
 
 bool same_limits(const Vector<ReachLimit>& a, const Vector<ReachLimit>& b) {
@@ -84,17 +84,20 @@ TEST_CASE(
         const uint32_t size = 5 + random.index(60);
         Body body = random_graph(random, size, 2 * size, 1 + random.index(12));
         update_plan(body);
+        const auto find_limits = [&] {
+            plan_reach_limits(body.cloth.reach, body.cloth.rigid, body.particles, body.cloth.sheet);
+        };
         count += check_limits(body);
         for (int edit = 0; edit < 4; ++edit) {
             double& inverse_mass = body.particles.inverse_mass[random.index(size)];
             inverse_mass = inverse_mass == 0 ? 1 : 0;
-            plan_reach_limits(body);
+            find_limits();
             check_limits(body);
             // In the same order as those that are found all at once.
-            const Vector<ReachLimit> followed = body.cloth.reach_limits;
-            body.cloth.pin_ways.clear();
-            plan_reach_limits(body);
-            REQUIRE(same_limits(followed, body.cloth.reach_limits));
+            const Vector<ReachLimit> followed = body.cloth.reach.limits;
+            body.cloth.reach.paths.clear();
+            find_limits();
+            REQUIRE(same_limits(followed, body.cloth.reach.limits));
         }
     }
     CHECK(count > 5000);

@@ -272,7 +272,7 @@ gphys_status gphys_solver_get_body_info(const gphys_solver* solver, gphys_body_i
         const Body& b = unwrap(solver)->body(body);
         const gphys_solve_method method = b.plan.chains_current ? b.plan.method : method_of(b);
         *out_info = {b.kind, method, b.particles.size(), b.constraints.ids.size(),
-                     static_cast<uint32_t>(b.cloth.triangles.size() / 3)};
+                     static_cast<uint32_t>(b.cloth.sheet.triangles.size() / 3)};
         return GPHYS_OK;
     });
 }
@@ -293,7 +293,7 @@ gphys_status gphys_solver_get_triangles(const gphys_solver* solver, gphys_body_i
         GPHYS_REQUIRE_POINTERS(solver);
         GPHYS_TRY(unwrap(solver)->check(body));
         GPHYS_TRY(check_list("out_indices", out_indices, capacity, out_total));
-        const Vector<uint32_t>& indices = unwrap(solver)->body(body).cloth.triangles;
+        const Vector<uint32_t>& indices = unwrap(solver)->body(body).cloth.sheet.triangles;
         const uint32_t total = static_cast<uint32_t>(indices.size());
         std::copy_n(indices.begin(), std::min(total, capacity), out_indices);
         return listed(total, capacity, out_total);

@@ -364,7 +364,7 @@ gphys_status gphys_solver_get_volume(const gphys_solver* solver, gphys_body_id b
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_held_volume(solver, body));
         const Body& b = unwrap(solver)->body(body);
-        if (out_volume) *out_volume = to_float(volume_of(b));
+        if (out_volume) *out_volume = to_float(volume_of(b.cloth.sheet, b.particles));
         if (out_pressure) *out_pressure = to_float(b.cloth.volume.pressure);
         return GPHYS_OK;
     });

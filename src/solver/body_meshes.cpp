@@ -9,7 +9,7 @@ uint32_t link_count(const Body& body) { return body.kind == GPHYS_BODY_ROPE ? bo
 
 /// Triangles of cloth; for a link from a to b: a, b, b; for a ball three times its particle.
 Vector<uint32_t> indices_of(const Body& body, std::pmr::memory_resource* memory) {
-    if (body.kind == GPHYS_BODY_CLOTH) return Vector<uint32_t>(body.cloth.triangles, memory);
+    if (body.kind == GPHYS_BODY_CLOTH) return Vector<uint32_t>(body.cloth.sheet.triangles, memory);
     Vector<uint32_t> indices(memory);
     indices.reserve(size_t{3} * (link_count(body) + body.particles.size()));
     for (uint32_t p = 0; p < link_count(body); ++p) indices.insert(indices.end(), {p, p + 1, p + 1});
@@ -49,8 +49,8 @@ bool nearest_particle(const Body& body, uint32_t triangle, Vec3 point, uint32_t&
     if (triangle == GPHYS_NO_TRIANGLE) {
         for (uint32_t p = 0; p < body.particles.size(); ++p) offer(p);
     } else if (body.kind == GPHYS_BODY_CLOTH) {
-        if (triangle >= body.cloth.triangles.size() / 3) return false;
-        for (size_t corner = 0; corner < 3; ++corner) offer(body.cloth.triangles[size_t{3} * triangle + corner]);
+        if (triangle >= body.cloth.sheet.triangles.size() / 3) return false;
+        for (size_t corner = 0; corner < 3; ++corner) offer(body.cloth.sheet.triangles[size_t{3} * triangle + corner]);
     } else {
         const uint32_t links = link_count(body);
         if (triangle >= links + body.particles.size()) return false;
@@ -108,7 +108,7 @@ bool BodyMeshes::fits(const Mesh& mesh, const Body& body) {
     const bool is_cloth = body.kind == GPHYS_BODY_CLOTH;
     if (is_cloth != (mesh.kind() == MeshKind::body_surface) || mesh.vertices().size() != body.particles.size())
         return false;
-    if (is_cloth) return mesh.indices() == body.cloth.triangles;
+    if (is_cloth) return mesh.indices() == body.cloth.sheet.triangles;
     return mesh.triangle_count() == link_count(body) + body.particles.size();
 }
 

@@ -109,11 +109,11 @@ gphys_status Solver::add_cloth(const gphys_body_desc& desc, Vec3 corner, Vec3 ed
                                                               edge_v * (static_cast<double>(row) / (rows - 1));
         }
     }
-    body.cloth.triangles.reserve(size_t{6} * (columns - 1) * (rows - 1));
+    body.cloth.sheet.triangles.reserve(size_t{6} * (columns - 1) * (rows - 1));
     for (uint32_t row = 0; row + 1 < rows; ++row) {
         for (uint32_t column = 0; column + 1 < columns; ++column) {
             const uint32_t a = row * columns + column, b = a + 1, c = a + columns, d = c + 1;
-            body.cloth.triangles.insert(body.cloth.triangles.end(), {a, b, c, c, b, d});
+            body.cloth.sheet.triangles.insert(body.cloth.sheet.triangles.end(), {a, b, c, c, b, d});
         }
     }
 
@@ -130,7 +130,7 @@ gphys_status Solver::add_cloth(const gphys_body_desc& desc, Vec3 corner, Vec3 ed
         directions.push_back({1, -1, shear});
         // Both diagonals make each cell rigid in its plane, so no two particles can be farther apart than in the flat
         // sheet.
-        if (shear == 0) body.cloth.rest_position = body.particles.position;
+        if (shear == 0) body.cloth.sheet.rest_position = body.particles.position;
     }
     if (desc.cloth_flags & GPHYS_CLOTH_BEND) {
         directions.push_back({0, 2, bend});
@@ -162,14 +162,14 @@ gphys_status Solver::add_cloth_mesh(const gphys_body_desc& desc, const Mesh& mes
     const uint32_t count = static_cast<uint32_t>(mesh.vertices().size());
     Body body = make_body(GPHYS_BODY_CLOTH, desc, count, &memory);
     for (uint32_t p = 0; p < count; ++p) body.particles.position[p] = placement.apply(widen(mesh.vertices()[p]));
-    body.cloth.triangles.assign(mesh.indices().begin(), mesh.indices().end());
+    body.cloth.sheet.triangles.assign(mesh.indices().begin(), mesh.indices().end());
 
     Vector<Side3> sides(&memory);
-    sides.reserve(body.cloth.triangles.size());
-    for (size_t i = 0; i < body.cloth.triangles.size(); i += 3) {
+    sides.reserve(body.cloth.sheet.triangles.size());
+    for (size_t i = 0; i < body.cloth.sheet.triangles.size(); i += 3) {
         for (size_t k = 0; k < 3; ++k) {
-            const uint32_t a = body.cloth.triangles[i + k], b = body.cloth.triangles[i + (k + 1) % 3];
-            if (a != b) sides.push_back({std::min(a, b), std::max(a, b), body.cloth.triangles[i + (k + 2) % 3]});
+            const uint32_t a = body.cloth.sheet.triangles[i + k], b = body.cloth.sheet.triangles[i + (k + 1) % 3];
+            if (a != b) sides.push_back({std::min(a, b), std::max(a, b), body.cloth.sheet.triangles[i + (k + 2) % 3]});
         }
     }
     std::sort(sides.begin(), sides.end());

@@ -21,7 +21,7 @@ void change_length(Body& body, uint32_t slot, double to) {
     }
     // A sheet that does not keep its lengths is no longer flat, and may be larger.
     if (constraint.compliance == 0 && to > constraint.rest) {
-        body.cloth.rest_position.clear();
+        body.cloth.sheet.rest_position.clear();
         body.plan.reach_current = false;
     }
     constraint.rest = to;
@@ -52,14 +52,14 @@ ChangedLink in_cloth(const ClothBatches& batches, uint32_t place, uint32_t limit
     return found;
 }
 
-void set_length_in_cloth(ClothBatches& batches, const ChangedLink& link, double rest) {
+void set_length_in_cloth(ClothBatches& batches, KeptLinks& kept, const ChangedLink& link, double rest) {
     const float narrowed = static_cast<float>(rest);
     batches.rest[link.place] = narrowed;
     if (!batches.target.empty()) batches.target[link.place] = narrowed;
     if (link.damped != ChangedLink::none) batches.damped[link.damped].rest = rest;
     if (link.limit != ChangedLink::none) batches.limits[link.limit].rest = narrowed;
-    const uint32_t kept = batches.kept.by_place[link.place];
-    if (kept != KeptLinks::none) batches.kept.links[kept].rest = narrowed;
+    const uint32_t number = kept.by_place[link.place];
+    if (number != KeptLinks::none) kept.links[number].rest = narrowed;
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ void set_constraint_settings(Body& body, const gphys_constraint_id* ids, const g
         constraint.damping = from[i].damping;
         // A constraint that is no longer rigid must not limit the reach of particles; one that is rigid now must.
         if (was_rigid != (constraint.compliance == 0))
-            body.cloth.rest_position.clear(), body.plan.reach_current = false;
+            body.cloth.sheet.rest_position.clear(), body.plan.reach_current = false;
         const double rest = from[i].rest_length;
         change_length(
             body, slot,
@@ -129,7 +129,7 @@ void change_lengths(Body& body, double fraction) {
         const double to = body.constraints.by_slot[change.slot].rest;
         const double rest = fraction < 1 ? change.from + (to - change.from) * fraction : to;
         if (is_graph(body)) {
-            set_length_in_cloth(body.cloth.batches, link, rest);
+            set_length_in_cloth(body.cloth.batches, body.cloth.relaxation.kept, link, rest);
         } else {
             plan.rest[link.place] = body.rope.damped_rest[link.place] = rest < rope_shortest ? 0 : rest;
         }

@@ -60,8 +60,8 @@ gphys_status remove_constraint(Body& body, gphys_constraint_id id) {
     body.plan.chains_current = in_plan;
     if (in_plan) remove_from_plan(body, slot);
     interrupt(body);
-    if (!body.cloth.rest_position.empty()) body.plan.reach_current = false;
-    body.cloth.rest_position.clear();
+    if (!body.cloth.sheet.rest_position.empty()) body.plan.reach_current = false;
+    body.cloth.sheet.rest_position.clear();
     return GPHYS_OK;
 }
 

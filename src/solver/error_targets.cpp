@@ -39,7 +39,10 @@ void for_each_advance(const Body& body, Visit&& visit) {
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (body.particles.pinned(p)) continue;
         if (graph) {
-            visit({at(body.cloth.moved, p), {}, at(body.cloth.velocity_before, p), body.particles.velocity[p]});
+            visit({at(body.cloth.state.moved, p),
+                   {},
+                   at(body.cloth.state.velocity_before, p),
+                   body.particles.velocity[p]});
         } else {
             visit({body.particles.position[p] - body.history.start[p], body.history.earlier_velocity[p],
                    body.history.start_velocity[p], body.particles.velocity[p]});
@@ -115,14 +118,14 @@ uint32_t substeps_near_models(const Cloth& cloth, const SolverSettings& settings
     // A particle that lands on a model stops, and bends the cloth behind it. If no particle goes farther than this
     // fraction of a link's length in a substep, the links can be relaxed; at twice the distance some end 4 % too long.
     constexpr double longest_way = 0.5;
-    if (settings.max_strain == 0 || cloth.most_strain == 0 || cloth.batches.link_length == 0) return 0;
+    if (settings.max_strain == 0 || cloth.relaxation.most_strain == 0 || cloth.batches.link_length == 0) return 0;
     const double count = std::ceil(dt * fastest / (longest_way * cloth.batches.link_length));
     return count_of(count, settings.max_substeps);
 }
 
 uint32_t substeps_of_rest(const Body& body, const SolverSettings& settings, double dt, double done, uint32_t made) {
-    if (settings.max_strain == 0 || body.cloth.most_strain == 0 || made >= settings.max_substeps) return 0;
-    const double wanted = std::max(body.cloth.wanted_substep, dt / settings.max_substeps);
+    if (settings.max_strain == 0 || body.cloth.relaxation.most_strain == 0 || made >= settings.max_substeps) return 0;
+    const double wanted = std::max(body.cloth.relaxation.wanted_substep, dt / settings.max_substeps);
     const double count = std::ceil(dt * (1 - done) / wanted);
     return count_of(count, settings.max_substeps - made);
 }
@@ -136,7 +139,7 @@ void adapt_substep(Body& body, const SolverSettings& settings, double dt, uint32
     if (settings.max_strain == 0 && settings.tolerance == 0) return;
     const double h = dt / substeps;
     double part = 0;  // of the target: the measured error relative to the allowed one
-    const bool relaxed = body.cloth.most_strain > 0;
+    const bool relaxed = body.cloth.relaxation.most_strain > 0;
     if (body.plan.method != GPHYS_SOLVE_FREE) {
         if (settings.max_strain > 0 && !relaxed) part = std::max(part, largest_strain(body) / settings.max_strain);
         if (settings.tolerance > 0) part = std::max(part, error_rate(body, h) / settings.tolerance);
@@ -146,7 +149,7 @@ void adapt_substep(Body& body, const SolverSettings& settings, double dt, uint32
     const double last = body.substeps.wanted > 0 ? body.substeps.wanted : h;
     double wanted =
         std::min(h * std::max(factor, most_shrinking), last * (relaxed ? most_growth_relaxed : most_growth));
-    if (relaxed) wanted = std::min(wanted, body.cloth.wanted_substep);
+    if (relaxed) wanted = std::min(wanted, body.cloth.relaxation.wanted_substep);
     body.substeps.wanted = std::min(std::max(wanted, dt / settings.max_substeps), dt);
 }
 

@@ -182,9 +182,7 @@ void Solver::move_island(const Island& island, const Scene* scene, double dt) {
         add_attached_impulses(body, beginning, 1, {}, 0);
         begin_air(body, gravity, dt);
         substeps = std::max(substeps, std::min(substeps_of(body, state_.settings, dt), body.substeps.allowed));
-        if (body.plan.method != GPHYS_SOLVE_GRAPH) return;
-        begin_cloth(body, beginning, gravity);
-        if (body.plan.joined) begin_joined_cloth(body.cloth);
+        if (body.plan.method == GPHYS_SOLVE_GRAPH) begin_cloth(body, beginning, gravity);
     });
     if (island.colliding_count > 0) particle_contacts_.begin(island, state_.bodies, slots);
     for (uint32_t i = 1; i <= substeps; ++i) {

@@ -53,8 +53,9 @@ void each_kept_array(Body& body, bool collides, Visit&& visit) {
     if (body.plan.method != GPHYS_SOLVE_FREE || body.plan.joined) {
         visit(body.history.start, body.particles.size());
         if (is_graph(body)) {
-            visit(body.cloth.moved, cloth_floats(body));
-            visit(body.cloth.velocity_before, cloth_floats(body));
+            const size_t floats = cloth_floats(body.particles.size(), body.cloth.batches.spare);
+            visit(body.cloth.state.moved, floats);
+            visit(body.cloth.state.velocity_before, floats);
         } else {
             visit(body.history.start_velocity, body.particles.size());
         }
@@ -71,9 +72,7 @@ void make_room(Body& body, bool collides) {
     // What sticks is looked at in steps without a scene, too.
     if (collides || !body.contacts.stuck.empty()) body.contacts.held.resize(body.particles.size());
     if (is_graph(body)) {
-        reserve_cloth(body);
-        if (body.plan.joined) reserve_joined_cloth(body.cloth);
-        if (collides) reserve_cloth_contacts(body);
+        reserve_cloth(body, collides);
     } else if (body.plan.method != GPHYS_SOLVE_FREE || body.plan.joined) {
         body.history.predicted.resize(body.particles.size());
         body.rope.solved.resize(body.particles.size());
@@ -132,7 +131,7 @@ void Solver::prepare_body(uint32_t slot, const Scene* scene, double dt) {
         before_.push_back(std::move(before));
     }
     if (lost) {
-        before_.back().reach_limits.swap(body.cloth.reach_limits);
+        before_.back().reach_limits.swap(body.cloth.reach.limits);
         release_lost(body, scene);
     }
     if (changed) joints_current_ = false;
@@ -142,8 +141,8 @@ void Solver::prepare_body(uint32_t slot, const Scene* scene, double dt) {
     // What systems of joints have placed stays there.
     const bool relaxed = is_graph(body) && !body.plan.joined;
     const double most_strain = state_.settings.max_strain > 0 ? state_.settings.max_strain : usual_cloth_strain;
-    body.cloth.most_strain = relaxed ? most_strain : 0;
-    body.cloth.braces_yield = state_.settings.max_strain == 0;
+    body.cloth.relaxation.most_strain = relaxed ? most_strain : 0;
+    body.cloth.relaxation.braces_yield = state_.settings.max_strain == 0;
     if (body.settings.self_collision && (changed || body.contacts.self.linked_begin.empty())) list_linked(body);
     make_room(body, scene && body.settings.layers != 0);
     reserve_air(body);
@@ -171,7 +170,7 @@ void Solver::Before::put_back(Body& body) {
     body.plan.reach_current = reach_current;
     if (attachments.empty()) return;
     body.plan.pins_packed = false;
-    body.cloth.reach_limits.swap(reach_limits);
+    body.cloth.reach.limits.swap(reach_limits);
     body.constraints.attachments.swap(attachments);
     for (const Attachment& attachment : body.constraints.attachments)
         body.particles.inverse_mass[attachment.particle] = 0;
@@ -250,7 +249,7 @@ void Solver::list_near_models(const Scene& scene, double dt) {
     for (const ActiveBody& moving : moving_) {
         Body& body = state_.bodies[moving.slot];
         reserve_impulses(body, moving.models_near + moved_.size());
-        if (body.plan.method == GPHYS_SOLVE_GRAPH) body.cloth.contacts.moving_colliders.reserve(moved_.size());
+        if (body.plan.method == GPHYS_SOLVE_GRAPH) body.cloth.moving_colliders.reserve(moved_.size());
     }
     find_disturbed(scene);
 }

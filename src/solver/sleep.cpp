@@ -19,8 +19,8 @@ bool is_slow(const Particles& particles, double speed) {
 /// falling flap, even of a few particles, soon exceeds the bound for single particles.
 bool goes_slowly(const Body& body, double speed, double dt) {
     constexpr double most = 10;  // times the average, of each particle
-    ClothWay all;
-    for (const ClothWay& part : body.cloth.ways) {
+    ClothTravel all;
+    for (const ClothTravel& part : body.cloth.shares.travels) {
         all.sum += part.sum;
         all.longest = std::max(all.longest, part.longest);
     }
@@ -31,10 +31,10 @@ bool goes_slowly(const Body& body, double speed, double dt) {
 
 /// Of rigid constraints only: elastic ones may be at rest at any length, and so may yielding braces of cloth.
 bool is_hardly_strained(const Body& body, double strain) {
-    if (is_graph(body) && body.cloth.braces_yield) {
+    if (is_graph(body) && body.cloth.relaxation.braces_yield) {
         // The strain that relax_links leaves, and that models may cause beyond it.
-        strain = std::max(strain, 1.5 * body.cloth.most_strain);
-        const Vector<KeptLinks::Link>& links = body.cloth.batches.kept.links;
+        strain = std::max(strain, 1.5 * body.cloth.relaxation.most_strain);
+        const Vector<KeptLinks::Link>& links = body.cloth.relaxation.kept.links;
         return std::all_of(links.begin(), links.end(), [&](const KeptLinks::Link& link) {
             const double error = distance(body.particles.position[link.a], body.particles.position[link.b]) - link.rest;
             return link.brace || (link.limit && error < 0) || std::fabs(error) <= strain * link.rest;
@@ -69,7 +69,7 @@ void wake(Body& body) {
     body.sleep.calm = 0;
     body.sleep.asleep = false;
     body.particles.extent.reset();
-    body.cloth.search_balls.clear();
+    body.cloth.cache.search_balls.clear();
 }
 
 bool is_calm(Body& body, const SolverSettings& settings, double dt) {

@@ -32,8 +32,8 @@ bool is_in_range(const Body& body) {
     if (!all_within(farthest_place, body.particles.position) || !all_within(fastest_particle, body.particles.velocity))
         return false;
     if (!is_graph(body)) return all_finite(body.rope.tension);
-    return all_within(far_range, body.history.start) && all_finite(body.cloth.moved) &&
-           all_finite(body.cloth.velocity_before) && is_finite(body.cloth.volume.pressure) &&
+    return all_within(far_range, body.history.start) && all_finite(body.cloth.state.moved) &&
+           all_finite(body.cloth.state.velocity_before) && is_finite(body.cloth.volume.pressure) &&
            is_finite(body.cloth.balance.lost);
 }
 
@@ -44,10 +44,10 @@ void bring_back(Body& body) {
     clear_contact_points(body);
     if (!body.history.start.empty()) body.history.start = body.particles.position;
     if (!body.history.start_velocity.empty()) body.history.start_velocity = body.particles.velocity;
-    for (Vector<float>* values : {&body.cloth.moved, &body.cloth.velocity_before}) {
+    for (Vector<float>* values : {&body.cloth.state.moved, &body.cloth.state.velocity_before}) {
         std::fill(values->begin(), values->end(), 0.0f);
     }
-    body.cloth.search_balls.clear();
+    body.cloth.cache.search_balls.clear();
     body.cloth.balance.lost = 0;
     std::fill(body.rope.tension.begin(), body.rope.tension.end(), 0.0);
     body.cloth.volume.pressure = 0;

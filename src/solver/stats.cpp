@@ -17,7 +17,8 @@ void add(const Body& body, Vec3 gravity, Totals& totals) {
             totals.kinetic += 0.5 * body.particles.mass[p] * length_squared(body.particles.velocity[p]);
         totals.potential -= body.particles.mass[p] * dot(gravity, body.particles.position[p]);
     }
-    if (body.cloth.volume.held) totals.potential += stored_in_volume(body, volume_of(body));
+    if (body.cloth.volume.held)
+        totals.potential += stored_in_volume(body.cloth.volume, volume_of(body.cloth.sheet, body.particles));
     totals.constraints += body.constraints.ids.size();
     for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
         if (!body.constraints.ids.live(slot)) continue;

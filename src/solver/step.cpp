@@ -207,9 +207,9 @@ void Solver::move_undisturbed(const Task& task, uint32_t worker, const Scene* sc
 void Solver::move_shared(const ActiveBody& moving, const Scene* scene, double dt) {
     Team team;
     Cloth& cloth = state_.bodies[moving.slot].cloth;
-    cloth.team = &team;
+    cloth.shares.team = &team;
     workers_.run(workers_.count(), [&](uint32_t) { team.join([&] { move_through(moving, 0, scene, dt); }); });
-    cloth.team = nullptr;
+    cloth.shares.team = nullptr;
 }
 
 void Solver::show_all(Vec3 shift) noexcept {

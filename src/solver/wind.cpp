@@ -21,7 +21,8 @@ public:
     }
 
     void add_triangles() {
-        for (size_t i = 0; i < body_.cloth.triangles.size(); i += 3) add_triangle(&body_.cloth.triangles[i]);
+        for (size_t i = 0; i < body_.cloth.sheet.triangles.size(); i += 3)
+            add_triangle(&body_.cloth.sheet.triangles[i]);
     }
     void add_links() {
         for (uint32_t slot = 0; slot < body_.constraints.ids.slots(); ++slot) {
@@ -121,7 +122,7 @@ void reserve_air(Body& body) {
     if (!body.air.blows()) return;
     body.air.force.resize(body.particles.size());
     body.air.rate.resize(body.particles.size());
-    if (is_graph(body)) body.air.steady.resize(body.cloth.acceleration.size());
+    if (is_graph(body)) body.air.steady.resize(body.cloth.state.acceleration.size());
 }
 
 void begin_air(Body& body, Vec3 gravity, double dt) {
@@ -148,29 +149,30 @@ void end_air(Body& body) {
 /// Uses the velocities that the time scheme would give to particles without other forces.
 void blow_cloth(Body& body, const CollisionContext& around, double h) {
     Cloth& cloth = body.cloth;
-    if (around.begin == 0) std::copy(cloth.acceleration.begin(), cloth.acceleration.end(), body.air.steady.begin());
+    if (around.begin == 0)
+        std::copy(cloth.state.acceleration.begin(), cloth.state.acceleration.end(), body.air.steady.begin());
     const TimeScheme scheme(h, body.history.earlier_step);
     const double drag = scheme.drag(body.settings.damping);
     const auto at = [](const Vector<float>& values, uint32_t p) {
         const float* value = &values[4 * size_t{p}];
         return Vec3{value[0], value[1], value[2]};
     };
-    const auto place = [&](uint32_t p) { return at(cloth.at, p); };
+    const auto place = [&](uint32_t p) { return at(cloth.state.at, p); };
     const auto relative = [&](uint32_t p) {
-        const Vec3 now = at(cloth.velocity, p), air = velocity_at(body.air, p);
+        const Vec3 now = at(cloth.state.velocity, p), air = velocity_at(body.air, p);
         if (body.particles.pinned(p) || scheme.earlier == 0) return now - air;
-        return scheme.from_history(now, at(cloth.velocity_before, p)) / scheme.next - air;
+        return scheme.from_history(now, at(cloth.state.velocity_before, p)) / scheme.next - air;
     };
     add_up(body, place, relative, 1 / (drag * h));
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (body.particles.pinned(p)) continue;
-        put(&cloth.acceleration[4 * size_t{p}],
+        put(&cloth.state.acceleration[4 * size_t{p}],
             at(body.air.steady, p) + body.air.force[p] * body.particles.inverse_mass[p]);
     }
     if (!around.scene) return;
     for (const Attachment& attachment : body.constraints.attachments) {
         const uint32_t p = attachment.particle;
-        add_impulse(body, around, attachment.model, cloth.origin + at(cloth.at, p), body.air.force[p] * h);
+        add_impulse(body, around, attachment.model, cloth.state.origin + at(cloth.state.at, p), body.air.force[p] * h);
     }
 }
 

@@ -1,4 +1,4 @@
-// Chains and limits of cloth, as cloth_kernels.h takes them.
+// Chains of cloth in the layout of cloth_kernels.h: eight side by side, colour after colour (plan_cloth.cpp).
 #pragma once
 
 #include "foundation/math.h"
@@ -7,25 +7,8 @@
 
 namespace gphys {
 
-struct Body;
-
-/// A way of known length from a pinned particle, along rigid links.
-struct ReachWay {
-    double length;
-    uint32_t particle, anchor;
-
-    /// The shortest first; equal ones in an order that is always the same.
-    bool operator<(const ReachWay& other) const {
-        if (length != other.length) return length < other.length;
-        return particle != other.particle ? particle < other.particle : anchor < other.anchor;
-    }
-};
-
-/// No further than this from a pinned particle.
-struct ReachLimit {
-    uint32_t particle, anchor;
-    double distance;
-};
+struct Constraints;
+struct Plan;
 
 /// A damped link and the particles at its ends.
 struct DampedInCloth {
@@ -38,26 +21,7 @@ struct LimitInCloth {
     uint32_t a, b;
     float rest;
 };
-/// Rigid links that relax_links keeps within a strain, and those at each particle.
-struct KeptLinks {
-    static constexpr uint32_t none = 0xffffffff;
-
-    struct Link {
-        uint32_t a, b;
-        double rest;
-        bool limit;  // whether it only pulls
-        bool brace;  // which yields without a target
-    };
-
-    explicit KeptLinks(std::pmr::memory_resource* memory)
-        : links(memory), by_place(memory), begin(memory), at(memory) {}
-
-    Vector<Link> links;
-    Vector<uint32_t> by_place;   // by place in ClothBatches::rest: the link there, or none
-    Vector<uint32_t> begin, at;  // at[begin[p] .. begin[p + 1]]: the links at particle p
-};
-/// Chains and limits of cloth, packed for cloth_kernels.h. Lanes that are left over hold two
-/// particles beyond the last one, which do not move.
+/// Lanes that are left over hold two particles beyond the last one, which do not move.
 struct ClothBatches {
     explicit ClothBatches(std::pmr::memory_resource* memory)
         : chains(memory),
@@ -70,12 +34,7 @@ struct ClothBatches {
           damped(memory),
           target(memory),
           limits(memory),
-          limited(memory),
-          anchors(memory),
-          ranks(memory),
-          distances(memory),
-          rows(memory),
-          kept(memory) {}
+          rows(memory) {}
 
     Vector<ChainBatch> chains;  // colour after colour
     Vector<uint32_t> colours;   // the first batch of each, and the end: those of a colour share no particle
@@ -90,19 +49,14 @@ struct ClothBatches {
     Vector<DampedInCloth> damped;
     Vector<float> target;  // rest, in which those that are damped change; empty if none is
     Vector<LimitInCloth> limits;
-    Vector<uint32_t> limited, anchors;
-    Vector<uint32_t> ranks;  // in them: the first of each rank, and the end; a rank has no particle twice
-    Vector<float> distances;
     uint32_t longest = 0;    // links
     double link_length = 0;  // metres, the average
     Vector<float> rows;      // room for the longest chain, of each who works on the body
-    KeptLinks kept;
 };
 
-/// plan_cloth.cpp, reach_limits.cpp and kept_links.cpp: of a plan that is current. They throw std::bad_alloc.
-void pack_cloth_chains(Body& body);
-void pack_pins(Body& body);
-void plan_reach_limits(Body& body);
-void list_kept_links(Body& body);
+/// Of a plan that is current. Throw std::bad_alloc.
+void pack_cloth_chains(ClothBatches& batches, const Plan& plan, uint32_t particles);
+/// Notes which chains move particles that are attached to models.
+void mark_attached(ClothBatches& batches, const Constraints& constraints, uint32_t particles);
 
 }  // namespace gphys

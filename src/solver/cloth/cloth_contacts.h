@@ -19,11 +19,15 @@
 
 #include "foundation/math.h"
 #include "foundation/memory.h"
+#include "solver/cloth/chain_contacts.h"
+#include "solver/cloth/cloth_state.h"
 #include "solver/cloth/moving_colliders.h"
 
 namespace gphys {
 
+struct AnimationTargets;
 struct Body;
+struct BodySettings;
 struct CollisionContext;
 struct TimeScheme;
 
@@ -35,12 +39,12 @@ struct ContactPlane {
     Vec3 normal;
     double offset;
     gphys_model_id model;
-    uint32_t moving_collider;  // index in ClothContacts::moving_colliders, or unmoved
+    uint32_t moving_collider;  // index in Cloth::moving_colliders, or unmoved
 };
 
 /// The contact state of a particle that may be in contact in this step. The members that all substeps read come first,
 /// in one or two cache lines.
-struct alignas(64) Neighbour {
+struct alignas(64) ClothContact {
     static constexpr uint32_t most_planes = 4;
 
     uint32_t particle;
@@ -49,19 +53,19 @@ struct alignas(64) Neighbour {
     int32_t active_plane;    // the contact plane that pushed it most in this substep, or -1
     ContactPlane planes[most_planes];
     // For a particle in contact, in this substep:
-    double crept;     // metres: displacement by its own velocity, if that is small enough to count as rest; else -1
-    double pressed;   // metres: total displacement by contact planes
-    double total;     // metres: the same plus the pull of links against them
-    double slowed;    // metres: displacement that friction has removed before the links
+    double creep;         // metres: displacement by its own velocity, if that is small enough to count as rest; else -1
+    double normal_push;   // metres: total displacement by contact planes
+    double normal_total;  // metres: the same plus the pull of links against them
+    double friction_before;  // metres: displacement that friction has removed before the links
     double approach;  // speed of approach to the contact plane at impact, if it is large enough to bounce; else 0
     bool active_before_chains;  // whether it was active before the chains were solved
     bool held;                  // whether friction holds it at its place on the contact plane
     Vec3 predicted_velocity;    // if active: the velocity predicted for the end of this substep
-    Vec3 chained;               // and its position after the chains, before limits
+    Vec3 after_chains;          // and its position after the chains, before limits
     Vec3 moved;  // metres: displacement by chains and limits; if it became active after them, by planes, reversed
     // For the impulses on models:
     gphys_model_id impulse_model;  // the model that gets the next two:
-    Vec3 given, turning;  // m/s: velocity that it has lost to the model, and its moment about the cloth's origin
+    Vec3 impulse, moment;  // m/s: velocity that it has lost to the model, and its moment about the cloth's origin
     // For a particle that is deeper in a model than it can leave at once (leave_solids.cpp):
     uint32_t sunk_planes;  // bit i: contact plane i is where the particle is, not at the surface
     uint32_t sunk_most;    // the plane that it is deepest behind,
@@ -73,48 +77,39 @@ struct alignas(64) Neighbour {
     void rest() {
         active_planes = 0;
         active_plane = -1;
-        total = slowed = crept = 0;
+        normal_total = friction_before = creep = 0;
     }
 };
 
 struct ClothContacts {
     explicit ClothContacts(std::pmr::memory_resource* memory)
-        : moving_colliders(memory),
-          neighbours(memory),
-          active(memory),
-          place(memory),
-          balls(memory),
-          normals(memory),
-          pulls(memory),
-          escaped(memory) {}
+        : candidates(memory), active(memory), candidate_of(memory), balls(memory), escaped(memory) {}
 
-    static constexpr uint32_t nowhere = 0xffffffff;
+    static constexpr uint32_t none = 0xffffffff;
 
-    Vector<MovingCollider> moving_colliders;
-    Vector<Neighbour> neighbours;
-    Vector<uint32_t> active;       // indices of the neighbours that are in contact in this substep
-    Vector<uint32_t> place;        // by particle: index in neighbours, or nowhere
-    Vector<float> balls;           // four floats for each particle: centre, squared radius
-    Vector<float> normals, pulls;  // four floats for each particle, see ClothSurfaces
-    Vector<uint32_t> escaped;      // particles outside their balls; when searching, those that search
-    Vec3 given, turning;           // sums of those of the neighbours in this substep, times their relative masses
-    uint64_t neighbourhood = 0;    // a hash of the models around the body at the end of the last step
-    bool pushed = false;           // whether a moving model pushes any active one
-    bool sunk = false;             // whether any was found in a model
-    bool kept = false;             // whether the above are those of a previous step; false after a snapshot
+    Vector<ClothContact> candidates;  // particles with contact planes within their balls
+    Vector<uint32_t> active;          // indices of the candidates that are in contact in this substep
+    Vector<uint32_t> candidate_of;    // by particle: its index in candidates, or none
+    Vector<float> balls;              // four floats for each particle: centre, squared radius
+    Vector<uint32_t> escaped;         // particles outside their balls; when searching, those that search
+    Vec3 impulse, moment;             // sums of those of the candidates in this substep, times their relative masses
+    bool pushed = false;              // whether a moving model pushes any active one
+    bool sunk = false;                // whether any was found in a model
 
     bool any_active() const { return !active.empty(); }
+    /// `floats`: the length of the arrays of the state. Throws std::bad_alloc.
+    void reserve(uint32_t particles, size_t floats);
 };
 
 /// Called in turn before and after the chains of a substep.
-void reserve_cloth_contacts(Body& body);
 void search_cloth_contacts(Body& body, const CollisionContext& around, Vec3 gravity);
 /// Call before a substep: particles that would leave their balls search now, so that the chains know their contact
 /// planes.
 void search_ahead(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme);
-void note_places(Body& body);
-void leave_planes(Body& body);
+void note_places(ClothContacts& contacts, const ClothState& state);
+void leave_planes(ClothContacts& contacts, ChainContacts& in_chains, ClothState& state,
+                  const Vector<MovingCollider>& moving_colliders, const BodySettings& settings);
 void count_contacts(Body& body, const CollisionContext& around, double rate);
 void turn_velocities(Body& body, const CollisionContext& around, double h);
 /// Call if moving models are in contact: they carry particles farther in a substep than friction should. Links between
@@ -122,17 +117,18 @@ void turn_velocities(Body& body, const CollisionContext& around, double h);
 void ease_links(Body& body);
 /// Removes the velocity that corresponds to displacements undone by relax_links since note_places, for particles in
 /// contact.
-void stop_taken_back(Body& body, const CollisionContext& around, double h);
+void stop_undone_motion(Body& body, const CollisionContext& around, double h);
 /// Whether friction has held a particle at its place in this substep, on a static model, while no particle of the body
 /// is in a model.
-bool is_held(const Body& body, uint32_t particle);
+bool is_held(const ClothContacts& contacts, uint32_t particle);
 /// Displaces a particle, but not into its contact planes or out of the bounds of its target.
-void shift(Body& body, uint32_t particle, Vec3 way, bool collides);
+void shift(ClothState& state, ClothContacts& contacts, const AnimationTargets& targets, uint32_t particle, Vec3 way,
+           bool collides);
 void catch_escaped(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 void record_contact_points(Body& body, const CollisionContext& around);
 /// Records the contact points and impulses of a particle, before its contact state is replaced.
-void finish_neighbour(Neighbour& neighbour, Body& body, const CollisionContext& around);
+void finish_contact(ClothContact& contact, Body& body, const CollisionContext& around);
 /// Projects a particle that has been displaced out of its contact planes.
-void stay_outside(Body& body, uint32_t particle);
+void stay_outside(ClothContacts& contacts, ClothState& state, uint32_t particle);
 
 }  // namespace gphys

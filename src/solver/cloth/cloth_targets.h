@@ -5,18 +5,20 @@
 
 namespace gphys {
 
-struct Body;
+struct AnimationTargets;
+struct ChainContacts;
+struct ClothState;
 
 /// After the prediction: moves particles that targets carry.
-void carry_by_targets(Body& body);
+void carry_by_targets(const AnimationTargets& targets, ClothState& state);
 /// Before the chains: projects predicted particles onto their bounds, which become their contact planes in the chains.
 /// If `has_contact`, particles with contact planes of models keep those instead.
-void press_on_targets(Body& body, bool has_contact);
+void press_on_targets(AnimationTargets& targets, ClothState& state, ChainContacts& contacts, bool has_contact);
 /// After the chains and limits.
-void keep_cloth_to_targets(Body& body);
+void keep_cloth_to_targets(AnimationTargets& targets, ClothState& state, ChainContacts& contacts);
 /// After the velocities have been computed.
-void stop_cloth_at_targets(Body& body);
+void stop_cloth_at_targets(const AnimationTargets& targets, ClothState& state);
 /// For a particle that has been displaced.
-void stay_near_target(Body& body, uint32_t particle);
+void stay_near_target(const AnimationTargets& targets, ClothState& state, uint32_t particle);
 
 }  // namespace gphys

@@ -31,35 +31,32 @@ uint64_t neighbourhood(const Body& body, const Scene& scene) {
 
 }  // namespace
 
-bool keeps_origin(const Body& body, const Aabb& box) {
+bool keeps_origin(const ContactCache& cache, Vec3 origin, const Aabb& box) {
     // Coordinates, and their rounding, are then at most a quarter larger than necessary.
     constexpr double farthest_aside = 1.0 / 8;
-    if (body.cloth.search_balls.empty()) return false;
-    const Vec3 aside = (box.min + box.max) / 2 - body.cloth.origin;
+    if (cache.search_balls.empty()) return false;
+    const Vec3 aside = (box.min + box.max) / 2 - origin;
     return max_component(abs(aside)) <= farthest_aside * max_component(box.max - box.min);
 }
 
-Reuse reuse_contacts(Body& body, const CollisionContext& around) {
-    Vector<float>& search_balls = body.cloth.search_balls;
-    const ClothContacts& contacts = body.cloth.contacts;
-    if (search_balls.empty() || !contacts.moving_colliders.empty()) {
-        search_balls.assign(4 * size_t{body.particles.size()}, Cloth::no_ball);
-        return Reuse::nothing;
-    }
-    const bool same = contacts.kept && contacts.neighbourhood == neighbourhood(body, *around.scene);
+Reuse reusable_contacts(const Body& body, const CollisionContext& around) {
+    const ContactCache& cache = body.cloth.cache;
+    if (cache.search_balls.empty() || !body.cloth.moving_colliders.empty()) return Reuse::nothing;
+    const bool same = cache.current && cache.neighbourhood == neighbourhood(body, *around.scene);
     return same ? Reuse::planes : Reuse::balls;
 }
 
 void keep_planes(Body& body, const CollisionContext& around) {
-    ClothContacts& contacts = body.cloth.contacts;
-    const bool has_planes = std::any_of(contacts.neighbours.begin(), contacts.neighbours.end(),
-                                        [](const Neighbour& n) { return n.plane_count > 0; });
-    if (!has_planes || !contacts.moving_colliders.empty()) {
-        body.cloth.search_balls.clear();
+    ContactCache& cache = body.cloth.cache;
+    const Vector<ClothContact>& candidates = body.cloth.contacts.candidates;
+    const bool has_planes =
+        std::any_of(candidates.begin(), candidates.end(), [](const ClothContact& n) { return n.plane_count > 0; });
+    if (!has_planes || !body.cloth.moving_colliders.empty()) {
+        cache.search_balls.clear();
         return;
     }
-    contacts.kept = true;
-    contacts.neighbourhood = neighbourhood(body, *around.scene);
+    cache.current = true;
+    cache.neighbourhood = neighbourhood(body, *around.scene);
 }
 
 }  // namespace gphys

@@ -1,6 +1,7 @@
 // Which contacts of the previous step can be reused (contact_cache.cpp).
 #pragma once
 
+#include "foundation/memory.h"
 #include "shapes/shapes.h"
 
 namespace gphys {
@@ -8,12 +9,25 @@ namespace gphys {
 struct Body;
 struct CollisionContext;
 
+struct ContactCache {
+    explicit ContactCache(std::pmr::memory_resource* memory) : search_balls(memory) {}
+
+    static constexpr float no_ball = -1;  // as the distance
+
+    /// Four floats for each particle: where it searched for contacts last, relative to the origin, and how far. Empty
+    /// if the next step must search anew.
+    Vector<float> search_balls;
+    uint64_t neighbourhood = 0;  // a hash of the models around the body at the end of the last step
+    bool current = false;  // whether contact planes and `neighbourhood` are of a previous step; false after a snapshot
+};
+
 /// What can be reused: nothing, so that all particles search; the positions and radii of the last search; or also its
 /// contact planes.
 enum class Reuse { nothing, balls, planes };
 /// Whether the origin of the relative coordinates is still near the middle of the box.
-bool keeps_origin(const Body& body, const Aabb& box);
-Reuse reuse_contacts(Body& body, const CollisionContext& around);
+bool keeps_origin(const ContactCache& cache, Vec3 origin, const Aabb& box);
+/// Call at the beginning of a step, when the moving models are known.
+Reuse reusable_contacts(const Body& body, const CollisionContext& around);
 /// Call at the end of a step.
 void keep_planes(Body& body, const CollisionContext& around);
 

@@ -5,11 +5,6 @@
 namespace gphys {
 namespace {
 
-/// The contact margin of cloth: `skin` plus 2^-21 of its coordinates, which is 4 times the rounding of float32.
-double clearance(const Body& body, uint32_t p, Vec3 at) {
-    return skin(body.particles.radius[p], body.cloth.origin + at) + 0x1p-21 * max_component(abs(at));
-}
-
 Box around(const Aabb& places, double room, Vec3 origin) {
     const Vec3 r{room, room, room};
     return bounds(Aabb{origin + places.min - r, origin + places.max + r});
@@ -17,11 +12,16 @@ Box around(const Aabb& places, double room, Vec3 origin) {
 
 }  // namespace
 
+/// The contact margin of cloth: `skin` plus 2^-21 of its coordinates, which is 4 times the rounding of float32.
+double ContactSearch::clearance(uint32_t p, Vec3 at) const {
+    return skin(particles_.radius[p], state_.origin + at) + 0x1p-21 * max_component(abs(at));
+}
+
 void ContactSearch::run(const uint32_t* particles, uint32_t count) {
     again_ = false;
     for (uint32_t i = 0; i < count; ++i) {
         const size_t at = 4 * size_t{particles[i]};
-        put(&body_.cloth.search_balls[at], get(&body_.cloth.at[at]));
+        put(&search_balls_[at], get(&state_.at[at]));
     }
     search_from_balls(particles, count);
 }
@@ -40,13 +40,11 @@ void ContactSearch::search_from_balls(const uint32_t* particles, uint32_t count)
 }
 
 /// A particle searches no farther than to its neighbours. That keeps the parts few, and a step seldom moves it farther.
-double ContactSearch::farthest(uint32_t p) const {
-    return std::max(body_.cloth.batches.link_length, body_.particles.radius[p]);
-}
+double ContactSearch::farthest(uint32_t p) const { return std::max(link_length_, particles_.radius[p]); }
 
 /// The number of particles that follow the first one within a box of eight times the size of its search range.
 uint32_t ContactSearch::count_together(const uint32_t* particles, uint32_t count) const {
-    const double size = 16 * (body_.particles.radius[particles[0]] + farthest(particles[0]));
+    const double size = 16 * (particles_.radius[particles[0]] + farthest(particles[0]));
     Aabb places{place_of(particles[0]), place_of(particles[0])};
     uint32_t together = 1;
     for (; together < std::min(count, most_points); ++together) {
@@ -64,7 +62,7 @@ bool ContactSearch::search_together(const uint32_t* particles, uint32_t count) {
     for (uint32_t i = 0; i < count; ++i) {
         const uint32_t p = particles[i];
         places = {min(places.min, place_of(p)), max(places.max, place_of(p))};
-        range = std::max(range, body_.particles.radius[p] + farthest(p));
+        range = std::max(range, particles_.radius[p] + farthest(p));
     }
     if (!find_colliders_near(places, range)) return false;
     for (uint32_t i = 0; i < count; ++i) reach_[i] = reach(particles[i]);
@@ -76,7 +74,7 @@ bool ContactSearch::search_together(const uint32_t* particles, uint32_t count) {
 /// If too much is near, the radius is halved, and finally 0: then the particle is swept in each substep.
 void ContactSearch::search_alone(uint32_t p) {
     const Vec3 at = place_of(p);
-    const bool follows_all = find_colliders_near({at, at}, body_.particles.radius[p] + farthest(p));
+    const bool follows_all = find_colliders_near({at, at}, particles_.radius[p] + farthest(p));
     reach_[0] = reach(p);
     bool complete = collect(&p, 1);
     for (int halvings = 0; !complete && halvings < 3; ++halvings) {
@@ -91,12 +89,11 @@ void ContactSearch::search_alone(uint32_t p) {
 bool ContactSearch::find_colliders_near(const Aabb& places, double range) {
     collider_count_ = 0;
     bool all = true;
-    const Vector<MovingCollider>& moving_colliders = body_.cloth.contacts.moving_colliders;
-    if (moving_colliders.empty()) return true;
-    const Box box = around(places, range, body_.cloth.origin);
-    for (uint32_t i = 0; i < moving_colliders.size(); ++i) {
-        if (moving_colliders[i].bounded && !overlaps(moving_colliders[i].way, box)) continue;
-        if (collider_count_ == most_colliders || !moving_colliders[i].is_rigid) {
+    if (moving_colliders_.empty()) return true;
+    const Box box = around(places, range, state_.origin);
+    for (uint32_t i = 0; i < moving_colliders_.size(); ++i) {
+        if (moving_colliders_[i].bounded && !overlaps(moving_colliders_[i].way, box)) continue;
+        if (collider_count_ == most_colliders || !moving_colliders_[i].is_rigid) {
             all = false;
         } else {
             near_colliders_[collider_count_++] = i;
@@ -107,27 +104,27 @@ bool ContactSearch::find_colliders_near(const Aabb& places, double range) {
 
 /// The distance that the particle can go by itself and pushed by models, and half as much again.
 double ContactSearch::wanted_reach(uint32_t p) const {
-    const Vec3 at = place_of(p), velocity = get(&body_.cloth.velocity[4 * size_t{p}]);
+    const Vec3 at = place_of(p), velocity = get(&state_.velocity[4 * size_t{p}]);
     double pushed = 0;
     for (uint32_t i = 0; i < collider_count_; ++i) {
-        pushed = std::max(pushed, body_.cloth.contacts.moving_colliders[near_colliders_[i]].travel(at));
+        pushed = std::max(pushed, moving_colliders_[near_colliders_[i]].travel(at));
     }
     return std::min(1.5 * (time_ * (length(velocity) + time_ * length(gravity_)) + pushed), farthest(p));
 }
 
 double ContactSearch::reach(uint32_t p) {
-    float& far = body_.cloth.search_balls[4 * size_t{p} + 3];
+    float& far = search_balls_[4 * size_t{p} + 3];
     if (!again_) far = static_cast<float>(wanted_reach(p));
     return far;
 }
 
 /// Places the query balls; for moving models, balls that cover their approach in the rest of the step.
 void ContactSearch::place_balls(uint32_t p, uint32_t point) {
-    const Vec3 origin = body_.cloth.origin, at = place_of(p);
-    const double range = body_.particles.radius[p] + reach_[point];
+    const Vec3 origin = state_.origin, at = place_of(p);
+    const double range = particles_.radius[p] + reach_[point];
     balls_[point] = {origin + at, range};
     for (uint32_t m = 0; m < collider_count_; ++m) {
-        const MovingCollider& moving_collider = body_.cloth.contacts.moving_colliders[near_colliders_[m]];
+        const MovingCollider& moving_collider = moving_colliders_[near_colliders_[m]];
         moving_balls_[m][point] = {origin + moving_collider.from_end.inverse_apply(at),
                                    moving_collider.range(range, at)};
     }
@@ -135,8 +132,7 @@ void ContactSearch::place_balls(uint32_t p, uint32_t point) {
 
 /// Collects the parts of models that the balls overlap. Returns false if there are too many.
 bool ContactSearch::collect(const uint32_t* particles, uint32_t count) {
-    const Vec3 origin = body_.cloth.origin;
-    const Vector<MovingCollider>& moving_colliders = body_.cloth.contacts.moving_colliders;
+    const Vec3 origin = state_.origin;
     parts_.clear(count);
     Aabb places{place_of(particles[0]), place_of(particles[0])};
     double farthest = 0;
@@ -152,15 +148,14 @@ bool ContactSearch::collect(const uint32_t* particles, uint32_t count) {
     });
     for (uint32_t m = 0; m < collider_count_; ++m) {
         const uint32_t number = near_colliders_[m];
-        complete &= parts_.add(*around_.scene, moving_colliders[number].model, number, moving_balls_[m]);
+        complete &= parts_.add(*around_.scene, moving_colliders_[number].model, number, moving_balls_[m]);
     }
     return complete;
 }
 
 /// Sets the ball and the contact planes of a particle from the collected parts.
 void ContactSearch::settle(uint32_t p, uint32_t point) {
-    ClothContacts& contacts = body_.cloth.contacts;
-    Neighbour found{};
+    ClothContact found{};
     found.particle = p;
     found.active_plane = -1;
     for (int halvings = 0; parts_.select_point(point) > most_parts && halvings < 3; ++halvings) {
@@ -169,30 +164,30 @@ void ContactSearch::settle(uint32_t p, uint32_t point) {
     }
     double reach = reach_[point];
     choose_planes(p, place_of(p), reach, found);
-    float* const ball = &contacts.balls[4 * size_t{p}];
+    float* const ball = &contacts_.balls[4 * size_t{p}];
     put(ball, place_of(p));
     if (push_out(ball, found) > 0) {
         // It searches again after each substep.
         reach = 0;
-        contacts.sunk = true;
-        body_.cloth.search_balls[4 * size_t{p} + 3] = Cloth::no_ball;
+        contacts_.sunk = true;
+        search_balls_[4 * size_t{p} + 3] = ContactCache::no_ball;
     }
-    if (!again_) put(&body_.cloth.at[4 * size_t{p}], get(ball));
+    if (!again_) put(&state_.at[4 * size_t{p}], get(ball));
     ball[3] = static_cast<float>(reach * reach);
-    uint32_t& place = contacts.place[p];
-    if (found.plane_count == 0 && place == ClothContacts::nowhere) return;
-    if (place == ClothContacts::nowhere) {
-        place = static_cast<uint32_t>(contacts.neighbours.size());
-        contacts.neighbours.push_back(found);
+    uint32_t& place = contacts_.candidate_of[p];
+    if (found.plane_count == 0 && place == ClothContacts::none) return;
+    if (place == ClothContacts::none) {
+        place = static_cast<uint32_t>(contacts_.candidates.size());
+        contacts_.candidates.push_back(found);
     } else {
-        finish_neighbour(contacts.neighbours[place], body_, around_);
-        contacts.neighbours[place] = found;
+        finish_contact(contacts_.candidates[place], body_, around_);
+        contacts_.candidates[place] = found;
     }
 }
 
 /// Projects out of contact planes up to the distance that is left at once. Deeper planes are moved to the particle.
 /// Returns the depth behind the true planes.
-double ContactSearch::push_out(float* ball, Neighbour& found) const {
+double ContactSearch::push_out(float* ball, ClothContact& found) const {
     for (uint32_t i = 0; i < found.plane_count; ++i) {
         ContactPlane& plane = found.planes[i];
         const double depth = plane.offset - dot(plane.normal, get(ball));
@@ -213,17 +208,17 @@ double ContactSearch::push_out(float* ball, Neighbour& found) const {
 
 /// Chooses the nearest parts first. Culls parts behind the contact plane of a nearer one. Parts for which there is no
 /// room limit the reach.
-void ContactSearch::choose_planes(uint32_t p, Vec3 at, double& reach, Neighbour& found) {
-    const Vec3 origin = body_.cloth.origin;
-    const double off = body_.particles.radius[p] + clearance(body_, p, at);
-    for (ClosestFeature part; found.plane_count < Neighbour::most_planes && parts_.pop_nearest(part);) {
+void ContactSearch::choose_planes(uint32_t p, Vec3 at, double& reach, ClothContact& found) {
+    const Vec3 origin = state_.origin;
+    const double off = particles_.radius[p] + clearance(p, at);
+    for (ClosestFeature part; found.plane_count < ClothContact::most_planes && parts_.pop_nearest(part);) {
         // Coplanar triangles share a contact plane. Half of the margin, or of radius plus margin, covers their
         // rounding. Parts with another motion are not culled, because they may come to the front.
-        const double height = dot(part.normal, part.closest) + (off - body_.particles.radius[p]) / 2;
+        const double height = dot(part.normal, part.closest) + (off - particles_.radius[p]) / 2;
         parts_.cull_behind(part.normal, height, part.tag);
         if (part.tag != ContactPlane::unmoved) {
             // From the end of the step back to the present time.
-            const RigidMotion& rigid_motion = body_.cloth.contacts.moving_colliders[part.tag].from_end;
+            const RigidMotion& rigid_motion = moving_colliders_[part.tag].from_end;
             part.closest = origin + rigid_motion.apply(part.closest - origin);
             part.normal = rigid_motion.rotation * part.normal;
         }
@@ -233,7 +228,7 @@ void ContactSearch::choose_planes(uint32_t p, Vec3 at, double& reach, Neighbour&
         plane.model = part.model;
         plane.moving_collider = part.tag;
     }
-    if (found.plane_count < Neighbour::most_planes) return;
+    if (found.plane_count < ClothContact::most_planes) return;
     parts_.for_each_remaining([&](uint32_t moving_collider, double distance) {
         reach = std::max(0.0, std::min(reach, nearest_in_step(moving_collider, distance, at) - off));
     });
@@ -242,7 +237,7 @@ void ContactSearch::choose_planes(uint32_t p, Vec3 at, double& reach, Neighbour&
 /// A lower bound for the distance between the position and a part, now at `distance`, until the end of the step.
 double ContactSearch::nearest_in_step(uint32_t moving_collider, double distance, Vec3 at) const {
     if (moving_collider == ContactPlane::unmoved) return distance;
-    const MovingCollider& moving = body_.cloth.contacts.moving_colliders[moving_collider];
+    const MovingCollider& moving = moving_colliders_[moving_collider];
     return distance - moving.travel(at) - (moving.turn + moving.bulge) * std::fabs(distance);
 }
 

@@ -13,7 +13,17 @@ class ContactSearch {
 public:
     /// `time`: seconds until the next search.
     ContactSearch(const CollisionContext& around, Body& body, Vec3 gravity, double time)
-        : around_(around), body_(body), gravity_(gravity), time_(time), most_push_(leaving_speed * seconds(around)) {}
+        : around_(around),
+          body_(body),
+          particles_(body.particles),
+          moving_colliders_(body.cloth.moving_colliders),
+          link_length_(body.cloth.batches.link_length),
+          state_(body.cloth.state),
+          contacts_(body.cloth.contacts),
+          search_balls_(body.cloth.cache.search_balls),
+          gravity_(gravity),
+          time_(time),
+          most_push_(leaving_speed * seconds(around)) {}
 
     /// Finds the balls and the contact planes of particles, and moves the particles out of models. Records the contacts
     /// that they had before.
@@ -36,7 +46,8 @@ private:
                                          : std::min(around.step_time, short_substep);
     }
     void search_from_balls(const uint32_t* particles, uint32_t count);
-    Vec3 place_of(uint32_t p) const { return get(&body_.cloth.search_balls[4 * size_t{p}]); }
+    Vec3 place_of(uint32_t p) const { return get(&search_balls_[4 * size_t{p}]); }
+    double clearance(uint32_t p, Vec3 at) const;
     double farthest(uint32_t p) const;
     uint32_t count_together(const uint32_t* particles, uint32_t count) const;
     bool search_together(const uint32_t* particles, uint32_t count);
@@ -47,12 +58,18 @@ private:
     bool collect(const uint32_t* particles, uint32_t count);
     void place_balls(uint32_t p, uint32_t point);
     void settle(uint32_t p, uint32_t point);
-    double push_out(float* ball, Neighbour& found) const;
-    void choose_planes(uint32_t p, Vec3 at, double& reach, Neighbour& found);
+    double push_out(float* ball, ClothContact& found) const;
+    void choose_planes(uint32_t p, Vec3 at, double& reach, ClothContact& found);
     double nearest_in_step(uint32_t moving_collider, double distance, Vec3 at) const;
 
     const CollisionContext& around_;
-    Body& body_;
+    Body& body_;  // records contact points and impulses
+    const Particles& particles_;
+    const Vector<MovingCollider>& moving_colliders_;
+    const double link_length_;
+    ClothState& state_;
+    ClothContacts& contacts_;
+    Vector<float>& search_balls_;
     const Vec3 gravity_;
     const double time_;
     const double most_push_;  // out of a model

@@ -1,8 +1,16 @@
-// Which links relax_links keeps within a strain: all rigid ones, but without a target not the braces of cloth. Four
-// particles that are all linked to each other, as the corners of a cell with both diagonals, cannot bend in their
-// plane. Cells that lie on what is round both ways would have to; there their diagonals yield, as those of woven cloth
-// do, and the threads do not.
-#include "solver/body.h"
+// Which links relax_links keeps within a strain (kept_links.h): all rigid links, but without a target of strain not the
+// braces of cloth. A brace is a diagonal of a cell that has both diagonals. Four particles that are all linked to each
+// other cannot bend in their plane, as cells on a surface of double curvature must. There the diagonals may yield, as
+// in woven cloth, and the threads keep their lengths.
+//
+// A cell is found as two common neighbours of the ends of a link that are linked to each other; its diagonals are the
+// pair of opposite links with the largest sum of squares. Whether a link is a brace depends on nearby links only, so
+// after an edit only links near it are tested again.
+#include "solver/cloth/kept_links.h"
+
+#include "solver/cloth/cloth_batches.h"
+#include "solver/cloth/rigid_links.h"
+#include "solver/plan.h"
 
 namespace gphys {
 namespace {
@@ -14,10 +22,9 @@ const RigidLinks::End* find(const RigidLinks& rigid, uint32_t a, uint32_t b) {
     return nullptr;
 }
 
-/// Whether it crosses another one in a cell with both diagonals: of the three pairs of links without a common particle
-/// the diagonals have the largest sum of squares.
+/// Whether the link from a to b is a brace.
 bool is_brace(const RigidLinks& rigid, uint32_t a, uint32_t b, double rest) {
-    constexpr uint32_t most = 16;  // what has more neighbours in common with another is no grid
+    constexpr uint32_t most = 16;  // in a grid, two particles have fewer common neighbours
     RigidLinks::End common[most], from_b[most];
     uint32_t count = 0;
     for (uint32_t i = rigid.begin[a], j = rigid.begin[b]; i < rigid.begin[a + 1] && j < rigid.begin[b + 1];) {
@@ -40,13 +47,13 @@ bool is_brace(const RigidLinks& rigid, uint32_t a, uint32_t b, double rest) {
     return false;
 }
 
-/// Whether links are braces, as far as it was known and is so still: a link that came or went makes others ones, or
-/// none, that join two of its particles and their neighbours.
+/// Whether links are braces: as known before, except near links that came or went since. Such a link can only change
+/// links whose ends are both among its ends and their neighbours.
 class Braces {
 public:
-    Braces(const Body& body, RigidLinks& rigid)
-        : rigid_(rigid), near_(body.particles.size(), 0, rigid.at.get_allocator()) {
-        rigid.braces.resize(body.constraints.ids.slots(), unknown);
+    Braces(RigidLinks& rigid, uint32_t particles, uint32_t constraint_slots)
+        : rigid_(rigid), near_(particles, 0, rigid.at.get_allocator()) {
+        rigid.braces.resize(constraint_slots, unknown);
         for (const uint32_t p : rigid.changed) {
             near_[p] = 1;
             for (uint32_t i = rigid.begin[p]; i < rigid.begin[p + 1]; ++i) near_[rigid.at[i].to] = 1;
@@ -68,27 +75,25 @@ private:
 
 }  // namespace
 
-void list_kept_links(Body& body) {
+void list_kept_links(KeptLinks& kept, ClothBatches& batches, RigidLinks& rigid, const Plan& plan, uint32_t particles,
+                     uint32_t constraint_slots, bool has_braces) {
     constexpr uint32_t lanes = 8;
-    const Plan& plan = body.plan;
-    ClothBatches& batches = body.cloth.batches;
-    KeptLinks& kept = batches.kept;
     std::pmr::memory_resource* memory = kept.links.get_allocator().resource();
-    Braces braces(body, body.cloth.rigid);
+    Braces braces(rigid, particles, constraint_slots);
     kept.links.clear();
     kept.by_place.assign(batches.rest.size(), KeptLinks::none);
-    kept.begin.assign(body.particles.size() + 1, 0);
+    kept.begin.assign(particles + size_t{1}, 0);
     const auto list_batch = [&](ChainBatch& batch, uint32_t first_chain) {
         batch.kept = 0;
         for (uint32_t i = 0; i < lanes * batch.link_count; ++i) {
             const uint32_t place = lanes * batch.first_link + i;
             if (batches.compliance[place] > 0) continue;
-            const uint32_t* particles = &batches.particles[size_t{lanes} * batch.first_particle + i];
-            const uint32_t a = particles[0], b = particles[lanes];
+            const uint32_t* ends = &batches.particles[size_t{lanes} * batch.first_particle + i];
+            const uint32_t a = ends[0], b = ends[lanes];
             const double rest = batches.rest[place];
             if (rest == 0) continue;
             const uint32_t slot = plan.slots[plan.chains[first_chain + i % lanes].first_link + i / lanes];
-            const bool brace = body.kind == GPHYS_BODY_CLOTH && braces.contain(slot, a, b, rest);
+            const bool brace = has_braces && braces.contain(slot, a, b, rest);
             batch.kept |= brace ? ChainBatch::braces : ChainBatch::threads;
             kept.by_place[place] = static_cast<uint32_t>(kept.links.size());
             kept.links.push_back({a, b, rest, batch.limit != 0, brace});
@@ -101,14 +106,14 @@ void list_kept_links(Body& body) {
             list_batch(batches.chains[i], chain);
         }
     }
-    for (uint32_t p = 0; p < body.particles.size(); ++p) kept.begin[p + 1] += kept.begin[p];
+    for (uint32_t p = 0; p < particles; ++p) kept.begin[p + 1] += kept.begin[p];
     kept.at.resize(kept.begin.back());
     Vector<uint32_t> next(kept.begin.begin(), kept.begin.end() - 1, memory);
     for (uint32_t i = 0; i < kept.links.size(); ++i) {
         kept.at[next[kept.links[i].a]++] = i;
         kept.at[next[kept.links[i].b]++] = i;
     }
-    body.cloth.rigid.changed.clear();
+    rigid.changed.clear();
 }
 
 }  // namespace gphys

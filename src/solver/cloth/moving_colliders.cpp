@@ -14,13 +14,13 @@ RigidMotion rigid_motion(const Transform& from, const Transform& to, Vec3 origin
 
 }  // namespace
 
-void find_moving_colliders(Body& body, const CollisionContext& around) {
+void find_moving_colliders(Vector<MovingCollider>& moving_colliders, Vec3 origin, uint32_t layers,
+                           const CollisionContext& around) {
     // Half a radian: search ranges are then less than three times those for a model that does not rotate.
     constexpr double most_turn = 0.5;
-    Vector<MovingCollider>& moving_colliders = body.cloth.contacts.moving_colliders;
     moving_colliders.clear();
     for (const PlacedModel& before : *around.moved) {
-        if (!(around.scene->layers(before.model) & body.settings.layers)) continue;
+        if (!(around.scene->layers(before.model) & layers)) continue;
         const gphys_transform& after = around.scene->world(before.model);
         MovingCollider moving_collider{};
         moving_collider.model = before.model;
@@ -37,12 +37,11 @@ void find_moving_colliders(Body& body, const CollisionContext& around) {
         moving_collider.is_rigid = before.world.scale == after.scale && moving_collider.turn < most_turn;
         moving_colliders.push_back(moving_collider);
     }
-    advance_moving_colliders(body, around);
+    advance_moving_colliders(moving_colliders, origin, around);
 }
 
-void advance_moving_colliders(Body& body, const CollisionContext& around) {
-    const Vec3 origin = body.cloth.origin;
-    for (MovingCollider& moving_collider : body.cloth.contacts.moving_colliders) {
+void advance_moving_colliders(Vector<MovingCollider>& moving_colliders, Vec3 origin, const CollisionContext& around) {
+    for (MovingCollider& moving_collider : moving_colliders) {
         if (!moving_collider.is_rigid) continue;
         const gphys_transform& after = around.scene->world(moving_collider.model);
         const Transform begin = interpolate(moving_collider.before, after, around.begin);

@@ -9,7 +9,6 @@
 
 namespace gphys {
 
-struct Body;
 struct CollisionContext;
 
 /// The motion of points fixed to a model between two of its transforms of the same scale.
@@ -40,8 +39,10 @@ struct MovingCollider {
     double range(double reach, Vec3 at) const { return (reach + travel(at)) / (1 - turn - bulge); }
 };
 
-/// Finds the moving models at the beginning of a step; advance: their motion in the next substep.
-void find_moving_colliders(Body& body, const CollisionContext& around);
-void advance_moving_colliders(Body& body, const CollisionContext& around);
+/// Finds the moving models on these layers at the beginning of a step; advance: their motion in the next substep.
+/// `origin`: of the cloth.
+void find_moving_colliders(Vector<MovingCollider>& moving_colliders, Vec3 origin, uint32_t layers,
+                           const CollisionContext& around);
+void advance_moving_colliders(Vector<MovingCollider>& moving_colliders, Vec3 origin, const CollisionContext& around);
 
 }  // namespace gphys

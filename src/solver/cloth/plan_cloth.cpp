@@ -1,5 +1,7 @@
 // The chains and reach limits of cloth, packed so that eight are solved side by side.
-#include "solver/body.h"
+#include "solver/cloth/cloth_batches.h"
+#include "solver/constraints.h"
+#include "solver/plan.h"
 
 namespace gphys {
 namespace {
@@ -46,52 +48,9 @@ bool pack_chains(const Plan& plan, uint32_t first, uint32_t last, uint32_t nowhe
     return !full;
 }
 
-/// Limits on one particle act one after the other, those on different ones side by side: first
-/// the nearest anchor of every particle, then the second nearest, and so on.
-void pack_limits(const Body& body, ClothBatches& batches) {
-    const uint32_t nowhere = body.particles.size();
-    const Vector<ReachLimit>& limits = body.cloth.reach_limits;
-    Vector<uint32_t> rank(limits.size(), batches.limited.get_allocator()),
-        count(body.particles.size(), 0, rank.get_allocator());
-    uint32_t ranks = 0;
-    for (size_t i = 0; i < limits.size(); ++i) {
-        rank[i] = count[limits[i].particle]++;
-        ranks = std::max(ranks, rank[i] + 1);
-    }
-    const auto add = [&](uint32_t particle, uint32_t anchor, double distance) {
-        batches.limited.push_back(particle);
-        batches.anchors.push_back(anchor);
-        batches.distances.push_back(static_cast<float>(distance));
-    };
-    batches.limited.clear();
-    batches.anchors.clear();
-    batches.distances.clear();
-    batches.ranks.assign(1, 0);
-    for (uint32_t r = 0; r < ranks; ++r) {
-        for (size_t i = 0; i < limits.size(); ++i) {
-            if (rank[i] == r) add(limits[i].particle, limits[i].anchor, limits[i].distance);
-        }
-        while (batches.limited.size() % lanes != 0) add(nowhere, nowhere, 0);
-        batches.ranks.push_back(static_cast<uint32_t>(batches.limited.size()));
-    }
-}
-
-/// Which chains move what is attached to models.
-void mark_attached(const Body& body, ClothBatches& batches) {
-    Vector<uint8_t> attached(body.particles.size() + size_t{batches.spare}, 0, batches.limited.get_allocator());
-    for (const Attachment& attachment : body.constraints.attachments) attached[attachment.particle] = 1;
-    for (ChainBatch& batch : batches.chains) {
-        const uint32_t* first = &batches.particles[lanes * size_t{batch.first_particle}];
-        batch.attached =
-            std::any_of(first, first + lanes * size_t{batch.link_count + 1}, [&](uint32_t p) { return attached[p]; });
-    }
-}
-
 }  // namespace
 
-void pack_cloth_chains(Body& body) {
-    const Plan& plan = body.plan;
-    ClothBatches& batches = body.cloth.batches;
+void pack_cloth_chains(ClothBatches& batches, const Plan& plan, uint32_t particles) {
     batches.chains.clear();
     batches.colours.clear();
     batches.particles.clear();
@@ -99,7 +58,6 @@ void pack_cloth_chains(Body& body) {
     batches.compliance.clear();
     batches.damped.clear();
     batches.limits.clear();
-    const uint32_t nowhere = body.particles.size();
     batches.longest = 0;
     batches.spare = 2;
     for (size_t colour = 0; colour + 1 < plan.colours.size(); ++colour) {
@@ -108,7 +66,7 @@ void pack_cloth_chains(Body& body) {
         // Each batch has its own ones that do not move, as several may be solved at the same time.
         uint32_t spare = 0;
         for (uint32_t first = plan.colours[colour]; first < end; first += lanes) {
-            if (pack_chains(plan, first, std::min(first + lanes, end), nowhere + spare, batches)) spare += 2;
+            if (pack_chains(plan, first, std::min(first + lanes, end), particles + spare, batches)) spare += 2;
             batches.longest = std::max(batches.longest, batches.chains.back().link_count);
         }
         batches.spare = std::max(batches.spare, spare);
@@ -123,12 +81,16 @@ void pack_cloth_chains(Body& body) {
     batches.stiffness.resize(batches.rest.size());
     batches.scale = 0;
     batches.rows.resize(size_t{cloth_row_floats} * batches.longest);
-    list_kept_links(body);
 }
 
-void pack_pins(Body& body) {
-    pack_limits(body, body.cloth.batches);
-    mark_attached(body, body.cloth.batches);
+void mark_attached(ClothBatches& batches, const Constraints& constraints, uint32_t particles) {
+    Vector<uint8_t> attached(particles + size_t{batches.spare}, 0, batches.rest.get_allocator());
+    for (const Attachment& attachment : constraints.attachments) attached[attachment.particle] = 1;
+    for (ChainBatch& batch : batches.chains) {
+        const uint32_t* first = &batches.particles[lanes * size_t{batch.first_particle}];
+        batch.attached =
+            std::any_of(first, first + lanes * size_t{batch.link_count + 1}, [&](uint32_t p) { return attached[p]; });
+    }
 }
 
 }  // namespace gphys

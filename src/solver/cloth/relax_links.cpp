@@ -10,8 +10,7 @@
 // second between chains that push them apart and passes that bring them back, and their neighbours would get that speed
 // sooner or later. It is lost as in an inelastic impact.
 #include "solver/cloth/relax_links.h"
-#include "solver/cloth/cloth_kernels.h"
-#include "solver/contact/collision.h"
+#include "solver/body.h"
 #include "solver/quads.h"
 
 namespace gphys {
@@ -33,119 +32,150 @@ constexpr double held_part = 0.1;
 constexpr double rounding = 0x1p-23;
 
 /// The excess length or, unless the link only pulls, the missing length (< 0), in metres; else 0.
-double error_of(const Cloth& cloth, const KeptLinks::Link& link) {
-    const double error = distance(get(&cloth.at[4 * size_t{link.a}]), get(&cloth.at[4 * size_t{link.b}])) - link.rest;
+double error_of(const ClothState& state, const KeptLinks::Link& link) {
+    const double error = distance(get(&state.at[4 * size_t{link.a}]), get(&state.at[4 * size_t{link.b}])) - link.rest;
     return link.limit ? std::max(0.0, error) : error;
 }
 
-bool yields(const Cloth& cloth, const KeptLinks::Link& link) { return link.brace && cloth.braces_yield; }
+/// One relaxation: the parts of the body that it uses.
+class Relaxer {
+public:
+    Relaxer(Body& body, bool collides, double h)
+        : state_(body.cloth.state),
+          contacts_(body.cloth.contacts),
+          targets_(body.targets),
+          batches_(body.cloth.batches),
+          relaxation_(body.cloth.relaxation),
+          has_contact_(body.contacts.has_contact),
+          collides_(collides),
+          h_(h) {}
 
-/// Lists them in `strained`; returns the largest strain.
-double find_strained(const ClothBatches& batches, Cloth& cloth, uint32_t& count) {
+    /// Lists them in `strained`; returns the largest strain.
+    double find_strained(uint32_t& count);
+    /// One pass over `strained`, which afterwards lists the links of all moved particles. Adds the work that forces
+    /// have lost.
+    void relax_listed(uint32_t& count, double& lost);
+
+private:
+    bool yields(const KeptLinks::Link& link) const { return link.brace && relaxation_.braces_yield; }
+    double move(uint32_t particle, Vec3 way);
+    void stop_straining(const KeptLinks::Link& link, Vec3 direction, double error);
+    bool relax(const KeptLinks::Link& link, double& lost);
+
+    ClothState& state_;
+    ClothContacts& contacts_;
+    const AnimationTargets& targets_;
+    const ClothBatches& batches_;
+    Relaxation& relaxation_;
+    const bool has_contact_, collides_;
+    const double h_;
+};
+
+double Relaxer::find_strained(uint32_t& count) {
     const ClothKernels& kernels = cloth_kernels(chosen_isa());
-    const ClothChains chains{batches.particles.data(), batches.rest.data(), batches.softness.data(), nullptr};
-    const float part = static_cast<float>(relaxed_part * cloth.most_strain);
-    const uint32_t kinds = cloth.braces_yield ? ChainBatch::threads : ChainBatch::threads | ChainBatch::braces;
+    const KeptLinks& kept = relaxation_.kept;
+    const ClothChains chains{batches_.particles.data(), batches_.rest.data(), batches_.softness.data(), nullptr};
+    const float part = static_cast<float>(relaxed_part * relaxation_.most_strain);
+    const uint32_t kinds = relaxation_.braces_yield ? ChainBatch::threads : ChainBatch::threads | ChainBatch::braces;
     uint32_t listed = 0;
-    for (const ChainBatch& batch : batches.chains) {
+    for (const ChainBatch& batch : batches_.chains) {
         if ((batch.kept & kinds) != 0)
-            listed += kernels.list_strained(cloth.at.data(), chains, batch, part, &cloth.strained[listed]);
+            listed += kernels.list_strained(state_.at.data(), chains, batch, part, &relaxation_.strained[listed]);
     }
     double largest = 0;
     count = 0;
     for (uint32_t i = 0; i < listed; ++i) {
-        const uint32_t number = batches.kept.by_place[cloth.strained[i]];
+        const uint32_t number = kept.by_place[relaxation_.strained[i]];
         if (number == KeptLinks::none) continue;
-        const KeptLinks::Link& link = batches.kept.links[number];
-        if (yields(cloth, link)) continue;
-        cloth.strained[count++] = number;
-        largest = std::max(largest, std::fabs(error_of(cloth, link)) / link.rest);
+        const KeptLinks::Link& link = kept.links[number];
+        if (yields(link)) continue;
+        relaxation_.strained[count++] = number;
+        largest = std::max(largest, std::fabs(error_of(state_, link)) / link.rest);
     }
     return largest;
 }
 
 /// Returns the work that forces have lost by the displacement.
-double move(Body& body, uint32_t particle, Vec3 way, bool collides) {
+double Relaxer::move(uint32_t particle, Vec3 way) {
     const size_t i = 4 * size_t{particle};
-    const Vec3 before = get(&body.cloth.at[i]);
-    shift(body, particle, way, collides);
-    return body.cloth.acceleration[i + 3] * dot(get(&body.cloth.acceleration[i]), before - get(&body.cloth.at[i]));
+    const Vec3 before = get(&state_.at[i]);
+    shift(state_, contacts_, targets_, particle, way, collides_);
+    return state_.acceleration[i + 3] * dot(get(&state_.acceleration[i]), before - get(&state_.at[i]));
 }
 
 /// Removes the speed at which the ends increase the error, limited to the error per substep. Only for a body in
 /// contact, because the second-order time scheme would otherwise continue the motion that has been stopped.
-void stop_straining(Cloth& cloth, const KeptLinks::Link& link, Vec3 direction, double error, double h) {
-    float *a = &cloth.velocity[4 * size_t{link.a}], *b = &cloth.velocity[4 * size_t{link.b}];
-    const double weight_a = cloth.at[4 * size_t{link.a} + 3], weight_b = cloth.at[4 * size_t{link.b} + 3];
-    const double rate = dot(get(b) - get(a), direction), most = std::fabs(error) / h;
+void Relaxer::stop_straining(const KeptLinks::Link& link, Vec3 direction, double error) {
+    float *a = &state_.velocity[4 * size_t{link.a}], *b = &state_.velocity[4 * size_t{link.b}];
+    const double weight_a = state_.at[4 * size_t{link.a} + 3], weight_b = state_.at[4 * size_t{link.b} + 3];
+    const double rate = dot(get(b) - get(a), direction), most = std::fabs(error) / h_;
     if (rate * error <= 0) return;
     const Vec3 impulse = direction * (std::clamp(rate, -most, most) / (weight_a + weight_b));
     put(a, get(a) + impulse * weight_a);
     put(b, get(b) - impulse * weight_b);
 }
 
-/// Moves both ends, unless the link is hardly strained. Adds the work that forces have lost. Returns whether it was
-/// strained.
-bool relax(Body& body, const KeptLinks::Link& link, bool collides, double h, double& lost) {
-    const float *a = &body.cloth.at[4 * size_t{link.a}], *b = &body.cloth.at[4 * size_t{link.b}];
+/// Moves both ends, unless the link is hardly strained. Returns whether it was strained.
+bool Relaxer::relax(const KeptLinks::Link& link, double& lost) {
+    const float *a = &state_.at[4 * size_t{link.a}], *b = &state_.at[4 * size_t{link.b}];
     const auto weight_of = [&](uint32_t p, const float* at) {
-        return collides && is_held(body, p) ? held_part * at[3] : at[3];
+        return collides_ && is_held(contacts_, p) ? held_part * at[3] : at[3];
     };
     const double weight_a = weight_of(link.a, a), weight_b = weight_of(link.b, b), weight = weight_a + weight_b;
     const Vec3 along = get(b) - get(a);
     const double length = gphys::length(along), error = length - link.rest;
-    if (std::fabs(error) < relaxed_part * body.cloth.most_strain * link.rest) return false;
+    if (std::fabs(error) < relaxed_part * relaxation_.most_strain * link.rest) return false;
     if (length == 0 || weight == 0 || (link.limit && error < 0)) return false;
     const Vec3 correction = along * (error / (length * weight));
-    if (body.contacts.has_contact) stop_straining(body.cloth, link, along / length, error, h);
-    lost += move(body, link.a, correction * weight_a, collides);
-    lost += move(body, link.b, correction * -weight_b, collides);
+    if (has_contact_) stop_straining(link, along / length, error);
+    lost += move(link.a, correction * weight_a);
+    lost += move(link.b, correction * -weight_b);
     return true;
 }
 
-/// One pass over `strained`, which afterwards lists the links of all moved particles.
-void relax_listed(Body& body, uint32_t& count, bool collides, double h, double& lost) {
-    const KeptLinks& kept = body.cloth.batches.kept;
-    Cloth& cloth = body.cloth;
+void Relaxer::relax_listed(uint32_t& count, double& lost) {
+    const KeptLinks& kept = relaxation_.kept;
     uint32_t waiting = 0;
     for (uint32_t i = 0; i < count; ++i) {
-        const KeptLinks::Link& link = kept.links[cloth.strained[i]];
-        if (!relax(body, link, collides, h, lost)) continue;
+        const KeptLinks::Link& link = kept.links[relaxation_.strained[i]];
+        if (!relax(link, lost)) continue;
         for (const uint32_t p : {link.a, link.b}) {
             for (uint32_t k = kept.begin[p]; k < kept.begin[p + 1]; ++k) {
                 const uint32_t next = kept.at[k];
-                if (cloth.listed[next] || yields(cloth, kept.links[next])) continue;
-                cloth.listed[next] = 1;
-                cloth.waiting[waiting++] = next;
+                if (relaxation_.listed[next] || yields(kept.links[next])) continue;
+                relaxation_.listed[next] = 1;
+                relaxation_.waiting[waiting++] = next;
             }
         }
     }
     count = waiting;
     for (uint32_t i = 0; i < waiting; ++i) {
-        cloth.strained[i] = cloth.waiting[i];
-        cloth.listed[cloth.waiting[i]] = 0;
+        relaxation_.strained[i] = relaxation_.waiting[i];
+        relaxation_.listed[relaxation_.waiting[i]] = 0;
     }
 }
 
 }  // namespace
 
 double relax_links(Body& body, bool collides, double h) {
-    Cloth& cloth = body.cloth;
+    Relaxation& relaxation = body.cloth.relaxation;
+    Relaxer relaxer(body, collides, h);
     double lost = 0;
     uint32_t passes = 0, count = 0;
-    const size_t all = body.cloth.batches.kept.links.size();
-    size_t work = cloth.braces_yield ? most_work * all : most_passes * all;
+    const size_t all = relaxation.kept.links.size();
+    size_t work = relaxation.braces_yield ? most_work * all : most_passes * all;
     while (passes < most_passes) {
-        const double largest = find_strained(body.cloth.batches, cloth, count);
-        if (count == 0 || largest <= cloth.most_strain - rounding) break;
+        const double largest = relaxer.find_strained(count);
+        if (count == 0 || largest <= relaxation.most_strain - rounding) break;
         for (; passes < most_passes && count > 0; ++passes) {
             if (work < count) return lost;
             work -= count;
-            relax_listed(body, count, collides, h, lost);
+            relaxer.relax_listed(count, lost);
         }
     }
     // The remaining error grows with the square of the substep, and so does the number of passes.
-    if (passes > 0) cloth.wanted_substep = std::min(cloth.wanted_substep, h * std::sqrt(aimed_passes / passes));
+    if (passes > 0)
+        relaxation.wanted_substep = std::min(relaxation.wanted_substep, h * std::sqrt(aimed_passes / passes));
     return lost;
 }
 

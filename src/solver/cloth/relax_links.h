@@ -2,10 +2,31 @@
 #pragma once
 
 #include "foundation/math.h"
+#include "foundation/memory.h"
+#include "solver/cloth/kept_links.h"
 
 namespace gphys {
 
 struct Body;
+
+struct Relaxation {
+    explicit Relaxation(std::pmr::memory_resource* memory)
+        : kept(memory), strained(memory), waiting(memory), listed(memory) {}
+
+    double most_strain = 0;     // of rigid links; 0: the cloth is not relaxed
+    bool braces_yield = false;  // braces are not relaxed
+    double wanted_substep = 0;  // seconds: the longest that would have sufficed, in the worst substep of this step
+    KeptLinks kept;
+    Vector<uint32_t> strained, waiting;  // capacity for all links
+    Vector<uint8_t> listed;              // by kept link: whether it is waiting
+
+    /// For cloth that is relaxed. `places`: the length of ClothBatches::rest. Throws std::bad_alloc.
+    void reserve(size_t places) {
+        strained.resize(places);
+        waiting.resize(kept.links.size());
+        listed.assign(kept.links.size(), 0);
+    }
+};
 
 /// Call after a substep of h seconds. Relaxes links that are strained beyond the target. Returns the energy that forces
 /// have lost by it, per average mass.

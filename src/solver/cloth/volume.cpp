@@ -10,11 +10,10 @@ namespace {
 
 /// The sum of a . (b x c) over the triangles; at(p) is a position.
 template <class At>
-double six_volumes(const Body& body, At&& at) {
+double six_volumes(const ClothSheet& sheet, At&& at) {
     double sum = 0;
-    for (size_t i = 0; i < body.cloth.triangles.size(); i += 3) {
-        sum +=
-            dot(at(body.cloth.triangles[i]), cross(at(body.cloth.triangles[i + 1]), at(body.cloth.triangles[i + 2])));
+    for (size_t i = 0; i < sheet.triangles.size(); i += 3) {
+        sum += dot(at(sheet.triangles[i]), cross(at(sheet.triangles[i + 1]), at(sheet.triangles[i + 2])));
     }
     return sum;
 }
@@ -23,26 +22,24 @@ void add(float* to, Vec3 v) {
     for (int k = 0; k < 3; ++k) to[k] = static_cast<float>(to[k] + v[k]);
 }
 
-void find_gradient(Body& body) {
-    Vector<Vec3>& gradient = body.cloth.volume.gradient;
+void find_gradient(const ClothSheet& sheet, const ClothState& state, Vector<Vec3>& gradient) {
     std::fill(gradient.begin(), gradient.end(), Vec3{});
-    for (size_t i = 0; i < body.cloth.triangles.size(); i += 3) {
-        const uint32_t* corner = &body.cloth.triangles[i];
+    for (size_t i = 0; i < sheet.triangles.size(); i += 3) {
+        const uint32_t* corner = &sheet.triangles[i];
         Vec3 at[3];
-        for (int k = 0; k < 3; ++k) at[k] = get(&body.cloth.at[4 * size_t{corner[k]}]);
+        for (int k = 0; k < 3; ++k) at[k] = get(&state.at[4 * size_t{corner[k]}]);
         for (int k = 0; k < 3; ++k) gradient[corner[k]] += cross(at[(k + 1) % 3], at[(k + 2) % 3]) / 6;
     }
 }
 
 }  // namespace
 
-bool encloses_volume(const Body& body) {
+bool encloses_volume(const ClothSheet& sheet) {
     using Side = std::pair<uint32_t, uint32_t>;
-    Vector<Side> sides(body.particles.position.get_allocator().resource());
-    sides.reserve(body.cloth.triangles.size());
-    for (size_t i = 0; i < body.cloth.triangles.size(); i += 3) {
-        for (size_t k = 0; k < 3; ++k)
-            sides.emplace_back(body.cloth.triangles[i + k], body.cloth.triangles[i + (k + 1) % 3]);
+    Vector<Side> sides(sheet.triangles.get_allocator().resource());
+    sides.reserve(sheet.triangles.size());
+    for (size_t i = 0; i < sheet.triangles.size(); i += 3) {
+        for (size_t k = 0; k < 3; ++k) sides.emplace_back(sheet.triangles[i + k], sheet.triangles[i + (k + 1) % 3]);
     }
     std::sort(sides.begin(), sides.end());
     if (std::adjacent_find(sides.begin(), sides.end()) != sides.end()) return false;
@@ -51,60 +48,57 @@ bool encloses_volume(const Body& body) {
     });
 }
 
-double volume_of(const Body& body) {
+double volume_of(const ClothSheet& sheet, const Particles& particles) {
     // Relative to a particle, because far from the origin the products would cancel.
-    const Vec3 origin = body.particles.position[0];
-    return six_volumes(body, [&](uint32_t p) { return body.particles.position[p] - origin; }) / 6;
+    const Vec3 origin = particles.position[0];
+    return six_volumes(sheet, [&](uint32_t p) { return particles.position[p] - origin; }) / 6;
 }
 
-double cloth_volume(const Body& body) {
-    return six_volumes(body, [&](uint32_t p) { return get(&body.cloth.at[4 * size_t{p}]); }) / 6;
+double cloth_volume(const ClothSheet& sheet, const ClothState& state) {
+    return six_volumes(sheet, [&](uint32_t p) { return get(&state.at[4 * size_t{p}]); }) / 6;
 }
 
-double stored_in_volume(const Body& body, double volume) {
-    const double missing = body.cloth.volume.rest - volume;
-    return body.cloth.volume.compliance > 0 ? missing * missing / (2 * body.cloth.volume.compliance) : 0;
+double stored_in_volume(const Volume& constraint, double volume) {
+    const double missing = constraint.rest - volume;
+    return constraint.compliance > 0 ? missing * missing / (2 * constraint.compliance) : 0;
 }
 
-void solve_volume(Body& body, double scale) {
+void solve_volume(Volume& volume, const ClothSheet& sheet, ClothState& state, ChainContacts& contacts, double scale,
+                  bool has_contact, bool pulls_count) {
     // The volume grows with the third power of lengths. For a change of more than a tenth the gradient would be too
     // inaccurate.
     constexpr double most_change = 0.1;
-    Volume& volume = body.cloth.volume;
-    Cloth& cloth = body.cloth;
-    ClothContacts& contacts = body.cloth.contacts;
-    const double now = cloth_volume(body), softness = volume.compliance * scale;
+    const double now = cloth_volume(sheet, state), softness = volume.compliance * scale;
     const double most = most_change * std::max(std::fabs(now), most_change * volume.rest);
     const double wanted = std::clamp(volume.rest - now - softness * volume.given, -most, most);
-    find_gradient(body);
+    find_gradient(sheet, state, volume.gradient);
     // Particles in contact move along their contact plane, or off it.
-    const auto way = [&](uint32_t p) {
+    const auto direction = [&](uint32_t p) {
         Vec3 out = volume.gradient[p];
-        if (!contacts.any_active()) return out;
+        if (!has_contact) return out;
         const Vec3 normal = get(&contacts.normals[4 * size_t{p}]);
         const double off = dot(out, normal) * wanted;
         return off < 0 ? out - normal * dot(out, normal) : out;
     };
     double mobility = 0;
-    for (uint32_t p = 0; p < body.particles.size(); ++p)
-        mobility += cloth.at[4 * size_t{p} + 3] * length_squared(way(p));
+    for (uint32_t p = 0; p < state.particles; ++p)
+        mobility += state.at[4 * size_t{p} + 3] * length_squared(direction(p));
     if (mobility == 0) return;
     const double push = wanted / (mobility + softness);
-    const bool is_noted = contacts.any_active() || !body.constraints.attachments.empty();
-    for (uint32_t p = 0; p < body.particles.size(); ++p) {
-        float* at = &cloth.at[4 * size_t{p}];
-        add(at, way(p) * (push * at[3]));
-        if (is_noted) add(&contacts.pulls[4 * size_t{p}], volume.gradient[p] * push);
+    for (uint32_t p = 0; p < state.particles; ++p) {
+        float* at = &state.at[4 * size_t{p}];
+        add(at, direction(p) * (push * at[3]));
+        if (pulls_count) add(&contacts.pulls[4 * size_t{p}], volume.gradient[p] * push);
     }
     volume.given += push;
     volume.pressure = volume.given * scale;
 }
 
 gphys_status set_volume(Body& body, double rest, double compliance) {
-    if (!body.cloth.volume.held && !encloses_volume(body)) {
+    if (!body.cloth.volume.held && !encloses_volume(body.cloth.sheet)) {
         return fail(GPHYS_ERROR_UNSUPPORTED, "body: its triangles do not close, or are not all turned the same way");
     }
-    const double now = volume_of(body);
+    const double now = volume_of(body.cloth.sheet, body.particles);
     if (rest < 0 && !(now > 0)) return fail(GPHYS_ERROR_UNSUPPORTED, "body: it is turned inside out");
     wake(body);
     if (!body.cloth.volume.held) body.plan.chains_current = false;

@@ -13,6 +13,10 @@
 namespace gphys {
 
 struct Body;
+struct ChainContacts;
+struct ClothSheet;
+struct ClothState;
+struct Particles;
 
 struct Volume {
     explicit Volume(std::pmr::memory_resource* memory) : gradient(memory) {}
@@ -27,15 +31,17 @@ struct Volume {
 
 /// Whether each edge of a triangle is that of exactly one other triangle, in the opposite direction. Throws
 /// std::bad_alloc.
-bool encloses_volume(const Body& body);
-double volume_of(const Body& body);
+bool encloses_volume(const ClothSheet& sheet);
+double volume_of(const ClothSheet& sheet, const Particles& particles);
 /// Energy of the compression, joules.
-double stored_in_volume(const Body& body, double volume);
+double stored_in_volume(const Volume& constraint, double volume);
 
-/// For cloth during a substep: moves the particles to correct the volume. `scale` is the average mass / step^2.
-void solve_volume(Body& body, double scale);
 /// For the positions of cloth during a substep.
-double cloth_volume(const Body& body);
+double cloth_volume(const ClothSheet& sheet, const ClothState& state);
+/// For cloth during a substep: moves the particles to correct the volume. `scale` is the average mass / step^2;
+/// `has_contact`: whether any contact plane is active; `pulls_count`: whether pulls are added up.
+void solve_volume(Volume& volume, const ClothSheet& sheet, ClothState& state, ChainContacts& contacts, double scale,
+                  bool has_contact, bool pulls_count);
 
 /// rest < 0: the present volume. The body keeps the volume from then on.
 gphys_status set_volume(Body& body, double rest, double compliance);

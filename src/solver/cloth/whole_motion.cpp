@@ -6,7 +6,8 @@
 // rigid motion. Energy is then only taken from the motion relative to that.
 #include "solver/cloth/whole_motion.h"
 #include "foundation/elementary.h"
-#include "solver/contact/collision.h"
+#include "solver/cloth/cloth_contacts.h"
+#include "solver/cloth/cloth_state.h"
 #include "solver/quads.h"
 
 namespace gphys {
@@ -65,15 +66,15 @@ double energy_beside(const Moments& body) {
 
 /// Calls visit(index of the first float, relative mass) for each particle, in order.
 template <class Visit>
-void each_particle(const Cloth& cloth, Visit&& visit) {
-    for (size_t i = 0; i < 4 * size_t{cloth.particles}; i += 4) visit(i, double{cloth.acceleration[i + 3]});
+void each_particle(const ClothState& state, Visit&& visit) {
+    for (size_t i = 0; i < 4 * size_t{state.particles}; i += 4) visit(i, double{state.acceleration[i + 3]});
 }
 
 /// Keeps the rigid motion, and this fraction of all other motion.
-void slow_beside(Cloth& cloth, const Rigid& rigid, double kept) {
-    each_particle(cloth, [&](size_t i, double) {
-        const Vec3 common = rigid.at(get(&cloth.at[i]));
-        put(&cloth.velocity[i], common + (get(&cloth.velocity[i]) - common) * kept);
+void slow_beside(ClothState& state, const Rigid& rigid, double kept) {
+    each_particle(state, [&](size_t i, double) {
+        const Vec3 common = rigid.at(get(&state.at[i]));
+        put(&state.velocity[i], common + (get(&state.velocity[i]) - common) * kept);
     });
 }
 
@@ -81,15 +82,15 @@ double part_without(double energy, double of) { return energy < of ? std::sqrt(1
 
 }  // namespace
 
-void keep_momentum(Body& body, double h, double stored) {
-    Cloth& cloth = body.cloth;
+void keep_momentum(ClothState& state, const ClothContacts& contacts, bool closed, double damping, double h,
+                   double stored) {
     Moments before, after;
     Vec3 force, torque_before, torque_after;
     double work = 0;
-    each_particle(cloth, [&](size_t i, double m) {
-        const Vec3 start = get(&cloth.start[i]), at = get(&cloth.at[i]), push = get(&cloth.acceleration[i]) * m;
-        before.add(m, start, get(&cloth.velocity_before[i]));
-        after.add(m, at, get(&cloth.velocity[i]));
+    each_particle(state, [&](size_t i, double m) {
+        const Vec3 start = get(&state.start[i]), at = get(&state.at[i]), push = get(&state.acceleration[i]) * m;
+        before.add(m, start, get(&state.velocity_before[i]));
+        after.add(m, at, get(&state.velocity[i]));
         force += push;
         torque_before += cross(start, push);
         torque_after += cross(at, push);
@@ -97,19 +98,18 @@ void keep_momentum(Body& body, double h, double stored) {
     });
     torque_before -= cross(before.centre(), force);
     torque_after -= cross(after.centre(), force);
-    const double z = body.settings.damping * h;
+    const double z = damping * h;
     const Decay decay = gphys::decay(z);
     const double acting = z > 0 ? h * (decay.lost / z) : h;  // seconds
-    const ClothContacts& contacts = body.cloth.contacts;
-    const Vec3 momentum = before.momentum * decay.kept + force * acting - contacts.given;
+    const Vec3 momentum = before.momentum * decay.kept + force * acting - contacts.impulse;
     const Vec3 spin = before.own_spin() * decay.kept + (torque_before + torque_after) * (acting / 2) -
-                      (contacts.turning - cross(after.centre(), contacts.given));
+                      (contacts.moment - cross(after.centre(), contacts.impulse));
 
     const Vec3 push = momentum - after.momentum, twist = spin - after.own_spin();
     const Vec3 turning = turning_of(after, twist);
     const Rigid given{push / after.mass - cross(turning, after.centre()), turning};
-    each_particle(cloth, [&](size_t i, double) {
-        put(&cloth.velocity[i], get(&cloth.velocity[i]) + given.at(get(&cloth.at[i])));
+    each_particle(state, [&](size_t i, double) {
+        put(&state.velocity[i], get(&state.velocity[i]) + given.at(get(&state.at[i])));
     });
     after.energy += dot(after.momentum, push) / after.mass + dot(after.own_spin(), turning) +
                     length_squared(push) / (2 * after.mass) + dot(turning, twist) / 2;
@@ -117,8 +117,8 @@ void keep_momentum(Body& body, double h, double stored) {
     after.momentum = momentum;
 
     const double gain = after.energy - before.energy - work + stored;
-    if (cloth.balance.closed && gain > 0) {
-        slow_beside(cloth, rigid_motion_of(after), part_without(gain, energy_beside(after)));
+    if (closed && gain > 0) {
+        slow_beside(state, rigid_motion_of(after), part_without(gain, energy_beside(after)));
     }
 }
 

@@ -13,6 +13,7 @@
 // minimum inside, in which particles would be trapped, only maxima, such as the middle of a ball for a rope across it.
 // If the directions contradict each other, all particles move aside together.
 #include "solver/contact/leave_solids.h"
+#include "solver/cloth/cloth_chains.h"
 #include "solver/contact/collision.h"
 #include "solver/quads.h"
 
@@ -54,30 +55,30 @@ void keep_aims(Body& body) {
     constexpr double much = 0.02;
     Cloth& cloth = body.cloth;
     ClothContacts& contacts = body.cloth.contacts;
-    const auto swap_with_aim = [&](Neighbour& n) {
-        float* const at = &cloth.at[4 * size_t{n.particle}];
+    const auto swap_with_aim = [&](ClothContact& n) {
+        float* const at = &cloth.state.at[4 * size_t{n.particle}];
         const Vec3 aim = n.aim;
         n.aim = get(at);
         put(at, aim);
         n.aims = !n.aims;
     };
-    for (Neighbour& n : contacts.neighbours) {
+    for (ClothContact& n : contacts.candidates) {
         if (n.depth > 0) swap_with_aim(n);
     }
     for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
         const DistanceConstraint& link = body.constraints.by_slot[slot];
         if (!body.constraints.ids.live(slot) || link.compliance > 0) continue;
-        const float *a = &cloth.at[4 * size_t{link.a}], *b = &cloth.at[4 * size_t{link.b}];
+        const float *a = &cloth.state.at[4 * size_t{link.a}], *b = &cloth.state.at[4 * size_t{link.b}];
         const double stretch = distance(get(a), get(b)) - link.rest;
         if ((link.limit ? stretch : std::fabs(stretch)) <= much * link.rest) continue;
         for (const uint32_t p : {link.a, link.b}) {
-            const uint32_t place = contacts.place[p];
-            if (place != ClothContacts::nowhere && contacts.neighbours[place].aims) {
-                swap_with_aim(contacts.neighbours[place]);
+            const uint32_t place = contacts.candidate_of[p];
+            if (place != ClothContacts::none && contacts.candidates[place].aims) {
+                swap_with_aim(contacts.candidates[place]);
             }
         }
     }
-    for (Neighbour& n : contacts.neighbours) n.aims = false;
+    for (ClothContact& n : contacts.candidates) n.aims = false;
 }
 
 /// At most a fraction of a link, so that links turn little.
@@ -139,23 +140,24 @@ void leave_solids(Body& body, double h) {
     ClothContacts& contacts = body.cloth.contacts;
     WaysOut ways(within_links(leaving_speed * h, body.cloth.batches.link_length));
     const auto each_sunk = [&](auto&& visit) {
-        for (Neighbour& n : contacts.neighbours) {
-            if (n.depth > 0) visit(n, &cloth.at[4 * size_t{n.particle}], n.planes[n.sunk_most].normal);
+        for (ClothContact& n : contacts.candidates) {
+            if (n.depth > 0) visit(n, &cloth.state.at[4 * size_t{n.particle}], n.planes[n.sunk_most].normal);
         }
     };
-    each_sunk([&](Neighbour&, float*, Vec3 normal) { ways.add(normal); });
+    each_sunk([&](ClothContact&, float*, Vec3 normal) { ways.add(normal); });
     if (!ways.any()) return;
-    each_sunk([&](Neighbour& n, float* at, Vec3 normal) {
+    each_sunk([&](ClothContact& n, float* at, Vec3 normal) {
         n.aim = get(at) + ways.way(normal, n.depth);
         put(at, n.aim);
     });
-    for (int sweep = 0; sweep < sweeps; ++sweep) project_cloth(body);
+    for (int sweep = 0; sweep < sweeps; ++sweep)
+        project_links(cloth.batches, cloth.reach, cloth.state, cloth.shares.team);
     keep_aims(body);
-    for (Neighbour& n : contacts.neighbours) {
-        if (n.depth == 0) stay_outside(body, n.particle);
+    for (ClothContact& n : contacts.candidates) {
+        if (n.depth == 0) stay_outside(contacts, cloth.state, n.particle);
     }
     // The contact planes follow these particles.
-    each_sunk([&](Neighbour& n, float* at, Vec3 normal) {
+    each_sunk([&](ClothContact& n, float* at, Vec3 normal) {
         ContactPlane& deepest = n.planes[n.sunk_most];
         deepest.offset = std::min(deepest.offset + n.depth, dot(normal, get(at)));
         for (uint32_t i = 0; i < n.plane_count; ++i) {

@@ -39,10 +39,11 @@ constexpr double deep = 0.5;
 bool collides_with_others(const Body& body) { return body.settings.self_collision || body.settings.body_layers != 0; }
 
 Vec3 place_of(const Body& body, uint32_t p) {
-    return is_graph(body) ? body.cloth.origin + get(&body.cloth.at[4 * size_t{p}]) : body.particles.position[p];
+    return is_graph(body) ? body.cloth.state.origin + get(&body.cloth.state.at[4 * size_t{p}])
+                          : body.particles.position[p];
 }
 Vec3 velocity_of(const Body& body, uint32_t p) {
-    return is_graph(body) ? get(&body.cloth.velocity[4 * size_t{p}]) : body.particles.velocity[p];
+    return is_graph(body) ? get(&body.cloth.state.velocity[4 * size_t{p}]) : body.particles.velocity[p];
 }
 
 bool linked(const Body& body, uint32_t a, uint32_t b) {
@@ -422,7 +423,7 @@ template <class Particle>
 void push_predicted(const Particle* first, const Particle* end, Body& body) {
     each_moved(first, end, [&](uint32_t p, Vec3 way) {
         if (is_graph(body)) {
-            float* const at = &body.cloth.at[4 * size_t{p}];
+            float* const at = &body.cloth.state.at[4 * size_t{p}];
             put(at, get(at) + way);
             return;
         }
@@ -438,9 +439,9 @@ void push_arrived(const Particle* first, const Particle* end, Body& body, const 
                   double quiet) {
     if (is_graph(body)) {
         each_moved(first, end, [&](uint32_t p, Vec3 way) {
-            float* const at = &body.cloth.at[4 * size_t{p}];
+            float* const at = &body.cloth.state.at[4 * size_t{p}];
             put(at, get(at) + way);
-            if (collides(body, around)) stay_outside(body, p);
+            if (collides(body, around)) stay_outside(body.cloth.contacts, body.cloth.state, p);
         });
         return;
     }
@@ -531,7 +532,7 @@ void ParticleContacts::turn(const Island& island, Vector<Body>& bodies, const ui
         for (const Particle* p = first; p != end; ++p) {
             if (p->velocity == p->arrived_velocity) continue;
             if (is_graph(body)) {
-                put(&body.cloth.velocity[4 * size_t{p->number}], p->velocity);
+                put(&body.cloth.state.velocity[4 * size_t{p->number}], p->velocity);
             } else {
                 body.particles.velocity[p->number] = p->velocity;
             }

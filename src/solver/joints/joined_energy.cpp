@@ -35,14 +35,14 @@ bool is_held(const Body& body) {
 }
 
 Motion motion_of(const Body& body) {
-    if (is_graph(body)) return motion_of_cloth(body);
+    if (is_graph(body)) return motion_of_cloth(body.cloth.state);
     Motion sum;
     for (uint32_t p = 0; p < body.particles.size(); ++p) sum.add(body.particles.mass[p], body.particles.velocity[p]);
     return sum;
 }
 
 double inner_energy(Body& body, Vec3 drift) {
-    if (is_graph(body)) return inner_energy_of_cloth(body, drift);
+    if (is_graph(body)) return inner_energy_of_cloth(body.cloth.state, body.cloth.shares, drift);
     double energy = 0;
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (!body.particles.pinned(p))
@@ -52,7 +52,7 @@ double inner_energy(Body& body, Vec3 drift) {
 }
 
 void slow(Body& body, Vec3 drift, double kept) {
-    if (is_graph(body)) return slow_cloth(body, drift, kept);
+    if (is_graph(body)) return slow_cloth(body.cloth.state, body.cloth.shares.team, drift, kept);
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (!body.particles.pinned(p)) body.particles.velocity[p] = drift + (body.particles.velocity[p] - drift) * kept;
     }

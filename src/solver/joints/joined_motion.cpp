@@ -34,8 +34,8 @@ void hang_on(Cloth& cloth, const Tether& tether, JointSystem& system) {
     Vec3 columns[3];
     system.response(tether.node, columns);
     const double weight = system.node(tether.node).weight;
-    float* const diagonal = &cloth.tether_diagonal[4 * size_t{tether.particle}];
-    float* const off = &cloth.tether_off[4 * size_t{tether.particle}];
+    float* const diagonal = &cloth.tethers.diagonal[4 * size_t{tether.particle}];
+    float* const off = &cloth.tethers.off[4 * size_t{tether.particle}];
     for (int k = 0; k < 3; ++k) {
         diagonal[k] = static_cast<float>(columns[k][k] * weight);
         off[k] = static_cast<float>(columns[(k + 1) % 3][(k + 2) % 3] * weight);
@@ -46,10 +46,10 @@ void sweep_joined_cloth(const Joined& joined, Body& body, uint32_t slot, const C
                         double h) {
     const auto begin = std::lower_bound(joined.all_tethers.begin(), joined.all_tethers.end(), Tether{slot, 0, 0, 0});
     const auto end = std::lower_bound(begin, joined.all_tethers.end(), Tether{slot + 1, 0, 0, 0});
-    Vector<float>& pulls = body.cloth.contacts.pulls;
+    Vector<float>& pulls = body.cloth.in_chains.pulls;
     const bool collides = gphys::collides(body, around);
     if (collides) find_active_planes(body, around, gravity, TimeScheme(h, body.history.earlier_step));
-    const auto moves = [&](const Tether& tether) { return body.cloth.at[4 * size_t{tether.particle} + 3] > 0; };
+    const auto moves = [&](const Tether& tether) { return body.cloth.state.at[4 * size_t{tether.particle} + 3] > 0; };
     for (auto tether = begin; tether != end; ++tether) {
         hang_on(body.cloth, *tether, joined.all_systems[tether->system]);
         // A particle held by friction is not pulled off by this.
@@ -60,7 +60,7 @@ void sweep_joined_cloth(const Joined& joined, Body& body, uint32_t slot, const C
     for (auto tether = begin; tether != end; ++tether) {
         if (!moves(*tether)) continue;
         const float* pull = &pulls[4 * size_t{tether->particle}];
-        const Vec3 force = Vec3{pull[0], pull[1], pull[2]} * (body.cloth.average_mass / (step * step));
+        const Vec3 force = Vec3{pull[0], pull[1], pull[2]} * (body.cloth.state.average_mass / (step * step));
         joined.all_systems[tether->system].push(tether->node, force);
     }
     for (auto tether = begin; tether != end; ++tether) {
@@ -110,20 +110,6 @@ void collide_joined(const Joined& joined, const CollisionContext& around, double
 }
 
 }  // namespace
-
-void reserve_joined_cloth(Cloth& cloth) {
-    cloth.tether_diagonal.resize(cloth.at.size());
-    cloth.tether_off.resize(cloth.at.size());
-    for (Vector<float>* values : {&cloth.contacts.normals, &cloth.contacts.pulls}) {
-        values->resize(cloth.at.size());
-    }
-}
-
-void begin_joined_cloth(Cloth& cloth) {
-    std::fill(cloth.tether_diagonal.begin(), cloth.tether_diagonal.end(), 1.0f);
-    std::fill(cloth.tether_off.begin(), cloth.tether_off.end(), 0.0f);
-    std::fill(cloth.contacts.normals.begin(), cloth.contacts.normals.end(), 0.0f);
-}
 
 void begin_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h) {
     each_body(joined, [&](Body& body, uint32_t) {

@@ -32,8 +32,5 @@ void begin_joined(const Joined& joined, const CollisionContext& around, Vec3 gra
 void end_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h);
 /// joined_energy.cpp: slows the bodies so that a substep gains no energy, if one of them is cloth.
 void keep_joined_energy(const Joined& joined, Vec3 gravity);
-/// Memory for the above; begin_joined_cloth: before the first substep, after begin_cloth.
-void reserve_joined_cloth(Cloth& cloth);
-void begin_joined_cloth(Cloth& cloth);
 
 }  // namespace gphys

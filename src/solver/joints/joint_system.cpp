@@ -37,8 +37,8 @@ constexpr int most_yielding_iterations = 300;
 constexpr Vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 Vec3 cloth_position(const Cloth& cloth, uint32_t particle) {
-    const float* at = &cloth.at[4 * size_t{particle}];
-    return cloth.origin + Vec3{at[0], at[1], at[2]};
+    const float* at = &cloth.state.at[4 * size_t{particle}];
+    return cloth.state.origin + Vec3{at[0], at[1], at[2]};
 }
 
 }  // namespace
@@ -168,9 +168,9 @@ void JointSystem::scatter(Vector<Body>& bodies) const {
         Body& body = bodies[node.body];
         if (!node.free) continue;
         if (node.of_graph) {
-            const Vec3 at = node.position - body.cloth.origin;
+            const Vec3 at = node.position - body.cloth.state.origin;
             for (int k = 0; k < 3; ++k) {
-                body.cloth.at[4 * size_t{node.particle} + k] =
+                body.cloth.state.at[4 * size_t{node.particle} + k] =
                     static_cast<float>(std::clamp(at[k], -far_range, far_range));
             }
         } else {

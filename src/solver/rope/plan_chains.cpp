@@ -399,6 +399,18 @@ void note_kinds(Body& body) {
 
 }  // namespace
 
+namespace {
+
+void pack_cloth(Body& body) {
+    const uint32_t particles = body.particles.size();
+    ClothBatches& batches = body.cloth.batches;
+    pack_cloth_chains(batches, body.plan, particles);
+    list_kept_links(body.cloth.relaxation.kept, batches, body.cloth.rigid, body.plan, particles,
+                    body.constraints.ids.slots(), body.kind == GPHYS_BODY_CLOTH);
+}
+
+}  // namespace
+
 void complete_plan(Body& body) {
     Plan& plan = body.plan;
     if (!plan.chains_current) return;
@@ -434,24 +446,26 @@ void update_plan(Body& body) {
         plan.described = true;
     }
     if (body.cloth.rigid.begin.empty() && plan.method == GPHYS_SOLVE_GRAPH) {
-        body.cloth.pin_ways.clear();
+        body.cloth.reach.paths.clear();
         body.cloth.rigid.list(plan, body.particles.size());
     }
     if (!plan.reach_current) {
-        body.cloth.reach_limits.clear();
+        Cloth& cloth = body.cloth;
+        cloth.reach.limits.clear();
         plan.pins_packed = false;
-        if (plan.method == GPHYS_SOLVE_GRAPH) plan_reach_limits(body);
+        if (plan.method == GPHYS_SOLVE_GRAPH) plan_reach_limits(cloth.reach, cloth.rigid, body.particles, cloth.sheet);
         plan.reach_current = true;
     }
     if (plan.method != GPHYS_SOLVE_GRAPH) return;
     // Pins come and go without changing the chains.
     if (!plan.chains_packed) {
         plan.pins_packed = false;
-        pack_cloth_chains(body);
+        pack_cloth(body);
         plan.chains_packed = true;
     }
     if (!plan.pins_packed) {
-        pack_pins(body);
+        pack_reach_limits(body.cloth.reach, body.particles.size());
+        mark_attached(body.cloth.batches, body.constraints, body.particles.size());
         plan.pins_packed = true;
     }
 }

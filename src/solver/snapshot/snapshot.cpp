@@ -51,7 +51,7 @@ void visit_plan(Archive& archive, Body& body) {
     archive.array(plan.particles);
     archive.array(plan.slots);
     archive.flag(plan.reach_current);
-    if (plan.reach_current) archive.array(body.cloth.reach_limits);
+    if (plan.reach_current) archive.array(body.cloth.reach.limits);
 }
 
 template <class Archive, class Body>
@@ -76,8 +76,8 @@ void visit_body(Archive& archive, Body& body) {
     IdTable::visit(archive, body.constraints.ids);
     archive.array(body.constraints.by_slot);
     archive.array(body.constraints.length_changes);
-    archive.array(body.cloth.rest_position);
-    archive.array(body.cloth.triangles);
+    archive.array(body.cloth.sheet.rest_position);
+    archive.array(body.cloth.sheet.triangles);
     archive.array(body.contacts.self.placed);
     archive.flag(body.cloth.volume.held);
     archive.value(body.cloth.volume.rest);
@@ -97,10 +97,10 @@ void visit_body(Archive& archive, Body& body) {
     archive.flag(body.sleep.asleep);
     archive.value(body.sleep.box);
     archive.value(body.sleep.neighbourhood);
-    archive.array(body.cloth.moved);
-    archive.array(body.cloth.velocity_before);
-    archive.value(body.cloth.origin);
-    archive.array(body.cloth.search_balls);
+    archive.array(body.cloth.state.moved);
+    archive.array(body.cloth.state.velocity_before);
+    archive.value(body.cloth.state.origin);
+    archive.array(body.cloth.cache.search_balls);
     visit_plan(archive, body);
 }
 

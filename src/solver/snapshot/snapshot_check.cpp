@@ -30,13 +30,13 @@ bool sizes_agree(const Body& body) {
            body.particles.force.size() == n && body.particles.mass.size() == n &&
            body.particles.inverse_mass.size() == n && body.particles.radius.size() == n &&
            body.constraints.by_slot.size() == body.constraints.ids.slots() &&
-           none_or(body.cloth.rest_position.size(), n) && body.settings.self_collision <= 1 &&
+           none_or(body.cloth.sheet.rest_position.size(), n) && body.settings.self_collision <= 1 &&
            body.contacts.self.placed.size() == (body.settings.self_collision ? n : 0) &&
            none_or(body.air.velocity.size(), n) && none_or(body.history.start.size(), n) &&
            none_or(body.history.start_velocity.size(), n) &&
            none_or(body.contacts.points.size(), n * contact_points_per_particle) &&
-           none_or(body.contacts.stuck.size(), n) && none_or(body.cloth.search_balls.size(), 4 * n) &&
-           body.cloth.triangles.size() % 3 == 0;
+           none_or(body.contacts.stuck.size(), n) && none_or(body.cloth.cache.search_balls.size(), 4 * n) &&
+           body.cloth.sheet.triangles.size() % 3 == 0;
 }
 
 bool settings_fine(const Body& body) {
@@ -61,7 +61,7 @@ bool are_search_balls_valid(const Vector<float>& search_balls) {
     for (size_t i = 0; i < search_balls.size(); i += 4) {
         const float reach = search_balls[i + 3];
         if (!is_within(far_range, {search_balls[i], search_balls[i + 1], search_balls[i + 2]})) return false;
-        if (reach != Cloth::no_ball && !(reach >= 0 && reach <= far_range)) return false;
+        if (reach != ContactCache::no_ball && !(reach >= 0 && reach <= far_range)) return false;
     }
     return true;
 }
@@ -75,13 +75,13 @@ bool particles_fine(const Body& body) {
     const auto is_number = [](float value) { return is_finite(value); };
     return all(body.particles.position, is_place) && all(body.particles.velocity, is_speed) &&
            all(body.particles.force, is_force) && all(body.particles.radius, is_amount) &&
-           all(body.cloth.rest_position, is_place) && all(body.contacts.self.placed, is_place) &&
+           all(body.cloth.sheet.rest_position, is_place) && all(body.contacts.self.placed, is_place) &&
            all(body.history.start, is_earlier_place) && all(body.history.start_velocity, is_speed) &&
            is_time(body.history.earlier_step) && all(body.contacts.points, is_contact_point) &&
-           all(body.contacts.stuck, [](uint32_t stuck) { return stuck <= 1; }) && all(body.cloth.moved, is_number) &&
-           all(body.cloth.velocity_before, is_number) && are_search_balls_valid(body.cloth.search_balls) &&
-           is_place(body.cloth.origin) && is_finite_amount(body.cloth.balance.lost) && is_amount(body.sleep.calm) &&
-           fine_box(body.sleep.box);
+           all(body.contacts.stuck, [](uint32_t stuck) { return stuck <= 1; }) &&
+           all(body.cloth.state.moved, is_number) && all(body.cloth.state.velocity_before, is_number) &&
+           are_search_balls_valid(body.cloth.cache.search_balls) && is_place(body.cloth.state.origin) &&
+           is_finite_amount(body.cloth.balance.lost) && is_amount(body.sleep.calm) && fine_box(body.sleep.box);
 }
 
 bool air_fine(const Air& air) {
@@ -262,7 +262,7 @@ const char* defect(const Body& body) {
     if (!impulses_fine(body.contacts)) return "words: an impulse is none";
     if (!attachments_fine(body)) return "words: an attachment is none";
     if (!constraints_fine(body) || !length_changes_fine(body.constraints)) return "words: a constraint is none";
-    if (!all(body.cloth.triangles, [&](uint32_t p) { return p < body.particles.size(); }))
+    if (!all(body.cloth.sheet.triangles, [&](uint32_t p) { return p < body.particles.size(); }))
         return "words: a triangle is none";
     return nullptr;
 }
@@ -293,7 +293,7 @@ const char* defect_of_plan(const Body& body) {
     const bool fine =
         all(plan.particles, [&](uint32_t p) { return p < body.particles.size(); }) && chains_fit(plan) &&
         colours_fit(plan) && chains_lead_along_constraints(body) && colours_are_independent(body) &&
-        all(body.cloth.reach_limits, [&](const ReachLimit& limit) { return is_reach_limit(body.particles, limit); });
+        all(body.cloth.reach.limits, [&](const ReachLimit& limit) { return is_reach_limit(body.particles, limit); });
     return fine ? nullptr : wrong;
 }
 

@@ -1,0 +1,85 @@
+// Particles of cloth that are attached to models (cloth_attachments.h).
+#include "solver/cloth/cloth_attachments.h"
+#include "solver/contact/collision.h"
+#include "solver/quads.h"
+
+namespace gphys {
+
+/// Attached particles move along arcs as their models rotate. Interpolating linearly between two positions on a circle
+/// would bring them closer to each other.
+void follow_models(const Constraints& constraints, const CollisionContext& around, ClothState& state,
+                   ChainContacts& contacts) {
+    gphys_model_id model = 0;
+    const PlacedModel* moved = nullptr;
+    Transform now;
+    for (const Attachment& attachment : constraints.attachments) {
+        if (attachment.begin == attachment.end) continue;
+        Vec3 next = attachment.begin + (attachment.end - attachment.begin) * around.end;
+        if (attachment.model != model) {
+            model = attachment.model;
+            moved = find_moved(around, model);
+            if (moved) now = interpolate(moved->world, around.scene->world(model), around.end);
+        }
+        if (moved && around.end < 1) {
+            const Vec3 aside = attachment.begin - widen(moved->world).apply(attachment.local);
+            next = now.apply(attachment.local) + aside * (1 - around.end);
+        }
+        put(&state.at[4 * size_t{attachment.particle}], next - state.origin, farthest_in_cloth);
+    }
+    for (const Attachment& attachment : constraints.attachments) {
+        put(&contacts.pulls[4 * size_t{attachment.particle}], {}, 0);
+    }
+}
+
+void add_pull_impulses(const Constraints& constraints, const CollisionContext& around, const ClothState& state,
+                       const ChainContacts& contacts, Vector<ModelImpulse>& impulses, double step, double h) {
+    if (!around.scene) return;
+    const double to_impulse = state.average_mass * h / (step * step);
+    for (const Attachment& attachment : constraints.attachments) {
+        const size_t i = 4 * size_t{attachment.particle};
+        add_impulse(impulses, around, attachment.model, state.origin + get(&state.at[i]),
+                    get(&contacts.pulls[i]) * to_impulse);
+    }
+}
+
+/// Models got the forces of this substep as continuous ones; an impact has no such history.
+TautLimits::TautLimits(const Constraints& constraints, const CollisionContext& around, ChainContacts& contacts,
+                       Vector<ModelImpulse>& impulses, const TimeScheme& scheme, double damping)
+    : constraints_(constraints),
+      around_(around),
+      contacts_(contacts),
+      impulses_(impulses),
+      counted_(scheme.h / (scheme.step(damping) * scheme.step(damping)) - scheme.next / scheme.h) {}
+
+void TautLimits::add_to_model(const ClothState& state, uint32_t particle, Vec3 impulse) {
+    const Attachment* attachment = around_.scene ? find_attachment(constraints_, particle) : nullptr;
+    if (!attachment) return;
+    float* pull = &contacts_.pulls[4 * size_t{particle}];
+    const Vec3 given = (impulse - get(pull) * counted_) * state.average_mass;
+    add_impulse(impulses_, around_, attachment->model, state.origin + get(&state.at[4 * size_t{particle}]), given);
+    put(pull, {}, 0);
+}
+
+bool TautLimits::capture(const Vector<LimitInCloth>& limits, ClothState& state) {
+    // Relative to the length: ten times the rounding of positions within about a metre.
+    constexpr double slack = 1e-6;
+    bool any = false;
+    for (const LimitInCloth& limit : limits) {
+        const size_t a = 4 * size_t{limit.a}, b = 4 * size_t{limit.b};
+        const double shortest = limit.rest * (1 - slack), mobility = double{state.at[a + 3]} + state.at[b + 3];
+        if (distance(get(&state.start[a]), get(&state.start[b])) >= shortest || mobility == 0) continue;
+        const Vec3 along = get(&state.at[b]) - get(&state.at[a]);
+        const double length = gphys::length(along);
+        if (length < shortest || length == 0) continue;
+        any = true;
+        const Vec3 apart =
+            along * (dot(get(&state.velocity[b]) - get(&state.velocity[a]), along) / (length * length * mobility));
+        put(&state.velocity[a], get(&state.velocity[a]) + apart * state.at[a + 3], fastest_in_cloth);
+        put(&state.velocity[b], get(&state.velocity[b]) - apart * state.at[b + 3], fastest_in_cloth);
+        add_to_model(state, limit.a, apart);
+        add_to_model(state, limit.b, -apart);
+    }
+    return any;
+}
+
+}  // namespace gphys

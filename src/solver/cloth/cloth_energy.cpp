@@ -1,0 +1,47 @@
+// The energy balance of a substep of cloth (cloth_energy.h).
+#include "solver/body.h"
+#include "solver/cloth/cloth_chains.h"
+#include "solver/contact/collision.h"
+
+namespace gphys {
+namespace {
+
+/// Removes energy from the motion relative to a drift.
+void slow_by(ClothState& state, ClothShares& shares, Vec3 drift, double energy) {
+    const double inner = inner_energy_of_cloth(state, shares, drift);
+    slow_cloth(state, shares.team, drift, energy < inner ? std::sqrt(1 - energy / inner) : 0);
+}
+
+}  // namespace
+
+double stored_energy(Cloth& cloth) {
+    const double compressed =
+        cloth.volume.held ? stored_in_volume(cloth.volume, cloth_volume(cloth.sheet, cloth.state)) : 0;
+    return add_stored_in_links(compressed / cloth.state.average_mass, cloth.batches, cloth.state, cloth.shares);
+}
+
+bool is_accounted_for(const Body& body, bool collides) {
+    const ClothContacts& contacts = body.cloth.contacts;
+    if (body.cloth.state.held || body.plan.joined || body.contacts.near) return false;
+    if (body.targets.act()) return false;
+    if (body.air.blows()) return false;  // the wind's force depends on the velocity that would be restored
+    if (!collides || !(contacts.any_active() || contacts.sunk)) return true;
+    return body.cloth.volume.held && !contacts.sunk && !contacts.pushed;
+}
+
+void keep_calm(ClothState& state, ClothShares& shares, double gain) {
+    const double calm = state.average_mass * state.particles * leaving_speed * leaving_speed / 2;
+    const double excess = std::min(gain, inner_energy_of_cloth(state, shares, {}) - calm);
+    if (excess > 0) slow_by(state, shares, {}, excess);
+}
+
+void remove_energy(ClothState& state, ClothShares& shares, double gain) {
+    Vec3 drift;
+    if (!state.held) {
+        const Motion motion = motion_of_cloth(state);
+        drift = motion.momentum / motion.mass;
+    }
+    slow_by(state, shares, drift, gain);
+}
+
+}  // namespace gphys

@@ -1,0 +1,60 @@
+// How the work on one cloth is divided, and what each share of it has found (fork-join).
+//
+// Shares have a fixed size and their results are added in a fixed order. So sums do not depend on the number of
+// workers.
+#pragma once
+
+#include <algorithm>
+
+#include "foundation/math.h"
+#include "foundation/memory.h"
+#include "foundation/team.h"
+#include "shapes/shapes.h"
+
+namespace gphys {
+
+/// Units of work of a team's members, in floats: 1000 particles, a few microseconds. A block is the unit of summation
+/// in the kernels.
+constexpr uint32_t share_floats = 4096, share_limits = 1024, block_floats = 256;
+
+/// Bounds and mass of some particles.
+struct ClothExtent {
+    Aabb box;
+    double mass;
+};
+
+/// Squared distances that particles moved in a step, square metres.
+struct ClothTravel {
+    double sum = 0, longest = 0;
+
+    void add(double square) { sum += square, longest = std::max(longest, square); }
+};
+
+struct ClothShares {
+    explicit ClothShares(std::pmr::memory_resource* memory)
+        : block_sums(memory), batch_sums(memory), extents(memory), travels(memory) {}
+
+    Team* team = nullptr;         // shares the work of the step under way; null: nobody
+    Vector<double> block_sums;    // of energy, by block of particles
+    Vector<double> batch_sums;    // of energy, by batch of chains
+    Vector<ClothExtent> extents;  // by share of particles
+    Vector<ClothTravel> travels;  // the same, for the last step
+
+    /// `floats`: the length of the arrays of the state. Throws std::bad_alloc.
+    void reserve(uint32_t particles, size_t floats, size_t batches) {
+        block_sums.resize((floats + block_floats - 1) / block_floats);
+        batch_sums.resize(batches);
+        extents.resize((4 * size_t{particles} + share_floats - 1) / share_floats);
+        travels.resize(extents.size());
+    }
+};
+
+/// Calls part(its index, first particle, end) in any order.
+template <class Part>
+void share_particles(Team* team, uint32_t particles, Part&& part) {
+    constexpr uint32_t together = share_floats / 4;
+    share(team, (particles + together - 1) / together,
+          [&](uint32_t i, uint32_t) { part(i, i * together, std::min(particles, (i + 1) * together)); });
+}
+
+}  // namespace gphys

@@ -1,0 +1,54 @@
+// Long-range attachments: how far particles may be from pinned ones (reach_limits.cpp).
+#pragma once
+
+#include "foundation/math.h"
+#include "foundation/memory.h"
+#include "foundation/team.h"
+
+namespace gphys {
+
+struct ClothSheet;
+struct ClothState;
+struct Particles;
+struct RigidLinks;
+
+/// A path of known length from a pinned particle, along rigid links.
+struct PinPath {
+    double length;
+    uint32_t particle, anchor;
+
+    /// The shortest first; equal ones in an order that is always the same.
+    bool operator<(const PinPath& other) const {
+        if (length != other.length) return length < other.length;
+        return particle != other.particle ? particle < other.particle : anchor < other.anchor;
+    }
+};
+
+/// No further than this from a pinned particle.
+struct ReachLimit {
+    uint32_t particle, anchor;
+    double distance;
+};
+
+/// The paths from pins, the limits that follow from them, and these in the layout of the kernels.
+struct ReachLimits {
+    explicit ReachLimits(std::pmr::memory_resource* memory)
+        : paths(memory), limits(memory), limited(memory), anchors(memory), ranks(memory), distances(memory) {}
+
+    Vector<PinPath> paths;  // in order. Empty: not known
+    Vector<ReachLimit> limits;
+    Vector<uint32_t> limited, anchors;  // particles
+    Vector<uint32_t> ranks;             // in them: the first of each rank, and the end; a rank has no particle twice
+    Vector<float> distances;
+};
+
+/// Of the rigid links of a plan that is current. Throw std::bad_alloc.
+void plan_reach_limits(ReachLimits& reach, const RigidLinks& rigid, const Particles& particles,
+                       const ClothSheet& sheet);
+void pack_reach_limits(ReachLimits& reach, uint32_t particles);
+
+/// Moves particles that are too far from their anchors. `pulls` adds up the pulls on anchors, see ClothSurfaces.
+void apply_reach_limits(const ReachLimits& reach, ClothState& state, Team* team);
+void apply_reach_limits(const ReachLimits& reach, ClothState& state, float* pulls);
+
+}  // namespace gphys

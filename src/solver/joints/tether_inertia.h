@@ -1,0 +1,27 @@
+// The inertia of cloth's particles that are joined to other bodies, as the chains of the cloth feel it.
+#pragma once
+
+#include <algorithm>
+
+#include "foundation/memory.h"
+
+namespace gphys {
+
+struct TetherInertia {
+    explicit TetherInertia(std::pmr::memory_resource* memory) : diagonal(memory), off(memory) {}
+
+    Vector<float> diagonal, off;  // symmetric matrices, see ClothTethers; empty unless the cloth is joined
+
+    /// Throws std::bad_alloc.
+    void reserve(size_t floats) {
+        diagonal.resize(floats);
+        off.resize(floats);
+    }
+    /// Unit matrices: no particle is joined.
+    void clear() {
+        std::fill(diagonal.begin(), diagonal.end(), 1.0f);
+        std::fill(off.begin(), off.end(), 0.0f);
+    }
+};
+
+}  // namespace gphys
