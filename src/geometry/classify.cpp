@@ -26,12 +26,12 @@ double lowered(const Sphere& sphere, const PlaneAt& plane) {
     return squares / (h + reach);
 }
 
-PlaneAt turned(const PlaneAt& plane) { return {-plane.normal, plane.origin, -plane.distance}; }
+PlaneAt flipped(const PlaneAt& plane) { return {-plane.normal, plane.origin, -plane.distance}; }
 
 }  // namespace
 
 Heights heights(const Sphere& sphere, const PlaneAt& plane) {
-    return {lowered(sphere, plane), -lowered(sphere, turned(plane))};
+    return {lowered(sphere, plane), -lowered(sphere, flipped(plane))};
 }
 
 Heights heights(const Capsule& capsule, const PlaneAt& plane) {

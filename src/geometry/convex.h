@@ -34,13 +34,13 @@ inline Vec3 reference_point(const Obb& box) { return box.center; }
 
 /// Relative to the size of a difference and its displacement: shapes closer than this count as in contact.
 constexpr double contact_tolerance = 0x1p-46;
-/// Relative to the size of a difference. The direction of a longer offset has an error below 2^-16. So a ball that is
-/// pushed out along it keeps a penetration below the square of that, relative to its radius. For a smaller radius, the
-/// cores are in contact within rounding if the shapes are.
-constexpr double has_direction = 0x1p-32;
-/// Relative to the size: how far a plane moves there when its normal is rounded to floats. A normal of a contact has
-/// both shapes on their sides of the plane, but for that.
-constexpr double tilted = 0x1p-24;
+/// Relative to the size of a difference: the shortest offset whose direction is used as a normal. That direction has an
+/// error below 2^-16. So a ball that is pushed out along it keeps a penetration below the square of that, relative to
+/// its radius. For a smaller radius, the cores are in contact within rounding if the shapes are.
+constexpr double least_offset = 0x1p-32;
+/// Relative to the size: how far a plane moves at that distance when its normal is rounded to floats. Up to this error,
+/// the plane of a contact separates the two shapes.
+constexpr double normal_rounding = 0x1p-24;
 
 /// The point of the difference that is closest to the origin, and the point of the other core that it comes from.
 struct NearestDifference {
@@ -127,10 +127,11 @@ Separation separation(const ConvexDifference& set);
 /// the cores farther apart, because the contact point of overlapping cores depends on rounding.
 Vec3 contact_on_other(const ConvexDifference& set, const Separation& separation);
 
-/// The normal of a first contact, for a difference that is there: of the given one and of those of the faces, against
-/// the motion, the one along which the cores are farthest apart. A step at a distance may find another part than the
-/// contact, and the direction of a short offset may be rounding.
-Vec3 contact_normal(const ConvexDifference& there, Vec3 displacement, Vec3 normal);
+/// The normal of a first contact: of the given normal and the face normals that oppose the motion, the one along which
+/// the cores are farthest apart. `at_contact`: the difference at the time of impact. The given normal may be that of
+/// another feature, because it comes from a step at a distance, or of an offset so short that its direction is
+/// rounding.
+Vec3 contact_normal(const ConvexDifference& at_contact, Vec3 displacement, Vec3 normal);
 
 /// The unit vector along cross(b - a, d - c), with a relative error of 2^-43, or 0.
 inline Vec3 unit_across(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {

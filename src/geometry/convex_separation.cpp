@@ -10,10 +10,10 @@ namespace {
 
 // Relative to the size of the difference. The error of a projection or an offset is about 2^-48.
 constexpr double certain = 0x1p-44;
-// The documented bound allows the normal of a face if the cores are closer than has_direction times the largest
+// The documented bound allows the normal of a face if the cores are closer than least_offset times the largest
 // coordinate difference, and the size is up to four times that. The direction of a longer offset has an error below
 // 2^-14: a ball that is pushed out along it keeps a penetration below 2^-29 of its radius.
-constexpr double is_direction = has_direction / 4;
+constexpr double is_direction = least_offset / 4;
 
 /// The distance is the maximum of the gap over all directions. If the origin is inside, a face normal attains it. So
 /// the largest gap found is a lower bound.
@@ -77,24 +77,24 @@ Vec3 contact_on_other(const ConvexDifference& set, const Separation& separation)
     return set.after(separation.normal * (set.size() * 0.5 - separation.distance)).nearest().on_other;
 }
 
-Vec3 contact_normal(const ConvexDifference& there, Vec3 displacement, Vec3 normal) {
+Vec3 contact_normal(const ConvexDifference& at_contact, Vec3 displacement, Vec3 normal) {
     WidestGap gaps;
-    gaps.offer(there.gap(normal), normal);
+    gaps.offer(at_contact.gap(normal), normal);
     const auto offer = [&](Vec3 unit) {
-        if (dot(unit, displacement) <= 0x1p-48 * length(displacement)) gaps.offer(there.gap(unit), unit);
+        if (dot(unit, displacement) <= 0x1p-48 * length(displacement)) gaps.offer(at_contact.gap(unit), unit);
     };
     const auto offer_both = [&](Vec3 unit) {
         offer(unit);
         offer(-unit);
         return true;
     };
-    there.for_each_normal(offer_both);
+    at_contact.for_each_normal(offer_both);
     // Of a segment or a point, which has no faces.
-    offer_both(there.across());
-    const Vec3 line = there.line(), against = line * dot(displacement, line) - displacement;
+    offer_both(at_contact.across());
+    const Vec3 line = at_contact.line(), against = line * dot(displacement, line) - displacement;
     if (against != Vec3{}) offer(normalized(against));
-    const Vec3 offset = there.nearest().offset;
-    if (there.radius() > 0 && offset != Vec3{}) offer(normalized(offset * -1.0));
+    const Vec3 offset = at_contact.nearest().offset;
+    if (at_contact.radius() > 0 && offset != Vec3{}) offer(normalized(offset * -1.0));
     return gaps.normal();
 }
 

@@ -1,5 +1,6 @@
 // penetration: the minimum translation that separates a solid from a shape. Both are convex, or the shape is a plane
-// with two sides, so the minimum is along a face normal of the Minkowski difference (convex_separation.cpp).
+// with two sides, so the minimum is along a face normal of the Minkowski difference (Cameron, Culley 1986). Those
+// normals are few (convex_separation.cpp), so all are tested, and no expanding polytope (EPA) is needed.
 #include <algorithm>
 
 #include "geometry/convex_pairs.h"
@@ -29,9 +30,11 @@ Penetration pair(const Plane& plane, const Moving& moving) {
 
 Penetration penetration(const Shape& shape, const Shape& moving) {
     return with_pair(shape, moving, [](const auto& other, const auto& solid) {
-        Penetration way{};  // for a frustum, which the interface rejects
-        if constexpr (!std::is_same_v<decltype(other), const Frustum&>) way = pair(other, solid);
-        return way;
+        if constexpr (std::is_same_v<decltype(other), const Frustum&>) {
+            return Penetration{};  // the interface does not allow a frustum
+        } else {
+            return pair(other, solid);
+        }
     });
 }
 Penetration penetration(const Triangle& triangle, const Shape& moving) {

@@ -34,14 +34,14 @@ public:
     bool is_empty() const {
         return leaves_ || (is_open() && begin_ - resolution_ / begin_speed_ > end_ + resolution_ / end_speed_);
     }
-    /// Whether the interval is shorter than rounding, as of a contact with an edge or of a flat shape. Then that of the
-    /// shapes cut with gaps smaller by the resolution says whether they touch, and the result is in it.
+    /// Whether the interval is empty within rounding, as in a contact with an edge or of a flat shape. Then the
+    /// interval of the shapes grown by the resolution decides whether they overlap, and contains the time of impact.
     bool is_open() const { return begin_ > end_; }
     bool is_in(const SlabClip& grown) {
         begin_ = std::min(begin_, grown.end_);
         return !grown.is_open();
     }
-    bool may_touch_at_start() const { return widest_ <= resolution_; }
+    bool may_overlap_at_start() const { return widest_ <= resolution_; }
 
     double begin() const { return begin_; }
     /// The normal of the first contact, or zero if the shapes are apart along no normal at the start.

@@ -2,7 +2,7 @@
 //
 // An offset sphere or capsule is one again; an offset plane is two planes; an offset triangle is a prism and a capsule
 // around each edge. For a box, the path is split where the nearest feature changes. A frustum, which may be infinite,
-// is approached by Newton's method.
+// is approached by Newton's method. So a sweep has the accuracy of a raycast.
 #include "foundation/exact.h"
 #include "geometry/capsule_axis.h"
 #include "geometry/convex.h"
@@ -30,13 +30,13 @@ bool contact_at_start(const Sphere& moving, Vec3 displacement, Vec3 nearest, Hit
 }
 
 template <class Shape>
-bool touches_at_start(const Shape& shape, const Sphere& moving, Vec3 displacement, Hit& hit) {
+bool overlaps_at_start(const Shape& shape, const Sphere& moving, Vec3 displacement, Hit& hit) {
     return contains(shape, moving.center, moving.radius) &&
            contact_at_start(moving, displacement, closest_point(shape, moving.center), hit);
 }
 
 /// The normal of a contact at the start, for a capsule so long that its nearest point is not accurate enough.
-void mend_normal(const Capsule& capsule, const Sphere& moving, Hit& hit) {
+void correct_normal(const Capsule& capsule, const Sphere& moving, Hit& hit) {
     const double size = max_component(abs(capsule.a) + abs(moving.center - capsule.a) + abs(capsule.b - capsule.a));
     if (!is_coarse(size, capsule.radius + moving.radius) || contains(capsule, moving.center, 0)) return;
     const auto is_beside = [&](Vec3 end, Vec3 other) {
@@ -65,7 +65,7 @@ bool contact_on(const Shape& shape, const Sphere& moving, Vec3 displacement, Hit
 
 bool sweep(const Sphere& sphere, const Sphere& moving, Vec3 displacement, Hit& hit) {
     if (moving.radius == 0) return raycast(sphere, path(moving, displacement), hit);
-    if (touches_at_start(sphere, moving, displacement, hit)) return true;
+    if (overlaps_at_start(sphere, moving, displacement, hit)) return true;
     return raycast(Sphere{sphere.center, sphere.radius + moving.radius}, path(moving, displacement), hit) &&
            contact_on(sphere, moving, displacement, hit);
 }
@@ -74,9 +74,9 @@ bool sweep(const Capsule& capsule, const Sphere& moving, Vec3 displacement, Hit&
     if (moving.radius == 0) return raycast(capsule, path(moving, displacement), hit);
     const Capsule grown{capsule.a, capsule.b, capsule.radius + moving.radius};
     const bool is_hit =
-        touches_at_start(capsule, moving, displacement, hit) ||
+        overlaps_at_start(capsule, moving, displacement, hit) ||
         (raycast(grown, path(moving, displacement), hit) && contact_on(capsule, moving, displacement, hit));
-    if (is_hit && hit.t == 0) mend_normal(capsule, moving, hit);
+    if (is_hit && hit.t == 0) correct_normal(capsule, moving, hit);
     return is_hit;
 }
 
@@ -84,7 +84,7 @@ bool sweep(const Capsule& capsule, const Sphere& moving, Vec3 displacement, Hit&
 /// two crossings of face planes that set of axes is constant, and in these axes alone the box is a point.
 bool sweep(const Aabb& box, const Sphere& moving, Vec3 displacement, Hit& hit) {
     if (moving.radius == 0) return raycast(box, path(moving, displacement), hit);
-    if (touches_at_start(box, moving, displacement, hit)) return true;
+    if (overlaps_at_start(box, moving, displacement, hit)) return true;
     double face_times[6];
     int face_count = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -94,7 +94,7 @@ bool sweep(const Aabb& box, const Sphere& moving, Vec3 displacement, Hit& hit) {
         }
     }
     double end = 0;
-    Vec3 inwards;  // the motion in the axes that last mattered
+    Vec3 inwards;  // the motion along the axes of the last interval
     for (double start = 0; start < 1; start = end) {
         end = 1;
         for (int i = 0; i < face_count; ++i) {
@@ -150,16 +150,16 @@ bool sweep(const Plane& plane, const Sphere& moving, Vec3 displacement, Hit& hit
 
 namespace {
 
-/// A ball that is little more than a point hits all edges of a corner at once, within rounding. If some of the
-/// triangle is beyond the plane of the contact, another normal. All is relative to the centre at the start.
-void mend_normal(const Triangle& triangle, const Sphere& moving, Vec3 displacement, double size, Hit& hit) {
+/// A tiny ball hits all edges of a corner at the same time, within rounding. If part of the triangle is beyond the
+/// plane of the contact, another normal replaces it. Coordinates are relative to the centre at the start.
+void correct_normal(const Triangle& triangle, const Sphere& moving, Vec3 displacement, double size, Hit& hit) {
     const Vec3 center = displacement * hit.t;
     const double high =
         std::max({dot(hit.normal, triangle.a), dot(hit.normal, triangle.b), dot(hit.normal, triangle.c)});
     const double gap = dot(hit.normal, center) - high;
-    if (hit.t == 0 || gap >= moving.radius - tilted * (size + max_component(abs(displacement)))) return;
-    const ConvexDifference there(relative_to(center, triangle), core_of(Sphere{{}, moving.radius}));
-    hit.normal = contact_normal(there, displacement, hit.normal);
+    if (hit.t == 0 || gap >= moving.radius - normal_rounding * (size + max_component(abs(displacement)))) return;
+    const ConvexDifference at_contact(relative_to(center, triangle), core_of(Sphere{{}, moving.radius}));
+    hit.normal = contact_normal(at_contact, displacement, hit.normal);
 }
 
 }  // namespace
@@ -178,13 +178,13 @@ bool sweep(const Triangle& triangle, const Sphere& moving, Vec3 displacement, Hi
     const bool behind = height < 0 || (height == 0 && dot(front, displacement) > 0);
     const Vec3 up = behind ? -front : front;
 
-    // Just outside of the face, which rounding of the offset face would miss.
+    // Just outside of the face, where a raycast of the offset face would miss by rounding.
     const double resolution = 0x1p-50 * size;
-    const auto touches = [&] {
+    const auto is_in_contact = [&] {
         if (std::fabs(std::fabs(height) - moving.radius) > resolution || dot(up, displacement) >= 0) return false;
         return distance(closest_point(triangle, moving.center), moving.center) <= moving.radius + resolution;
     };
-    if (contains(triangle, moving.center, moving.radius) || touches()) {
+    if (contains(triangle, moving.center, moving.radius) || is_in_contact()) {
         const Vec3 nearest = closest_point(triangle, moving.center);
         const bool on_face = nearest == moving.center && front != Vec3{};
         contact_at_start(moving, on_face ? -up : displacement, nearest, hit);
@@ -199,7 +199,7 @@ bool sweep(const Triangle& triangle, const Sphere& moving, Vec3 displacement, Hi
                 Hit on_edge;
                 if (raycast(edge, center_path, on_edge) && on_edge.t < first.t) first = on_edge;
             }
-            if (first.t < infinity) mend_normal(around, moving, displacement, size, first);
+            if (first.t < infinity) correct_normal(around, moving, displacement, size, first);
         }
         if (first.t == infinity) return false;
         contact_on(triangle, moving, displacement, first);
@@ -250,7 +250,7 @@ bool approach_frustum(const Frustum& frustum, const Sphere& moving, Vec3 displac
         const double resolution = 0x1p-50 * (max_component(abs(center)) + max_component(abs(frustum.origin)));
         const double approach = -dot(normal, displacement);
         if (gap <= resolution) {
-            // Touching within rounding, and moving away.
+            // In contact within rounding, and moving away.
             if (t == 0 && approach <= 0) return contact_at_start(moving, displacement, nearest, hit);
             break;
         }

@@ -17,13 +17,13 @@ namespace gphys {
 
 namespace {
 
-class Course {
+class ConvexSweep {
 public:
-    Course(const ConvexDifference& set, Vec3 displacement)
+    ConvexSweep(const ConvexDifference& set, Vec3 displacement)
         : set_(set),
           displacement_(displacement),
           resolution_(contact_tolerance * (set.size() + max_component(abs(displacement)))),
-          is_round_(set.radius() * contact_tolerance > resolution_ * has_direction),
+          is_round_(set.radius() * contact_tolerance > resolution_ * least_offset),
           clip_(resolution_) {}
 
     /// False without contact. Calls overlaps_at_start() if the shapes may overlap at t = 0; sets is_at_start if they
@@ -31,18 +31,18 @@ public:
     template <class Overlaps>
     bool find(const Overlaps& overlaps_at_start) {
         if (!set_.for_each_normal([&](Vec3 unit) { return cut(clip_, unit, 0); })) return false;
-        is_at_start_ = clip_.may_touch_at_start() && overlaps_at_start();
+        is_at_start_ = clip_.may_overlap_at_start() && overlaps_at_start();
         if (is_at_start_) return true;
-        if (clip_.is_empty() || (clip_.is_open() && !meets_within_rounding())) return false;
+        if (clip_.is_empty() || (clip_.is_open() && !overlaps_within_rounding())) return false;
         begin_ = clip_.begin();
         normal_ = clip_.normal();
         if (!set_.has_box() || set_.radius() > 0) {
             if (!approach()) return false;
-            if (!is_round_ && is_beyond_plane()) normal_ = contact_normal(there(), displacement_, normal_);
+            if (!is_round_ && is_beyond_plane()) normal_ = contact_normal(at_contact(), displacement_, normal_);
             return true;
         }
         if (normal_ != Vec3{}) return true;
-        // Touching within rounding, without overlap.
+        // In contact within rounding, without overlap.
         normal_ = separation(set_).normal;
         return dot(normal_, displacement_) < 0;
     }
@@ -51,35 +51,33 @@ public:
     Vec3 normal() const { return normal_; }
     bool is_at_start() const { return is_at_start_; }
     /// The contact point on the other core.
-    Vec3 on_other() const {
-        const Separation touching_there{0, normal_, on_other_, is_round_};
-        return contact_on_other(there(), touching_there);
-    }
+    Vec3 on_other() const { return contact_on_other(at_contact(), {0, normal_, on_other_, is_round_}); }
 
 private:
-    ConvexDifference there() const { return set_.after(displacement_ * begin_); }
+    ConvexDifference at_contact() const { return set_.after(displacement_ * begin_); }
 
-    /// Clip an interval by a slab, with gaps smaller by so much. False if it is empty.
+    /// Clips the interval by the slab between two faces, moved outward by `grown_by`. Returns false if it is empty.
     bool cut(SlabClip& clip, Vec3 unit, double grown_by) const {
         double low, high;
         set_.project(unit, low, high);
         const double climb = dot(unit, displacement_), radius = set_.radius() + grown_by;
         return clip.cut(-high - radius, -climb, unit) && clip.cut(low - radius, climb, -unit);
     }
-    GPHYS_NOINLINE bool meets_within_rounding() {
+    GPHYS_NOINLINE bool overlaps_within_rounding() {
         SlabClip grown(resolution_);
         set_.for_each_normal([&](Vec3 unit) { return cut(grown, unit, resolution_); });
         return clip_.is_in(grown);
     }
 
-    /// Whether the cores are not on both sides of the plane of the contact, but for what rounds its normal.
+    /// Whether the plane of the contact does not separate the shapes, up to the rounding of its normal to floats.
     bool is_beyond_plane() const {
         double low, high;
         set_.project(normal_, low, high);
         const double gap = begin_ * dot(normal_, displacement_) - high;
-        return gap < set_.radius() - resolution_ * (tilted / contact_tolerance);
+        return gap < set_.radius() - resolution_ * (normal_rounding / contact_tolerance);
     }
 
+    /// Newton's method from the start of the interval. Returns false if there is no contact.
     bool approach() {
         // Quadratic convergence; linear, halving the error, where the shapes graze each other: 60 steps exhaust a
         // double.
@@ -90,35 +88,36 @@ private:
             const double gap = apart.distance - set_.radius();
             const double approach = -dot(apart.normal, displacement_);
             on_other_ = apart.on_other;
-            // Else the normal of a step at a distance, or of a slab, is more accurate than one at contact.
-            const bool is_clear = is_round_ || apart.distance * contact_tolerance > resolution_ * has_direction;
+            // Otherwise the normal of an earlier step, or of a slab, is more accurate than the one here.
+            const bool is_clear = is_round_ || apart.distance * contact_tolerance > resolution_ * least_offset;
             if (is_clear || normal_ == Vec3{}) normal_ = apart.normal;
             if (gap < -4 * resolution_ && clear_gap > 0) {
-                // Too far, by a normal whose rounding a long way multiplies: back by the chord.
+                // A long step has multiplied the rounding of its normal and passed the contact: back by the secant
+                // method.
                 begin_ = clear + (begin_ - clear) * (clear_gap / (clear_gap - gap));
                 continue;
             }
             if (gap <= resolution_) return begin_ > 0 || approach > 0;
             const double left = gap - std::max(approach, 0.0) * (1 - begin_);
             if (approach <= 0 || left > 0) {
-                // The offset, off by the resolution, turns the normal by its share of the distance.
+                // An error of `resolution` in the offset rotates the normal by resolution / distance.
                 const double blur = 8 * resolution_ * (1 + length(displacement_) / apart.distance);
                 if (may_have_passed) begin_ = clear;
-                // Thinner shapes may touch or not.
+                // For thinner shapes the result is within the documented error either way.
                 return (may_have_passed || left <= blur) && set_.radius() > 16 * resolution_ && approach_by_distance();
             }
             clear = begin_;
             clear_gap = gap;
             begin_ += gap / approach;
-            // So long a step makes of that turn a gap as wide as the band of the contract.
+            // A step this long turns that rotation into an error of the gap as large as the documented one.
             may_have_passed = (begin_ - clear) * length(displacement_) > 64 * apart.distance;
         }
         return true;
     }
 
-    /// Where the direction of a short offset does not tell whether the shapes get nearer: by the length, which is known
-    /// within the resolution. Thirds of the time for the least distance of this convex function, then halves for the
-    /// first contact.
+    /// For short offsets, whose direction does not say whether the shapes approach. Uses only their length, which is
+    /// known within the resolution: ternary search for the least distance, which is a convex function of time, and then
+    /// bisection for the first contact.
     bool approach_by_distance() {
         const auto gap_at = [&](double t) { return separation_after(displacement_ * t).distance - set_.radius(); };
         double low = begin_, high = 1;
@@ -172,20 +171,20 @@ template <class Other, class Moving>
 bool sweep_convex(const Other& other, const Moving& moving, Vec3 displacement, Hit& hit) {
     const Vec3 from = reference_point(moving);
     const ConvexDifference set = difference_of(other, moving, from);
-    Course course(set, displacement);
-    if (!course.find([&] { return overlaps(Shape(other), Shape(moving)); })) return false;
+    ConvexSweep path(set, displacement);
+    if (!path.find([&] { return overlaps(Shape(other), Shape(moving)); })) return false;
     hit = Hit{};
     Vec3 point;
-    if (course.is_at_start()) {
+    if (path.is_at_start()) {
         const Separation apart = separation(set);
         hit.flags = GPHYS_HIT_INSIDE;
         hit.t = 0;
         hit.normal = apart.normal;
         point = contact_on_other(set, apart);
     } else {
-        hit.t = std::min(course.time(), 1.0);
-        hit.normal = course.normal();
-        point = course.on_other();
+        hit.t = std::min(path.time(), 1.0);
+        hit.normal = path.normal();
+        point = path.on_other();
     }
     hit.point = from + point + hit.normal * set.other_radius();
     return true;

@@ -115,7 +115,7 @@ constexpr double along = 0x1p-80;
 // Relative to the size: a smaller radius changes results by less than their documented accuracy.
 constexpr double sharp = 0x1p-43;
 // As for the separation: a shorter offset has no direction.
-constexpr double is_direction = has_direction / 4;
+constexpr double is_direction = least_offset / 4;
 
 double lowest(const Core& core, Vec3 unit) {
     double low = dot(unit, core.center);
@@ -312,7 +312,7 @@ double Mesh::gap_along(Vec3 unit, const Core& core, Vec3 from, const AxisScale& 
 Vec3 Mesh::normal_at_hull(const Core& core, Vec3 from, Vec3 displacement, Vec3 normal, double size,
                           const AxisScale& axes) const {
     double widest = gap_along(normal, core, from, axes);
-    if (widest >= core.radius - tilted * (size + max_component(abs(displacement)))) return normal;
+    if (widest >= core.radius - normal_rounding * (size + max_component(abs(displacement)))) return normal;
     const auto offer = [&](Vec3 unit) {
         if (dot(unit, displacement) > 0x1p-48 * length(displacement)) return;
         const double gap = gap_along(unit, core, from, axes);
