@@ -65,7 +65,7 @@ static void errors_name_function_parameter_value_and_range(void** state) {
     assert_int_equal(gphys_orbit_init(&orbit), GPHYS_OK);
     orbit.up.x = orbit.up.y = orbit.up.z = 0;
     check_error(gphys_camera_set_orbit(camera, &orbit), "gphys_camera_set_orbit: orbit.up: length 0 is not above 0");
-    check_error(gphys_scene_remove(scene, model), "gphys_scene_remove: model: no such model, or no longer");
+    check_error(gphys_scene_remove(scene, model), "gphys_scene_remove: model 0 is not the id of a model of the scene");
     check_error(gphys_shape_validate((gphys_shape_type)99, positions),
                 "gphys_shape_validate: type 99 is not a gphys_shape_type");
     check_error(gphys_shape_overlaps(99, &ball, GPHYS_SHAPE_SPHERE, &ball, &overlaps),

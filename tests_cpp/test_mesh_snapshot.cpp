@@ -245,25 +245,25 @@ TEST_CASE("what is no snapshot of a mesh is refused") {
         REQUIRE(load(words, mesh) == GPHYS_ERROR_INVALID_ARGUMENT);
         CHECK(std::string(gphys_last_error()) == std::string("gphys_mesh_create_from_snapshot: ") + why);
     };
-    refused_as(0, 0x6d687067, "words: a snapshot in another byte order");
-    refused_as(0, 0x6770686e, "words: not a snapshot of this kind");
-    refused_as(1, 2, "words: a snapshot of a later version of the library");
-    refused_as(1, 0, "words: a snapshot of a later version of the library");
-    refused_as(2, 7, "count: not what the snapshot had");
-    refused_as(3, 7, "words: the snapshot is damaged");
-    refused_as(8, 0xffffffff, "words: the report of the mesh contradicts itself");
+    refused_as(0, 0x6d687067, "words: the byte order is not that of this machine");
+    refused_as(0, 0x6770686e, "words: the magic number is not that of a snapshot of this kind");
+    refused_as(1, 2, "words: the format is not one that this version of the library reads");
+    refused_as(1, 0, "words: the format is not one that this version of the library reads");
+    refused_as(2, 7, "count is not the number of words of the snapshot");
+    refused_as(3, 7, "words: the checksum is not that of the contents");
+    refused_as(8, 0xffffffff, "words: the numbers in the report of the mesh contradict each other");
     const size_t indices = 11, vertices = indices + good[6];
     const size_t order = vertices + size_t{3} * good[5], nodes = order + good[6] / 3;
-    refused_as(vertices, 0x7fc00000, "words: a vertex is not finite or too large");
-    refused_as(vertices + 1, 0x58635faa, "words: a vertex is not finite or too large");
+    refused_as(vertices, 0x7fc00000, "words: a vertex is out of range");
+    refused_as(vertices + 1, 0x58635faa, "words: a vertex is out of range");
     refused_as(indices, good[5], "words: an index is out of range");
-    refused_as(order, good[order + 1], "words: the order of the triangles is none");
-    refused_as(order, good[6] / 3, "words: the order of the triangles is none");
+    refused_as(order, good[order + 1], "words: the order of the triangles is not a permutation");
+    refused_as(order, good[6] / 3, "words: the order of the triangles is not a permutation");
     refused_as(good.size() - 1 - good[7], good[good.size() - 1 - good[7]] & 0x7fffffff,
-               "words: the order of the triangles is none");
-    refused_as(nodes, 16, "words: the tree of the mesh is none");
-    refused_as(nodes, 15, "words: the tree of the mesh is none");
-    refused_as(nodes, (good[nodes] + 1) % 8, "words: the tree of the mesh is none");
+               "words: the order of the triangles is not a permutation");
+    refused_as(nodes, 16, "words: the octree of the mesh is not valid");
+    refused_as(nodes, 15, "words: the octree of the mesh is not valid");
+    refused_as(nodes, (good[nodes] + 1) % 8, "words: the octree of the mesh is not valid");
 }
 
 TEST_CASE("a surface with more vertices than any hull is not taken for one") {
@@ -273,7 +273,8 @@ TEST_CASE("a surface with more vertices than any hull is not taken for one") {
         mend(words);
         Handle mesh = handle(nullptr);
         REQUIRE(load(words, mesh) == GPHYS_ERROR_INVALID_ARGUMENT);
-        CHECK(std::string(gphys_last_error()) == "gphys_mesh_create_from_snapshot: words: the hull is none");
+        CHECK(std::string(gphys_last_error()) ==
+              "gphys_mesh_create_from_snapshot: words: the triangles are not the hull of their vertices");
     }
 }
 

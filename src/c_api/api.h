@@ -1,8 +1,9 @@
 // What all entry points share: the guard against exceptions, argument checks, and sized descs. This folder checks,
 // converts, calls and converts back; it has no algorithms.
 //
-// Messages: a null pointer is "NAME is null", a number out of range is "NAME VALUE is not RANGE". guarded() puts the
-// name of the entry point before them.
+// Messages: a null pointer is "NAME is null", a number or id out of range is "NAME VALUE is not RANGE", a limit is "the
+// OBJECT would have more than LIMIT", all else "NAME: SENTENCE". guarded() puts the name of the entry point before
+// them.
 #pragma once
 
 #include <cstdint>
@@ -190,7 +191,7 @@ gphys_status read_desc(const Desc* from, Desc& to, size_t first_size) noexcept {
     uint32_t size = 0;
     std::memcpy(&size, from, sizeof size);
     if (size < first_size || size > (1u << 16)) {
-        return fail(GPHYS_ERROR_STRUCT_SIZE, "desc.struct_size: not set by the desc's init function");
+        return fail(GPHYS_ERROR_STRUCT_SIZE, "desc.struct_size", size, "the size that the desc's init function sets");
     }
     const unsigned char* bytes = reinterpret_cast<const unsigned char*>(from);
     for (size_t i = sizeof(Desc); i < size; ++i) {

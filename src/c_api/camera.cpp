@@ -370,7 +370,7 @@ gphys_status gphys_camera_look_at(gphys_camera* camera, const gphys_vec3* eye, c
         GPHYS_REQUIRE_VALID(*eye);
         GPHYS_REQUIRE_VALID(*target);
         GPHYS_REQUIRE_VALID(*up);
-        GPHYS_REQUIRE(widen(*eye) != widen(*target), "target: the same point as eye");
+        GPHYS_REQUIRE(widen(*eye) != widen(*target), "target: it is the same point as eye");
         GPHYS_REQUIRE_IN_RANGE(widen(*up) != Vec3{}, "up: length", 0, "above 0");
         unwrap(camera)->look_at(widen(*eye), widen(*target), widen(*up));
         return GPHYS_OK;
@@ -616,9 +616,10 @@ gphys_status gphys_camera_pick_rays(const gphys_camera* camera, uint32_t x, uint
         if (width == 0 || height == 0) return GPHYS_OK;
         GPHYS_REQUIRE_POINTERS(out_rays);
         GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof *out_rays));
-        GPHYS_REQUIRE(width <= UINT32_MAX / height, "width * height is not below 2^32");
-        GPHYS_REQUIRE(width - 1 <= UINT32_MAX - x, "x + width is not at most 2^32");
-        GPHYS_REQUIRE(height - 1 <= UINT32_MAX - y, "y + height is not at most 2^32");
+        GPHYS_REQUIRE_IN_RANGE(width <= UINT32_MAX / height, "width * height", double{1} * width * height,
+                               "below 2^32");
+        GPHYS_REQUIRE_IN_RANGE(width - 1 <= UINT32_MAX - x, "x + width", double{1} * x + width, "at most 2^32");
+        GPHYS_REQUIRE_IN_RANGE(height - 1 <= UINT32_MAX - y, "y + height", double{1} * y + height, "at most 2^32");
         const auto ray_of = [&](uint32_t column, uint32_t row, Ray& ray) {
             return unwrap(camera)->pick_ray(x + column + 0.5, y + row + 0.5, ray);
         };

@@ -32,12 +32,12 @@ gphys_status check_rays(const gphys_ray* rays, uint32_t ray_stride, uint32_t cou
 
 gphys_status reject_deformable_hull(const gphys_mesh_desc& desc) {
     if (desc.deformable == 0) return GPHYS_OK;
-    return fail(GPHYS_ERROR_UNSUPPORTED, "desc.deformable: a hull keeps its form");
+    return fail(GPHYS_ERROR_UNSUPPORTED, "desc.deformable: a hull cannot be deformable");
 }
 
 gphys_status check_hull(const gphys_mesh* mesh) {
     GPHYS_REQUIRE_POINTERS(mesh);
-    return unwrap(mesh)->is_hull() ? GPHYS_OK : fail(GPHYS_ERROR_UNSUPPORTED, "mesh: is not a hull");
+    return unwrap(mesh)->is_hull() ? GPHYS_OK : fail(GPHYS_ERROR_UNSUPPORTED, "mesh: it is not a hull");
 }
 
 template <class T>
@@ -80,8 +80,9 @@ gphys_status gphys_mesh_create(const gphys_mesh_desc* desc, const float* vertice
         if (report.bad_vertex_count > 0) {
             GPHYS_TRY(check_element("vertices", report.first_bad_vertex, arrays.vertex(report.first_bad_vertex)));
         }
-        GPHYS_REQUIRE(report.bad_vertex_count == 0, "vertices: one is out of range (see gphys_mesh_check)");
-        GPHYS_REQUIRE(report.out_of_range_count == 0, "indices: one is not below vertex_count (see gphys_mesh_check)");
+        GPHYS_REQUIRE(report.bad_vertex_count == 0, "vertices: a vertex is out of range (see gphys_mesh_check)");
+        GPHYS_REQUIRE(report.out_of_range_count == 0,
+                      "indices: an index is not below vertex_count (see gphys_mesh_check)");
         *out_mesh = wrap(create<Mesh>(settings.allocator, arrays, report, chosen_isa(), settings.deformable != 0));
         return GPHYS_OK;
     });
@@ -104,7 +105,7 @@ gphys_status gphys_mesh_create_hull(const gphys_mesh_desc* desc, const float* po
             case HullDefect::flat:
                 return invalid("points: all lie in a plane");
             case HullDefect::too_many_faces:
-                return fail(GPHYS_ERROR_CAPACITY, "points: their hull has more than 256 faces");
+                return fail(GPHYS_ERROR_CAPACITY, "points: their hull would have more than 256 faces");
             case HullDefect::none:
                 break;
         }
@@ -148,7 +149,7 @@ gphys_status gphys_mesh_set_vertices(gphys_mesh* mesh, const float* vertices, ui
         Mesh& changed = *unwrap(mesh);
         if (!changed.deformable())
             return fail(GPHYS_ERROR_UNSUPPORTED, "mesh: desc.deformable was 0 when it was created");
-        if (changed.led()) return fail(GPHYS_ERROR_UNSUPPORTED, "mesh: follows a body of a solver");
+        if (changed.led()) return fail(GPHYS_ERROR_UNSUPPORTED, "mesh: it follows a body of a solver");
         GPHYS_REQUIRE_IN_RANGE(vertex_count == changed.vertices().size(), "vertex_count", vertex_count,
                                "that of the mesh");
         const MeshArrays arrays{vertices, vertex_stride, vertex_count, nullptr, 0};

@@ -330,7 +330,7 @@ gphys_status gphys_scene_get_mesh(const gphys_scene* scene, gphys_model_id model
         GPHYS_REQUIRE_POINTERS(scene, out_mesh);
         GPHYS_TRY(unwrap(scene)->check(model));
         const Mesh* const mesh = unwrap(scene)->mesh(model);
-        if (!mesh) return fail(GPHYS_ERROR_UNSUPPORTED, "model: its shape is no mesh (see gphys_scene_get_shape)");
+        if (!mesh) return fail(GPHYS_ERROR_UNSUPPORTED, "model: its shape is not a mesh (see gphys_scene_get_shape)");
         mesh->retain();
         *out_mesh = wrap(const_cast<Mesh*>(mesh));  // scenes do not change meshes, but callers may
         return GPHYS_OK;

@@ -190,7 +190,7 @@ gphys_status gphys_frustum_from_matrix(const gphys_mat4* view_projection, gphys_
         GPHYS_TRY(check_matrix("view_projection.m", *view_projection));
         UserProjection projection{widen(*view_projection), {}};
         if (!inverse(projection.to_clip, projection.from_clip))
-            return fail(GPHYS_ERROR_SINGULAR, "view_projection: has no inverse");
+            return fail(GPHYS_ERROR_SINGULAR, "view_projection: the matrix has no inverse");
         Frustum frustum;
         const DepthRange depths(depth_range, reverse_z != 0);
         projection.planes(depths, Window(), frustum.planes);

@@ -213,7 +213,7 @@ gphys_status gphys_solver_add_cloth_mesh(gphys_solver* solver, const gphys_body_
         const Transform placement = transform ? widen(*transform) : Transform{};
         const Mesh& source = *unwrap(mesh);
         if (source.kind() == MeshKind::body_links) {
-            return fail(GPHYS_ERROR_UNSUPPORTED, "mesh has links instead of triangles");
+            return fail(GPHYS_ERROR_UNSUPPORTED, "mesh: it has links instead of triangles");
         }
         GPHYS_TRY(check_count("mesh: vertex count", source.vertices().size(), 1, "at least 1"));
         for (const gphys_vec3& vertex : source.vertices()) GPHYS_TRY(check_placed(placement.apply(widen(vertex))));

@@ -266,7 +266,8 @@ gphys_status gphys_solver_attach(gphys_solver* solver, const gphys_scene* scene,
 gphys_status gphys_solver_detach(gphys_solver* solver, gphys_body_id body, uint32_t particle) {
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_particle(solver, body, particle));
-        GPHYS_REQUIRE(is_attached(unwrap(solver)->body(body).constraints, particle), "particle: is not attached");
+        GPHYS_REQUIRE_IN_RANGE(is_attached(unwrap(solver)->body(body).constraints, particle), "particle", particle,
+                               "attached");
         set_pinned(unwrap(solver)->edit(body), particle, 1, false);
         return GPHYS_OK;
     });
@@ -295,7 +296,7 @@ gphys_status add_link(gphys_solver* solver, gphys_body_id body, uint32_t particl
                       float compliance, uint64_t limit, gphys_constraint_id* out_constraint) {
     GPHYS_TRY(check_particle(solver, body, particle_a));
     GPHYS_TRY(check_particle(solver, body, particle_b));
-    GPHYS_REQUIRE(particle_a != particle_b, "particle_a, particle_b: are the same");
+    GPHYS_REQUIRE_IN_RANGE(particle_a != particle_b, "particle_b", particle_b, "another particle than particle_a");
     GPHYS_TRY(check_coordinate(limit ? "max_length" : "rest_length", length));
     GPHYS_TRY(check_amount("compliance", compliance));
     GPHYS_REQUIRE_POINTERS(out_constraint);
@@ -409,7 +410,7 @@ gphys_status gphys_solver_join(gphys_solver* solver, gphys_body_id body_a, uint3
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_particle(solver, body_a, particle_a));
         GPHYS_TRY(check_particle(solver, body_b, particle_b));
-        GPHYS_REQUIRE(body_a != body_b, "body_a, body_b: are the same");
+        GPHYS_REQUIRE_IN_RANGE(body_a != body_b, "body_b", body_b, "another body than body_a");
         GPHYS_TRY(check_coordinate("rest_length", rest_length));
         GPHYS_TRY(check_amount("compliance", compliance));
         GPHYS_REQUIRE_POINTERS(out_joint);

@@ -58,17 +58,18 @@ bool Camera::set_orthographic(double height, double near_distance, double far_di
 gphys_status Camera::set_projection(const Mat4& projection) {
     UserProjection user{projection, {}};
     for (int row = 0; row < 4; ++row) user.to_clip(row, 2) *= z_sign();
-    if (!inverse(user.to_clip, user.from_clip)) return fail(GPHYS_ERROR_SINGULAR, "projection has no inverse");
+    if (!inverse(user.to_clip, user.from_clip))
+        return fail(GPHYS_ERROR_SINGULAR, "projection: the matrix has no inverse");
     Plane planes[6];
     user.planes(depth_range_, {}, planes);
     for (int i = 0; i < 6; ++i) {
         const bool at_infinity = planes[i].normal == Vec3{};
         if (at_infinity && (i != GPHYS_FRUSTUM_FAR || planes[i].distance > 0)) {
             return fail(GPHYS_ERROR_INVALID_ARGUMENT,
-                        "projection: a plane other than far lies at infinity (does it fit the camera's depth range?)");
+                        "projection: a plane other than far is at infinity (does it fit the camera's depth range?)");
         }
         if (!at_infinity && std::fabs(planes[i].distance) > GPHYS_MAX_COORDINATE) {
-            return fail(GPHYS_ERROR_INVALID_ARGUMENT, "projection: a plane lies beyond GPHYS_MAX_COORDINATE");
+            return fail(GPHYS_ERROR_INVALID_ARGUMENT, "projection: a plane is beyond GPHYS_MAX_COORDINATE");
         }
     }
     aspect_ = 0;
@@ -133,10 +134,12 @@ gphys_status Camera::set_world_matrix(const Mat4& world) {
     const Vec3 x{world(0, 0), world(1, 0), world(2, 0)};
     const Vec3 y{world(0, 1), world(1, 1), world(2, 1)};
     const Vec3 z{world(0, 2), world(1, 2), world(2, 2)};
-    if (x == Vec3{} || y == Vec3{} || z == Vec3{}) return fail(GPHYS_ERROR_SINGULAR, "world: an axis is zero");
+    if (x == Vec3{} || y == Vec3{} || z == Vec3{})
+        return fail(GPHYS_ERROR_SINGULAR, "world: the length of an axis is 0");
     const double volume = dot(normalized(x), cross(normalized(y), normalized(z)));
-    if (std::fabs(volume) <= smallest_volume) return fail(GPHYS_ERROR_SINGULAR, "world: the axes do not span space");
-    if (volume < 0) return fail(GPHYS_ERROR_INVALID_ARGUMENT, "world: the axes mirror");
+    if (std::fabs(volume) <= smallest_volume)
+        return fail(GPHYS_ERROR_SINGULAR, "world: the axes are linearly dependent");
+    if (volume < 0) return fail(GPHYS_ERROR_INVALID_ARGUMENT, "world: the axes include a reflection");
     const Vec3 forward = normalized(z) * z_sign();
     Vec3 up;
     perpendicular_part(y, forward, up);  // never parallel: the volume would be 0
@@ -148,7 +151,7 @@ gphys_status Camera::set_world_matrix(const Mat4& world) {
 // drifted from orthonormal ones is handled as its matrix says, and corrected as a world matrix is.
 gphys_status Camera::set_view_matrix(const Mat4& view) {
     Mat4 world;
-    if (!inverse(view, world)) return fail(GPHYS_ERROR_SINGULAR, "view has no inverse");
+    if (!inverse(view, world)) return fail(GPHYS_ERROR_SINGULAR, "view: the matrix has no inverse");
     if (max_component(abs(Vec3{world(0, 3), world(1, 3), world(2, 3)})) > GPHYS_MAX_COORDINATE) {
         return fail(GPHYS_ERROR_INVALID_ARGUMENT, "view: the camera would be beyond GPHYS_MAX_COORDINATE");
     }

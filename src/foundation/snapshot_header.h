@@ -18,17 +18,18 @@ struct SnapshotHeader {
 };
 constexpr uint32_t snapshot_header_words = sizeof(SnapshotHeader) / 4;
 
-/// Reads the header of a snapshot of one kind, of this format or an earlier one. Returns what is wrong, or nullptr. The
-/// caller compares the checksum.
-inline const char* read_header(const uint32_t* words, uint32_t count, uint32_t magic, uint32_t format,
+/// Reads the header of a snapshot of one kind, of a format from `oldest` to `newest`. Returns what is wrong, or
+/// nullptr. The caller compares the checksum.
+inline const char* read_header(const uint32_t* words, uint32_t count, uint32_t magic, uint32_t oldest, uint32_t newest,
                                SnapshotHeader& header) {
-    if (count < snapshot_header_words) return "words: too few for a snapshot";
+    if (count < snapshot_header_words) return "count is less than the length of the header of a snapshot";
     std::memcpy(&header, words, sizeof header);
     const uint32_t swapped = magic >> 24 | (magic >> 8 & 0xff00) | (magic << 8 & 0xff0000) | magic << 24;
-    if (header.magic == swapped) return "words: a snapshot in another byte order";
-    if (header.magic != magic) return "words: not a snapshot of this kind";
-    if (header.format == 0 || header.format > format) return "words: a snapshot of a later version of the library";
-    if (header.words != count) return "count: not what the snapshot had";
+    if (header.magic == swapped) return "words: the byte order is not that of this machine";
+    if (header.magic != magic) return "words: the magic number is not that of a snapshot of this kind";
+    if (header.format < oldest || header.format > newest)
+        return "words: the format is not one that this version of the library reads";
+    if (header.words != count) return "count is not the number of words of the snapshot";
     return nullptr;
 }
 

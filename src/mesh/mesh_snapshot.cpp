@@ -87,8 +87,9 @@ uint64_t mesh_snapshot_checksum(const uint32_t* words, uint32_t count) {
 const char* read_mesh_snapshot(const uint32_t* words, uint32_t count, std::pmr::memory_resource* memory,
                                MeshParts& parts) {
     SnapshotHeader header;
-    if (const char* wrong = read_header(words, count, mesh_snapshot_magic, mesh_snapshot_format, header)) return wrong;
-    constexpr const char* wrong_lengths = "words: no snapshot has these lengths";
+    if (const char* wrong = read_header(words, count, mesh_snapshot_magic, 1, mesh_snapshot_format, header))
+        return wrong;
+    constexpr const char* wrong_lengths = "words: the lengths in it do not add up to count";
     if (count < mesh_snapshot_begin) return wrong_lengths;
     Sizes sizes;
     std::memcpy(&sizes, words + snapshot_header_words, sizeof sizes);
@@ -118,16 +119,16 @@ const char* read_mesh_snapshot(const uint32_t* words, uint32_t count, std::pmr::
     parts.hash = mesh_hash(contents, kind);
     hash.put(order, static_cast<size_t>(words + count - order));
     hash.put(words + snapshot_header_words, size_words);
-    if (!header.has_checksum(hash.value())) return "words: the snapshot is damaged";
+    if (!header.has_checksum(hash.value())) return "words: the checksum is not that of the contents";
 
-    if (!report_fits(sizes)) return "words: the report of the mesh contradicts itself";
+    if (!report_fits(sizes)) return "words: the numbers in the report of the mesh contradict each other";
     if (!are_coordinates(vertices, uint64_t{words_of_vertex} * sizes.vertices)) {
-        return "words: a vertex is not finite or too large";
+        return "words: a vertex is out of range";
     }
-    if (!are_coordinates(radii, radius_count)) return "words: a radius is not finite or too large";
+    if (!are_coordinates(radii, radius_count)) return "words: a radius is out of range";
     if (!are_below(sizes.vertices, indices, sizes.indices)) return "words: an index is out of range";
     const uint32_t packets = count_packets(order, triangles, memory);
-    if (triangles > 0 && packets == 0) return "words: the order of the triangles is none";
+    if (triangles > 0 && packets == 0) return "words: the order of the triangles is not a permutation";
     parts.arrays = {reinterpret_cast<const float*>(vertices),
                     sizeof(gphys_vec3),
                     sizes.vertices,
@@ -143,8 +144,10 @@ const char* read_mesh_snapshot(const uint32_t* words, uint32_t count, std::pmr::
     parts.report.open_edge_count = sizes.open_edges;
     parts.order = order;
     parts.tree = {order + triangles, sizes.nodes, nullptr, packets};
-    if (parts.tree.defect()) return "words: the tree of the mesh is none";
-    return kind != MeshKind::hull || is_hull_of_itself(parts.arrays, memory) ? nullptr : "words: the hull is none";
+    if (parts.tree.defect()) return "words: the octree of the mesh is not valid";
+    return kind != MeshKind::hull || is_hull_of_itself(parts.arrays, memory)
+               ? nullptr
+               : "words: the triangles are not the hull of their vertices";
 }
 
 gphys_status Mesh::snapshot(uint32_t* out, uint32_t capacity, uint32_t& total) const {
@@ -157,7 +160,7 @@ gphys_status Mesh::snapshot(uint32_t* out, uint32_t capacity, uint32_t& total) c
                       now.open_edge_count};
     const uint64_t words = words_of(sizes) + words_of_kind(kind_, sizes);
     if (words > std::numeric_limits<uint32_t>::max()) {
-        return fail(GPHYS_ERROR_CAPACITY, "the snapshot would have 2^32 words or more");
+        return fail(GPHYS_ERROR_CAPACITY, "the snapshot would have more than 2^32 - 1 words");
     }
     total = static_cast<uint32_t>(words);
     if (total > capacity) return GPHYS_INCOMPLETE;

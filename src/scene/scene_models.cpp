@@ -11,6 +11,8 @@ namespace gphys {
 
 namespace {
 
+constexpr char id_of_model[] = "the id of a model of the scene";
+
 /// Makes slots below `size` exist. If a later allocation fails, the additional slots do no harm.
 template <class T>
 void grow(LargeArray<T>& by_slot, size_t size) {
@@ -34,7 +36,7 @@ Scene::Scene(const gphys_allocator* hooks, uint32_t reserve_models, uint32_t wor
 Scene::~Scene() { clear(); }
 
 gphys_status Scene::check(gphys_model_id model) const {
-    return has(model) ? GPHYS_OK : fail(GPHYS_ERROR_INVALID_ID, "model: no such model, or no longer");
+    return has(model) ? GPHYS_OK : fail(GPHYS_ERROR_INVALID_ID, "model", model, id_of_model);
 }
 
 /// Reserves what store_shape writes for slots below `size`.
@@ -136,12 +138,12 @@ gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shap
         }
         is_scaled = is_scaled || !is_one(descs[i].scale);
         if (descs[i].parent != 0 && !has(descs[i].parent)) {
-            return fail(GPHYS_ERROR_INVALID_ID, "desc.parent: no such model, or no longer");
+            return fail(GPHYS_ERROR_INVALID_ID, "desc.parent", descs[i].parent, id_of_model);
         }
         with_parent += descs[i].parent != 0;
         common_layers &= descs[i].layers;
     }
-    if (!ids_.reserve(count)) return fail(GPHYS_ERROR_CAPACITY, "a scene holds at most 2^24 - 1 models");
+    if (!ids_.reserve(count)) return fail(GPHYS_ERROR_CAPACITY, "the scene would have more than 2^24 - 1 models");
     if (count == 0) return GPHYS_OK;
 
     Vector<uint32_t> slots(count, &memory);
@@ -286,7 +288,7 @@ gphys_status Scene::remove(const gphys_model_id* models, uint32_t count) {
         if (status != GPHYS_OK) break;
         Model& model = models_[IdTable::slot_of(models[marked])];
         if (model.moving) {
-            status = fail(GPHYS_ERROR_INVALID_ID, "models: a model stands twice");
+            status = fail(GPHYS_ERROR_INVALID_ID, "models: an id is listed twice");
             break;
         }
         model.moving = 1;
@@ -509,11 +511,11 @@ QueryFilter Scene::query_filter(uint32_t layers, gphys_model_id ignored_model, b
 gphys_status Scene::set_parent(gphys_model_id model, gphys_model_id parent, bool keep_world) {
     gphys_status status = check(model);
     if (status != GPHYS_OK) return status;
-    if (parent != 0 && !has(parent)) return fail(GPHYS_ERROR_INVALID_ID, "parent: no such model, or no longer");
+    if (parent != 0 && !has(parent)) return fail(GPHYS_ERROR_INVALID_ID, "parent", parent, id_of_model);
     const uint32_t slot = IdTable::slot_of(model);
     const uint32_t new_parent = parent == 0 ? none : IdTable::slot_of(parent);
     for (uint32_t above = new_parent; above != none; above = parent_of(above)) {
-        if (above == slot) return fail(GPHYS_ERROR_CYCLE, "parent: is the model itself or below it");
+        if (above == slot) return fail(GPHYS_ERROR_CYCLE, "parent: it is the model itself or one of its descendants");
     }
     families_.reserve(2);
 

@@ -52,7 +52,7 @@ namespace {
 bool operator<(const UsedMesh& a, const UsedMesh& b) { return std::memcmp(&a, &b, offsetof(UsedMesh, words)) < 0; }
 
 using Sizes = SceneSnapshotSizes;
-constexpr const char* cut_short = "words: no snapshot has these lengths";
+constexpr const char* cut_short = "words: the lengths in it do not add up to count";
 
 /// A model without its place in the world and its shape.
 struct ModelWords {
@@ -243,7 +243,7 @@ gphys_status Scene::snapshot(bool embed_meshes, uint32_t* out, uint32_t capacity
     const uint64_t tree = uint64_t{bvh_.node_count()} + bvh_.size();
     const uint64_t words = snapshot_header_words + count.words + tree + embedded;
     if (words > std::numeric_limits<uint32_t>::max()) {
-        return fail(GPHYS_ERROR_CAPACITY, "the snapshot would have 2^32 words or more");
+        return fail(GPHYS_ERROR_CAPACITY, "the snapshot would have more than 2^32 - 1 words");
     }
     total = static_cast<uint32_t>(words);
     if (total > capacity) return GPHYS_INCOMPLETE;
@@ -283,7 +283,7 @@ const char* load_embedded(const uint32_t* words, const UsedMesh& used, Memory& m
     if (const char* wrong = read_mesh_snapshot(words, used.words, &memory, parts)) return wrong;
     const bool is_same = parts.hash == (uint64_t{used.hash[1]} << 32 | used.hash[0]) &&
                          parts.arrays.vertex_count == used.vertices && parts.arrays.index_count == used.indices;
-    if (!is_same) return "words: an embedded mesh is another one than the models use";
+    if (!is_same) return "words: an embedded mesh is not the one that the models use";
     meshes.take(create<Mesh>(memory.hooks(), parts, false));
     return nullptr;
 }
@@ -310,7 +310,7 @@ const char* Scene::find_meshes(const Vector<UsedMesh>& wanted, const uint32_t* e
             continue;
         }
         const Mesh* mesh = by_contents.find(used);
-        if (!mesh) return "words: a mesh is neither embedded nor used by a model of the library";
+        if (!mesh) return "words: a mesh is neither embedded nor used by a model of this scene";
         mesh->retain();
         found.take(mesh);
     }
@@ -339,10 +339,10 @@ const char* Scene::read_models(Reader& reader, const HeldMeshes& meshes, uint32_
         gphys_vec3 scale = no_scale;
         if ((parts & has_scales) != 0) reader.value(scale);
         if (!reader.good()) return cut_short;
-        if (!is_model_type(words.type)) return "words: a model's shape is of no type";
-        if (gphys::defect(words.local)) return "words: a model's transform is out of range";
-        if (!is_place_in_world(place.world())) return "words: a model is in no place of the world";
-        if (defect_of_scale(scale)) return "words: a model's scale is out of range";
+        if (!is_model_type(words.type)) return "words: the type of a model is not a gphys_shape_type";
+        if (gphys::defect(words.local)) return "words: the local transform of a model is out of range";
+        if (!is_place_in_world(place.world())) return "words: the world transform of a model is out of range";
+        if (defect_of_scale(scale)) return "words: the scale of a model is out of range";
         reserve_shapes(static_cast<gphys_shape_type>(words.type), !is_one(scale), slots);
         if (placed) places_[slot] = place;
         tags_[slot] = words.tag;
@@ -353,11 +353,12 @@ const char* Scene::read_models(Reader& reader, const HeldMeshes& meshes, uint32_
         model.family = no_family;
         common_layers_ &= words.layers;
         const char* wrong = with_type(static_cast<gphys_shape_type>(words.type), [&](auto shape) -> const char* {
-            constexpr const char* wrong_scale = "words: a model's shape cannot have its scale";
+            constexpr const char* wrong_scale = "words: the scale of a model does not suit its shape";
             if constexpr (std::is_same_v<decltype(shape), ModelMesh>) {
                 uint32_t number = 0;
                 reader.value(number);
-                if (!reader.good() || number >= meshes.size()) return "words: a model uses a mesh that is none";
+                if (!reader.good() || number >= meshes.size())
+                    return "words: the mesh of a model is not in the snapshot";
                 const Mesh* const mesh = meshes[number];
                 if (check_scale(*mesh, scale)) return wrong_scale;
                 mesh->join(mesh_follower_, &slot, 1);
@@ -368,7 +369,7 @@ const char* Scene::read_models(Reader& reader, const HeldMeshes& meshes, uint32_
             } else {
                 reader.value(shape);
                 if (!reader.good()) return cut_short;
-                if (gphys::defect(shape)) return "words: a model's shape is out of range";
+                if (gphys::defect(shape)) return "words: the shape of a model is out of range";
                 if (check_scale(static_cast<gphys_shape_type>(words.type), &shape, scale)) return wrong_scale;
                 model.type_ = words.type;
                 store_shape(slot, &shape, scale);
@@ -385,7 +386,8 @@ const char* Scene::read_models(Reader& reader, const HeldMeshes& meshes, uint32_
 const char* Scene::link_families(const Vector<uint32_t>& parents) {
     for (uint32_t slot = ids_.slots(); slot-- > 0;) {  // so that lists of children begin with the lowest slot
         if (!ids_.live(slot) || parents[slot] == none) continue;
-        if (parents[slot] >= ids_.slots() || !ids_.live(parents[slot])) return "words: a model's parent is none";
+        if (parents[slot] >= ids_.slots() || !ids_.live(parents[slot]))
+            return "words: the parent of a model does not exist";
         const gphys_transform local = models_[slot].world;
         families_.reserve(2);
         link(slot, parents[slot]);
@@ -405,13 +407,13 @@ const char* Scene::link_families(const Vector<uint32_t>& parents) {
             if (models_[slot].type() == GPHYS_SHAPE_MESH) list_large_mesh(slot);
         }
     }
-    return reached == ids_.size() ? nullptr : "words: models are their own parents";
+    return reached == ids_.size() ? nullptr : "words: the parents of the models form a cycle";
 }
 
 /// Builds the BVH of the models from a layout. Returns what is wrong, or nullptr; on failure the BVH is unchanged.
 const char* Scene::build_bvh(const BvhLayout& layout) {
-    constexpr const char* wrong_items = "words: the bvh does not hold the models";
-    if (layout.defect()) return "words: the bvh is none";
+    constexpr const char* wrong_items = "words: the octree does not contain the models";
+    if (layout.defect()) return "words: the octree is not valid";
     if (layout.item_count != ids_.size() - unbounded_.size()) return wrong_items;
     Vector<uint8_t> is_item(ids_.slots(), 0, &memory);
     Vector<Box> boxes(layout.item_count, &memory);
@@ -441,10 +443,11 @@ void Scene::release_meshes() {
 gphys_status Scene::restore(const Scene& library, const uint32_t* words, uint32_t count) {
     const auto reject = [](const char* why) { return fail(GPHYS_ERROR_INVALID_ARGUMENT, why); };
     SnapshotHeader header;
-    if (const char* wrong = read_header(words, count, scene_snapshot_magic, scene_snapshot_format, header)) {
+    if (const char* wrong = read_header(words, count, scene_snapshot_magic, 1, scene_snapshot_format, header)) {
         return reject(wrong);
     }
-    if (!header.has_checksum(scene_snapshot_checksum(words, count))) return reject("words: the snapshot is damaged");
+    if (!header.has_checksum(scene_snapshot_checksum(words, count)))
+        return reject("words: the checksum is not that of the contents");
     Sizes sizes{};
     Reader all(words + snapshot_header_words, count - snapshot_header_words);
     all.value(sizes);

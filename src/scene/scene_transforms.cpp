@@ -49,12 +49,12 @@ Box Scene::world_box(uint32_t slot, const gphys_transform& world) const {
 
 GPHYS_NOINLINE const char* Scene::check_placement(uint32_t slot, const gphys_transform& world, Box& box) const {
     if (gphys::defect(world)) return "transform: the world transform is out of range";
-    if (world.scale < 1 / max_scale) return "transform.scale: below 1 / GPHYS_MAX_COORDINATE";
+    if (world.scale < 1 / max_scale) return "transform.scale: in the world it is not from 1e-15 to 1e15";
     if (models_[slot].type() == GPHYS_SHAPE_PLANE) return nullptr;
     if (models_[slot].type() == GPHYS_SHAPE_MESH) {
         const AxisScale axes = stored<ModelMesh>(slot).axes();
         if (axes.largest() * world.scale > max_scale || axes.least() * world.scale < 1 / max_scale) {
-            return "scale: in the world, not from 1e-15 to 1e15";
+            return "scale: in the world it is not from 1e-15 to 1e15";
         }
     }
     box = world_box(slot, world);

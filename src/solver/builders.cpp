@@ -56,12 +56,10 @@ gphys_status link_grid(Body& body, uint32_t columns, uint32_t rows, uint32_t du,
     return GPHYS_OK;
 }
 
-gphys_status too_many() { return fail(GPHYS_ERROR_CAPACITY, "more than 2^24 - 1 bodies or constraints"); }
-
 }  // namespace
 
 gphys_status Solver::insert(Body&& body, gphys_body_id& out) {
-    if (!state_.ids.reserve(1)) return too_many();
+    if (!state_.ids.reserve(1)) return fail(GPHYS_ERROR_CAPACITY, "the solver would have more than 2^24 - 1 bodies");
     reserve_more(state_.bodies, 1);
     if (body.settings.self_collision) body.contacts.self.placed = body.particles.position;
     const gphys_body_id id = state_.ids.add();
@@ -99,7 +97,8 @@ gphys_status Solver::add_cloth(const gphys_body_desc& desc, Vec3 corner, Vec3 ed
     const uint64_t edges = grid_edges(columns, rows, 0, 1) + grid_edges(columns, rows, 1, 0) +
                            (shears ? 2 * grid_edges(columns, rows, 1, 1) : 0) +
                            (bends ? grid_edges(columns, rows, 0, 2) + grid_edges(columns, rows, 2, 0) : 0);
-    if (edges > IdTable::capacity) return too_many();
+    if (edges > IdTable::capacity)
+        return fail(GPHYS_ERROR_CAPACITY, "the body would have more than 2^24 - 1 constraints");
 
     Body body = make_body(GPHYS_BODY_CLOTH, desc, columns * rows, &memory);
     for (uint32_t row = 0; row < rows; ++row) {
@@ -201,7 +200,7 @@ gphys_status Solver::remove(gphys_body_id id) {
 }
 
 gphys_status Solver::check(gphys_body_id id) const {
-    return state_.ids.has(id) ? GPHYS_OK : fail(GPHYS_ERROR_INVALID_ID, "body: no such body, or no longer");
+    return state_.ids.has(id) ? GPHYS_OK : fail(GPHYS_ERROR_INVALID_ID, "body", id, "the id of a body of the solver");
 }
 
 void Solver::list(Smallest<gphys_body_id>& out) const {

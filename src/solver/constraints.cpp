@@ -16,7 +16,7 @@ void change_links(Constraints& constraints, uint32_t slot, int by) {
 
 gphys_status add_constraint(Body& body, const DistanceConstraint& constraint, gphys_constraint_id& out) {
     if (!body.constraints.ids.reserve(1)) {
-        return fail(GPHYS_ERROR_CAPACITY, "a body has at most 2^24 - 1 constraints");
+        return fail(GPHYS_ERROR_CAPACITY, "the body would have more than 2^24 - 1 constraints");
     }
     reserve_more(body.constraints.by_slot, 1);
     const bool in_plan = can_add_to_plan(body);
@@ -36,7 +36,7 @@ gphys_status add_constraint(Body& body, const DistanceConstraint& constraint, gp
 
 gphys_status check_constraint(const Constraints& constraints, gphys_constraint_id id) {
     if (constraints.ids.has(id)) return GPHYS_OK;
-    return fail(GPHYS_ERROR_INVALID_ID, "constraint: no such constraint, or no longer");
+    return fail(GPHYS_ERROR_INVALID_ID, "constraint", id, "the id of a constraint of the body");
 }
 
 gphys_status set_damping(Body& body, gphys_constraint_id id, double damping) {

@@ -96,10 +96,10 @@ void solve_volume(Volume& volume, const ClothSheet& sheet, ClothState& state, Ch
 
 gphys_status set_volume(Body& body, double rest, double compliance) {
     if (!body.cloth.volume.held && !encloses_volume(body.cloth.sheet)) {
-        return fail(GPHYS_ERROR_UNSUPPORTED, "body: its triangles do not close, or are not all turned the same way");
+        return fail(GPHYS_ERROR_UNSUPPORTED, "body: its triangles are not a closed surface of one orientation");
     }
     const double now = volume_of(body.cloth.sheet, body.particles);
-    if (rest < 0 && !(now > 0)) return fail(GPHYS_ERROR_UNSUPPORTED, "body: it is turned inside out");
+    if (rest < 0 && !(now > 0)) return fail(GPHYS_ERROR_UNSUPPORTED, "body: its triangles face inward");
     wake(body);
     if (!body.cloth.volume.held) body.plan.chains_current = false;
     body.cloth.volume.held = true;

@@ -9,7 +9,8 @@ namespace gphys {
 
 gphys_status Solver::join(gphys_body_id body_a, uint32_t particle_a, gphys_body_id body_b, uint32_t particle_b,
                           double rest, double compliance, gphys_joint_id& out) {
-    if (!state_.joint_ids.reserve(1)) return fail(GPHYS_ERROR_CAPACITY, "a solver has at most 2^24 - 1 joints");
+    if (!state_.joint_ids.reserve(1))
+        return fail(GPHYS_ERROR_CAPACITY, "the solver would have more than 2^24 - 1 joints");
     reserve_more(state_.joints, 1);
     Body &a = edit(body_a), &b = edit(body_b);
     interrupt(a);
@@ -36,7 +37,7 @@ void Solver::remove_joint(uint32_t slot) {
 
 gphys_status Solver::unjoin(gphys_joint_id joint) {
     if (!state_.joint_ids.has(joint)) {
-        return fail(GPHYS_ERROR_INVALID_ID, "joint: no such joint, or no longer");
+        return fail(GPHYS_ERROR_INVALID_ID, "joint", joint, "the id of a joint of the solver");
     }
     remove_joint(IdTable::slot_of(joint));
     return GPHYS_OK;

@@ -8,18 +8,13 @@
 // Words may come from any source. Everything that is used as a number or an index is validated first
 // (snapshot_check.h). A state that passes is as safe to step as one that the library has made.
 #include "foundation/archive.h"
+#include "foundation/snapshot_header.h"
 #include "solver/snapshot/snapshot_check.h"
 
 namespace gphys {
 namespace {
 
-struct Header {
-    uint32_t magic, format, words;
-    uint32_t hash[2];  // of the words that follow
-};
-constexpr uint32_t header_words = sizeof(Header) / 4;
 constexpr uint32_t magic = 0x6770686e;
-constexpr uint32_t swapped_magic = 0x6e687067;
 // Version of the list below: increase it when that changes.
 constexpr uint32_t format = 8;
 
@@ -188,9 +183,10 @@ const char* read(Reader& archive, SolverState& state) {
     return read_targets(archive, state);
 }
 
-void split(uint64_t hash, uint32_t (&out)[2]) {
-    out[0] = static_cast<uint32_t>(hash);
-    out[1] = static_cast<uint32_t>(hash >> 32);
+uint64_t hash_of(const uint32_t* words, size_t count) {
+    WordHash hash;
+    hash.put(words, count);
+    return hash.value();
 }
 
 }  // namespace
@@ -198,43 +194,35 @@ void split(uint64_t hash, uint32_t (&out)[2]) {
 void Solver::hash(uint32_t (&out)[2]) const {
     WordHash hash;
     write(hash, state_);
-    split(hash.value(), out);
+    out[0] = static_cast<uint32_t>(hash.value());
+    out[1] = static_cast<uint32_t>(hash.value() >> 32);
 }
 
 gphys_status Solver::snapshot(uint32_t* out, uint32_t capacity, uint32_t& total) const {
     WordCount count;
     write(count, state_);
-    if (count.words > std::numeric_limits<uint32_t>::max() - header_words) {
-        return fail(GPHYS_ERROR_CAPACITY, "the snapshot would have 2^32 words or more");
+    if (count.words > std::numeric_limits<uint32_t>::max() - snapshot_header_words) {
+        return fail(GPHYS_ERROR_CAPACITY, "the snapshot would have more than 2^32 - 1 words");
     }
-    total = static_cast<uint32_t>(count.words) + header_words;
+    total = static_cast<uint32_t>(count.words) + snapshot_header_words;
     if (total > capacity) return GPHYS_INCOMPLETE;
-    WordCopy copy{out + header_words};
+    WordCopy copy{out + snapshot_header_words};
     write(copy, state_);
-    WordHash hash;
-    hash.put(out + header_words, count.words);
-    Header header{magic, format, total, {}};
-    split(hash.value(), header.hash);
+    SnapshotHeader header{magic, format, total, {}};
+    header.set_checksum(hash_of(out + snapshot_header_words, count.words));
     std::memcpy(out, &header, sizeof header);
     return GPHYS_OK;
 }
 
 gphys_status Solver::restore(const uint32_t* words, uint32_t count) {
     const auto rejected = [](const char* why) { return fail(GPHYS_ERROR_INVALID_ARGUMENT, why); };
-    Header header{};
-    std::memcpy(&header, words, 4 * size_t{std::min(count, header_words)});
-    if (count < header_words) return rejected("words: too few for a snapshot");
-    if (header.magic == swapped_magic) return rejected("words: a snapshot in another byte order");
-    if (header.magic != magic) return rejected("words: not a snapshot");
-    if (header.format != format) return rejected("words: a snapshot of another version of the library");
-    if (header.words != count) return rejected("count: not what the snapshot had");
-    WordHash hash;
-    hash.put(words + header_words, count - header_words);
-    uint32_t found[2];
-    split(hash.value(), found);
-    if (std::memcmp(found, header.hash, sizeof found) != 0) return rejected("words: the snapshot is damaged");
+    SnapshotHeader header;
+    if (const char* wrong = read_header(words, count, magic, format, format, header)) return rejected(wrong);
+    if (!header.has_checksum(hash_of(words + snapshot_header_words, count - snapshot_header_words))) {
+        return rejected("words: the checksum is not that of the contents");
+    }
     SolverState restored(&memory);
-    Reader archive(words + header_words, count - header_words);
+    Reader archive(words + snapshot_header_words, count - snapshot_header_words);
     if (const char* wrong = read(archive, restored)) return rejected(wrong);
     size_t given = 0;
     for (const Body& body : restored.bodies) given += body.contacts.impulses.size();

@@ -227,7 +227,7 @@ const char* defect_of_globals(const SolverState& state) {
     const auto out_of_order = [](const PlacedModel& a, const PlacedModel& b) { return !(a < b); };
     if (std::adjacent_find(state.seen.begin(), state.seen.end(), out_of_order) != state.seen.end() ||
         !all(state.seen, is_seen)) {
-        return "words: models are out of order or in no place";
+        return "words: the models near the bodies are out of order or out of range";
     }
     return nullptr;
 }
@@ -244,7 +244,7 @@ const char* defect_of_joints(const SolverState& state) {
         const Joint& j = state.joints[slot];
         if (!is_end(j.body_a, j.particle_a) || !is_end(j.body_b, j.particle_b) || j.body_a == j.body_b ||
             !is_length(j.rest) || !is_amount(j.compliance) || !is_finite(j.tension)) {
-            return "words: a joint is none";
+            return "words: a joint is out of range";
         }
     }
     return nullptr;
@@ -253,17 +253,17 @@ const char* defect_of_joints(const SolverState& state) {
 const char* defect(const Body& body) {
     if (!sizes_agree(body)) return "words: the arrays of a body have different lengths";
     if (!settings_fine(body)) return "words: a setting of a body is out of range";
-    if (!particles_fine(body)) return "words: a particle's state is out of range";
+    if (!particles_fine(body)) return "words: a particle of a body is out of range";
     const Volume& volume = body.cloth.volume;
     if (!is_finite_amount(volume.rest) || !is_amount(volume.compliance) || !is_finite(volume.pressure)) {
-        return "words: a volume is none";
+        return "words: the volume of a body is out of range";
     }
-    if (!air_fine(body.air)) return "words: a wind is none";
-    if (!impulses_fine(body.contacts)) return "words: an impulse is none";
-    if (!attachments_fine(body)) return "words: an attachment is none";
-    if (!constraints_fine(body) || !length_changes_fine(body.constraints)) return "words: a constraint is none";
+    if (!air_fine(body.air)) return "words: the wind of a body is out of range";
+    if (!impulses_fine(body.contacts)) return "words: an impulse is out of range";
+    if (!attachments_fine(body)) return "words: an attachment is out of range";
+    if (!constraints_fine(body) || !length_changes_fine(body.constraints)) return "words: a constraint is out of range";
     if (!all(body.cloth.sheet.triangles, [&](uint32_t p) { return p < body.particles.size(); }))
-        return "words: a triangle is none";
+        return "words: a triangle of a body is out of range";
     return nullptr;
 }
 
@@ -276,11 +276,11 @@ const char* defect_of_targets(const Body& body) {
                (target.backstop == infinity || (is_normal(target.from_normal) && is_normal(target.to_normal)));
     };
     const bool fine = body.targets.all.size() == body.particles.size() && all(body.targets.all, is_target);
-    return fine ? nullptr : "words: an animation target is none";
+    return fine ? nullptr : "words: an animation target is out of range";
 }
 
 const char* defect_of_plan(const Body& body) {
-    constexpr const char* wrong = "words: the plan of a body is none";
+    constexpr const char* wrong = "words: the plan of a body does not follow from its constraints";
     const Plan& plan = body.plan;
     if (!plan.chains_current) return nullptr;
     if (plan.edits > Plan::most_edits || plan.method != method_of(body)) return wrong;

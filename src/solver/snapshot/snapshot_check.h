@@ -7,7 +7,7 @@
 
 namespace gphys {
 
-constexpr const char* cut_short = "words: no snapshot has these lengths";
+constexpr const char* cut_short = "words: the lengths in it do not add up to count";
 
 /// Each returns what is wrong, or nullptr. They check everything but the bodies and joints; joints, once the bodies are
 /// valid; one body without its plan; and its plan, once the rest has been completed. May throw std::bad_alloc.
