@@ -209,7 +209,7 @@ TEST_CASE("a snapshot's numbers of a body are in their ranges, each by itself") 
     check_number(rope, [](Body& b) -> double& { return b.substeps.wanted; }, {0, 0.5}, {-tiny, beyond(0.5)});
     check_number(rope, [](Body& b) -> double& { return b.history.earlier_step; }, {0, 0.5}, {-tiny, beyond(0.5)});
     check_number(
-        rope, [](Body& b) -> double& { return b.sleep.calm; }, amounts, no_amounts);
+        rope, [](Body& b) -> double& { return b.sleep.rest_time; }, amounts, no_amounts);
     check_number(
         rope, [](Body& b) -> double& { return b.particles.radius.back(); }, amounts, no_amounts);
     check_number(sheet, [](Body& b) -> double& { return b.cloth.balance.lost; }, {0, 1e300}, {-tiny, infinity});
@@ -441,7 +441,7 @@ void reverse_family(Plan& plan, size_t family) {
     }
 }
 
-TEST_CASE("in a snapshot's plan of cloth the longest chain of a colour comes first, others in any order") {
+TEST_CASE("in a snapshot's plan of cloth the longest chain of a family comes first, others in any order") {
     Bodies bodies;
     Body& sheet = bodies.sheet();
     const Plan& plan = sheet.plan;

@@ -65,7 +65,7 @@ void set_animation_targets(Body& body, uint32_t first, uint32_t count, const gph
     }
     if (!changed) return;
     if (body.sleep.asleep) wake(body);
-    body.sleep.calm = 0;
+    body.sleep.rest_time = 0;
     const auto bounding = [](const AnimationTarget& target) { return target.bounds(); };
     if (std::none_of(all.begin(), all.end(), bounding)) all.clear();
 }

@@ -13,7 +13,7 @@ namespace gphys {
 /// Unites bodies that collide with each other and may come into contact in this step: sort and sweep of their swept
 /// boxes along x (Baraff 1992).
 void Solver::unite_near_bodies(DisjointSets& sets, double dt) {
-    reaches_.clear();
+    swept_bounds_.clear();
     for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
         const Body& body = state_.bodies[slot];
         if (!state_.ids.live(slot) || body.settings.body_layers == 0) continue;
@@ -28,15 +28,15 @@ void Solver::unite_near_bodies(DisjointSets& sets, double dt) {
         const double room =
             radius + 2 * dt * (std::sqrt(fastest) + dt * length(state_.settings.gravity)) + way_to_targets(body);
         const Vec3 around{room, room, room};
-        reaches_.push_back({slot, {box.min - around, box.max + around}});
+        swept_bounds_.push_back({slot, {box.min - around, box.max + around}});
     }
-    std::sort(reaches_.begin(), reaches_.end(), [](const Reach& a, const Reach& b) {
+    std::sort(swept_bounds_.begin(), swept_bounds_.end(), [](const SweptBounds& a, const SweptBounds& b) {
         return a.box.min.x != b.box.min.x ? a.box.min.x < b.box.min.x : a.slot < b.slot;
     });
-    for (size_t i = 0; i < reaches_.size(); ++i) {
-        const Reach& a = reaches_[i];
-        for (size_t j = i + 1; j < reaches_.size() && reaches_[j].box.min.x <= a.box.max.x; ++j) {
-            const Reach& b = reaches_[j];
+    for (size_t i = 0; i < swept_bounds_.size(); ++i) {
+        const SweptBounds& a = swept_bounds_[i];
+        for (size_t j = i + 1; j < swept_bounds_.size() && swept_bounds_[j].box.min.x <= a.box.max.x; ++j) {
+            const SweptBounds& b = swept_bounds_[j];
             const bool apart = a.box.min.y > b.box.max.y || b.box.min.y > a.box.max.y || a.box.min.z > b.box.max.z ||
                                b.box.min.z > a.box.max.z;
             const bool collide =
@@ -200,7 +200,7 @@ void Solver::move_island(const Island& island, const Scene* scene, double dt) {
     }
     if (island.colliding_count > 0)
         particle_contacts_.settle(island, state_.bodies, slots, whole, gravity, dt / substeps);
-    bool calm = state_.settings.sleep_speed > 0;
+    bool at_rest = state_.settings.sleep_speed > 0;
     each_body([&](Body& body) {
         if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body, whole);
         body.constraints.length_changes.clear();
@@ -209,9 +209,9 @@ void Solver::move_island(const Island& island, const Scene* scene, double dt) {
         adapt_substep(body, state_.settings, dt, substeps);
         add_attached_impulses(body, whole, -1, gravity, dt);
         end_air(body);
-        calm = is_calm(body, state_.settings, dt) && calm;
+        at_rest = is_at_rest(body, state_.settings, dt) && at_rest;
     });
-    if (calm) each_body([&](Body& body) { fall_asleep(body, scene, dt); });
+    if (at_rest) each_body([&](Body& body) { fall_asleep(body, scene, dt); });
 }
 
 }  // namespace gphys

@@ -1,5 +1,5 @@
-// In which order the constraints of a body are solved. A plan is made from the constraints and the
-// pins and is made again when they change.
+// The plan of a body: in which order its constraints are solved. It is computed from the constraints and the pins, and
+// again after these change.
 #pragma once
 
 #include "foundation/math.h"
@@ -29,11 +29,11 @@ struct Plan {
     static constexpr uint32_t most_edits = 64;
 
     gphys_solve_method method = GPHYS_SOLVE_FREE;
-    // What follows from constraints and from pins; when out of date, what is there of it counts for nothing.
+    // Whether the chains, and the reach limits of pins, are up to date. If not, they are not used.
     bool chains_current = false, reach_current = false;
-    uint32_t edits = 0;      // of the chains since the last step; beyond most_edits they are made again
-    bool described = false;  // whether the links of the chains are as their constraints are
-    bool chains_packed = false, pins_packed = false;  // whether Cloth::batches are of them
+    uint32_t edits = 0;      // of the chains since the last step; beyond most_edits they are planned again
+    bool described = false;  // whether the parameters of the links are those of their constraints
+    bool chains_packed = false, pins_packed = false;  // whether Cloth::batches and Cloth::reach are up to date
 
     /// By colour. The chains of a colour share no particle, so their order within it is free.
     Vector<Chain> chains;
@@ -49,9 +49,9 @@ struct Plan {
 
 /// Which method suits the constraints. O(particles). Throws std::bad_alloc.
 gphys_solve_method method_of(const Body& body);
-/// The same of a body whose particles have so many constraints.
+/// The same for a body with this number of constraints.
 gphys_solve_method method_of(const Body& body, uint32_t constraints);
-/// Bring the plan up to date. Throws std::bad_alloc, and then leaves it out of date.
+/// Updates the plan. Throws std::bad_alloc, and then leaves it out of date.
 void update_plan(Body& body);
 
 /// plan_edits.cpp: whether a constraint can be added to or removed from the plan of cloth without planning the body
@@ -63,7 +63,7 @@ bool can_remove_from_plan(Body& body, uint32_t slot);
 void add_to_plan(Body& body, uint32_t slot);
 void remove_from_plan(Body& body, uint32_t slot);
 
-/// The rest of a plan that came out of a snapshot and has no defect. Throws std::bad_alloc.
+/// Computes what a snapshot does not hold of a valid plan. Throws std::bad_alloc.
 void complete_plan(Body& body);
 
 void plan_direct_chains(Body& body);

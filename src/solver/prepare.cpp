@@ -1,7 +1,11 @@
-// What a step needs before anything moves: plans, room, where models are, and who does what.
+// The first phase of a step: plans, memory, nearby models and tasks are prepared before anything moves.
 //
-// All that may fail comes first and leaves what a snapshot holds as it is, or is put back (Before); sizes and
-// states that a snapshot holds change last, in begin_step, where nothing fails any more.
+// All memory is allocated here, so that a step without memory fails before it changes anything that a snapshot holds.
+// What must change earlier is saved in Before and restored if an allocation fails. Sizes and states that a snapshot
+// holds change last, in begin_step, which cannot fail.
+//
+// Tasks are sorted by size, the largest first (longest processing time first; Graham 1969). Workers take them from one
+// counter, so that none begins a large body when the others are done.
 #include <cstring>
 
 #include "solver/contact/collision.h"
@@ -22,7 +26,7 @@ bool has_lost(const Constraints& constraints, const Scene* scene) {
                        [&](const Attachment& attachment) { return is_lost(attachment, scene); });
 }
 
-/// Attached particles whose model is gone.
+/// Releases attached particles whose model no longer exists.
 void release_lost(Body& body, const Scene* scene) {
     const auto lost = [&](const Attachment& attachment) {
         if (!is_lost(attachment, scene)) return false;
@@ -36,7 +40,7 @@ void release_lost(Body& body, const Scene* scene) {
     body.history.earlier_step = 0;
 }
 
-/// Where attached particles go in this step.
+/// Sets the beginning and the end of the motion of attached particles in this step.
 void aim_attachments(Body& body, const Scene* scene) {
     for (Attachment& attachment : body.constraints.attachments) {
         attachment.begin = attachment.end = body.particles.position[attachment.particle];
@@ -47,7 +51,7 @@ void aim_attachments(Body& body, const Scene* scene) {
     }
 }
 
-/// visit(array, size) for the arrays in which a snapshot holds what steps remember.
+/// Calls visit(array, size) for the arrays that steps keep and snapshots hold.
 template <class Visit>
 void each_kept_array(Body& body, bool collides, Visit&& visit) {
     if (body.plan.method != GPHYS_SOLVE_FREE || body.plan.joined) {
@@ -65,11 +69,11 @@ void each_kept_array(Body& body, bool collides, Visit&& visit) {
     if (body.settings.sticks()) visit(body.contacts.stuck, body.particles.size());
 }
 
-/// Room that tasks work in.
+/// Allocates the arrays of a body that the step uses.
 void make_room(Body& body, bool collides) {
     each_kept_array(body, collides, [](auto& values, size_t size) { values.reserve(size); });
     if (collides) body.contacts.point_count.resize(body.particles.size());
-    // What sticks is looked at in steps without a scene, too.
+    // Steps without a scene read which particles stick, too.
     if (collides || !body.contacts.stuck.empty()) body.contacts.held.resize(body.particles.size());
     if (is_graph(body)) {
         reserve_cloth(body, collides);
@@ -82,14 +86,14 @@ void make_room(Body& body, bool collides) {
     }
 }
 
-/// Whether its particles are shared by workers, whatever their number.
+/// Whether the particles are divided into parts, one task each. Does not depend on the number of workers.
 bool is_divided(const Body& body) {
     return body.plan.method == GPHYS_SOLVE_FREE && !body.plan.joined && body.particles.size() > part_size;
 }
 
 }  // namespace
 
-/// Everything that may fail for want of memory.
+/// Allocates everything that the step needs. Throws std::bad_alloc; then nothing in snapshots has changed.
 void Solver::prepare(const Scene* scene, double dt) {
     before_.clear();
     try {
@@ -108,7 +112,7 @@ void Solver::prepare(const Scene* scene, double dt) {
         std::sort(moving_.begin(), moving_.end());
         divide_work();
         if (scene) make_room_for_flight();
-        state_.seen.reserve(next_seen_.capacity());  // they change places
+        state_.seen.reserve(next_seen_.capacity());  // the two are swapped
         size_t given = 0;
         for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot)
             given += state_.bodies[slot].contacts.impulses.capacity();
@@ -125,7 +129,7 @@ void Solver::prepare_body(uint32_t slot, const Scene* scene, double dt) {
     Plan& plan = body.plan;
     const bool lost = has_lost(body.constraints, scene), changed = !plan.chains_current;
     if (lost || changed || !plan.reach_current) {
-        // Its parts are there before it begins to hold for anything.
+        // Made complete before it is added to the list, because copying its parts may throw.
         Before before(slot, body, &memory);
         if (lost) before.attachments = body.constraints.attachments;
         before_.push_back(std::move(before));
@@ -138,7 +142,7 @@ void Solver::prepare_body(uint32_t slot, const Scene* scene, double dt) {
     update_plan(body);
     if (!body.constraints.length_changes.empty()) find_changed_links(body);
     body.plan.joined = body.plan.joined || plan.branched;
-    // What systems of joints have placed stays there.
+    // Relaxation would move particles away from where a system of joints has placed them.
     const bool relaxed = is_graph(body) && !body.plan.joined;
     const double most_strain = state_.settings.max_strain > 0 ? state_.settings.max_strain : usual_cloth_strain;
     body.cloth.relaxation.most_strain = relaxed ? most_strain : 0;
@@ -147,7 +151,7 @@ void Solver::prepare_body(uint32_t slot, const Scene* scene, double dt) {
     make_room(body, scene && body.settings.layers != 0);
     reserve_air(body);
     reserve_targets(body);
-    // What falls asleep loses its speed.
+    // Falling asleep has set the speeds to 0, so the stored bounds are out of date.
     if (body.sleep.asleep) body.particles.extent.reset();
     if (body.particles.largest_radius < 0) {
         const auto [smallest, largest] =
@@ -177,7 +181,7 @@ void Solver::Before::put_back(Body& body) {
     body.history.earlier_step = earlier_step;
 }
 
-/// Within the room that is reserved.
+/// Uses reserved memory only.
 void Solver::begin_step(const Scene* scene) noexcept {
     for (const ActiveBody& moving : moving_) {
         Body& body = state_.bodies[moving.slot];
@@ -190,31 +194,30 @@ void Solver::begin_step(const Scene* scene) noexcept {
     }
 }
 
-/// Note where the models near the bodies stand, and which of them have moved since the last step.
+/// Broad phase: lists the models near the bodies with their transforms, and those that have moved since the last step.
 void Solver::list_near_models(const Scene& scene, double dt) {
-    stretches_.clear();
+    ranges_.clear();
     for (uint32_t i = 0; i < moving_.size(); ++i) {
         Body& body = state_.bodies[moving_[i].slot];
         if (body.particles.extent) continue;
-        for (uint32_t first = 0; first < body.particles.size(); first += part_size)
-            stretches_.push_back({i, first, {}});
+        for (uint32_t first = 0; first < body.particles.size(); first += part_size) ranges_.push_back({i, first, {}});
     }
-    workers_.run(static_cast<uint32_t>(stretches_.size()), [&](uint32_t i) {
-        Stretch& stretch = stretches_[i];
-        Body& body = state_.bodies[moving_[stretch.moving].slot];
-        stretch.extent = extent_of(body, stretch.first, std::min(stretch.first + part_size, body.particles.size()));
+    workers_.run(static_cast<uint32_t>(ranges_.size()), [&](uint32_t i) {
+        ParticleRange& range = ranges_[i];
+        Body& body = state_.bodies[moving_[range.moving].slot];
+        range.extent = extent_of(body, range.first, std::min(range.first + part_size, body.particles.size()));
     });
-    for (const Stretch& stretch : stretches_) {
-        std::optional<Extent>& extent = state_.bodies[moving_[stretch.moving].slot].particles.extent;
+    for (const ParticleRange& range : ranges_) {
+        std::optional<Extent>& extent = state_.bodies[moving_[range.moving].slot].particles.extent;
         if (!extent) extent.emplace();
-        extent->add(stretch.extent);
+        extent->add(range.extent);
     }
     for (ActiveBody& moving : moving_) {
         Body& body = state_.bodies[moving.slot];
         const double fastest = moving.fastest = length(body.particles.extent->fastest);
         const Aabb box = body.particles.extent->box;
         body.particles.extent.reset();
-        // Twice as far as a particle may come in this step; and a model in the next: what it can meet then.
+        // Twice the distance that a particle can move in this step. `nearby` adds the distance that a model can move.
         const double way = 2 * body.particles.largest_radius +
                            2 * dt * (fastest + dt * length(state_.settings.gravity)) + way_to_targets(body);
         const auto within = [&](double room) {
@@ -226,10 +229,10 @@ void Solver::list_near_models(const Scene& scene, double dt) {
     for (ActiveBody& moving : moving_) {
         const size_t before = next_seen_.size();
         scene.for_each_in_box(moving.nearby, state_.bodies[moving.slot].settings.layers, [&](gphys_model_id model) {
-            // The box around a terrain or a turned slab holds bodies that are far from its surface.
+            // The box of a terrain or of a rotated slab contains bodies that are far from its surface.
             if (!scene.overlaps_box(model, moving.nearby)) return;
             next_seen_.push_back({model, scene.world(model)});
-            // One that has moved is met on its way (find_disturbed).
+            // find_disturbed handles models that have moved.
             if (moving.undisturbed && scene.overlaps_box(model, moving.close)) moving.undisturbed = false;
         });
         moving.models_near = static_cast<uint32_t>(next_seen_.size() - before);
@@ -254,8 +257,8 @@ void Solver::list_near_models(const Scene& scene, double dt) {
     find_disturbed(scene);
 }
 
-/// All take fewer substeps in proportion if they would take too many. Bodies of an island take as many as the one that
-/// needs the most.
+/// Keeps the sum of substeps times particles below max_work: if it is larger, all bodies get fewer substeps in
+/// proportion. Bodies of an island take as many substeps as the one that needs the most.
 void Solver::bound_work(double dt) {
     const uint32_t most = state_.settings.max_work;
     for (const ActiveBody& moving : moving_) {
@@ -283,7 +286,7 @@ void Solver::bound_work(double dt) {
     }
 }
 
-/// A model that has moved disturbs what it came by, wherever it is now.
+/// Marks bodies near the path of a model that has moved.
 void Solver::find_disturbed(const Scene& scene) {
     for (const PlacedModel& before : moved_) {
         Box way;
@@ -298,10 +301,9 @@ void Solver::find_disturbed(const Scene& scene) {
     }
 }
 
-/// Cloth that would keep the others waiting: more than a worker's part of all particles. With fewer links, what
-/// two workers' caches have to tell each other between colours takes most of the gain: two were seen to take
-/// 0.64 times as long as one with 59 000 links, 0.75 times with 21 000. Where their cores are far apart, 200 ns
-/// instead of 50, it was 1.2 times with 59 000.
+/// Whether all workers should move a cloth together: if it has more than a worker's share of all particles. For cloth
+/// with fewer links, synchronisation between colours takes most of the gain. Two workers took 0.64 of the time of one
+/// with 59 000 links and 0.75 with 21 000; on cores with a latency of 200 ns instead of 50, 1.2 with 59 000.
 bool Solver::is_worth_sharing(const ActiveBody& moving, size_t particles) const {
     constexpr size_t least_links = 40000;
     const Plan& plan = state_.bodies[moving.slot].plan;
@@ -318,7 +320,7 @@ void Solver::make_room_for_flight() {
     flight_planes_.swap(made);
 }
 
-/// Undisturbed ropes by eight, everything else body by body, but for what islands move.
+/// Makes the tasks: eight undisturbed ropes each, or one body, or a part of a body. Islands are tasks of their own.
 void Solver::divide_work() {
     tasks_.clear();
     while (rooms_.size() < workers_.count()) rooms_.emplace_back(&room_memory_);

@@ -66,19 +66,19 @@ bool attachments_moved(const Constraints& constraints, const Scene* scene) {
 }  // namespace
 
 void wake(Body& body) {
-    body.sleep.calm = 0;
+    body.sleep.rest_time = 0;
     body.sleep.asleep = false;
     body.particles.extent.reset();
     body.cloth.cache.search_balls.clear();
 }
 
-bool is_calm(Body& body, const SolverSettings& settings, double dt) {
+bool is_at_rest(Body& body, const SolverSettings& settings, double dt) {
     if (settings.sleep_speed == 0) return false;
     const bool slow =
         is_graph(body) ? goes_slowly(body, settings.sleep_speed, dt) : is_slow(body.particles, settings.sleep_speed);
-    const bool calm = slow && is_hardly_strained(body, settings.sleep_strain);
-    body.sleep.calm = calm ? body.sleep.calm + dt : 0;
-    return body.sleep.calm >= settings.sleep_time;
+    const bool at_rest = slow && is_hardly_strained(body, settings.sleep_strain);
+    body.sleep.rest_time = at_rest ? body.sleep.rest_time + dt : 0;
+    return body.sleep.rest_time >= settings.sleep_time;
 }
 
 void fall_asleep(Body& body, const Scene* scene, double dt) {
@@ -92,7 +92,7 @@ void fall_asleep(Body& body, const Scene* scene, double dt) {
 }
 
 void rest(Body& body, const Scene* scene, const SolverSettings& settings, double dt) {
-    if (is_calm(body, settings, dt)) fall_asleep(body, scene, dt);
+    if (is_at_rest(body, settings, dt)) fall_asleep(body, scene, dt);
 }
 
 bool Solver::sleeps_on(const Body& body, const Scene* scene) {

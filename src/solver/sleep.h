@@ -11,14 +11,14 @@ struct SolverSettings;
 
 /// The state of a body at rest.
 struct Sleep {
-    double calm = 0;  // seconds that it has been at rest
+    double rest_time = 0;  // seconds that it has been at rest
     bool asleep = false;
     Box box;                     // while asleep: models in it may wake it,
     uint64_t neighbourhood = 0;  // and this is a hash of them
 };
 
 /// Call after a step has moved the body. Returns whether it has been at rest for long enough.
-bool is_calm(Body& body, const SolverSettings& settings, double dt);
+bool is_at_rest(Body& body, const SolverSettings& settings, double dt);
 void fall_asleep(Body& body, const Scene* scene, double dt);
 /// The same, and falls asleep; for a single body.
 void rest(Body& body, const Scene* scene, const SolverSettings& settings, double dt);

@@ -32,8 +32,13 @@
 //   cloth/             cloth and graphs: colours of chains
 //     plan_cloth.cpp     chains and limits, packed for the kernels
 //     plan_edits.cpp     its chains when a constraint comes or goes
-//     rigid_links.cpp    links by particle, for the two below that walk along them
+//     rigid_links.cpp    adjacency lists, for reach limits and for braces
+//     cloth.h            the parts of its state, each with its own header
 //     cloth.cpp          a substep
+//     cloth_state.cpp    positions and velocities in the layout of the kernels; cloth_shares.h: work of several threads
+//     cloth_chains.cpp   sweeps over the chains
+//     cloth_energy.cpp   the energy balance of a substep; whole_motion.cpp: momentum and angular momentum
+//     cloth_attachments.cpp  particles attached to models
 //     cloth_contacts.cpp contacts with models, as part of its chains
 //     cloth_targets.cpp  its animation targets, as part of its chains
 //     relax_links.cpp    links that chains have left strained; kept_links.cpp: which links, all but braces
@@ -219,7 +224,7 @@ private:
         uint32_t part;  // of a body that is divided
     };
     /// Some particles of a body.
-    struct Stretch {
+    struct ParticleRange {
         uint32_t moving, first;
         Extent extent;
     };
@@ -294,7 +299,7 @@ private:
     Vector<ActiveBody> moving_{&memory};
     Vector<Before> before_{&memory};
     Vector<Task> tasks_{&memory};
-    Vector<Stretch> stretches_{&memory};
+    Vector<ParticleRange> ranges_{&memory};
     ThreadArena room_memory_{&memory};
     Vector<RopeRoom> rooms_{&memory};              // by worker
     Vector<FlightPlanes> flight_planes_{&memory};  // by worker, from the first step beside a scene on
@@ -313,11 +318,11 @@ private:
     bool joints_current_ = false;
     ParticleContacts particle_contacts_{&memory};
     /// Boxes around bodies that collide with others, for one step.
-    struct Reach {
+    struct SweptBounds {
         uint32_t slot;
         Aabb box;
     };
-    Vector<Reach> reaches_{&memory};
+    Vector<SweptBounds> swept_bounds_{&memory};
     BodyMeshes meshes_{&memory};
 };
 

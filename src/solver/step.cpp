@@ -6,12 +6,13 @@
 //   begin_step     where attachments go; sizes of what a snapshot holds     prepare.cpp
 //   move, by task: all of the bodies of the task, nothing of others
 //     forces       Air, Particles::force; of cloth its accelerations        wind.cpp, cloth.cpp
-//     integrate    History and Particles; of cloth Cloth                    rope_substep.cpp, cloth.cpp
-//     constraints  Particles::position, Rope::tension; of cloth Cloth::at   rope_direct.cpp, cloth.cpp
+//     integrate    History and Particles; of cloth Cloth::state             rope_substep.cpp, cloth.cpp
+//     constraints  Particles::position, Rope::tension; of cloth Cloth::state  rope_direct.cpp, cloth_chains.cpp
 //     collide      Contacts, Particles; of cloth Cloth::contacts            contact/, cloth_contacts.cpp
 //     (these once per substep)
 //     measure      Substeps, Sleep                                          error_targets.cpp, sleep.cpp
-//   publish        the sums of all Contacts::impulses by model              add_impulses
+//   publish        the sums of all Contacts::impulses by model; of cloth    add_impulses,
+//                  Particles, at the end of its last substep                cloth_state.cpp
 //
 // All but `move` run on the caller's thread. Workers share the scene, the models that have moved and the settings,
 // which they only read. Each has a RopeRoom and FlightPlanes of its own. Two are on one body at once in two cases
@@ -267,12 +268,12 @@ void Solver::add_impulses() {
             body_impulses_.push_back({given.model, slot, &given});
     }
     std::sort(body_impulses_.begin(), body_impulses_.end());
-    for (const BodyImpulse& giver : body_impulses_) {
-        if (impulses_.empty() || impulses_.back().model != giver.model) {
-            impulses_.push_back(*giver.impulse);
+    for (const BodyImpulse& given : body_impulses_) {
+        if (impulses_.empty() || impulses_.back().model != given.model) {
+            impulses_.push_back(*given.impulse);
         } else {
-            impulses_.back().linear += giver.impulse->linear;
-            impulses_.back().angular += giver.impulse->angular;
+            impulses_.back().linear += given.impulse->linear;
+            impulses_.back().angular += given.impulse->angular;
         }
     }
 }

@@ -153,7 +153,7 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
     if (collides) count_contacts(body, around, scheme.next / h);
     TautLimits taut(body.constraints, around, cloth.in_chains, body.contacts.impulses, scheme, damping);
     const bool captured = taut.capture(cloth.batches.limits, state);
-    if (contacts.sunk && collides && !state.held) keep_calm(state, cloth.shares, gain * state.average_mass);
+    if (contacts.sunk && collides && !state.held) limit_energy_in_solid(state, cloth.shares, gain * state.average_mass);
     const bool bounded = body.targets.act();
     balance.closed = balance.closed && !(collides && contacts.pushed) && !bounded;
     const bool accounted = is_accounted_for(body, collides);

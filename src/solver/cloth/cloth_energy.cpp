@@ -29,9 +29,9 @@ bool is_accounted_for(const Body& body, bool collides) {
     return body.cloth.volume.held && !contacts.sunk && !contacts.pushed;
 }
 
-void keep_calm(ClothState& state, ClothShares& shares, double gain) {
-    const double calm = state.average_mass * state.particles * leaving_speed * leaving_speed / 2;
-    const double excess = std::min(gain, inner_energy_of_cloth(state, shares, {}) - calm);
+void limit_energy_in_solid(ClothState& state, ClothShares& shares, double gain) {
+    const double allowed = state.average_mass * state.particles * leaving_speed * leaving_speed / 2;
+    const double excess = std::min(gain, inner_energy_of_cloth(state, shares, {}) - allowed);
     if (excess > 0) slow_by(state, shares, {}, excess);
 }
 

@@ -27,7 +27,7 @@ double stored_energy(Cloth& cloth);
 bool is_accounted_for(const Body& body, bool collides);
 /// A solid holds cloth in it while the links get their lengths back. That must not make the cloth faster on average
 /// than its speed of leaving. `gain`: joules beyond the work of forces in the substep.
-void keep_calm(ClothState& state, ClothShares& shares, double gain);
+void limit_energy_in_solid(ClothState& state, ClothShares& shares, double gain);
 /// Slows the relative motion within the body so that the substep gains no energy; the motion of a free body as a whole
 /// stays.
 void remove_energy(ClothState& state, ClothShares& shares, double gain);

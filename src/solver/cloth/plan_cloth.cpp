@@ -1,4 +1,7 @@
-// The chains and reach limits of cloth, packed so that eight are solved side by side.
+// Packs the chains of cloth for the kernels, which solve eight chains side by side, one in each SIMD lane (structure of
+// arrays). The chains of a colour share no particle, so their order is free; they come sorted by length, and the eight
+// chains of a batch differ little in length. Empty lanes get links of infinite compliance between two particles that do
+// not move.
 #include "solver/cloth/cloth_batches.h"
 #include "solver/constraints.h"
 #include "solver/plan.h"
@@ -8,7 +11,7 @@ namespace {
 
 constexpr uint32_t lanes = 8;
 
-/// What is done for links of some kinds one by one.
+/// Lists damped links and links that only pull, which are also handled one by one.
 void pack_kind(const Plan& plan, uint32_t place, uint32_t link, ClothBatches& batches) {
     const uint32_t a = plan.particles[place], b = plan.particles[place + 1];
     if (plan.damping[link] > 0 && plan.compliance[link] > 0) {
@@ -20,9 +23,9 @@ void pack_kind(const Plan& plan, uint32_t place, uint32_t link, ClothBatches& ba
     }
 }
 
-/// Chains first .. last - 1, of one colour, the longest first. Lanes without a link get the two particles
-/// from `nowhere` on; whether there are any.
-bool pack_chains(const Plan& plan, uint32_t first, uint32_t last, uint32_t nowhere, ClothBatches& batches) {
+/// Packs up to eight chains of one colour, `first` .. `last` - 1, sorted by length. Lanes without a link get the two
+/// particles from `fixed_particle` on. Returns whether there are such lanes.
+bool pack_chains(const Plan& plan, uint32_t first, uint32_t last, uint32_t fixed_particle, ClothBatches& batches) {
     const uint32_t link_count = plan.chains[first].link_count;
     bool full = true;
     batches.chains.push_back({static_cast<uint32_t>(batches.particles.size()) / lanes,
@@ -33,7 +36,7 @@ bool pack_chains(const Plan& plan, uint32_t first, uint32_t last, uint32_t nowhe
             const bool there = first + lane < last && j <= plan.chains[first + lane].link_count;
             full = full && there;
             batches.particles.push_back(there ? plan.particles[plan.chains[first + lane].first_particle + j]
-                                              : nowhere + j % 2);
+                                              : fixed_particle + j % 2);
         }
     }
     for (uint32_t j = 0; j < link_count; ++j) {
@@ -63,7 +66,7 @@ void pack_cloth_chains(ClothBatches& batches, const Plan& plan, uint32_t particl
     for (size_t colour = 0; colour + 1 < plan.colours.size(); ++colour) {
         const uint32_t end = plan.colours[colour + 1];
         batches.colours.push_back(static_cast<uint32_t>(batches.chains.size()));
-        // Each batch has its own ones that do not move, as several may be solved at the same time.
+        // Batches of a colour may be solved at the same time, so each has its own particles that do not move.
         uint32_t spare = 0;
         for (uint32_t first = plan.colours[colour]; first < end; first += lanes) {
             if (pack_chains(plan, first, std::min(first + lanes, end), particles + spare, batches)) spare += 2;

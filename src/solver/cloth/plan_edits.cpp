@@ -1,11 +1,14 @@
-// A constraint that comes or goes changes the plan of cloth beside it only: it becomes a chain of its own, or the chain
-// that it was in is parted there. All other chains and colours stay, and a step does not plan the body again.
+// Edits of the plan of cloth: a constraint that is added becomes a chain of its own, in the first colour without its
+// two particles (greedy graph colouring); a constraint that is removed splits its chain in two. All other chains and
+// colours stay. Planning a sheet of 100 x 100 again takes about as long as a step, an edit takes O(chains). But edits
+// leave shorter chains and more colours than a new plan, so after most_edits of them in one step the body is planned
+// again.
 #include "solver/body.h"
 
 namespace gphys {
 namespace {
 
-/// Whether a body that loses a constraint is still a graph with a ring.
+/// Whether a body without this constraint is still solved as a graph.
 bool has_ring_without(Body& body, uint32_t slot) {
     struct Without {
         Constraints& constraints;
@@ -21,7 +24,7 @@ bool has_ring_without(Body& body, uint32_t slot) {
 uint32_t end_particle(const Chain& chain) { return chain.first_particle + chain.link_count + 1; }
 uint32_t end_link(const Chain& chain) { return chain.first_link + chain.link_count; }
 
-/// Chains from one on lie in the arrays one behind the other.
+/// Computes where the chains from number `from` on begin in the arrays, which hold them one after the other.
 void number_chains(Plan& plan, size_t from) {
     for (size_t i = from; i < plan.chains.size(); ++i) {
         plan.chains[i].first_particle = i == 0 ? 0 : end_particle(plan.chains[i - 1]);
@@ -34,7 +37,8 @@ auto at(Vector<T>& values, size_t i) {
     return values.begin() + static_cast<typename Vector<T>::difference_type>(i);
 }
 
-/// A chain that has become shorter goes behind the longer ones of its colour, which ends with chain `end`.
+/// Restores the order by length after a chain became shorter: moves it behind the longer chains of its colour. `end`:
+/// the first chain of the next colour.
 void move_behind_longer(Plan& plan, size_t chain, size_t end) {
     const Chain moved = plan.chains[chain];
     size_t next = chain + 1;
@@ -47,7 +51,7 @@ void move_behind_longer(Plan& plan, size_t chain, size_t end) {
     number_chains(plan, chain);
 }
 
-/// The first particle of a colour in the plan's array; of the colour behind the last one its end.
+/// Where the particles of a colour begin in the plan's array; for the number of colours, the end of that array.
 uint32_t colour_begin(const Plan& plan, size_t colour) {
     const uint32_t chain = plan.colours[colour];
     return chain < plan.chains.size() ? plan.chains[chain].first_particle
@@ -60,7 +64,8 @@ bool has_either(const Plan& plan, size_t colour, uint32_t a, uint32_t b) {
     return std::any_of(begin, end, [&](uint32_t p) { return p == a || p == b; });
 }
 
-/// The lowest colour of its kind that leaves both particles alone, or a new one, the last of the kind.
+/// The first colour of constraints of the same kind (limit or not) that has neither particle. If there is none, adds a
+/// colour behind those of that kind.
 size_t colour_for(const Body& body, Plan& plan, const DistanceConstraint& constraint) {
     size_t colour = 0;
     for (; colour + 1 < plan.colours.size(); ++colour) {
@@ -73,7 +78,7 @@ size_t colour_for(const Body& body, Plan& plan, const DistanceConstraint& constr
     return colour;
 }
 
-/// What follows from the chains, and from a constraint that has come or gone.
+/// Marks what was computed from the chains and from this constraint as out of date.
 void note_edit(Body& body, const DistanceConstraint& constraint) {
     body.plan.described = false;
     if (constraint.compliance == 0) body.plan.reach_current = false;
@@ -123,7 +128,7 @@ void remove_from_plan(Body& body, uint32_t slot) {
     const size_t i = static_cast<size_t>(after - plan.chains.begin()) - 1;
     const Chain whole = plan.chains[i];
     const uint32_t before = link - whole.first_link, behind = whole.link_count - before - 1;
-    // What is left of the chain on one side alone may be nothing: its particle goes, too.
+    // An end of the chain with no link left loses its particle, too.
     if (behind == 0) plan.particles.erase(at(plan.particles, end_particle(whole) - 1));
     if (before == 0) plan.particles.erase(at(plan.particles, whole.first_particle));
     plan.slots.erase(at(plan.slots, link));

@@ -1,3 +1,4 @@
+// The rigid links of cloth as adjacency lists (rigid_links.h): counting sort by particle.
 #include "solver/cloth/rigid_links.h"
 
 #include "solver/plan.h"
@@ -18,7 +19,7 @@ void each_rigid(const Plan& plan, Visit&& visit) {
 
 }  // namespace
 
-/// Entered from the particles that links lead to, in their order, all come in order: no list is sorted.
+/// Two counting sorts, by each end, leave each list sorted by the other end (radix sort).
 void RigidLinks::list(const Plan& plan, uint32_t particles) {
     std::pmr::memory_resource* const memory = at.get_allocator().resource();
     Vector<uint32_t> first(particles + size_t{1}, 0, memory);

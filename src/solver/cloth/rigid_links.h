@@ -1,5 +1,5 @@
-// The rigid links of cloth by particle, as what holds particles within reach of pins and what finds braces walk along
-// them.
+// The rigid links of cloth as adjacency lists (compressed sparse rows). The search for reach limits and the search for
+// braces traverse them.
 #pragma once
 
 #include "foundation/memory.h"
@@ -18,17 +18,17 @@ struct RigidLinks {
     explicit RigidLinks(std::pmr::memory_resource* memory)
         : begin(memory), at(memory), changed(memory), braces(memory) {}
 
-    Vector<uint32_t> begin;  // at[begin[p] .. begin[p + 1]]: those of particle p,
-    Vector<End> at;          // by the particle that they lead to. Both empty: to be listed
-    // Of braces (kept_links.cpp):
-    Vector<uint32_t> changed;  // the ends of links that came or went since they were found
-    Vector<uint8_t> braces;    // by slot of a constraint: whether it is one, or unknown; beyond the end unknown, too
+    Vector<uint32_t> begin;  // at[begin[p] .. begin[p + 1]]: the links of particle p,
+    Vector<End> at;          // sorted by their other end. Both empty: out of date
+    // For the search for braces (kept_links.cpp):
+    Vector<uint32_t> changed;  // the ends of links that were added or removed since the last search
+    Vector<uint8_t> braces;    // by slot of a constraint: whether it is a brace, or unknown; unknown beyond the end
 
-    /// Those of the chains of a plan. O(links). Throws std::bad_alloc.
+    /// Lists the rigid links of the chains of a plan. O(links). Throws std::bad_alloc.
     void list(const Plan& plan, uint32_t particles);
-    /// They are to be listed again, as one between two particles was added or removed. `changed` needs room for two.
+    /// Call after a link between two particles was added or removed. Uses capacity for two in `changed`.
     void change(uint32_t a, uint32_t b);
-    /// The same, as any may be another.
+    /// Call if any link may have changed.
     void forget();
 };
 

@@ -68,7 +68,7 @@ private:
     void fly_among(const Collider& collider, uint32_t p);
     /// The first hit on the whole path of the substep.
     bool hits(const Collider& collider, uint32_t p, Vec3 displacement, Impact& impact);
-    bool lies_still(const Collider& collider, uint32_t p, uint32_t obstacle) const {
+    bool stays_at_rest(const Collider& collider, uint32_t p, uint32_t obstacle) const {
         const Vec3 acceleration = flight_of(p).acceleration;
         return collider.holds(body_, p, obstacle, acceleration * whole_.fall, acceleration * whole_.reach);
     }
@@ -205,7 +205,7 @@ void FreeFlight::list_obstacles(const Collider& collider, const Aabb& region) {
 void FreeFlight::fly_one(const Collider* collider, uint32_t p, uint32_t obstacle) {
     if (body_.particles.pinned(p)) return;
     if (!collider) return fly_freely(p);
-    if (body_.particles.velocity[p] == Vec3{} && lies_still(*collider, p, obstacle)) return;
+    if (body_.particles.velocity[p] == Vec3{} && stays_at_rest(*collider, p, obstacle)) return;
     fly_among(*collider, p);
     keep_in_range(body_.particles.position[p], body_.particles.velocity[p]);
 }

@@ -88,7 +88,7 @@ void visit_body(Archive& archive, Body& body) {
     archive.value(body.substeps.wanted);
     archive.array(body.contacts.stuck);
     archive.array(body.contacts.impulses);
-    archive.value(body.sleep.calm);
+    archive.value(body.sleep.rest_time);
     archive.flag(body.sleep.asleep);
     archive.value(body.sleep.box);
     archive.value(body.sleep.neighbourhood);
