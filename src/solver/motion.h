@@ -6,10 +6,8 @@
 
 namespace gphys {
 
-class RopeContacts;
-
-/// step.cpp: one substep of a single body. `contacts`: for a rope near static models, else null.
-void move(Body& body, const CollisionContext& around, Vec3 gravity, double h, RopeContacts* contacts = nullptr);
+/// step.cpp: one substep of a single body.
+void move(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 /// The same in two parts, between which other bodies may push its particles. The first part moves bodies without
 /// constraints, and only predicts all others.
 void begin_move(Body& body, const CollisionContext& around, Vec3 gravity, double h);
@@ -41,17 +39,15 @@ void move_in_parts(const double (&parts)[count], const CollisionContext& around,
     }
 }
 
-/// If Newton's method does not find the lengths of all links, the substep is too long for it. Then it is divided into
-/// halves, recursively: half a second becomes parts of 4 ms, in which a link of 1 mm that swings under gravity turns by
-/// 0.4 radians. Lengths that are not found in the shortest parts are given up. `motion` has begin(around, h), solve()
-/// and began_in_shape(), and then either finish(around, h) or roll_back(). Returns whether all lengths were found.
 template <class Motion>
-bool move_in_halves(Motion& motion, const CollisionContext& around, double h, int halvings = 7) {
+bool move_in_halves(Motion& motion, const CollisionContext& around, double h, int halvings = 7);
+
+/// The rest of move_in_halves, after the first solution.
+template <class Motion>
+bool end_in_halves(Motion& motion, const CollisionContext& around, double h, bool found, int halvings = 7) {
     // Where links turn by a radian, the method may cycle for a while before it converges.
     constexpr int most_solutions = 8;
     constexpr double halves[] = {0.5, 0.5};
-    motion.begin(around, h);
-    bool found = motion.solve();
     const bool may_be_found = found || motion.began_in_shape();
     for (int i = 1; may_be_found && !found && i < most_solutions; ++i) found = motion.solve();
     if (found || !may_be_found || halvings == 0) {
@@ -64,6 +60,16 @@ bool move_in_halves(Motion& motion, const CollisionContext& around, double h, in
         found = move_in_halves(motion, within, part, found ? halvings - 1 : 0) && found;
     });
     return found;
+}
+
+/// If Newton's method does not find the lengths of all links, the substep is too long for it. Then it is divided into
+/// halves, recursively: half a second becomes parts of 4 ms, in which a link of 1 mm that swings under gravity turns by
+/// 0.4 radians. Lengths that are not found in the shortest parts are given up. `motion` has begin(around, h), solve()
+/// and began_in_shape(), and then either finish(around, h) or roll_back(). Returns whether all lengths were found.
+template <class Motion>
+bool move_in_halves(Motion& motion, const CollisionContext& around, double h, int halvings) {
+    motion.begin(around, h);
+    return end_in_halves(motion, around, h, motion.solve(), halvings);
 }
 
 /// The first substep after an interruption. Not after a contact: contacts interrupt all the time, and the motion has no

@@ -166,7 +166,8 @@ void Solver::prepare_body(uint32_t slot, const Scene* scene, double dt) {
         body.contacts.parts.clear();
     }
     moving_.push_back({body.particles.size(), slot, substeps_of(body, state_.settings, dt),
-                       static_cast<uint32_t>(plan.chains.size()), is_plain_rope(body), starts_again(body)});
+                       static_cast<uint32_t>(plan.chains.size()), is_plain_rope(body), is_plain_rope(body),
+                       starts_again(body)});
 }
 
 void Solver::Before::put_back(Body& body) {
@@ -320,11 +321,17 @@ void Solver::make_room_for_flight() {
     flight_planes_.swap(made);
 }
 
-/// Makes the tasks: eight undisturbed ropes each, or one body, or a part of a body. Islands are tasks of their own.
+/// Makes the tasks: eight undisturbed ropes each, larger groups of ropes that may touch models, or one body, or a part
+/// of a body. Islands are tasks of their own.
 void Solver::divide_work() {
     tasks_.clear();
     while (rooms_.size() < workers_.count()) rooms_.emplace_back(&room_memory_);
-    size_t alone = 0, together = 0;  // nodes of the longest ropes
+    size_t alone = 0, together = 0, beside = 0;  // nodes of the longest ropes
+    const auto touching = std::count_if(moving_.begin(), moving_.end(),
+                                        [](const ActiveBody& moving) { return moving.touches() && !moving.together; });
+    // Lanes are idle at the end of a group, workers at the end of a step.
+    const uint32_t in_group =
+        std::clamp(static_cast<uint32_t>(touching) / (4 * workers_.count()), ropes_together, 8 * ropes_together);
     size_t particles = 0;
     for (const ActiveBody& moving : moving_) particles += moving.size;
     for (uint32_t i = 0, next; i < moving_.size(); i = next) {
@@ -333,6 +340,10 @@ void Solver::divide_work() {
         if (first.together) continue;
         if (first.undisturbed && first.size <= longest_rope_together) {
             while (next < moving_.size() && next - i < ropes_together && first.alike(moving_[next])) ++next;
+        } else if (first.touches()) {
+            const auto joins = [&](const ActiveBody& rope) { return rope.touches() && !rope.together; };
+            while (next < moving_.size() && next - i < in_group && joins(moving_[next])) ++next;
+            if (next - i > 1) beside = std::max<size_t>(beside, first.size);
         }
         const bool shared = workers_.count() > 1 && is_worth_sharing(first, particles);
         if (shared) {
@@ -346,11 +357,7 @@ void Solver::divide_work() {
         alone = std::max<size_t>(alone, first.size);
         if (next - i > 1) together = std::max<size_t>(together, first.size);
     }
-    for (RopeRoom& room : rooms_) {
-        if (room.one.size() < alone) room.one.resize(alone);
-        room.contacts.reserve(static_cast<uint32_t>(alone));
-        if (room.eight.size() < together) room.eight.resize(together);
-    }
+    for (RopeRoom& room : rooms_) room.reserve(alone, together, beside);
 }
 
 }  // namespace gphys

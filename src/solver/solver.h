@@ -27,6 +27,8 @@
 //     rope_direct.cpp    links of a single rope, by block elimination
 //     rope_lanes.cpp     undisturbed ropes, several side by side, in the layout of rope_layout_kernels.cpp, moved by
 //                        rope_kernels.cpp
+//     rope_contacts.cpp  contacts with models, as part of its equations
+//     ropes_beside_models.cpp  ropes that may touch models, their equations solved side by side
 //     rope_limits.cpp    links that only pull
 //     damping.h          damped links as undamped ones with other parameters
 //   cloth/             cloth and graphs: colours of chains
@@ -59,6 +61,7 @@
 #include "solver/islands.h"
 #include "solver/joints/joined_motion.h"
 #include "solver/particles/flight_planes.h"
+#include "solver/rope/rope_in_step.h"
 #include "solver/rope/rope_lanes.h"
 
 namespace gphys {
@@ -194,7 +197,8 @@ private:
     struct ActiveBody {
         uint32_t size, slot, substeps;
         uint32_t chains;           // of its constraints
-        bool undisturbed = false;  // a rope that hits nothing while it stays in the box
+        bool plain = false;        // a rope that the kernels support
+        bool undisturbed = false;  // one that hits nothing while it stays in the box
         bool starts = false;       // for undisturbed ropes: start again after an interruption
         double fastest = 0;        // m/s, bound for the particles' speeds
         Box close{};               // where it may go in this step,
@@ -203,21 +207,26 @@ private:
         bool models_move = false;  // whether some of them move
         bool together = false;     // whether it is in an island with others
 
+        /// Whether its equations are solved in the kernels, together with contacts.
+        bool beside_models() const { return plain && chains == 1 && models_near > 0 && !models_move; }
+        /// Whether others are moved side by side with it, in RopesBesideModels.
+        bool touches() const { return beside_models() && !undisturbed && size <= longest_rope_together; }
         /// For undisturbed ropes: whether they can be moved together.
         bool alike(const ActiveBody& other) const {
             return chains == 1 && other.chains == 1 && starts == other.starts && substeps == other.substeps;
         }
-        /// Undisturbed ropes last, similar ones next to each other. The largest first, so that no worker begins a
-        /// large body when the others are done.
+        /// Ropes that may touch models behind other bodies, and undisturbed ropes last, similar ones next to each
+        /// other. The largest first, so that no worker begins a large body when the others are done.
         bool operator<(const ActiveBody& other) const {
             if (undisturbed != other.undisturbed) return other.undisturbed;
+            if (touches() != other.touches()) return other.touches();
             if (undisturbed && starts != other.starts) return starts;
             if (undisturbed && chains != other.chains) return chains > other.chains;
             if (undisturbed && substeps != other.substeps) return substeps > other.substeps;
             return size != other.size ? size > other.size : slot < other.slot;
         }
     };
-    /// A range of moving_ that one worker takes: one body, a part of one, or undisturbed ropes.
+    /// A range of moving_ that one worker takes: one body, a part of one, or ropes that are moved side by side.
     struct Task {
         uint32_t first, count;
         bool shared;    // one cloth, for all workers at once
@@ -269,8 +278,13 @@ private:
     bool is_worth_sharing(const ActiveBody& moving, size_t particles) const;
     void move_shared(const ActiveBody& moving, const Scene* scene, double dt);
     void begin_moving(const ActiveBody& moving, const Scene* scene, double dt);
-    void end_moving(const ActiveBody& moving, const Scene* scene, double dt, uint32_t substeps);
-    uint32_t move_in_substeps(Body& body, uint32_t count, const CollisionContext& step, RopeContacts* contacts);
+    void end_moving(Body& body, const Scene* scene, double dt, uint32_t substeps);
+    uint32_t move_in_substeps(Body& body, uint32_t count, const CollisionContext& step);
+    RopeInStep begin_in_step(const ActiveBody& moving, RopeContacts& contacts, RopeRoom& room, const Scene* scene,
+                             double dt);
+    void end_in_step(const RopeInStep& rope, const Scene* scene, double dt);
+    template <int lanes>
+    void move_beside_models(const ActiveBody* ropes, uint32_t count, RopeRoom& room, const Scene* scene, double dt);
     void move_through(const ActiveBody& moving, uint32_t worker, const Scene* scene, double dt);
     void move_part(const Task& task, uint32_t worker, const Scene* scene, double dt);
     void move_undisturbed(const Task& task, uint32_t worker, const Scene* scene, double dt);

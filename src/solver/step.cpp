@@ -32,6 +32,7 @@
 #include "solver/motion.h"
 #include "solver/particles/free_flight.h"
 #include "solver/rope/rope.h"
+#include "solver/rope/ropes_beside_models.h"
 #include "solver/solver.h"
 #include "solver/state_range.h"
 
@@ -55,15 +56,13 @@ void follow_models(Body& body, double fraction, double h, uint32_t first, uint32
     }
 }
 
-void move(Body& body, const CollisionContext& around, Vec3 gravity, double h, RopeContacts* contacts) {
+void move(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     switch (body.plan.method) {
         case GPHYS_SOLVE_FREE:
             fly(body, around, gravity, h);
             break;
         case GPHYS_SOLVE_DIRECT:
-            begin_friction(body, gravity);
-            move_rope(body, around, gravity, h, contacts);
-            end_friction(body);
+            move_rope(body, around, gravity, h);
             break;
         default:
             move_cloth(body, around, gravity, h);
@@ -105,8 +104,7 @@ void Solver::begin_moving(const ActiveBody& moving, const Scene* scene, double d
     begin_air(body, state_.settings.gravity, dt);
 }
 
-void Solver::end_moving(const ActiveBody& moving, const Scene* scene, double dt, uint32_t substeps) {
-    Body& body = state_.bodies[moving.slot];
+void Solver::end_moving(Body& body, const Scene* scene, double dt, uint32_t substeps) {
     add_parts(body);
     for (const FlightPart& part : body.contacts.parts) {
         if (!body.particles.extent) body.particles.extent.emplace();
@@ -122,12 +120,12 @@ void Solver::end_moving(const ActiveBody& moving, const Scene* scene, double dt,
 }
 
 /// Moves in `count` substeps, or in more if the first ones show that these are too long. Returns their number.
-uint32_t Solver::move_in_substeps(Body& body, uint32_t count, const CollisionContext& step, RopeContacts* contacts) {
+uint32_t Solver::move_in_substeps(Body& body, uint32_t count, const CollisionContext& step) {
     CollisionContext rest = step;
     uint32_t made = 0;
     for (uint32_t i = 0; i < count;) {
         const CollisionContext part = part_of_step(rest, i++, count);
-        move(body, part, state_.settings.gravity, step.step_time * (rest.end - rest.begin) / count, contacts);
+        move(body, part, state_.settings.gravity, step.step_time * (rest.end - rest.begin) / count);
         ++made;
         const uint32_t wanted = substeps_of_rest(body, state_.settings, step.step_time, part.end, made);
         const uint32_t left = std::min(wanted, body.substeps.allowed - std::min(body.substeps.allowed, made));
@@ -139,34 +137,70 @@ uint32_t Solver::move_in_substeps(Body& body, uint32_t count, const CollisionCon
     return made;
 }
 
+/// Call before all substeps of a body of ropes, and end_in_step after them.
+RopeInStep Solver::begin_in_step(const ActiveBody& moving, RopeContacts& contacts, RopeRoom& room, const Scene* scene,
+                                 double dt) {
+    Body& body = state_.bodies[moving.slot];
+    const Vec3 gravity = state_.settings.gravity;
+    begin_moving(moving, scene, dt);
+    begin_contact_points(body);
+    choose_stages(body, room, {gravity, dt, moving.substeps, false});
+    const bool beside_models = moving.models_near > 0 && !moving.models_move;
+    const bool has_contacts = beside_models || !body.targets.empty();
+    if (has_contacts) contacts.begin_step(body, beside_models, room.parts);
+    return {body,
+            has_contacts ? &contacts : nullptr,
+            {scene, &moved_, dt, 0, 1},
+            gravity,
+            moving.substeps,
+            dt / moving.substeps};
+}
+
+void Solver::end_in_step(const RopeInStep& rope, const Scene* scene, double dt) {
+    end_contact_points(rope.body());
+    end_moving(rope.body(), scene, dt, rope.substeps());
+}
+
+/// Ropes of which the first is the longest. Accesses no other bodies, and allocates nothing.
+template <int lanes>
+void Solver::move_beside_models(const ActiveBody* ropes, uint32_t count, RopeRoom& room, const Scene* scene,
+                                double dt) {
+    RopesBesideModels<lanes> together(room, ropes[0].size);
+    for (uint32_t begun = 0; begun < count || !together.empty();) {
+        if (begun < count && !together.full()) {
+            together.add(begin_in_step(ropes[begun++], together.next_contacts(), room, scene, dt));
+        } else {
+            end_in_step(together.move_until_one_ends(), scene, dt);
+        }
+    }
+}
+
 /// All substeps of one body. Accesses no other bodies, and allocates nothing.
 void Solver::move_through(const ActiveBody& moving, uint32_t worker, const Scene* scene, double dt) {
-    RopeRoom& room = rooms_[worker];
     Body& body = state_.bodies[moving.slot];
     const Vec3 gravity = state_.settings.gravity;
     const CollisionContext whole{scene, &moved_, dt, 0, 1}, beginning{scene, &moved_, dt, 0, 0};
     uint32_t substeps = moving.substeps;
+    if (body.plan.method == GPHYS_SOLVE_DIRECT) {
+        RopeRoom& room = rooms_[worker];
+        if (moving.beside_models()) return move_beside_models<1>(&moving, 1, room, scene, dt);
+        RopeInStep rope = begin_in_step(moving, room.contacts[0], room, scene, dt);
+        while (rope.begin_part()) rope.end_part(rope.solve());
+        return end_in_step(rope, scene, dt);
+    }
     begin_moving(moving, scene, dt);
-    body.history.in_stages = false;
     if (body.plan.method == GPHYS_SOLVE_FREE) {
         body.particles.extent =
             fly_through(body, 0, body.particles.size(), {body.contacts.impulses, body.contacts.has_contact}, whole,
                         gravity, substeps, flight_planes(worker, scene));
     } else {
         begin_contact_points(body);
-        if (body.plan.method == GPHYS_SOLVE_GRAPH) begin_cloth(body, beginning, gravity);
-        RopeContacts* contacts = nullptr;
-        if (body.plan.method == GPHYS_SOLVE_DIRECT) {
-            choose_stages(body, room, {gravity, dt, substeps, false});
-            const bool beside_models = moving.models_near > 0 && !moving.models_move;
-            if (beside_models || !body.targets.empty()) contacts = &room.contacts;
-            if (contacts) contacts->begin_step(body, beside_models);
-        }
-        substeps = move_in_substeps(body, substeps, whole, contacts);
-        if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body, whole);
+        begin_cloth(body, beginning, gravity);
+        substeps = move_in_substeps(body, substeps, whole);
+        end_cloth(body, whole);
         end_contact_points(body);
     }
-    end_moving(moving, scene, dt, substeps);
+    end_moving(body, scene, dt, substeps);
 }
 
 /// The same for a part of a body, between begin_moving and end_moving.
@@ -248,12 +282,14 @@ void Solver::simulate(const Scene* scene, double dt) {
                 move_part(task, worker, scene, dt);
             } else if (moving_[task.first].undisturbed) {
                 move_undisturbed(task, worker, scene, dt);
+            } else if (task.count > 1) {
+                move_beside_models<ropes_together>(&moving_[task.first], task.count, rooms_[worker], scene, dt);
             } else {
                 move_through(moving_[task.first], worker, scene, dt);
             }
         }
     });
-    each_divided([&](const ActiveBody& moving) { end_moving(moving, scene, dt, moving.substeps); });
+    each_divided([&](const ActiveBody& moving) { end_moving(state_.bodies[moving.slot], scene, dt, moving.substeps); });
     state_.seen.swap(next_seen_);
     add_impulses();
 }

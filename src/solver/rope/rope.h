@@ -65,8 +65,8 @@ void roll_back_chains(Body& body);
 void finish_chains(Body& body, const TimeScheme& scheme, const RopeContacts* contacts = nullptr);
 void add_tension_impulses(Body& body, const CollisionContext& around, const TimeScheme& scheme);
 
-/// All of them for a single rope; and the part after begin_chains.
-void move_rope(Body& body, const CollisionContext& around, Vec3 gravity, double h, RopeContacts* contacts);
+/// All of them for a single rope that has no RopeContacts; and the part after begin_chains.
+void move_rope(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 void end_rope(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme);
 
 /// Particles that friction holds count as pinned in between.

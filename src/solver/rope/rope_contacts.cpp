@@ -13,9 +13,9 @@ constexpr int most_turns = 6;
 // The iterations in which each contact switches between sliding and sticking. If they do not settle, friction becomes a
 // spring everywhere, as soft as Coulomb's law requires. That always converges, but slowly at the border between the
 // two.
-constexpr int most_tries = 8;
+constexpr int most_tries = 4;
 // Relative tolerance of the normal forces, from which friction follows.
-constexpr double pressure_settled = 1e-4;
+constexpr double pressure_settled = 1e-2;
 // Near more parts than this, a particle's ball is smaller.
 constexpr uint32_t many_parts = 64;
 
@@ -34,13 +34,11 @@ double clearance(const Body& body, uint32_t p, Vec3 at) {
     return body.particles.radius[p] + skin(body.particles.radius[p], at);
 }
 
-/// stiffness * (1 - n n^T) or stiffness * n n^T
-void add_across(ContactTerm& term, Vec3 n, double k) {
-    term.x += (Vec3{1, 0, 0} - n * n.x) * k, term.y += (Vec3{0, 1, 0} - n * n.y) * k;
-    term.z += (Vec3{0, 0, 1} - n * n.z) * k;
-}
-void add_along(ContactTerm& term, Vec3 n, double k) {
-    term.x += n * (n.x * k), term.y += n * (n.y * k), term.z += n * (n.z * k);
+/// Whether the plane at a place is that of the contact. The surface on which particles touch a convex part bends at
+/// most like a ball of their radius.
+bool is_placed_for(const RopeContact& contact, Vec3 at, double radius) {
+    constexpr double turned = 1e-4;  // radians
+    return length_squared(at - contact.placed) < turned * turned * radius * radius;
 }
 
 }  // namespace
@@ -51,7 +49,8 @@ void RopeContacts::reserve(uint32_t particles) {
     if (balls_.size() < particles) balls_.resize(particles);
 }
 
-void RopeContacts::begin_step(const Body& body, bool beside_models) {
+void RopeContacts::begin_step(const Body& body, bool beside_models, ClosestFeatures& parts) {
+    parts_ = &parts;
     beside_models_ = beside_models;
     searched_ = !beside_models;
     bounded_ = !body.targets.empty();
@@ -77,12 +76,12 @@ bool RopeContacts::collect(const Body& body, uint32_t first, uint32_t count) {
         farthest = std::max(farthest, probes_[i].radius);
     }
     const Vec3 room{farthest, farthest, farthest};
-    parts_.clear(count);
+    parts_->clear(count);
     bool complete = true, any = false;
     scene_->for_each_in_box(bounds(Aabb{places.min - room, places.max + room}), body.settings.layers,
                             [&](gphys_model_id model) {
                                 any = true;
-                                complete &= parts_.add(*scene_, model, 0, probes_);
+                                complete &= parts_->add(*scene_, model, 0, probes_);
                             });
     if (complete && !any) {
         for (uint32_t i = 0; i < count; ++i) begin_particle(first + i);
@@ -98,12 +97,12 @@ void RopeContacts::settle(const Body& body, uint32_t p, uint32_t point) {
     const Vec3 at = body.history.start[p];
     const double off = clearance(body, p, at);
     double& reach = balls_[p].reach;
-    for (int halvings = 0; parts_.select_point(point) > many_parts && halvings < 3; ++halvings) {
+    for (int halvings = 0; parts_->select_point(point) > many_parts && halvings < 3; ++halvings) {
         reach /= 2;
         probes_[point].radius = off + reach;
     }
     uint32_t count = 0;
-    for (ClosestFeature part; count < most_parts && parts_.pop_nearest(part); ++count) {
+    for (ClosestFeature part; count < most_parts && parts_->pop_nearest(part); ++count) {
         RopeContact contact{};
         contact.model = part.model;
         contact.normal = part.normal;
@@ -112,12 +111,12 @@ void RopeContacts::settle(const Body& body, uint32_t p, uint32_t point) {
         contacts_.push_back(contact);
         // Coplanar triangles share a plane.
         if (part.is_triangle) {
-            parts_.cull_behind(part.normal,
-                               contact.outside - body.particles.radius[p] - skin(body.particles.radius[p], at) / 2, 0);
+            parts_->cull_behind(part.normal,
+                                contact.outside - body.particles.radius[p] - skin(body.particles.radius[p], at) / 2, 0);
         }
     }
     if (count < most_parts) return;
-    parts_.for_each_remaining(
+    parts_->for_each_remaining(
         [&](uint32_t, double distance) { reach = std::max(0.0, std::min(reach, distance - off)); });
 }
 
@@ -162,6 +161,7 @@ void RopeContacts::search(const Body& body, const CollisionContext& around, Vec3
 void RopeContacts::place_plane(RopeContact& contact, const Body& body, uint32_t p, Vec3 at) const {
     Vec3 closest, normal;
     double distance;
+    contact.placed = at;
     if (!scene_->closest_point_model(contact.model, at, closest, normal, distance)) return;
     contact.normal = normal;
     contact.outside = dot(normal, closest) + clearance(body, p, at);
@@ -198,6 +198,14 @@ void RopeContacts::place_bounds(const Body& body) {
     }
 }
 
+/// Places the plane for the beginning of the substep.
+void RopeContacts::begin_contact(RopeContact& contact, const Body& body, uint32_t p) const {
+    if (!contact.is_fixed) place_plane(contact, body, p, body.history.start[p]);
+    allow_within_skin(contact, body, p);
+    contact.approach = -dot(contact.normal, body.particles.velocity[p]);
+    contact.is_placed = true;
+}
+
 bool RopeContacts::begin(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     const auto stays = [&] {
         if (!beside_models_) return true;
@@ -214,11 +222,14 @@ bool RopeContacts::begin(Body& body, const CollisionContext& around, Vec3 gravit
         if (body.particles.pinned(p)) continue;
         bool sunk = false;
         each_of_models(p, [&](RopeContact& contact) {
-            if (!contact.is_fixed) place_plane(contact, body, p, body.history.start[p]);
-            allow_within_skin(contact, body, p);
-            contact.approach = -dot(contact.normal, body.particles.velocity[p]);
+            // An earlier plane separates the particle from the model, too, as long as it is in front of it.
+            const bool in_front = dot(contact.normal, body.history.start[p]) >= contact.outside;
+            contact.is_placed = contact.is_fixed || contact.state != RopeContact::apart || !in_front;
             contact.iterations = 0;
             contact.force = {};
+            contact.offset = contact.outside;
+            contact.depth = 0;
+            if (contact.is_placed) begin_contact(contact, body, p);
             sunk = sunk || contact.depth > most_push;
         });
         if (!sunk) continue;
@@ -233,23 +244,23 @@ ContactTerm RopeContacts::term(const Body& body, uint32_t p, double mass) {
     each(p, [&](RopeContact& contact) {
         contact.force = {};
         if (contact.state == RopeContact::apart) return;
-        contact.stiffness = stiffness * mass;
-        const Vec3 n = contact.normal, way = slid(contact, body, p);
-        add_along(term, n, contact.stiffness);
-        term.force += n * (contact.stiffness * (contact.offset - dot(n, body.particles.position[p])));
-        if (contact.model == 0) return;
-        const double hold = friction_of(body, p) * contact.pressed, length = gphys::length(way);
-        if (hold == 0) return;
+        const double k = contact.stiffness = stiffness * mass;
+        const Vec3 n = contact.normal;
+        term.force += n * (k * (contact.offset - dot(n, body.particles.position[p])));
+        const double hold = contact.model != 0 ? friction_of(body, p) * contact.pressed : 0;
+        if (hold == 0) return term.add_stiffness(n, k, 0);
+        const Vec3 way = slid(contact, body, p);
+        const double length = gphys::length(way);
         // The stiffness perpendicular to the sliding direction, because the friction force turns with that direction.
-        const double turning = length * contact.stiffness > hold ? hold / length : contact.stiffness;
+        const double turning = length * k > hold ? hold / length : k;
         if (contact.iterations >= most_tries || contact.state == RopeContact::sticks) {
-            contact.drag = contact.iterations >= most_tries ? turning : contact.stiffness;
-            add_across(term, n, contact.drag);
+            contact.drag = contact.iterations >= most_tries ? turning : k;
+            term.add_stiffness(n, k - contact.drag, contact.drag);
             term.force -= way * contact.drag;
         } else {
             contact.drag = 0;
-            add_across(term, n, turning);
-            add_along(term, contact.way, -turning);
+            term.add_stiffness(n, k - turning, turning);
+            term.add_stiffness(contact.way, -turning, 0);
             contact.force = contact.way * -hold;
             term.force += contact.force;
         }
@@ -259,7 +270,12 @@ ContactTerm RopeContacts::term(const Body& body, uint32_t p, double mass) {
 
 bool RopeContacts::update(RopeContact& contact, const Body& body, uint32_t p, int iteration) const {
     const Vec3 at = body.particles.position[p];
-    const double gap = dot(contact.normal, at) - contact.offset, room = skin(body.particles.radius[p], at);
+    double gap = dot(contact.normal, at) - contact.offset;
+    if (contact.state == RopeContact::apart && gap >= 0) return true;
+    if (gap < 0 && !contact.is_placed && contact.model != 0) {
+        begin_contact(contact, body, p);
+        gap = dot(contact.normal, at) - contact.offset;
+    }
     const double friction = contact.model != 0 ? friction_of(body, p) : 0;
     bool settled = true;
     if (contact.state == RopeContact::apart) {
@@ -294,8 +310,10 @@ bool RopeContacts::update(RopeContact& contact, const Body& body, uint32_t p, in
         ++contact.iterations;
         if (friction > 0 && std::fabs(pressed - before) > pressure_settled * pressed) settled = false;
     }
+    const double room = skin(body.particles.radius[p], at);
     // From behind a plane, the closest point of a model may be on its far side.
     if (contact.is_fixed || iteration >= most_turns || (gap < -room && contact.model != 0)) return settled;
+    if (contact.model != 0 && is_placed_for(contact, at, body.particles.radius[p])) return settled;
     RopeContact turned = contact;
     if (contact.model == 0) {
         place_ball(turned, body, p, at);
@@ -305,6 +323,7 @@ bool RopeContacts::update(RopeContact& contact, const Body& body, uint32_t p, in
     turned.offset = turned.outside - (contact.outside - contact.offset);
     const double moved = dot(turned.normal, at) - turned.offset - gap;
     if (contact.state != RopeContact::apart && std::fabs(moved) > 0.01 * room) settled = false;
+    contact.placed = turned.placed;
     contact.normal = turned.normal;
     contact.outside = turned.outside;
     contact.offset = turned.offset;

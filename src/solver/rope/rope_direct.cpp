@@ -20,10 +20,10 @@
 // a link if t_j + error_j / (w_a + w_b) > 0, and as absent otherwise (primal-dual active set; Hintermueller, Ito,
 // Kunisch 2002).
 //
-// rope_kernels.cpp solves the same equations for one or eight undisturbed ropes, with blocks of 3 x 3, which is less
-// work: a step of a free rope of 30 links takes 1.1 million instructions here, 0.26 there with one lane, 0.08 with
-// eight. This file stays, because the blocks there, diagonal plus multiples of n n^T, cannot include contact planes,
-// friction and limits, which couple the coordinates of a particle. Its sums also differ, so replacing one file by the
+// rope_kernels.cpp solves the same equations for one or eight ropes, with blocks of 3 x 3, which is less work: a step
+// of a free rope of 30 links takes 1.1 million instructions here, 0.26 there with one lane, 0.08 with eight. This file
+// is for what those kernels do not have: links that only pull or are damped, several chains, animation targets, ropes
+// beside moving models, and ropes whose lengths were not found there. Its sums differ, so replacing one file by the
 // other would change the last bits.
 #include "solver/body.h"
 #include "solver/rope/rope.h"
@@ -138,7 +138,9 @@ void eliminate(const ChainView& view, DirectRow* rows, RopeContacts* contacts) {
             force = (body.history.predicted[p] - body.particles.position[p]) * m;
             if (contacts && contacts->any(p)) {
                 const ContactTerm term = contacts->term(body, p, m + arriving.stiffness + leaving.stiffness);
-                x += term.x, y += term.y, z += term.z;
+                x += Vec3{term.xx, term.xy, term.xz};
+                y += Vec3{term.xy, term.yy, term.yz};
+                z += Vec3{term.xz, term.yz, term.zz};
                 force += term.force;
             }
         }

@@ -26,6 +26,10 @@ struct Symmetric3 {
     Vec<Value> operator*(const Vec<Value>& v) const {
         return {xx * v.x + xy * v.y + xz * v.z, xy * v.x + yy * v.y + yz * v.z, xz * v.x + yz * v.y + zz * v.z};
     }
+    Symmetric3& operator+=(const Symmetric3& s) {
+        xx = xx + s.xx, xy = xy + s.xy, xz = xz + s.xz, yy = yy + s.yy, yz = yz + s.yz, zz = zz + s.zz;
+        return *this;
+    }
     /// one / this, by L D L^T. For a pinned node, whose one is 0, the inverse is 0.
     Symmetric3 inverse(const Value& one) const {
         const Value ix = one / xx, lyx = xy * ix, lzx = xz * ix;
@@ -131,13 +135,19 @@ struct Link {
     Value rigid;      // 1 - r k
 };
 
-/// Eliminates from the first node to the last. Returns the length of the rope, as placed and at rest together.
 template <int lanes>
-Doubles<lanes> eliminate(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& step) {
+Symmetric3<Doubles<lanes>> load_symmetric(const double (&from)[6][lanes]) {
+    return {load(from[0]), load(from[1]), load(from[2]), load(from[3]), load(from[4]), load(from[5])};
+}
+
+/// Eliminates from the first node to the last. Returns the length of the rope, as placed and at rest together.
+/// `pushes`: of contacts, by node, if there are any.
+template <bool with_pushes, int lanes>
+Doubles<lanes> eliminate(RopeNode<lanes>* nodes, const RopePush<lanes>* pushes, uint32_t count,
+                         const Doubles<lanes>& step_squared, const Doubles<lanes>& inverse_step_squared) {
     using Value = Doubles<lanes>;
     const Value none = all_of<lanes>(0), one = all_of<lanes>(1), hair = all_of<lanes>(aside);
     const Value hair_squared = hair * hair;
-    const Value step_squared = load(step.step_squared), inverse_step_squared = load(step.inverse_step_squared);
     const Vec<Value> nowhere{none, none, none};
     const Link<Value> absent{nowhere, none, none, one, one};
     Value reach = none;
@@ -169,15 +179,18 @@ Doubles<lanes> eliminate(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<
         const Vec<Value> n = arriving.direction, v = before * n, q = n - v * k;
         const Value softness = arriving.softness + arriving.rigid * dot(n, v);
         const Value diagonal = mass + k + leaving.stiffness;
-        const Symmetric3<Value> inner =
-            Symmetric3<Value>{diagonal - k_squared * before.xx, -(k_squared * before.xy),
-                              -(k_squared * before.xz),         diagonal - k_squared * before.yy,
-                              -(k_squared * before.yz),         diagonal - k_squared * before.zz}
-                .inverse(load(node.free));
+        Symmetric3<Value> block{diagonal - k_squared * before.xx, -(k_squared * before.xy),
+                                -(k_squared * before.xz),         diagonal - k_squared * before.yy,
+                                -(k_squared * before.yz),         diagonal - k_squared * before.zz};
+        Vec<Value> force = (load3(node.predicted) - at) * mass + own_before * k;
+        if constexpr (with_pushes) {
+            block += load_symmetric(pushes[i].stiffness);
+            force += load3(pushes[i].force);
+        }
+        const Symmetric3<Value> inner = block.inverse(load(node.free));
         const Vec<Value> w = inner * q;
         const Value inverse_pivot = one / (softness + arriving.rigid * dot(q, w));
         const Vec<Value> pull = w * (arriving.rigid * inverse_pivot);
-        const Vec<Value> force = (load3(node.predicted) - at) * mass + own_before * k;
         const Vec<Value> alone = inner * force;
         const Value tension = (arriving.rigid * (dot(q, alone) - dot(n, own_before)) + arriving.error) * inverse_pivot;
         own_before = alone - w * tension;
@@ -197,10 +210,10 @@ Doubles<lanes> eliminate(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<
 /// Substitutes from the last node to the first, and moves the lanes that are not settled. Returns those that are still
 /// not settled: in which a link has moved perpendicular to itself, which the linearisation neglects.
 template <int lanes, class Mask>
-Mask substitute(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& step, const Doubles<lanes>& reach,
-                const Mask& active) {
+Mask substitute(RopeNode<lanes>* nodes, uint32_t count, const Doubles<lanes>& inverse_step_squared,
+                const Doubles<lanes>& reach, const Mask& active) {
     using Value = Doubles<lanes>;
-    const Value none = all_of<lanes>(0), inverse_step_squared = load(step.inverse_step_squared);
+    const Value none = all_of<lanes>(0);
     const Vec<Value> nowhere{none, none, none};
     Vec<Value> moved_next = nowhere;
     Value tension = none, longest = none;
@@ -211,9 +224,7 @@ Mask substitute(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& s
         const Vec<Value> n = i + 1 < count ? load3(node.direction) : nowhere;
         const Value k = i + 1 < count ? load(node.stiffness) : none;
         given = moved_next * k + n * tension;
-        const Symmetric3<Value> inverse{load(node.inverse[0]), load(node.inverse[1]), load(node.inverse[2]),
-                                        load(node.inverse[3]), load(node.inverse[4]), load(node.inverse[5])};
-        const Vec<Value> moved = load3(node.own) + inverse * given;
+        const Vec<Value> moved = load3(node.own) + load_symmetric(node.inverse) * given;
         store3(node.own, moved);
         store3(node.position, select(active, load3(node.position) + moved, load3(node.position)));
         longest = largest(longest, dot(moved, moved));
@@ -227,8 +238,7 @@ Mask substitute(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& s
         tension = load(node.own_tension) + dot(load3(node.pull), given);
         moved_next = moved;
     }
-    // No iteration moves a particle by more than the length of the rope, as placed and at rest together. No valid
-    // correction is larger, but that of an infeasible system may be after regularisation.
+    // No iteration moves a particle by more than `reach`.
     longest = square_root(longest);
     const Mask too_far = active & (reach < longest);
     if (any(too_far)) {
@@ -270,10 +280,13 @@ template <int lanes>
 GPHYS_FLATTEN void move(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& step, bool trapezoid,
                         RopeBounds<lanes>& bounds) {
     begin_all(nodes, count, step, trapezoid);
+    // No valid correction is larger than the length of the rope, as placed and at rest together, but that of an
+    // infeasible system may be after regularisation.
+    const Doubles<lanes> step_squared = load(step.step_squared), inverse_step_squared = load(step.inverse_step_squared);
     auto active = all_of<lanes>(0) < all_of<lanes>(1);
     for (int iteration = 0; iteration < most_iterations && any(active); ++iteration) {
-        const Doubles<lanes> reach = eliminate(nodes, count, step);
-        active = substitute(nodes, count, step, reach, active);
+        const Doubles<lanes> reach = eliminate<false, lanes>(nodes, nullptr, count, step_squared, inverse_step_squared);
+        active = substitute(nodes, count, inverse_step_squared, reach, active);
     }
     if (any(active)) {
         const auto lost = find_lost(nodes, count);
@@ -282,9 +295,21 @@ GPHYS_FLATTEN void move(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<l
     for (uint32_t i = 0; i < count; ++i) finish(nodes[i], step, bounds);
 }
 
+template <int lanes>
+GPHYS_FLATTEN void iterate(RopeNode<lanes>* nodes, const RopePush<lanes>* pushes, uint32_t count,
+                           const RopeEquations<lanes>& equations, bool (&moving)[lanes]) {
+    const Doubles<lanes> none = all_of<lanes>(0), inverse_step_squared = load(equations.inverse_step_squared);
+    eliminate<true, lanes>(nodes, pushes, count, load(equations.step_squared), inverse_step_squared);
+    const auto still =
+        substitute(nodes, count, inverse_step_squared, load(equations.reach), none < load(equations.active));
+    double numbers[lanes];
+    store(numbers, select(still, all_of<lanes>(1), none));
+    for (int lane = 0; lane < lanes; ++lane) moving[lane] = numbers[lane] != 0;
+}
+
 }  // namespace
 
-const RopeKernels rope_kernels = {{put_ropes<1>, find_agility<1>, move<1>, take_ropes<1>},
-                                  {put_ropes<8>, find_agility<8>, move<8>, take_ropes<8>}};
+const RopeKernels rope_kernels = {{put_ropes<1>, find_agility<1>, move<1>, take_ropes<1>, iterate<1>},
+                                  {put_ropes<8>, find_agility<8>, move<8>, take_ropes<8>, iterate<8>}};
 
 }  // namespace gphys::GPHYS_ISA

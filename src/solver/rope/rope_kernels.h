@@ -1,5 +1,5 @@
-// Kernels of undisturbed ropes: one rope, or eight side by side, with the same bits. rope_kernels.cpp moves them;
-// rope_layout_kernels.cpp converts from and to the arrays of bodies.
+// Kernels of ropes: one rope, or eight side by side, with the same bits. rope_kernels.cpp moves undisturbed ropes, and
+// iterates with others; rope_layout_kernels.cpp converts from and to the arrays of bodies.
 //
 // The particles of a rope are nodes in a row, each with the link to the next node.
 #pragma once
@@ -61,6 +61,22 @@ struct RopeStep {
     Value curve;                               // h^2 / 2 / previous part; 0: there was none
 };
 
+/// What contacts add to the equation of a node, times the square of the step.
+template <int lanes>
+struct RopePush {
+    double stiffness[6][lanes];  // kg; xx, xy, xz, yy, yz, zz
+    double force[3][lanes];      // kg m
+};
+
+/// Of the scheme, as in RopeStep; the farthest that a node may move in an iteration; and which lanes are to be moved: 0
+/// or 1.
+template <int lanes>
+struct RopeEquations {
+    double step_squared[lanes], inverse_step_squared[lanes];
+    double reach[lanes];
+    double active[lanes];
+};
+
 /// Bounds of all nodes since the last reset, and whether a part has ended without finding all lengths of links: 0 or 1.
 template <int lanes>
 struct RopeBounds {
@@ -81,6 +97,10 @@ struct RopeKernelsOf {
     /// Stores the wanted lanes.
     void (*take)(const RopeNode<lanes>* nodes, uint32_t count, const RopeArrays (&ropes)[lanes],
                  const bool (&wanted)[lanes]);
+    /// Makes one of Newton's iterations, with contacts. `moving`: the lanes in which a link has moved too far
+    /// perpendicular to itself for this to be the last one.
+    void (*iterate)(RopeNode<lanes>* nodes, const RopePush<lanes>* pushes, uint32_t count,
+                    const RopeEquations<lanes>& equations, bool (&moving)[lanes]);
 };
 struct RopeKernels {
     RopeKernelsOf<1> one;

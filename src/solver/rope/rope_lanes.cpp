@@ -202,6 +202,20 @@ void move_lanes(const RopeKernelsOf<lanes>& kernels, RopeNode<lanes>* nodes, Und
 
 }  // namespace
 
+void RopeRoom::reserve(size_t alone, size_t together, size_t beside) {
+    const auto enlarge = [](auto& nodes, size_t count) {
+        if (nodes.size() < count) nodes.resize(count);
+    };
+    enlarge(one, alone);
+    enlarge(one_pushes, alone);
+    enlarge(eight, together);
+    enlarge(eight_pushes, beside);
+    const size_t wanted = beside > 0 ? ropes_together : alone > 0 ? 1 : 0;
+    while (contacts.size() < wanted) contacts.emplace_back(contacts.get_allocator().resource());
+    for (size_t lane = 0; lane < wanted; ++lane)
+        contacts[lane].reserve(static_cast<uint32_t>(lane == 0 ? alone : beside));
+}
+
 bool is_plain_rope(const Body& body) {
     const Plan& plan = body.plan;
     return plan.method == GPHYS_SOLVE_DIRECT && plan.particles.size() == body.particles.size() && !plan.limited &&

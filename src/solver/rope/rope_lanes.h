@@ -11,11 +11,19 @@ namespace gphys {
 
 /// Memory of one worker for ropes.
 struct RopeRoom {
-    explicit RopeRoom(std::pmr::memory_resource* memory) : one(memory), eight(memory), contacts(memory) {}
+    explicit RopeRoom(std::pmr::memory_resource* memory)
+        : one(memory), eight(memory), one_pushes(memory), eight_pushes(memory), contacts(memory) {}
+
+    /// For ropes of so many particles, moved alone, together, and together beside models. Throws std::bad_alloc.
+    void reserve(size_t alone, size_t together, size_t beside);
 
     Vector<RopeNode<1>> one;
     Vector<RopeNode<8>> eight;
-    RopeContacts contacts;  // of a rope that is moved alone
+    // Of ropes that are moved beside models:
+    Vector<RopePush<1>> one_pushes;
+    Vector<RopePush<8>> eight_pushes;
+    ClosestFeatures parts;
+    Vector<RopeContacts> contacts;  // by lane
 };
 
 struct StepOfRopes {

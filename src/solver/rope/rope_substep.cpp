@@ -7,12 +7,15 @@
 // L-stable). Ropes that move calmly use the trapezoid rule in the first part of each substep (TR-BDF2;
 // stages_kernels.cpp), which leaves a seventh of the error for twice the work. After an interruption (a contact, or a
 // change by the caller) one step of backward Euler restarts the scheme.
+#include <iterator>
+
 #include "solver/contact/collision.h"
 #include "solver/contact/leave_solids.h"
 #include "solver/motion.h"
 #include "solver/rope/damping.h"
 #include "solver/rope/rope.h"
 #include "solver/rope/rope_contacts.h"
+#include "solver/rope/rope_in_step.h"
 #include "solver/rope/rope_limits.h"
 
 namespace gphys {
@@ -244,62 +247,81 @@ void restore_shape(Body& body, RopeContacts& contacts, double step) {
     contacts.search_again();  // from the new positions
 }
 
-/// A single rope, for move_in_halves.
-struct RopeMotion {
-    Body& body;
-    const Vec3 gravity;
-    bool by_trapezoid;  // by the trapezoid rule; never in halves
-    RopeContacts* const contacts;
-    TimeScheme scheme{1, 0};
-    bool beside = false;  // whether contacts are solved together with the links
-
-    void begin(const CollisionContext& around, double h) {
-        scheme = by_trapezoid ? TimeScheme::trapezoid(h) : TimeScheme(h, body.history.earlier_step);
-        begin_chains(body, around, gravity, scheme);
-        const auto begin_contacts = [&] { return contacts && contacts->begin(body, around, gravity, scheme.advance); };
-        beside = begin_contacts();
-        if (!beside || gphys::began_in_shape(body)) return;
-        restore_shape(body, *contacts, scheme.step(body.settings.damping));
-        beside = begin_contacts();
-    }
-    bool solve() { return solve_with_contacts(body, scheme.step(body.settings.damping), beside ? contacts : nullptr); }
-    bool began_in_shape() const { return gphys::began_in_shape(body); }
-    void finish(const CollisionContext& around, double) {
-        if (beside) {
-            end_with_contacts(body, *contacts, around, gravity, scheme);
-        } else {
-            end_chains(body, around, gravity, scheme);
-        }
-    }
-    void roll_back() {
-        roll_back_chains(body);
-        by_trapezoid = false;
-    }
-};
-
 }  // namespace
 
 bool starts_again(const Body& body) { return body.history.earlier_step == 0 && !body.contacts.has_contact; }
 
-void move_rope(Body& body, const CollisionContext& around, Vec3 gravity, double h, RopeContacts* contacts) {
-    const auto move_by = [&](const CollisionContext& within, double part, bool by_trapezoid) {
-        RopeMotion motion{body, gravity, by_trapezoid, contacts};
-        move_in_halves(motion, within, part);
-    };
-    const auto move_part = [&](const CollisionContext& within, double part) { move_by(within, part, false); };
+void RopeMotion::begin(const CollisionContext& around, double h) {
+    scheme = by_trapezoid ? TimeScheme::trapezoid(h) : TimeScheme(h, body.history.earlier_step);
+    begin_chains(body, around, gravity, scheme);
+    const auto begin_contacts = [&] { return contacts && contacts->begin(body, around, gravity, scheme.advance); };
+    beside = begin_contacts();
+    if (!beside || gphys::began_in_shape(body)) return;
+    restore_shape(body, *contacts, scheme.step(body.settings.damping));
+    beside = begin_contacts();
+}
+
+bool RopeMotion::solve() {
+    return solve_with_contacts(body, scheme.step(body.settings.damping), beside ? contacts : nullptr);
+}
+
+bool RopeMotion::began_in_shape() const { return gphys::began_in_shape(body); }
+
+void RopeMotion::finish(const CollisionContext& around, double) {
+    if (beside) {
+        end_with_contacts(body, *contacts, around, gravity, scheme);
+    } else {
+        end_chains(body, around, gravity, scheme);
+    }
+}
+
+void RopeMotion::roll_back() {
+    roll_back_chains(body);
+    by_trapezoid = false;
+}
+
+void RopeInStep::begin_substep() {
+    Body& body = motion_.body;
+    substep_ = part_of_step(step_, made_++, substeps_);
+    begin_friction(body, motion_.gravity);
     // After an interruption, the next step decides whether it is calm.
     if (body.history.earlier_step == 0) body.history.in_stages = false;
+    static constexpr double whole[] = {1};
     if (starts_again(body)) {
-        start_slowly(around, h, move_part);
+        parts_ = starting_parts, part_count_ = std::size(starting_parts);
     } else if (body.history.in_stages) {
-        bool by_trapezoid = true;
-        move_in_parts(stages, around, h, [&](const CollisionContext& within, double part) {
-            move_by(within, part, by_trapezoid);
-            by_trapezoid = false;
-        });
+        parts_ = stages, part_count_ = std::size(stages);
     } else {
-        move_part(around, h);
+        parts_ = whole, part_count_ = 1;
     }
+    part_ = 0;
+    done_ = 0;
+}
+
+bool RopeInStep::begin_part() {
+    if (part_ == part_count_) {
+        if (made_ > 0) end_friction(motion_.body);
+        if (made_ == substeps_) return false;
+        begin_substep();
+    }
+    const double length = substep_.end - substep_.begin;
+    within_ = substep_;
+    within_.begin = substep_.begin + length * done_;
+    done_ += parts_[part_];
+    if (part_count_ > 1) within_.end = substep_.begin + length * done_;
+    motion_.by_trapezoid = parts_ == stages && part_ == 0;
+    motion_.begin(within_, part_length());
+    return true;
+}
+
+void RopeInStep::end_part(bool found) {
+    end_in_halves(motion_, within_, part_length(), found);
+    ++part_;
+}
+
+void move_rope(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
+    RopeInStep rope(body, nullptr, around, gravity, 1, h);
+    while (rope.begin_part()) rope.end_part(rope.solve());
 }
 
 void end_rope(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme) {
