@@ -197,7 +197,7 @@ auto examine(const std::string& name, uint64_t seed) {
         for (long i = 0; i < count; c.next()) {
             Target target;
             if (!target.make(c)) continue;
-            for (int k = 0; k < 10; ++k, ++i) {
+            for (int k = 0; k < 10; ++k) {
                 const gphys_ray ray = c.ray_to(target.aim(c));
                 const Solid solid = solid_at<Solid>(c, ray.origin);
                 gphys_vec3 way = ray.direction;
@@ -209,6 +209,7 @@ auto examine(const std::string& name, uint64_t seed) {
                 const Way<Target, Solid> truth(target, solid, way);
                 const bool right = met ? truth.proves(hit) : status == GPHYS_NO_HIT && truth.proves_miss();
                 score.answer(met, met == right, met != right, solid, way, target.sample());
+                ++i;
             }
         }
         return score;

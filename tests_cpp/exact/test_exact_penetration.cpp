@@ -105,7 +105,7 @@ auto examine(const std::string& name, uint64_t seed) {
         for (long i = 0; i < count; c.next()) {
             Target target;
             if (!target.make(c)) continue;
-            for (int k = 0; k < 10; ++k, ++i) {
+            for (int k = 0; k < 10; ++k) {
                 const Solid solid = solid_at<Solid>(c, c.one_in(3) ? c.point() : target.aim(c));
                 gphys_penetration out{};
                 const gphys_status status = escape(target.type(), target.data(), solid, out);
@@ -114,6 +114,7 @@ auto examine(const std::string& name, uint64_t seed) {
                 const WayOut<Target, Solid> truth(target, solid);
                 const bool right = met ? truth.proves(out) : status == GPHYS_NO_HIT && truth.proves_apart();
                 score.answer(met, met == right, met != right, solid, target.sample());
+                ++i;
             }
         }
         return score;
