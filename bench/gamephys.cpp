@@ -151,6 +151,15 @@ public:
         return true;
     }
 
+    bool load_body(gphys_solver* solver, gphys_body_id body) override {
+        clear();
+        gphys_mesh* mesh = nullptr;
+        check(gphys_mesh_create_from_body(nullptr, solver, body, &mesh));
+        add(GPHYS_SHAPE_MESH, mesh, 0, {identity});
+        gphys_mesh_destroy(mesh);
+        return true;
+    }
+
     uint64_t memory() const override { return heap_.now(); }
     uint64_t peak_memory() const override { return heap_.peak(); }
 

@@ -94,6 +94,8 @@ public:
     virtual bool load_hull(const Triangles&, const std::vector<gphys_transform>&) { return false; }
     virtual bool load_deformable(const Triangles&) { return false; }
     virtual bool deform(const std::vector<gphys_vec3>&) { return false; }
+    /// A body of a solver as a model that follows it.
+    virtual bool load_body(gphys_solver*, gphys_body_id) { return false; }
     /// Takes rays in packets, of which only those of a camera have any use.
     virtual bool wants_packets() const { return false; }
     /// So slow that a part of the rays must do.

@@ -17,6 +17,7 @@
 
 #include "hard_cases.h"
 #include "harness.h"
+#include "measure.h"
 
 namespace bench {
 
@@ -137,6 +138,43 @@ void moving_meshes(Bench& bench) {
     }
 }
 
+/// Cloth that a solver has let down on a ball: rays at the body as a model, beside a mesh that was built of its
+/// triangles, which is what others have.
+void simulated_cloth(Bench& bench) {
+    const uint32_t side = bench.quick() ? 40 : 120, n = 2 * (side - 1) * (side - 1);
+    if (!bench.wants(n)) return;
+    gphys_scene* scene = nullptr;
+    gphys_solver* solver = nullptr;
+    gphys_model_id ball_model = 0;
+    gphys_body_id body = 0;
+    const gphys_sphere ball{{0, 0, 0}, 0.6f};
+    const gphys_vec3 corner{-1, 0.7f, -1}, u{2, 0, 0}, v{0, 0, 2};
+    check(gphys_scene_create(nullptr, &scene));
+    check(gphys_solver_create(nullptr, &solver));
+    check(gphys_scene_add(scene, GPHYS_SHAPE_SPHERE, &ball, nullptr, nullptr, &ball_model));
+    check(gphys_solver_add_cloth(solver, nullptr, &corner, &u, &v, side, side, &body));
+    std::vector<Entry> entries = everybody();
+    entries.front().implementation->load_body(solver, body);
+    for (int frame = 0; frame < 60; ++frame) check(gphys_solver_step(solver, scene, 1.0f / 60));
+    Triangles form{std::vector<gphys_vec3>(size_t{side} * side), std::vector<uint32_t>(size_t{3} * n)};
+    uint32_t total = 0;
+    check(gphys_solver_get_positions(solver, body, 0, side * side, form.vertices.data(), sizeof(gphys_vec3)));
+    check(gphys_solver_get_triangles(solver, body, form.indices.data(), 3 * n, &total));
+    std::vector<Entry> built = everybody();
+    load(built, form);
+    built.front().name += "_built";
+    for (size_t i = 1; i < built.size(); ++i) entries[i] = std::move(built[i]);
+    entries.push_back(std::move(built.front()));
+    const std::vector<gphys_ray> rays = random_rays(1.1f, bench.ray_count(n));
+    const RaySample sample(rays, n, [&](const gphys_ray& r) { return reference(form, r); });
+    bench.measure("mesh", "ray_at_simulated_cloth", n, entries, closest_hits(rays), closest_right(sample));
+    bench.measure("mesh", "single_at_simulated_cloth", n, entries, closest_hits_singly(rays),
+                  closest_right(sample, true));
+    entries.clear();
+    gphys_solver_destroy(solver);
+    gphys_scene_destroy(scene);
+}
+
 /// Meshes that are stretched along their axes: a forest of one tree, and a prop that is flattened, beside a mesh of
 /// the multiplied vertices.
 void stretched_meshes(Bench& bench) {
@@ -194,6 +232,7 @@ void mesh_suite(Bench& bench) {
         ray_cases(bench, "mesh", "mesh_model", mesh.count(), 1.1f, entries, mesh.count(), truth, true);
     }
     moving_meshes(bench);
+    simulated_cloth(bench);
     stretched_meshes(bench);
 }
 

@@ -135,7 +135,8 @@ void without_one(Bench& bench, uint32_t n) {
                     const bool is_left_out = &i != &plain && sample.truth[k].object == left_out;
                     wrong += is_left_out == (answers[k].object == sample.truth[k].object);
                 }
-                return sample.wrong_fraction(wrong);
+                if (wrong > 0) return sample.wrong_fraction(wrong);
+                return {0, "exact"};
             });
     }
 }
