@@ -112,7 +112,7 @@ int main(int argc, char** argv) {
     study_destroy(&s);
     printf("process %d of %d: %u of %u units\n", rank, size, mine, units);
     const double seconds = MPI_Wtime() - start;
-    if (rank == 0) printf("%.2f s\n", seconds);
+    if (rank == 0) printf("%d processes: %.2f s\n", size, seconds);
     MPI_Finalize();
     return 0;
 }

@@ -145,48 +145,50 @@ static void photograph(const world* w, gphys_camera* camera, const options* o, c
            1e9 * took / (double)rays);
 }
 
-/* What is under the pixel, and which copies stand in a rectangle beside it. */
-static highlight pick(const world* w, const gphys_camera* camera, const options* o, gphys_model_id* selected,
-                      uint32_t capacity) {
-    highlight marks = {0};
+/* What is under a pixel: its model, or 0 for nothing and the ground. */
+static gphys_model_id pick(const world* w, const gphys_camera* camera, float pixel_x, float pixel_y) {
+    static const char* const kinds[] = {"",          "the ground", "the statue", "copy",
+                                        "the stone", "post",       "the cloth",  "rope"};
     gphys_hit hit;
-    const gphys_status found = gphys_camera_pick(camera, w->scene, o->pick_x, o->pick_y, GPHYS_ALL_LAYERS, &hit);
+    const gphys_status found = gphys_camera_pick(camera, w->scene, pixel_x, pixel_y, GPHYS_ALL_LAYERS, &hit);
     check(found, "pick");
-    if (found == GPHYS_OK) {
-        static const char* const kinds[] = {"",          "the ground", "the statue", "copy",
-                                            "the stone", "post",       "the cloth",  "rope"};
-        const uint32_t kind = TAG_KIND(hit.tag);
-        printf("picked      %s", kinds[kind]);
-        if (kind == KIND_COPY || kind == KIND_POST || kind == KIND_ROPE) printf(" %u", TAG_NUMBER(hit.tag));
-        gphys_vec3 eye;
-        gphys_quat turn;
-        check(gphys_camera_get_transform(camera, &eye, &turn), "camera");
-        const double x = (double)hit.point.x - eye.x, y = (double)hit.point.y - eye.y, z = (double)hit.point.z - eye.z;
-        printf(" at pixel (%.0f, %.0f), %.3f m away", o->pick_x, o->pick_y, sqrt(x * x + y * y + z * z));
-        if (kind == KIND_CLOTH || kind == KIND_ROPE) {
-            const gphys_body_id body = kind == KIND_CLOTH ? w->cloth_body : w->ropes[TAG_NUMBER(hit.tag)];
-            uint32_t particle;
-            check(gphys_solver_get_nearest_particle(w->solver, body, hit.triangle, &hit.point, &particle), "particle");
-            printf(", particle %u", particle);
-        } else if (hit.triangle != GPHYS_NO_TRIANGLE) {
-            printf(", triangle %u", hit.triangle);
-        }
-        printf("\n");
-        if (TAG_KIND(hit.tag) != KIND_GROUND) marks.picked = hit.model;
-    } else {
-        printf("picked      nothing at pixel (%.0f, %.0f)\n", o->pick_x, o->pick_y);
+    if (found != GPHYS_OK) {
+        printf("picked      nothing at pixel (%.0f, %.0f)\n", pixel_x, pixel_y);
+        return 0;
     }
-    const float w_ = (float)o->width, h = (float)o->height;
-    const float rectangle[4] = {0.60f * w_, 0.60f * h, 0.90f * w_, 0.92f * h};
-    memcpy(marks.rectangle, rectangle, sizeof rectangle);
+    const uint32_t kind = TAG_KIND(hit.tag);
+    printf("picked      %s", kinds[kind]);
+    if (kind == KIND_COPY || kind == KIND_POST || kind == KIND_ROPE) printf(" %u", TAG_NUMBER(hit.tag));
+    gphys_vec3 eye;
+    gphys_quat turn;
+    check(gphys_camera_get_transform(camera, &eye, &turn), "camera");
+    const double x = (double)hit.point.x - eye.x, y = (double)hit.point.y - eye.y, z = (double)hit.point.z - eye.z;
+    printf(" at pixel (%.0f, %.0f), %.3f m away", pixel_x, pixel_y, sqrt(x * x + y * y + z * z));
+    if (kind == KIND_CLOTH || kind == KIND_ROPE) {
+        const gphys_body_id body = kind == KIND_CLOTH ? w->cloth_body : w->ropes[TAG_NUMBER(hit.tag)];
+        uint32_t particle;
+        check(gphys_solver_get_nearest_particle(w->solver, body, hit.triangle, &hit.point, &particle), "particle");
+        printf(", particle %u", particle);
+    } else if (hit.triangle != GPHYS_NO_TRIANGLE) {
+        printf(", triangle %u", hit.triangle);
+    }
+    printf("\n");
+    return kind == KIND_GROUND ? 0 : hit.model;
+}
+
+/* Which copies stand in a rectangle of the picture. */
+static void select_rectangle(const world* w, const gphys_camera* camera, const options* o, gphys_model_id* selected,
+                             uint32_t capacity, highlight* marks) {
+    const float width = (float)o->width, height = (float)o->height;
+    const float rectangle[4] = {0.60f * width, 0.60f * height, 0.90f * width, 0.92f * height};
+    memcpy(marks->rectangle, rectangle, sizeof rectangle);
     uint32_t total = 0;
     const gphys_status listed = gphys_camera_pick_rectangle(camera, w->scene, rectangle[0], rectangle[1], rectangle[2],
                                                             rectangle[3], GPHYS_ALL_LAYERS, selected, capacity, &total);
     check(listed, "pick rectangle");
-    marks.selected = selected;
-    marks.selected_count = total < capacity ? total : capacity;
+    marks->selected = selected;
+    marks->selected_count = total < capacity ? total : capacity;
     printf("marquee     %u models in the rectangle\n", total);
-    return marks;
 }
 
 int main(int argc, char** argv) {
@@ -213,9 +215,12 @@ int main(int argc, char** argv) {
     photograph(&w, camera, &o, &none, "scene.png");
     gphys_model_id* selected = calloc(w.model_count, sizeof *selected);
     place_camera(camera, (gphys_vec3){2.5f, 0.4f, -5.5f}, 8, 0.5f, 0.45f);
-    const highlight marks = pick(&w, camera, &o, selected, w.model_count);
+    highlight marks = {0};
+    marks.picked = pick(&w, camera, o.pick_x, o.pick_y);
+    select_rectangle(&w, camera, &o, selected, w.model_count, &marks);
     photograph(&w, camera, &o, &marks, "pick.png");
     place_camera(camera, (gphys_vec3){0, 1.45f, 0}, 6.2f, 0.5f, 0.3f);
+    pick(&w, camera, 0.5f * (float)o.width, 0.5f * (float)o.height);
     photograph(&w, camera, &o, &none, "cloth.png");
 
     free(selected);
