@@ -77,6 +77,13 @@ void World::filtered_queries() {
     plain = call(gphys_scene_cull, scene_, &frustum, filter.layers, found.data(), room, &all_count);
     other = call(gphys_scene_cull_filtered, scene_, &frustum, &filter, kept.data(), room, &rest_count);
     same_list(plain, other, "cull_filtered lists what cull does without the ignored");
+    if (other >= 0) {
+        std::vector<gphys_model_id> batch(room);
+        uint32_t ends[2] = {};
+        call(gphys_scene_cull_filtered_batch, scene_, &frustum, 0u, 1u, &filter, 0u, batch.data(), room, ends);
+        FUZZ_CHECK(ends[1] == rest_count && std::equal(kept.begin(), kept.begin() + rest_count, batch.begin()),
+                   "cull_filtered_batch lists what cull_filtered does");
+    }
 
     // The others have no list: what they name is seen.
     const gphys_segment segment = p_.segment();

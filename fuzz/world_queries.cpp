@@ -222,6 +222,13 @@ void World::cull() {
     FUZZ_CHECK(
         total == found.size() && std::equal(found.begin(), found.begin() + std::min(total, room), lowest.begin()),
         "what is kept of a list is its beginning");
+    std::vector<gphys_model_id> twice(2 * total + 1), expected = found;
+    expected.insert(expected.end(), found.begin(), found.end());
+    uint32_t offsets[3];
+    call(gphys_scene_cull_batch, scene_, &frustum, 0u, 2u, layers, twice.data(), 2 * total, offsets);
+    twice.resize(2 * total);
+    FUZZ_CHECK(offsets[0] == 0 && offsets[1] == total && offsets[2] == 2 * total && twice == expected,
+               "cull_batch lists what cull does");
 }
 
 void World::ray_batches() {
@@ -364,7 +371,8 @@ void World::query_misuse() {
         call(gphys_scene_penetration, none, gphys_shape_type{GPHYS_SHAPE_SPHERE}, &ball, 7u, nullptr, 0u, &total),
         call(gphys_scene_penetration_batch, scene_, gphys_shape_type{GPHYS_SHAPE_SPHERE}, &ball, bad_stride, 1u, 7u,
              nullptr, 0u, &total),
-        call(gphys_scene_cull, scene_, nullptr, 7u, &id, 1u, &total)};
+        call(gphys_scene_cull, scene_, nullptr, 7u, &id, 1u, &total),
+        call(gphys_scene_cull_batch, scene_, nullptr, 0u, 1u, 7u, &id, 1u, &total)};
     for (const gphys_status status : refused) FUZZ_CHECK(status < 0, "a call that makes no sense is refused");
 }
 

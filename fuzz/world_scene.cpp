@@ -400,6 +400,15 @@ void World::inspect_scene() {
         FUZZ_CHECK(status == GPHYS_OK || (status == GPHYS_ERROR_OUT_OF_MEMORY && done == 7), "an octree is maintained");
         FUZZ_CHECK(call(gphys_scene_validate, scene_) == GPHYS_OK, "a scene is sound after its octree was maintained");
     }
+    if (models_.size() % 16 == 5) {
+        const uint32_t wanted = 1 + static_cast<uint32_t>(models_.size() / 16) % 3;
+        uint32_t before = 0, workers = 0;
+        call(gphys_scene_get_worker_count, scene_, &before);
+        const gphys_status status = call(gphys_scene_set_worker_count, scene_, wanted);
+        FUZZ_CHECK(status == GPHYS_OK || status == GPHYS_ERROR_OUT_OF_MEMORY, "a scene takes any number of threads");
+        call(gphys_scene_get_worker_count, scene_, &workers);
+        FUZZ_CHECK(workers == (status == GPHYS_OK ? wanted : before), "the number of threads is as it was set");
+    }
     uint32_t total = 0;
     std::vector<gphys_model_id> ids(models_.size() + 1);
     const uint32_t capacity = p_.one_in(3) ? p_.below(4) : static_cast<uint32_t>(models_.size());
@@ -513,6 +522,8 @@ void World::misuse_scene() {
         call(gphys_scene_clear, none),
         call(gphys_scene_rebuild_octree, none),
         call(gphys_scene_maintain_octree, scene_, 1u, nullptr),
+        call(gphys_scene_set_worker_count, scene_, 1025u),
+        call(gphys_scene_get_worker_count, scene_, nullptr),
         call(gphys_scene_get_models, scene_, nullptr, 3u, &total),
         call(gphys_scene_get_info, scene_, id, nullptr),
         call(gphys_scene_get_shape, scene_, id, static_cast<void*>(&box), 3u),

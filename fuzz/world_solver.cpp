@@ -377,6 +377,12 @@ void World::settings() {
         on_both("settings that are refused change nothing",
                 [&](gphys_solver* s) { return call(gphys_solver_set_settings, s, &all); });
     }
+    // The twin's are those of a runner, which take no memory.
+    const uint32_t wanted = 1 + static_cast<uint32_t>(bodies_.size()) % 5;
+    uint32_t workers = 0;
+    FUZZ_CHECK(call(gphys_solver_set_worker_count, twin_, wanted) == GPHYS_OK, "a solver takes any number of threads");
+    call(gphys_solver_get_worker_count, twin_, &workers);
+    FUZZ_CHECK(workers == wanted, "the number of threads is as it was set");
     const gphys_body_id body = p_.one_in(3) ? 0 : any_body();
     on_both("wake that fails changes nothing", [&](gphys_solver* s) { return call(gphys_solver_wake, s, body); });
 }
@@ -399,6 +405,9 @@ void World::step() {
         uint32_t steps = 0;
         float left = 0;
         const gphys_status advanced = call(gphys_solver_advance, s, scene, dt, &steps, &left);
+        float read = -1;
+        call(gphys_solver_get_leftover, s, &read);
+        FUZZ_CHECK(read >= 0 && read < 1 && (advanced != GPHYS_OK || read == left), "what is owed is read back");
         if (s == solver_) {
             made = steps;
             cut_short = memory_.has_failed();
@@ -643,7 +652,10 @@ void World::solver_misuse() {
         call(gphys_solver_get_animation_targets, none, body, 0u, 1u, nullptr, 32u),
         call(gphys_solver_get_radii, none, body, 0u, 1u, &value, 4u),
         call(gphys_solver_get_forces, solver_, body, 0u, 1u, &out, 5u),
-        call(gphys_solver_get_pinned, solver_, body, 1000u, 1u, nullptr, 4u)};
+        call(gphys_solver_get_pinned, solver_, body, 1000u, 1u, nullptr, 4u),
+        call(gphys_solver_set_worker_count, solver_, 1025u),
+        call(gphys_solver_get_worker_count, none, &total),
+        call(gphys_solver_get_leftover, solver_, nullptr)};
     for (const gphys_status status : refused) FUZZ_CHECK(status < 0, "a call that makes no sense is refused");
     FUZZ_CHECK(hash(solver_) == before, "calls that make no sense change nothing");
     // What was refused has woken no body of the twin's either, or the hashes part from here.

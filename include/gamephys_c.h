@@ -835,6 +835,16 @@ GPHYS_API gphys_status gphys_scene_create(const gphys_scene_desc* desc, gphys_sc
  *  Cost: O(n). */
 GPHYS_API void gphys_scene_destroy(gphys_scene* scene);
 
+/** Change the number of threads that share the calls of a scene, such as by a setting of the user's. They are those of
+ *  its task_runner if it was created with one. In a child of fork they are started again. Answers keep their bits.
+ *  @param workers  as gphys_scene_desc.worker_count
+ *  @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started; the former ones are kept
+ *  Cost: that of joining the former threads and starting others; allocates.  Since 1.1. */
+GPHYS_API gphys_status gphys_scene_set_worker_count(gphys_scene* scene, uint32_t workers);
+/** How many threads share the calls of a scene: 1 or more, 1 on a platform without threads.
+ *  Cost: O(1).  Since 1.1. */
+GPHYS_API gphys_status gphys_scene_get_worker_count(const gphys_scene* scene, uint32_t* out_workers);
+
 /** Move the point of the world that all coordinates of the scene count from, those that it is given
  *  and those that it returns. Models stay where they are in the world: the positions of those without
  *  a parent become what they are from there, kept in double precision and rounded to float32 once,
@@ -1148,6 +1158,17 @@ GPHYS_API gphys_status gphys_scene_overlap_batch(const gphys_scene* scene, gphys
 GPHYS_API gphys_status gphys_scene_cull(const gphys_scene* scene, const gphys_frustum* frustum, uint32_t layers,
                                         gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total);
 
+/** Ids of the models in each of count frusta, as gphys_scene_cull: for split screens, cascades of shadow maps, faces of
+ *  a cube map, many sensors. Those of frustum i are at out_models[out_offsets[i]] up to out_offsets[i + 1], as in
+ *  gphys_scene_raycast_all_batch.
+ *  @param frusta       a stride of 0 asks for one frustum count times
+ *  @param out_offsets  count + 1 numbers, always complete
+ *  @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity
+ *  Cost: that of count single calls; shared among workers. Room for all models count times is best.  Since 1.1. */
+GPHYS_API gphys_status gphys_scene_cull_batch(const gphys_scene* scene, const gphys_frustum* frusta,
+                                              uint32_t frustum_stride, uint32_t count, uint32_t layers,
+                                              gphys_model_id* out_models, uint32_t capacity, uint32_t* out_offsets);
+
 /** The model nearest to a point, and its closest point.
  *  @param max_distance  metres, >= 0, INFINITY allowed; a model at exactly this distance counts
  *  @return GPHYS_OK or GPHYS_NO_HIT
@@ -1373,6 +1394,19 @@ GPHYS_API gphys_status gphys_scene_cull_filtered(const gphys_scene* scene, const
                                                  const gphys_query_filter_desc* filter, gphys_model_id* out_models,
                                                  uint32_t capacity, uint32_t* out_total);
 
+/** Ids of the models in each of count frusta that its filter sees, as gphys_scene_cull_batch: each player's view leaves
+ *  out the player's own head.
+ *  @param frusta       a stride of 0 asks for one frustum count times
+ *  @param filters      a stride of 0 takes one for all; NULL: the defaults
+ *  @param out_offsets  count + 1 numbers, always complete
+ *  @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity
+ *  Cost: that of count single calls; shared among workers.  Since 1.1. */
+GPHYS_API gphys_status gphys_scene_cull_filtered_batch(const gphys_scene* scene, const gphys_frustum* frusta,
+                                                       uint32_t frustum_stride, uint32_t count,
+                                                       const gphys_query_filter_desc* filters, uint32_t filter_stride,
+                                                       gphys_model_id* out_models, uint32_t capacity,
+                                                       uint32_t* out_offsets);
+
 /** The model nearest to a point that the filter sees, as gphys_scene_nearest: the nearest other model, if the
  *  one at the point is left out.
  *  @param max_distance  metres, >= 0, INFINITY allowed; a model at exactly this distance counts
@@ -1515,7 +1549,7 @@ GPHYS_API gphys_status gphys_scene_get_snapshot(const gphys_scene* scene, int32_
  *                  among those that models of `scene` itself use, before it is restored.
  *  @return GPHYS_ERROR_INVALID_ARGUMENT for words that are no snapshot of a scene, damaged, of a later format or of
  *          another byte order, and if a mesh is missing; GPHYS_ERROR_OUT_OF_MEMORY if there is no room for it
- *  Cost: O(n), some 150 ns for each model, besides embedded meshes (gphys_mesh_create_from_snapshot). Allocates. */
+ *  Cost: O(n), 150 to 700 ns for each model, besides embedded meshes (gphys_mesh_create_from_snapshot). Allocates. */
 GPHYS_API gphys_status gphys_scene_restore(gphys_scene* scene, const gphys_scene* library, const uint32_t* words,
                                            uint32_t count);
 /** A hash of the whole state but the octree, the low half first; of a mesh it is what it holds that counts. Equal
@@ -1949,6 +1983,15 @@ GPHYS_API gphys_status gphys_solver_create(const gphys_solver_desc* desc, gphys_
  *  Cost: O(particles + constraints). */
 GPHYS_API void gphys_solver_destroy(gphys_solver* solver);
 
+/** Change the number of threads that share the steps of a solver, as gphys_scene_set_worker_count. The bits of the
+ *  motion stay the same.
+ *  @param workers  as gphys_solver_desc.worker_count
+ *  @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started; the former ones are kept
+ *  Cost: as gphys_scene_set_worker_count; allocates.  Since 1.1. */
+GPHYS_API gphys_status gphys_solver_set_worker_count(gphys_solver* solver, uint32_t workers);
+/** How many threads share the steps of a solver, as gphys_scene_get_worker_count. Cost: O(1).  Since 1.1. */
+GPHYS_API gphys_status gphys_solver_get_worker_count(const gphys_solver* solver, uint32_t* out_workers);
+
 /** Move the point of the world that the coordinates of all particles count from; see
  *  gphys_scene_set_origin. Particles stay where they are in the world and keep moving as they do. A
  *  step and an attachment need a scene of the same origin, else they return
@@ -2058,7 +2101,9 @@ GPHYS_API gphys_status gphys_solver_add_rope(gphys_solver* solver, const gphys_b
                                              const gphys_vec3* positions, uint32_t position_stride, uint32_t count,
                                              float link_length, gphys_body_id* out_body);
 /** Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
- *  corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v.
+ *  corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v. Its constraints, in the order of their ids,
+ * are those from row to row, those from column to column, both diagonals (GPHYS_CLOTH_SHEAR), and those that resist
+ *  folding (GPHYS_CLOTH_BEND); gphys_solver_set_constraint_settings makes them softer or stiffer later.
  *  @param desc           NULL: the defaults
  *  @param corner         metres
  *  @param edge_u, edge_v metres, from the corner along a row and along a column
@@ -2071,7 +2116,8 @@ GPHYS_API gphys_status gphys_solver_add_cloth(gphys_solver* solver, const gphys_
                                               const gphys_vec3* edge_v, uint32_t columns, uint32_t rows,
                                               gphys_body_id* out_body);
 /** Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
- *  with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
+ *  with GPHYS_CLOTH_BEND one across each inner edge, whose ids come after those of the edges. Vertices at the same
+ * place stay separate.
  *  @param desc       NULL: the defaults
  *  @param transform  places the mesh; NULL is the identity
  *  @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies;
@@ -2552,6 +2598,12 @@ GPHYS_API gphys_status gphys_solver_step(gphys_solver* solver, const gphys_scene
  *  Cost: that of the steps made. */
 GPHYS_API gphys_status gphys_solver_advance(gphys_solver* solver, const gphys_scene* scene, float frame_time,
                                             uint32_t* out_steps, float* out_leftover);
+
+/** The fraction of a step that gphys_solver_advance still owes: what it gave last as out_leftover, unless the solver
+ * was restored or given another fixed_step since.
+ *  @param out_leftover  from 0 to below 1
+ *  Cost: O(1).  Since 1.1. */
+GPHYS_API gphys_status gphys_solver_get_leftover(const gphys_solver* solver, float* out_leftover);
 
 /** The substeps that a body took in the last step; 0 before its first.
  *  With gphys_solver_desc.max_strain or tolerance set, each body takes as many as its own motion needs:

@@ -98,11 +98,13 @@ static void shapes_and_scene(session* s) {
     DO(gphys_scene_overlap_batch(s->scene, GPHYS_SHAPE_SPHERE, &ball, 0, 2, GPHYS_ALL_LAYERS, touched, 64, offsets));
     DO(gphys_camera_get_frustum(s->camera, &frustum));
     DO(gphys_camera_cull(s->camera, s->scene, GPHYS_ALL_LAYERS, touched, 64, &total));
+    DO(gphys_scene_cull_batch(s->scene, &frustum, 0, 2, GPHYS_ALL_LAYERS, touched, 64, offsets));
     DO(copy_out(s));
     DO(gphys_scene_add_batch(s->scene, GPHYS_SHAPE_SPHERE, &ball, 0, places, sizeof *places, 30, NULL, s->models));
     DO(gphys_scene_restore(s->scene, NULL, scene_words, scene_word_count));
     DO(gphys_scene_add_batch(s->scene, GPHYS_SHAPE_SPHERE, &ball, 0, places, sizeof *places, 30, NULL, s->models));
     DO(gphys_scene_remove_batch(s->scene, s->models, 20));
+    DO(gphys_scene_set_worker_count(s->scene, 2));
     DO(gphys_scene_rebuild_octree(s->scene));
     DO(gphys_scene_clear(s->scene));
     DO(gphys_scene_add(s->scene, GPHYS_SHAPE_SPHERE, &ball, &places[2], NULL, &id));

@@ -65,6 +65,7 @@ static void ropes(session* s) {
     steps(s, 8);
     DO(gphys_scene_remove(s->scene, s->models[1]));
     steps(s, 2);
+    DO(gphys_solver_set_worker_count(s->solver, 2));
     DO(gphys_solver_unjoin(s->solver, joint));
     DO(gphys_solver_remove_body(s->solver, tree));
     DO(gphys_solver_advance(s->solver, s->scene, FRAME, NULL, NULL));

@@ -109,12 +109,18 @@ static void what_is_gone_leaves_out_nothing(void** state) {
     gphys_scene_destroy(scene);
 }
 
-static void other_queries_leave_out_the_same(void** state) {
-    const gphys_vec3 origin = {0, 0, 0}, step = {20, 0, 0};
-    const gphys_sphere small = {{0, 0, 0}, 0.5f}, large = {{0, 0, 0}, 50};
+/* What is around the origin, as far as the balls. */
+static gphys_frustum box_around(void) {
     const gphys_frustum around = {
         {0, 0, 0},
         {{{1, 0, 0}, -9}, {{-1, 0, 0}, -20}, {{0, 0, 1}, -9}, {{0, 0, -1}, -9}, {{0, 1, 0}, -9}, {{0, -1, 0}, -9}}};
+    return around;
+}
+
+static void other_queries_leave_out_the_same(void** state) {
+    const gphys_vec3 origin = {0, 0, 0}, step = {20, 0, 0};
+    const gphys_sphere small = {{0, 0, 0}, 0.5f}, large = {{0, 0, 0}, 50};
+    const gphys_frustum around = box_around();
     const gphys_aabb cube = {{-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f}};
     gphys_model_id models[3], found[3];
     gphys_scene* scene = three_balls(models);
@@ -160,6 +166,7 @@ static void batches_take_one_filter_or_one_each(void** state) {
     const gphys_vec3 origin = {0, 0, 0}, step = {20, 0, 0};
     const gphys_sphere small = {{0, 0, 0}, 0.5f}, large = {{0, 0, 0}, 50};
     const gphys_plane ground = {{0, 1, 0}, 0};
+    const gphys_frustum around = box_around();
     /* As of a later release, whose filters are larger, and at places that are multiples of 4 only. */
     struct wide_filter {
         gphys_query_filter_desc filter;
@@ -214,6 +221,13 @@ static void batches_take_one_filter_or_one_each(void** state) {
                                                             sizeof *filters, ways, 9, offsets),
                      GPHYS_OK);
     assert_true(offsets[0] == 0 && offsets[1] == 3 && offsets[2] == 5 && offsets[3] == 6);
+    assert_int_equal(gphys_scene_cull_filtered_batch(scene, &around, 0, 3, filters, sizeof *filters, found, 9, offsets),
+                     GPHYS_OK);
+    assert_true(offsets[0] == 0 && offsets[1] == 3 && offsets[2] == 5 && offsets[3] == 6);
+    assert_true(found[0] == models[BODY] && found[3] == models[HEAD] && found[5] == models[TARGET]);
+    assert_int_equal(gphys_scene_cull_filtered_batch(scene, &around, 0, 2, &filters[2], 0, found, 1, offsets),
+                     GPHYS_INCOMPLETE);
+    assert_true(offsets[1] == 1 && offsets[2] == 2 && found[0] == models[TARGET]);
     for (i = 0; i < 3; ++i) {
         gphys_penetration single[3];
         uint32_t total = 0;
@@ -565,6 +579,8 @@ static void bad_filters_are_refused_and_outputs_stay(void** state) {
                                                                 &way, 1, offsets),
                          expected[i]);
         assert_int_equal(gphys_camera_pick_filtered_batch(camera, scene, pixel, 0, 2, mixed, size, hits, sizeof *hits),
+                         expected[i]);
+        assert_int_equal(gphys_scene_cull_filtered_batch(scene, &frustum, 0, 2, mixed, size, list, 3, offsets),
                          expected[i]);
     }
     bad[0] = defaults();

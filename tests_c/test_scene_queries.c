@@ -119,6 +119,54 @@ static void lists_are_cut_where_they_say(void** state) {
     gphys_scene_destroy(scene);
 }
 
+static void culls_of_a_batch_are_those_of_single_calls(void** state) {
+    enum { VIEWS = 5, MANY = 300, ROOM = VIEWS * (MANY + 64) };
+    const gphys_sphere ball = {{0, 0, 0}, 0.5f};
+    gphys_transform at = {{0, 0, 0}, {0, 0, 0, 1}, 1};
+    gphys_frustum views[VIEWS];
+    gphys_scene* scene = NULL;
+    gphys_model_id model, single[MANY + 64], batch[ROOM];
+    uint32_t offsets[VIEWS + 1], cut_offsets[VIEWS + 1], room, total, i, v;
+    (void)state;
+    assert_int_equal(gphys_scene_create(NULL, &scene), GPHYS_OK);
+    for (i = 0; i < MANY; ++i) {
+        at.position.x = (float)(i * 7 % 41) - 20;
+        at.position.z = (float)(i * 11 % 37) - 18;
+        assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_SPHERE, &ball, &at, NULL, &model), GPHYS_OK);
+    }
+    for (v = 0; v < VIEWS; ++v) {
+        views[v] = box_ahead();
+        views[v].origin.x = 8 * (float)v - 24; /* that of the first view holds none */
+        views[v].planes[GPHYS_FRUSTUM_TOP].distance = -3;
+    }
+    assert_int_equal(gphys_scene_cull_batch(scene, views, sizeof *views, VIEWS, GPHYS_ALL_LAYERS, batch, ROOM, offsets),
+                     GPHYS_OK);
+    assert_int_equal(offsets[0], 0);
+    for (v = 0; v < VIEWS; ++v) {
+        assert_int_equal(gphys_scene_cull(scene, &views[v], GPHYS_ALL_LAYERS, single, MANY + 64, &total), GPHYS_OK);
+        assert_int_equal(offsets[v + 1] - offsets[v], total);
+        assert_memory_equal(batch + offsets[v], single, total * sizeof *single);
+    }
+    assert_true(offsets[2] > 3 && offsets[3] > offsets[2] + 3);
+    /* With less room, lists come in the same order, and the last is cut to its lowest ids. */
+    for (room = 0; room <= offsets[VIEWS]; ++room) {
+        gphys_model_id cut[ROOM];
+        uint32_t cut_view = 0;
+        assert_int_equal(gphys_scene_cull_batch(scene, views, sizeof *views, VIEWS, GPHYS_ALL_LAYERS, room ? cut : NULL,
+                                                room, cut_offsets),
+                         room < offsets[VIEWS] ? GPHYS_INCOMPLETE : GPHYS_OK);
+        assert_memory_equal(cut_offsets, offsets, sizeof offsets);
+        while (cut_view < VIEWS && offsets[cut_view + 1] <= room) ++cut_view;
+        assert_memory_equal(cut, batch, room * sizeof *cut);
+    }
+    assert_int_equal(gphys_scene_cull_batch(scene, views, 0, 2, GPHYS_ALL_LAYERS, batch, ROOM, offsets), GPHYS_OK);
+    assert_int_equal(offsets[2], 2 * offsets[1]);
+    assert_int_equal(gphys_scene_cull_batch(scene, views, sizeof *views, VIEWS, 2, batch, ROOM, offsets), GPHYS_OK);
+    assert_int_equal(offsets[VIEWS], 0);
+    assert_int_equal(gphys_scene_cull_batch(scene, NULL, 0, 0, GPHYS_ALL_LAYERS, NULL, 0, offsets), GPHYS_OK);
+    gphys_scene_destroy(scene);
+}
+
 static void batches_mark_what_was_missed(void** state) {
     const gphys_ray rays[2] = {{{0, 0, 0}, {1, 0, 0}, INFINITY}, {{0, 9, 0}, {1, 0, 0}, INFINITY}};
     const gphys_segment segments[2] = {{{0, 9, 0}, {9, 9, 0}}, {{0, 0, 0}, {8, 0, 0}}};
@@ -242,6 +290,12 @@ static void bad_input_is_refused_and_outputs_stay(void** state) {
     assert_invalid(gphys_scene_cull(scene, &frustum, 7, NULL, 3, &total));
     assert_invalid(gphys_scene_cull(scene, &frustum, 7, list, 3, NULL));
     assert_invalid(gphys_scene_cull(scene, &bad_frustum, 7, list, 3, &total));
+    assert_invalid(gphys_scene_cull_batch(NULL, &frustum, 0, 1, 7, list, 3, offsets));
+    assert_invalid(gphys_scene_cull_batch(scene, NULL, 0, 1, 7, list, 3, offsets));
+    assert_invalid(gphys_scene_cull_batch(scene, &bad_frustum, 0, 1, 7, list, 3, offsets));
+    assert_invalid(gphys_scene_cull_batch(scene, &frustum, 12, 1, 7, list, 3, offsets));
+    assert_invalid(gphys_scene_cull_batch(scene, &frustum, 0, 1, 7, NULL, 3, offsets));
+    assert_invalid(gphys_scene_cull_batch(scene, &frustum, 0, 1, 7, list, 3, NULL));
     assert_invalid(gphys_scene_overlap_batch(NULL, GPHYS_SHAPE_SPHERE, &sphere, 0, 1, 7, list, 3, offsets));
     assert_invalid(gphys_scene_overlap_batch(scene, GPHYS_SHAPE_SPHERE, NULL, 0, 1, 7, list, 3, offsets));
     assert_invalid(gphys_scene_overlap_batch(scene, GPHYS_SHAPE_SPHERE, &bad_sphere, 0, 1, 7, list, 3, offsets));
@@ -277,6 +331,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(layers_choose_what_is_seen),
         cmocka_unit_test(lists_are_cut_where_they_say),
+        cmocka_unit_test(culls_of_a_batch_are_those_of_single_calls),
         cmocka_unit_test(batches_mark_what_was_missed),
         cmocka_unit_test(bad_input_is_refused_and_outputs_stay),
     };

@@ -1,6 +1,8 @@
 /* gphys_solver_*: what each entry point accepts, refuses and leaves alone. */
 #include "test.h"
 
+#include <stdlib.h>
+
 #define BAD GPHYS_ERROR_INVALID_ARGUMENT
 #define STALE GPHYS_ERROR_INVALID_ID
 
@@ -607,6 +609,71 @@ static void test_step_and_settings(void** state) {
     assert_true(fabsf(leftover - 0.2f) < 1e-3f);
 }
 
+static void test_leftover(void** state) {
+    fixture* f = *state;
+    uint32_t words[4096], total = 0;
+    float given = 7, read = 7;
+    gphys_solver_settings settings;
+    assert_int_equal(gphys_solver_get_leftover(NULL, &read), BAD);
+    assert_int_equal(gphys_solver_get_leftover(f->solver, NULL), BAD);
+    assert_int_equal(gphys_solver_get_leftover(f->solver, &read), GPHYS_OK);
+    assert_true(read == 0);
+    assert_int_equal(gphys_solver_advance(f->solver, NULL, 0.021f, NULL, &given), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_leftover(f->solver, &read), GPHYS_OK);
+    assert_true(read == given && read > 0.2f && read < 0.3f);
+    assert_int_equal(gphys_solver_get_snapshot(f->solver, words, 4096, &total), GPHYS_OK);
+    /* A step half as long is owed twice the fraction, and a shorter one less than itself. */
+    assert_int_equal(gphys_solver_get_settings(f->solver, &settings), GPHYS_OK);
+    settings.fixed_step *= 0.5f;
+    assert_int_equal(gphys_solver_set_settings(f->solver, &settings), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_leftover(f->solver, &read), GPHYS_OK);
+    assert_true(fabsf(read - 2 * given) < 1e-6f);
+    settings.fixed_step *= 0.01f;
+    assert_int_equal(gphys_solver_set_settings(f->solver, &settings), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_leftover(f->solver, &read), GPHYS_OK);
+    assert_true(read > 0.999f && read < 1);
+    assert_int_equal(gphys_solver_restore(f->solver, words, total), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_leftover(f->solver, &read), GPHYS_OK);
+    assert_true(read == given);
+}
+
+/* What is said of the order of a sheet's constraints: a sheet is made stiff against folding, and nothing else is. */
+static void test_constraints_of_cloth_by_kind(void** state) {
+    enum { COLUMNS = 4, ROWS = 3 };
+    const gphys_vec3 corner = {0, 0, 0}, u = {3, 0, 0}, v = {0, 0, 2};
+    /* From row to row, from column to column, both diagonals, those that resist folding. */
+    static const uint32_t kinds[6] = {COLUMNS * (ROWS - 1),       (COLUMNS - 1) * ROWS, (COLUMNS - 1) * (ROWS - 1),
+                                      (COLUMNS - 1) * (ROWS - 1), COLUMNS * (ROWS - 2), (COLUMNS - 2) * ROWS};
+    static const uint32_t columns_apart[6] = {0, 1, 1, 1, 0, 2}, rows_apart[6] = {1, 0, 1, 1, 2, 0};
+    static const float corners[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {1, 0, 1}};
+    static const uint32_t triangles[6] = {0, 1, 2, 2, 1, 3};
+    gphys_constraint_info info[64];
+    gphys_solver* solver = NULL;
+    gphys_mesh* mesh = NULL;
+    gphys_body_id sheet, square;
+    uint32_t total = 0, kind, k, i = 0;
+    (void)state;
+    assert_int_equal(gphys_solver_create(NULL, &solver), GPHYS_OK);
+    assert_int_equal(gphys_solver_add_cloth(solver, NULL, &corner, &u, &v, COLUMNS, ROWS, &sheet), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_constraints(solver, sheet, info, 64, &total), GPHYS_OK);
+    for (kind = 0; kind < 6; ++kind) {
+        for (k = 0; k < kinds[kind]; ++k, ++i) {
+            const uint32_t a = info[i].particle_a, b = info[i].particle_b;
+            const int columns = (int)(b % COLUMNS) - (int)(a % COLUMNS), rows = (int)(b / COLUMNS) - (int)(a / COLUMNS);
+            assert_int_equal(abs(columns), columns_apart[kind]);
+            assert_int_equal(abs(rows), rows_apart[kind]);
+        }
+    }
+    assert_int_equal(total, i);
+    assert_int_equal(gphys_mesh_create(NULL, corners[0], 12, 4, triangles, 6, &mesh), GPHYS_OK);
+    assert_int_equal(gphys_solver_add_cloth_mesh(solver, NULL, mesh, NULL, &square), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_constraints(solver, square, info, 64, &total), GPHYS_OK);
+    assert_int_equal(total, 6); /* five edges, and what resists folding along the one within */
+    for (i = 0; i < 6; ++i) assert_int_equal(info[i].particle_a == 0 && info[i].particle_b == 3, i == 5);
+    gphys_mesh_destroy(mesh);
+    gphys_solver_destroy(solver);
+}
+
 static void test_substeps(void** state) {
     fixture* f = *state;
     gphys_solver_desc desc;
@@ -991,6 +1058,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_impulses, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_joints, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_step_and_settings, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_leftover, set_up, tear_down),
+        cmocka_unit_test(test_constraints_of_cloth_by_kind),
         cmocka_unit_test_setup_teardown(test_substeps, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_snapshots, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_sleep, set_up, tear_down),

@@ -139,6 +139,37 @@ static void a_callers_runner_gives_the_same_bits(void** state) {
     assert_int_equal(seen.most_tasks, 3);
 }
 
+/* From step to step as many as the pattern says, more than before or fewer. */
+static void the_number_of_threads_may_change_from_step_to_step(void** state) {
+    static const uint32_t counts[] = {2, 7, 1, 3, 3};
+    outcome expected;
+    calls seen = {0, 0};
+    gphys_task_runner in_order;
+    uint32_t with_runner, workers = 9, hash[2];
+    int i;
+    (void)state;
+    run(1, NULL, &expected);
+    in_order.run = run_in_order;
+    in_order.user = &seen;
+    for (with_runner = 0; with_runner < 2; ++with_runner) {
+        const world w = make_world(1, with_runner ? &in_order : NULL);
+        for (i = 0; i < STEPS; ++i) {
+            assert_int_equal(gphys_solver_set_worker_count(w.solver, counts[i % 5]), GPHYS_OK);
+            step(&w, i);
+            assert_int_equal(gphys_solver_get_hash(w.solver, hash), GPHYS_OK);
+            assert_memory_equal(hash, expected.hash[i], sizeof hash);
+        }
+        assert_int_equal(gphys_solver_get_worker_count(w.solver, &workers), GPHYS_OK);
+        if (with_runner) assert_int_equal(workers, 3);
+        assert_int_equal(gphys_solver_set_worker_count(w.solver, 1025), GPHYS_ERROR_INVALID_ARGUMENT);
+        assert_int_equal(gphys_solver_set_worker_count(NULL, 1), GPHYS_ERROR_INVALID_ARGUMENT);
+        assert_int_equal(gphys_solver_get_worker_count(NULL, &workers), GPHYS_ERROR_INVALID_ARGUMENT);
+        assert_int_equal(gphys_solver_get_worker_count(w.solver, NULL), GPHYS_ERROR_INVALID_ARGUMENT);
+        end_world(&w);
+    }
+    assert_int_equal(seen.most_tasks, 7);
+}
+
 static void a_snapshot_of_one_thread_goes_on_with_two(void** state) {
     const world one = make_world(1, NULL), two = make_world(2, NULL);
     uint32_t* words;
@@ -216,6 +247,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(any_number_of_threads_gives_the_same_bits),
         cmocka_unit_test(a_callers_runner_gives_the_same_bits),
+        cmocka_unit_test(the_number_of_threads_may_change_from_step_to_step),
         cmocka_unit_test(a_snapshot_of_one_thread_goes_on_with_two),
         cmocka_unit_test(clients_of_release_1_0_still_work),
         cmocka_unit_test(what_a_desc_asks_for_is_checked),

@@ -177,9 +177,12 @@ static void other_batches(world* w) {
 
 static void camera_queries(world* w) {
     const gphys_vec3 eye = {-15, 5, -15}, target = {0, 0, 0}, up = {0, 1, 0};
-    uint32_t total;
+    gphys_frustum frustum;
+    uint32_t total, offsets[2];
     ok(gphys_camera_look_at(w->camera, &eye, &target, &up));
     ok(gphys_camera_cull(w->camera, w->scene, ~0u, w->found, MODELS, &total));
+    ok(gphys_camera_get_frustum(w->camera, &frustum));
+    ok(gphys_scene_cull_batch(w->scene, &frustum, 0, 1, ~0u, w->found, MODELS, offsets));
     ok(gphys_camera_pick(w->camera, w->scene, 400, 300, ~0u, w->hits));
     ok(gphys_camera_pick_rectangle(w->camera, w->scene, 100, 100, 500, 400, ~0u, w->found, MODELS, &total));
 }

@@ -4,7 +4,7 @@
 
 #include <stdlib.h>
 
-enum { QUERIES = 3000, MODELS = 300, LIST = 16 * QUERIES, CUT = 500 };
+enum { QUERIES = 3000, MODELS = 300, LIST = 16 * QUERIES, CUT = 500, VIEWS = 50 };
 
 static void assert_invalid(gphys_status status) {
     assert_int_equal(status, GPHYS_ERROR_INVALID_ARGUMENT);
@@ -88,6 +88,8 @@ typedef struct answers {
     uint32_t overlap_offsets[QUERIES + 1], overlap_cut_offsets[QUERIES + 1];
     gphys_penetration penetration[LIST];
     uint32_t penetration_offsets[QUERIES + 1];
+    gphys_model_id cull[VIEWS * MODELS], cull_cut[CUT];
+    uint32_t cull_offsets[VIEWS + 1], cull_cut_offsets[VIEWS + 1];
 } answers;
 
 /* Ask for lists with more room than they need, with just enough, with too little, and with none. */
@@ -127,12 +129,33 @@ static void ask_for_lists(const gphys_scene* scene, answers* all) {
     assert_memory_equal(offsets, all->overlap_offsets, sizeof offsets);
 }
 
-static answers* ask_everything(uint32_t worker_count, const gphys_task_runner* runner) {
+static void ask_for_views(const gphys_scene* scene, gphys_camera* camera, answers* all) {
+    static gphys_frustum frusta[VIEWS];
+    const gphys_vec3 up = {0, 1, 0};
+    uint32_t i;
+    for (i = 0; i < VIEWS; ++i) {
+        assert_int_equal(gphys_camera_look_at(camera, &input.rays[i].origin, &input.points[i], &up), GPHYS_OK);
+        assert_int_equal(gphys_camera_get_frustum(camera, &frusta[i]), GPHYS_OK);
+    }
+    assert_int_equal(gphys_scene_cull_batch(scene, frusta, sizeof *frusta, VIEWS, GPHYS_ALL_LAYERS, all->cull,
+                                            VIEWS * MODELS, all->cull_offsets),
+                     GPHYS_OK);
+    memset(all->cull + all->cull_offsets[VIEWS], 0, (VIEWS * MODELS - all->cull_offsets[VIEWS]) * sizeof *all->cull);
+    assert_int_equal(gphys_scene_cull_batch(scene, frusta, sizeof *frusta, VIEWS, GPHYS_ALL_LAYERS, all->cull_cut, CUT,
+                                            all->cull_cut_offsets),
+                     GPHYS_INCOMPLETE);
+    assert_memory_equal(all->cull_cut_offsets, all->cull_offsets, sizeof all->cull_offsets);
+    assert_memory_equal(all->cull_cut, all->cull, sizeof all->cull_cut);
+}
+
+/* With so many threads from the beginning, or from `changed` on. */
+static answers* ask_everything_after(uint32_t worker_count, uint32_t changed, const gphys_task_runner* runner) {
     answers* all = (answers*)calloc(1, sizeof *all);
     gphys_scene* scene = make_scene(worker_count, runner, all->models);
     const gphys_vec3 eye = {0, 0, -30}, origin = {0, 0, 0}, up = {0, 1, 0};
     gphys_camera* camera = NULL;
     const uint32_t layers = GPHYS_ALL_LAYERS;
+    assert_int_equal(gphys_scene_set_worker_count(scene, changed), GPHYS_OK);
     assert_int_equal(gphys_camera_create(NULL, &camera), GPHYS_OK);
     assert_int_equal(gphys_camera_look_at(camera, &eye, &origin, &up), GPHYS_OK);
 
@@ -174,10 +197,14 @@ static answers* ask_everything(uint32_t worker_count, const gphys_task_runner* r
     assert_int_equal(gphys_camera_pick_batch(camera, scene, input.pixels[0], sizeof *input.pixels, QUERIES, layers,
                                              all->pick, sizeof *all->pick),
                      GPHYS_OK);
+    ask_for_views(scene, camera, all);
     assert_int_equal(gphys_scene_validate(scene), GPHYS_OK);
     gphys_camera_destroy(camera);
     gphys_scene_destroy(scene);
     return all;
+}
+static answers* ask_everything(uint32_t worker_count, const gphys_task_runner* runner) {
+    return ask_everything_after(worker_count, worker_count, runner);
 }
 
 /* Lists that fit into CUT are not cut. */
@@ -185,6 +212,7 @@ static void assert_worth_comparing(const answers* all) {
     assert_in_range(all->overlap_offsets[QUERIES], CUT + 1, LIST);
     assert_in_range(all->penetration_offsets[QUERIES], CUT + 1, LIST);
     assert_in_range(all->raycast_all_offsets[QUERIES], CUT + 1, LIST);
+    assert_in_range(all->cull_offsets[VIEWS], CUT + 1, VIEWS * MODELS);
 }
 
 typedef struct calls {
@@ -243,6 +271,54 @@ static void a_callers_runner_gives_the_same_bits(void** state) {
     assert_int_equal(seen.count, 0);
     free(all);
     free(expected);
+}
+
+static void the_number_of_threads_may_change(void** state) {
+    static const uint32_t changes[][2] = {{0, 2}, {2, 3}, {3, 1}, {2, 2}};
+    answers *expected = ask_everything(1, NULL), *all;
+    calls seen = {0, 0};
+    gphys_task_runner in_order;
+    size_t i;
+    (void)state;
+    for (i = 0; i < sizeof changes / sizeof *changes; ++i) {
+        all = ask_everything_after(changes[i][0], changes[i][1], NULL);
+        assert_memory_equal(all, expected, sizeof *all);
+        free(all);
+    }
+    in_order.run = run_in_order;
+    in_order.user = &seen;
+    all = ask_everything_after(0, 5, &in_order);
+    assert_memory_equal(all, expected, sizeof *all);
+    assert_int_equal(seen.most_tasks, 5);
+    free(all);
+    free(expected);
+}
+
+static void the_number_of_threads_is_read_back(void** state) {
+    gphys_model_id models[MODELS];
+    calls seen = {0, 0};
+    gphys_task_runner in_order;
+    gphys_scene* scene;
+    uint32_t workers = 7, i;
+    (void)state;
+    in_order.run = run_in_order;
+    in_order.user = &seen;
+    scene = make_scene(0, &in_order, models); /* a runner's threads there are on every platform */
+    assert_int_equal(gphys_scene_get_worker_count(scene, &workers), GPHYS_OK);
+    assert_int_equal(workers, 1);
+    assert_invalid(gphys_scene_set_worker_count(scene, 1025));
+    assert_invalid(gphys_scene_set_worker_count(NULL, 2));
+    assert_invalid(gphys_scene_get_worker_count(NULL, &workers));
+    assert_invalid(gphys_scene_get_worker_count(scene, NULL));
+    for (i = 1024; i > 0; i /= 4) {
+        assert_int_equal(gphys_scene_set_worker_count(scene, i), GPHYS_OK);
+        assert_int_equal(gphys_scene_get_worker_count(scene, &workers), GPHYS_OK);
+        assert_int_equal(workers, i);
+    }
+    assert_int_equal(gphys_scene_set_worker_count(scene, 0), GPHYS_OK);
+    assert_int_equal(gphys_scene_get_worker_count(scene, &workers), GPHYS_OK);
+    assert_int_equal(workers, 1);
+    gphys_scene_destroy(scene);
 }
 
 /* A bad element near the end, in a chunk that another thread may check, and one before it. */
@@ -406,15 +482,52 @@ static void creation_without_memory_leaks_nothing(void** state) {
     assert_in_range(allowed, 5, 20);
 }
 
+/* Without memory for other threads those that there were go on. */
+static void threads_stay_if_there_is_no_memory_for_others(void** state) {
+    heap counted = {1000, 0};
+    gphys_allocator allocator;
+    gphys_scene_desc desc;
+    gphys_scene* scene = NULL;
+    uint32_t workers, before;
+    int allowed, in_use;
+    gphys_status status = GPHYS_ERROR_OUT_OF_MEMORY;
+    (void)state;
+    allocator.allocate = take;
+    allocator.release = give_back;
+    allocator.user = &counted;
+    gphys_scene_desc_init(&desc, sizeof desc);
+    desc.allocator = &allocator;
+    desc.worker_count = 2;
+    assert_int_equal(gphys_scene_create(&desc, &scene), GPHYS_OK);
+    assert_int_equal(gphys_scene_get_worker_count(scene, &before), GPHYS_OK);
+    in_use = counted.in_use;
+    for (allowed = 0; status != GPHYS_OK; ++allowed) {
+        counted.left = allowed;
+        status = gphys_scene_set_worker_count(scene, 4);
+        if (status == GPHYS_OK) break;
+        assert_int_equal(status, GPHYS_ERROR_OUT_OF_MEMORY);
+        assert_int_equal(counted.in_use, in_use);
+        assert_int_equal(gphys_scene_get_worker_count(scene, &workers), GPHYS_OK);
+        assert_int_equal(workers, before);
+    }
+    /* Where there are no threads, there is nothing to be had. */
+    assert_int_equal(allowed, before == 2 ? 2 : 0);
+    gphys_scene_destroy(scene);
+    assert_int_equal(counted.in_use, 0);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(any_number_of_threads_gives_the_same_bits),
         cmocka_unit_test(a_callers_runner_gives_the_same_bits),
+        cmocka_unit_test(the_number_of_threads_may_change),
+        cmocka_unit_test(the_number_of_threads_is_read_back),
         cmocka_unit_test(a_bad_element_anywhere_leaves_outputs_alone),
         cmocka_unit_test(clients_of_release_1_0_still_work),
         cmocka_unit_test(what_a_desc_asks_for_is_checked),
         cmocka_unit_test(scenes_with_workers_come_and_go),
         cmocka_unit_test(creation_without_memory_leaks_nothing),
+        cmocka_unit_test(threads_stay_if_there_is_no_memory_for_others),
     };
     return cmocka_run_group_tests(tests, make_input, NULL);
 }

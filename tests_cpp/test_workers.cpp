@@ -154,6 +154,34 @@ TEST_CASE("workers are started with their owner and joined with it, none for a c
     CHECK(thread_count_becomes(before));
 }
 
+TEST_CASE("workers change their number: others are started, and the former ones joined") {
+    const size_t before = thread_count_at_rest();
+    test::WatchedMemory memory;
+    {
+        Workers own(1, nullptr, &memory), lent(1, &on_threads, &memory);
+        for (const uint32_t count : {4u, 2u, 2u, 1u, 0u, 3u}) {
+            own.set_count(count);
+            lent.set_count(count);
+            const uint32_t threads = std::max(count, 1u);
+            CHECK(thread_count_becomes(before + threads - 1));
+            CHECK(own.count() == threads);
+            CHECK(lent.count() == threads);
+            CHECK(each_once(own, 1000));
+            CHECK(each_once(lent, 1000));
+            if (threads > 1) {
+                run_two_together(own, [] {});
+                run_two_together(lent, [] {});
+            }
+        }
+        memory.fail_at = memory.allocations;
+        CHECK_THROWS_AS(own.set_count(5), std::bad_alloc);
+        CHECK(own.count() == 3);
+        run_two_together(own, [] {});
+    }
+    CHECK(thread_count_becomes(before));
+    CHECK(memory.bytes_in_use == 0);
+}
+
 TEST_CASE("workers serve one of several callers, and no caller waits for another") {
     const Workers workers(2, nullptr, std::pmr::new_delete_resource());
     std::atomic<int> wrong{0};
@@ -197,6 +225,19 @@ TEST_CASE("workers are gone in a child of fork, where the caller works alone and
     auto workers = std::make_unique<Workers>(4, nullptr, &memory);
     CHECK(each_once(*workers, 100));
     CHECK(in_child([&] {
+        const bool right = each_once(*workers, 100);
+        workers.reset();
+        return right && memory.bytes_in_use == 0;
+    }));
+    CHECK(each_once(*workers, 100));
+}
+
+TEST_CASE("workers are started again in a child of fork when they are set there") {
+    test::WatchedMemory memory;
+    auto workers = std::make_unique<Workers>(2, nullptr, &memory);
+    CHECK(in_child([&] {
+        workers->set_count(2);
+        run_two_together(*workers, [] {});
         const bool right = each_once(*workers, 100);
         workers.reset();
         return right && memory.bytes_in_use == 0;

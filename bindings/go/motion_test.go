@@ -237,6 +237,9 @@ func TestSettingsChangeLive(t *testing.T) {
 	settings.Substeps = 5
 	try(t, solver.SetSettings(settings))
 	same(t, must(solver.Settings()).Substeps, uint32(5))
+	try(t, solver.SetWorkerCount(2))
+	same(t, must(solver.WorkerCount()), uint32(2))
+	same(t, must(solver.Leftover()), float32(0))
 	rope := must(solver.AddRope([]Vec3{{}, Vec(0, -1, 0)}, 0, nil))
 	try(t, solver.SetPinned(rope, 0, 1, true))
 	pinned := make([]int32, 2)

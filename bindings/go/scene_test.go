@@ -121,6 +121,9 @@ func TestFiltersLeaveOutModels(t *testing.T) {
 	same(t, must(camera.PickRectangleFiltered(scene, 0, 0, 800, 600, &filter)), []ModelID{target})
 	same(t, must(camera.CullFiltered(scene, &filter)), []ModelID{target})
 	same(t, must(scene.CullFiltered(must(camera.Frustum()), &filter)), []ModelID{target})
+	views := []Frustum{must(camera.Frustum()), must(camera.Frustum())}
+	same(t, len(must(scene.CullBatch(views, AllLayers)).At(1)), 3)
+	same(t, must(scene.CullFilteredBatch(views, &filter)).At(1), []ModelID{target})
 }
 
 func TestSolidsMoveUpToWhatTheyTouchAndOutOfWhatTheyOverlap(t *testing.T) {
@@ -329,6 +332,8 @@ func TestModelsAreMovedDescribedAndRemoved(t *testing.T) {
 	if done, err := scene.MaintainOctree(1000); err != nil || !done {
 		t.Error(done, err)
 	}
+	try(t, scene.SetWorkerCount(2))
+	same(t, must(scene.WorkerCount()), uint32(2))
 	try(t, scene.Clear())
 	same(t, len(must(scene.Models())), 0)
 }

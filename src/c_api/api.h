@@ -18,6 +18,7 @@
 #include "foundation/math.h"
 #include "foundation/status.h"
 #include "foundation/strided.h"
+#include "foundation/workers.h"
 #include "shapes/shapes.h"
 
 namespace gphys {
@@ -240,6 +241,10 @@ inline gphys_status check_allocator(const gphys_allocator* allocator) noexcept {
 }
 inline gphys_status check_task_runner(const gphys_task_runner* runner) noexcept {
     GPHYS_REQUIRE(!runner || runner->run, "desc.task_runner->run is null");
+    return GPHYS_OK;
+}
+inline gphys_status check_worker_count(const char* name, uint32_t count) noexcept {
+    GPHYS_REQUIRE_IN_RANGE(count <= Workers::max_count, name, count, "at most 1024");
     return GPHYS_OK;
 }
 

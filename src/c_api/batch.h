@@ -20,8 +20,6 @@ namespace gphys {
 /// thousandth of a batch that is worth sharing.
 constexpr uint32_t batch_chunk = 256;
 
-inline uint32_t chunks_in(uint32_t count) { return count / batch_chunk + (count % batch_chunk != 0); }
-
 /// visit(begin, end) for chunks of 0 .. count - 1 of at least `smallest` items. About 32 chunks for each worker balance
 /// the load; more would only make threads share cache lines.
 template <class Visit>
@@ -137,46 +135,55 @@ gphys_status check_each(const Workers& workers, uint32_t count, Check&& check) {
 inline uint32_t saturated_sum(uint32_t a, uint32_t b) { return b > UINT32_MAX - a ? UINT32_MAX : a + b; }
 
 /// The lists of items begin .. end - 1, concatenated; ends[i] is the end of the list of item i.
-template <class T, class Less, class ListAll>
+template <class T, class ListAll>
 void list_chunk(T* out, uint32_t capacity, uint32_t begin, uint32_t end, uint32_t* ends, ListAll&& list_all) {
     uint32_t total = 0;
-    list_all(begin, end, [&](uint32_t i, const auto& add_all) {
+    list_all(begin, end, [&](uint32_t i, const auto& list) {
         const uint32_t used = std::min(total, capacity);
-        Smallest<T, Less> list(capacity == 0 ? nullptr : out + used, capacity - used);
-        add_all(list);
-        total = saturated_sum(total, list.finish());
+        total = saturated_sum(total, list(capacity == 0 ? nullptr : out + used, capacity - used));
         ends[i] = total;
     });
 }
 
-/// Concatenate the lists of all items. list_all(begin, end, list_of) calls list_of(i, add_all) for its items in order;
-/// add_all(list) adds the results of item i.
+/// list(out, capacity) for list_chunk: the smallest of what add_all(Smallest) adds.
+template <class T, class Less, class AddAll>
+auto smallest_of(const AddAll& add_all) {
+    return [&add_all](T* out, uint32_t capacity) {
+        Smallest<T, Less> list(out, capacity);
+        add_all(list);
+        return list.finish();
+    };
+}
+
+/// Concatenate the lists of all items. list_all(begin, end, list_of) calls list_of(i, list) for its items in order;
+/// list(out, capacity) writes the results of item i and returns their number, and may use the rest of `out`. A chunk
+/// has `chunk_size` items.
 ///
 /// The length of a list is known only after its query, and queries do not allocate. So each wave of chunks gets equal
 /// shares of the remaining output array, and the lists are moved together afterwards. From the first chunk whose share
 /// was too small, the rest of the wave is queried again, in place and on this thread.
-template <class T, class Less, class ListAll>
-gphys_status concatenate(const Workers& workers, T* out, uint32_t capacity, uint32_t count, uint32_t* out_offsets,
-                         ListAll&& list_all) {
+template <class T, class ListAll>
+gphys_status concatenate(const Workers& workers, uint32_t chunk_size, T* out, uint32_t capacity, uint32_t count,
+                         uint32_t* out_offsets, ListAll&& list_all) {
     // 16 chunks for each worker: waiting for the last chunk takes a few per cent of a wave.
     const uint32_t wave = workers.count() == 1 ? 1 : 16 * workers.count();
     uint32_t* const ends = out_offsets + 1;
     uint32_t total = 0;
     out_offsets[0] = 0;
     for (uint32_t first = 0; first < count;) {
-        const uint32_t chunks = std::min(wave, chunks_in(count - first));
-        const auto begin_of = [&](uint32_t chunk) { return first + std::min(chunk * batch_chunk, count - first); };
+        const uint32_t left = count - first;
+        const uint32_t chunks = std::min(wave, left / chunk_size + (left % chunk_size != 0));
+        const auto begin_of = [&](uint32_t chunk) { return first + std::min(chunk * chunk_size, left); };
         const uint32_t used = std::min(total, capacity), share = (capacity - used) / chunks;
         workers.run(chunks, [&](uint32_t chunk) {
-            list_chunk<T, Less>(out + used + chunk * share, share, begin_of(chunk), begin_of(chunk + 1), ends,
-                                list_all);
+            list_chunk(out + used + chunk * share, share, begin_of(chunk), begin_of(chunk + 1), ends, list_all);
         });
         bool in_place = false;
         for (uint32_t chunk = 0; chunk < chunks; ++chunk) {
             const uint32_t begin = begin_of(chunk), end = begin_of(chunk + 1), place = std::min(total, capacity);
             in_place = in_place || (ends[end - 1] > share && capacity - place > share);
             if (in_place) {
-                list_chunk<T, Less>(out + place, capacity - place, begin, end, ends, list_all);
+                list_chunk(out + place, capacity - place, begin, end, ends, list_all);
             } else if (const uint32_t listed = used + chunk * share; listed != place) {
                 std::copy_n(out + listed, std::min(ends[end - 1], share), out + place);
             }

@@ -131,8 +131,7 @@ gphys_status gphys_scene_create(const gphys_scene_desc* desc, gphys_scene** out_
             return fail(GPHYS_ERROR_CAPACITY, "desc.reserve_models", settings.reserve_models, "at most 2^24 - 1");
         }
         GPHYS_TRY(check_task_runner(settings.task_runner));
-        GPHYS_REQUIRE_IN_RANGE(settings.worker_count <= Workers::max_count, "desc.worker_count", settings.worker_count,
-                               "at most 1024");
+        GPHYS_TRY(check_worker_count("desc.worker_count", settings.worker_count));
         *out_scene = wrap(
             create<Scene>(settings.allocator, settings.reserve_models, settings.worker_count, settings.task_runner));
         return GPHYS_OK;
@@ -235,6 +234,23 @@ gphys_status gphys_scene_clear(gphys_scene* scene) {
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_REQUIRE_POINTERS(scene);
         unwrap(scene)->clear();
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_scene_set_worker_count(gphys_scene* scene, uint32_t workers) {
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(scene);
+        GPHYS_TRY(check_worker_count("workers", workers));
+        unwrap(scene)->set_worker_count(workers);
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_scene_get_worker_count(const gphys_scene* scene, uint32_t* out_workers) {
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(scene, out_workers);
+        *out_workers = unwrap(scene)->workers().count();
         return GPHYS_OK;
     });
 }

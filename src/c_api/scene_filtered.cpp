@@ -125,6 +125,17 @@ gphys_status gphys_scene_cull_filtered(const gphys_scene* scene, const gphys_fru
     });
 }
 
+gphys_status gphys_scene_cull_filtered_batch(const gphys_scene* scene, const gphys_frustum* frusta,
+                                             uint32_t frustum_stride, uint32_t count,
+                                             const gphys_query_filter_desc* filters, uint32_t filter_stride,
+                                             gphys_model_id* out_models, uint32_t capacity, uint32_t* out_offsets) {
+    return guarded(__func__, [&] {
+        return with_filters(scene, filters, filter_stride, [&](const Filters& parsed) {
+            return scene_cull_batch(scene, frusta, frustum_stride, count, parsed, out_models, capacity, out_offsets);
+        });
+    });
+}
+
 gphys_status gphys_scene_nearest_filtered(const gphys_scene* scene, const gphys_vec3* point, float max_distance,
                                           const gphys_query_filter_desc* filter, gphys_nearest* out_nearest) {
     return guarded(__func__, [&] {

@@ -78,6 +78,14 @@ gphys_status gphys_scene_cull(const gphys_scene* scene, const gphys_frustum* fru
     return guarded(__func__, [&] { return scene_cull(scene, frustum, layers, out_models, capacity, out_total); });
 }
 
+gphys_status gphys_scene_cull_batch(const gphys_scene* scene, const gphys_frustum* frusta, uint32_t frustum_stride,
+                                    uint32_t count, uint32_t layers, gphys_model_id* out_models, uint32_t capacity,
+                                    uint32_t* out_offsets) {
+    return guarded(__func__, [&] {
+        return scene_cull_batch(scene, frusta, frustum_stride, count, layers, out_models, capacity, out_offsets);
+    });
+}
+
 gphys_status gphys_scene_nearest(const gphys_scene* scene, const gphys_vec3* point, float max_distance, uint32_t layers,
                                  gphys_nearest* out_nearest) {
     return guarded(__func__, [&] { return scene_nearest(scene, point, max_distance, layers, out_nearest); });

@@ -70,7 +70,7 @@ inline gphys_status check_concatenation(const char* name, const void* out, uint3
 }
 
 /// The overlaps of shapes first .. first + count - 1, at most OverlapItems::max_queries: one traversal finds the
-/// candidates of all, then each shape tests its own. list_of(i, add_all) as in concatenate.
+/// candidates of all, then each shape tests its own. list_of(i, list) as in concatenate.
 template <class Filter, class ListOf>
 void list_overlaps(const Scene& scene, gphys_shape_type type, const Strided<char>& shapes, uint32_t first,
                    uint32_t count, const Filter& filter, const ListOf& list_of) {
@@ -83,9 +83,10 @@ void list_overlaps(const Scene& scene, gphys_shape_type type, const Strided<char
     // The layers only select what is prefetched, so those of the first filter do for all.
     if (valid) scene.find_candidates(queries, count, layers_of(filter_of(filter, first, storage)), candidates);
     for (uint32_t k = 0; k < count; ++k) {
-        list_of(first + k, [&](auto& models) {
+        const auto add_all = [&](auto& models) {
             if (valid) scene.overlap(queries[k], filter_of(filter, first + k, storage), models, candidates + k);
-        });
+        };
+        list_of(first + k, smallest_of<gphys_model_id, std::less<gphys_model_id>>(add_all));
     }
 }
 
@@ -181,15 +182,16 @@ gphys_status scene_raycast_all_batch(const gphys_scene* scene, const gphys_ray* 
     GPHYS_TRY(check_inputs(workers, "rays", rays, "ray_stride", ray_stride, count));
     GPHYS_TRY(check_concatenation("out_hits", out_hits, capacity, out_offsets));
     const Strided<gphys_ray> ray(rays, ray_stride);
-    return concatenate<gphys_hit, FirstHit>(
-        workers, out_hits, capacity, count, out_offsets, [&](uint32_t begin, uint32_t end, const auto& list_of) {
-            QueryFilter storage;
-            for (uint32_t i = begin; i < end; ++i) {
-                list_of(i, [&](auto& hits) {
-                    unwrap(scene)->raycast_all(widen(ray[i]), filter_of(filter, i, storage), hits);
-                });
-            }
-        });
+    return concatenate(workers, batch_chunk, out_hits, capacity, count, out_offsets,
+                       [&](uint32_t begin, uint32_t end, const auto& list_of) {
+                           QueryFilter storage;
+                           for (uint32_t i = begin; i < end; ++i) {
+                               const auto add_all = [&](auto& hits) {
+                                   unwrap(scene)->raycast_all(widen(ray[i]), filter_of(filter, i, storage), hits);
+                               };
+                               list_of(i, smallest_of<gphys_hit, FirstHit>(add_all));
+                           }
+                       });
 }
 
 template <class Filter>
@@ -246,13 +248,13 @@ gphys_status scene_overlap_batch(const gphys_scene* scene, gphys_shape_type type
         return read_shape(type, shapes ? &shape[i] : nullptr, query);
     }));
     GPHYS_TRY(check_concatenation("out_models", out_models, capacity, out_offsets));
-    return concatenate<gphys_model_id, std::less<gphys_model_id>>(
-        workers, out_models, capacity, count, out_offsets, [&](uint32_t begin, uint32_t end, const auto& list_of) {
-            for (uint32_t first = begin; first < end; first += OverlapItems::max_queries) {
-                const uint32_t size = std::min(end - first, OverlapItems::max_queries);
-                list_overlaps(*unwrap(scene), type, shape, first, size, filter, list_of);
-            }
-        });
+    return concatenate(workers, batch_chunk, out_models, capacity, count, out_offsets,
+                       [&](uint32_t begin, uint32_t end, const auto& list_of) {
+                           for (uint32_t first = begin; first < end; first += OverlapItems::max_queries) {
+                               const uint32_t size = std::min(end - first, OverlapItems::max_queries);
+                               list_overlaps(*unwrap(scene), type, shape, first, size, filter, list_of);
+                           }
+                       });
 }
 
 template <class Filter>
@@ -264,6 +266,30 @@ gphys_status scene_cull(const gphys_scene* scene, const gphys_frustum* frustum, 
     GPHYS_TRY(check_list("out_models", out_models, capacity, out_total));
     const uint32_t total = unwrap(scene)->cull(widen(*frustum), filter, out_models, capacity);
     return listed(total, capacity, out_total);
+}
+
+template <class Filter>
+gphys_status scene_cull_batch(const gphys_scene* scene, const gphys_frustum* frusta, uint32_t frustum_stride,
+                              uint32_t count, const Filter& filter, gphys_model_id* out_models, uint32_t capacity,
+                              uint32_t* out_offsets) {
+    GPHYS_REQUIRE_POINTERS(scene);
+    const Workers& workers = unwrap(scene)->workers();
+    GPHYS_TRY(check_filters(workers, filter, count));
+    GPHYS_TRY(check_inputs(workers, "frusta", frusta, "frustum_stride", frustum_stride, count));
+    GPHYS_TRY(check_concatenation("out_models", out_models, capacity, out_offsets));
+    const Strided<gphys_frustum> frustum(frusta, frustum_stride);
+    // One view takes as long as hundreds of rays, and there are few.
+    constexpr uint32_t chunk_size = 1;
+    return concatenate(workers, chunk_size, out_models, capacity, count, out_offsets,
+                       [&](uint32_t begin, uint32_t end, const auto& list_of) {
+                           QueryFilter storage;
+                           for (uint32_t i = begin; i < end; ++i) {
+                               list_of(i, [&](gphys_model_id* out, uint32_t room) {
+                                   return unwrap(scene)->cull(widen(frustum[i]), filter_of(filter, i, storage), out,
+                                                              room);
+                               });
+                           }
+                       });
 }
 
 template <class Filter>

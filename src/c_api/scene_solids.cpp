@@ -76,19 +76,20 @@ gphys_status scene_penetration_batch(const gphys_scene* scene, gphys_shape_type 
     GPHYS_TRY(check_moving(workers, type, shapes, shape_stride, count));
     GPHYS_TRY(check_concatenation("out_penetrations", out_penetrations, capacity, out_offsets));
     const Strided<char> shape(static_cast<const char*>(shapes), shape_stride);
-    return concatenate<gphys_penetration, DeepestFirst>(
-        workers, out_penetrations, capacity, count, out_offsets,
-        [&](uint32_t begin, uint32_t end, const auto& list_of) {
-            for (uint32_t i = begin; i < end; ++i) {
-                list_of(i, [&](DeepestPenetrations& deepest) {
-                    QueryFilter storage;
-                    Shape moving;
-                    // Valid when it was checked. If another thread has made it invalid since, it overlaps nothing.
-                    if (read_moving(type, &shape[i], moving) != GPHYS_OK) return;
-                    unwrap(scene)->penetration(moving, filter_of(filter, i, storage), deepest);
-                });
-            }
-        });
+    return concatenate(workers, batch_chunk, out_penetrations, capacity, count, out_offsets,
+                       [&](uint32_t begin, uint32_t end, const auto& list_of) {
+                           for (uint32_t i = begin; i < end; ++i) {
+                               const auto add_all = [&](DeepestPenetrations& deepest) {
+                                   QueryFilter storage;
+                                   Shape moving;
+                                   // Valid when it was checked. If another thread has made it invalid since, it
+                                   // overlaps nothing.
+                                   if (read_moving(type, &shape[i], moving) != GPHYS_OK) return;
+                                   unwrap(scene)->penetration(moving, filter_of(filter, i, storage), deepest);
+                               };
+                               list_of(i, smallest_of<gphys_penetration, DeepestFirst>(add_all));
+                           }
+                       });
 }
 
 }  // namespace

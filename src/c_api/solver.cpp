@@ -71,6 +71,9 @@ gphys_status check_positions(const gphys_vec3* positions, uint32_t stride, uint3
     return GPHYS_OK;
 }
 
+/// Below 1 after rounding to float too.
+float leftover(const Solver& solver) { return std::min(static_cast<float>(solver.leftover()), std::nextafterf(1, 0)); }
+
 /// A corner of a sheet or a vertex of a mesh, in world space.
 gphys_status check_placed(Vec3 position) {
     GPHYS_REQUIRE(max_component(abs(position)) <= GPHYS_MAX_COORDINATE,
@@ -100,8 +103,7 @@ gphys_status gphys_solver_create(const gphys_solver_desc* desc, gphys_solver** o
                                   settings.tolerance, settings.max_substeps, settings.max_work},
             in));
         GPHYS_TRY(check_task_runner(settings.task_runner));
-        GPHYS_REQUIRE_IN_RANGE(settings.worker_count <= Workers::max_count, "desc.worker_count", settings.worker_count,
-                               "at most 1024");
+        GPHYS_TRY(check_worker_count("desc.worker_count", settings.worker_count));
         GPHYS_REQUIRE_POINTERS(out_solver);
         *out_solver = wrap(create<Solver>(settings.allocator, in, settings.worker_count, settings.task_runner));
         return GPHYS_OK;
@@ -346,11 +348,34 @@ gphys_status gphys_solver_advance(gphys_solver* solver, const gphys_scene* scene
         GPHYS_TRY(check_amount("frame_time", frame_time));
         if (scene) GPHYS_TRY(check_origins(solver, scene));
         uint32_t steps = 0;
-        double leftover = 0;
-        unwrap(solver)->advance(unwrap(scene), frame_time, steps, leftover);
+        unwrap(solver)->advance(unwrap(scene), frame_time, steps);
         if (out_steps) *out_steps = steps;
-        // Below 1 after rounding to float too.
-        if (out_leftover) *out_leftover = std::min(static_cast<float>(leftover), std::nextafterf(1, 0));
+        if (out_leftover) *out_leftover = leftover(*unwrap(solver));
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_solver_set_worker_count(gphys_solver* solver, uint32_t workers) {
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
+        GPHYS_TRY(check_worker_count("workers", workers));
+        unwrap(solver)->set_worker_count(workers);
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_solver_get_worker_count(const gphys_solver* solver, uint32_t* out_workers) {
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver, out_workers);
+        *out_workers = unwrap(solver)->worker_count();
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_solver_get_leftover(const gphys_solver* solver, float* out_leftover) {
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver, out_leftover);
+        *out_leftover = leftover(*unwrap(solver));
         return GPHYS_OK;
     });
 }

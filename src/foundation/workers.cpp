@@ -58,7 +58,7 @@ Workers::Workers(uint32_t count, const gphys_task_runner* runner, std::pmr::memo
     try {
         const SignalsBlocked blocked;
         threads_.reserve(count_ - 1);
-        while (threads_.size() < count_ - 1) threads_.emplace_back([this] { serve(); });
+        while (threads_.size() < count_ - 1) threads_.emplace_back([sync = sync_] { serve(*sync); });
     } catch (const std::system_error&) {  // no more threads
         stop();
         throw std::bad_alloc();
@@ -70,6 +70,15 @@ Workers::Workers(uint32_t count, const gphys_task_runner* runner, std::pmr::memo
 
 Workers::~Workers() {
     if (sync_) stop();
+}
+
+void Workers::set_count(uint32_t count) {
+    if (std::max(count, 1u) == count_ && !in_forked_child()) return;
+    Workers others(count, runner_.run ? &runner_ : nullptr, threads_.get_allocator().resource());
+    std::swap(count_, others.count_);
+    threads_.swap(others.threads_);
+    std::swap(sync_, others.sync_);
+    std::swap(process_, others.process_);
 }
 
 void Workers::stop() {
@@ -127,18 +136,18 @@ void Workers::share(Job& job) const noexcept {
 }
 
 /// The main function of a thread.
-void Workers::serve() const {
-    std::unique_lock<std::mutex> lock(sync_->mutex);
+void Workers::serve(SyncBlock& sync) {
+    std::unique_lock<std::mutex> lock(sync.mutex);
     for (;;) {
-        sync_->wake.wait(lock, [this] { return sync_->stopping || sync_->job; });
-        if (sync_->stopping) return;
-        Job& job = *sync_->job;
-        ++sync_->working;
+        sync.wake.wait(lock, [&sync] { return sync.stopping || sync.job; });
+        if (sync.stopping) return;
+        Job& job = *sync.job;
+        ++sync.working;
         lock.unlock();
         job.drain();
         lock.lock();
-        sync_->job = nullptr;
-        if (--sync_->working == 0) sync_->done.notify_one();
+        sync.job = nullptr;
+        if (--sync.working == 0) sync.done.notify_one();
     }
 }
 

@@ -33,6 +33,9 @@ public:
 
     /// The number of threads that may run tasks at the same time, at least 1.
     uint32_t count() const { return count_; }
+    /// As at construction, with the same runner. Must not be called during a run. If the threads cannot be started,
+    /// throws std::bad_alloc and keeps those that there are.
+    void set_count(uint32_t count);
 
     /// Several threads may call this at once: the workers serve one of them, the others run their tasks alone. Must not
     /// be called within a task.
@@ -75,7 +78,7 @@ private:
     };
 
     void share(Job& job) const noexcept;
-    void serve() const;
+    static void serve(SyncBlock& sync);
     void stop();
     bool in_forked_child() const;
 

@@ -119,6 +119,7 @@ public:
 
     const Bvh8& bvh() const { return bvh_; }
     const Workers& workers() const { return workers_; }
+    void set_worker_count(uint32_t count) { workers_.set_count(count); }
     uint32_t unbounded_count() const { return static_cast<uint32_t>(unbounded_.size()); }
     /// What is inconsistent in the scene, or nullptr.
     const char* defect() const;
@@ -417,7 +418,7 @@ private:
     const BoundsKernels& bounds_kernels_ = bounds_kernels(chosen_isa());
     const SlotSetKernels& slot_set_kernels_ = slot_set_kernels(chosen_isa());
     const HitKernels* hit_kernels_ = hit_kernels(chosen_isa());  // null for narrow sets
-    const Workers workers_;
+    Workers workers_;
     IdTable ids_{&memory};
     LargeArray<Model> models_{&memory};           // by slot
     LargeArray<uint32_t> tags_{&memory};          // by slot

@@ -127,6 +127,8 @@ public:
     /// settings.cpp
     void set_settings(const SolverSettings& settings);
     const SolverSettings& settings() const { return state_.settings; }
+    uint32_t worker_count() const { return workers_.count(); }
+    void set_worker_count(uint32_t count) { workers_.set_count(count); }
     /// All particles stay where they are in the world, and wake. Returns false if one would leave the range of
     /// coordinates.
     bool set_origin(Vec3 origin);
@@ -176,9 +178,11 @@ public:
 
     /// May throw std::bad_alloc before anything has moved, not after. Then all state in snapshots is unchanged.
     void step(const Scene* scene, double dt);
-    /// `steps` are those made; `leftover` the fraction of a step still owed. Throws std::bad_alloc if there is no
-    /// memory for the first step; if there is none for a later one, that and those after it are left out.
-    void advance(const Scene* scene, double frame_time, uint32_t& steps, double& leftover);
+    /// `steps` are those made. Throws std::bad_alloc if there is no memory for the first step; if there is none for a
+    /// later one, that and those after it are left out.
+    void advance(const Scene* scene, double frame_time, uint32_t& steps);
+    /// The fraction of a step that advance still owes, 0 to 1.
+    double leftover() const { return state_.owed / state_.settings.fixed_step; }
 
     /// For one body, or 0 for all.
     gphys_solver_stats stats(gphys_body_id body) const;
@@ -306,7 +310,7 @@ private:
     void find_disturbed(const Scene& scene);
     void add_impulses();
 
-    const Workers workers_;
+    Workers workers_;
     SolverState state_{&memory};
     /// Models near the bodies with their present places, and the models of state_.seen that have moved since.
     Vector<PlacedModel> next_seen_{&memory}, moved_{&memory};

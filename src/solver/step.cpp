@@ -314,7 +314,7 @@ void Solver::add_impulses() {
     }
 }
 
-void Solver::advance(const Scene* scene, double frame_time, uint32_t& steps, double& leftover) {
+void Solver::advance(const Scene* scene, double frame_time, uint32_t& steps) {
     // Frame times and steps were float32, so six steps of 1/60 s may be slightly longer than 0.1 s. A missing millionth
     // of a step is ignored.
     const double owed = state_.owed + frame_time, length = state_.settings.fixed_step;
@@ -331,7 +331,6 @@ void Solver::advance(const Scene* scene, double frame_time, uint32_t& steps, dou
     if (steps > 0) show_all();
     // For frame times of years, the difference is rounding.
     state_.owed = std::clamp(owed - due * length, 0.0, length);
-    leftover = state_.owed / state_.settings.fixed_step;
 }
 
 }  // namespace gphys

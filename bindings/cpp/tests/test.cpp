@@ -201,6 +201,8 @@ TEST_CASE("models") {
     scene.add(ball);
     scene.rebuild_octree();
     CHECK(scene.maintain_octree(1000));
+    scene.set_worker_count(2);
+    CHECK(scene.get_worker_count() == 2);
     scene.clear();
     CHECK(scene.get_models().empty());
     scene.set_origin({1e9 + 0.5, 0, 0});
@@ -309,6 +311,9 @@ TEST_CASE("filters leave out models") {
     CHECK(camera.pick_rectangle_filtered(scene, 0, 0, 800, 600, &filter) == one);
     CHECK(camera.cull_filtered(scene, &filter) == one);
     CHECK(scene.cull_filtered(camera.get_frustum(), &filter) == one);
+    const std::vector<Frustum> views(2, camera.get_frustum());
+    CHECK((scene.cull_batch(views).offsets == std::vector<uint32_t>{0, 3, 6}));
+    CHECK((scene.cull_filtered_batch(views, &filter).offsets == std::vector<uint32_t>{0, 1, 2}));
 }
 
 TEST_CASE("solids move up to what they touch, and out of what they overlap") {
@@ -669,6 +674,9 @@ TEST_CASE("settings change live: a winch, damping, what was set is read") {
     settings.substeps = 5;
     solver.set_settings(settings);
     CHECK(solver.get_settings().substeps == 5);
+    solver.set_worker_count(2);
+    CHECK(solver.get_worker_count() == 2);
+    CHECK(solver.get_leftover() == 0);
     const auto rope = solver.add_rope(std::vector<Vec3>{zero, {0, -1, 0}}, 0);
     solver.set_pinned(rope, 0, 1, true);
     std::vector<std::int32_t> pinned(2);

@@ -241,6 +241,9 @@ public class MotionTests {
         settings.Substeps = 5;
         solver.SetSettings(settings);
         Assert.AreEqual(5, solver.GetSettings().Substeps);
+        solver.SetWorkerCount(2);
+        Assert.AreEqual(2, solver.GetWorkerCount());
+        Assert.AreEqual(0, solver.GetLeftover());
         var rope = solver.AddRope(new Vec3[] { (0, 0, 0), (0, -1, 0) }, 0);
         solver.SetPinned(rope, 0, 1, true);
         var pinned = new int[2];

@@ -128,6 +128,9 @@ public class SceneTests {
         CollectionAssert.AreEqual(new[] { target }, camera.PickRectangleFiltered(scene, 0, 0, 800, 600, filter));
         CollectionAssert.AreEqual(new[] { target }, camera.CullFiltered(scene, filter));
         CollectionAssert.AreEqual(new[] { target }, scene.CullFiltered(camera.GetFrustum(), filter));
+        var views = new[] { camera.GetFrustum(), camera.GetFrustum() };
+        CollectionAssert.AreEqual(new[] { 0, 3, 6 }, scene.CullBatch(views).Offsets);
+        CollectionAssert.AreEqual(new[] { target }, scene.CullFilteredBatch(views, filter)[1]);
     }
 
     [Test]
@@ -347,6 +350,8 @@ public class SceneTests {
         scene.Add(capsule);
         scene.RebuildOctree();
         Assert.IsTrue(scene.MaintainOctree(1000));
+        scene.SetWorkerCount(2);
+        Assert.AreEqual(2, scene.GetWorkerCount());
         scene.Clear();
         Assert.AreEqual(0, scene.GetModels().Length);
     }

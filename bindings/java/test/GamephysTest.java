@@ -160,6 +160,8 @@ public class GamephysTest {
         scene.add(BALL);
         scene.rebuildOctree();
         assertTrue(scene.maintainOctree(1000));
+        scene.setWorkerCount(2);
+        assertEquals(2, scene.getWorkerCount());
         scene.clear();
         assertEquals(0, scene.getModels().size());
         scene.setOrigin(new double[] {1e9 + 0.5, 0, 0});
@@ -278,6 +280,9 @@ public class GamephysTest {
         assertEquals(List.of(target), camera.pickRectangleFiltered(scene, 0, 0, 800, 600, filter));
         assertEquals(List.of(target), camera.cullFiltered(scene, filter));
         assertEquals(List.of(target), scene.cullFiltered(camera.getFrustum(), filter));
+        Batch<Frustum> views = Batch.copyOf(Frustum.LAYOUT, List.of(camera.getFrustum(), camera.getFrustum()));
+        assertEquals(List.of(0, 3, 6), scene.cullBatch(views).offsets());
+        assertEquals(List.of(target), scene.cullFilteredBatch(views, filter).get(1));
     }
 
     @Test
@@ -595,6 +600,9 @@ public class GamephysTest {
                 s.gravity(), 5, s.fixedStep(), s.maxSteps(), s.sleepSpeed(), s.sleepStrain(), s.sleepTime(),
                 s.maxStrain(), s.tolerance(), s.maxSubsteps(), s.maxWork()));
         assertEquals(5, solver.getSettings().substeps());
+        solver.setWorkerCount(2);
+        assertEquals(2, solver.getWorkerCount());
+        assertEquals(0, solver.getLeftover(), 0);
         int rope = solver.addRope(points(ZERO, v(0, -1, 0)), 0);
         solver.setPinned(rope, 0, 1, true);
         assertEquals(List.of(1, 0), solver.getPinned(rope, 0, 2));

@@ -127,6 +127,8 @@ test('models', () => {
     scene.add(ball);
     scene.rebuildOctree();
     assert.equal(scene.maintainOctree(1000), true);
+    scene.setWorkerCount(2);
+    assert.ok([1, 2].includes(scene.getWorkerCount())); // 1 where there are no threads
     scene.clear();
     assert.strictEqual(scene.getSceneBounds(), null);
 });
@@ -203,6 +205,10 @@ test('filters leave out models', () => {
     same([...camera.pickRectangleFiltered(scene, 0, 0, 800, 600, filter)], [target]);
     same([...camera.cullFiltered(scene, filter)], [target]);
     same([...scene.cullFiltered(camera.getFrustum(), filter)], [target]);
+    const { origin, planes } = camera.getFrustum();
+    const view = [...origin, ...planes.flatMap(({ normal, distance }) => [...normal, distance])], views = floats(...view, ...view);
+    same([...scene.cullBatch(views).offsets], [0, 3, 6]);
+    same([...scene.cullFilteredBatch(views, filter).values], [target, target]);
 });
 
 test('shapes change, trees and cameras are read', () => {
@@ -399,6 +405,8 @@ test('settings change live', () => {
     const solver = new gp.Solver();
     solver.setSettings({ ...solver.getSettings(), substeps: 5 });
     assert.strictEqual(solver.getSettings().substeps, 5);
+    solver.setWorkerCount(1);
+    same([solver.getWorkerCount(), solver.getLeftover()], [1, 0]);
     const rope = solver.addRope(floats(0, 0, 0, 0, -1, 0), 0);
     solver.setPinned(rope, 0, 1, true);
     same([...solver.getPinned(rope, 0, 2)], [1, 0]);

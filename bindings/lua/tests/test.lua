@@ -111,6 +111,8 @@ function tests.models()
     scene:add(ball)
     scene:rebuild_octree()
     assert(scene:maintain_octree(1000))
+    scene:set_worker_count(2)
+    assert(scene:get_worker_count() == 2)
     scene:clear()
     assert(select(2, scene:get_models()) == 0)
     scene:set_origin { 1e9 + 0.5, 0, 0 }
@@ -211,6 +213,10 @@ function tests.filters_leave_out_models()
     assert(camera:pick_rectangle_filtered(scene, 0, 0, 800, 600, filter)[0] == target)
     assert(camera:cull_filtered(scene, filter)[0] == target)
     assert(scene:cull_filtered(camera:get_frustum(), filter)[0] == target)
+    local views = { camera:get_frustum(), camera:get_frustum() }
+    local _, all_ends = scene:cull_batch(views)
+    assert(all_ends[1] == 3 and all_ends[2] == 6)
+    assert(scene:cull_filtered_batch(views, filter)[1] == target)
 end
 
 function tests.solids_move_up_to_what_they_touch_and_out_of_what_they_overlap()
@@ -485,6 +491,8 @@ function tests.settings_change_live()
     settings.substeps = 5
     solver:set_settings(settings)
     assert(solver:get_settings().substeps == 5)
+    solver:set_worker_count(2)
+    assert(solver:get_worker_count() == 2 and solver:get_leftover() == 0)
     local rope = solver:add_rope(gp.array('vec3', { { 0, 0, 0 }, { 0, -1, 0 } }), 0)
     solver:set_pinned(rope, 0, 1, true)
     local pinned = solver:get_pinned(rope, 0, 2)

@@ -98,6 +98,8 @@ class Functions(unittest.TestCase):
         scene.add(BALL)
         scene.rebuild_octree()
         assert scene.maintain_octree(1000)
+        scene.set_worker_count(2)
+        self.assertEqual(scene.get_worker_count(), 2)
         scene.clear()
         self.assertEqual(len(scene.get_models()), 0)
         scene.set_origin((1e9 + 0.5, 0, 0))
@@ -209,6 +211,9 @@ class Functions(unittest.TestCase):
         self.assertEqual(camera.pick_rectangle_filtered(scene, 0, 0, 800, 600, both).tolist(), [target])
         self.assertEqual(camera.cull_filtered(scene, both).tolist(), [target])
         self.assertEqual(scene.cull_filtered(camera.get_frustum(), both).tolist(), [target])
+        views = [camera.get_frustum(), camera.get_frustum()]
+        self.assertEqual(scene.cull_batch(views)[1].tolist(), [0, 3, 6])
+        self.assertEqual(scene.cull_filtered_batch(views, both)[0].tolist(), [target, target])
 
     def test_solids_move_up_to_what_they_touch_and_out_of_what_they_overlap(self):
         centred = gp.Sphere((0, 0, 0), 1)
@@ -468,6 +473,8 @@ class Functions(unittest.TestCase):
         settings.substeps = 5
         solver.set_settings(settings)
         self.assertEqual(solver.get_settings().substeps, 5)
+        solver.set_worker_count(2)
+        self.assertEqual((solver.get_worker_count(), solver.get_leftover()), (2, 0))
         rope = solver.add_rope([(0, 0, 0), (0, -1, 0)], 0)
         solver.set_pinned(rope, 0, 1, True)
         self.assertEqual(solver.get_pinned(rope, 0, 2).tolist(), [1, 0])

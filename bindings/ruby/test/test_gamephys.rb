@@ -120,6 +120,8 @@ class TestGamephys < Minitest::Test
     scene.add(BALL)
     scene.rebuild_octree
     assert scene.maintain_octree(1000)
+    scene.set_worker_count(2)
+    assert_equal 2, scene.get_worker_count
     scene.clear
     assert_equal 0, scene.get_models.size
     scene.set_origin([1e9 + 0.5, 0, 0])
@@ -205,6 +207,9 @@ class TestGamephys < Minitest::Test
     lists = [camera.pick_rectangle_filtered(scene, 0, 0, 800, 600, filter), camera.cull_filtered(scene, filter),
              scene.cull_filtered(camera.get_frustum, filter)]
     assert_equal [[target]] * 3, lists.map(&:to_a)
+    views = [camera.get_frustum, camera.get_frustum]
+    assert_equal [0, 3, 6], scene.cull_batch(views)[1].to_a
+    assert_equal [target, target], scene.cull_filtered_batch(views, filter)[0].to_a
   end
 
   def test_solids_move_up_to_what_they_touch_and_out_of_what_they_overlap
@@ -483,6 +488,8 @@ class TestGamephys < Minitest::Test
     settings.substeps = 5
     solver.set_settings(settings)
     assert_equal 5, solver.get_settings.substeps
+    solver.set_worker_count(2)
+    assert_equal [2, 0], [solver.get_worker_count, solver.get_leftover]
     rope = solver.add_rope([[0, 0, 0], [0, -1, 0]])
     solver.set_pinned(rope, 0, 1, true)
     assert_equal [1, 0], solver.get_pinned(rope, 0, 2).to_a

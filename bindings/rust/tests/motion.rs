@@ -216,6 +216,8 @@ fn settings_change_live() {
     settings.substeps = 5;
     solver.set_settings(&settings).unwrap();
     assert_eq!(solver.get_settings().unwrap().substeps, 5);
+    solver.set_worker_count(2).unwrap();
+    assert_eq!((solver.get_worker_count().unwrap(), solver.get_leftover().unwrap()), (2, 0.0));
     let rope = solver.add_rope(&[[0.0; 3], [0.0, -1.0, 0.0]], 0.0, None).unwrap();
     solver.set_pinned(rope, 0, 1, true).unwrap();
     let mut pinned = [7; 2];

@@ -118,6 +118,9 @@ fn filters_leave_out_models() {
     assert_eq!(camera.pick_rectangle_filtered(&scene, 0.0, 0.0, 800.0, 600.0, without).unwrap(), [target]);
     assert_eq!(camera.cull_filtered(&scene, without).unwrap(), [target]);
     assert_eq!(scene.cull_filtered(&camera.get_frustum().unwrap(), without).unwrap(), [target]);
+    let views = [camera.get_frustum().unwrap(); 2];
+    assert_eq!(scene.cull_batch(&views, ALL_LAYERS).unwrap()[1].len(), 3);
+    assert_eq!(scene.cull_filtered_batch(&views, without).unwrap()[1], [target]);
 }
 
 #[test]
@@ -363,6 +366,8 @@ fn models_are_moved_described_and_removed() {
     scene.remove_batch(&more[..1]).unwrap();
     scene.rebuild_octree().unwrap();
     assert!(scene.maintain_octree(1000).unwrap());
+    scene.set_worker_count(2).unwrap();
+    assert_eq!(scene.get_worker_count().unwrap(), 2);
     scene.clear().unwrap();
     assert!(scene.get_models().unwrap().is_empty() && scene.get_scene_bounds().unwrap().is_none());
 }
