@@ -518,6 +518,39 @@ func (o *Scene) open() (unsafe.Pointer, error) {
 	return o.handle, nil
 }
 
+// Change the number of threads that share the calls of a scene, such as by a setting of the user's.
+// They are those of its task_runner if it was created with one. In a child of fork they are started
+// again. Answers keep their bits.
+//   - workers: as SceneDesc.worker_count
+// The error is ErrOutOfMemory also if the threads cannot be started; the former ones are kept.
+// Cost: that of joining the former threads and starting others; allocates. Since 1.1.
+func (o *Scene) SetWorkerCount(workers uint32) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_scene_set_worker_count(self, C.uint32_t(workers))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
+// How many threads share the calls of a scene: 1 or more, 1 on a platform without threads.
+// Cost: O(1). Since 1.1.
+func (o *Scene) WorkerCount() (workers uint32, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_scene_get_worker_count(self)
+	runtime.KeepAlive(o)
+	if err = check(r.status, r.message); err != nil {
+		return
+	}
+	workers = *(*uint32)(unsafe.Pointer(&r.out_workers))
+	return
+}
+
 // Move the point of the world that all coordinates of the scene count from, those that it is given and
 // those that it returns. Models stay where they are in the world: the positions of those without a
 // parent become what they are from there, kept in double precision and rounded to float32 once,
@@ -1234,6 +1267,27 @@ func (o *Scene) Cull(frustum Frustum, layers uint32) (result []ModelID, err erro
 	return
 }
 
+// Ids of the models in each of count frusta, as Scene.Cull: for split screens, cascades of shadow
+// maps, faces of a cube map, many sensors. Those of frustum i are at models[offsets[i]] up to
+// offsets[i + 1], as in Scene.RaycastAllBatch.
+// Cost: that of as many single calls; shared among workers. Since 1.1.
+func (o *Scene) CullBatch(frusta []Frustum, layers uint32) (result Ragged[ModelID], err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	count, err := commonLength([]int{}, len(frusta))
+	if err != nil {
+		return
+	}
+	result, err = ragged[ModelID](count, func(out unsafe.Pointer, capacity C.uint32_t, offsets *C.uint32_t) (C.gphys_status, *C.char) {
+		r := C.go_gphys_scene_cull_batch(self, (*C.gphys_frustum)(data(frusta)), step(frusta), C.uint32_t(count), C.uint32_t(layers), (*C.gphys_model_id)(out), capacity, offsets)
+		return r.status, r.message
+	})
+	runtime.KeepAlive(o)
+	return
+}
+
 // The model nearest to a point, and its closest point.
 //   - maxDistance: metres, >= 0, INFINITY allowed; a model at exactly this distance counts
 // Result: found is false if nothing is found.
@@ -1669,6 +1723,27 @@ func (o *Scene) CullFiltered(frustum Frustum, filter *QueryFilterDesc) (result [
 	return
 }
 
+// Ids of the models in each of count frusta that its filter sees, as Scene.CullBatch: each player's
+// view leaves out the player's own head.
+//   - filters: nil: the defaults
+// Cost: that of as many single calls; shared among workers. Since 1.1.
+func (o *Scene) CullFilteredBatch(frusta []Frustum, filters *QueryFilterDesc) (result Ragged[ModelID], err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	count, err := commonLength([]int{}, len(frusta))
+	if err != nil {
+		return
+	}
+	result, err = ragged[ModelID](count, func(out unsafe.Pointer, capacity C.uint32_t, offsets *C.uint32_t) (C.gphys_status, *C.char) {
+		r := C.go_gphys_scene_cull_filtered_batch(self, (*C.gphys_frustum)(data(frusta)), step(frusta), C.uint32_t(count), (*C.gphys_query_filter_desc)(unsafe.Pointer(filters)), 0, (*C.gphys_model_id)(out), capacity, offsets)
+		return r.status, r.message
+	})
+	runtime.KeepAlive(o)
+	return
+}
+
 // The model nearest to a point that the filter sees, as Scene.Nearest: the nearest other model, if the
 // one at the point is left out.
 //   - maxDistance: metres, >= 0, INFINITY allowed; a model at exactly this distance counts
@@ -1981,7 +2056,7 @@ func (o *Scene) Snapshot(embedMeshes bool) (result []uint32, err error) {
 // The error is ErrInvalidArgument for words that are no snapshot of a scene, damaged, of a later
 // format or of another byte order, and if a mesh is missing.
 // The error is ErrOutOfMemory if there is no room for it.
-// Cost: O(n), some 150 ns for each model, besides embedded meshes (Mesh). Allocates.
+// Cost: O(n), 150 to 700 ns for each model, besides embedded meshes (Mesh). Allocates.
 func (o *Scene) Restore(library *Scene, words []uint32) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -3040,6 +3115,38 @@ func (o *Solver) open() (unsafe.Pointer, error) {
 	return o.handle, nil
 }
 
+// Change the number of threads that share the steps of a solver, as Scene.SetWorkerCount. The bits of
+// the motion stay the same.
+//   - workers: as SolverDesc.worker_count
+// The error is ErrOutOfMemory also if the threads cannot be started; the former ones are kept.
+// Cost: as Scene.SetWorkerCount; allocates. Since 1.1.
+func (o *Solver) SetWorkerCount(workers uint32) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_solver_set_worker_count(self, C.uint32_t(workers))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
+// How many threads share the steps of a solver, as Scene.WorkerCount.
+// Cost: O(1). Since 1.1.
+func (o *Solver) WorkerCount() (workers uint32, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_solver_get_worker_count(self)
+	runtime.KeepAlive(o)
+	if err = check(r.status, r.message); err != nil {
+		return
+	}
+	workers = *(*uint32)(unsafe.Pointer(&r.out_workers))
+	return
+}
+
 // Move the point of the world that the coordinates of all particles count from; see Scene.SetOrigin.
 // Particles stay where they are in the world and keep moving as they do. A step and an attachment need
 // a scene of the same origin, else they fail with ErrInvalidArgument.
@@ -3184,7 +3291,10 @@ func (o *Solver) AddRope(positions []Vec3, linkLength float32, desc *BodyDesc) (
 }
 
 // Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
-// corner + column / (columns - 1) * edgeU + row / (rows - 1) * edgeV.
+// corner + column / (columns - 1) * edgeU + row / (rows - 1) * edgeV. Its constraints, in the order of
+// their ids, are those from row to row, those from column to column, both diagonals (ClothShear), and
+// those that resist folding (ClothBend); Solver.SetConstraintSettings makes them softer or stiffer
+// later.
 //   - desc: nil: the defaults
 //   - corner: metres
 //   - edgeU, edgeV: metres, from the corner along a row and along a column
@@ -3207,7 +3317,8 @@ func (o *Solver) AddCloth(corner Vec3, edgeU Vec3, edgeV Vec3, columns uint32, r
 }
 
 // Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and with
-// ClothBend one across each inner edge. Vertices at the same place stay separate.
+// ClothBend one across each inner edge, whose ids come after those of the edges. Vertices at the same
+// place stay separate.
 //   - desc: nil: the defaults
 //   - transform: places the mesh; nil is the identity
 // The error is ErrCapacity beyond 2^24 - 1 particles or bodies.
@@ -4098,6 +4209,24 @@ func (o *Solver) Advance(scene *Scene, frameTime float32) (steps uint32, leftove
 		return
 	}
 	steps = *(*uint32)(unsafe.Pointer(&r.out_steps))
+	leftover = *(*float32)(unsafe.Pointer(&r.out_leftover))
+	return
+}
+
+// The fraction of a step that Solver.Advance still owes: what it gave last as leftover, unless the
+// solver was restored or given another fixed_step since.
+// Result: from 0 to below 1.
+// Cost: O(1). Since 1.1.
+func (o *Solver) Leftover() (leftover float32, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_solver_get_leftover(self)
+	runtime.KeepAlive(o)
+	if err = check(r.status, r.message); err != nil {
+		return
+	}
 	leftover = *(*float32)(unsafe.Pointer(&r.out_leftover))
 	return
 }

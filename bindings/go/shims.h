@@ -568,6 +568,29 @@ static inline go_gphys_scene_create_result go_gphys_scene_create(const gphys_sce
     return r;
 }
 
+typedef struct go_gphys_scene_set_worker_count_result {
+    gphys_status status;
+    char* message;
+} go_gphys_scene_set_worker_count_result;
+static inline go_gphys_scene_set_worker_count_result go_gphys_scene_set_worker_count(void* scene, uint32_t workers) {
+    go_gphys_scene_set_worker_count_result r = {0};
+    r.status = gphys_scene_set_worker_count(scene, workers);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_get_worker_count_result {
+    gphys_status status;
+    char* message;
+    uint32_t out_workers;
+} go_gphys_scene_get_worker_count_result;
+static inline go_gphys_scene_get_worker_count_result go_gphys_scene_get_worker_count(void* scene) {
+    go_gphys_scene_get_worker_count_result r = {0};
+    r.status = gphys_scene_get_worker_count(scene, &r.out_workers);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_scene_set_origin_result {
     gphys_status status;
     char* message;
@@ -1036,6 +1059,17 @@ static inline go_gphys_scene_cull_result go_gphys_scene_cull(void* scene, gphys_
     return r;
 }
 
+typedef struct go_gphys_scene_cull_batch_result {
+    gphys_status status;
+    char* message;
+} go_gphys_scene_cull_batch_result;
+static inline go_gphys_scene_cull_batch_result go_gphys_scene_cull_batch(void* scene, const gphys_frustum * frusta, uint32_t frustum_stride, uint32_t count, uint32_t layers, gphys_model_id * out_models, uint32_t capacity, uint32_t * out_offsets) {
+    go_gphys_scene_cull_batch_result r = {0};
+    r.status = gphys_scene_cull_batch(scene, frusta, frustum_stride, count, layers, out_models, capacity, out_offsets);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_scene_nearest_result {
     gphys_status status;
     char* message;
@@ -1274,6 +1308,17 @@ typedef struct go_gphys_scene_cull_filtered_result {
 static inline go_gphys_scene_cull_filtered_result go_gphys_scene_cull_filtered(void* scene, gphys_frustum frustum, const gphys_query_filter_desc * filter, gphys_model_id * out_models, uint32_t capacity) {
     go_gphys_scene_cull_filtered_result r = {0};
     r.status = gphys_scene_cull_filtered(scene, &frustum, filter, out_models, capacity, &r.out_total);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_cull_filtered_batch_result {
+    gphys_status status;
+    char* message;
+} go_gphys_scene_cull_filtered_batch_result;
+static inline go_gphys_scene_cull_filtered_batch_result go_gphys_scene_cull_filtered_batch(void* scene, const gphys_frustum * frusta, uint32_t frustum_stride, uint32_t count, const gphys_query_filter_desc * filters, uint32_t filter_stride, gphys_model_id * out_models, uint32_t capacity, uint32_t * out_offsets) {
+    go_gphys_scene_cull_filtered_batch_result r = {0};
+    r.status = gphys_scene_cull_filtered_batch(scene, frusta, frustum_stride, count, filters, filter_stride, out_models, capacity, out_offsets);
     r.message = go_message(r.status);
     return r;
 }
@@ -2133,6 +2178,29 @@ static inline go_gphys_solver_create_result go_gphys_solver_create(const gphys_s
     return r;
 }
 
+typedef struct go_gphys_solver_set_worker_count_result {
+    gphys_status status;
+    char* message;
+} go_gphys_solver_set_worker_count_result;
+static inline go_gphys_solver_set_worker_count_result go_gphys_solver_set_worker_count(void* solver, uint32_t workers) {
+    go_gphys_solver_set_worker_count_result r = {0};
+    r.status = gphys_solver_set_worker_count(solver, workers);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_solver_get_worker_count_result {
+    gphys_status status;
+    char* message;
+    uint32_t out_workers;
+} go_gphys_solver_get_worker_count_result;
+static inline go_gphys_solver_get_worker_count_result go_gphys_solver_get_worker_count(void* solver) {
+    go_gphys_solver_get_worker_count_result r = {0};
+    r.status = gphys_solver_get_worker_count(solver, &r.out_workers);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_solver_set_origin_result {
     gphys_status status;
     char* message;
@@ -2794,6 +2862,18 @@ typedef struct go_gphys_solver_advance_result {
 static inline go_gphys_solver_advance_result go_gphys_solver_advance(void* solver, void* scene, float frame_time) {
     go_gphys_solver_advance_result r = {0};
     r.status = gphys_solver_advance(solver, scene, frame_time, &r.out_steps, &r.out_leftover);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_solver_get_leftover_result {
+    gphys_status status;
+    char* message;
+    float out_leftover;
+} go_gphys_solver_get_leftover_result;
+static inline go_gphys_solver_get_leftover_result go_gphys_solver_get_leftover(void* solver) {
+    go_gphys_solver_get_leftover_result r = {0};
+    r.status = gphys_solver_get_leftover(solver, &r.out_leftover);
     r.message = go_message(r.status);
     return r;
 }

@@ -768,6 +768,17 @@ export class Scene {
     constructor(desc?: Partial<SceneDesc> | null);
     /** Frees the object at once. */
     close(): void;
+    /** Change the number of threads that share the calls of a scene, such as by a setting of the user's.
+     * They are those of its task_runner if it was created with one. In a child of fork they are started
+     * again. Answers keep their bits.
+     * Cost: that of joining the former threads and starting others; allocates. Since 1.1.
+     * @param workers - as SceneDesc.worker_count
+     * @throws {GamephysError} ERROR_OUT_OF_MEMORY: also if the threads cannot be started; the former ones
+     *     are kept */
+    setWorkerCount(workers: number): void;
+    /** How many threads share the calls of a scene: 1 or more, 1 on a platform without threads.
+     * Cost: O(1). Since 1.1. */
+    getWorkerCount(): number;
     /** Move the point of the world that all coordinates of the scene count from, those that it is given and
      * those that it returns. Models stay where they are in the world: the positions of those without a
      * parent become what they are from there, kept in double precision and rounded to float32 once,
@@ -971,6 +982,11 @@ export class Scene {
      * the view is wide. Scene.overlap sorts these out by testing the shapes.
      * Cost: O(log n + k) expected. */
     cull(frustum: Given<Frustum>, layers?: number): Records<number>;
+    /** Ids of the models in each of count frusta, as Scene.cull: for split screens, cascades of shadow
+     * maps, faces of a cube map, many sensors. Those of frustum i are at models[offsets[i]] up to
+     * offsets[i + 1], as in Scene.raycastAllBatch.
+     * Cost: that of as many single calls; shared among workers. Since 1.1. */
+    cullBatch(frusta: Elements, layers?: number): { values: Records<number>; offsets: Uint32Array };
     /** The model nearest to a point, and its closest point.
      * Cost: O(log n) expected.
      * @param max_distance - metres, >= 0, INFINITY allowed; a model at exactly this distance counts
@@ -1078,6 +1094,11 @@ export class Scene {
      * Cost: that of Scene.cull, and for each model as Scene.raycastFiltered.
      * @param filter - null: the defaults */
     cullFiltered(frustum: Given<Frustum>, filter?: Partial<QueryFilterDesc> | null): Records<number>;
+    /** Ids of the models in each of count frusta that its filter sees, as Scene.cullBatch: each player's
+     * view leaves out the player's own head.
+     * Cost: that of as many single calls; shared among workers. Since 1.1.
+     * @param filters - null: the defaults */
+    cullFilteredBatch(frusta: Elements, filters?: Partial<QueryFilterDesc> | null): { values: Records<number>; offsets: Uint32Array };
     /** The model nearest to a point that the filter sees, as Scene.nearest: the nearest other model, if the
      * one at the point is left out.
      * Cost: as Scene.raycastFiltered.
@@ -1174,7 +1195,7 @@ export class Scene {
      * that was restored with its scene steps on with the same bits. On an error the scene is as before.
      * Any words are safe, also those of a stranger: all that is used as a number or an index is checked
      * first. Made-up words are refused, or taken as a scene like any other.
-     * Cost: O(n), some 150 ns for each model, besides embedded meshes (Mesh). Allocates.
+     * Cost: O(n), 150 to 700 ns for each model, besides embedded meshes (Mesh). Allocates.
      * @param library - meshes that are not embedded are looked for among those that models of this scene
      *     use, by what they hold: vertices and indices, so one that has been deformed since is to be put
      *     back first. null: among those that models of `scene` itself use, before it is restored.
@@ -1493,6 +1514,16 @@ export class Solver {
     constructor(desc?: Partial<SolverDesc> | null);
     /** Frees the object at once. */
     close(): void;
+    /** Change the number of threads that share the steps of a solver, as Scene.setWorkerCount. The bits of
+     * the motion stay the same.
+     * Cost: as Scene.setWorkerCount; allocates. Since 1.1.
+     * @param workers - as SolverDesc.worker_count
+     * @throws {GamephysError} ERROR_OUT_OF_MEMORY: also if the threads cannot be started; the former ones
+     *     are kept */
+    setWorkerCount(workers: number): void;
+    /** How many threads share the steps of a solver, as Scene.getWorkerCount.
+     * Cost: O(1). Since 1.1. */
+    getWorkerCount(): number;
     /** Move the point of the world that the coordinates of all particles count from; see Scene.setOrigin.
      * Particles stay where they are in the world and keep moving as they do. A step and an attachment need
      * a scene of the same origin, else they fail with ERROR_INVALID_ARGUMENT.
@@ -1538,7 +1569,10 @@ export class Solver {
      * @throws {GamephysError} ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies */
     addRope(positions: Elements, link_length: number, desc?: Partial<BodyDesc> | null): number;
     /** Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
-     * corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v.
+     * corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v. Its constraints, in the order
+     * of their ids, are those from row to row, those from column to column, both diagonals (CLOTH_SHEAR),
+     * and those that resist folding (CLOTH_BEND); Solver.setConstraintSettings makes them softer or
+     * stiffer later.
      * Cost: O(columns * rows).
      * @param desc - null: the defaults
      * @param corner - metres
@@ -1550,7 +1584,8 @@ export class Solver {
      * @throws {GamephysError} ERROR_CAPACITY: beyond 2^24 - 1 particles, links or bodies */
     addCloth(corner: Given<number[]>, edge_u: Given<number[]>, edge_v: Given<number[]>, columns: number, rows: number, desc?: Partial<BodyDesc> | null): number;
     /** Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and with
-     * CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
+     * CLOTH_BEND one across each inner edge, whose ids come after those of the edges. Vertices at the same
+     * place stay separate.
      * Cost: O(n log n).
      * @param desc - null: the defaults
      * @param transform - places the mesh; null is the identity
@@ -1841,6 +1876,11 @@ export class Solver {
      * @throws {GamephysError} ERROR_OUT_OF_MEMORY: if there is none for the first step: nothing has
      *     changed. If there is none for a later one */
     advance(scene: Scene | null, frame_time: number): [number, number];
+    /** The fraction of a step that Solver.advance still owes: what it gave last as leftover, unless the
+     * solver was restored or given another fixed_step since.
+     * Cost: O(1). Since 1.1.
+     * @returns from 0 to below 1. */
+    getLeftover(): number;
     /** The substeps that a body took in the last step; 0 before its first. With SolverDesc.max_strain or
      * tolerance set, each body takes as many as its own motion needs: their length follows from what the
      * last step measured, the largest strain of its rigid constraints and the local error of the time

@@ -376,6 +376,25 @@ public:
         own(made);
     }
 
+    // Change the number of threads that share the calls of a scene, such as by a setting of the user's.
+    // They are those of its task_runner if it was created with one. In a child of fork they are started
+    // again. Answers keep their bits.
+    //   - workers: as SceneDesc.worker_count
+    // Throws Error with GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started; the former ones
+    // are kept.
+    // Cost: that of joining the former threads and starting others; allocates. Since 1.1.
+    void set_worker_count(uint32_t workers) {
+        check(gphys_scene_set_worker_count(handle(), workers));
+    }
+
+    // How many threads share the calls of a scene: 1 or more, 1 on a platform without threads.
+    // Cost: O(1). Since 1.1.
+    uint32_t get_worker_count() const {
+        uint32_t out_workers{};
+        check(gphys_scene_get_worker_count(handle(), &out_workers));
+        return out_workers;
+    }
+
     // Move the point of the world that all coordinates of the scene count from, those that it is given and
     // those that it returns. Models stay where they are in the world: the positions of those without a
     // parent become what they are from there, kept in double precision and rounded to float32 once,
@@ -731,6 +750,15 @@ public:
         return list<gphys_model_id>([&](gphys_model_id* out_models, uint32_t capacity, uint32_t* total) { return gphys_scene_cull(handle(), &frustum, layers, out_models, capacity, total); });
     }
 
+    // Ids of the models in each of count frusta, as Scene::cull: for split screens, cascades of shadow
+    // maps, faces of a cube map, many sensors. Those of frustum i are at models[offsets[i]] up to
+    // offsets[i + 1], as in Scene::raycast_all_batch.
+    // Cost: that of as many single calls; shared among workers. Since 1.1.
+    Ragged<gphys_model_id> cull_batch(Span<const Frustum> frusta, uint32_t layers = GPHYS_ALL_LAYERS) const {
+        const uint32_t count = common_size({frusta.sizes()});
+        return ragged<gphys_model_id>([&](gphys_model_id* out_models, uint32_t capacity, uint32_t* offsets) { return gphys_scene_cull_batch(handle(), frusta.data, frusta.stride, count, layers, out_models, capacity, offsets); }, count);
+    }
+
     // The model nearest to a point, and its closest point.
     //   - max_distance: metres, >= 0, INFINITY allowed; a model at exactly this distance counts
     // Result: std::nullopt if nothing is found.
@@ -928,6 +956,15 @@ public:
         return list<gphys_model_id>([&](gphys_model_id* out_models, uint32_t capacity, uint32_t* total) { return gphys_scene_cull_filtered(handle(), &frustum, filter, out_models, capacity, total); });
     }
 
+    // Ids of the models in each of count frusta that its filter sees, as Scene::cull_batch: each player's
+    // view leaves out the player's own head.
+    //   - filters: nullptr: the defaults
+    // Cost: that of as many single calls; shared among workers. Since 1.1.
+    Ragged<gphys_model_id> cull_filtered_batch(Span<const Frustum> frusta, const QueryFilterDesc* filters = nullptr) const {
+        const uint32_t count = common_size({frusta.sizes()});
+        return ragged<gphys_model_id>([&](gphys_model_id* out_models, uint32_t capacity, uint32_t* offsets) { return gphys_scene_cull_filtered_batch(handle(), frusta.data, frusta.stride, count, filters, 0, out_models, capacity, offsets); }, count);
+    }
+
     // The model nearest to a point that the filter sees, as Scene::nearest: the nearest other model, if
     // the one at the point is left out.
     //   - max_distance: metres, >= 0, INFINITY allowed; a model at exactly this distance counts
@@ -1089,7 +1126,7 @@ public:
     // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT for words that are no snapshot of a scene, damaged,
     // of a later format or of another byte order, and if a mesh is missing.
     // Throws Error with GPHYS_ERROR_OUT_OF_MEMORY if there is no room for it.
-    // Cost: O(n), some 150 ns for each model, besides embedded meshes (Mesh). Allocates.
+    // Cost: O(n), 150 to 700 ns for each model, besides embedded meshes (Mesh). Allocates.
     void restore(const Scene* library, Span<const uint32_t> words) {
         const uint32_t count = common_size({words.sizes()});
         check(gphys_scene_restore(handle(), library ? library->handle() : nullptr, words.data, count));
@@ -1628,6 +1665,24 @@ public:
         own(made);
     }
 
+    // Change the number of threads that share the steps of a solver, as Scene::set_worker_count. The bits
+    // of the motion stay the same.
+    //   - workers: as SolverDesc.worker_count
+    // Throws Error with GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started; the former ones
+    // are kept.
+    // Cost: as Scene::set_worker_count; allocates. Since 1.1.
+    void set_worker_count(uint32_t workers) {
+        check(gphys_solver_set_worker_count(handle(), workers));
+    }
+
+    // How many threads share the steps of a solver, as Scene::get_worker_count.
+    // Cost: O(1). Since 1.1.
+    uint32_t get_worker_count() const {
+        uint32_t out_workers{};
+        check(gphys_solver_get_worker_count(handle(), &out_workers));
+        return out_workers;
+    }
+
     // Move the point of the world that the coordinates of all particles count from; see Scene::set_origin.
     // Particles stay where they are in the world and keep moving as they do. A step and an attachment need
     // a scene of the same origin, else they fail with GPHYS_ERROR_INVALID_ARGUMENT.
@@ -1707,7 +1762,10 @@ public:
     }
 
     // Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
-    // corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v.
+    // corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v. Its constraints, in the order
+    // of their ids, are those from row to row, those from column to column, both diagonals
+    // (GPHYS_CLOTH_SHEAR), and those that resist folding (GPHYS_CLOTH_BEND);
+    // Solver::set_constraint_settings makes them softer or stiffer later.
     //   - desc: nullptr: the defaults
     //   - corner: metres
     //   - edge_u, edge_v: metres, from the corner along a row and along a column
@@ -1722,7 +1780,8 @@ public:
     }
 
     // Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and with
-    // GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
+    // GPHYS_CLOTH_BEND one across each inner edge, whose ids come after those of the edges. Vertices at
+    // the same place stay separate.
     //   - desc: nullptr: the defaults
     //   - transform: places the mesh; nullptr is the identity
     // Throws Error with GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies.
@@ -2187,6 +2246,16 @@ public:
         float out_leftover{};
         check(gphys_solver_advance(handle(), scene ? scene->handle() : nullptr, frame_time, &out_steps, &out_leftover));
         return std::make_tuple(out_steps, out_leftover);
+    }
+
+    // The fraction of a step that Solver::advance still owes: what it gave last as leftover, unless the
+    // solver was restored or given another fixed_step since.
+    // Result: from 0 to below 1.
+    // Cost: O(1). Since 1.1.
+    float get_leftover() const {
+        float out_leftover{};
+        check(gphys_solver_get_leftover(handle(), &out_leftover));
+        return out_leftover;
     }
 
     // The substeps that a body took in the last step; 0 before its first. With SolverDesc.max_strain or

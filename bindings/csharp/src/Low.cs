@@ -60,6 +60,8 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_scene_desc_init(SceneDesc* desc, uint size);
     [DllImport(Library)] internal static extern Status gphys_scene_create(SceneDesc* desc, IntPtr* out_scene);
     [DllImport(Library)] internal static extern void gphys_scene_destroy(IntPtr scene);
+    [DllImport(Library)] internal static extern Status gphys_scene_set_worker_count(SceneHandle scene, uint workers);
+    [DllImport(Library)] internal static extern Status gphys_scene_get_worker_count(SceneHandle scene, uint* out_workers);
     [DllImport(Library)] internal static extern Status gphys_scene_set_origin(SceneHandle scene, double* origin);
     [DllImport(Library)] internal static extern Status gphys_scene_get_origin(SceneHandle scene, double* out_origin);
     [DllImport(Library)] internal static extern Status gphys_model_desc_init(ModelDesc* desc, uint size);
@@ -101,6 +103,7 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_scene_overlap(SceneHandle scene, ShapeType type, void* shape, uint layers, uint* out_models, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_scene_overlap_batch(SceneHandle scene, ShapeType type, void* shapes, uint shape_stride, uint count, uint layers, uint* out_models, uint capacity, uint* out_offsets);
     [DllImport(Library)] internal static extern Status gphys_scene_cull(SceneHandle scene, Frustum* frustum, uint layers, uint* out_models, uint capacity, uint* out_total);
+    [DllImport(Library)] internal static extern Status gphys_scene_cull_batch(SceneHandle scene, Frustum* frusta, uint frustum_stride, uint count, uint layers, uint* out_models, uint capacity, uint* out_offsets);
     [DllImport(Library)] internal static extern Status gphys_scene_nearest(SceneHandle scene, Vec3* point, float max_distance, uint layers, Nearest* out_nearest);
     [DllImport(Library)] internal static extern Status gphys_scene_nearest_batch(SceneHandle scene, Vec3* points, uint point_stride, uint count, float max_distance, uint layers, Nearest* out_nearest, uint out_stride);
     [DllImport(Library)] internal static extern Status gphys_scene_sweep_sphere(SceneHandle scene, Sphere* sphere, Vec3* displacement, uint layers, Hit* out_hit);
@@ -122,6 +125,7 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_scene_overlap_filtered(SceneHandle scene, ShapeType type, void* shape, QueryFilterDesc* filter, uint* out_models, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_scene_overlap_filtered_batch(SceneHandle scene, ShapeType type, void* shapes, uint shape_stride, uint count, QueryFilterDesc* filters, uint filter_stride, uint* out_models, uint capacity, uint* out_offsets);
     [DllImport(Library)] internal static extern Status gphys_scene_cull_filtered(SceneHandle scene, Frustum* frustum, QueryFilterDesc* filter, uint* out_models, uint capacity, uint* out_total);
+    [DllImport(Library)] internal static extern Status gphys_scene_cull_filtered_batch(SceneHandle scene, Frustum* frusta, uint frustum_stride, uint count, QueryFilterDesc* filters, uint filter_stride, uint* out_models, uint capacity, uint* out_offsets);
     [DllImport(Library)] internal static extern Status gphys_scene_nearest_filtered(SceneHandle scene, Vec3* point, float max_distance, QueryFilterDesc* filter, Nearest* out_nearest);
     [DllImport(Library)] internal static extern Status gphys_scene_nearest_filtered_batch(SceneHandle scene, Vec3* points, uint point_stride, uint count, float max_distance, QueryFilterDesc* filters, uint filter_stride, Nearest* out_nearest, uint out_stride);
     [DllImport(Library)] internal static extern Status gphys_scene_sweep_sphere_filtered(SceneHandle scene, Sphere* sphere, Vec3* displacement, QueryFilterDesc* filter, Hit* out_hit);
@@ -197,6 +201,8 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_solver_desc_init(SolverDesc* desc, uint size);
     [DllImport(Library)] internal static extern Status gphys_solver_create(SolverDesc* desc, IntPtr* out_solver);
     [DllImport(Library)] internal static extern void gphys_solver_destroy(IntPtr solver);
+    [DllImport(Library)] internal static extern Status gphys_solver_set_worker_count(SolverHandle solver, uint workers);
+    [DllImport(Library)] internal static extern Status gphys_solver_get_worker_count(SolverHandle solver, uint* out_workers);
     [DllImport(Library)] internal static extern Status gphys_solver_set_origin(SolverHandle solver, double* origin);
     [DllImport(Library)] internal static extern Status gphys_solver_get_origin(SolverHandle solver, double* out_origin);
     [DllImport(Library)] internal static extern Status gphys_solver_set_gravity(SolverHandle solver, Vec3* gravity);
@@ -255,6 +261,7 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_solver_get_joints(SolverHandle solver, uint body, JointInfo* out_joints, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_solver_step(SolverHandle solver, SceneHandle scene, float dt);
     [DllImport(Library)] internal static extern Status gphys_solver_advance(SolverHandle solver, SceneHandle scene, float frame_time, uint* out_steps, float* out_leftover);
+    [DllImport(Library)] internal static extern Status gphys_solver_get_leftover(SolverHandle solver, float* out_leftover);
     [DllImport(Library)] internal static extern Status gphys_solver_get_substeps(SolverHandle solver, uint body, uint* out_substeps);
     [DllImport(Library)] internal static extern Status gphys_solver_get_stats(SolverHandle solver, uint body, SolverStats* out_stats);
     [DllImport(Library)] internal static extern Status gphys_solver_get_contacts(SolverHandle solver, Contact* out_contacts, uint capacity, uint* out_total);

@@ -374,6 +374,25 @@ public sealed partial class Scene : IDisposable {
     /// <summary>Frees the object at once. Any use afterwards throws ObjectDisposedException.</summary>
     public void Dispose() { Handle.Dispose(); }
 
+    /// <summary>Change the number of threads that share the calls of a scene, such as by a setting of the user's.
+    /// They are those of its task_runner if it was created with one. In a child of fork they are started
+    /// again. Answers keep their bits.
+    /// Cost: that of joining the former threads and starting others; allocates. Since 1.1.</summary>
+    /// <param name="workers">as SceneDesc.worker_count</param>
+    /// <exception cref="GamephysException">Status.ErrorOutOfMemory: also if the threads cannot be started;
+    /// the former ones are kept</exception>
+    public unsafe void SetWorkerCount(uint workers) {
+        Check(Low.gphys_scene_set_worker_count(Handle, workers));
+    }
+
+    /// <summary>How many threads share the calls of a scene: 1 or more, 1 on a platform without threads.
+    /// Cost: O(1). Since 1.1.</summary>
+    public unsafe uint GetWorkerCount() {
+        var workers = default(uint);
+        Check(Low.gphys_scene_get_worker_count(Handle, &workers));
+        return workers;
+    }
+
     /// <summary>Move the point of the world that all coordinates of the scene count from, those that it is given and
     /// those that it returns. Models stay where they are in the world: the positions of those without a
     /// parent become what they are from there, kept in double precision and rounded to float32 once,
@@ -875,6 +894,30 @@ public sealed partial class Scene : IDisposable {
         }
     }
 
+    /// <summary>Ids of the models in each of count frusta, as Scene.Cull: for split screens, cascades of shadow
+    /// maps, faces of a cube map, many sensors. Those of frustum i are at models[offsets[i]] up to
+    /// offsets[i + 1], as in Scene.RaycastAllBatch.
+    /// Cost: that of as many single calls; shared among workers. Since 1.1.</summary>
+    public unsafe Ragged<uint> CullBatch(ReadOnlySpan<Frustum> frusta, uint layers = Constants.AllLayers) {
+        var count = CommonLength(-1, frusta.Length);
+        var result = new uint[Guess + count];
+        var offsets = new uint[count + 1];
+        for (;;) {
+            Status status;
+            fixed (Frustum* frusta_ = &MemoryMarshal.GetReference(frusta))
+            fixed (uint* out_ = result)
+            fixed (uint* offsets_ = offsets)
+            status = Low.gphys_scene_cull_batch(Handle, frusta_, StrideOf(frusta), count, layers, out_, (uint)result.Length, offsets_);
+            Check(status);
+            var total = offsets[count];
+            if (status != Status.Incomplete) {
+                Array.Resize(ref result, (int)total);
+                return new Ragged<uint>(result, offsets);
+            }
+            result = new uint[total];
+        }
+    }
+
     /// <summary>The model nearest to a point, and its closest point.
     /// Cost: O(log n) expected.</summary>
     /// <param name="maxDistance">metres, &gt;= 0, INFINITY allowed; a model at exactly this distance
@@ -1208,6 +1251,31 @@ public sealed partial class Scene : IDisposable {
         }
     }
 
+    /// <summary>Ids of the models in each of count frusta that its filter sees, as Scene.CullBatch: each player's
+    /// view leaves out the player's own head.
+    /// Cost: that of as many single calls; shared among workers. Since 1.1.</summary>
+    /// <param name="filters">null: the defaults</param>
+    public unsafe Ragged<uint> CullFilteredBatch(ReadOnlySpan<Frustum> frusta, QueryFilterDesc? filters = null) {
+        var filters_ = filters.GetValueOrDefault();
+        var count = CommonLength(-1, frusta.Length);
+        var result = new uint[Guess + count];
+        var offsets = new uint[count + 1];
+        for (;;) {
+            Status status;
+            fixed (Frustum* frusta_ = &MemoryMarshal.GetReference(frusta))
+            fixed (uint* out_ = result)
+            fixed (uint* offsets_ = offsets)
+            status = Low.gphys_scene_cull_filtered_batch(Handle, frusta_, StrideOf(frusta), count, filters.HasValue ? &filters_ : null, 0, out_, (uint)result.Length, offsets_);
+            Check(status);
+            var total = offsets[count];
+            if (status != Status.Incomplete) {
+                Array.Resize(ref result, (int)total);
+                return new Ragged<uint>(result, offsets);
+            }
+            result = new uint[total];
+        }
+    }
+
     /// <summary>The model nearest to a point that the filter sees, as Scene.Nearest: the nearest other model, if the
     /// one at the point is left out.
     /// Cost: as Scene.RaycastFiltered.</summary>
@@ -1442,7 +1510,7 @@ public sealed partial class Scene : IDisposable {
     /// that was restored with its scene steps on with the same bits. On an error the scene is as before.
     /// Any words are safe, also those of a stranger: all that is used as a number or an index is checked
     /// first. Made-up words are refused, or taken as a scene like any other.
-    /// Cost: O(n), some 150 ns for each model, besides embedded meshes (Mesh). Allocates.</summary>
+    /// Cost: O(n), 150 to 700 ns for each model, besides embedded meshes (Mesh). Allocates.</summary>
     /// <param name="library">meshes that are not embedded are looked for among those that models of this
     /// scene use, by what they hold: vertices and indices, so one that has been deformed since is to be put
     /// back first. null: among those that models of `scene` itself use, before it is restored.</param>
@@ -2095,6 +2163,24 @@ public sealed partial class Solver : IDisposable {
     /// <summary>Frees the object at once. Any use afterwards throws ObjectDisposedException.</summary>
     public void Dispose() { Handle.Dispose(); }
 
+    /// <summary>Change the number of threads that share the steps of a solver, as Scene.SetWorkerCount. The bits of
+    /// the motion stay the same.
+    /// Cost: as Scene.SetWorkerCount; allocates. Since 1.1.</summary>
+    /// <param name="workers">as SolverDesc.worker_count</param>
+    /// <exception cref="GamephysException">Status.ErrorOutOfMemory: also if the threads cannot be started;
+    /// the former ones are kept</exception>
+    public unsafe void SetWorkerCount(uint workers) {
+        Check(Low.gphys_solver_set_worker_count(Handle, workers));
+    }
+
+    /// <summary>How many threads share the steps of a solver, as Scene.GetWorkerCount.
+    /// Cost: O(1). Since 1.1.</summary>
+    public unsafe uint GetWorkerCount() {
+        var workers = default(uint);
+        Check(Low.gphys_solver_get_worker_count(Handle, &workers));
+        return workers;
+    }
+
     /// <summary>Move the point of the world that the coordinates of all particles count from; see Scene.SetOrigin.
     /// Particles stay where they are in the world and keep moving as they do. A step and an attachment need
     /// a scene of the same origin, else they fail with Status.ErrorInvalidArgument.
@@ -2183,7 +2269,10 @@ public sealed partial class Solver : IDisposable {
     }
 
     /// <summary>Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
-    /// corner + column / (columns - 1) * edgeU + row / (rows - 1) * edgeV.
+    /// corner + column / (columns - 1) * edgeU + row / (rows - 1) * edgeV. Its constraints, in the order of
+    /// their ids, are those from row to row, those from column to column, both diagonals (ClothShear), and
+    /// those that resist folding (ClothBend); Solver.SetConstraintSettings makes them softer or stiffer
+    /// later.
     /// Cost: O(columns * rows).</summary>
     /// <param name="desc">null: the defaults</param>
     /// <param name="corner">metres</param>
@@ -2203,7 +2292,8 @@ public sealed partial class Solver : IDisposable {
     }
 
     /// <summary>Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and with
-    /// ClothBend one across each inner edge. Vertices at the same place stay separate.
+    /// ClothBend one across each inner edge, whose ids come after those of the edges. Vertices at the same
+    /// place stay separate.
     /// Cost: O(n log n).</summary>
     /// <param name="desc">null: the defaults</param>
     /// <param name="transform">places the mesh; null is the identity</param>
@@ -2785,6 +2875,16 @@ public sealed partial class Solver : IDisposable {
         var leftover = default(float);
         Check(Low.gphys_solver_advance(Handle, scene == null ? SceneHandle.None : scene.Handle, frameTime, &steps, &leftover));
         return (steps, leftover);
+    }
+
+    /// <summary>The fraction of a step that Solver.Advance still owes: what it gave last as leftover, unless the
+    /// solver was restored or given another fixed_step since.
+    /// Cost: O(1). Since 1.1.</summary>
+    /// <returns>from 0 to below 1.</returns>
+    public unsafe float GetLeftover() {
+        var leftover = default(float);
+        Check(Low.gphys_solver_get_leftover(Handle, &leftover));
+        return leftover;
     }
 
     /// <summary>The substeps that a body took in the last step; 0 before its first. With SolverDesc.max_strain or

@@ -130,6 +130,13 @@ export function objects(memory) {
                 return made(40);
             }, native.gphys_scene_destroy);
         }
+        setWorkerCount(workers) {
+            check(native.gphys_scene_set_worker_count(this.pointer, workers));
+        }
+        getWorkerCount() {
+            check(native.gphys_scene_get_worker_count(this.pointer, base));
+            return v.u32[0];
+        }
         setOrigin(origin) {
             numbers(v.f64, 0, origin, 3, 'origin');
             check(native.gphys_scene_set_origin(this.pointer, base));
@@ -333,6 +340,15 @@ export function objects(memory) {
             writeFrustum(v, 0, frustum);
             return list('uint32_t', 27, (room, capacity) => native.gphys_scene_cull(this.pointer, base, layers, room, capacity, base + 108));
         }
+        cullBatch(frusta, layers = ALL_LAYERS) {
+            begin();
+            const frusta_ = input(frusta, 108, 'frusta');
+            const count = common(frusta_);
+            const offsets = output(undefined, 'uint32_t', count + 1);
+            const frustaAt = pass(frusta_);
+            const out_offsetsAt = pass(offsets);
+            return ragged('uint32_t', offsets, (room, capacity) => native.gphys_scene_cull_batch(this.pointer, frustaAt, 108, count, layers, room, capacity, out_offsetsAt));
+        }
         nearest(point, max_distance, layers = ALL_LAYERS) {
             writeVec3(v, 0, point);
             if (check(native.gphys_scene_nearest(this.pointer, base, max_distance, layers, base + 12)) !== OK) return null;
@@ -478,6 +494,16 @@ export function objects(memory) {
             writeFrustum(v, 0, frustum);
             if (filter != null) { check(native.gphys_query_filter_desc_init(base + 112, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 28, filter); }
             return list('uint32_t', 36, (room, capacity) => native.gphys_scene_cull_filtered(this.pointer, base, filter == null ? 0 : base + 112, room, capacity, base + 144));
+        }
+        cullFilteredBatch(frusta, filters) {
+            begin();
+            const frusta_ = input(frusta, 108, 'frusta');
+            if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
+            const count = common(frusta_);
+            const offsets = output(undefined, 'uint32_t', count + 1);
+            const frustaAt = pass(frusta_);
+            const out_offsetsAt = pass(offsets);
+            return ragged('uint32_t', offsets, (room, capacity) => native.gphys_scene_cull_filtered_batch(this.pointer, frustaAt, 108, count, filters == null ? 0 : base, 0, room, capacity, out_offsetsAt));
         }
         nearestFiltered(point, max_distance, filter) {
             writeVec3(v, 0, point);
@@ -816,6 +842,13 @@ export function objects(memory) {
                 return made(80);
             }, native.gphys_solver_destroy);
         }
+        setWorkerCount(workers) {
+            check(native.gphys_solver_set_worker_count(this.pointer, workers));
+        }
+        getWorkerCount() {
+            check(native.gphys_solver_get_worker_count(this.pointer, base));
+            return v.u32[0];
+        }
         setOrigin(origin) {
             numbers(v.f64, 0, origin, 3, 'origin');
             check(native.gphys_solver_set_origin(this.pointer, base));
@@ -1085,6 +1118,10 @@ export function objects(memory) {
         advance(scene, frame_time) {
             check(native.gphys_solver_advance(this.pointer, pointer(scene, Scene, 'scene', true), frame_time, base, base + 4));
             return [v.u32[0], v.f32[1]];
+        }
+        getLeftover() {
+            check(native.gphys_solver_get_leftover(this.pointer, base));
+            return v.f32[0];
         }
         getSubsteps(body) {
             check(native.gphys_solver_get_substeps(this.pointer, body, base));

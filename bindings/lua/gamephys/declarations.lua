@@ -118,6 +118,8 @@ gphys_status gphys_mesh_get_octree_boxes(const gphys_mesh *mesh, gphys_octree_bo
 gphys_status gphys_scene_desc_init(gphys_scene_desc *desc, uint32_t size);
 gphys_status gphys_scene_create(const gphys_scene_desc *desc, gphys_scene **out_scene);
 void gphys_scene_destroy(gphys_scene *scene);
+gphys_status gphys_scene_set_worker_count(gphys_scene *scene, uint32_t workers);
+gphys_status gphys_scene_get_worker_count(const gphys_scene *scene, uint32_t *out_workers);
 gphys_status gphys_scene_set_origin(gphys_scene *scene, const double *origin);
 gphys_status gphys_scene_get_origin(const gphys_scene *scene, double *out_origin);
 gphys_status gphys_model_desc_init(gphys_model_desc *desc, uint32_t size);
@@ -159,6 +161,7 @@ gphys_status gphys_scene_segment_test_batch(const gphys_scene *scene, const gphy
 gphys_status gphys_scene_overlap(const gphys_scene *scene, gphys_shape_type type, const void *shape, uint32_t layers, gphys_model_id *out_models, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_scene_overlap_batch(const gphys_scene *scene, gphys_shape_type type, const void *shapes, uint32_t shape_stride, uint32_t count, uint32_t layers, gphys_model_id *out_models, uint32_t capacity, uint32_t *out_offsets);
 gphys_status gphys_scene_cull(const gphys_scene *scene, const gphys_frustum *frustum, uint32_t layers, gphys_model_id *out_models, uint32_t capacity, uint32_t *out_total);
+gphys_status gphys_scene_cull_batch(const gphys_scene *scene, const gphys_frustum *frusta, uint32_t frustum_stride, uint32_t count, uint32_t layers, gphys_model_id *out_models, uint32_t capacity, uint32_t *out_offsets);
 gphys_status gphys_scene_nearest(const gphys_scene *scene, const gphys_vec3 *point, float max_distance, uint32_t layers, gphys_nearest *out_nearest);
 gphys_status gphys_scene_nearest_batch(const gphys_scene *scene, const gphys_vec3 *points, uint32_t point_stride, uint32_t count, float max_distance, uint32_t layers, gphys_nearest *out_nearest, uint32_t out_stride);
 gphys_status gphys_scene_sweep_sphere(const gphys_scene *scene, const gphys_sphere *sphere, const gphys_vec3 *displacement, uint32_t layers, gphys_hit *out_hit);
@@ -180,6 +183,7 @@ gphys_status gphys_scene_segment_test_filtered_batch(const gphys_scene *scene, c
 gphys_status gphys_scene_overlap_filtered(const gphys_scene *scene, gphys_shape_type type, const void *shape, const gphys_query_filter_desc *filter, gphys_model_id *out_models, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_scene_overlap_filtered_batch(const gphys_scene *scene, gphys_shape_type type, const void *shapes, uint32_t shape_stride, uint32_t count, const gphys_query_filter_desc *filters, uint32_t filter_stride, gphys_model_id *out_models, uint32_t capacity, uint32_t *out_offsets);
 gphys_status gphys_scene_cull_filtered(const gphys_scene *scene, const gphys_frustum *frustum, const gphys_query_filter_desc *filter, gphys_model_id *out_models, uint32_t capacity, uint32_t *out_total);
+gphys_status gphys_scene_cull_filtered_batch(const gphys_scene *scene, const gphys_frustum *frusta, uint32_t frustum_stride, uint32_t count, const gphys_query_filter_desc *filters, uint32_t filter_stride, gphys_model_id *out_models, uint32_t capacity, uint32_t *out_offsets);
 gphys_status gphys_scene_nearest_filtered(const gphys_scene *scene, const gphys_vec3 *point, float max_distance, const gphys_query_filter_desc *filter, gphys_nearest *out_nearest);
 gphys_status gphys_scene_nearest_filtered_batch(const gphys_scene *scene, const gphys_vec3 *points, uint32_t point_stride, uint32_t count, float max_distance, const gphys_query_filter_desc *filters, uint32_t filter_stride, gphys_nearest *out_nearest, uint32_t out_stride);
 gphys_status gphys_scene_sweep_sphere_filtered(const gphys_scene *scene, const gphys_sphere *sphere, const gphys_vec3 *displacement, const gphys_query_filter_desc *filter, gphys_hit *out_hit);
@@ -255,6 +259,8 @@ gphys_status gphys_camera_cull_filtered(const gphys_camera *camera, const gphys_
 gphys_status gphys_solver_desc_init(gphys_solver_desc *desc, uint32_t size);
 gphys_status gphys_solver_create(const gphys_solver_desc *desc, gphys_solver **out_solver);
 void gphys_solver_destroy(gphys_solver *solver);
+gphys_status gphys_solver_set_worker_count(gphys_solver *solver, uint32_t workers);
+gphys_status gphys_solver_get_worker_count(const gphys_solver *solver, uint32_t *out_workers);
 gphys_status gphys_solver_set_origin(gphys_solver *solver, const double *origin);
 gphys_status gphys_solver_get_origin(const gphys_solver *solver, double *out_origin);
 gphys_status gphys_solver_set_gravity(gphys_solver *solver, const gphys_vec3 *gravity);
@@ -313,6 +319,7 @@ gphys_status gphys_solver_unjoin(gphys_solver *solver, gphys_joint_id joint);
 gphys_status gphys_solver_get_joints(const gphys_solver *solver, gphys_body_id body, gphys_joint_info *out_joints, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_solver_step(gphys_solver *solver, const gphys_scene *scene, float dt);
 gphys_status gphys_solver_advance(gphys_solver *solver, const gphys_scene *scene, float frame_time, uint32_t *out_steps, float *out_leftover);
+gphys_status gphys_solver_get_leftover(const gphys_solver *solver, float *out_leftover);
 gphys_status gphys_solver_get_substeps(const gphys_solver *solver, gphys_body_id body, uint32_t *out_substeps);
 gphys_status gphys_solver_get_stats(const gphys_solver *solver, gphys_body_id body, gphys_solver_stats *out_stats);
 gphys_status gphys_solver_get_contacts(const gphys_solver *solver, gphys_contact *out_contacts, uint32_t capacity, uint32_t *out_total);

@@ -315,6 +315,26 @@ function gp.Scene(desc)
     end)
 end
 
+--- Change the number of threads that share the calls of a scene, such as by a setting of the user's.
+--- They are those of its task_runner if it was created with one. In a child of fork they are started
+--- again. Answers keep their bits.
+--- Cost: that of joining the former threads and starting others; allocates. Since 1.1.
+--- @param workers as SceneDesc.worker_count
+--- @raise status ERROR_OUT_OF_MEMORY: also if the threads cannot be started; the former ones are kept
+function Scene:set_worker_count(workers)
+    check(C.gphys_scene_set_worker_count(opened(self), workers))
+end
+
+do
+    local out_workers = uint32_t.array(1)
+    --- How many threads share the calls of a scene: 1 or more, 1 on a platform without threads.
+    --- Cost: O(1). Since 1.1.
+    function Scene:get_worker_count()
+        check(C.gphys_scene_get_worker_count(opened(self), out_workers))
+        return out_workers[0]
+    end
+end
+
 --- Move the point of the world that all coordinates of the scene count from, those that it is given and
 --- those that it returns. Models stay where they are in the world: the positions of those without a
 --- parent become what they are from there, kept in double precision and rounded to float32 once,
@@ -710,6 +730,18 @@ function Scene:cull(frustum, layers)
     end)
 end
 
+--- Ids of the models in each of count frusta, as Scene:cull: for split screens, cascades of shadow
+--- maps, faces of a cube map, many sensors. Those of frustum i are at models[offsets[i]] up to
+--- offsets[i + 1], as in Scene:raycast_all_batch.
+--- Cost: that of as many single calls; shared among workers. Since 1.1.
+function Scene:cull_batch(frusta, layers)
+    local frusta, frusta_count, frusta_stride = to_array(Frustum, frusta)
+    local count = common(frusta_count)
+    return ragged(uint32_t, function(out, capacity, offsets)
+        return C.gphys_scene_cull_batch(opened(self), frusta, frusta_stride, count, layers or ALL_LAYERS, out, capacity, offsets)
+    end, count)
+end
+
 --- The model nearest to a point, and its closest point.
 --- Cost: O(log n) expected.
 --- @param max_distance metres, >= 0, INFINITY allowed; a model at exactly this distance counts
@@ -936,6 +968,18 @@ function Scene:cull_filtered(frustum, filter)
     end)
 end
 
+--- Ids of the models in each of count frusta that its filter sees, as Scene:cull_batch: each player's
+--- view leaves out the player's own head.
+--- Cost: that of as many single calls; shared among workers. Since 1.1.
+--- @param filters nil: the defaults
+function Scene:cull_filtered_batch(frusta, filters)
+    local frusta, frusta_count, frusta_stride = to_array(Frustum, frusta)
+    local count = common(frusta_count)
+    return ragged(uint32_t, function(out, capacity, offsets)
+        return C.gphys_scene_cull_filtered_batch(opened(self), frusta, frusta_stride, count, filters and to_desc(QueryFilterDesc, filters), 0, out, capacity, offsets)
+    end, count)
+end
+
 --- The model nearest to a point that the filter sees, as Scene:nearest: the nearest other model, if the
 --- one at the point is left out.
 --- Cost: as Scene:raycast_filtered.
@@ -1106,7 +1150,7 @@ end
 --- that was restored with its scene steps on with the same bits. On an error the scene is as before.
 --- Any words are safe, also those of a stranger: all that is used as a number or an index is checked
 --- first. Made-up words are refused, or taken as a scene like any other.
---- Cost: O(n), some 150 ns for each model, besides embedded meshes (Mesh). Allocates.
+--- Cost: O(n), 150 to 700 ns for each model, besides embedded meshes (Mesh). Allocates.
 --- @param library meshes that are not embedded are looked for among those that models of this scene
 ---     use, by what they hold: vertices and indices, so one that has been deformed since is to be put
 ---     back first. nil: among those that models of `scene` itself use, before it is restored.
@@ -1683,6 +1727,25 @@ function gp.Solver(desc)
     end)
 end
 
+--- Change the number of threads that share the steps of a solver, as Scene:set_worker_count. The bits
+--- of the motion stay the same.
+--- Cost: as Scene:set_worker_count; allocates. Since 1.1.
+--- @param workers as SolverDesc.worker_count
+--- @raise status ERROR_OUT_OF_MEMORY: also if the threads cannot be started; the former ones are kept
+function Solver:set_worker_count(workers)
+    check(C.gphys_solver_set_worker_count(opened(self), workers))
+end
+
+do
+    local out_workers = uint32_t.array(1)
+    --- How many threads share the steps of a solver, as Scene:get_worker_count.
+    --- Cost: O(1). Since 1.1.
+    function Solver:get_worker_count()
+        check(C.gphys_solver_get_worker_count(opened(self), out_workers))
+        return out_workers[0]
+    end
+end
+
 --- Move the point of the world that the coordinates of all particles count from; see Scene:set_origin.
 --- Particles stay where they are in the world and keep moving as they do. A step and an attachment need
 --- a scene of the same origin, else they fail with ERROR_INVALID_ARGUMENT.
@@ -1770,7 +1833,10 @@ end
 do
     local out_body = uint32_t.array(1)
     --- Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
-    --- corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v.
+    --- corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v. Its constraints, in the order
+    --- of their ids, are those from row to row, those from column to column, both diagonals (CLOTH_SHEAR),
+    --- and those that resist folding (CLOTH_BEND); Solver:set_constraint_settings makes them softer or
+    --- stiffer later.
     --- Cost: O(columns * rows).
     --- @param desc nil: the defaults
     --- @param corner metres
@@ -1789,7 +1855,8 @@ end
 do
     local out_body = uint32_t.array(1)
     --- Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and with
-    --- CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
+    --- CLOTH_BEND one across each inner edge, whose ids come after those of the edges. Vertices at the same
+    --- place stay separate.
     --- Cost: O(n log n).
     --- @param desc nil: the defaults
     --- @param transform places the mesh; nil is the identity
@@ -2309,6 +2376,18 @@ do
     function Solver:advance(scene, frame_time)
         check(C.gphys_solver_advance(opened(self), scene and opened(scene), frame_time, out_steps, out_leftover))
         return out_steps[0], out_leftover[0]
+    end
+end
+
+do
+    local out_leftover = float.array(1)
+    --- The fraction of a step that Solver:advance still owes: what it gave last as leftover, unless the
+    --- solver was restored or given another fixed_step since.
+    --- Cost: O(1). Since 1.1.
+    --- @return from 0 to below 1.
+    function Solver:get_leftover()
+        check(C.gphys_solver_get_leftover(opened(self), out_leftover))
+        return out_leftover[0]
     end
 end
 

@@ -303,6 +303,26 @@ class Scene(Models):
         check(low.gphys_scene_create(desc_.address, ctypes.byref(handle)))
         self._own(handle.value)
 
+    def set_worker_count(self, workers: int) -> None:
+        """Change the number of threads that share the calls of a scene, such as by a setting of the
+        user's. They are those of its task_runner if it was created with one. In a child of fork they
+        are started again. Answers keep their bits.
+        Cost: that of joining the former threads and starting others; allocates. Since 1.1.
+
+        Args:
+            workers: as SceneDesc.worker_count
+
+        Raises:
+            OutOfMemory: also if the threads cannot be started; the former ones are kept"""
+        check(low.gphys_scene_set_worker_count(self._handle, workers))
+
+    def get_worker_count(self) -> int:
+        """How many threads share the calls of a scene: 1 or more, 1 on a platform without threads.
+        Cost: O(1). Since 1.1."""
+        out_workers = ctypes.c_uint32()
+        check(low.gphys_scene_get_worker_count(self._handle, ctypes.byref(out_workers)))
+        return out_workers.value
+
     def set_origin(self, origin: ArrayLike) -> None:
         """Move the point of the world that all coordinates of the scene count from, those that it is given
         and those that it returns. Models stay where they are in the world: the positions of those
@@ -708,6 +728,15 @@ class Scene(Models):
         frustum_ = value_of(frustum, low.Frustum)
         return list_of(low.gphys_scene_cull, (self._handle, frustum_.address, layers,), "<u4")
 
+    def cull_batch(self, frusta: ArrayLike, layers: int = low.ALL_LAYERS) -> tuple[np.ndarray, np.ndarray]:
+        """Ids of the models in each of count frusta, as Scene.cull: for split screens, cascades of shadow
+        maps, faces of a cube map, many sensors. Those of frustum i are at models[offsets[i]] up to
+        offsets[i + 1], as in Scene.raycast_all_batch.
+        Cost: that of as many single calls; shared among workers. Since 1.1."""
+        frusta_ = array_of(frusta, low.frustum_dtype)
+        count = common_length(frusta_)
+        return ragged_of(low.gphys_scene_cull_batch, (self._handle, frusta_.address, frusta_.stride, count, layers,), "<u4", count)
+
     def nearest(self, point: low.Vec3 | Sequence, max_distance: float = float("inf"), layers: int = low.ALL_LAYERS) -> low.Nearest | None:
         """The model nearest to a point, and its closest point.
         Cost: O(log n) expected.
@@ -983,6 +1012,18 @@ class Scene(Models):
         filter_ = value_of(filter, low.QueryFilterDesc)
         return list_of(low.gphys_scene_cull_filtered, (self._handle, frustum_.address, filter_.address,), "<u4")
 
+    def cull_filtered_batch(self, frusta: ArrayLike, filters: low.QueryFilterDesc | None = None) -> tuple[np.ndarray, np.ndarray]:
+        """Ids of the models in each of count frusta that its filter sees, as Scene.cull_batch: each
+        player's view leaves out the player's own head.
+        Cost: that of as many single calls; shared among workers. Since 1.1.
+
+        Args:
+            filters: None: the defaults"""
+        frusta_ = array_of(frusta, low.frustum_dtype)
+        filters_ = value_of(filters, low.QueryFilterDesc)
+        count = common_length(frusta_)
+        return ragged_of(low.gphys_scene_cull_filtered_batch, (self._handle, frusta_.address, frusta_.stride, count, filters_.address, 0,), "<u4", count)
+
     def nearest_filtered(self, point: low.Vec3 | Sequence, max_distance: float = float("inf"), filter: low.QueryFilterDesc | None = None) -> low.Nearest | None:
         """The model nearest to a point that the filter sees, as Scene.nearest: the nearest other model, if
         the one at the point is left out.
@@ -1191,7 +1232,7 @@ class Scene(Models):
         solver that was restored with its scene steps on with the same bits. On an error the scene is as
         before. Any words are safe, also those of a stranger: all that is used as a number or an index
         is checked first. Made-up words are refused, or taken as a scene like any other.
-        Cost: O(n), some 150 ns for each model, besides embedded meshes (Mesh). Allocates.
+        Cost: O(n), 150 to 700 ns for each model, besides embedded meshes (Mesh). Allocates.
 
         Args:
             library: meshes that are not embedded are looked for among those that models of this scene
@@ -1799,6 +1840,25 @@ class Solver(Object):
         check(low.gphys_solver_create(desc_.address, ctypes.byref(handle)))
         self._own(handle.value)
 
+    def set_worker_count(self, workers: int) -> None:
+        """Change the number of threads that share the steps of a solver, as Scene.set_worker_count. The
+        bits of the motion stay the same.
+        Cost: as Scene.set_worker_count; allocates. Since 1.1.
+
+        Args:
+            workers: as SolverDesc.worker_count
+
+        Raises:
+            OutOfMemory: also if the threads cannot be started; the former ones are kept"""
+        check(low.gphys_solver_set_worker_count(self._handle, workers))
+
+    def get_worker_count(self) -> int:
+        """How many threads share the steps of a solver, as Scene.get_worker_count.
+        Cost: O(1). Since 1.1."""
+        out_workers = ctypes.c_uint32()
+        check(low.gphys_solver_get_worker_count(self._handle, ctypes.byref(out_workers)))
+        return out_workers.value
+
     def set_origin(self, origin: ArrayLike) -> None:
         """Move the point of the world that the coordinates of all particles count from; see
         Scene.set_origin. Particles stay where they are in the world and keep moving as they do. A step
@@ -1894,7 +1954,10 @@ class Solver(Object):
 
     def add_cloth(self, corner: low.Vec3 | Sequence, edge_u: low.Vec3 | Sequence, edge_v: low.Vec3 | Sequence, columns: int, rows: int, desc: low.BodyDesc | None = None) -> int:
         """Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
-        corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v.
+        corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v. Its constraints, in the
+        order of their ids, are those from row to row, those from column to column, both diagonals
+        (CLOTH_SHEAR), and those that resist folding (CLOTH_BEND); Solver.set_constraint_settings makes
+        them softer or stiffer later.
         Cost: O(columns * rows).
 
         Args:
@@ -1916,7 +1979,8 @@ class Solver(Object):
 
     def add_cloth_mesh(self, mesh: Mesh | None, transform: low.Transform | None = None, desc: low.BodyDesc | None = None) -> int:
         """Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
-        with CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
+        with CLOTH_BEND one across each inner edge, whose ids come after those of the edges. Vertices at
+        the same place stay separate.
         Cost: O(n log n).
 
         Args:
@@ -2461,6 +2525,17 @@ class Solver(Object):
         out_leftover = ctypes.c_float()
         check(low.gphys_solver_advance(self._handle, handle_of(scene, Scene), frame_time, ctypes.byref(out_steps), ctypes.byref(out_leftover)))
         return out_steps.value, out_leftover.value
+
+    def get_leftover(self) -> float:
+        """The fraction of a step that Solver.advance still owes: what it gave last as leftover, unless the
+        solver was restored or given another fixed_step since.
+        Cost: O(1). Since 1.1.
+
+        Returns:
+            from 0 to below 1."""
+        out_leftover = ctypes.c_float()
+        check(low.gphys_solver_get_leftover(self._handle, ctypes.byref(out_leftover)))
+        return out_leftover.value
 
     def get_substeps(self, body: int) -> int:
         """The substeps that a body took in the last step; 0 before its first. With SolverDesc.max_strain

@@ -501,6 +501,29 @@ impl Scene {
         Ok(Scene { handle: NonNull::new(made).expect("a created object") })
     }
 
+    /// Change the number of threads that share the calls of a scene, such as by a setting of the user's.
+    /// They are those of its task_runner if it was created with one. In a child of fork they are started
+    /// again. Answers keep their bits.
+    ///
+    /// Cost: that of joining the former threads and starting others; allocates. Since 1.1.
+    ///
+    /// * `workers`: as `SceneDesc`.worker_count
+    ///
+    /// # Errors
+    /// * `Status::ERROR_OUT_OF_MEMORY`: also if the threads cannot be started; the former ones are kept
+    pub fn set_worker_count(&mut self, workers: u32) -> Result<()> {
+        check(unsafe { sys::gphys_scene_set_worker_count(self.handle.as_ptr(), workers) })
+    }
+
+    /// How many threads share the calls of a scene: 1 or more, 1 on a platform without threads.
+    ///
+    /// Cost: O(1). Since 1.1.
+    pub fn get_worker_count(&self) -> Result<u32> {
+        let mut out_workers = u32::default();
+        check(unsafe { sys::gphys_scene_get_worker_count(self.handle.as_ptr(), &mut out_workers) })?;
+        Ok(out_workers)
+    }
+
     /// Move the point of the world that all coordinates of the scene count from, those that it is given and
     /// those that it returns. Models stay where they are in the world: the positions of those without a
     /// parent become what they are from there, kept in double precision and rounded to float32 once,
@@ -941,6 +964,17 @@ impl Scene {
         list(|out_models, capacity, total| unsafe { sys::gphys_scene_cull(self.handle.as_ptr(), frustum, layers, out_models, capacity, total) })
     }
 
+    /// Ids of the models in each of count frusta, as `Scene::cull`: for split screens, cascades of shadow
+    /// maps, faces of a cube map, many sensors. Those of frustum i are at `models[offsets[i]]` up to
+    /// offsets[i + 1], as in `Scene::raycast_all_batch`.
+    ///
+    /// Cost: that of as many single calls; shared among workers. Since 1.1.
+    pub fn cull_batch<'a>(&self, frusta: impl Into<Batch<'a, Frustum>>, layers: u32) -> Result<Ragged<ModelId>> {
+        let frusta = frusta.into();
+        let count = common_length(&[frusta.length])?;
+        ragged(count, |out_models, capacity, offsets| unsafe { sys::gphys_scene_cull_batch(self.handle.as_ptr(), frusta.data, frusta.stride, count, layers, out_models, capacity, offsets) })
+    }
+
     /// The model nearest to a point, and its closest point.
     ///
     /// Cost: O(log n) expected.
@@ -1211,6 +1245,18 @@ impl Scene {
         list(|out_models, capacity, total| unsafe { sys::gphys_scene_cull_filtered(self.handle.as_ptr(), frustum, pointer(filter), out_models, capacity, total) })
     }
 
+    /// Ids of the models in each of count frusta that its filter sees, as `Scene::cull_batch`: each
+    /// player's view leaves out the player's own head.
+    ///
+    /// Cost: that of as many single calls; shared among workers. Since 1.1.
+    ///
+    /// * `filters`: None: the defaults
+    pub fn cull_filtered_batch<'a>(&self, frusta: impl Into<Batch<'a, Frustum>>, filters: Option<&QueryFilterDesc>) -> Result<Ragged<ModelId>> {
+        let frusta = frusta.into();
+        let count = common_length(&[frusta.length])?;
+        ragged(count, |out_models, capacity, offsets| unsafe { sys::gphys_scene_cull_filtered_batch(self.handle.as_ptr(), frusta.data, frusta.stride, count, pointer(filters), 0, out_models, capacity, offsets) })
+    }
+
     /// The model nearest to a point that the filter sees, as `Scene::nearest`: the nearest other model, if
     /// the one at the point is left out.
     ///
@@ -1422,7 +1468,7 @@ impl Scene {
     /// Any words are safe, also those of a stranger: all that is used as a number or an index is checked
     /// first. Made-up words are refused, or taken as a scene like any other.
     ///
-    /// Cost: O(n), some 150 ns for each model, besides embedded meshes (`Mesh`). Allocates.
+    /// Cost: O(n), 150 to 700 ns for each model, besides embedded meshes (`Mesh`). Allocates.
     ///
     /// * `library`: meshes that are not embedded are looked for among those that models of this scene use,
     ///   by what they hold: vertices and indices, so one that has been deformed since is to be put back
@@ -2117,6 +2163,28 @@ impl Solver {
         Ok(Solver { handle: NonNull::new(made).expect("a created object") })
     }
 
+    /// Change the number of threads that share the steps of a solver, as `Scene::set_worker_count`. The
+    /// bits of the motion stay the same.
+    ///
+    /// Cost: as `Scene::set_worker_count`; allocates. Since 1.1.
+    ///
+    /// * `workers`: as `SolverDesc`.worker_count
+    ///
+    /// # Errors
+    /// * `Status::ERROR_OUT_OF_MEMORY`: also if the threads cannot be started; the former ones are kept
+    pub fn set_worker_count(&mut self, workers: u32) -> Result<()> {
+        check(unsafe { sys::gphys_solver_set_worker_count(self.handle.as_ptr(), workers) })
+    }
+
+    /// How many threads share the steps of a solver, as `Scene::get_worker_count`.
+    ///
+    /// Cost: O(1). Since 1.1.
+    pub fn get_worker_count(&self) -> Result<u32> {
+        let mut out_workers = u32::default();
+        check(unsafe { sys::gphys_solver_get_worker_count(self.handle.as_ptr(), &mut out_workers) })?;
+        Ok(out_workers)
+    }
+
     /// Move the point of the world that the coordinates of all particles count from; see
     /// `Scene::set_origin`. Particles stay where they are in the world and keep moving as they do. A step
     /// and an attachment need a scene of the same origin, else they fail with
@@ -2219,7 +2287,10 @@ impl Solver {
     }
 
     /// Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
-    /// corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v.
+    /// corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v. Its constraints, in the order
+    /// of their ids, are those from row to row, those from column to column, both diagonals
+    /// (`CLOTH_SHEAR`), and those that resist folding (`CLOTH_BEND`); `Solver::set_constraint_settings`
+    /// makes them softer or stiffer later.
     ///
     /// Cost: O(columns * rows).
     ///
@@ -2241,7 +2312,8 @@ impl Solver {
     }
 
     /// Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and with
-    /// `CLOTH_BEND` one across each inner edge. Vertices at the same place stay separate.
+    /// `CLOTH_BEND` one across each inner edge, whose ids come after those of the edges. Vertices at the
+    /// same place stay separate.
     ///
     /// Cost: O(n log n).
     ///
@@ -2834,6 +2906,18 @@ impl Solver {
         let mut out_leftover = f32::default();
         check(unsafe { sys::gphys_solver_advance(self.handle.as_ptr(), scene.map_or(null_mut(), |o| o.handle.as_ptr()), frame_time, &mut out_steps, &mut out_leftover) })?;
         Ok((out_steps, out_leftover))
+    }
+
+    /// The fraction of a step that `Solver::advance` still owes: what it gave last as leftover, unless the
+    /// solver was restored or given another fixed_step since.
+    ///
+    /// Cost: O(1). Since 1.1.
+    ///
+    /// Returns from 0 to below 1.
+    pub fn get_leftover(&self) -> Result<f32> {
+        let mut out_leftover = f32::default();
+        check(unsafe { sys::gphys_solver_get_leftover(self.handle.as_ptr(), &mut out_leftover) })?;
+        Ok(out_leftover)
     }
 
     /// The substeps that a body took in the last step; 0 before its first. With `SolverDesc`.max_strain or

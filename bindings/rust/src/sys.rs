@@ -76,6 +76,8 @@ extern "C" {
     pub fn gphys_scene_desc_init(desc: *mut SceneDesc, size: u32) -> Status;
     pub fn gphys_scene_create(desc: *const SceneDesc, out_scene: *mut *mut gphys_scene) -> Status;
     pub fn gphys_scene_destroy(scene: *mut gphys_scene);
+    pub fn gphys_scene_set_worker_count(scene: *mut gphys_scene, workers: u32) -> Status;
+    pub fn gphys_scene_get_worker_count(scene: *mut gphys_scene, out_workers: *mut u32) -> Status;
     pub fn gphys_scene_set_origin(scene: *mut gphys_scene, origin: *const f64) -> Status;
     pub fn gphys_scene_get_origin(scene: *mut gphys_scene, out_origin: *mut f64) -> Status;
     pub fn gphys_model_desc_init(desc: *mut ModelDesc, size: u32) -> Status;
@@ -117,6 +119,7 @@ extern "C" {
     pub fn gphys_scene_overlap(scene: *mut gphys_scene, type_: ShapeType, shape: *const c_void, layers: u32, out_models: *mut ModelId, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_scene_overlap_batch(scene: *mut gphys_scene, type_: ShapeType, shapes: *const c_void, shape_stride: u32, count: u32, layers: u32, out_models: *mut ModelId, capacity: u32, out_offsets: *mut u32) -> Status;
     pub fn gphys_scene_cull(scene: *mut gphys_scene, frustum: *const Frustum, layers: u32, out_models: *mut ModelId, capacity: u32, out_total: *mut u32) -> Status;
+    pub fn gphys_scene_cull_batch(scene: *mut gphys_scene, frusta: *const Frustum, frustum_stride: u32, count: u32, layers: u32, out_models: *mut ModelId, capacity: u32, out_offsets: *mut u32) -> Status;
     pub fn gphys_scene_nearest(scene: *mut gphys_scene, point: *const Vec3, max_distance: f32, layers: u32, out_nearest: *mut Nearest) -> Status;
     pub fn gphys_scene_nearest_batch(scene: *mut gphys_scene, points: *const Vec3, point_stride: u32, count: u32, max_distance: f32, layers: u32, out_nearest: *mut Nearest, out_stride: u32) -> Status;
     pub fn gphys_scene_sweep_sphere(scene: *mut gphys_scene, sphere: *const Sphere, displacement: *const Vec3, layers: u32, out_hit: *mut Hit) -> Status;
@@ -138,6 +141,7 @@ extern "C" {
     pub fn gphys_scene_overlap_filtered(scene: *mut gphys_scene, type_: ShapeType, shape: *const c_void, filter: *const QueryFilterDesc, out_models: *mut ModelId, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_scene_overlap_filtered_batch(scene: *mut gphys_scene, type_: ShapeType, shapes: *const c_void, shape_stride: u32, count: u32, filters: *const QueryFilterDesc, filter_stride: u32, out_models: *mut ModelId, capacity: u32, out_offsets: *mut u32) -> Status;
     pub fn gphys_scene_cull_filtered(scene: *mut gphys_scene, frustum: *const Frustum, filter: *const QueryFilterDesc, out_models: *mut ModelId, capacity: u32, out_total: *mut u32) -> Status;
+    pub fn gphys_scene_cull_filtered_batch(scene: *mut gphys_scene, frusta: *const Frustum, frustum_stride: u32, count: u32, filters: *const QueryFilterDesc, filter_stride: u32, out_models: *mut ModelId, capacity: u32, out_offsets: *mut u32) -> Status;
     pub fn gphys_scene_nearest_filtered(scene: *mut gphys_scene, point: *const Vec3, max_distance: f32, filter: *const QueryFilterDesc, out_nearest: *mut Nearest) -> Status;
     pub fn gphys_scene_nearest_filtered_batch(scene: *mut gphys_scene, points: *const Vec3, point_stride: u32, count: u32, max_distance: f32, filters: *const QueryFilterDesc, filter_stride: u32, out_nearest: *mut Nearest, out_stride: u32) -> Status;
     pub fn gphys_scene_sweep_sphere_filtered(scene: *mut gphys_scene, sphere: *const Sphere, displacement: *const Vec3, filter: *const QueryFilterDesc, out_hit: *mut Hit) -> Status;
@@ -213,6 +217,8 @@ extern "C" {
     pub fn gphys_solver_desc_init(desc: *mut SolverDesc, size: u32) -> Status;
     pub fn gphys_solver_create(desc: *const SolverDesc, out_solver: *mut *mut gphys_solver) -> Status;
     pub fn gphys_solver_destroy(solver: *mut gphys_solver);
+    pub fn gphys_solver_set_worker_count(solver: *mut gphys_solver, workers: u32) -> Status;
+    pub fn gphys_solver_get_worker_count(solver: *mut gphys_solver, out_workers: *mut u32) -> Status;
     pub fn gphys_solver_set_origin(solver: *mut gphys_solver, origin: *const f64) -> Status;
     pub fn gphys_solver_get_origin(solver: *mut gphys_solver, out_origin: *mut f64) -> Status;
     pub fn gphys_solver_set_gravity(solver: *mut gphys_solver, gravity: *const Vec3) -> Status;
@@ -271,6 +277,7 @@ extern "C" {
     pub fn gphys_solver_get_joints(solver: *mut gphys_solver, body: BodyId, out_joints: *mut JointInfo, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_solver_step(solver: *mut gphys_solver, scene: *mut gphys_scene, dt: f32) -> Status;
     pub fn gphys_solver_advance(solver: *mut gphys_solver, scene: *mut gphys_scene, frame_time: f32, out_steps: *mut u32, out_leftover: *mut f32) -> Status;
+    pub fn gphys_solver_get_leftover(solver: *mut gphys_solver, out_leftover: *mut f32) -> Status;
     pub fn gphys_solver_get_substeps(solver: *mut gphys_solver, body: BodyId, out_substeps: *mut u32) -> Status;
     pub fn gphys_solver_get_stats(solver: *mut gphys_solver, body: BodyId, out_stats: *mut SolverStats) -> Status;
     pub fn gphys_solver_get_contacts(solver: *mut gphys_solver, out_contacts: *mut Contact, capacity: u32, out_total: *mut u32) -> Status;

@@ -84,6 +84,8 @@ module Gamephys
     attach_function :gphys_scene_desc_init, [:pointer, :uint32], :int32
     attach_function :gphys_scene_create, [:pointer, :pointer], :int32
     attach_function :gphys_scene_destroy, [:pointer], :void
+    attach_function :gphys_scene_set_worker_count, [:pointer, :uint32], :int32
+    attach_function :gphys_scene_get_worker_count, [:pointer, :pointer], :int32
     attach_function :gphys_scene_set_origin, [:pointer, :pointer], :int32
     attach_function :gphys_scene_get_origin, [:pointer, :pointer], :int32
     attach_function :gphys_model_desc_init, [:pointer, :uint32], :int32
@@ -125,6 +127,7 @@ module Gamephys
     attach_function :gphys_scene_overlap, [:pointer, :int32, :pointer, :uint32, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_scene_overlap_batch, [:pointer, :int32, :pointer, :uint32, :uint32, :uint32, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_scene_cull, [:pointer, :pointer, :uint32, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_scene_cull_batch, [:pointer, :pointer, :uint32, :uint32, :uint32, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_scene_nearest, [:pointer, :pointer, :float, :uint32, :pointer], :int32
     attach_function :gphys_scene_nearest_batch, [:pointer, :pointer, :uint32, :uint32, :float, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_scene_sweep_sphere, [:pointer, :pointer, :pointer, :uint32, :pointer], :int32
@@ -146,6 +149,7 @@ module Gamephys
     attach_function :gphys_scene_overlap_filtered, [:pointer, :int32, :pointer, :pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_scene_overlap_filtered_batch, [:pointer, :int32, :pointer, :uint32, :uint32, :pointer, :uint32, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_scene_cull_filtered, [:pointer, :pointer, :pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_scene_cull_filtered_batch, [:pointer, :pointer, :uint32, :uint32, :pointer, :uint32, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_scene_nearest_filtered, [:pointer, :pointer, :float, :pointer, :pointer], :int32
     attach_function :gphys_scene_nearest_filtered_batch, [:pointer, :pointer, :uint32, :uint32, :float, :pointer, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_scene_sweep_sphere_filtered, [:pointer, :pointer, :pointer, :pointer, :pointer], :int32
@@ -221,6 +225,8 @@ module Gamephys
     attach_function :gphys_solver_desc_init, [:pointer, :uint32], :int32
     attach_function :gphys_solver_create, [:pointer, :pointer], :int32
     attach_function :gphys_solver_destroy, [:pointer], :void
+    attach_function :gphys_solver_set_worker_count, [:pointer, :uint32], :int32
+    attach_function :gphys_solver_get_worker_count, [:pointer, :pointer], :int32
     attach_function :gphys_solver_set_origin, [:pointer, :pointer], :int32
     attach_function :gphys_solver_get_origin, [:pointer, :pointer], :int32
     attach_function :gphys_solver_set_gravity, [:pointer, :pointer], :int32
@@ -279,6 +285,7 @@ module Gamephys
     attach_function :gphys_solver_get_joints, [:pointer, :uint32, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_step, [:pointer, :pointer, :float], :int32
     attach_function :gphys_solver_advance, [:pointer, :pointer, :float, :pointer, :pointer], :int32
+    attach_function :gphys_solver_get_leftover, [:pointer, :pointer], :int32
     attach_function :gphys_solver_get_substeps, [:pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_get_stats, [:pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_get_contacts, [:pointer, :pointer, :uint32, :pointer], :int32

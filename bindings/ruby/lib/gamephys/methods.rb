@@ -254,6 +254,25 @@ module Gamephys
       own(Pointer) { |made| Low.gphys_scene_create(Low.desc(Low::SceneDesc, :gphys_scene_desc_init, desc), made) }
     end
 
+    # Change the number of threads that share the calls of a scene, such as by a setting of the user's.
+    # They are those of its task_runner if it was created with one. In a child of fork they are started
+    # again. Answers keep their bits.
+    # Cost: that of joining the former threads and starting others; allocates. Since 1.1.
+    # @param workers as SceneDesc.worker_count
+    # @raise [OutOfMemory] also if the threads cannot be started; the former ones are kept
+    def set_worker_count(workers)
+      Low.check(Low.gphys_scene_set_worker_count(opened, workers))
+      nil
+    end
+
+    # How many threads share the calls of a scene: 1 or more, 1 on a platform without threads.
+    # Cost: O(1). Since 1.1.
+    def get_worker_count
+      out_workers = UInt32.room
+      Low.check(Low.gphys_scene_get_worker_count(opened, out_workers))
+      UInt32.unpack(out_workers)
+    end
+
     # Move the point of the world that all coordinates of the scene count from, those that it is given and
     # those that it returns. Models stay where they are in the world: the positions of those without a
     # parent become what they are from there, kept in double precision and rounded to float32 once,
@@ -641,6 +660,16 @@ module Gamephys
       Low.list(UInt32) { |out, capacity, total| Low.gphys_scene_cull(opened, Frustum.pack(frustum), layers, out, capacity, total) }
     end
 
+    # Ids of the models in each of count frusta, as Scene#cull: for split screens, cascades of shadow
+    # maps, faces of a cube map, many sensors. Those of frustum i are at models[offsets[i]] up to
+    # offsets[i + 1], as in Scene#raycast_all_batch.
+    # Cost: that of as many single calls; shared among workers. Since 1.1.
+    def cull_batch(frusta, layers: ALL_LAYERS)
+      frusta = Low.array(Frustum, frusta)
+      count = Low.common(frusta)
+      Low.ragged(UInt32, count) { |out, capacity, offsets| Low.gphys_scene_cull_batch(opened, frusta.pointer, frusta.stride, count, layers, out, capacity, offsets) }
+    end
+
     # The model nearest to a point, and its closest point.
     # Cost: O(log n) expected.
     # @param max_distance metres, >= 0, INFINITY allowed; a model at exactly this distance counts
@@ -850,6 +879,16 @@ module Gamephys
       Low.list(UInt32) { |out, capacity, total| Low.gphys_scene_cull_filtered(opened, Frustum.pack(frustum), filter && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filter), out, capacity, total) }
     end
 
+    # Ids of the models in each of count frusta that its filter sees, as Scene#cull_batch: each player's
+    # view leaves out the player's own head.
+    # Cost: that of as many single calls; shared among workers. Since 1.1.
+    # @param filters nil: the defaults
+    def cull_filtered_batch(frusta, filters = nil)
+      frusta = Low.array(Frustum, frusta)
+      count = Low.common(frusta)
+      Low.ragged(UInt32, count) { |out, capacity, offsets| Low.gphys_scene_cull_filtered_batch(opened, frusta.pointer, frusta.stride, count, filters && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters), 0, out, capacity, offsets) }
+    end
+
     # The model nearest to a point that the filter sees, as Scene#nearest: the nearest other model, if the
     # one at the point is left out.
     # Cost: as Scene#raycast_filtered.
@@ -1012,7 +1051,7 @@ module Gamephys
     # that was restored with its scene steps on with the same bits. On an error the scene is as before.
     # Any words are safe, also those of a stranger: all that is used as a number or an index is checked
     # first. Made-up words are refused, or taken as a scene like any other.
-    # Cost: O(n), some 150 ns for each model, besides embedded meshes (Mesh). Allocates.
+    # Cost: O(n), 150 to 700 ns for each model, besides embedded meshes (Mesh). Allocates.
     # @param library meshes that are not embedded are looked for among those that models of this scene
     #     use, by what they hold: vertices and indices, so one that has been deformed since is to be put
     #     back first. nil: among those that models of `scene` itself use, before it is restored.
@@ -1593,6 +1632,24 @@ module Gamephys
       own(Pointer) { |made| Low.gphys_solver_create(Low.desc(Low::SolverDesc, :gphys_solver_desc_init, desc), made) }
     end
 
+    # Change the number of threads that share the steps of a solver, as Scene#set_worker_count. The bits
+    # of the motion stay the same.
+    # Cost: as Scene#set_worker_count; allocates. Since 1.1.
+    # @param workers as SolverDesc.worker_count
+    # @raise [OutOfMemory] also if the threads cannot be started; the former ones are kept
+    def set_worker_count(workers)
+      Low.check(Low.gphys_solver_set_worker_count(opened, workers))
+      nil
+    end
+
+    # How many threads share the steps of a solver, as Scene#get_worker_count.
+    # Cost: O(1). Since 1.1.
+    def get_worker_count
+      out_workers = UInt32.room
+      Low.check(Low.gphys_solver_get_worker_count(opened, out_workers))
+      UInt32.unpack(out_workers)
+    end
+
     # Move the point of the world that the coordinates of all particles count from; see Scene#set_origin.
     # Particles stay where they are in the world and keep moving as they do. A step and an attachment need
     # a scene of the same origin, else they fail with ERROR_INVALID_ARGUMENT.
@@ -1678,7 +1735,10 @@ module Gamephys
     end
 
     # Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
-    # corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v.
+    # corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v. Its constraints, in the order
+    # of their ids, are those from row to row, those from column to column, both diagonals (CLOTH_SHEAR),
+    # and those that resist folding (CLOTH_BEND); Solver#set_constraint_settings makes them softer or
+    # stiffer later.
     # Cost: O(columns * rows).
     # @param desc nil: the defaults
     # @param corner metres
@@ -1695,7 +1755,8 @@ module Gamephys
     end
 
     # Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and with
-    # CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
+    # CLOTH_BEND one across each inner edge, whose ids come after those of the edges. Vertices at the same
+    # place stay separate.
     # Cost: O(n log n).
     # @param desc nil: the defaults
     # @param transform places the mesh; nil is the identity
@@ -2210,6 +2271,16 @@ module Gamephys
       out_leftover = Float32.room
       Low.check(Low.gphys_solver_advance(opened, scene && Low.opened(scene, Scene), frame_time, out_steps, out_leftover))
       [UInt32.unpack(out_steps), Float32.unpack(out_leftover)]
+    end
+
+    # The fraction of a step that Solver#advance still owes: what it gave last as leftover, unless the
+    # solver was restored or given another fixed_step since.
+    # Cost: O(1). Since 1.1.
+    # @return from 0 to below 1.
+    def get_leftover
+      out_leftover = Float32.room
+      Low.check(Low.gphys_solver_get_leftover(opened, out_leftover))
+      Float32.unpack(out_leftover)
     end
 
     # The substeps that a body took in the last step; 0 before its first. With SolverDesc.max_strain or

@@ -61,6 +61,8 @@ class LowFunctions {
     static native int gphys_scene_desc_init(Pointer desc, int size);
     static native int gphys_scene_create(Pointer desc, Pointer outScene);
     static native void gphys_scene_destroy(Pointer scene);
+    static native int gphys_scene_set_worker_count(Pointer scene, int workers);
+    static native int gphys_scene_get_worker_count(Pointer scene, Pointer outWorkers);
     static native int gphys_scene_set_origin(Pointer scene, Pointer origin);
     static native int gphys_scene_get_origin(Pointer scene, Pointer outOrigin);
     static native int gphys_model_desc_init(Pointer desc, int size);
@@ -102,6 +104,7 @@ class LowFunctions {
     static native int gphys_scene_overlap(Pointer scene, int type, Pointer shape, int layers, Pointer outModels, int capacity, Pointer outTotal);
     static native int gphys_scene_overlap_batch(Pointer scene, int type, Pointer shapes, int shapeStride, int count, int layers, Pointer outModels, int capacity, Pointer outOffsets);
     static native int gphys_scene_cull(Pointer scene, Pointer frustum, int layers, Pointer outModels, int capacity, Pointer outTotal);
+    static native int gphys_scene_cull_batch(Pointer scene, Pointer frusta, int frustumStride, int count, int layers, Pointer outModels, int capacity, Pointer outOffsets);
     static native int gphys_scene_nearest(Pointer scene, Pointer point, float maxDistance, int layers, Pointer outNearest);
     static native int gphys_scene_nearest_batch(Pointer scene, Pointer points, int pointStride, int count, float maxDistance, int layers, Pointer outNearest, int outStride);
     static native int gphys_scene_sweep_sphere(Pointer scene, Pointer sphere, Pointer displacement, int layers, Pointer outHit);
@@ -123,6 +126,7 @@ class LowFunctions {
     static native int gphys_scene_overlap_filtered(Pointer scene, int type, Pointer shape, Pointer filter, Pointer outModels, int capacity, Pointer outTotal);
     static native int gphys_scene_overlap_filtered_batch(Pointer scene, int type, Pointer shapes, int shapeStride, int count, Pointer filters, int filterStride, Pointer outModels, int capacity, Pointer outOffsets);
     static native int gphys_scene_cull_filtered(Pointer scene, Pointer frustum, Pointer filter, Pointer outModels, int capacity, Pointer outTotal);
+    static native int gphys_scene_cull_filtered_batch(Pointer scene, Pointer frusta, int frustumStride, int count, Pointer filters, int filterStride, Pointer outModels, int capacity, Pointer outOffsets);
     static native int gphys_scene_nearest_filtered(Pointer scene, Pointer point, float maxDistance, Pointer filter, Pointer outNearest);
     static native int gphys_scene_nearest_filtered_batch(Pointer scene, Pointer points, int pointStride, int count, float maxDistance, Pointer filters, int filterStride, Pointer outNearest, int outStride);
     static native int gphys_scene_sweep_sphere_filtered(Pointer scene, Pointer sphere, Pointer displacement, Pointer filter, Pointer outHit);
@@ -198,6 +202,8 @@ class LowFunctions {
     static native int gphys_solver_desc_init(Pointer desc, int size);
     static native int gphys_solver_create(Pointer desc, Pointer outSolver);
     static native void gphys_solver_destroy(Pointer solver);
+    static native int gphys_solver_set_worker_count(Pointer solver, int workers);
+    static native int gphys_solver_get_worker_count(Pointer solver, Pointer outWorkers);
     static native int gphys_solver_set_origin(Pointer solver, Pointer origin);
     static native int gphys_solver_get_origin(Pointer solver, Pointer outOrigin);
     static native int gphys_solver_set_gravity(Pointer solver, Pointer gravity);
@@ -256,6 +262,7 @@ class LowFunctions {
     static native int gphys_solver_get_joints(Pointer solver, int body, Pointer outJoints, int capacity, Pointer outTotal);
     static native int gphys_solver_step(Pointer solver, Pointer scene, float dt);
     static native int gphys_solver_advance(Pointer solver, Pointer scene, float frameTime, Pointer outSteps, Pointer outLeftover);
+    static native int gphys_solver_get_leftover(Pointer solver, Pointer outLeftover);
     static native int gphys_solver_get_substeps(Pointer solver, int body, Pointer outSubsteps);
     static native int gphys_solver_get_stats(Pointer solver, int body, Pointer outStats);
     static native int gphys_solver_get_contacts(Pointer solver, Pointer outContacts, int capacity, Pointer outTotal);

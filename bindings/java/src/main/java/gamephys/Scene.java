@@ -33,6 +33,33 @@ public final class Scene extends SceneBase {
     }
 
     /**
+     * Change the number of threads that share the calls of a scene, such as by a setting of the user's.
+     * They are those of its task_runner if it was created with one. In a child of fork they are started
+     * again. Answers keep their bits.
+     * Cost: that of joining the former threads and starting others; allocates. Since 1.1.
+     * @param workers as SceneDesc.worker_count
+     * @throws GamephysException with ERROR_OUT_OF_MEMORY: also if the threads cannot be started; the
+     *     former ones are kept
+     */
+    public void setWorkerCount(int workers) {
+        int status = Low.gphys_scene_set_worker_count(opened(), workers);
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /**
+     * How many threads share the calls of a scene: 1 or more, 1 on a platform without threads.
+     * Cost: O(1). Since 1.1.
+     */
+    public int getWorkerCount() {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_scene_get_worker_count(opened(), scratch.slot(1));
+        Low.keep(this);
+        Low.check(status);
+        return scratch.getInt(1);
+    }
+
+    /**
      * Move the point of the world that all coordinates of the scene count from, those that it is given and
      * those that it returns. Models stay where they are in the world: the positions of those without a
      * parent become what they are from there, kept in double precision and rounded to float32 once,
@@ -710,6 +737,26 @@ public final class Scene extends SceneBase {
     }
 
     /**
+     * Ids of the models in each of count frusta, as Scene.cull: for split screens, cascades of shadow
+     * maps, faces of a cube map, many sensors. Those of frustum i are at models[offsets[i]] up to
+     * offsets[i + 1], as in Scene.raycastAllBatch.
+     * Cost: that of as many single calls; shared among workers. Since 1.1.
+     */
+    public Ragged<Integer> cullBatch(Batch<Frustum> frusta, int layers) {
+        int count = Low.common(frusta.common());
+        return Low.ragged(Layout.INT, count, (room, capacity, offsets) -> {
+                int status = Low.gphys_scene_cull_batch(opened(), frusta.pointer(), frusta.stride(), count, layers, room, capacity, offsets);
+                Low.keep(this, frusta);
+                return status;
+            });
+    }
+
+    /** The same with defaults. */
+    public Ragged<Integer> cullBatch(Batch<Frustum> frusta) {
+        return cullBatch(frusta, Gamephys.ALL_LAYERS);
+    }
+
+    /**
      * The model nearest to a point, and its closest point.
      * Cost: O(log n) expected.
      * @param maxDistance metres, &gt;= 0, INFINITY allowed; a model at exactly this distance counts
@@ -1152,6 +1199,26 @@ public final class Scene extends SceneBase {
     }
 
     /**
+     * Ids of the models in each of count frusta that its filter sees, as Scene.cullBatch: each player's
+     * view leaves out the player's own head.
+     * Cost: that of as many single calls; shared among workers. Since 1.1.
+     * @param filters null: the defaults
+     */
+    public Ragged<Integer> cullFilteredBatch(Batch<Frustum> frusta, QueryFilterDesc filters) {
+        int count = Low.common(frusta.common());
+        return Low.ragged(Layout.INT, count, (room, capacity, offsets) -> {
+                int status = Low.gphys_scene_cull_filtered_batch(opened(), frusta.pointer(), frusta.stride(), count, filters == null ? null : filters.pointer(), 0, room, capacity, offsets);
+                Low.keep(this, frusta, filters);
+                return status;
+            });
+    }
+
+    /** The same with defaults. */
+    public Ragged<Integer> cullFilteredBatch(Batch<Frustum> frusta) {
+        return cullFilteredBatch(frusta, (QueryFilterDesc) null);
+    }
+
+    /**
      * The model nearest to a point that the filter sees, as Scene.nearest: the nearest other model, if the
      * one at the point is left out.
      * Cost: as Scene.raycastFiltered.
@@ -1437,7 +1504,7 @@ public final class Scene extends SceneBase {
      * that was restored with its scene steps on with the same bits. On an error the scene is as before.
      * Any words are safe, also those of a stranger: all that is used as a number or an index is checked
      * first. Made-up words are refused, or taken as a scene like any other.
-     * Cost: O(n), some 150 ns for each model, besides embedded meshes (Mesh). Allocates.
+     * Cost: O(n), 150 to 700 ns for each model, besides embedded meshes (Mesh). Allocates.
      * @param library meshes that are not embedded are looked for among those that models of this scene
      *     use, by what they hold: vertices and indices, so one that has been deformed since is to be put
      *     back first. null: among those that models of `scene` itself use, before it is restored.

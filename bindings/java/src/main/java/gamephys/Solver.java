@@ -27,6 +27,32 @@ public final class Solver extends Owned {
     }
 
     /**
+     * Change the number of threads that share the steps of a solver, as Scene.setWorkerCount. The bits of
+     * the motion stay the same.
+     * Cost: as Scene.setWorkerCount; allocates. Since 1.1.
+     * @param workers as SolverDesc.worker_count
+     * @throws GamephysException with ERROR_OUT_OF_MEMORY: also if the threads cannot be started; the
+     *     former ones are kept
+     */
+    public void setWorkerCount(int workers) {
+        int status = Low.gphys_solver_set_worker_count(opened(), workers);
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /**
+     * How many threads share the steps of a solver, as Scene.getWorkerCount.
+     * Cost: O(1). Since 1.1.
+     */
+    public int getWorkerCount() {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_solver_get_worker_count(opened(), scratch.slot(1));
+        Low.keep(this);
+        Low.check(status);
+        return scratch.getInt(1);
+    }
+
+    /**
      * Move the point of the world that the coordinates of all particles count from; see Scene.setOrigin.
      * Particles stay where they are in the world and keep moving as they do. A step and an attachment need
      * a scene of the same origin, else they fail with ERROR_INVALID_ARGUMENT.
@@ -156,7 +182,10 @@ public final class Solver extends Owned {
 
     /**
      * Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
-     * corner + column / (columns - 1) * edgeU + row / (rows - 1) * edgeV.
+     * corner + column / (columns - 1) * edgeU + row / (rows - 1) * edgeV. Its constraints, in the order of
+     * their ids, are those from row to row, those from column to column, both diagonals (CLOTH_SHEAR), and
+     * those that resist folding (CLOTH_BEND); Solver.setConstraintSettings makes them softer or stiffer
+     * later.
      * Cost: O(columns * rows).
      * @param desc null: the defaults
      * @param corner metres
@@ -182,7 +211,8 @@ public final class Solver extends Owned {
 
     /**
      * Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and with
-     * CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
+     * CLOTH_BEND one across each inner edge, whose ids come after those of the edges. Vertices at the same
+     * place stay separate.
      * Cost: O(n log n).
      * @param desc null: the defaults
      * @param transform places the mesh; null is the identity
@@ -962,6 +992,20 @@ public final class Solver extends Owned {
         Low.keep(this, scene);
         Low.check(status);
         return new AdvanceResult(scratch.getInt(3), scratch.getFloat(4));
+    }
+
+    /**
+     * The fraction of a step that Solver.advance still owes: what it gave last as leftover, unless the
+     * solver was restored or given another fixed_step since.
+     * Cost: O(1). Since 1.1.
+     * @return from 0 to below 1.
+     */
+    public float getLeftover() {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_solver_get_leftover(opened(), scratch.slot(1));
+        Low.keep(this);
+        Low.check(status);
+        return scratch.getFloat(1);
     }
 
     /**
