@@ -3,7 +3,7 @@
 # Installs what is missing, builds and runs the whole suite as users get the library, then again
 # under the address and undefined-behaviour sanitizers. Prints which lines and branches of each file these reach
 # (fuzz/coverage.py). --long adds a build with clang, tests of
-# minutes, such as a million queries of each kind against a linear scan, an hour of tests against
+# minutes, such as a million queries of each kind against a linear scan, hours of tests against
 # exact arithmetic, their short form with each compiler, unoptimised and for Haswell, on each
 # instruction set, and the workers under the thread sanitizer. --bindings instead tests the packages
 # in bindings/, --platforms runs the C tests on 32-bit x86, 64-bit ARM (qemu), Windows (Wine) and
