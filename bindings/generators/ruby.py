@@ -195,7 +195,8 @@ def method(api, call):
         lines.append(f"{answer} if Low.found({invoke})")
     else:
         lines += [f"Low.check({invoke})", answer if results else "nil"]
-    question = f["name"] in ANSWERS or len(outs) == 1 and outs[0]["role"] == "out" and element(outs[0]) == "int32_t"
+    asks = not call.owner or f["parameters"][0]["type"].startswith("const")  # what changes its object has no question mark
+    question = f["name"] in ANSWERS or asks and len(outs) == 1 and outs[0]["role"] == "out" and element(outs[0]) == "int32_t"
     head = f"{'' if call.owner else 'self.'}{call.name}{'?' if question else ''}"
     given = signature(call)
     text = comment(f["doc"], "#") + f"def {head}{f'({given})' if given else ''}\n"

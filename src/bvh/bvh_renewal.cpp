@@ -22,8 +22,8 @@ Bvh8::Renewal::Renewal(const Bvh8& tree)
       marked_(tree.nodes_.memory()),
       changed_(tree.nodes_.memory()) {
     items_.reserve(tree.size_);
-    // Nearly as many as a build takes. Memory that is reserved at once can be in huge pages.
-    next.nodes_.reserve(tree.size_ / 6);
+    // Room that was reserved is kept.
+    next.nodes_.reserve(tree.nodes_.capacity());
     next.item_lane_.reserve(tree.item_lane_.capacity());
     marked_.reserve(tree.item_lane_.capacity());
 }

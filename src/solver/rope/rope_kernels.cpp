@@ -32,9 +32,13 @@ struct Symmetric3 {
     }
     /// one / this, by L D L^T. For a pinned node, whose one is 0, the inverse is 0.
     Symmetric3 inverse(const Value& one) const {
-        const Value ix = one / xx, lyx = xy * ix, lzx = xz * ix;
-        const Value iy = one / (yy - lyx * xy), below = yz - lyx * xz, lzy = below * iy;
-        const Value iz = one / (zz - lzx * xz - lzy * below), mzx = lyx * lzy - lzx;
+        return inverse(one, [](const Value& pivot) { return pivot; });
+    }
+    template <class Bounded>
+    Symmetric3 inverse(const Value& one, const Bounded& bounded) const {
+        const Value ix = one / bounded(xx), lyx = xy * ix, lzx = xz * ix;
+        const Value iy = one / bounded(yy - lyx * xy), below = yz - lyx * xz, lzy = below * iy;
+        const Value iz = one / bounded(zz - lzx * xz - lzy * below), mzx = lyx * lzy - lzx;
         const Value ixz = mzx * iz, jyz = lzy * iz, jxy = lyx * iy;
         return {ix + lyx * jxy + mzx * ixz, -(jxy + lzy * ixz), ixz, iy + lzy * jyz, -jyz, iz};
     }
@@ -183,11 +187,17 @@ Doubles<lanes> eliminate(RopeNode<lanes>* nodes, const RopePush<lanes>* pushes, 
                                 -(k_squared * before.xz),         diagonal - k_squared * before.yy,
                                 -(k_squared * before.yz),         diagonal - k_squared * before.zz};
         Vec<Value> force = (load3(node.predicted) - at) * mass + own_before * k;
+        Symmetric3<Value> inner;
         if constexpr (with_pushes) {
             block += load_symmetric(pushes[i].stiffness);
             force += load3(pushes[i].force);
+            // No eigenvalue is less than the mass. Where an iteration has gone astray, tensions are so large that
+            // rounding could make a pivot 0.
+            const Value least_pivot = mass * all_of<lanes>(0.5);
+            inner = block.inverse(load(node.free), [&](const Value& pivot) { return largest(pivot, least_pivot); });
+        } else {
+            inner = block.inverse(load(node.free));
         }
-        const Symmetric3<Value> inner = block.inverse(load(node.free));
         const Vec<Value> w = inner * q;
         const Value inverse_pivot = one / (softness + arriving.rigid * dot(q, w));
         const Vec<Value> pull = w * (arriving.rigid * inverse_pivot);
@@ -209,9 +219,10 @@ Doubles<lanes> eliminate(RopeNode<lanes>* nodes, const RopePush<lanes>* pushes, 
 
 /// Substitutes from the last node to the first, and moves the lanes that are not settled. Returns those that are still
 /// not settled: in which a link has moved perpendicular to itself, which the linearisation neglects.
+/// With `most_tension` tensions stay within it.
 template <int lanes, class Mask>
 Mask substitute(RopeNode<lanes>* nodes, uint32_t count, const Doubles<lanes>& inverse_step_squared,
-                const Doubles<lanes>& reach, const Mask& active) {
+                const Doubles<lanes>& reach, const Mask& active, const Doubles<lanes>* most_tension = nullptr) {
     using Value = Doubles<lanes>;
     const Value none = all_of<lanes>(0);
     const Vec<Value> nowhere{none, none, none};
@@ -231,7 +242,8 @@ Mask substitute(RopeNode<lanes>* nodes, uint32_t count, const Doubles<lanes>& in
         if (i + 1 < count) {
             const Vec<Value> apart = moved_next - moved;
             const Value along = dot(n, apart);
-            const Value newtons = (tension + k * along) * inverse_step_squared;
+            Value newtons = (tension + k * along) * inverse_step_squared;
+            if (most_tension) newtons = in_range(newtons, *most_tension);
             store(node.tension, select(active, newtons, load(node.tension)));
             moving = moving | (load(node.sideways) < dot(apart, apart) - along * along);
         }
@@ -300,8 +312,9 @@ GPHYS_FLATTEN void iterate(RopeNode<lanes>* nodes, const RopePush<lanes>* pushes
                            const RopeEquations<lanes>& equations, bool (&moving)[lanes]) {
     const Doubles<lanes> none = all_of<lanes>(0), inverse_step_squared = load(equations.inverse_step_squared);
     eliminate<true, lanes>(nodes, pushes, count, load(equations.step_squared), inverse_step_squared);
-    const auto still =
-        substitute(nodes, count, inverse_step_squared, load(equations.reach), none < load(equations.active));
+    const Doubles<lanes> most_tension = load(equations.most_tension);
+    const auto still = substitute(nodes, count, inverse_step_squared, load(equations.reach),
+                                  none < load(equations.active), &most_tension);
     double numbers[lanes];
     store(numbers, select(still, all_of<lanes>(1), none));
     for (int lane = 0; lane < lanes; ++lane) moving[lane] = numbers[lane] != 0;

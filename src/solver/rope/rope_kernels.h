@@ -68,12 +68,12 @@ struct RopePush {
     double force[3][lanes];      // kg m
 };
 
-/// Of the scheme, as in RopeStep; the farthest that a node may move in an iteration; and which lanes are to be moved: 0
-/// or 1.
+/// Of the scheme, as in RopeStep; the farthest that a node may move in an iteration; the largest tension; and which
+/// lanes are to be moved: 0 or 1.
 template <int lanes>
 struct RopeEquations {
     double step_squared[lanes], inverse_step_squared[lanes];
-    double reach[lanes];
+    double reach[lanes], most_tension[lanes];
     double active[lanes];
 };
 

@@ -111,7 +111,8 @@ void RopesBesideModels<lanes>::put_constants(uint32_t lane, Body& body) {
         }
         inverse_mass_before = inverse_mass;
     }
-    equations_.step_squared[lane] = equations_.inverse_step_squared[lane] = equations_.reach[lane] = 1;
+    equations_.step_squared[lane] = equations_.inverse_step_squared[lane] = equations_.reach[lane] =
+        equations_.most_tension[lane] = 1;
 }
 
 /// Newton's initial guess is the previous motion, with constraints, continued.
@@ -124,7 +125,7 @@ void RopesBesideModels<lanes>::put(uint32_t lane) {
     const double h = rope.advance(), before = history.earlier_step;
     const double curve = before > 0 ? h * h / (2 * before) : 0;
     const bool onward = before > 0 || body.contacts.has_contact;
-    double longest = 0, farthest = 0;
+    double longest = 0, farthest = 0, mass = 0;
     for (uint32_t i = 0; i <= links_of(body); ++i) {
         RopeNode<lanes>& node = nodes_[i];
         const uint32_t p = particles[i];
@@ -137,6 +138,7 @@ void RopesBesideModels<lanes>::put(uint32_t lane) {
         }
         put3(node.position, lane, at);
         farthest = std::max(farthest, length_squared(at - history.predicted[p]));
+        mass += node.mass[lane];
         if (i == links_of(body)) continue;
         longest = std::max(longest, node.target[lane]);
         node.tension[lane] = body.rope.tension[body.plan.chains[0].first_link + i];
@@ -147,6 +149,8 @@ void RopesBesideModels<lanes>::put(uint32_t lane) {
     equations_.reach[lane] = longest + std::sqrt(farthest);
     equations_.step_squared[lane] = step * step;
     equations_.inverse_step_squared[lane] = 1 / (step * step);
+    // A million times what moves the whole rope so far: an iteration that goes astray overflows nowhere.
+    equations_.most_tension[lane] = 1e6 * mass * equations_.reach[lane] * equations_.inverse_step_squared[lane];
 }
 
 template <int lanes>

@@ -1003,7 +1003,7 @@ module Gamephys
     # @return 1: nothing is left to do, since fewer than one in 64 models were added one by one; 0: call
     #     again.
     # @raise [OutOfMemory] : the octree is as before, and the next call begins again
-    def maintain_octree?(budget)
+    def maintain_octree(budget)
       out_done = Int32.room
       Low.check(Low.gphys_scene_maintain_octree(opened, budget, out_done))
       Int32.unpack(out_done) != 0
