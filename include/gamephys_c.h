@@ -1508,7 +1508,7 @@ GPHYS_API gphys_status gphys_scene_rebuild_octree(gphys_scene* scene);
  *  that are streamed in while frames go on. Each gphys_scene_add and gphys_scene_remove does a part by itself; these
  *  calls do the rest. Never needed: ids, answers and their bits stay as they are. Models may be added, moved and
  * removed between the calls. An update of an eighth of them or more by one call starts again.
- *  @param budget    how much work to do, as a number of models, of 0.5 to 1 us each. The work is the same on every
+ *  @param budget    how much work to do, as a number of models, of 0.3 to 1 us each. The work is the same on every
  *                   machine and does not depend on time.
  *  @param out_done  1: nothing is left to do, since fewer than one in 64 models were added one by one; 0: call again
  *  @return GPHYS_ERROR_OUT_OF_MEMORY: the octree is as before, and the next call begins again

@@ -1161,7 +1161,7 @@ export class Scene {
      * may be added, moved and removed between the calls. An update of an eighth of them or more by one
      * call starts again.
      * Cost: O(budget); allocates, until it is done about 130 bytes a model. Since 1.1.
-     * @param budget - how much work to do, as a number of models, of 0.5 to 1 us each. The work is the
+     * @param budget - how much work to do, as a number of models, of 0.3 to 1 us each. The work is the
      *     same on every machine and does not depend on time.
      * @returns 1: nothing is left to do, since fewer than one in 64 models were added one by one; 0: call
      *     again.

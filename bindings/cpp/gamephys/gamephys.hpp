@@ -1066,7 +1066,7 @@ public:
     // itself; these calls do the rest. Never needed: ids, answers and their bits stay as they are. Models
     // may be added, moved and removed between the calls. An update of an eighth of them or more by one
     // call starts again.
-    //   - budget: how much work to do, as a number of models, of 0.5 to 1 us each. The work is the same on
+    //   - budget: how much work to do, as a number of models, of 0.3 to 1 us each. The work is the same on
     //     every machine and does not depend on time.
     // Result: 1: nothing is left to do, since fewer than one in 64 models were added one by one; 0: call
     // again.

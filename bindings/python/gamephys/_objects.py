@@ -1173,7 +1173,7 @@ class Scene(Models):
         Cost: O(budget); allocates, until it is done about 130 bytes a model. Since 1.1.
 
         Args:
-            budget: how much work to do, as a number of models, of 0.5 to 1 us each. The work is the
+            budget: how much work to do, as a number of models, of 0.3 to 1 us each. The work is the
                 same on every machine and does not depend on time.
 
         Returns:

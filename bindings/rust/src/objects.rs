@@ -1401,7 +1401,7 @@ impl Scene {
     ///
     /// Cost: O(budget); allocates, until it is done about 130 bytes a model. Since 1.1.
     ///
-    /// * `budget`: how much work to do, as a number of models, of 0.5 to 1 us each. The work is the same on
+    /// * `budget`: how much work to do, as a number of models, of 0.3 to 1 us each. The work is the same on
     ///   every machine and does not depend on time.
     ///
     /// Returns 1: nothing is left to do, since fewer than one in 64 models were added one by one; 0: call
