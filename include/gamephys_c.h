@@ -2102,7 +2102,7 @@ GPHYS_API gphys_status gphys_solver_add_rope(gphys_solver* solver, const gphys_b
                                              float link_length, gphys_body_id* out_body);
 /** Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
  *  corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v. Its constraints, in the order of their ids,
- * are those from row to row, those from column to column, both diagonals (GPHYS_CLOTH_SHEAR), and those that resist
+ *  are those from row to row, those from column to column, both diagonals (GPHYS_CLOTH_SHEAR), and those that resist
  *  folding (GPHYS_CLOTH_BEND); gphys_solver_set_constraint_settings makes them softer or stiffer later.
  *  @param desc           NULL: the defaults
  *  @param corner         metres
@@ -2117,7 +2117,7 @@ GPHYS_API gphys_status gphys_solver_add_cloth(gphys_solver* solver, const gphys_
                                               gphys_body_id* out_body);
 /** Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
  *  with GPHYS_CLOTH_BEND one across each inner edge, whose ids come after those of the edges. Vertices at the same
- * place stay separate.
+ *  place stay separate.
  *  @param desc       NULL: the defaults
  *  @param transform  places the mesh; NULL is the identity
  *  @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies;
@@ -2600,7 +2600,7 @@ GPHYS_API gphys_status gphys_solver_advance(gphys_solver* solver, const gphys_sc
                                             uint32_t* out_steps, float* out_leftover);
 
 /** The fraction of a step that gphys_solver_advance still owes: what it gave last as out_leftover, unless the solver
- * was restored or given another fixed_step since.
+ *  was restored or given another fixed_step since.
  *  @param out_leftover  from 0 to below 1
  *  Cost: O(1).  Since 1.1. */
 GPHYS_API gphys_status gphys_solver_get_leftover(const gphys_solver* solver, float* out_leftover);
