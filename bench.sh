@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
 # Times the library and others beside it.
 #   ./bench.sh                     the quick report, about five minutes: build/bench/report.md
-#   ./bench.sh --report [--quick]  the report in full, an hour and a half: docs/report.md, its figures and the README's table.
-#                                  An interrupted run goes on where it was; --quick is a part of the work, in five
-#                                  minutes.
+#   ./bench.sh --report [--quick]  the report in full, an hour and a half: docs/report.md, its figures and the README's table,
+#                                  and what was measured in docs/accuracy.md and docs/solver_figures.md. An interrupted
+#                                  run goes on where it was; --quick is a part of the work, in five minutes, and leaves
+#                                  those two pages as they are.
 #   ./bench.sh SUITE...            of scene mesh query update accuracy batches solver: build/bench/<suite>.csv with a
 #                                  plot beside each, the machine's description and ratios.md
 #   ./bench.sh energy              energy over a million steps, beside the book's integrators: build/bench/energy.csv and
 #                                  the figure docs/images/energy, which is the same on every machine
 # and with suites: --peers measures Embree, Bullet, FCL and nanoflann in the same run (a report always does); --quick is
-# a few seconds of smaller work; --docs puts the results of the accuracy suite into docs/accuracy.md and those of the
-# solver into docs/solver_figures.md. The batches suite fails if a batch of rays takes longer than single calls.
+# a few seconds of smaller work. The batches suite fails if a batch of rays takes longer than single calls.
 # Installs what it needs and builds with the flags that users get.
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -26,12 +26,11 @@ if [ "${1:-}" = energy ] && [ $# -eq 1 ]; then
     exit
 fi
 
-usage="usage: ./bench.sh [--report] [--quick], ./bench.sh energy, or ./bench.sh [scene mesh query update accuracy batches solver] [--peers] [--quick] [--docs]"
+usage="usage: ./bench.sh [--report] [--quick], ./bench.sh energy, or ./bench.sh [scene mesh query update accuracy batches solver] [--peers] [--quick]"
 report=
 readme=()
 [ $# -gt 0 ] || report=build/bench/report.md
 peers=OFF
-docs=OFF
 arguments=()
 suites=()
 solver=OFF
@@ -39,7 +38,6 @@ batches=OFF
 for argument in "$@"; do
     case $argument in
         --peers) peers=ON ;;
-        --docs) docs=ON ;;
         --report) report=docs/report.md readme=(README.md) ;;
         --quick) arguments+=("$argument") ;;
         scene | mesh | query | update | accuracy) suites+=("$argument") ;;
@@ -57,7 +55,7 @@ for argument in "$@"; do
 done
 
 if [ -n "$report" ]; then
-    if [ ${#suites[@]} -gt 0 ] || [ $peers$docs$solver$batches != OFFOFFOFFOFF ]; then
+    if [ ${#suites[@]} -gt 0 ] || [ $peers$solver$batches != OFFOFFOFF ]; then
         echo "$usage" >&2
         exit 2
     fi
@@ -90,6 +88,10 @@ if [ -n "$report" ]; then
     describe_machine | tee "$work/machine.txt"
     python3 bench/run_report.py build/release/bench "$work" "${arguments[@]}"
     /usr/bin/python3 bench/make_report.py "$work" "$report" "$(dirname "$report")/images" "${readme[@]}"
+    if [ ${#readme[@]} -gt 0 ] && [ ${#arguments[@]} -eq 0 ]; then
+        python3 bench/accuracy.py "$work" docs/accuracy_scores.csv docs/accuracy.md
+        python3 bench/report.py "$work" --docs-solver >docs/solver_figures.md
+    fi
     echo "the report: $report"
     exit
 fi
@@ -150,11 +152,5 @@ PLOT
 fi
 
 python3 bench/report.py build/bench | tee build/bench/ratios.md
-if [ $docs = ON ] && [ -f $accuracy ]; then
-    python3 bench/accuracy.py build/bench docs/accuracy_scores.csv docs/accuracy.md
-fi
-if [ $docs = ON ] && [ $solver = ON ]; then
-    python3 bench/report.py build/bench --docs-solver >docs/solver_figures.md
-fi
 ls build/bench
 exit $slower

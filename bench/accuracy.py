@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""The measured part of docs/accuracy.md from a run of the accuracy suite: accuracy.py DIRECTORY SCORES PAGE
+"""The measured part of docs/accuracy.md from the measurements of a report: accuracy.py DIRECTORY SCORES PAGE
 
-Reads accuracy.csv and machine.txt in DIRECTORY, and SCORES as scores.py writes it; replaces PAGE from the heading
-"Scores" on. Every number there comes from those files.
+Reads accuracy/accuracy.csv and machine.txt in DIRECTORY, and SCORES as scores.py writes it; replaces PAGE from the
+heading "Scores" on. Every number there comes from those files.
 """
 import csv
 import pathlib
@@ -43,7 +43,7 @@ The same queries of the same trees with plain float tests in place of the exact 
 
 {machine}
 
-Written by `./bench.sh accuracy --peers --docs`: time of one operation and share of false answers on the same hard cases. The truth is known from whole numbers, or because no ray leaves a closed surface.
+Written by `./bench.sh --report`: time of one operation and share of false answers on the same hard cases. The truth is known from whole numbers, or because no ray leaves a closed surface.
 
 {table}
 [The report](report.md#hard-cases) draws these cases.
@@ -105,7 +105,7 @@ def share(row):
 def main():
     directory = pathlib.Path(sys.argv[1])
     cases = {}
-    with (directory / "accuracy.csv").open(newline="") as file:
+    with (directory / "accuracy/accuracy.csv").open(newline="") as file:
         for row in csv.DictReader(file):
             cases.setdefault(row["case"], []).append(row)
     lines = []

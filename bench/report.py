@@ -2,7 +2,7 @@
 """Ratios of a benchmark run: report.py DIRECTORY [--docs-solver]
 
 Reads the CSV files of gamephys_bench in DIRECTORY and prints Markdown: for each suite a table of ratios, time of
-gamephys / time of the other. --docs-solver prints docs/solver_figures.md instead: the rows of solver.csv, with
+gamephys / time of the other. --docs-solver prints docs/solver_figures.md instead: the rows of each solver.csv, with
 machine.txt. Every number comes from those files.
 """
 import csv
@@ -27,7 +27,7 @@ SOLVER_PAGE = """# Figures of the solver
 
 {machine}
 
-Written by `./bench.sh solver --peers --docs`. A row is a case moved by a method; [solver.md](solver.md) describes the cases.
+Written by `./bench.sh --report`. A row is a case moved by a method; [solver.md](solver.md) describes the cases.
 
 - **substeps** are those of a 60 Hz frame; iterations for Bullet and Jakobsen.
 - **ms a frame** is the processor time of the median frame. For one and two threads it is wall time; "two independent threads" have a solver each, and the time is that of both together.
@@ -125,10 +125,14 @@ def solver_page(directory):
     def percent(text):
         return f"{100 * float(text):.2g} %" if text else ""
 
-    with (directory / "solver.csv").open(newline="") as file:
-        rows = [[SOLVER.get(row["case"], f"`{row['case']}`"), shown(row["method"]), row["substeps"], number(float(row["ms"])),
-                 percent(row["strain_max"]), percent(row["compression_max"]), percent(row["strain_rms"]), row["position_error"]]
-                for row in csv.DictReader(file)]
+    measured = []
+    for path in directory.glob("*/solver.csv"):
+        with path.open(newline="") as file:
+            measured += csv.DictReader(file)
+    order = list(SOLVER)
+    measured.sort(key=lambda row: order.index(row["case"]))
+    rows = [[SOLVER[row["case"]], shown(row["method"]), row["substeps"], number(float(row["ms"])), percent(row["strain_max"]),
+             percent(row["compression_max"]), percent(row["strain_rms"]), row["position_error"]] for row in measured]
     machine = "  \n".join((directory / "machine.txt").read_text().splitlines())
     head = ["case", "method", "substeps", "ms a frame", "largest stretch", "largest compression", "rms strain", "error, m"]
     return SOLVER_PAGE.format(machine=machine) + table(head, rows).rstrip() + "\n"
