@@ -75,7 +75,14 @@ cmake -S . -B build/release -G Ninja -DCMAKE_BUILD_TYPE=Release -DGAMEPHYS_TESTS
 cmake --build build/release --target gamephys_bench gamephys_bench_batches gamephys_bench_solver
 mkdir -p build/bench
 describe_machine() {
-    echo "Processor: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1 | grep . || uname -m), $(nproc) cores"
+    # Virtual machines shorten the name: family and model tell the generation.
+    awk -F': *' -v machine="$(uname -m)" -v cores="$(nproc)" '
+        /^processor/ && seen++ { exit }
+        /^model name/ { name = $2 } /^cpu family/ { family = $2 } /^model\t/ { model = $2 } /^flags/ { flags = $2 " " }
+        END {
+            set = flags ~ /avx512f / ? ", AVX-512" : flags ~ /avx2 / ? ", AVX2" : ""
+            print "Processor: " (name ? name : machine) (family ? " (family " family ", model " model set ")" : "") ", " cores " cores"
+        }' /proc/cpuinfo
     echo "Compiler: $(c++ --version | head -n 1)"
     [ $peers = OFF ] || echo "Peers: $(dpkg-query -W -f '${source:Package} ${source:Upstream-Version}, ' "${peer_packages[@]}" | sed 's/, $//')"
     echo "Date: $(date -u +%F)"

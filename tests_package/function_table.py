@@ -2,8 +2,8 @@
 """The table of all functions: what fuzzes, tests, measures and binds each. function_table.py SOURCE [--write]
 
 Prints docs/functions.md, or writes it. Fails if a function has no fuzz target, no C test or no binding of a language,
-or if one of those that programs call all the time has no benchmark. A benchmark is the name of a case in the
-benchmarks' figures: it may measure the code below the interface.
+or if one of those that programs call all the time has no benchmark. A benchmark is a row of the report or of the
+solver's figures: it may measure the code below the interface.
 """
 
 import re
@@ -12,6 +12,9 @@ import sys
 from pathlib import Path
 
 source = Path(sys.argv[1])
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(source / "bench"))
+from cases import SOLVER, words as words_of_case
 
 fuzz_sources = {
     "shapes": ["shapes.cpp", "shape_relations.cpp"],
@@ -82,16 +85,17 @@ for function in functions:
     targets = [target for target, names in fuzzed.items() if function in names]
     tests = [name.removeprefix("test_") for name, names in c_tests.items() if function in names]
     case = hot.get(function, "")
+    work = SOLVER.get(case) or words_of_case(case) if case else ""
     missing = [language for language, names in bound.items() if function not in names and (language, function) not in left_out]
     if not set(targets) - {"soak"}:
         holes.append(f"{function}: no fuzz target calls it")
     if not tests:
         holes.append(f"{function}: no C test calls it")
     holes += [f"{function}: not bound in {language}" for language in missing]
-    if case and f"`{case}`" not in figures:
-        holes.append(f"{function}: the figures have no case {case}")
+    if case and work not in figures:
+        holes.append(f"{function}: the figures have no row '{work}'")
     lines.append(f"| `{function}` | {', '.join(targets)} | {', '.join(tests)} | {'yes' if function in cpp_tests else ''} | "
-                 f"{f'`{case}`' if case else ''} | {len(languages) - len(missing)} of {len(languages)} |")
+                 f"{work} | {len(languages) - len(missing)} of {len(languages)} |")
 holes += [f"{function}: said to be called all the time, but no function" for function in hot if function not in functions]
 table = "\n".join(lines) + "\n"
 if holes:
