@@ -1,4 +1,4 @@
-// The kernels that put ropes side by side, move them and take them back: the same bits from each instruction set, for
+// The kernels that gather ropes into lanes, move them and scatter them: the same bits from each instruction set, for
 // one rope and for eight, and nothing of a rope that is not wanted.
 #include <cstring>
 #include <numeric>
@@ -85,27 +85,27 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
 }
 
 template <int lanes>
-void set_step(RopeStep<lanes>& to, int lane, const TimeScheme& scheme, double damping) {
+void set_step(RopeScheme<lanes>& to, int lane, const TimeScheme& scheme, double damping) {
     const double step = scheme.step(damping);
     to.h[lane] = scheme.h, to.rate[lane] = 1 / scheme.h;
     to.next[lane] = scheme.next, to.inverse_next[lane] = 1 / scheme.next;
     to.now[lane] = scheme.now, to.earlier[lane] = scheme.earlier;
     to.damping[lane] = damping, to.drag[lane] = scheme.drag(damping);
     to.step_squared[lane] = step * step, to.inverse_step_squared[lane] = 1 / (step * step);
-    to.curve[lane] = scheme.earlier * scheme.advance;
+    to.extrapolation[lane] = scheme.earlier * scheme.advance;
 }
 
 struct Way {
     bool trapezoid, estimated;
 };
 
-/// One part of a substep. Returns how agile they were.
+/// One part of a substep. Returns their largest frequencies, squared.
 template <int lanes>
 std::vector<double> move(const RopeKernelsOf<lanes>& kernels, Rope* ropes, const Way& way,
                          const bool (&wanted)[lanes]) {
     static RopeNode<lanes> nodes[longest];
     RopeArrays arrays[lanes];
-    RopeStep<lanes> step;
+    RopeScheme<lanes> step;
     RopeBounds<lanes> bounds{};
     uint32_t count = 0;
     for (int lane = 0; lane < lanes; ++lane) {
@@ -114,12 +114,12 @@ std::vector<double> move(const RopeKernelsOf<lanes>& kernels, Rope* ropes, const
         count = std::max(count, arrays[lane].count);
         set_step(step, lane, way.trapezoid ? TimeScheme::trapezoid(h) : TimeScheme(h, h), ropes[lane].damping);
     }
-    double agility[lanes];
-    kernels.put(nodes, count, arrays, gravity);
-    kernels.find_agility(nodes, count, agility);
+    double frequency_squared[lanes];
+    kernels.gather(nodes, count, arrays, gravity);
+    kernels.find_largest_frequency(nodes, count, frequency_squared);
     kernels.move(nodes, count, step, way.trapezoid, bounds);
-    kernels.take(nodes, count, arrays, wanted);
-    return {agility, agility + lanes};
+    kernels.scatter(nodes, count, arrays, wanted);
+    return {frequency_squared, frequency_squared + lanes};
 }
 
 std::vector<Rope> eight_ropes() {
@@ -135,9 +135,9 @@ TEST_CASE("the kernels of ropes give the same bits on each instruction set, for 
     CAPTURE(way.trapezoid, way.estimated);
     const std::vector<Rope> before = eight_ropes();
     std::vector<Rope> alone = before;
-    std::vector<double> agility;
+    std::vector<double> frequency_squared;
     for (Rope& rope : alone) {
-        agility.push_back(move<1>(rope_kernels(Isa::scalar).one, &rope, way, {true})[0]);
+        frequency_squared.push_back(move<1>(rope_kernels(Isa::scalar).one, &rope, way, {true})[0]);
         CHECK(!same_bits(rope.state(), before[&rope - alone.data()].state()));
     }
     for (const Isa isa : all_sets) {
@@ -146,12 +146,12 @@ TEST_CASE("the kernels of ropes give the same bits on each instruction set, for 
         std::vector<Rope> together = before;
         bool wanted[8];
         for (int lane = 0; lane < 8; ++lane) wanted[lane] = true;
-        CHECK(same_bits(move<8>(rope_kernels(isa).eight, together.data(), way, wanted), agility));
+        CHECK(same_bits(move<8>(rope_kernels(isa).eight, together.data(), way, wanted), frequency_squared));
         for (uint32_t lane = 0; lane < 8; ++lane) {
             CAPTURE(lane);
             CHECK(same_bits(together[lane].state(), alone[lane].state()));
             Rope one = before[lane];
-            CHECK(move<1>(rope_kernels(isa).one, &one, way, {true})[0] == agility[lane]);
+            CHECK(move<1>(rope_kernels(isa).one, &one, way, {true})[0] == frequency_squared[lane]);
             CHECK(same_bits(one.state(), alone[lane].state()));
         }
     }
@@ -175,7 +175,7 @@ TEST_CASE("the kernels of ropes leave those alone that are not wanted") {
     }
 }
 
-TEST_CASE("the agility of a rope is how fast its links turn or would swing") {
+TEST_CASE("the largest frequency of a rope is that with which its links turn, swing or stretch") {
     Rope rope(0);
     const double turning = 3, rounding = 1e-14;  // a dozen operations, each off by 2^-53 at most
     std::fill(rope.velocity.begin(), rope.velocity.end(), 0.0);
@@ -183,18 +183,18 @@ TEST_CASE("the agility of a rope is how fast its links turn or would swing") {
     std::fill(rope.tension.begin(), rope.tension.end(), 0.0);
     std::fill(rope.mass.begin(), rope.mass.end(), 1.0);
     for (double& inverse : rope.inverse_mass) inverse = inverse > 0 ? 1 : 0;
-    const auto agility = [&] {
+    const auto frequency_squared = [&] {
         Rope copy = rope;
         return move<1>(rope_kernels(chosen_isa()).one, &copy, {true, false}, {true})[0];
     };
     const double fall = std::sqrt(9.81 * 9.81 + 0.25), resting = 0.25 * fall * 2 / 0.1;
-    CHECK(std::fabs(agility() / (resting)-1) < rounding);
+    CHECK(std::fabs(frequency_squared() / (resting)-1) < rounding);
     // As it has since the part before: 6 times the square of what is new counts more than the whole.
     rope.velocity[3 * 8 + 1] = turning * 0.1;
-    CHECK(std::fabs(agility() / (std::max(6 * turning * turning, resting)) - 1) < rounding);
+    CHECK(std::fabs(frequency_squared() / (std::max(6 * turning * turning, resting)) - 1) < rounding);
     rope.start_velocity[3 * 8 + 1] = turning * 0.1;
     rope.tension[4] = -100;
-    CHECK(std::fabs(agility() / (0.25 * 100 * 2 / 0.1) - 1) < rounding);
+    CHECK(std::fabs(frequency_squared() / (0.25 * 100 * 2 / 0.1) - 1) < rounding);
     rope.compliance[2] = 1e-5;
-    CHECK(std::fabs(agility() / (0.25 * 2 / 1e-5) - 1) < rounding);
+    CHECK(std::fabs(frequency_squared() / (0.25 * 2 / 1e-5) - 1) < rounding);
 }

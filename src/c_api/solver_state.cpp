@@ -90,7 +90,7 @@ gphys_status gphys_solver_set_positions(gphys_solver* solver, gphys_body_id body
         GPHYS_TRY(check_position_stride("stride", stride, count));
         GPHYS_TRY(check_array("positions", positions, stride, count, defect_of_vector));
         set_positions(unwrap(solver)->edit(body), first, count, positions, stride);
-        unwrap(solver)->show(body);
+        unwrap(solver)->update_mesh(body);
         return GPHYS_OK;
     });
 }
@@ -156,7 +156,7 @@ gphys_status gphys_solver_set_radii(gphys_solver* solver, gphys_body_id body, ui
         GPHYS_TRY(check_range(solver, body, first, count));
         GPHYS_TRY(check_array("radii", radii, stride, count, defect_of_radius));
         set_radii(unwrap(solver)->edit(body), first, count, radii, stride);
-        unwrap(solver)->show(body);
+        unwrap(solver)->update_mesh(body);
         return GPHYS_OK;
     });
 }
@@ -302,7 +302,7 @@ gphys_status add_link(gphys_solver* solver, gphys_body_id body, uint32_t particl
     GPHYS_REQUIRE_POINTERS(out_constraint);
     GPHYS_TRY(add_constraint(unwrap(solver)->body(body), {particle_a, particle_b, length, compliance, 0, limit},
                              *out_constraint));
-    unwrap(solver)->show(body);
+    unwrap(solver)->update_mesh(body);
     return GPHYS_OK;
 }
 
@@ -387,7 +387,7 @@ gphys_status gphys_solver_remove_constraint(gphys_solver* solver, gphys_body_id 
         GPHYS_REQUIRE_POINTERS(solver);
         GPHYS_TRY(unwrap(solver)->check(body));
         GPHYS_TRY(remove_constraint(unwrap(solver)->body(body), constraint));
-        unwrap(solver)->show(body);
+        unwrap(solver)->update_mesh(body);
         return GPHYS_OK;
     });
 }

@@ -55,7 +55,7 @@ inline Vec3 link_direction(const Particles& particles, uint32_t a, uint32_t b) {
 /// The impulse of a rope's link, from a to b, on its particle a in a substep, newton seconds.
 inline Vec3 link_impulse(const Body& body, uint32_t a, uint32_t b, uint32_t link, const TimeScheme& scheme) {
     return link_direction(body.particles, a, b) *
-           (body.rope.tension[link] * scheme.h + body.rope.earlier_tension[link] * scheme.lean);
+           (body.rope.tension[link] * scheme.h + body.rope.earlier_tension[link] * scheme.explicit_h);
 }
 
 /// Metres by which a constraint is too long or, below 0, too short. A maximum distance is never too short.

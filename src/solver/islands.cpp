@@ -25,9 +25,9 @@ void Solver::unite_near_bodies(DisjointSets& sets, double dt) {
             radius = std::max(radius, body.particles.radius[p]);
         }
         // Twice as far as it flies, because constraints may make parts of it faster.
-        const double room =
+        const double margin =
             radius + 2 * dt * (std::sqrt(fastest) + dt * length(state_.settings.gravity)) + way_to_targets(body);
-        const Vec3 around{room, room, room};
+        const Vec3 around{margin, margin, margin};
         swept_bounds_.push_back({slot, {box.min - around, box.max + around}});
     }
     std::sort(swept_bounds_.begin(), swept_bounds_.end(), [](const SweptBounds& a, const SweptBounds& b) {
@@ -73,7 +73,7 @@ void Solver::list_islands() {
     island_bodies_.clear();
     joined_bodies_.clear();
     island_systems_.clear();
-    for (const ActiveBody& moving : moving_) island_bodies_.push_back(moving.slot);
+    for (const ActiveBody& active : active_) island_bodies_.push_back(active.slot);
     const auto by_set = [&](uint32_t a, uint32_t b) {
         return set_of_[a] != set_of_[b] ? set_of_[a] < set_of_[b] : a < b;
     };
@@ -112,15 +112,15 @@ void Solver::list_islands() {
     };
     islands_.erase(std::remove_if(islands_.begin(), islands_.end(), alone), islands_.end());
     std::sort(islands_.begin(), islands_.end());
-    together_.assign(state_.ids.slots(), 0);
+    in_island_.assign(state_.ids.slots(), 0);
     for (const Island& island : islands_) {
-        for (uint32_t i = 0; i < island.body_count; ++i) together_[island_bodies_[island.first_body + i]] = 1;
+        for (uint32_t i = 0; i < island.body_count; ++i) in_island_[island_bodies_[island.first_body + i]] = 1;
     }
-    for (ActiveBody& moving : moving_) {
-        moving.together = together_[moving.slot] != 0;
-        if (!moving.together) continue;
-        moving.undisturbed = false;
-        state_.bodies[moving.slot].history.in_stages = false;
+    for (ActiveBody& active : active_) {
+        active.in_island = in_island_[active.slot] != 0;
+        if (!active.in_island) continue;
+        active.undisturbed = false;
+        state_.bodies[active.slot].history.in_stages = false;
     }
 }
 
@@ -174,7 +174,7 @@ void Solver::move_island(const Island& island, const Scene* scene, double dt) {
         for (uint32_t i = 0; i < island.body_count; ++i) visit(state_.bodies[slots[i]]);
     };
     const Vec3 gravity = state_.settings.gravity;
-    const CollisionContext whole{scene, &moved_, dt, 0, 1}, beginning{scene, &moved_, dt, 0, 0};
+    const CollisionContext whole{scene, &moved_models_, dt, 0, 1}, beginning{scene, &moved_models_, dt, 0, 0};
     uint32_t substeps = 1;
     each_body([&](Body& body) {
         clear_contact_points(body);
@@ -187,7 +187,7 @@ void Solver::move_island(const Island& island, const Scene* scene, double dt) {
     if (island.colliding_count > 0) particle_contacts_.begin(island, state_.bodies, slots);
     for (uint32_t i = 1; i <= substeps; ++i) {
         const double begin = static_cast<double>(i - 1) / substeps, end = static_cast<double>(i) / substeps;
-        const CollisionContext around{scene, &moved_, dt, begin, end};
+        const CollisionContext around{scene, &moved_models_, dt, begin, end};
         const double h = dt / substeps;
         if (island.colliding_count > 0) {
             move_colliding(island, joined, around, h);

@@ -44,28 +44,28 @@ bool move_in_halves(Motion& motion, const CollisionContext& around, double h, in
 
 /// The rest of move_in_halves, after the first solution.
 template <class Motion>
-bool end_in_halves(Motion& motion, const CollisionContext& around, double h, bool found, int halvings = 7) {
+bool end_in_halves(Motion& motion, const CollisionContext& around, double h, bool solved, int halvings = 7) {
     // Where links turn by a radian, the method may cycle for a while before it converges.
     constexpr int most_solutions = 8;
     constexpr double halves[] = {0.5, 0.5};
-    const bool may_be_found = found || motion.began_in_shape();
-    for (int i = 1; may_be_found && !found && i < most_solutions; ++i) found = motion.solve();
-    if (found || !may_be_found || halvings == 0) {
+    const bool is_solvable = solved || motion.began_feasible();
+    for (int i = 1; is_solvable && !solved && i < most_solutions; ++i) solved = motion.solve();
+    if (solved || !is_solvable || halvings == 0) {
         motion.finish(around, h);
-        return found;
+        return solved;
     }
     motion.roll_back();
-    found = true;
+    solved = true;
     move_in_parts(halves, around, h, [&](const CollisionContext& within, double part) {
-        found = move_in_halves(motion, within, part, found ? halvings - 1 : 0) && found;
+        solved = move_in_halves(motion, within, part, solved ? halvings - 1 : 0) && solved;
     });
-    return found;
+    return solved;
 }
 
-/// If Newton's method does not find the lengths of all links, the substep is too long for it. Then it is divided into
-/// halves, recursively: half a second becomes parts of 4 ms, in which a link of 1 mm that swings under gravity turns by
-/// 0.4 radians. Lengths that are not found in the shortest parts are given up. `motion` has begin(around, h), solve()
-/// and began_in_shape(), and then either finish(around, h) or roll_back(). Returns whether all lengths were found.
+/// If Newton's method does not converge, the substep is too long for it. Then it is divided into halves, recursively:
+/// half a second becomes parts of 4 ms, in which a link of 1 mm that swings under gravity turns by 0.4 radians. In the
+/// shortest parts the last iterate is accepted. `motion` has begin(around, h), solve() and began_feasible(), and then
+/// either finish(around, h) or roll_back(). Returns whether all parts were solved.
 template <class Motion>
 bool move_in_halves(Motion& motion, const CollisionContext& around, double h, int halvings) {
     motion.begin(around, h);

@@ -1,7 +1,7 @@
-// The first phase of a step: plans, memory, nearby models and tasks are prepared before anything moves.
+// The first phase of a step: it plans, reserves memory, finds nearby models (broad phase) and makes the tasks.
 //
-// All memory is allocated here, so that a step without memory fails before it changes anything that a snapshot holds.
-// What must change earlier is saved in Before and restored if an allocation fails. Sizes and states that a snapshot
+// All memory is allocated here, so a step that lacks memory fails before it changes anything that a snapshot holds.
+// What must change earlier is saved in Undo and restored if an allocation fails. Sizes and states that a snapshot
 // holds change last, in begin_step, which cannot fail.
 //
 // Tasks are sorted by size, the largest first (longest processing time first; Graham 1969). Workers take them from one
@@ -69,8 +69,8 @@ void each_kept_array(Body& body, bool collides, Visit&& visit) {
     if (body.settings.sticks()) visit(body.contacts.stuck, body.particles.size());
 }
 
-/// Allocates the arrays of a body that the step uses.
-void make_room(Body& body, bool collides) {
+/// Allocates the arrays that the step uses of a body.
+void reserve_arrays(Body& body, bool collides) {
     each_kept_array(body, collides, [](auto& values, size_t size) { values.reserve(size); });
     if (collides) body.contacts.point_count.resize(body.particles.size());
     // Steps without a scene read which particles stick, too.
@@ -95,11 +95,11 @@ bool is_divided(const Body& body) {
 
 /// Allocates everything that the step needs. Throws std::bad_alloc; then nothing in snapshots has changed.
 void Solver::prepare(const Scene* scene, double dt) {
-    before_.clear();
+    undo_.clear();
     try {
-        moving_.clear();
-        next_seen_.clear();
-        moved_.clear();
+        active_.clear();
+        next_near_models_.clear();
+        moved_models_.clear();
         unite_bodies(scene, dt);
         for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
             if (state_.ids.live(slot) && awake_[set_of_[slot]]) prepare_body(slot, scene, dt);
@@ -108,18 +108,18 @@ void Solver::prepare(const Scene* scene, double dt) {
         list_islands();
         particle_contacts_.reserve(state_.bodies, islands_, island_bodies_);
         if (scene) list_near_models(*scene, dt);
-        bound_work(dt);
-        std::sort(moving_.begin(), moving_.end());
-        divide_work();
-        if (scene) make_room_for_flight();
-        state_.seen.reserve(next_seen_.capacity());  // the two are swapped
+        limit_work(dt);
+        std::sort(active_.begin(), active_.end());
+        make_tasks();
+        if (scene) reserve_flight_planes();
+        state_.near_models.reserve(next_near_models_.capacity());  // the two are swapped
         size_t given = 0;
         for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot)
             given += state_.bodies[slot].contacts.impulses.capacity();
         body_impulses_.reserve(given);
         impulses_.reserve(given);
     } catch (...) {
-        for (Before& before : before_) before.put_back(state_.bodies[before.slot]);
+        for (Undo& undo : undo_) undo.apply(state_.bodies[undo.slot]);
         throw;
     }
 }
@@ -129,13 +129,13 @@ void Solver::prepare_body(uint32_t slot, const Scene* scene, double dt) {
     Plan& plan = body.plan;
     const bool lost = has_lost(body.constraints, scene), changed = !plan.chains_current;
     if (lost || changed || !plan.reach_current) {
-        // Made complete before it is added to the list, because copying its parts may throw.
-        Before before(slot, body, &memory);
-        if (lost) before.attachments = body.constraints.attachments;
-        before_.push_back(std::move(before));
+        // Complete before it is added to the list, because copying its parts may throw.
+        Undo undo(slot, body, &memory);
+        if (lost) undo.attachments = body.constraints.attachments;
+        undo_.push_back(std::move(undo));
     }
     if (lost) {
-        before_.back().reach_limits.swap(body.cloth.reach.limits);
+        undo_.back().reach_limits.swap(body.cloth.reach.limits);
         release_lost(body, scene);
     }
     if (changed) joints_current_ = false;
@@ -148,7 +148,7 @@ void Solver::prepare_body(uint32_t slot, const Scene* scene, double dt) {
     body.cloth.relaxation.most_strain = relaxed ? most_strain : 0;
     body.cloth.relaxation.braces_yield = state_.settings.max_strain == 0;
     if (body.settings.self_collision && (changed || body.contacts.self.linked_begin.empty())) list_linked(body);
-    make_room(body, scene && body.settings.layers != 0);
+    reserve_arrays(body, scene && body.settings.layers != 0);
     reserve_air(body);
     reserve_targets(body);
     // Falling asleep has set the speeds to 0, so the stored bounds are out of date.
@@ -165,12 +165,12 @@ void Solver::prepare_body(uint32_t slot, const Scene* scene, double dt) {
     } else {
         body.contacts.parts.clear();
     }
-    moving_.push_back({body.particles.size(), slot, substeps_of(body, state_.settings, dt),
+    active_.push_back({body.particles.size(), slot, substeps_of(body, state_.settings, dt),
                        static_cast<uint32_t>(plan.chains.size()), is_plain_rope(body), is_plain_rope(body),
-                       starts_again(body)});
+                       restarts(body)});
 }
 
-void Solver::Before::put_back(Body& body) {
+void Solver::Undo::apply(Body& body) {
     body.plan.chains_current = chains_current;
     body.plan.reach_current = reach_current;
     if (attachments.empty()) return;
@@ -184,8 +184,8 @@ void Solver::Before::put_back(Body& body) {
 
 /// Uses reserved memory only.
 void Solver::begin_step(const Scene* scene) noexcept {
-    for (const ActiveBody& moving : moving_) {
-        Body& body = state_.bodies[moving.slot];
+    for (const ActiveBody& active : active_) {
+        Body& body = state_.bodies[active.slot];
         if (body.sleep.asleep) wake(body);
         body.plan.edits = 0;
         aim_attachments(body, scene);
@@ -195,75 +195,77 @@ void Solver::begin_step(const Scene* scene) noexcept {
     }
 }
 
-/// Broad phase: lists the models near the bodies with their transforms, and those that have moved since the last step.
+/// The broad phase: lists the models near the bodies with their transforms, and those that have moved since the last
+/// step.
 void Solver::list_near_models(const Scene& scene, double dt) {
     ranges_.clear();
-    for (uint32_t i = 0; i < moving_.size(); ++i) {
-        Body& body = state_.bodies[moving_[i].slot];
+    for (uint32_t i = 0; i < active_.size(); ++i) {
+        Body& body = state_.bodies[active_[i].slot];
         if (body.particles.extent) continue;
         for (uint32_t first = 0; first < body.particles.size(); first += part_size) ranges_.push_back({i, first, {}});
     }
     workers_.run(static_cast<uint32_t>(ranges_.size()), [&](uint32_t i) {
         ParticleRange& range = ranges_[i];
-        Body& body = state_.bodies[moving_[range.moving].slot];
+        Body& body = state_.bodies[active_[range.active].slot];
         range.extent = extent_of(body, range.first, std::min(range.first + part_size, body.particles.size()));
     });
     for (const ParticleRange& range : ranges_) {
-        std::optional<Extent>& extent = state_.bodies[moving_[range.moving].slot].particles.extent;
+        std::optional<Extent>& extent = state_.bodies[active_[range.active].slot].particles.extent;
         if (!extent) extent.emplace();
         extent->add(range.extent);
     }
-    for (ActiveBody& moving : moving_) {
-        Body& body = state_.bodies[moving.slot];
-        const double fastest = moving.fastest = length(body.particles.extent->fastest);
+    for (ActiveBody& active : active_) {
+        Body& body = state_.bodies[active.slot];
+        const double fastest = active.fastest = length(body.particles.extent->fastest);
         const Aabb box = body.particles.extent->box;
         body.particles.extent.reset();
-        // Twice the distance that a particle can move in this step. `nearby` adds the distance that a model can move.
-        const double way = 2 * body.particles.largest_radius +
-                           2 * dt * (fastest + dt * length(state_.settings.gravity)) + way_to_targets(body);
-        const auto within = [&](double room) {
-            return bounds(Aabb{box.min - Vec3{room, room, room}, box.max + Vec3{room, room, room}});
+        // Metres: twice what a particle can move in this step. `search_box` adds what a model can move.
+        const double margin = 2 * body.particles.largest_radius +
+                              2 * dt * (fastest + dt * length(state_.settings.gravity)) + way_to_targets(body);
+        const auto enlarged = [&](double by) {
+            return bounds(Aabb{box.min - Vec3{by, by, by}, box.max + Vec3{by, by, by}});
         };
-        moving.close = within(way);
-        moving.nearby = within(way + dt * fastest_model);
+        active.reachable = enlarged(margin);
+        active.search_box = enlarged(margin + dt * fastest_model);
     }
-    for (ActiveBody& moving : moving_) {
-        const size_t before = next_seen_.size();
-        scene.for_each_in_box(moving.nearby, state_.bodies[moving.slot].settings.layers, [&](gphys_model_id model) {
+    for (ActiveBody& active : active_) {
+        const size_t before = next_near_models_.size();
+        scene.for_each_in_box(active.search_box, state_.bodies[active.slot].settings.layers, [&](gphys_model_id model) {
             // The box of a terrain or of a rotated slab contains bodies that are far from its surface.
-            if (!scene.overlaps_box(model, moving.nearby)) return;
-            next_seen_.push_back({model, scene.world(model)});
+            if (!scene.overlaps_box(model, active.search_box)) return;
+            next_near_models_.push_back({model, scene.world(model)});
             // find_disturbed handles models that have moved.
-            if (moving.undisturbed && scene.overlaps_box(model, moving.close)) moving.undisturbed = false;
+            if (active.undisturbed && scene.overlaps_box(model, active.reachable)) active.undisturbed = false;
         });
-        moving.models_near = static_cast<uint32_t>(next_seen_.size() - before);
-        if (moving.models_near == 0) continue;
+        active.near_model_count = static_cast<uint32_t>(next_near_models_.size() - before);
+        if (active.near_model_count == 0) continue;
         const uint32_t least =
-            substeps_near_models(state_.bodies[moving.slot].cloth, state_.settings, moving.fastest, dt);
-        moving.substeps = std::max(moving.substeps, least);
+            substeps_near_models(state_.bodies[active.slot].cloth, state_.settings, active.fastest, dt);
+        active.substeps = std::max(active.substeps, least);
     }
-    std::sort(next_seen_.begin(), next_seen_.end());
+    std::sort(next_near_models_.begin(), next_near_models_.end());
     const auto same = [](const PlacedModel& a, const PlacedModel& b) { return a.model == b.model; };
-    next_seen_.erase(std::unique(next_seen_.begin(), next_seen_.end(), same), next_seen_.end());
-    for (const PlacedModel& seen : state_.seen) {
-        if (!scene.has(seen.model)) continue;
-        const gphys_transform& now = scene.world(seen.model);
-        if (std::memcmp(&now, &seen.world, sizeof now) != 0) moved_.push_back(seen);
+    next_near_models_.erase(std::unique(next_near_models_.begin(), next_near_models_.end(), same),
+                            next_near_models_.end());
+    for (const PlacedModel& before : state_.near_models) {
+        if (!scene.has(before.model)) continue;
+        const gphys_transform& now = scene.world(before.model);
+        if (std::memcmp(&now, &before.world, sizeof now) != 0) moved_models_.push_back(before);
     }
-    for (const ActiveBody& moving : moving_) {
-        Body& body = state_.bodies[moving.slot];
-        reserve_impulses(body, moving.models_near + moved_.size());
-        if (body.plan.method == GPHYS_SOLVE_GRAPH) body.cloth.moving_colliders.reserve(moved_.size());
+    for (const ActiveBody& active : active_) {
+        Body& body = state_.bodies[active.slot];
+        reserve_impulses(body, active.near_model_count + moved_models_.size());
+        if (body.plan.method == GPHYS_SOLVE_GRAPH) body.cloth.moving_colliders.reserve(moved_models_.size());
     }
     find_disturbed(scene);
 }
 
 /// Keeps the sum of substeps times particles below max_work: if it is larger, all bodies get fewer substeps in
 /// proportion. Bodies of an island take as many substeps as the one that needs the most.
-void Solver::bound_work(double dt) {
+void Solver::limit_work(double dt) {
     const uint32_t most = state_.settings.max_work;
-    for (const ActiveBody& moving : moving_) {
-        state_.bodies[moving.slot].substeps.allowed = most > 0 ? moving.substeps : std::numeric_limits<uint32_t>::max();
+    for (const ActiveBody& active : active_) {
+        state_.bodies[active.slot].substeps.allowed = most > 0 ? active.substeps : std::numeric_limits<uint32_t>::max();
     }
     if (most == 0) return;
     for (const Island& island : islands_) {
@@ -275,75 +277,77 @@ void Solver::bound_work(double dt) {
         for (uint32_t i = 0; i < island.body_count; ++i) state_.bodies[slots[i]].substeps.allowed = needed;
     }
     double work = 0;
-    for (const ActiveBody& moving : moving_) {
-        work += static_cast<double>(state_.bodies[moving.slot].substeps.allowed) * moving.size;
+    for (const ActiveBody& active : active_) {
+        work += static_cast<double>(state_.bodies[active.slot].substeps.allowed) * active.size;
     }
     const double kept = work > most ? most / work : 1;
-    for (ActiveBody& moving : moving_) {
-        Body& body = state_.bodies[moving.slot];
+    for (ActiveBody& active : active_) {
+        Body& body = state_.bodies[active.slot];
         const uint32_t least = least_substeps(body, dt);
         body.substeps.allowed = std::max(least, static_cast<uint32_t>(body.substeps.allowed * kept));
-        moving.substeps = std::min(moving.substeps, body.substeps.allowed);
+        active.substeps = std::min(active.substeps, body.substeps.allowed);
     }
 }
 
-/// Marks bodies near the path of a model that has moved.
+/// Marks the bodies near the path of a model that has moved.
 void Solver::find_disturbed(const Scene& scene) {
-    for (const PlacedModel& before : moved_) {
-        Box way;
-        const bool bounded = way_of(scene, before, way);
-        for (ActiveBody& moving : moving_) {
-            const uint32_t layers = scene.layers(before.model) & state_.bodies[moving.slot].settings.layers;
-            if (layers != 0 && (!bounded || overlaps(way, moving.nearby))) {
-                moving.undisturbed = false;
-                moving.models_move = true;
+    for (const PlacedModel& before : moved_models_) {
+        Box path;
+        const bool bounded = way_of(scene, before, path);
+        for (ActiveBody& active : active_) {
+            const uint32_t layers = scene.layers(before.model) & state_.bodies[active.slot].settings.layers;
+            if (layers != 0 && (!bounded || overlaps(path, active.search_box))) {
+                active.undisturbed = false;
+                active.models_move = true;
             }
         }
     }
 }
 
-/// Whether all workers should move a cloth together: if it has more than a worker's share of all particles. For cloth
-/// with fewer links, synchronisation between colours takes most of the gain. Two workers took 0.64 of the time of one
-/// with 59 000 links and 0.75 with 21 000; on cores with a latency of 200 ns instead of 50, 1.2 with 59 000.
-bool Solver::is_worth_sharing(const ActiveBody& moving, size_t particles) const {
+/// Whether all workers should move a cloth together: if it has more than a worker's share of all particles. With fewer
+/// links, synchronisation between colours takes most of the gain. Two workers took 0.64 of the time of one for 59 000
+/// links, and 0.75 for 21 000; on cores with a latency of 200 ns instead of 50, 1.2 for 59 000.
+bool Solver::is_worth_sharing(const ActiveBody& active, size_t particles) const {
     constexpr size_t least_links = 40000;
-    const Plan& plan = state_.bodies[moving.slot].plan;
+    const Plan& plan = state_.bodies[active.slot].plan;
     return plan.method == GPHYS_SOLVE_GRAPH && plan.rest.size() >= least_links &&
-           size_t{moving.size} * workers_.count() > particles;
+           size_t{active.size} * workers_.count() > particles;
 }
 
-void Solver::make_room_for_flight() {
-    const auto flies = [&](const ActiveBody& moving) {
-        return state_.bodies[moving.slot].plan.method == GPHYS_SOLVE_FREE;
+void Solver::reserve_flight_planes() {
+    const auto flies = [&](const ActiveBody& active) {
+        return state_.bodies[active.slot].plan.method == GPHYS_SOLVE_FREE;
     };
-    if (flight_planes_.size() >= workers_.count() || std::none_of(moving_.begin(), moving_.end(), flies)) return;
+    if (flight_planes_.size() >= workers_.count() || std::none_of(active_.begin(), active_.end(), flies)) return;
     Vector<FlightPlanes> made(workers_.count(), flight_planes_.get_allocator());
     flight_planes_.swap(made);
 }
 
-/// Makes the tasks: eight undisturbed ropes each, larger groups of ropes that may touch models, or one body, or a part
-/// of a body. Islands are tasks of their own.
-void Solver::divide_work() {
+/// Makes the tasks: eight undisturbed ropes, a larger group of ropes that share contact lanes, one body, or a part of a
+/// body. Islands are tasks of their own.
+void Solver::make_tasks() {
     tasks_.clear();
-    while (rooms_.size() < workers_.count()) rooms_.emplace_back(&room_memory_);
-    size_t alone = 0, together = 0, beside = 0;  // nodes of the longest ropes
-    const auto touching = std::count_if(moving_.begin(), moving_.end(),
-                                        [](const ActiveBody& moving) { return moving.touches() && !moving.together; });
-    // Lanes are idle at the end of a group, workers at the end of a step.
+    while (rope_scratch_.size() < workers_.count()) rope_scratch_.emplace_back(&scratch_memory_);
+    size_t alone = 0, in_lanes = 0, in_contact_lanes = 0;  // particles of the longest ropes
+    const auto sharing = std::count_if(active_.begin(), active_.end(), [](const ActiveBody& active) {
+        return active.shares_contact_lanes() && !active.in_island;
+    });
+    // Large groups, because lanes are idle at the end of one; but several per worker, because workers are idle at the
+    // end of the step.
     const uint32_t in_group =
-        std::clamp(static_cast<uint32_t>(touching) / (4 * workers_.count()), ropes_together, 8 * ropes_together);
+        std::clamp(static_cast<uint32_t>(sharing) / (4 * workers_.count()), rope_lanes, 8 * rope_lanes);
     size_t particles = 0;
-    for (const ActiveBody& moving : moving_) particles += moving.size;
-    for (uint32_t i = 0, next; i < moving_.size(); i = next) {
-        const ActiveBody& first = moving_[i];
+    for (const ActiveBody& active : active_) particles += active.size;
+    for (uint32_t i = 0, next; i < active_.size(); i = next) {
+        const ActiveBody& first = active_[i];
         next = i + 1;
-        if (first.together) continue;
-        if (first.undisturbed && first.size <= longest_rope_together) {
-            while (next < moving_.size() && next - i < ropes_together && first.alike(moving_[next])) ++next;
-        } else if (first.touches()) {
-            const auto joins = [&](const ActiveBody& rope) { return rope.touches() && !rope.together; };
-            while (next < moving_.size() && next - i < in_group && joins(moving_[next])) ++next;
-            if (next - i > 1) beside = std::max<size_t>(beside, first.size);
+        if (first.in_island) continue;
+        if (first.undisturbed && first.size <= longest_rope_in_lanes) {
+            while (next < active_.size() && next - i < rope_lanes && first.can_share_lanes(active_[next])) ++next;
+        } else if (first.shares_contact_lanes()) {
+            const auto joins = [&](const ActiveBody& rope) { return rope.shares_contact_lanes() && !rope.in_island; };
+            while (next < active_.size() && next - i < in_group && joins(active_[next])) ++next;
+            if (next - i > 1) in_contact_lanes = std::max<size_t>(in_contact_lanes, first.size);
         }
         const bool shared = workers_.count() > 1 && is_worth_sharing(first, particles);
         if (shared) {
@@ -355,9 +359,9 @@ void Solver::divide_work() {
         if (parts == 0) tasks_.push_back({i, next - i, shared, 0});
         if (state_.bodies[first.slot].plan.method != GPHYS_SOLVE_DIRECT) continue;
         alone = std::max<size_t>(alone, first.size);
-        if (next - i > 1) together = std::max<size_t>(together, first.size);
+        if (next - i > 1) in_lanes = std::max<size_t>(in_lanes, first.size);
     }
-    for (RopeRoom& room : rooms_) room.reserve(alone, together, beside);
+    for (RopeScratch& scratch : rope_scratch_) scratch.reserve(alone, in_lanes, in_contact_lanes);
 }
 
 }  // namespace gphys

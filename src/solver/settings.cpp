@@ -11,7 +11,7 @@ void Solver::set_settings(const SolverSettings& settings) {
         wake_all();
     }
     state_.settings = settings;
-    state_.owed = std::min(state_.owed, settings.fixed_step);
+    state_.accumulator = std::min(state_.accumulator, settings.fixed_step);
 }
 
 void Solver::set_wind(gphys_body_id of, const gphys_wind& wind) {

@@ -8,7 +8,7 @@
 //   constraints.cpp    adding and removing constraints
 //   settings.cpp       settings of the solver and of bodies
 //   constraint_settings.cpp  settings of constraints: winches and muscles
-//   prepare.cpp        before a step: plans, memory, nearby models, tasks
+//   prepare.cpp        before a step: plans, memory, broad phase, tasks
 //   step.cpp           the step: how each body is moved
 //   time_scheme.h      the time integration of constrained bodies
 //   islands.cpp        bodies that influence each other, moved together
@@ -23,12 +23,13 @@
 //   rope/              chains and trees: Newton's method on the whole chain
 //     plan_chains.cpp    which constraints form chains
 //     rope_substep.cpp   a substep of a rope, also in contact with models
-//     stages_kernels.cpp whether a substep has two stages, for a seventh of the error
+//     rope_stepper.h     one rope, from one system of equations to the next
+//     stages_kernels.cpp whether a substep has two stages (TR-BDF2), for a seventh of the error
 //     rope_direct.cpp    links of a single rope, by block elimination
-//     rope_lanes.cpp     undisturbed ropes, several side by side, in the layout of rope_layout_kernels.cpp, moved by
-//                        rope_kernels.cpp
 //     rope_contacts.cpp  contacts with models, as part of its equations
+//     rope_lanes.cpp     undisturbed ropes, eight side by side
 //     ropes_beside_models.cpp  ropes that may touch models, their equations solved side by side
+//     rope_kernels.cpp   what these two compute; rope_layout_kernels.cpp: gather and scatter
 //     rope_limits.cpp    links that only pull
 //     damping.h          damped links as undamped ones with other parameters
 //   cloth/             cloth and graphs: colours of chains
@@ -61,8 +62,8 @@
 #include "solver/islands.h"
 #include "solver/joints/joined_motion.h"
 #include "solver/particles/flight_planes.h"
-#include "solver/rope/rope_in_step.h"
 #include "solver/rope/rope_lanes.h"
+#include "solver/rope/rope_stepper.h"
 
 namespace gphys {
 
@@ -78,16 +79,16 @@ constexpr double fastest_model = 50;
 /// All state that the next step depends on, except the scene. Snapshots contain it.
 struct SolverState {
     explicit SolverState(std::pmr::memory_resource* memory)
-        : ids(memory), bodies(memory), joint_ids(memory), joints(memory), seen(memory) {}
+        : ids(memory), bodies(memory), joint_ids(memory), joints(memory), near_models(memory) {}
 
     SolverSettings settings;
-    Vec3 origin;      // in the world, of all coordinates
-    double owed = 0;  // seconds that advance has not simulated yet
+    Vec3 origin;             // in the world, of all coordinates
+    double accumulator = 0;  // seconds that advance has not simulated yet, less than a step
     IdTable ids;
     Vector<Body> bodies;  // by slot
     IdTable joint_ids;
-    Vector<Joint> joints;      // by slot
-    Vector<PlacedModel> seen;  // models near the bodies, with their places at the last step
+    Vector<Joint> joints;             // by slot
+    Vector<PlacedModel> near_models;  // models near the bodies, where they were at the last step
 };
 
 /// Order: by body, particle, model.
@@ -167,7 +168,7 @@ public:
     /// A mesh in the form of a body, which follows it from now on. The caller owns a reference.
     Mesh* make_mesh(const gphys_allocator* hooks, gphys_body_id id) { return meshes_.make(hooks, id, body(id)); }
     /// Updates the meshes of an edited body.
-    void show(gphys_body_id id) noexcept { meshes_.follow(id, body(id)); }
+    void update_mesh(gphys_body_id id) noexcept { meshes_.follow(id, body(id)); }
 
     // joints.cpp. Bodies and particles must exist; rest < 0: the present distance.
     gphys_status join(gphys_body_id body_a, uint32_t particle_a, gphys_body_id body_b, uint32_t particle_b, double rest,
@@ -182,7 +183,7 @@ public:
     /// later one, that and those after it are left out.
     void advance(const Scene* scene, double frame_time, uint32_t& steps);
     /// The fraction of a step that advance still owes, 0 to 1.
-    double leftover() const { return state_.owed / state_.settings.fixed_step; }
+    double leftover() const { return state_.accumulator / state_.settings.fixed_step; }
 
     /// For one body, or 0 for all.
     gphys_solver_stats stats(gphys_body_id body) const;
@@ -200,45 +201,48 @@ private:
     /// A body of the step under way.
     struct ActiveBody {
         uint32_t size, slot, substeps;
-        uint32_t chains;           // of its constraints
-        bool plain = false;        // a rope that the kernels support
-        bool undisturbed = false;  // one that hits nothing while it stays in the box
-        bool starts = false;       // for undisturbed ropes: start again after an interruption
-        double fastest = 0;        // m/s, bound for the particles' speeds
-        Box close{};               // where it may go in this step,
-        Box nearby{};              // the same, enlarged for models that move,
-        uint32_t models_near = 0;  // and the number of models there
-        bool models_move = false;  // whether some of them move
-        bool together = false;     // whether it is in an island with others
+        uint32_t chains;                // of its constraints
+        bool plain = false;             // a rope that the kernels support
+        bool undisturbed = false;       // a plain rope that hits nothing while it stays in `reachable`
+        bool restarts = false;          // of undisturbed ropes: the time scheme does, after an interruption
+        double fastest = 0;             // m/s, bound of the particles' speeds
+        Box reachable{};                // what it can reach in this step
+        Box search_box{};               // the same, enlarged for models that move
+        uint32_t near_model_count = 0;  // models in search_box
+        bool models_move = false;       // whether some of them move
+        bool in_island = false;         // moved by the task of an island
 
-        /// Whether its equations are solved in the kernels, together with contacts.
-        bool beside_models() const { return plain && chains == 1 && models_near > 0 && !models_move; }
-        /// Whether others are moved side by side with it, in RopesBesideModels.
-        bool touches() const { return beside_models() && !undisturbed && size <= longest_rope_together; }
-        /// For undisturbed ropes: whether they can be moved together.
-        bool alike(const ActiveBody& other) const {
-            return chains == 1 && other.chains == 1 && starts == other.starts && substeps == other.substeps;
+        /// Whether its equations are solved in the kernels, together with contacts (RopeContactLanes).
+        bool has_contact_lane() const { return plain && chains == 1 && near_model_count > 0 && !models_move; }
+        /// Whether other ropes take the lanes beside it.
+        bool shares_contact_lanes() const {
+            return has_contact_lane() && !undisturbed && size <= longest_rope_in_lanes;
         }
-        /// Ropes that may touch models behind other bodies, and undisturbed ropes last, similar ones next to each
-        /// other. The largest first, so that no worker begins a large body when the others are done.
+        /// Whether two undisturbed ropes can be moved side by side.
+        bool can_share_lanes(const ActiveBody& other) const {
+            return chains == 1 && other.chains == 1 && restarts == other.restarts && substeps == other.substeps;
+        }
+        /// The order of tasks: other bodies, then ropes that share contact lanes, then undisturbed ropes, those that
+        /// can share lanes next to each other. The largest first, so that no worker begins a large body when the
+        /// others are done.
         bool operator<(const ActiveBody& other) const {
             if (undisturbed != other.undisturbed) return other.undisturbed;
-            if (touches() != other.touches()) return other.touches();
-            if (undisturbed && starts != other.starts) return starts;
+            if (shares_contact_lanes() != other.shares_contact_lanes()) return other.shares_contact_lanes();
+            if (undisturbed && restarts != other.restarts) return restarts;
             if (undisturbed && chains != other.chains) return chains > other.chains;
             if (undisturbed && substeps != other.substeps) return substeps > other.substeps;
             return size != other.size ? size > other.size : slot < other.slot;
         }
     };
-    /// A range of moving_ that one worker takes: one body, a part of one, or ropes that are moved side by side.
+    /// The unit of work of one worker: one body, a part of one, or ropes that are moved side by side.
     struct Task {
-        uint32_t first, count;
-        bool shared;    // one cloth, for all workers at once
-        uint32_t part;  // of a body that is divided
+        uint32_t first, count;  // in active_
+        bool shared;            // one cloth, for all workers at once
+        uint32_t part;          // of a body that is divided
     };
-    /// Some particles of a body.
+    /// Some particles of an active body.
     struct ParticleRange {
-        uint32_t moving, first;
+        uint32_t active, first;
         Extent extent;
     };
 
@@ -253,43 +257,44 @@ private:
         }
     };
 
-    /// The members of a body in snapshots that prepare has changed, to restore them if the step runs out of memory.
-    struct Before {
-        Before(uint32_t slot_, const Body& body, std::pmr::memory_resource* memory)
+    /// What prepare has changed in a body and snapshots hold, to restore it if the step runs out of memory.
+    struct Undo {
+        Undo(uint32_t slot_, const Body& body, std::pmr::memory_resource* memory)
             : slot(slot_),
               chains_current(body.plan.chains_current),
               reach_current(body.plan.reach_current),
               earlier_step(body.history.earlier_step),
               attachments(memory),
               reach_limits(memory) {}
-        void put_back(Body& body);
+        void apply(Body& body);
 
         uint32_t slot;
         bool chains_current, reach_current;
         double earlier_step;
-        Vector<Attachment> attachments;  // if some were released, and then what followed from the others:
-        Vector<ReachLimit> reach_limits;
+        Vector<Attachment> attachments;   // if some were released
+        Vector<ReachLimit> reach_limits;  // if they have been planned again
     };
 
     gphys_status insert(Body&& body, gphys_body_id& out);
     void simulate(const Scene* scene, double dt);
-    void show_all(Vec3 shift = {}) noexcept;
+    void update_meshes(Vec3 shift = {}) noexcept;
     void prepare(const Scene* scene, double dt);
     void prepare_body(uint32_t slot, const Scene* scene, double dt);
     void begin_step(const Scene* scene) noexcept;
-    void divide_work();
-    void make_room_for_flight();
-    bool is_worth_sharing(const ActiveBody& moving, size_t particles) const;
-    void move_shared(const ActiveBody& moving, const Scene* scene, double dt);
-    void begin_moving(const ActiveBody& moving, const Scene* scene, double dt);
-    void end_moving(Body& body, const Scene* scene, double dt, uint32_t substeps);
+    void make_tasks();
+    void reserve_flight_planes();
+    bool is_worth_sharing(const ActiveBody& active, size_t particles) const;
+    void move_shared(const ActiveBody& active, const Scene* scene, double dt);
+    void begin_body_step(const ActiveBody& active, const Scene* scene, double dt);
+    void end_body_step(Body& body, const Scene* scene, double dt, uint32_t substeps);
     uint32_t move_in_substeps(Body& body, uint32_t count, const CollisionContext& step);
-    RopeInStep begin_in_step(const ActiveBody& moving, RopeContacts& contacts, RopeRoom& room, const Scene* scene,
-                             double dt);
-    void end_in_step(const RopeInStep& rope, const Scene* scene, double dt);
+    RopeStepper begin_rope_step(const ActiveBody& active, RopeContacts& contacts, RopeScratch& scratch,
+                                const Scene* scene, double dt);
+    void end_rope_step(const RopeStepper& rope, const Scene* scene, double dt);
     template <int lanes>
-    void move_beside_models(const ActiveBody* ropes, uint32_t count, RopeRoom& room, const Scene* scene, double dt);
-    void move_through(const ActiveBody& moving, uint32_t worker, const Scene* scene, double dt);
+    void move_contact_lanes(const ActiveBody* ropes, uint32_t count, RopeScratch& scratch, const Scene* scene,
+                            double dt);
+    void move_body(const ActiveBody& active, uint32_t worker, const Scene* scene, double dt);
     void move_part(const Task& task, uint32_t worker, const Scene* scene, double dt);
     void move_undisturbed(const Task& task, uint32_t worker, const Scene* scene, double dt);
     FlightPlanes* flight_planes(uint32_t worker, const Scene* scene) {
@@ -306,31 +311,32 @@ private:
     /// Whether the body sleeps and nothing wakes it.
     bool sleeps_on(const Body& body, const Scene* scene);
     void list_near_models(const Scene& scene, double dt);
-    void bound_work(double dt);
+    void limit_work(double dt);
     void find_disturbed(const Scene& scene);
     void add_impulses();
 
     Workers workers_;
     SolverState state_{&memory};
-    /// Models near the bodies with their present places, and the models of state_.seen that have moved since.
-    Vector<PlacedModel> next_seen_{&memory}, moved_{&memory};
-    Vector<ActiveBody> moving_{&memory};
-    Vector<Before> before_{&memory};
+    /// The next state_.near_models, with the present places; and those of state_.near_models that have moved since.
+    Vector<PlacedModel> next_near_models_{&memory}, moved_models_{&memory};
+    Vector<ActiveBody> active_{&memory};
+    Vector<Undo> undo_{&memory};
     Vector<Task> tasks_{&memory};
     Vector<ParticleRange> ranges_{&memory};
-    ThreadArena room_memory_{&memory};
-    Vector<RopeRoom> rooms_{&memory};              // by worker
+    ThreadArena scratch_memory_{&memory};
+    Vector<RopeScratch> rope_scratch_{&memory};    // by worker
     Vector<FlightPlanes> flight_planes_{&memory};  // by worker, from the first step beside a scene on
     /// Impulses of the last step: by model and body, and by model.
     Vector<BodyImpulse> body_impulses_{&memory};
     Vector<ModelImpulse> impulses_{&memory};
-    /// The root of the set of bodies that each is in, and whether a root's set is awake.
+    /// By slot of a body: the root of its set (union-find), whether the set of that root is awake, and whether it is in
+    /// an island.
     Vector<uint32_t> set_of_{&memory};
-    Vector<uint8_t> awake_{&memory}, together_{&memory};
-    /// Islands of the step under way; their bodies by set, those of them that are joined, and their systems.
+    Vector<uint8_t> awake_{&memory}, in_island_{&memory};
+    /// Of the step under way: the islands, their bodies by set, those of them that are joined, and their systems.
     Vector<Island> islands_{&memory};
     Vector<uint32_t> island_bodies_{&memory}, joined_bodies_{&memory}, island_systems_{&memory};
-    /// The systems of the joints; outdated after a change of joints or chains.
+    /// The systems of the joints, and whether they are up to date with joints and chains.
     Vector<JointSystem> systems_{&memory};
     Vector<Tether> tethers_{&memory};
     bool joints_current_ = false;

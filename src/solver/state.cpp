@@ -124,9 +124,9 @@ bool Solver::set_origin(Vec3 origin) {
         for (Attachment& attachment : b.constraints.attachments) attachment.begin += shift, attachment.end += shift;
         for (AnimationTarget& target : b.targets.all) target.from += shift, target.to += shift;
     }
-    for (PlacedModel& seen : state_.seen) seen.world.position = narrow(widen(seen.world.position) + shift);
+    for (PlacedModel& model : state_.near_models) model.world.position = narrow(widen(model.world.position) + shift);
     state_.origin = origin;
-    show_all(shift);
+    update_meshes(shift);
     return true;
 }
 

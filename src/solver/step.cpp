@@ -1,26 +1,28 @@
 // The step: forces -> integrate -> constraints -> collide -> publish.
 //
 //   phase          writes                                                   files
-//   prepare        plans, room in all arrays, tasks; the only phase that    prepare.cpp, islands.cpp
-//                  allocates or fails
-//   begin_step     where attachments go; sizes of what a snapshot holds     prepare.cpp
+//   prepare        plans, memory of all arrays, near models, tasks; the     prepare.cpp, islands.cpp
+//                  only phase that allocates or fails
+//   begin_step     paths of attachments; sizes of what a snapshot holds     prepare.cpp
 //   move, by task: all of the bodies of the task, nothing of others
 //     forces       Air, Particles::force; of cloth its accelerations        wind.cpp, cloth.cpp
 //     integrate    History and Particles; of cloth Cloth::state             rope_substep.cpp, cloth.cpp
 //     constraints  Particles::position, Rope::tension; of cloth Cloth::state  rope_direct.cpp, cloth_chains.cpp
 //     collide      Contacts, Particles; of cloth Cloth::contacts            contact/, cloth_contacts.cpp
-//     (these once per substep)
+//     (these four in each substep)
 //     measure      Substeps, Sleep                                          error_targets.cpp, sleep.cpp
 //   publish        the sums of all Contacts::impulses by model; of cloth    add_impulses,
 //                  Particles, at the end of its last substep                cloth_state.cpp
 //
-// All but `move` run on the caller's thread. Workers share the scene, the models that have moved and the settings,
-// which they only read. Each has a RopeRoom and FlightPlanes of its own. Two are on one body at once in two cases
-// only: parts of a body of free particles (move_part) are disjoint ranges of its particles, with impulses of their
-// own, which end_moving adds in order; a large cloth (move_shared) is moved by all workers as one team, which waits
-// between colours (foundation/team.h).
+// All but `move` runs on the caller's thread. Workers share the scene, the models that have moved and the settings,
+// which they only read. Each worker has a RopeScratch and FlightPlanes of its own. Several workers write to one body in
+// two cases only:
 //
-// Bodies that may influence each other are an island: a task takes all of them through each substep (islands.cpp,
+//   A large body of free particles is divided (move_part). The parts are disjoint ranges of its particles, with
+//   impulses of their own, which end_body_step adds in order. All workers move a large cloth as one team (move_shared),
+//   with a barrier between colours (foundation/team.h).
+//
+// Bodies that may influence each other are an island, and one task moves all of them, substep by substep (islands.cpp,
 // joints/joined_motion.cpp). Most bodies are alone. A body alone moves like this:
 //
 //   free         exact flight and impacts                                    free_flight.cpp
@@ -96,15 +98,15 @@ void end_move(Body& body, const CollisionContext& around, Vec3 gravity, double h
     }
 }
 
-/// Call before and after all substeps of a body that is moved alone.
-void Solver::begin_moving(const ActiveBody& moving, const Scene* scene, double dt) {
-    Body& body = state_.bodies[moving.slot];
+/// Call before all substeps of a body that is moved alone, and end_body_step after them.
+void Solver::begin_body_step(const ActiveBody& active, const Scene* scene, double dt) {
+    Body& body = state_.bodies[active.slot];
     body.contacts.impulses.clear();
-    add_attached_impulses(body, {scene, &moved_, dt, 0, 0}, 1, {}, 0);
+    add_attached_impulses(body, {scene, &moved_models_, dt, 0, 0}, 1, {}, 0);
     begin_air(body, state_.settings.gravity, dt);
 }
 
-void Solver::end_moving(Body& body, const Scene* scene, double dt, uint32_t substeps) {
+void Solver::end_body_step(Body& body, const Scene* scene, double dt, uint32_t substeps) {
     add_parts(body);
     for (const FlightPart& part : body.contacts.parts) {
         if (!body.particles.extent) body.particles.extent.emplace();
@@ -114,7 +116,7 @@ void Solver::end_moving(Body& body, const Scene* scene, double dt, uint32_t subs
     end_targets(body);
     stay_in_range(body);
     adapt_substep(body, state_.settings, dt, substeps);
-    add_attached_impulses(body, {scene, &moved_, dt, 0, 1}, -1, state_.settings.gravity, dt);
+    add_attached_impulses(body, {scene, &moved_models_, dt, 0, 1}, -1, state_.settings.gravity, dt);
     end_air(body);
     rest(body, scene, state_.settings, dt);
 }
@@ -137,58 +139,58 @@ uint32_t Solver::move_in_substeps(Body& body, uint32_t count, const CollisionCon
     return made;
 }
 
-/// Call before all substeps of a body of ropes, and end_in_step after them.
-RopeInStep Solver::begin_in_step(const ActiveBody& moving, RopeContacts& contacts, RopeRoom& room, const Scene* scene,
-                                 double dt) {
-    Body& body = state_.bodies[moving.slot];
+/// Call before all substeps of a body of ropes, and end_rope_step after them.
+RopeStepper Solver::begin_rope_step(const ActiveBody& active, RopeContacts& contacts, RopeScratch& scratch,
+                                    const Scene* scene, double dt) {
+    Body& body = state_.bodies[active.slot];
     const Vec3 gravity = state_.settings.gravity;
-    begin_moving(moving, scene, dt);
+    begin_body_step(active, scene, dt);
     begin_contact_points(body);
-    choose_stages(body, room, {gravity, dt, moving.substeps, false});
-    const bool beside_models = moving.models_near > 0 && !moving.models_move;
-    const bool has_contacts = beside_models || !body.targets.empty();
-    if (has_contacts) contacts.begin_step(body, beside_models, room.parts);
+    choose_stages(body, scratch, {gravity, dt, active.substeps, false});
+    const bool near_models = active.near_model_count > 0 && !active.models_move;
+    const bool has_contacts = near_models || !body.targets.empty();
+    if (has_contacts) contacts.begin_step(body, near_models, scratch.parts);
     return {body,
             has_contacts ? &contacts : nullptr,
-            {scene, &moved_, dt, 0, 1},
+            {scene, &moved_models_, dt, 0, 1},
             gravity,
-            moving.substeps,
-            dt / moving.substeps};
+            active.substeps,
+            dt / active.substeps};
 }
 
-void Solver::end_in_step(const RopeInStep& rope, const Scene* scene, double dt) {
+void Solver::end_rope_step(const RopeStepper& rope, const Scene* scene, double dt) {
     end_contact_points(rope.body());
-    end_moving(rope.body(), scene, dt, rope.substeps());
+    end_body_step(rope.body(), scene, dt, rope.substeps());
 }
 
-/// Ropes of which the first is the longest. Accesses no other bodies, and allocates nothing.
+/// All substeps of ropes, of which the first is the longest. Accesses no other bodies, and allocates nothing.
 template <int lanes>
-void Solver::move_beside_models(const ActiveBody* ropes, uint32_t count, RopeRoom& room, const Scene* scene,
+void Solver::move_contact_lanes(const ActiveBody* ropes, uint32_t count, RopeScratch& scratch, const Scene* scene,
                                 double dt) {
-    RopesBesideModels<lanes> together(room, ropes[0].size);
-    for (uint32_t begun = 0; begun < count || !together.empty();) {
-        if (begun < count && !together.full()) {
-            together.add(begin_in_step(ropes[begun++], together.next_contacts(), room, scene, dt));
+    RopeContactLanes<lanes> group(scratch, ropes[0].size);
+    for (uint32_t begun = 0; begun < count || !group.empty();) {
+        if (begun < count && !group.full()) {
+            group.add(begin_rope_step(ropes[begun++], group.next_contacts(), scratch, scene, dt));
         } else {
-            end_in_step(together.move_until_one_ends(), scene, dt);
+            end_rope_step(group.move_until_one_ends(), scene, dt);
         }
     }
 }
 
 /// All substeps of one body. Accesses no other bodies, and allocates nothing.
-void Solver::move_through(const ActiveBody& moving, uint32_t worker, const Scene* scene, double dt) {
-    Body& body = state_.bodies[moving.slot];
+void Solver::move_body(const ActiveBody& active, uint32_t worker, const Scene* scene, double dt) {
+    Body& body = state_.bodies[active.slot];
     const Vec3 gravity = state_.settings.gravity;
-    const CollisionContext whole{scene, &moved_, dt, 0, 1}, beginning{scene, &moved_, dt, 0, 0};
-    uint32_t substeps = moving.substeps;
+    const CollisionContext whole{scene, &moved_models_, dt, 0, 1}, beginning{scene, &moved_models_, dt, 0, 0};
+    uint32_t substeps = active.substeps;
     if (body.plan.method == GPHYS_SOLVE_DIRECT) {
-        RopeRoom& room = rooms_[worker];
-        if (moving.beside_models()) return move_beside_models<1>(&moving, 1, room, scene, dt);
-        RopeInStep rope = begin_in_step(moving, room.contacts[0], room, scene, dt);
+        RopeScratch& scratch = rope_scratch_[worker];
+        if (active.has_contact_lane()) return move_contact_lanes<1>(&active, 1, scratch, scene, dt);
+        RopeStepper rope = begin_rope_step(active, scratch.contacts[0], scratch, scene, dt);
         while (rope.begin_part()) rope.end_part(rope.solve());
-        return end_in_step(rope, scene, dt);
+        return end_rope_step(rope, scene, dt);
     }
-    begin_moving(moving, scene, dt);
+    begin_body_step(active, scene, dt);
     if (body.plan.method == GPHYS_SOLVE_FREE) {
         body.particles.extent =
             fly_through(body, 0, body.particles.size(), {body.contacts.impulses, body.contacts.has_contact}, whole,
@@ -200,34 +202,35 @@ void Solver::move_through(const ActiveBody& moving, uint32_t worker, const Scene
         end_cloth(body, whole);
         end_contact_points(body);
     }
-    end_moving(body, scene, dt, substeps);
+    end_body_step(body, scene, dt, substeps);
 }
 
-/// The same for a part of a body, between begin_moving and end_moving.
+/// The same for a part of a body, between begin_body_step and end_body_step.
 void Solver::move_part(const Task& task, uint32_t worker, const Scene* scene, double dt) {
-    const ActiveBody& moving = moving_[task.first];
-    Body& body = state_.bodies[moving.slot];
+    const ActiveBody& active = active_[task.first];
+    Body& body = state_.bodies[active.slot];
     FlightPart& part = body.contacts.parts[task.part];
     const uint32_t first = task.part * part_size, end = std::min(first + part_size, body.particles.size());
-    part.extent = fly_through(body, first, end, {part.impulses, part.has_contact}, {scene, &moved_, dt, 0, 1},
-                              state_.settings.gravity, moving.substeps, flight_planes(worker, scene));
+    part.extent = fly_through(body, first, end, {part.impulses, part.has_contact}, {scene, &moved_models_, dt, 0, 1},
+                              state_.settings.gravity, active.substeps, flight_planes(worker, scene));
 }
 
 void Solver::move_undisturbed(const Task& task, uint32_t worker, const Scene* scene, double dt) {
-    RopeRoom& room = rooms_[worker];
-    UndisturbedRope ropes[ropes_together];
-    const ActiveBody* const first = &moving_[task.first];
+    RopeScratch& scratch = rope_scratch_[worker];
+    UndisturbedRope ropes[rope_lanes];
+    const ActiveBody* const first = &active_[task.first];
     for (uint32_t i = 0; i < task.count; ++i) {
         Body& body = state_.bodies[first[i].slot];
-        ropes[i] = {&body, scene && body.settings.layers != 0 ? &first[i].close : nullptr, false};
+        ropes[i] = {&body, scene && body.settings.layers != 0 ? &first[i].reachable : nullptr, false};
         begin_air(body, state_.settings.gravity, dt);
     }
-    move_ropes(ropes, task.count, room, {state_.settings.gravity, dt, first->substeps, state_.settings.tolerance > 0});
+    move_ropes(ropes, task.count, scratch,
+               {state_.settings.gravity, dt, first->substeps, state_.settings.tolerance > 0});
     for (uint32_t i = 0; i < task.count; ++i) {
         Body& body = *ropes[i].body;
         end_air(body);
         if (!ropes[i].stayed) {
-            move_through(first[i], worker, scene, dt);
+            move_body(first[i], worker, scene, dt);
             continue;
         }
         clear_contact_points(body);
@@ -239,36 +242,36 @@ void Solver::move_undisturbed(const Task& task, uint32_t worker, const Scene* sc
     }
 }
 
-void Solver::move_shared(const ActiveBody& moving, const Scene* scene, double dt) {
+void Solver::move_shared(const ActiveBody& active, const Scene* scene, double dt) {
     Team team;
-    Cloth& cloth = state_.bodies[moving.slot].cloth;
+    Cloth& cloth = state_.bodies[active.slot].cloth;
     cloth.shares.team = &team;
-    workers_.run(workers_.count(), [&](uint32_t) { team.join([&] { move_through(moving, 0, scene, dt); }); });
+    workers_.run(workers_.count(), [&](uint32_t) { team.join([&] { move_body(active, 0, scene, dt); }); });
     cloth.shares.team = nullptr;
 }
 
-void Solver::show_all(Vec3 shift) noexcept {
+void Solver::update_meshes(Vec3 shift) noexcept {
     meshes_.follow_all([&](gphys_body_id id) { return state_.ids.has(id) ? &body(id) : nullptr; }, shift);
 }
 
 void Solver::step(const Scene* scene, double dt) {
     simulate(scene, dt);
-    show_all();
+    update_meshes();
 }
 
 void Solver::simulate(const Scene* scene, double dt) {
     prepare(scene, dt);
     begin_step(scene);
     const auto each_divided = [&](auto&& visit) {
-        for (const ActiveBody& moving : moving_) {
-            if (!moving.together && !state_.bodies[moving.slot].contacts.parts.empty()) visit(moving);
+        for (const ActiveBody& active : active_) {
+            if (!active.in_island && !state_.bodies[active.slot].contacts.parts.empty()) visit(active);
         }
     };
-    each_divided([&](const ActiveBody& moving) { begin_moving(moving, scene, dt); });
+    each_divided([&](const ActiveBody& active) { begin_body_step(active, scene, dt); });
     for (const Task& task : tasks_) {
-        if (task.shared) move_shared(moving_[task.first], scene, dt);
+        if (task.shared) move_shared(active_[task.first], scene, dt);
     }
-    // Each worker keeps its memory from task to task.
+    // Each worker keeps its work space from task to task.
     std::atomic<size_t> next{0};
     workers_.run(workers_.count(), [&](uint32_t worker) {
         for (size_t i; (i = next.fetch_add(1, std::memory_order_relaxed)) < islands_.size() + tasks_.size();) {
@@ -278,19 +281,20 @@ void Solver::simulate(const Scene* scene, double dt) {
             }
             const Task& task = tasks_[i - islands_.size()];
             if (task.shared) continue;
-            if (!state_.bodies[moving_[task.first].slot].contacts.parts.empty()) {
+            if (!state_.bodies[active_[task.first].slot].contacts.parts.empty()) {
                 move_part(task, worker, scene, dt);
-            } else if (moving_[task.first].undisturbed) {
+            } else if (active_[task.first].undisturbed) {
                 move_undisturbed(task, worker, scene, dt);
             } else if (task.count > 1) {
-                move_beside_models<ropes_together>(&moving_[task.first], task.count, rooms_[worker], scene, dt);
+                move_contact_lanes<rope_lanes>(&active_[task.first], task.count, rope_scratch_[worker], scene, dt);
             } else {
-                move_through(moving_[task.first], worker, scene, dt);
+                move_body(active_[task.first], worker, scene, dt);
             }
         }
     });
-    each_divided([&](const ActiveBody& moving) { end_moving(state_.bodies[moving.slot], scene, dt, moving.substeps); });
-    state_.seen.swap(next_seen_);
+    each_divided(
+        [&](const ActiveBody& active) { end_body_step(state_.bodies[active.slot], scene, dt, active.substeps); });
+    state_.near_models.swap(next_near_models_);
     add_impulses();
 }
 
@@ -317,20 +321,20 @@ void Solver::add_impulses() {
 void Solver::advance(const Scene* scene, double frame_time, uint32_t& steps) {
     // Frame times and steps were float32, so six steps of 1/60 s may be slightly longer than 0.1 s. A missing millionth
     // of a step is ignored.
-    const double owed = state_.owed + frame_time, length = state_.settings.fixed_step;
-    const double due = std::floor(owed / length + 1e-6);
+    const double time = state_.accumulator + frame_time, length = state_.settings.fixed_step;
+    const double due = std::floor(time / length + 1e-6);
     const uint32_t wanted = static_cast<uint32_t>(std::min<double>(due, state_.settings.max_steps));
     for (steps = 0; steps < wanted; ++steps) {
         try {
             simulate(scene, length);
         } catch (const std::bad_alloc&) {
             if (steps == 0) throw;
-            break;  // steps that were made cannot be undone, and are reported
+            break;  // the steps made so far cannot be undone, and are reported
         }
     }
-    if (steps > 0) show_all();
+    if (steps > 0) update_meshes();
     // For frame times of years, the difference is rounding.
-    state_.owed = std::clamp(owed - due * length, 0.0, length);
+    state_.accumulator = std::clamp(time - due * length, 0.0, length);
 }
 
 }  // namespace gphys

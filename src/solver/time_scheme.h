@@ -8,12 +8,14 @@
 
 namespace gphys {
 
-/// x1 = (now x0 - earlier x_(-1) + lean v0 + h v1) / next, and the same for v1 with the acceleration.
-/// For the backward formula, where next = now - earlier, this is also x1 - x0 = (earlier (x0 - x_(-1)) + h v1) / next.
+/// x1 = (now x0 - earlier x_(-1) + explicit_h v0 + h v1) / next, and the same for v1 with the acceleration. The
+/// implicit part of the step is h, the explicit part explicit_h, which only the trapezoid rule has. For the backward
+/// formula, where next = now - earlier, this is also x1 - x0 = (earlier (x0 - x_(-1)) + h v1) / next.
 struct TimeScheme {
-    double h;
-    double next = 1, now = 1, earlier = 0, lean = 0;
-    double advance;  // seconds from x0 to x1
+    double h;  // seconds
+    double next = 1, now = 1, earlier = 0;
+    double explicit_h = 0;  // seconds
+    double advance;         // seconds from x0 to x1
 
     /// The backward formula.
     TimeScheme(double step, double step_before) : h(step), advance(step) {
@@ -26,7 +28,7 @@ struct TimeScheme {
     }
     static TimeScheme trapezoid(double step) {
         TimeScheme scheme(step / 2, 0);
-        scheme.lean = scheme.h;
+        scheme.explicit_h = scheme.h;
         scheme.advance = step;
         return scheme;
     }
@@ -34,7 +36,7 @@ struct TimeScheme {
     /// `rate` is that of x0; the backward formula does not use it.
     template <class Value>
     Value from_history(Value x0, Value x_before, Value rate = {}) const {
-        if (lean > 0) return x0 + rate * lean;
+        if (explicit_h > 0) return x0 + rate * explicit_h;
         return earlier == 0 ? x0 : x0 * now - x_before * earlier;
     }
 

@@ -187,10 +187,10 @@ struct JoinedMotion {
     }
     bool solve() { return solve_systems(joined); }
     /// Cloth cannot be rolled back, so it never counts.
-    bool began_in_shape() const {
+    bool began_feasible() const {
         bool all = true;
         each_body(joined, [&](const Body& body, uint32_t) { all = all && !is_graph(body); });
-        each_system(joined, [&](const JointSystem& system) { all = all && system.began_in_shape(); });
+        each_system(joined, [&](const JointSystem& system) { all = all && system.began_feasible(); });
         return all;
     }
     void finish(const CollisionContext& around, double part) { finish_joined(joined, around, gravity, part); }

@@ -293,18 +293,18 @@ bool JointSystem::is_found() const {
     return regularisation_ != yielding && std::all_of(links_.begin(), links_.end(), [&](const Link& link) {
                if (link.axis != along || link.rest == 0) return true;
                const Stretch s = stretch(link);
-               return !s.acts || std::fabs(s.error - s.softness * link.tension) <= rope_lost * link.rest;
+               return !s.acts || std::fabs(s.error - s.softness * link.tension) <= rope_failure * link.rest;
            });
 }
 
-bool JointSystem::began_in_shape() const {
+bool JointSystem::began_feasible() const {
     double longest = 0;
     for (const Link& link : links_) longest = std::max(longest, link.rest);
     return std::all_of(links_.begin(), links_.end(), [&](const Link& link) {
         if (link.compliance > 0) return true;
         const Node &a = nodes_[link.a], &b = nodes_[link.b];
         const double excess = distance(a.before, b.before) - link.rest;
-        return (link.limit ? excess : std::fabs(excess)) <= in_shape * (link.rest > 0 ? link.rest : longest);
+        return (link.limit ? excess : std::fabs(excess)) <= most_initial_strain * (link.rest > 0 ? link.rest : longest);
     });
 }
 

@@ -86,7 +86,7 @@ public:
     /// Returns whether the lengths of all links have been found.
     bool solve();
     /// Whether all rigid links had their lengths before the substep. Not for cloth.
-    bool began_in_shape() const;
+    bool began_feasible() const;
     /// Energy in elastic links, in joules: now, and before the substep.
     double stored() const;
     double stored_before() const { return stored_before_; }

@@ -1,4 +1,5 @@
-// Common parts of ropes that are solved one by one (rope_direct.cpp) and side by side (rope_lanes.cpp).
+// Ropes: their state, and the functions that those that are solved one by one (rope_direct.cpp) have in common with
+// those that are solved side by side (rope_lanes.cpp) or with other bodies (joints/).
 #pragma once
 
 #include "foundation/math.h"
@@ -12,9 +13,10 @@ struct TimeScheme;
 struct Chain;
 class RopeContacts;
 
-/// A row of the factorised system, left by elimination for substitution; one for each particle.
+/// A block row of the eliminated system, for back substitution: the unknowns of a particle and of the link that arrives
+/// at it are value - next * those of the next particle. After substitution, value is the solution.
 struct DirectRow {
-    double next[4][4];  // factor of the unknowns of the next particle and link
+    double next[4][4];
     double value[4];
 };
 
@@ -31,50 +33,52 @@ struct Rope {
           flying(memory) {}
 
     // By link of the plan:
-    Vector<double> damped_rest, damped_compliance;  // of the substep under way, see damping.h
-    Vector<double> target;                          // the length to reach
+    Vector<double> damped_rest, damped_compliance;  // m, m/N, of the substep under way, see damping.h
+    Vector<double> target;                          // metres, the length to reach (set_targets)
     Vector<double> tension;                         // newtons, of the last substep
     Vector<double> earlier_tension;                 // of the substep before
 
-    Vector<DirectRow> rows;  // room for the longest chain
-    Vector<Vec3> solved;     // the positions found with the links alone, before contacts
-    Vector<uint8_t> flying;  // by particle, if there are limits: whether all its links were slack at the start
+    Vector<DirectRow> rows;  // for the longest chain
+    // By particle:
+    Vector<Vec3> solved;     // positions solved with the links alone, before contacts
+    Vector<uint8_t> flying;  // if there are limits: whether all its links were slack at the start of the substep
 };
 
-/// Whether its first substep is made in parts, after an interruption.
-bool starts_again(const Body& body);
+/// Whether the time scheme restarts after an interruption that is no contact: the first substep is made in parts.
+bool restarts(const Body& body);
 
-/// Sets the target lengths of links. If two pins are farther apart than the total length of the rigid links between
-/// them, the unavoidable stretch is shared in proportion to the lengths.
+/// Sets the target lengths of a chain's links. If two pins are farther apart than the rigid links between them are
+/// long, these share the unavoidable stretch in proportion to their lengths.
 void set_targets(Body& body, const Chain& chain);
 
-/// solve_directly, together with contacts unless they are null.
+/// The same as solve_directly, together with contacts unless they are null.
 bool solve_with_contacts(Body& body, double step, RopeContacts* contacts);
 
-/// A rigid link may be wrong by this fraction of its length before a substep and still count as in shape. A larger
-/// error would be corrected in the substep, at a speed that grows as the substep gets shorter.
-constexpr double in_shape = 0.05;
+/// A substep begins feasible if each rigid link is wrong by at most this fraction of its length. A larger error would
+/// be corrected within the substep, at a speed that grows as the substep gets shorter.
+constexpr double most_initial_strain = 0.05;
 
-/// The parts of a substep for chains (rope_substep.cpp). begin_chains predicts: free particles move as without
-/// constraints, attached ones with their models. finish_chains computes the velocities of the time scheme from the
-/// solved positions, after moving these to where targets and contacts (or null) allow them. add_tension_impulses adds
-/// tensions to the impulses of models that ropes hang from.
+// The parts of a substep for chains (rope_substep.cpp):
+/// Predicts: free particles move as without constraints, attached ones with their models.
 void begin_chains(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme);
 /// Restores the state before begin_chains, if nothing else has been done since.
 void roll_back_chains(Body& body);
+/// Moves the solved positions to where targets and contacts (or null) allow them, and computes the velocities of the
+/// time scheme from them.
 void finish_chains(Body& body, const TimeScheme& scheme, const RopeContacts* contacts = nullptr);
+/// Adds the tensions of links at attached particles to the impulses of their models.
 void add_tension_impulses(Body& body, const CollisionContext& around, const TimeScheme& scheme);
 
-/// All of them for a single rope that has no RopeContacts; and the part after begin_chains.
+/// A whole substep of a rope without RopeContacts, and what follows begin_chains in it.
 void move_rope(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 void end_rope(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme);
 
-/// Particles that friction holds count as pinned in between.
+/// Between the two, the particles in contact count as pinned.
 void pin_contacts(Body& body);
 void unpin_contacts(Body& body);
 
-/// Moves the positions so that the constraints hold. `step` is the effective time step of the scheme: a force f moves a
-/// particle by f / m * step^2. Returns whether the constraints hold.
+/// Moves the positions so that the constraints hold. `step`: seconds, the effective time step of the scheme; a force f
+/// moves a particle by f / m * step^2. Returns whether Newton's method has converged.
 bool solve_directly(Body& body, double step);
 
 }  // namespace gphys

@@ -7,54 +7,53 @@ namespace {
 // The ratio of a contact's stiffness to that of the particle and its links. A force that would move the particle into
 // the model moves it by only this fraction: a hundredth of a skin. A ratio of 2^27 would cost the other directions half
 // of the digits of a double.
-constexpr double stiffness = 1 << 17;
-// Planes follow the model's surface in the first iterations. Then they stay, so that the iterations converge.
-constexpr int most_turns = 6;
-// The iterations in which each contact switches between sliding and sticking. If they do not settle, friction becomes a
-// spring everywhere, as soft as Coulomb's law requires. That always converges, but slowly at the border between the
-// two.
-constexpr int most_tries = 4;
-// Relative tolerance of the normal forces, from which friction follows.
-constexpr double pressure_settled = 1e-2;
-// Near more parts than this, a particle's ball is smaller.
-constexpr uint32_t many_parts = 64;
+constexpr double stiffness_ratio = 1 << 17;
+// Planes follow the model's surface in this many iterations. Then they stay, so that the iterations converge.
+constexpr int most_plane_updates = 6;
+// The iterations in which a contact may switch between stick and slip. After that friction is a spring, as soft as
+// Coulomb's law requires. That always converges, but slowly at the border between the two.
+constexpr int most_switches = 4;
+// Relative tolerance of normal forces, from which friction follows.
+constexpr double normal_force_tolerance = 1e-2;
+// The ball of a particle near more features than this is halved, at most three times.
+constexpr uint32_t many_features = 64;
 
 double friction_of(const Body& body, uint32_t p) {
     const BodySettings& settings = body.settings;
     return settings.sticks() && body.contacts.stuck[p] ? settings.static_friction : settings.friction;
 }
 
-/// The displacement along a plane, from the start of the substep.
-Vec3 slid(const RopeContact& contact, const Body& body, uint32_t p) {
-    const Vec3 way = body.particles.position[p] - body.history.start[p];
-    return way - contact.normal * dot(way, contact.normal);
+/// The displacement along the plane, since the start of the substep.
+Vec3 tangential_displacement(const RopeContact& contact, const Body& body, uint32_t p) {
+    const Vec3 displacement = body.particles.position[p] - body.history.start[p];
+    return displacement - contact.normal * dot(displacement, contact.normal);
 }
 
 double clearance(const Body& body, uint32_t p, Vec3 at) {
     return body.particles.radius[p] + skin(body.particles.radius[p], at);
 }
 
-/// Whether the plane at a place is that of the contact. The surface on which particles touch a convex part bends at
-/// most like a ball of their radius.
-bool is_placed_for(const RopeContact& contact, Vec3 at, double radius) {
-    constexpr double turned = 1e-4;  // radians
-    return length_squared(at - contact.placed) < turned * turned * radius * radius;
+/// Whether the plane for a place is still that of the contact. The surface at which particles touch a convex feature is
+/// curved at most like a ball of their radius.
+bool is_current_plane(const RopeContact& contact, Vec3 at, double radius) {
+    constexpr double most_angle = 1e-4;  // radians
+    return length_squared(at - contact.placed_at) < most_angle * most_angle * radius * radius;
 }
 
 }  // namespace
 
 void RopeContacts::reserve(uint32_t particles) {
-    contacts_.reserve(size_t{most_parts + bounds_per_particle} * particles);
+    contacts_.reserve(size_t{most_planes + bounds_per_particle} * particles);
     if (first_.size() < particles + 1) first_.resize(particles + 1);
     if (balls_.size() < particles) balls_.resize(particles);
 }
 
-void RopeContacts::begin_step(const Body& body, bool beside_models, ClosestFeatures& parts) {
-    parts_ = &parts;
-    beside_models_ = beside_models;
-    searched_ = !beside_models;
-    bounded_ = !body.targets.empty();
-    if (beside_models) return;
+void RopeContacts::begin_step(const Body& body, bool near_models, ClosestFeatures& features) {
+    features_ = &features;
+    near_models_ = near_models;
+    searched_ = !near_models;
+    has_targets_ = !body.targets.empty();
+    if (near_models) return;
     contacts_.clear();
     for (uint32_t p = 0; p < body.particles.size(); ++p) begin_particle(p);
     first_[body.particles.size()] = static_cast<uint32_t>(contacts_.size());
@@ -62,65 +61,67 @@ void RopeContacts::begin_step(const Body& body, bool beside_models, ClosestFeatu
 
 void RopeContacts::begin_particle(uint32_t p) {
     first_[p] = static_cast<uint32_t>(contacts_.size());
-    if (bounded_) contacts_.resize(contacts_.size() + bounds_per_particle);
+    if (has_targets_) contacts_.resize(contacts_.size() + bounds_per_particle);
 }
 
-/// Finds the models that the balls around some particles overlap. Returns false if there are too many.
-bool RopeContacts::collect(const Body& body, uint32_t first, uint32_t count) {
+/// Finds the features of models in the balls of some particles, and makes their contacts. Returns false if there are
+/// too many.
+bool RopeContacts::find_features(const Body& body, uint32_t first, uint32_t count) {
     Aabb places{body.history.start[first], body.history.start[first]};
     double farthest = 0;
     for (uint32_t i = 0; i < count; ++i) {
         const uint32_t p = first + i;
-        probes_[i] = {body.history.start[p], clearance(body, p, body.history.start[p]) + balls_[p].reach};
+        probes_[i] = {body.history.start[p], clearance(body, p, body.history.start[p]) + balls_[p].radius};
         places = {min(places.min, body.history.start[p]), max(places.max, body.history.start[p])};
         farthest = std::max(farthest, probes_[i].radius);
     }
-    const Vec3 room{farthest, farthest, farthest};
-    parts_->clear(count);
+    const Vec3 margin{farthest, farthest, farthest};
+    features_->clear(count);
     bool complete = true, any = false;
-    scene_->for_each_in_box(bounds(Aabb{places.min - room, places.max + room}), body.settings.layers,
+    scene_->for_each_in_box(bounds(Aabb{places.min - margin, places.max + margin}), body.settings.layers,
                             [&](gphys_model_id model) {
                                 any = true;
-                                complete &= parts_->add(*scene_, model, 0, probes_);
+                                complete &= features_->add(*scene_, model, 0, probes_);
                             });
     if (complete && !any) {
         for (uint32_t i = 0; i < count; ++i) begin_particle(first + i);
         return true;
     }
-    for (uint32_t i = 0; i < count && complete; ++i) settle(body, first + i, i);
+    for (uint32_t i = 0; i < count && complete; ++i) make_contacts(body, first + i, i);
     return complete;
 }
 
-/// Sets the ball and the contacts of a particle from the parts that were collected around it.
-void RopeContacts::settle(const Body& body, uint32_t p, uint32_t point) {
+/// Sets the ball and the contacts of a particle from the features around it.
+void RopeContacts::make_contacts(const Body& body, uint32_t p, uint32_t point) {
     begin_particle(p);
     const Vec3 at = body.history.start[p];
     const double off = clearance(body, p, at);
-    double& reach = balls_[p].reach;
-    for (int halvings = 0; parts_->select_point(point) > many_parts && halvings < 3; ++halvings) {
-        reach /= 2;
-        probes_[point].radius = off + reach;
+    double& radius = balls_[p].radius;
+    for (int halvings = 0; features_->select_point(point) > many_features && halvings < 3; ++halvings) {
+        radius /= 2;
+        probes_[point].radius = off + radius;
     }
     uint32_t count = 0;
-    for (ClosestFeature part; count < most_parts && parts_->pop_nearest(part); ++count) {
+    for (ClosestFeature feature; count < most_planes && features_->pop_nearest(feature); ++count) {
         RopeContact contact{};
-        contact.model = part.model;
-        contact.normal = part.normal;
-        contact.outside = dot(part.normal, part.closest) + off;
-        contact.is_fixed = part.is_triangle || scene_->type(part.model) == GPHYS_SHAPE_PLANE;
+        contact.model = feature.model;
+        contact.normal = feature.normal;
+        contact.outside = dot(feature.normal, feature.closest) + off;
+        contact.is_fixed = feature.is_triangle || scene_->type(feature.model) == GPHYS_SHAPE_PLANE;
         contacts_.push_back(contact);
         // Coplanar triangles share a plane.
-        if (part.is_triangle) {
-            parts_->cull_behind(part.normal,
-                                contact.outside - body.particles.radius[p] - skin(body.particles.radius[p], at) / 2, 0);
+        if (feature.is_triangle) {
+            features_->cull_behind(
+                feature.normal, contact.outside - body.particles.radius[p] - skin(body.particles.radius[p], at) / 2, 0);
         }
     }
-    if (count < most_parts) return;
-    parts_->for_each_remaining(
-        [&](uint32_t, double distance) { reach = std::max(0.0, std::min(reach, distance - off)); });
+    if (count < most_planes) return;
+    features_->for_each_remaining(
+        [&](uint32_t, double distance) { radius = std::max(0.0, std::min(radius, distance - off)); });
 }
 
-/// The reach is the distance that particles can go in the rest of the step, and half as much again.
+/// Makes balls and contacts of all particles, from the start of the substep. The radius of a ball is 1.5 times the
+/// distance that its particle can move in the rest of the step.
 void RopeContacts::search(const Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     contacts_.clear();
     scene_ = around.scene;
@@ -130,28 +131,28 @@ void RopeContacts::search(const Body& body, const CollisionContext& around, Vec3
     }
     for (uint32_t first = 0, count; first < body.particles.size(); first += count) {
         Aabb places{body.history.start[first], body.history.start[first]};
-        const double size = 8 * (clearance(body, first, body.history.start[first]) + balls_[first].reach);
+        const double size = 8 * (clearance(body, first, body.history.start[first]) + balls_[first].radius);
         for (count = 1; count < ClosestFeatures::most_points && first + count < body.particles.size(); ++count) {
             const Vec3 at = body.history.start[first + count];
             places = {min(places.min, at), max(places.max, at)};
             if (max_component(places.max - places.min) > size) break;
         }
         const size_t before = contacts_.size();
-        if (collect(body, first, count)) continue;
+        if (find_features(body, first, count)) continue;
         for (uint32_t p = first; p < first + count; ++p) {
             contacts_.resize(p == first ? before : contacts_.size());
             const size_t of_this = contacts_.size();
-            bool complete = collect(body, p, 1);
+            bool complete = find_features(body, p, 1);
             for (int halvings = 0; !complete && halvings < 3; ++halvings) {
-                balls_[p].reach /= 2;
+                balls_[p].radius /= 2;
                 contacts_.resize(of_this);
-                complete = collect(body, p, 1);
+                complete = find_features(body, p, 1);
             }
             if (complete) continue;
-            // This particle is swept instead.
+            // The path of this particle is swept instead.
             contacts_.resize(of_this);
             begin_particle(p);
-            balls_[p].reach = 0;
+            balls_[p].radius = 0;
         }
     }
     first_[body.particles.size()] = static_cast<uint32_t>(contacts_.size());
@@ -161,7 +162,7 @@ void RopeContacts::search(const Body& body, const CollisionContext& around, Vec3
 void RopeContacts::place_plane(RopeContact& contact, const Body& body, uint32_t p, Vec3 at) const {
     Vec3 closest, normal;
     double distance;
-    contact.placed = at;
+    contact.placed_at = at;
     if (!scene_->closest_point_model(contact.model, at, closest, normal, distance)) return;
     contact.normal = normal;
     contact.outside = dot(normal, closest) + clearance(body, p, at);
@@ -203,12 +204,12 @@ void RopeContacts::begin_contact(RopeContact& contact, const Body& body, uint32_
     if (!contact.is_fixed) place_plane(contact, body, p, body.history.start[p]);
     allow_within_skin(contact, body, p);
     contact.approach = -dot(contact.normal, body.particles.velocity[p]);
-    contact.is_placed = true;
+    contact.is_updated = true;
 }
 
 bool RopeContacts::begin(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     const auto stays = [&] {
-        if (!beside_models_) return true;
+        if (!near_models_) return true;
         for (uint32_t p = 0; p < body.particles.size(); ++p) {
             if (!body.particles.pinned(p) && !in_ball(body, p)) return false;
         }
@@ -216,20 +217,20 @@ bool RopeContacts::begin(Body& body, const CollisionContext& around, Vec3 gravit
     };
     if (!searched_ || !stays()) search(body, around, gravity, h);
     active_ = !contacts_.empty();
-    if (bounded_) place_bounds(body);
+    if (has_targets_) place_bounds(body);
     const double most_push = leaving_speed * around.step_time * (around.end - around.begin);
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (body.particles.pinned(p)) continue;
         bool sunk = false;
         each_of_models(p, [&](RopeContact& contact) {
-            // An earlier plane separates the particle from the model, too, as long as it is in front of it.
+            // As long as the particle is in front of an earlier plane, that separates it from the model, too.
             const bool in_front = dot(contact.normal, body.history.start[p]) >= contact.outside;
-            contact.is_placed = contact.is_fixed || contact.state != RopeContact::apart || !in_front;
+            contact.is_updated = contact.is_fixed || contact.state != RopeContact::open || !in_front;
             contact.iterations = 0;
             contact.force = {};
             contact.offset = contact.outside;
             contact.depth = 0;
-            if (contact.is_placed) begin_contact(contact, body, p);
+            if (contact.is_updated) begin_contact(contact, body, p);
             sunk = sunk || contact.depth > most_push;
         });
         if (!sunk) continue;
@@ -243,25 +244,25 @@ ContactTerm RopeContacts::term(const Body& body, uint32_t p, double mass) {
     ContactTerm term;
     each(p, [&](RopeContact& contact) {
         contact.force = {};
-        if (contact.state == RopeContact::apart) return;
-        const double k = contact.stiffness = stiffness * mass;
+        if (contact.state == RopeContact::open) return;
+        const double k = contact.stiffness = stiffness_ratio * mass;
         const Vec3 n = contact.normal;
         term.force += n * (k * (contact.offset - dot(n, body.particles.position[p])));
-        const double hold = contact.model != 0 ? friction_of(body, p) * contact.pressed : 0;
-        if (hold == 0) return term.add_stiffness(n, k, 0);
-        const Vec3 way = slid(contact, body, p);
-        const double length = gphys::length(way);
-        // The stiffness perpendicular to the sliding direction, because the friction force turns with that direction.
-        const double turning = length * k > hold ? hold / length : k;
-        if (contact.iterations >= most_tries || contact.state == RopeContact::sticks) {
-            contact.drag = contact.iterations >= most_tries ? turning : k;
-            term.add_stiffness(n, k - contact.drag, contact.drag);
-            term.force -= way * contact.drag;
+        const double friction_limit = contact.model != 0 ? friction_of(body, p) * contact.normal_force : 0;
+        if (friction_limit == 0) return term.add_stiffness(n, k, 0);
+        const Vec3 slip = tangential_displacement(contact, body, p);
+        const double length = gphys::length(slip);
+        // Perpendicular to the direction of slip, because the friction force turns with it.
+        const double lateral_stiffness = length * k > friction_limit ? friction_limit / length : k;
+        if (contact.iterations >= most_switches || contact.state == RopeContact::stick) {
+            contact.friction_stiffness = contact.iterations >= most_switches ? lateral_stiffness : k;
+            term.add_stiffness(n, k - contact.friction_stiffness, contact.friction_stiffness);
+            term.force -= slip * contact.friction_stiffness;
         } else {
-            contact.drag = 0;
-            term.add_stiffness(n, k - turning, turning);
-            term.add_stiffness(contact.way, -turning, 0);
-            contact.force = contact.way * -hold;
+            contact.friction_stiffness = 0;
+            term.add_stiffness(n, k - lateral_stiffness, lateral_stiffness);
+            term.add_stiffness(contact.slip_direction, -lateral_stiffness, 0);
+            contact.force = contact.slip_direction * -friction_limit;
             term.force += contact.force;
         }
     });
@@ -271,49 +272,50 @@ ContactTerm RopeContacts::term(const Body& body, uint32_t p, double mass) {
 bool RopeContacts::update(RopeContact& contact, const Body& body, uint32_t p, int iteration) const {
     const Vec3 at = body.particles.position[p];
     double gap = dot(contact.normal, at) - contact.offset;
-    if (contact.state == RopeContact::apart && gap >= 0) return true;
-    if (gap < 0 && !contact.is_placed && contact.model != 0) {
+    if (contact.state == RopeContact::open && gap >= 0) return true;
+    if (gap < 0 && !contact.is_updated && contact.model != 0) {
         begin_contact(contact, body, p);
         gap = dot(contact.normal, at) - contact.offset;
     }
     const double friction = contact.model != 0 ? friction_of(body, p) : 0;
-    bool settled = true;
-    if (contact.state == RopeContact::apart) {
+    bool converged = true;
+    if (contact.state == RopeContact::open) {
         if (gap >= 0) return true;
-        // Without friction at first, because it is not known yet.
-        contact.state = RopeContact::sticks;
-        contact.pressed = 0;
-        settled = false;
+        // Without friction in the first iteration, because the normal force is not known yet.
+        contact.state = RopeContact::stick;
+        contact.normal_force = 0;
+        converged = false;
     } else {
-        const double pressed = -contact.stiffness * gap, before = contact.pressed;
-        const Vec3 way = slid(contact, body, p);
-        const double length = gphys::length(way), hold = friction * before;
-        contact.pressed = std::max(0.0, pressed);
-        contact.force += contact.normal * contact.pressed - way * (hold > 0 ? contact.drag : 0);
-        if (pressed < 0) {
-            contact.state = RopeContact::apart;
-            settled = false;
+        const double normal_force = -contact.stiffness * gap, before = contact.normal_force;
+        const Vec3 slip = tangential_displacement(contact, body, p);
+        const double length = gphys::length(slip), friction_limit = friction * before;
+        contact.normal_force = std::max(0.0, normal_force);
+        contact.force +=
+            contact.normal * contact.normal_force - slip * (friction_limit > 0 ? contact.friction_stiffness : 0);
+        if (normal_force < 0) {
+            contact.state = RopeContact::open;
+            converged = false;
         } else if (before == 0) {
-            // Fast particles slide: stopping them would take a larger normal force than there is.
-            const Vec3 speed = body.history.start_velocity[p];
-            const Vec3 along = speed - contact.normal * dot(speed, contact.normal);
-            const bool slow = length_squared(along) <= 4 * length_squared(body.particles.velocity[p] - speed);
-            contact.state = slow || length == 0 ? RopeContact::sticks : RopeContact::slides;
-            if (!slow && length > 0) contact.way = way / length;
-        } else if (hold > 0 && contact.iterations < most_tries) {
-            const bool sticks =
-                contact.state == RopeContact::sticks ? length * contact.stiffness <= hold : dot(way, contact.way) <= 0;
-            if (sticks != (contact.state == RopeContact::sticks)) settled = false;
-            contact.state = sticks ? RopeContact::sticks : RopeContact::slides;
-            if (!sticks) contact.way = way / length;
+            // The initial guess is slip for a fast particle: to stop it would take a larger normal force than there is.
+            const Vec3 velocity = body.history.start_velocity[p];
+            const Vec3 tangential = velocity - contact.normal * dot(velocity, contact.normal);
+            const bool slow = length_squared(tangential) <= 4 * length_squared(body.particles.velocity[p] - velocity);
+            contact.state = slow || length == 0 ? RopeContact::stick : RopeContact::slip;
+            if (!slow && length > 0) contact.slip_direction = slip / length;
+        } else if (friction_limit > 0 && contact.iterations < most_switches) {
+            const bool sticks = contact.state == RopeContact::stick ? length * contact.stiffness <= friction_limit
+                                                                    : dot(slip, contact.slip_direction) <= 0;
+            if (sticks != (contact.state == RopeContact::stick)) converged = false;
+            contact.state = sticks ? RopeContact::stick : RopeContact::slip;
+            if (!sticks) contact.slip_direction = slip / length;
         }
         ++contact.iterations;
-        if (friction > 0 && std::fabs(pressed - before) > pressure_settled * pressed) settled = false;
+        if (friction > 0 && std::fabs(normal_force - before) > normal_force_tolerance * normal_force) converged = false;
     }
-    const double room = skin(body.particles.radius[p], at);
+    const double skin = gphys::skin(body.particles.radius[p], at);
     // From behind a plane, the closest point of a model may be on its far side.
-    if (contact.is_fixed || iteration >= most_turns || (gap < -room && contact.model != 0)) return settled;
-    if (contact.model != 0 && is_placed_for(contact, at, body.particles.radius[p])) return settled;
+    if (contact.is_fixed || iteration >= most_plane_updates || (gap < -skin && contact.model != 0)) return converged;
+    if (contact.model != 0 && is_current_plane(contact, at, body.particles.radius[p])) return converged;
     RopeContact turned = contact;
     if (contact.model == 0) {
         place_ball(turned, body, p, at);
@@ -322,36 +324,36 @@ bool RopeContacts::update(RopeContact& contact, const Body& body, uint32_t p, in
     }
     turned.offset = turned.outside - (contact.outside - contact.offset);
     const double moved = dot(turned.normal, at) - turned.offset - gap;
-    if (contact.state != RopeContact::apart && std::fabs(moved) > 0.01 * room) settled = false;
-    contact.placed = turned.placed;
+    if (contact.state != RopeContact::open && std::fabs(moved) > 0.01 * skin) converged = false;
+    contact.placed_at = turned.placed_at;
     contact.normal = turned.normal;
     contact.outside = turned.outside;
     contact.offset = turned.offset;
-    contact.way -= contact.normal * dot(contact.way, contact.normal);
-    return settled;
+    contact.slip_direction -= contact.normal * dot(contact.slip_direction, contact.normal);
+    return converged;
 }
 
 bool RopeContacts::update(const Body& body, int iteration) {
-    bool settled = true;
+    bool converged = true;
     for (uint32_t p = 0; p < body.particles.size() && active_; ++p) {
         if (body.particles.pinned(p)) continue;
-        each(p, [&](RopeContact& contact) { settled = update(contact, body, p, iteration) && settled; });
+        each(p, [&](RopeContact& contact) { converged = update(contact, body, p, iteration) && converged; });
     }
-    return settled;
+    return converged;
 }
 
-void RopeContacts::keep_out(Body& body) const {
+void RopeContacts::push_out(Body& body) const {
     constexpr int most_passes = 8;
     for (uint32_t p = 0; p < body.particles.size() && active_; ++p) {
         if (body.particles.pinned(p)) continue;
-        const double room = skin(body.particles.radius[p], body.particles.position[p]) / 8;
+        const double tolerance = skin(body.particles.radius[p], body.particles.position[p]) / 8;
         bool out = false;
         for (int pass = 0; pass < most_passes && !out; ++pass) {
             out = true;
             for (uint32_t i = first_[p]; i < first_[p + 1]; ++i) {
                 const RopeContact& contact = contacts_[i];
                 const double depth = contact.offset - dot(contact.normal, body.particles.position[p]);
-                if (depth <= room) continue;
+                if (depth <= tolerance) continue;
                 body.particles.position[p] += contact.normal * depth;
                 out = false;
             }
@@ -377,9 +379,10 @@ void RopeContacts::sweep_escaped(Body& body, const CollisionContext& around, dou
 
 namespace {
 
-/// By particle: what has moved it from its predicted position besides its links, in kg m. Summed over all particles
-/// this is exactly their change of momentum, however far the iterations have converged.
-void find_pushes(Body& body, double step) {
+/// By particle, into Rope::solved: the force that has moved it from its predicted position besides those of its links,
+/// times the square of the step, kg m. Summed over all particles this is exactly their change of momentum, however far
+/// the iterations have converged.
+void find_contact_forces(Body& body, double step) {
     const Plan& plan = body.plan;
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         body.rope.solved[p] = (body.particles.position[p] - body.history.predicted[p]) * body.particles.mass[p];
@@ -402,21 +405,21 @@ void RopeContacts::finish(Body& body, const CollisionContext& around, double qui
     body.contacts.has_contact = body.contacts.sunk = false;
     std::fill(body.contacts.held.begin(), body.contacts.held.end(), uint8_t{0});
     const BodySettings& settings = body.settings;
-    const double rate = scheme.next / scheme.h;  // ratio of the velocity change to a correction of the position
-    if (active_) find_pushes(body, scheme.step(settings.damping));
+    const double rate = scheme.next / scheme.h;  // 1/s: a correction of the position changes the velocity by this
+    if (active_) find_contact_forces(body, scheme.step(settings.damping));
     for (uint32_t p = 0; p < body.particles.size() && active_; ++p) {
         if (body.particles.pinned(p)) continue;
         bool sticks = false;
-        const RopeContact* most = nullptr;
-        Vec3 rest = body.rope.solved[p];
+        const RopeContact* strongest = nullptr;
+        Vec3 unassigned = body.rope.solved[p];  // the force that no contact has accounted for yet
         each(p, [&](RopeContact& contact) {
-            // The iterations have left this contact out, but keep_out has moved the particle out of it.
+            // In the last iteration this contact was open, but push_out has moved the particle out of it.
             const double gap = dot(contact.normal, body.particles.position[p]) - contact.offset;
             if (contact.force == Vec3{} && gap <= skin(body.particles.radius[p], body.particles.position[p]) / 8) {
-                contact.force = contact.normal * std::max(0.0, dot(contact.normal, rest));
+                contact.force = contact.normal * std::max(0.0, dot(contact.normal, unassigned));
             }
-            rest -= contact.force;
-            if (!most || length_squared(contact.force) > length_squared(most->force)) most = &contact;
+            unassigned -= contact.force;
+            if (!strongest || length_squared(contact.force) > length_squared(strongest->force)) strongest = &contact;
         });
         each_of_models(p, [&](RopeContact& contact) {
             if (contact.force == Vec3{}) return;
@@ -425,21 +428,21 @@ void RopeContacts::finish(Body& body, const CollisionContext& around, double qui
             // Moving out of a model adds no velocity, and the remaining approach speed ends here.
             velocity -= contact.normal * (std::max(0.0, contact.depth) * rate);
             const double wanted = contact.approach > quiet ? settings.restitution * contact.approach : 0;
-            const double given = wanted - dot(velocity, contact.normal);
-            if (given > 0) {
-                velocity += contact.normal * given;
-                const Vec3 along = velocity - contact.normal * dot(velocity, contact.normal);
-                const double speed = length(along), taken = friction_of(body, p) * given;
-                velocity -= speed > taken ? along * (taken / speed) : along;
+            const double added = wanted - dot(velocity, contact.normal);
+            if (added > 0) {
+                velocity += contact.normal * added;
+                const Vec3 tangential = velocity - contact.normal * dot(velocity, contact.normal);
+                const double speed = length(tangential), most_taken = friction_of(body, p) * added;
+                velocity -= speed > most_taken ? tangential * (most_taken / speed) : tangential;
             }
             const Vec3 point = body.particles.position[p] - contact.normal * body.particles.radius[p];
             add_impulse(body, around, contact.model, point,
-                        (contact.force + (&contact == most ? rest : Vec3{})) * -rate -
+                        (contact.force + (&contact == strongest ? unassigned : Vec3{})) * -rate -
                             (velocity - before) * body.particles.mass[p]);
             body.contacts.has_contact = true;
             body.contacts.held[p] = static_cast<uint8_t>(
                 record_contact_point(body, p, *around.scene, contact.model, point, contact.normal) + 1);
-            sticks = sticks || contact.state == RopeContact::sticks;
+            sticks = sticks || contact.state == RopeContact::stick;
         });
         if (settings.sticks()) body.contacts.stuck[p] = sticks;
     }

@@ -1,5 +1,6 @@
 // Chains, solved directly: Newton's method on positions and tensions together, with geometric stiffness (Tournier et
-// al. 2015, "Stable constrained dynamics"; Deul et al. 2018, "Direct position-based solver for stiff rods").
+// al. 2015, "Stable constrained dynamics"; Deul et al. 2018, "Direct position-based solver for stiff rods"). The linear
+// systems are block tridiagonal, and each is solved by elimination along the chain.
 //
 // A substep ends where, for each particle i and each link j from particle j to j + 1,
 //
@@ -12,19 +13,19 @@
 //     [ m_i + K_(i-1) + K_i    n_(i-1) ]         coupled to the     [ -K_i   -n_i ]
 //     [ n_(i-1)^T              -r      ]         next block by      [  0       0  ]
 //
-// K, the geometric stiffness, keeps a taut rope straight while it swings. Without it the step overshoots sideways once
-// the load is a thousand times a link's mass. The matrix is symmetric and quasi-definite, so elimination without
-// pivoting succeeds (Vanderbei 1995).
+// where r is compliance_j / step^2 plus a regularisation. K, the geometric stiffness, keeps a taut rope straight while
+// it swings. Without it the step overshoots sideways once the load is a thousand times a link's mass. The matrix is
+// symmetric and quasi-definite, so elimination without pivoting succeeds (Vanderbei 1995).
 //
-// A link that only pulls has t_j >= 0, and may be shorter than its rest length if t_j = 0. Each iteration treats it as
-// a link if t_j + error_j / (w_a + w_b) > 0, and as absent otherwise (primal-dual active set; Hintermueller, Ito,
-// Kunisch 2002).
+// A link that only pulls has t_j >= 0, and may be shorter than its rest length if t_j = 0. In each iteration it is
+// active if t_j + error_j / (w_a + w_b) > 0, and absent otherwise (primal-dual active set; Hintermueller, Ito, Kunisch
+// 2002).
 //
-// rope_kernels.cpp solves the same equations for one or eight ropes, with blocks of 3 x 3, which is less work: a step
-// of a free rope of 30 links takes 1.1 million instructions here, 0.26 there with one lane, 0.08 with eight. This file
-// is for what those kernels do not have: links that only pull or are damped, several chains, animation targets, ropes
-// beside moving models, and ropes whose lengths were not found there. Its sums differ, so replacing one file by the
-// other would change the last bits.
+// Why not the kernels alone. rope_kernels.cpp solves the same equations for one or eight ropes, with blocks of 3 x 3,
+// which is less work: a step of a free rope of 30 links takes 1.1 million instructions here, 0.26 there with one lane,
+// 0.08 with eight. This file is for what those kernels do not support: links that only pull or are damped, several
+// chains, animation targets, and moving models. It also repeats what Newton's method has not solved there. Its sums
+// differ, so to replace one file by the other would change the last bits.
 #include "solver/body.h"
 #include "solver/rope/rope.h"
 #include "solver/rope/rope_contacts.h"
@@ -36,29 +37,31 @@ namespace {
 
 // Newton's method squares the error in each iteration: two iterations do for a swinging rope, four for a whip.
 constexpr int most_iterations = 4;
-// With links that only pull, the active ones must be found, too; one may change in each iteration.
+// With links that only pull, the iterations also determine which are active. One may change in each.
 constexpr int most_limited_iterations = 16;
-// With contacts, the active ones and those that friction holds must be found, too.
+// With contacts, they also determine which contacts are active and which of them stick.
 constexpr int most_contact_iterations = 16;
-// A link is settled within this fraction of its length. Smaller errors do not show in float32.
-constexpr double settled = 1e-9;
+// Newton's method has converged when each link is wrong by at most this fraction of its length. Smaller errors do not
+// show in float32.
+constexpr double tolerance = 1e-9;
 
+/// The equation of a link in one iteration.
 struct Link {
     Vec3 direction;        // unit
     double error = 0;      // metres, > 0: too long
     double stiffness = 0;  // k
-    double softness = 1;   // r: of compliance and regularisation
-    bool acts = false;     // false between two pins
+    double softness = 1;   // r, 1/kg
+    bool active = false;   // false between two pins, and if it only pulls and is slack
 
     /// K v
     Vec3 geometric(Vec3 v) const { return (v - direction * dot(direction, v)) * stiffness; }
 };
 
-/// The links of a chain in their present state, and the inverse square of the step.
+/// The links of a chain in their present state.
 struct ChainView {
     const Body& body;
     const Chain& chain;
-    double inverse_step_squared;
+    double inverse_step_squared;  // 1/s^2
 
     uint32_t particle(uint32_t i) const { return body.plan.particles[chain.first_particle + i]; }
 
@@ -67,11 +70,11 @@ struct ChainView {
         const uint32_t a = particle(i), b = particle(i + 1), index = chain.first_link + i;
         const double inverse_masses = body.particles.inverse_mass[a] + body.particles.inverse_mass[b];
         Link out;
-        out.acts = inverse_masses > 0;
-        if (!out.acts) return out;
+        out.active = inverse_masses > 0;
+        if (!out.active) return out;
         const Vec3 along = body.particles.position[b] - body.particles.position[a];
         const double length = gphys::length(along);
-        // Coincident particles separate along a fixed axis; any direction will do.
+        // Coincident particles separate along a fixed axis. Any direction serves.
         out.direction = length > 0 ? along / length : Vec3{1, 0, 0};
         out.error = length - body.rope.target[index];
         if (plan.limit[index] && body.rope.tension[index] * inverse_masses + out.error <= 0) return Link{};
@@ -118,8 +121,8 @@ Vec3 column(const DirectRow& row, int c) { return {row.next[0][c], row.next[1][c
 /// Eliminates from the first particle to the last. Writes one row per particle.
 void eliminate(const ChainView& view, DirectRow* rows, RopeContacts* contacts) {
     const Body& body = view.body;
-    Link arriving;        // none arrives at the first particle
-    bool joined = false;  // the previous particle is free, so its row couples to this one
+    Link arriving;         // none arrives at the first particle
+    bool coupled = false;  // whether the previous particle is free, so that its row is coupled to this one
     for (uint32_t i = 0; i <= view.chain.link_count; ++i) {
         const uint32_t p = view.particle(i);
         const Link leaving = i < view.chain.link_count ? view.link(i) : Link{};
@@ -127,7 +130,7 @@ void eliminate(const ChainView& view, DirectRow* rows, RopeContacts* contacts) {
         DirectRow& row = rows[i];
 
         // The rows of this particle and of the link that arrives at it.
-        const Vec3 n = free && arriving.acts ? arriving.direction : Vec3{};
+        const Vec3 n = free && arriving.active ? arriving.direction : Vec3{};
         Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
         Vec3 force;
         if (free) {
@@ -145,10 +148,10 @@ void eliminate(const ChainView& view, DirectRow* rows, RopeContacts* contacts) {
             }
         }
         double softness = -arriving.softness;
-        double violation = arriving.acts ? -arriving.error : 0;
+        double violation = arriving.active ? -arriving.error : 0;
         Vec3 nx = n;
-        if (joined && arriving.acts) {
-            // Subtract the contribution of the previous particle: coupling * its solved row.
+        if (coupled && arriving.active) {
+            // The Schur complement: subtract the coupling times the row of the previous particle.
             const DirectRow& before = rows[i - 1];
             const Vec3 d = arriving.direction;
             const Vec3 value{before.value[0], before.value[1], before.value[2]};
@@ -172,7 +175,7 @@ void eliminate(const ChainView& view, DirectRow* rows, RopeContacts* contacts) {
         const bool next_free = i < view.chain.link_count && !body.particles.pinned(view.particle(i + 1));
         for (int c = 0; c < 4; ++c) {
             Vec3 coupling;
-            if (free && leaving.acts) {
+            if (free && leaving.active) {
                 if (c == 3)
                     coupling = -leaving.direction;
                 else if (next_free)
@@ -181,7 +184,7 @@ void eliminate(const ChainView& view, DirectRow* rows, RopeContacts* contacts) {
             row.next[0][c] = coupling.x, row.next[1][c] = coupling.y, row.next[2][c] = coupling.z, row.next[3][c] = 0;
             factors.solve(row.next[0][c], row.next[1][c], row.next[2][c], row.next[3][c]);
         }
-        joined = free;
+        coupled = free;
         arriving = leaving;
     }
 }
@@ -195,47 +198,48 @@ void substitute(const Chain& chain, DirectRow* rows) {
     }
 }
 
-/// The fraction of the solution to apply. No iteration moves a particle by more than the length of the chain, as placed
-/// and at rest together. No valid correction is larger, but that of an infeasible system may be after regularisation.
+/// The fraction of the solution to apply: no iteration moves a particle by more than the length of the chain, as placed
+/// and at rest together. No valid correction is larger. That of an infeasible system may be, after regularisation.
 double step_fraction(const ChainView& view, const DirectRow* rows) {
-    double reach = 0, longest = 0;
+    double total_length = 0, longest = 0;
     for (uint32_t i = 0; i <= view.chain.link_count; ++i) {
         if (i < view.chain.link_count) {
-            reach += distance(view.body.particles.position[view.particle(i)],
-                              view.body.particles.position[view.particle(i + 1)]) +
-                     view.body.rope.target[view.chain.first_link + i];
+            total_length += distance(view.body.particles.position[view.particle(i)],
+                                     view.body.particles.position[view.particle(i + 1)]) +
+                            view.body.rope.target[view.chain.first_link + i];
         }
         const double* value = rows[i].value;
         longest = std::max({longest, std::fabs(value[0]), std::fabs(value[1]), std::fabs(value[2])});
     }
-    return longest > reach ? reach / longest : 1;
+    return longest > total_length ? total_length / longest : 1;
 }
 
 /// By how many metres a link is longer than its tension implies.
-double misfit(const ChainView& view, uint32_t i) {
+double residual(const ChainView& view, uint32_t i) {
     const Link link = view.link(i);
-    return link.acts ? std::fabs(link.error - link.softness * view.body.rope.tension[view.chain.first_link + i]) : 0;
+    return link.active ? std::fabs(link.error - link.softness * view.body.rope.tension[view.chain.first_link + i]) : 0;
 }
 
-bool is_settled(const ChainView& view) {
+bool is_converged(const ChainView& view) {
     for (uint32_t i = 0; i < view.chain.link_count; ++i) {
         const uint32_t index = view.chain.first_link + i;
-        if (!view.link(i).acts && view.body.rope.tension[index] != 0) return false;
-        if (misfit(view, i) > settled * view.body.rope.target[index]) return false;
+        if (!view.link(i).active && view.body.rope.tension[index] != 0) return false;
+        if (residual(view, i) > tolerance * view.body.rope.target[index]) return false;
     }
     return true;
 }
 
-/// A link of zero length has no relative error.
-bool is_found(const ChainView& view) {
+/// Whether the lengths of all links are close enough to those that their tensions imply. A link of zero length has no
+/// relative error.
+bool is_solved(const ChainView& view) {
     for (uint32_t i = 0; i < view.chain.link_count; ++i) {
         const double target = view.body.rope.target[view.chain.first_link + i];
-        if (target > 0 && misfit(view, i) > rope_lost * target) return false;
+        if (target > 0 && residual(view, i) > rope_failure * target) return false;
     }
     return true;
 }
 
-/// Returns whether the lengths of all links have been found.
+/// Returns whether the chain is solved.
 bool solve_chain(Body& body, const Chain& chain, double step, RopeContacts* contacts) {
     const ChainView view{body, chain, 1 / (step * step)};
     DirectRow* rows = body.rope.rows.data();
@@ -253,10 +257,10 @@ bool solve_chain(Body& body, const Chain& chain, double step, RopeContacts* cont
             if (!body.particles.pinned(p)) body.particles.position[p] += Vec3{value[0], value[1], value[2]} * fraction;
             if (i > 0) body.rope.tension[chain.first_link + i - 1] = value[3];
         }
-        const bool contacts_settled = !contacts || contacts->update(body, iteration);
-        if (iteration > 0 && contacts_settled && is_settled(view)) return true;
+        const bool contacts_converged = !contacts || contacts->update(body, iteration);
+        if (iteration > 0 && contacts_converged && is_converged(view)) return true;
     }
-    return is_found(view);
+    return is_solved(view);
 }
 
 }  // namespace
@@ -266,9 +270,9 @@ void set_targets(Body& body, const Chain& chain) {
     const double* const rest = body.rope.damped_rest.data() + chain.first_link;
     double* const target = body.rope.target.data() + chain.first_link;
     const auto at = [&](uint32_t i) { return body.particles.position[plan.particles[chain.first_particle + i]]; };
-    uint32_t pin = chain.link_count + 1;  // the last pin passed; none yet
-    double total = 0;
-    bool rigid = true;
+    uint32_t pin = chain.link_count + 1;  // the last pin; none yet
+    double total = 0;                     // metres: the rest lengths since then
+    bool rigid = true;                    // whether all these links are rigid
     for (uint32_t i = 0; i <= chain.link_count; ++i) {
         if (i > 0) {
             target[i - 1] = rest[i - 1];
@@ -291,16 +295,16 @@ void set_targets(Body& body, const Chain& chain) {
 bool solve_directly(Body& body, double step) { return solve_with_contacts(body, step, nullptr); }
 
 bool solve_with_contacts(Body& body, double step, RopeContacts* contacts) {
-    // Tensions are stored in newtons, so that they are a good initial guess whatever the next step is. They are times
-    // step^2 while they are solved for.
+    // Tensions are stored in newtons, so that they are a good initial guess whatever the next step is. The equations
+    // have tensions times step^2.
     for (double& tension : body.rope.tension) tension *= step * step;
-    bool found = true;
-    for (const Chain& chain : body.plan.chains) found = solve_chain(body, chain, step, contacts) && found;
+    bool solved = true;
+    for (const Chain& chain : body.plan.chains) solved = solve_chain(body, chain, step, contacts) && solved;
     for (double& tension : body.rope.tension) {
         tension /= step * step;
-        if (!is_finite(tension)) tension = 0;  // NaN and infinity are no initial guess for the next solution
+        if (!is_finite(tension)) tension = 0;  // the initial guess of the next solution must be finite
     }
-    return found;
+    return solved;
 }
 
 }  // namespace gphys

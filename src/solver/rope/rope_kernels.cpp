@@ -1,8 +1,10 @@
-// Newton's method on all positions and tensions of a rope, as in rope_direct.cpp, by elimination of one node after the
-// other. The geometric stiffness k (1 - n n^T) of a link acts as k in all directions if its tension t is replaced by t'
-// = t - k n.u, where u is the relative displacement of its ends: its row n.u - r t = -error becomes (1 - r k) n.u - r
-// t' = -error. Then a link couples two nodes by numbers and vectors instead of matrices, and a node passes on the
-// inverse of a symmetric 3 x 3 matrix.
+// Newton's method on all positions and tensions of a rope, with the equations of rope_direct.cpp. The linear system is
+// block tridiagonal: elimination from the first node to the last, then back substitution.
+//
+// The geometric stiffness k (1 - n n^T) of a link couples two nodes by a 3 x 3 matrix. It acts as k in all directions
+// if the tension t is replaced by t' = t - k n.u, where u is the relative displacement of the ends. The row of the
+// link, n.u - r t = -error, becomes (1 - r k) n.u - r t' = -error. Now a link couples two nodes by numbers and vectors,
+// and a node passes on the inverse of a symmetric 3 x 3 matrix.
 #include "solver/rope/rope_nodes.h"
 
 #include "foundation/compiler.h"
@@ -13,11 +15,11 @@ namespace {
 
 // Newton's method squares the error in each iteration: two iterations do for a swinging rope, four for a whip.
 constexpr int most_iterations = 4;
-// Coincident particles separate along x. Added to any other difference of coordinates it is lost, and its square is
-// still a double.
-constexpr double aside = 1e-150;
-// GPHYS_MAX_COORDINATE, as a float: a node that leaves the range of coordinates stops there.
-constexpr double farthest = 1e15f;
+// Metres. Added to each difference of x, so that coincident particles separate along x. Rounding removes it from any
+// other difference, and its square is still a double.
+constexpr double tiny_length = 1e-150;
+// GPHYS_MAX_COORDINATE, rounded to float. A node that leaves the range of coordinates stops there.
+constexpr double coordinate_limit = 1e15f;
 
 template <class Value>
 struct Symmetric3 {
@@ -44,30 +46,32 @@ struct Symmetric3 {
     }
 };
 
-/// The prediction without constraints, and Newton's initial guess: the previous motion, with constraints, continued.
+/// The prediction without constraints, and Newton's initial guess: the previous motion, which obeyed the constraints,
+/// extrapolated.
 template <class Value>
-struct Course {
-    Vec<Value> history, predicted, onward;
+struct Prediction {
+    Vec<Value> history, predicted, initial_guess;
 };
 
 template <int lanes>
-Course<Doubles<lanes>> by_backward_formula(const RopeNode<lanes>& node, const RopeStep<lanes>& step) {
+Prediction<Doubles<lanes>> predict_backward(const RopeNode<lanes>& node, const RopeScheme<lanes>& step) {
     using Value = Doubles<lanes>;
-    const Value h = load(step.h), now = load(step.now), earlier = load(step.earlier), curve = load(step.curve);
+    const Value h = load(step.h), now = load(step.now), earlier = load(step.earlier),
+                extrapolation = load(step.extrapolation);
     const Vec<Value> at = load3(node.position), velocity = load3(node.velocity);
     const Vec<Value> velocity_before = load3(node.start_velocity);
     const Vec<Value> history = at * now - load3(node.start) * earlier;
     const Vec<Value> falling =
         (velocity * now - velocity_before * earlier + load3(node.acceleration) * h) * load(step.drag);
     const Vec<Value> predicted = (history + falling * h) * load(step.inverse_next);
-    const Vec<Value> onward = at + velocity * h + (velocity - velocity_before) * curve;
-    return {history, predicted, select(all_of<lanes>(0) < curve, onward, predicted)};
+    const Vec<Value> initial_guess = at + velocity * h + (velocity - velocity_before) * extrapolation;
+    return {history, predicted, select(all_of<lanes>(0) < extrapolation, initial_guess, predicted)};
 }
 
-/// `force`, in newtons, is that of the links at the beginning.
+/// `force`: newtons, of the links at the beginning.
 template <int lanes>
-Course<Doubles<lanes>> by_trapezoid(const RopeNode<lanes>& node, const RopeStep<lanes>& step,
-                                    const Vec<Doubles<lanes>>& force) {
+Prediction<Doubles<lanes>> predict_trapezoid(const RopeNode<lanes>& node, const RopeScheme<lanes>& step,
+                                             const Vec<Doubles<lanes>>& force) {
     using Value = Doubles<lanes>;
     const Value h = load(step.h);
     const Vec<Value> at = load3(node.position), velocity = load3(node.velocity);
@@ -80,48 +84,48 @@ Course<Doubles<lanes>> by_trapezoid(const RopeNode<lanes>& node, const RopeStep<
 }
 
 template <int lanes>
-void begin(RopeNode<lanes>& node, const Course<Doubles<lanes>>& course) {
+void begin(RopeNode<lanes>& node, const Prediction<Doubles<lanes>>& prediction) {
     const Vec<Doubles<lanes>> at = load3(node.position);
     const auto is_free = all_of<lanes>(0) < load(node.free);
     store3(node.earlier_velocity, load3(node.start_velocity));
     store3(node.start, at);
     store3(node.start_velocity, load3(node.velocity));
-    store3(node.history, course.history);
-    store3(node.predicted, select(is_free, course.predicted, at));
-    store3(node.position, select(is_free, course.onward, at));
+    store3(node.history, prediction.history);
+    store3(node.predicted, select(is_free, prediction.predicted, at));
+    store3(node.position, select(is_free, prediction.initial_guess, at));
 }
 
 template <int lanes>
-void begin_trapezoid(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& step) {
+void begin_trapezoid(RopeNode<lanes>* nodes, uint32_t count, const RopeScheme<lanes>& step) {
     using Value = Doubles<lanes>;
-    const Value none = all_of<lanes>(0), one = all_of<lanes>(1), hair = all_of<lanes>(aside);
-    Vec<Value> arriving{none, none, none}, at = load3(nodes[0].position);
+    const Value zero = all_of<lanes>(0), one = all_of<lanes>(1), tiny = all_of<lanes>(tiny_length);
+    Vec<Value> arriving{zero, zero, zero}, at = load3(nodes[0].position);
     for (uint32_t i = 0; i < count; ++i) {
-        Vec<Value> leaving{none, none, none}, next = at;
+        Vec<Value> leaving{zero, zero, zero}, next = at;
         if (i + 1 < count) {
             next = load3(nodes[i + 1].position);
             const Vec<Value> along = next - at;
-            const Value length = square_root(dot(along, along) + hair * hair);
-            leaving = Vec<Value>{along.x + hair, along.y, along.z} * (load(nodes[i].tension) * (one / length));
+            const Value length = square_root(dot(along, along) + tiny * tiny);
+            leaving = Vec<Value>{along.x + tiny, along.y, along.z} * (load(nodes[i].tension) * (one / length));
         }
-        begin(nodes[i], by_trapezoid(nodes[i], step, leaving - arriving));
+        begin(nodes[i], predict_trapezoid(nodes[i], step, leaving - arriving));
         arriving = leaving;
         at = next;
     }
 }
 
 template <class Value>
-Value in_range(const Value& x, const Value& limit) {
+Value clamped(const Value& x, const Value& limit) {
     return largest(least(x, limit), -limit);
 }
 
 template <int lanes>
-void finish(RopeNode<lanes>& node, const RopeStep<lanes>& step, RopeBounds<lanes>& bounds) {
+void finish(RopeNode<lanes>& node, const RopeScheme<lanes>& step, RopeBounds<lanes>& bounds) {
     using Value = Doubles<lanes>;
-    const Value limit = all_of<lanes>(farthest), none = all_of<lanes>(0);
-    const auto is_free = none < load(node.free);
+    const Value limit = all_of<lanes>(coordinate_limit), zero = all_of<lanes>(0);
+    const auto is_free = zero < load(node.free);
     Vec<Value> at = load3(node.position);
-    at = {in_range(at.x, limit), in_range(at.y, limit), in_range(at.z, limit)};
+    at = {clamped(at.x, limit), clamped(at.y, limit), clamped(at.z, limit)};
     store3(node.position, at);
     const Vec<Value> velocity = (at * load(step.next) - load3(node.history)) * load(step.rate);
     store3(node.velocity, select(is_free, velocity, load3(node.velocity)));
@@ -130,6 +134,7 @@ void finish(RopeNode<lanes>& node, const RopeStep<lanes>& step, RopeBounds<lanes
     store3(bounds.high, Vec<Value>{largest(high.x, at.x), largest(high.y, at.y), largest(high.z, at.z)});
 }
 
+/// The equation of a link in one iteration, with the names of the file's comment.
 template <class Value>
 struct Link {
     Vec<Value> direction;
@@ -145,18 +150,18 @@ Symmetric3<Doubles<lanes>> load_symmetric(const double (&from)[6][lanes]) {
 }
 
 /// Eliminates from the first node to the last. Returns the length of the rope, as placed and at rest together.
-/// `pushes`: of contacts, by node, if there are any.
-template <bool with_pushes, int lanes>
-Doubles<lanes> eliminate(RopeNode<lanes>* nodes, const RopePush<lanes>* pushes, uint32_t count,
+/// `contacts`: by node; null without contacts.
+template <bool with_contacts, int lanes>
+Doubles<lanes> eliminate(RopeNode<lanes>* nodes, const RopeContactTerm<lanes>* contacts, uint32_t count,
                          const Doubles<lanes>& step_squared, const Doubles<lanes>& inverse_step_squared) {
     using Value = Doubles<lanes>;
-    const Value none = all_of<lanes>(0), one = all_of<lanes>(1), hair = all_of<lanes>(aside);
-    const Value hair_squared = hair * hair;
-    const Vec<Value> nowhere{none, none, none};
-    const Link<Value> absent{nowhere, none, none, one, one};
-    Value reach = none;
-    Symmetric3<Value> before{none, none, none, none, none, none};
-    Vec<Value> own_before = nowhere, at = load3(nodes[0].position);
+    const Value zero = all_of<lanes>(0), one = all_of<lanes>(1), tiny = all_of<lanes>(tiny_length);
+    const Value tiny_squared = tiny * tiny;
+    const Vec<Value> zero_vector{zero, zero, zero};
+    const Link<Value> absent{zero_vector, zero, zero, one, one};
+    Value total_length = zero;
+    Symmetric3<Value> previous_inverse{zero, zero, zero, zero, zero, zero};
+    Vec<Value> previous_displacement = zero_vector, at = load3(nodes[0].position);
     Link<Value> arriving = absent;
     for (uint32_t i = 0; i < count; ++i) {
         RopeNode<lanes>& node = nodes[i];
@@ -165,34 +170,34 @@ Doubles<lanes> eliminate(RopeNode<lanes>* nodes, const RopePush<lanes>* pushes, 
         if (i + 1 < count) {
             next = load3(nodes[i + 1].position);
             const Vec<Value> along = next - at;
-            const Value length = square_root(dot(along, along) + hair_squared);
+            const Value length = square_root(dot(along, along) + tiny_squared);
             const Value present = load(node.present), target = load(node.target), inverse = one / length;
-            leaving.direction = Vec<Value>{along.x + hair, along.y, along.z} * (inverse * present);
+            leaving.direction = Vec<Value>{along.x + tiny, along.y, along.z} * (inverse * present);
             // A link that is short at the moment must not become infinitely stiff sideways.
             leaving.stiffness =
-                largest(load(node.tension), none) * step_squared * least(inverse, load(node.inverse_target));
+                largest(load(node.tension), zero) * step_squared * least(inverse, load(node.inverse_target));
             leaving.error = (length - target) * present;
             leaving.softness = load(node.compliance) * inverse_step_squared + load(node.regularisation);
-            leaving.rigid = largest(one - leaving.softness * leaving.stiffness, none);
-            reach = reach + (length + target) * present;
+            leaving.rigid = largest(one - leaving.softness * leaving.stiffness, zero);
+            total_length = total_length + (length + target) * present;
             store3(node.direction, leaving.direction);
             store(node.stiffness, leaving.stiffness);
         }
         // The contribution of the previous nodes, through the coupling by the arriving link.
         const Value k = arriving.stiffness, k_squared = k * k, mass = load(node.mass);
-        const Vec<Value> n = arriving.direction, v = before * n, q = n - v * k;
+        const Vec<Value> n = arriving.direction, v = previous_inverse * n, q = n - v * k;
         const Value softness = arriving.softness + arriving.rigid * dot(n, v);
         const Value diagonal = mass + k + leaving.stiffness;
-        Symmetric3<Value> block{diagonal - k_squared * before.xx, -(k_squared * before.xy),
-                                -(k_squared * before.xz),         diagonal - k_squared * before.yy,
-                                -(k_squared * before.yz),         diagonal - k_squared * before.zz};
-        Vec<Value> force = (load3(node.predicted) - at) * mass + own_before * k;
+        Symmetric3<Value> block{diagonal - k_squared * previous_inverse.xx, -(k_squared * previous_inverse.xy),
+                                -(k_squared * previous_inverse.xz),         diagonal - k_squared * previous_inverse.yy,
+                                -(k_squared * previous_inverse.yz),         diagonal - k_squared * previous_inverse.zz};
+        Vec<Value> force = (load3(node.predicted) - at) * mass + previous_displacement * k;
         Symmetric3<Value> inner;
-        if constexpr (with_pushes) {
-            block += load_symmetric(pushes[i].stiffness);
-            force += load3(pushes[i].force);
-            // No eigenvalue is less than the mass. Where an iteration has gone astray, tensions are so large that
-            // rounding could make a pivot 0.
+        if constexpr (with_contacts) {
+            block += load_symmetric(contacts[i].stiffness);
+            force += load3(contacts[i].force);
+            // No eigenvalue is less than the mass. But an iteration far from the solution may have such large tensions
+            // that rounding makes a pivot 0.
             const Value least_pivot = mass * all_of<lanes>(0.5);
             inner = block.inverse(load(node.free), [&](const Value& pivot) { return largest(pivot, least_pivot); });
         } else {
@@ -200,129 +205,135 @@ Doubles<lanes> eliminate(RopeNode<lanes>* nodes, const RopePush<lanes>* pushes, 
         }
         const Vec<Value> w = inner * q;
         const Value inverse_pivot = one / (softness + arriving.rigid * dot(q, w));
-        const Vec<Value> pull = w * (arriving.rigid * inverse_pivot);
-        const Vec<Value> alone = inner * force;
-        const Value tension = (arriving.rigid * (dot(q, alone) - dot(n, own_before)) + arriving.error) * inverse_pivot;
-        own_before = alone - w * tension;
-        before = {inner.xx - w.x * pull.x, inner.xy - w.x * pull.y, inner.xz - w.x * pull.z,
-                  inner.yy - w.y * pull.y, inner.yz - w.y * pull.z, inner.zz - w.z * pull.z};
-        store(node.inverse[0], before.xx), store(node.inverse[1], before.xy), store(node.inverse[2], before.xz);
-        store(node.inverse[3], before.yy), store(node.inverse[4], before.yz), store(node.inverse[5], before.zz);
-        store3(node.own, own_before);
-        store3(node.pull, pull);
-        store(node.own_tension, tension);
+        const Vec<Value> tension_response = w * (arriving.rigid * inverse_pivot);
+        const Vec<Value> without_link = inner * force;
+        const Value tension =
+            (arriving.rigid * (dot(q, without_link) - dot(n, previous_displacement)) + arriving.error) * inverse_pivot;
+        previous_displacement = without_link - w * tension;
+        previous_inverse = {inner.xx - w.x * tension_response.x, inner.xy - w.x * tension_response.y,
+                            inner.xz - w.x * tension_response.z, inner.yy - w.y * tension_response.y,
+                            inner.yz - w.y * tension_response.z, inner.zz - w.z * tension_response.z};
+        store(node.inverse[0], previous_inverse.xx), store(node.inverse[1], previous_inverse.xy),
+            store(node.inverse[2], previous_inverse.xz);
+        store(node.inverse[3], previous_inverse.yy), store(node.inverse[4], previous_inverse.yz),
+            store(node.inverse[5], previous_inverse.zz);
+        store3(node.displacement, previous_displacement);
+        store3(node.tension_response, tension_response);
+        store(node.arriving_tension, tension);
         arriving = leaving;
         at = next;
     }
-    return reach;
+    return total_length;
 }
 
-/// Substitutes from the last node to the first, and moves the lanes that are not settled. Returns those that are still
-/// not settled: in which a link has moved perpendicular to itself, which the linearisation neglects.
-/// With `most_tension` tensions stay within it.
+/// Substitutes from the last node to the first, and moves the active lanes. No node moves by more than
+/// `most_displacement`, and tensions are clamped to `most_tension` unless it is null. Returns the active lanes that
+/// have not converged: a link has moved perpendicular to itself, which the linearisation neglects.
 template <int lanes, class Mask>
 Mask substitute(RopeNode<lanes>* nodes, uint32_t count, const Doubles<lanes>& inverse_step_squared,
-                const Doubles<lanes>& reach, const Mask& active, const Doubles<lanes>* most_tension = nullptr) {
+                const Doubles<lanes>& most_displacement, const Mask& active,
+                const Doubles<lanes>* most_tension = nullptr) {
     using Value = Doubles<lanes>;
-    const Value none = all_of<lanes>(0);
-    const Vec<Value> nowhere{none, none, none};
-    Vec<Value> moved_next = nowhere;
-    Value tension = none, longest = none;
-    Mask moving = none < none;
+    const Value zero = all_of<lanes>(0);
+    const Vec<Value> zero_vector{zero, zero, zero};
+    Vec<Value> next_displacement = zero_vector;
+    Value tension = zero, longest = zero;
+    Mask unconverged = zero < zero;
     for (uint32_t i = count; i-- > 0;) {
         RopeNode<lanes>& node = nodes[i];
-        Vec<Value> given = nowhere;
-        const Vec<Value> n = i + 1 < count ? load3(node.direction) : nowhere;
-        const Value k = i + 1 < count ? load(node.stiffness) : none;
-        given = moved_next * k + n * tension;
-        const Vec<Value> moved = load3(node.own) + load_symmetric(node.inverse) * given;
-        store3(node.own, moved);
-        store3(node.position, select(active, load3(node.position) + moved, load3(node.position)));
-        longest = largest(longest, dot(moved, moved));
+        Vec<Value> force = zero_vector;
+        const Vec<Value> n = i + 1 < count ? load3(node.direction) : zero_vector;
+        const Value k = i + 1 < count ? load(node.stiffness) : zero;
+        force = next_displacement * k + n * tension;
+        const Vec<Value> displacement = load3(node.displacement) + load_symmetric(node.inverse) * force;
+        store3(node.displacement, displacement);
+        store3(node.position, select(active, load3(node.position) + displacement, load3(node.position)));
+        longest = largest(longest, dot(displacement, displacement));
         if (i + 1 < count) {
-            const Vec<Value> apart = moved_next - moved;
-            const Value along = dot(n, apart);
+            const Vec<Value> relative = next_displacement - displacement;
+            const Value along = dot(n, relative);
             Value newtons = (tension + k * along) * inverse_step_squared;
-            if (most_tension) newtons = in_range(newtons, *most_tension);
+            if (most_tension) newtons = clamped(newtons, *most_tension);
             store(node.tension, select(active, newtons, load(node.tension)));
-            moving = moving | (load(node.sideways) < dot(apart, apart) - along * along);
+            unconverged = unconverged | (load(node.lateral_tolerance) < dot(relative, relative) - along * along);
         }
-        tension = load(node.own_tension) + dot(load3(node.pull), given);
-        moved_next = moved;
+        tension = load(node.arriving_tension) + dot(load3(node.tension_response), force);
+        next_displacement = displacement;
     }
-    // No iteration moves a particle by more than `reach`.
     longest = square_root(longest);
-    const Mask too_far = active & (reach < longest);
+    const Mask too_far = active & (most_displacement < longest);
     if (any(too_far)) {
-        const Value back = select(too_far, reach / largest(longest, reach) - all_of<lanes>(1), none);
+        const Value correction =
+            select(too_far, most_displacement / largest(longest, most_displacement) - all_of<lanes>(1), zero);
         for (uint32_t i = 0; i < count; ++i) {
-            store3(nodes[i].position, load3(nodes[i].position) + load3(nodes[i].own) * back);
+            store3(nodes[i].position, load3(nodes[i].position) + load3(nodes[i].displacement) * correction);
         }
     }
-    return (active & moving) | too_far;
+    return (active & unconverged) | too_far;
 }
 
-/// The lanes in which the length of a link does not match its tension. A link of zero length has no relative error.
+/// The lanes in which Newton's method has failed: the length of a link does not match its tension. A link of zero
+/// length has no relative error.
 template <int lanes>
-auto find_lost(const RopeNode<lanes>* nodes, uint32_t count) {
+auto find_failed(const RopeNode<lanes>* nodes, uint32_t count) {
     using Value = Doubles<lanes>;
-    const Value none = all_of<lanes>(0), part = all_of<lanes>(rope_lost);
-    auto lost = none < none;
+    const Value zero = all_of<lanes>(0), part = all_of<lanes>(rope_failure);
+    auto failed = zero < zero;
     for (uint32_t i = 0; i + 1 < count; ++i) {
         const RopeNode<lanes>& node = nodes[i];
         const Vec<Value> along = load3(nodes[i + 1].position) - load3(node.position);
         const Value target = load(node.target), stretch = load(node.compliance) * load(node.tension);
-        const Value misfit = (square_root(dot(along, along)) - target - stretch) * load(node.present);
-        lost = lost | ((none < target) & (part * target < largest(misfit, -misfit)));
+        const Value residual = (square_root(dot(along, along)) - target - stretch) * load(node.present);
+        failed = failed | ((zero < target) & (part * target < largest(residual, -residual)));
     }
-    return lost;
+    return failed;
 }
 
 // Otherwise gcc calls the operators on eight doubles, and passes them through memory.
 template <int lanes>
-GPHYS_FLATTEN void begin_all(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& step, bool trapezoid) {
+GPHYS_FLATTEN void begin_all(RopeNode<lanes>* nodes, uint32_t count, const RopeScheme<lanes>& step, bool trapezoid) {
     if (trapezoid) {
         begin_trapezoid(nodes, count, step);
     } else {
-        for (uint32_t i = 0; i < count; ++i) begin(nodes[i], by_backward_formula(nodes[i], step));
+        for (uint32_t i = 0; i < count; ++i) begin(nodes[i], predict_backward(nodes[i], step));
     }
 }
 
 template <int lanes>
-GPHYS_FLATTEN void move(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& step, bool trapezoid,
+GPHYS_FLATTEN void move(RopeNode<lanes>* nodes, uint32_t count, const RopeScheme<lanes>& step, bool trapezoid,
                         RopeBounds<lanes>& bounds) {
     begin_all(nodes, count, step, trapezoid);
-    // No valid correction is larger than the length of the rope, as placed and at rest together, but that of an
-    // infeasible system may be after regularisation.
     const Doubles<lanes> step_squared = load(step.step_squared), inverse_step_squared = load(step.inverse_step_squared);
     auto active = all_of<lanes>(0) < all_of<lanes>(1);
     for (int iteration = 0; iteration < most_iterations && any(active); ++iteration) {
-        const Doubles<lanes> reach = eliminate<false, lanes>(nodes, nullptr, count, step_squared, inverse_step_squared);
-        active = substitute(nodes, count, inverse_step_squared, reach, active);
+        const Doubles<lanes> total_length =
+            eliminate<false, lanes>(nodes, nullptr, count, step_squared, inverse_step_squared);
+        // No valid correction is larger than this length. That of an infeasible system may be, after regularisation.
+        active = substitute(nodes, count, inverse_step_squared, total_length, active);
     }
     if (any(active)) {
-        const auto lost = find_lost(nodes, count);
-        store(bounds.lost, select(lost, all_of<lanes>(1), load(bounds.lost)));
+        const auto failed = find_failed(nodes, count);
+        store(bounds.failed, select(failed, all_of<lanes>(1), load(bounds.failed)));
     }
     for (uint32_t i = 0; i < count; ++i) finish(nodes[i], step, bounds);
 }
 
 template <int lanes>
-GPHYS_FLATTEN void iterate(RopeNode<lanes>* nodes, const RopePush<lanes>* pushes, uint32_t count,
-                           const RopeEquations<lanes>& equations, bool (&moving)[lanes]) {
-    const Doubles<lanes> none = all_of<lanes>(0), inverse_step_squared = load(equations.inverse_step_squared);
-    eliminate<true, lanes>(nodes, pushes, count, load(equations.step_squared), inverse_step_squared);
+GPHYS_FLATTEN void iterate(RopeNode<lanes>* nodes, const RopeContactTerm<lanes>* contacts, uint32_t count,
+                           const RopeEquations<lanes>& equations, bool (&unconverged)[lanes]) {
+    const Doubles<lanes> zero = all_of<lanes>(0), inverse_step_squared = load(equations.inverse_step_squared);
+    eliminate<true, lanes>(nodes, contacts, count, load(equations.step_squared), inverse_step_squared);
     const Doubles<lanes> most_tension = load(equations.most_tension);
-    const auto still = substitute(nodes, count, inverse_step_squared, load(equations.reach),
-                                  none < load(equations.active), &most_tension);
+    const auto active = substitute(nodes, count, inverse_step_squared, load(equations.most_displacement),
+                                   zero < load(equations.active), &most_tension);
     double numbers[lanes];
-    store(numbers, select(still, all_of<lanes>(1), none));
-    for (int lane = 0; lane < lanes; ++lane) moving[lane] = numbers[lane] != 0;
+    store(numbers, select(active, all_of<lanes>(1), zero));
+    for (int lane = 0; lane < lanes; ++lane) unconverged[lane] = numbers[lane] != 0;
 }
 
 }  // namespace
 
-const RopeKernels rope_kernels = {{put_ropes<1>, find_agility<1>, move<1>, take_ropes<1>, iterate<1>},
-                                  {put_ropes<8>, find_agility<8>, move<8>, take_ropes<8>, iterate<8>}};
+const RopeKernels rope_kernels = {{gather_ropes<1>, find_largest_frequency<1>, move<1>, scatter_ropes<1>, iterate<1>},
+                                  {gather_ropes<8>, find_largest_frequency<8>, move<8>, scatter_ropes<8>, iterate<8>}};
 
 }  // namespace gphys::GPHYS_ISA

@@ -1,7 +1,9 @@
-// Kernels of ropes: one rope, or eight side by side, with the same bits. rope_kernels.cpp moves undisturbed ropes, and
-// iterates with others; rope_layout_kernels.cpp converts from and to the arrays of bodies.
+// Kernels of ropes: one rope, or eight side by side, with the same bits. rope_kernels.cpp predicts and solves ropes in
+// which nothing but links, gravity and forces acts, and makes single iterations of ropes in contact.
+// rope_layout_kernels.cpp gathers ropes from the arrays of bodies and scatters them back.
 //
-// The particles of a rope are nodes in a row, each with the link to the next node.
+// The particles of a rope are nodes in a row, each with the link to the next node. Lane l of every array belongs to
+// rope l (array of structures of arrays).
 #pragma once
 
 #include <cstdint>
@@ -40,67 +42,69 @@ struct RopeNode {
     Value target, inverse_target;  // metres
     Value compliance;              // m/N
     Value regularisation;          // 1/kg; keeps the system regular where there is no link
-    Value sideways;                // m^2; a link that moves less perpendicular to itself is settled
+    Value lateral_tolerance;       // m^2: squared displacement perpendicular to a converged link
     Value tension;                 // N
-    // Left by elimination for substitution:
-    Value inverse[6];               // of the system up to this node, the block of this node
-    Value own[3];                   // the solution without later nodes; then the whole solution
-    Value pull[3], own_tension;     // of the arriving link
+    // Left by elimination for back substitution:
+    Value inverse[6];               // of the node's block, after elimination of the nodes before it
+    Value displacement[3];          // without the nodes after it; after back substitution the whole
+    Value tension_response[3];      // of the arriving link's tension, to a force on this node
+    Value arriving_tension;         // of that link, without the nodes after it
     Value direction[3], stiffness;  // of the leaving link
 };
 
 /// The coefficients of one part of a substep, as in TimeScheme.
 template <int lanes>
-struct RopeStep {
+struct RopeScheme {
     using Value = double[lanes];
 
     Value h, rate;  // s, 1/s
     Value next, inverse_next, now, earlier;
     Value damping, drag;
     Value step_squared, inverse_step_squared;  // of the scheme: force to displacement
-    Value curve;                               // h^2 / 2 / previous part; 0: there was none
+    Value extrapolation;                       // h^2 / (2 h_before), of the acceleration; 0: there was no part before
 };
 
-/// What contacts add to the equation of a node, times the square of the step.
+/// The contribution of contacts to the equation of a node, times the square of the step.
 template <int lanes>
-struct RopePush {
+struct RopeContactTerm {
     double stiffness[6][lanes];  // kg; xx, xy, xz, yy, yz, zz
     double force[3][lanes];      // kg m
 };
 
-/// Of the scheme, as in RopeStep; the farthest that a node may move in an iteration; the largest tension; and which
-/// lanes are to be moved: 0 or 1.
+/// The parameters of an iteration with contacts.
 template <int lanes>
 struct RopeEquations {
-    double step_squared[lanes], inverse_step_squared[lanes];
-    double reach[lanes], most_tension[lanes];
-    double active[lanes];
+    double step_squared[lanes], inverse_step_squared[lanes];  // as in RopeScheme
+    double most_displacement[lanes];                          // m, of a node in one iteration
+    double most_tension[lanes];                               // N
+    double active[lanes];                                     // 1: the lane is moved; else 0
 };
 
-/// Bounds of all nodes since the last reset, and whether a part has ended without finding all lengths of links: 0 or 1.
+/// Bounds of all nodes since the last reset, and whether Newton's method has failed in any part since: 0 or 1.
 template <int lanes>
 struct RopeBounds {
     double low[3][lanes], high[3][lanes];
-    double lost[lanes];
+    double failed[lanes];
 };
 
 template <int lanes>
 struct RopeKernelsOf {
     /// Loads nodes, as many as the longest rope has particles. The nodes beyond the end of a shorter rope stay at its
     /// first particle.
-    void (*put)(RopeNode<lanes>* nodes, uint32_t count, const RopeArrays (&ropes)[lanes], const double (&gravity)[3]);
-    /// After put: how calmly the ropes move (stages_kernels.cpp).
-    void (*find_agility)(const RopeNode<lanes>* nodes, uint32_t count, double (&agility)[lanes]);
+    void (*gather)(RopeNode<lanes>* nodes, uint32_t count, const RopeArrays (&ropes)[lanes],
+                   const double (&gravity)[3]);
+    /// Call after gather. The square of each rope's largest angular frequency, 1/s^2 (stages_kernels.cpp).
+    void (*find_largest_frequency)(const RopeNode<lanes>* nodes, uint32_t count, double (&frequency_squared)[lanes]);
     /// Runs one part of a substep, by the trapezoid rule or the backward formula in all lanes.
-    void (*move)(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& step, bool trapezoid,
+    void (*move)(RopeNode<lanes>* nodes, uint32_t count, const RopeScheme<lanes>& step, bool trapezoid,
                  RopeBounds<lanes>& bounds);
     /// Stores the wanted lanes.
-    void (*take)(const RopeNode<lanes>* nodes, uint32_t count, const RopeArrays (&ropes)[lanes],
-                 const bool (&wanted)[lanes]);
-    /// Makes one of Newton's iterations, with contacts. `moving`: the lanes in which a link has moved too far
-    /// perpendicular to itself for this to be the last one.
-    void (*iterate)(RopeNode<lanes>* nodes, const RopePush<lanes>* pushes, uint32_t count,
-                    const RopeEquations<lanes>& equations, bool (&moving)[lanes]);
+    void (*scatter)(const RopeNode<lanes>* nodes, uint32_t count, const RopeArrays (&ropes)[lanes],
+                    const bool (&wanted)[lanes]);
+    /// Makes one of Newton's iterations, with contacts. `unconverged`: the lanes that need another one, because a link
+    /// has moved too far perpendicular to itself.
+    void (*iterate)(RopeNode<lanes>* nodes, const RopeContactTerm<lanes>* contacts, uint32_t count,
+                    const RopeEquations<lanes>& equations, bool (&unconverged)[lanes]);
 };
 struct RopeKernels {
     RopeKernelsOf<1> one;
@@ -111,17 +115,18 @@ struct RopeKernels {
 /// leave open (a straight chain between two pins). A link then stretches by this * t (w_a + w_b), which is 1e-10 of the
 /// displacement that the forces of one substep could cause.
 constexpr double rope_regularisation = 1e-10;
-/// A nanometre, the smallest skin of particles. A shorter link counts as one of zero length. A link that is shorter at
-/// the moment is as stiff sideways as one of this length, because tension / length would overflow.
+/// Metres: a nanometre, the smallest skin of particles. A shorter link counts as one of zero length. A link that is
+/// shorter at the moment is as stiff sideways as one of this length, because tension / length would overflow.
 constexpr double rope_shortest = 1e-9;
-// A link is settled within this fraction of its length: float32 output rounds coordinates of its size by as much.
-constexpr double rope_settled = 1e-7;
-// If the length of a link is wrong by more than this fraction after the iterations, it has not been found. Where links
-// turn by more than a radian in a step, Newton's method may cycle, and velocities from such positions grow without
-// bound. Where it converges, the error is below a millionth by then.
-constexpr double rope_lost = 1e-4;
-// Ropes are calm while their agility is below the square of this many radians per substep.
-constexpr double most_turn_in_stages = 0.5;
+/// Newton's method has converged when each link is wrong by at most this fraction of its length: float32 output rounds
+/// coordinates of its size by as much.
+constexpr double rope_tolerance = 1e-7;
+/// Newton's method has failed if a link is wrong by more than this fraction of its length after the last iteration.
+/// Where links turn by more than a radian in a step, the method may cycle, and velocities from such positions grow
+/// without bound. Where it converges, the error is below a millionth by then.
+constexpr double rope_failure = 1e-4;
+/// Radians. A substep has two stages while a rope's largest angular frequency times the substep is at most this.
+constexpr double trapezoid_most_angle = 0.5;
 
 GPHYS_DECLARE_KERNELS(RopeKernels, rope_kernels)
 

@@ -1,4 +1,4 @@
-// Undisturbed ropes, one or eight side by side, through all substeps of a step (rope_lanes.h).
+// Undisturbed ropes, one or eight side by side, through all substeps of a step (rope_lanes.h): gather, move, scatter.
 #include "solver/rope/rope_lanes.h"
 
 #include "solver/rope/rope.h"
@@ -36,44 +36,45 @@ RopeArrays arrays_of(Body& body, const Chain& chain, bool estimated) {
     return arrays;
 }
 
-/// Bodies side by side, all with the same number of chains. A lane without a body repeats the first one.
+/// Ropes in the lanes of the kernels, all with the same number of chains. A lane without a rope repeats the first one.
 template <int lanes>
-class Lanes {
+class UndisturbedRopes {
 public:
-    Lanes(const RopeKernelsOf<lanes>& kernels, RopeNode<lanes>* nodes, UndisturbedRope* ropes, uint32_t count,
-          const StepOfRopes& step)
+    UndisturbedRopes(const RopeKernelsOf<lanes>& kernels, RopeNode<lanes>* nodes, UndisturbedRope* ropes,
+                     uint32_t count, const RopeStepSettings& step)
         : kernels_(kernels), nodes_(nodes), ropes_(ropes), count_(count), step_(step) {
         for (uint32_t lane = 0; lane < lanes; ++lane) bodies_[lane] = ropes[lane < count ? lane : 0].body;
     }
 
-    void put() {
-        std::fill_n(agility_, lanes, 0.0);
-        for (size_t i = 0; i < chains(); ++i) put_chain(i);
+    void gather() {
+        std::fill_n(frequency_squared_, lanes, 0.0);
+        for (size_t i = 0; i < chains(); ++i) gather_chain(i);
     }
-    /// Chooses the lanes whose substeps have two stages.
-    void choose() {
+    /// Call after gather: chooses the lanes whose substeps have two stages.
+    void choose_stages() {
         for (uint32_t lane = 0; lane < count_; ++lane) {
-            constexpr double most = most_turn_in_stages * most_turn_in_stages;
+            constexpr double most = trapezoid_most_angle * trapezoid_most_angle;
             const double h = step_.dt / step_.substeps;
             bodies_[lane]->history.in_stages =
-                bodies_[lane]->history.earlier_step > 0 && agility_[lane] * h * h <= most;
+                bodies_[lane]->history.earlier_step > 0 && frequency_squared_[lane] * h * h <= most;
         }
     }
 
-    /// Moves the chosen lanes only; all lanes use the same formula.
+    /// Moves the lanes whose choice was `in_stages`: all lanes of a kernel use the same formula, and the others are not
+    /// scattered.
     void move_if(bool in_stages) {
         bool wanted[lanes] = {};
         for (uint32_t lane = 0; lane < count_; ++lane) wanted[lane] = bodies_[lane]->history.in_stages == in_stages;
         if (std::count(wanted, wanted + lanes, true) == 0) return;
-        if (moved_) put();
+        if (moved_) gather();
         moved_ = true;
         reset_bounds();
         for (size_t i = 0; i < chains(); ++i) move_chain(i, in_stages);
         for (uint32_t lane = 0; lane < count_; ++lane) {
             if (!wanted[lane]) continue;
-            wanted[lane] = ropes_[lane].stayed = stays(lane);
+            wanted[lane] = ropes_[lane].stayed = stays_undisturbed(lane);
         }
-        for (size_t i = 0; i < chains(); ++i) take_chain(i, wanted);
+        for (size_t i = 0; i < chains(); ++i) scatter_chain(i, wanted);
         for (uint32_t lane = 0; lane < count_; ++lane) {
             if (!wanted[lane]) continue;
             bodies_[lane]->history.earlier_step = earlier_step_[lane];
@@ -85,8 +86,8 @@ private:
     size_t chains() const { return bodies_[0]->plan.chains.size(); }
     RopeNode<lanes>* nodes_of(size_t chain) const { return nodes_ + bodies_[0]->plan.chains[chain].first_particle; }
 
-    /// Returns the number of nodes.
-    uint32_t list(size_t chain, RopeArrays (&ropes)[lanes]) const {
+    /// Returns the number of nodes of the longest.
+    uint32_t list_arrays(size_t chain, RopeArrays (&ropes)[lanes]) const {
         uint32_t longest = 0;
         for (uint32_t lane = 0; lane < lanes; ++lane) {
             ropes[lane] = arrays_of(*bodies_[lane], bodies_[lane]->plan.chains[chain], step_.estimated);
@@ -95,9 +96,9 @@ private:
         return longest;
     }
 
-    void put_chain(size_t i) {
+    void gather_chain(size_t i) {
         RopeArrays ropes[lanes];
-        const uint32_t nodes = list(i, ropes);
+        const uint32_t nodes = list_arrays(i, ropes);
         for (uint32_t lane = 0; lane < lanes; ++lane) {
             Plan& plan = bodies_[lane]->plan;
             const Chain& chain = plan.chains[i];
@@ -107,10 +108,11 @@ private:
                 ropes[lane].target = plan.rest.data() + chain.first_link;
             }
         }
-        double agility[lanes];
-        kernels_.put(nodes_of(i), nodes, ropes, {step_.gravity.x, step_.gravity.y, step_.gravity.z});
-        kernels_.find_agility(nodes_of(i), nodes, agility);
-        for (int lane = 0; lane < lanes; ++lane) agility_[lane] = std::max(agility_[lane], agility[lane]);
+        double frequency_squared[lanes];
+        kernels_.gather(nodes_of(i), nodes, ropes, {step_.gravity.x, step_.gravity.y, step_.gravity.z});
+        kernels_.find_largest_frequency(nodes_of(i), nodes, frequency_squared);
+        for (int lane = 0; lane < lanes; ++lane)
+            frequency_squared_[lane] = std::max(frequency_squared_[lane], frequency_squared[lane]);
     }
 
     void reset_bounds() {
@@ -118,7 +120,7 @@ private:
             std::fill_n(bounds_.low[k], lanes, infinity);
             std::fill_n(bounds_.high[k], lanes, -infinity);
         }
-        std::fill_n(bounds_.lost, lanes, 0.0);
+        std::fill_n(bounds_.failed, lanes, 0.0);
     }
 
     void move_chain(size_t chain, bool in_stages) {
@@ -126,13 +128,13 @@ private:
         uint32_t nodes = 0;
         for (const Body* body : bodies_) nodes = std::max(nodes, body->plan.chains[chain].link_count + 1);
         const auto move_part = [&](double advance, bool trapezoid) {
-            RopeStep<lanes> part;
-            for (uint32_t lane = 0; lane < lanes; ++lane) prepare(part, lane, advance, trapezoid);
+            RopeScheme<lanes> part;
+            for (uint32_t lane = 0; lane < lanes; ++lane) set_scheme(part, lane, advance, trapezoid);
             kernels_.move(nodes_of(chain), nodes, part, trapezoid, bounds_);
         };
         const double h = step_.dt / step_.substeps;
         for (uint32_t i = 0; i < step_.substeps; ++i) {
-            if (i == 0 && starts_again(*bodies_[0])) {
+            if (i == 0 && restarts(*bodies_[0])) {
                 for (const double part : starting_parts) move_part(h * part, false);
             } else if (in_stages) {
                 move_part(h * stages[0], true);
@@ -143,8 +145,8 @@ private:
         }
     }
 
-    /// Prepares one part of a substep, of `advance` seconds.
-    void prepare(RopeStep<lanes>& part, uint32_t lane, double advance, bool trapezoid) {
+    /// Sets the coefficients of a lane for one part of a substep, of `advance` seconds.
+    void set_scheme(RopeScheme<lanes>& part, uint32_t lane, double advance, bool trapezoid) {
         const double damping = bodies_[lane]->settings.damping;
         const TimeScheme scheme = trapezoid ? TimeScheme::trapezoid(advance) : TimeScheme(advance, earlier_step_[lane]);
         const double effective = scheme.step(damping);
@@ -154,17 +156,18 @@ private:
         part.damping[lane] = damping, part.drag[lane] = scheme.drag(damping);
         part.step_squared[lane] = effective * effective;
         part.inverse_step_squared[lane] = 1 / (effective * effective);
-        part.curve[lane] = scheme.earlier > 0 ? advance * advance / (2 * earlier_step_[lane]) : 0;
+        part.extrapolation[lane] = scheme.earlier > 0 ? advance * advance / (2 * earlier_step_[lane]) : 0;
         earlier_step_[lane] = advance;
     }
 
-    bool stays(uint32_t lane) const {
-        if (bounds_.lost[lane] != 0) return false;
+    /// Whether the rope has stayed in its region, and Newton's method has not failed.
+    bool stays_undisturbed(uint32_t lane) const {
+        if (bounds_.failed[lane] != 0) return false;
         for (int k = 0; k < 3; ++k) {
             constexpr double range = GPHYS_MAX_COORDINATE;
             if (bounds_.low[k][lane] < -range || bounds_.high[k][lane] > range) return false;
         }
-        const Box* const box = ropes_[lane].confines;
+        const Box* const box = ropes_[lane].region;
         if (!box) return true;
         const double radius = bodies_[lane]->particles.largest_radius;
         for (int k = 0; k < 3; ++k) {
@@ -174,46 +177,46 @@ private:
         return true;
     }
 
-    void take_chain(size_t i, const bool (&wanted)[lanes]) const {
+    void scatter_chain(size_t i, const bool (&wanted)[lanes]) const {
         RopeArrays ropes[lanes];
-        const uint32_t nodes = list(i, ropes);
-        kernels_.take(nodes_of(i), nodes, ropes, wanted);
+        const uint32_t nodes = list_arrays(i, ropes);
+        kernels_.scatter(nodes_of(i), nodes, ropes, wanted);
     }
 
     const RopeKernelsOf<lanes>& kernels_;
     RopeNode<lanes>* nodes_;
     UndisturbedRope* ropes_;
     uint32_t count_;
-    const StepOfRopes& step_;
+    const RopeStepSettings& step_;
     Body* bodies_[lanes];
-    double agility_[lanes], earlier_step_[lanes];
+    double frequency_squared_[lanes], earlier_step_[lanes];
     RopeBounds<lanes> bounds_;
     bool moved_ = false;
 };
 
 template <int lanes>
 void move_lanes(const RopeKernelsOf<lanes>& kernels, RopeNode<lanes>* nodes, UndisturbedRope* ropes, uint32_t count,
-                const StepOfRopes& step) {
-    Lanes<lanes> all(kernels, nodes, ropes, count, step);
-    all.put();
-    all.choose();
+                const RopeStepSettings& step) {
+    UndisturbedRopes<lanes> all(kernels, nodes, ropes, count, step);
+    all.gather();
+    all.choose_stages();
     for (const bool in_stages : {true, false}) all.move_if(in_stages);
 }
 
 }  // namespace
 
-void RopeRoom::reserve(size_t alone, size_t together, size_t beside) {
+void RopeScratch::reserve(size_t alone, size_t in_lanes, size_t in_contact_lanes) {
     const auto enlarge = [](auto& nodes, size_t count) {
         if (nodes.size() < count) nodes.resize(count);
     };
     enlarge(one, alone);
-    enlarge(one_pushes, alone);
-    enlarge(eight, together);
-    enlarge(eight_pushes, beside);
-    const size_t wanted = beside > 0 ? ropes_together : alone > 0 ? 1 : 0;
-    while (contacts.size() < wanted) contacts.emplace_back(contacts.get_allocator().resource());
-    for (size_t lane = 0; lane < wanted; ++lane)
-        contacts[lane].reserve(static_cast<uint32_t>(lane == 0 ? alone : beside));
+    enlarge(one_terms, alone);
+    enlarge(eight, in_lanes);
+    enlarge(eight_terms, in_contact_lanes);
+    const size_t contact_lanes = in_contact_lanes > 0 ? rope_lanes : alone > 0 ? 1 : 0;
+    while (contacts.size() < contact_lanes) contacts.emplace_back(contacts.get_allocator().resource());
+    for (size_t lane = 0; lane < contact_lanes; ++lane)
+        contacts[lane].reserve(static_cast<uint32_t>(lane == 0 ? alone : in_contact_lanes));
 }
 
 bool is_plain_rope(const Body& body) {
@@ -223,20 +226,20 @@ bool is_plain_rope(const Body& body) {
            body.targets.empty();
 }
 
-void move_ropes(UndisturbedRope* ropes, uint32_t count, RopeRoom& room, const StepOfRopes& step) {
+void move_ropes(UndisturbedRope* ropes, uint32_t count, RopeScratch& scratch, const RopeStepSettings& step) {
     const RopeKernels& kernels = rope_kernels(chosen_isa());
     if (count == 1) {
-        move_lanes(kernels.one, room.one.data(), ropes, count, step);
+        move_lanes(kernels.one, scratch.one.data(), ropes, count, step);
     } else {
-        move_lanes(kernels.eight, room.eight.data(), ropes, count, step);
+        move_lanes(kernels.eight, scratch.eight.data(), ropes, count, step);
     }
 }
 
-void choose_stages(Body& body, RopeRoom& room, const StepOfRopes& step) {
+void choose_stages(Body& body, RopeScratch& scratch, const RopeStepSettings& step) {
     UndisturbedRope rope{&body, nullptr, false};
-    Lanes<1> alone(rope_kernels(chosen_isa()).one, room.one.data(), &rope, 1, step);
-    alone.put();
-    alone.choose();
+    UndisturbedRopes<1> alone(rope_kernels(chosen_isa()).one, scratch.one.data(), &rope, 1, step);
+    alone.gather();
+    alone.choose_stages();
 }
 
 }  // namespace gphys

@@ -1,6 +1,6 @@
 // Undisturbed ropes: no model and no other body is near during a step. They are moved through all its substeps in the
-// layout of the kernels (rope_kernels.h), up to eight side by side. The result for a rope does not depend on the others
-// beside it.
+// layout of the kernels (rope_kernels.h), up to eight side by side, one in each lane of a vector register. The result
+// for a rope does not depend on the others.
 #pragma once
 
 #include "solver/body.h"
@@ -9,48 +9,50 @@
 
 namespace gphys {
 
-/// Memory of one worker for ropes.
-struct RopeRoom {
-    explicit RopeRoom(std::pmr::memory_resource* memory)
-        : one(memory), eight(memory), one_pushes(memory), eight_pushes(memory), contacts(memory) {}
+/// Work space of one worker for ropes; nothing in it outlives a task.
+struct RopeScratch {
+    explicit RopeScratch(std::pmr::memory_resource* memory)
+        : one(memory), eight(memory), one_terms(memory), eight_terms(memory), contacts(memory) {}
 
-    /// For ropes of so many particles, moved alone, together, and together beside models. Throws std::bad_alloc.
-    void reserve(size_t alone, size_t together, size_t beside);
+    /// By particles of the longest rope that is moved alone, in lanes, and in lanes with contacts. Throws
+    /// std::bad_alloc.
+    void reserve(size_t alone, size_t in_lanes, size_t in_contact_lanes);
 
     Vector<RopeNode<1>> one;
     Vector<RopeNode<8>> eight;
-    // Of ropes that are moved beside models:
-    Vector<RopePush<1>> one_pushes;
-    Vector<RopePush<8>> eight_pushes;
+    // For ropes that may touch models:
+    Vector<RopeContactTerm<1>> one_terms;
+    Vector<RopeContactTerm<8>> eight_terms;
     ClosestFeatures parts;
     Vector<RopeContacts> contacts;  // by lane
 };
 
-struct StepOfRopes {
+/// What ropes in lanes have in common.
+struct RopeStepSettings {
     Vec3 gravity;
-    double dt;
+    double dt;  // seconds of the step
     uint32_t substeps;
-    bool estimated;  // whether its error estimate is needed
+    bool estimated;  // whether error targets need the earlier velocities
 };
 
 /// A rope in the step under way.
 struct UndisturbedRope {
     Body* body;
-    const Box* confines;  // the rope must stay in it to be undisturbed; null: anywhere
-    bool stayed;          // result: it did; otherwise it has not been moved
+    const Box* region;  // no model is in it; null: there are no models
+    bool stayed;        // result: whether it has stayed there; if not, the body is unchanged
 };
 
-constexpr uint32_t ropes_together = 8;
-/// Longer ropes are moved alone: eight of them would not stay in the caches.
-constexpr uint32_t longest_rope_together = 320;
+constexpr uint32_t rope_lanes = 8;
+/// Particles. Longer ropes are moved alone: eight of them would not fit into the caches.
+constexpr uint32_t longest_rope_in_lanes = 320;
 
 /// Whether the kernels support the body: its links are neither limits nor damped, and attached to no model.
 bool is_plain_rope(const Body& body);
-/// Moves at most ropes_together ropes. Several ropes must have one chain each, and either all or none start again after
-/// an interruption. The memory must suffice for the longest.
-void move_ropes(UndisturbedRope* ropes, uint32_t count, RopeRoom& room, const StepOfRopes& step);
+/// Moves at most rope_lanes ropes. Several ropes must have one chain each, and either all or none restart after an
+/// interruption. `scratch` must have memory for the longest.
+void move_ropes(UndisturbedRope* ropes, uint32_t count, RopeScratch& scratch, const RopeStepSettings& step);
 
-/// Sets Body::in_stages of any rope, before a step: whether it continues without an interruption and moves calmly.
-void choose_stages(Body& body, RopeRoom& room, const StepOfRopes& step);
+/// Call before a step of any rope: sets History::in_stages, whether its substeps have two stages.
+void choose_stages(Body& body, RopeScratch& scratch, const RopeStepSettings& step);
 
 }  // namespace gphys

@@ -1,6 +1,7 @@
-// Ropes with links that only pull (unilateral constraints). A particle whose links are all slack flies exactly. When a
-// rigid link becomes taut within a substep, its ends lose the speed at which they separate: an inelastic impact. It is
-// solved for all taut links of the chain together, and takes only the velocity along the links.
+// Ropes with links that only pull (unilateral constraints). A particle whose links are all slack flies exactly, by the
+// closed form of flight.h. When a rigid link becomes taut within a substep, its ends lose the speed at which they
+// separate: an inelastic impact. It is solved for all taut links of the chain together, by elimination along the chain
+// (Thomas's algorithm), and takes only the velocity along the links.
 #include "solver/rope/rope_limits.h"
 #include "solver/contact/collision.h"
 #include "solver/particles/flight.h"
@@ -9,7 +10,7 @@
 namespace gphys {
 namespace {
 
-// A link is slack if it is shorter by this fraction of its length, ten times the error of a solved one.
+// A link is slack if it is shorter by this fraction of its length: ten times the error of a solved one.
 constexpr double slack = 1e-8;
 
 bool is_slack(const Plan& plan, const Vector<Vec3>& position, uint32_t a, uint32_t b, uint32_t link) {
@@ -38,7 +39,7 @@ struct TautLinks {
     }
     Vec3 direction(uint32_t i) const { return link_direction(body.particles, particle(i), particle(i + 1)); }
 
-    /// Impulses p_j along the links after which no taut link changes its length, by Thomas's algorithm:
+    /// Applies the impulses p_j along the links after which no taut link changes its length:
     ///   -c_j p_(j-1) + (w_j + w_(j+1)) p_j - c_(j+1) p_(j+1) = rate_j,   c_j = w_j (n_(j-1) . n_j)
     void stop() const {
         // Keeps the pivot of a straight chain between two pins from zero.
@@ -77,11 +78,11 @@ struct TautLinks {
             const Vec3 pull = direction(i) * impulse;
             body.particles.velocity[a] += pull * body.particles.inverse_mass[a];
             body.particles.velocity[b] -= pull * body.particles.inverse_mass[b];
-            // Drag has kept only this fraction of the force that the anchors got from the link.
+            // The anchors got the whole force of the link, but drag has left only this fraction of it.
             const double part = scheme.drag(body.settings.damping);
-            const Vec3 given = pull - link_impulse(body, a, b, chain.first_link + i, scheme) * (1 - part);
-            if (body.particles.pinned(a)) add_anchor_impulse(body, around, a, given);
-            if (body.particles.pinned(b)) add_anchor_impulse(body, around, b, -given);
+            const Vec3 impulse_on_a = pull - link_impulse(body, a, b, chain.first_link + i, scheme) * (1 - part);
+            if (body.particles.pinned(a)) add_anchor_impulse(body, around, a, impulse_on_a);
+            if (body.particles.pinned(b)) add_anchor_impulse(body, around, b, -impulse_on_a);
         }
     }
 };

@@ -9,9 +9,9 @@ struct Body;
 struct CollisionContext;
 struct TimeScheme;
 
-/// predict_flying: call after the prediction; capture: after the new velocities. capture returns whether a link has
-/// become taut.
+/// Call after the prediction: particles whose links are all slack fly exactly.
 void predict_flying(Body& body, Vec3 gravity, double h);
+/// Call after the new velocities: inelastic impacts of links that have become taut. Returns whether there is one.
 bool capture(Body& body, const CollisionContext& around, const TimeScheme& scheme);
 
 }  // namespace gphys

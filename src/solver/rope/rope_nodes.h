@@ -18,11 +18,11 @@ void store3(double (&to)[3][lanes], const Vec<Value>& v) {
 
 // Defined in rope_layout_kernels.cpp and stages_kernels.cpp; documented in RopeKernelsOf.
 template <int lanes>
-void put_ropes(RopeNode<lanes>* nodes, uint32_t count, const RopeArrays (&ropes)[lanes], const double (&gravity)[3]);
+void gather_ropes(RopeNode<lanes>* nodes, uint32_t count, const RopeArrays (&ropes)[lanes], const double (&gravity)[3]);
 template <int lanes>
-void take_ropes(const RopeNode<lanes>* nodes, uint32_t count, const RopeArrays (&ropes)[lanes],
-                const bool (&wanted)[lanes]);
+void scatter_ropes(const RopeNode<lanes>* nodes, uint32_t count, const RopeArrays (&ropes)[lanes],
+                   const bool (&wanted)[lanes]);
 template <int lanes>
-void find_agility(const RopeNode<lanes>* nodes, uint32_t count, double (&agility)[lanes]);
+void find_largest_frequency(const RopeNode<lanes>* nodes, uint32_t count, double (&frequency_squared)[lanes]);
 
 }  // namespace gphys::GPHYS_ISA

@@ -1,12 +1,14 @@
 // One substep of a single rope, or of any other body that is solved directly: prediction, links (rope_direct.cpp),
-// velocities, contacts, and the links again beside the contacts.
+// velocities, contacts, and the links again together with the contacts.
 //
-// Time scheme of constrained bodies: the backward differentiation formula of second order (BDF2) for unequal steps,
-// with constraint forces at the end of the substep. Backward Euler takes 9 % of the energy of a pendulum in a second.
-// The damping of BDF2 is of third order in the step, and it is stable for any stiffness of the constraints (A- and
-// L-stable). Ropes that move calmly use the trapezoid rule in the first part of each substep (TR-BDF2;
-// stages_kernels.cpp), which leaves a seventh of the error for twice the work. After an interruption (a contact, or a
-// change by the caller) one step of backward Euler restarts the scheme.
+// Time scheme. Constrained bodies use the backward differentiation formula of second order (BDF2) for unequal steps,
+// with constraint forces at the end of the substep. It is stable for any stiffness of the constraints (A- and
+// L-stable), and its damping is of third order in the step, where backward Euler takes 9 % of the energy of a pendulum
+// in a second. Ropes whose links turn little in a substep use the trapezoid rule in the first part of each substep
+// (TR-BDF2; stages_kernels.cpp): a seventh of the error for twice the work.
+//
+// Interruptions. After a contact, or a change by the caller, the history does not belong to the motion that follows. So
+// one step of backward Euler restarts the scheme.
 #include <iterator>
 
 #include "solver/contact/collision.h"
@@ -15,14 +17,14 @@
 #include "solver/rope/damping.h"
 #include "solver/rope/rope.h"
 #include "solver/rope/rope_contacts.h"
-#include "solver/rope/rope_in_step.h"
 #include "solver/rope/rope_limits.h"
+#include "solver/rope/rope_stepper.h"
 
 namespace gphys {
 
 namespace {
 
-/// By particle: the sum of the forces of its links, in newtons.
+/// By particle: the sum of the forces of its links, newtons.
 void sum_tensions(const Body& body, Vector<Vec3>& forces) {
     forces.assign(body.particles.size(), Vec3{});
     for (const Chain& chain : body.plan.chains) {
@@ -42,16 +44,17 @@ void predict_chains(Body& body, const TimeScheme& scheme, Vec3 gravity) {
     body.history.start = body.particles.position;
     body.history.start_velocity = body.particles.velocity;
     const double damping = body.settings.damping, drag = scheme.drag(damping);
-    Vector<Vec3>& pulls = body.history.predicted;  // not yet in use
-    if (scheme.lean > 0) sum_tensions(body, pulls);
+    Vector<Vec3>& link_forces = body.history.predicted;  // which is not in use yet
+    if (scheme.explicit_h > 0) sum_tensions(body, link_forces);
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (body.particles.pinned(p)) continue;
         const Vec3 velocity = body.particles.velocity[p],
-                   falling = gravity + body.particles.force[p] * body.particles.inverse_mass[p];
-        const Vec3 rate =
-            scheme.lean > 0 ? falling + pulls[p] * body.particles.inverse_mass[p] - velocity * damping : Vec3{};
+                   acceleration = gravity + body.particles.force[p] * body.particles.inverse_mass[p];
+        const Vec3 rate = scheme.explicit_h > 0
+                              ? acceleration + link_forces[p] * body.particles.inverse_mass[p] - velocity * damping
+                              : Vec3{};
         body.particles.velocity[p] =
-            (scheme.from_history(velocity, body.history.earlier_velocity[p], rate) + falling * scheme.h) * drag;
+            (scheme.from_history(velocity, body.history.earlier_velocity[p], rate) + acceleration * scheme.h) * drag;
         body.particles.position[p] =
             (scheme.from_history(body.particles.position[p], body.history.earlier[p], velocity) +
              body.particles.velocity[p] * scheme.h) *
@@ -62,13 +65,14 @@ void predict_chains(Body& body, const TimeScheme& scheme, Vec3 gravity) {
     body.history.predicted = body.particles.position;
 }
 
-/// The speed at which the ends of a link separate, at the beginning of the substep.
-double parting_speed(const History& history, uint32_t a, uint32_t b) {
+/// The rate of a link's length at the beginning of the substep, m/s.
+double length_rate(const History& history, uint32_t a, uint32_t b) {
     const Vec3 along = history.start[b] - history.start[a];
     const double length = gphys::length(along);
     return length > 0 ? dot(along, history.start_velocity[b] - history.start_velocity[a]) / length : 0;
 }
 
+/// Sets the parameters of damped links for the substep.
 void damp_chains(Body& body, const TimeScheme& scheme) {
     Plan& plan = body.plan;
     for (const Chain& chain : plan.chains) {
@@ -80,7 +84,7 @@ void damp_chains(Body& body, const TimeScheme& scheme) {
             const DampedLink now =
                 damped(plan.rest[link], plan.compliance[link], plan.damping[link], scheme,
                        distance(body.history.start[a], body.history.start[b]),
-                       distance(body.history.earlier[a], body.history.earlier[b]), parting_speed(body.history, a, b));
+                       distance(body.history.earlier[a], body.history.earlier[b]), length_rate(body.history, a, b));
             body.rope.damped_rest[link] = now.rest;
             body.rope.damped_compliance[link] = now.compliance;
         }
@@ -108,7 +112,7 @@ void roll_back_chains(Body& body) {
 
 void finish_chains(Body& body, const TimeScheme& scheme, const RopeContacts* contacts) {
     keep_to_targets(body);
-    if (contacts) contacts->keep_out(body);
+    if (contacts) contacts->push_out(body);
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (body.particles.pinned(p)) continue;
         Vec3 &position = body.particles.position[p], &velocity = body.particles.velocity[p];
@@ -152,19 +156,19 @@ void add_tension_impulses(Body& body, const CollisionContext& around, const Time
 
 namespace {
 
-/// Moves the rope out of models that it is in. Its tensions are kept, because they belong to its motion.
+/// Moves the rope out of models that it is in. Its tensions belong to its motion, so they are kept.
 void leave_solids(Body& body, const CollisionContext& around, double step) {
     if (!body.contacts.sunk || !begin_leaving(body, around)) return;
     body.rope.earlier_tension = body.rope.tension;
     std::fill(body.rope.tension.begin(), body.rope.tension.end(), 0.0);
     body.history.predicted = body.particles.position;
-    const bool found = solve_directly(body, step);
+    const bool solved = solve_directly(body, step);
     body.rope.tension = body.rope.earlier_tension;
-    end_leaving(body, around, found);
+    end_leaving(body, around, solved);
 }
 
-/// Collides the particles with models, and then solves the links again beside the contacts. `limits`: the bounds of
-/// animation targets, or null.
+/// Collides the particles with models. If there are contacts, solves the links again, with the particles in contact
+/// pinned. `limits`: the bounds of animation targets, or null.
 void collide_with_models(Body& body, RopeContacts* limits, const CollisionContext& around, Vec3 gravity,
                          const TimeScheme& scheme) {
     const double step = scheme.step(body.settings.damping), quiet = quiet_speed(gravity, scheme.advance);
@@ -181,38 +185,38 @@ void collide_with_models(Body& body, RopeContacts* limits, const CollisionContex
     }
 }
 
-/// Decides how the next substep begins.
-void end_motion(Body& body, bool captured, const TimeScheme& scheme) {
+/// Decides whether the next substep continues the time scheme or restarts it.
+void set_earlier_step(Body& body, bool captured, const TimeScheme& scheme) {
     body.contacts.has_contact = body.contacts.has_contact || !body.targets.reached.empty();
     body.history.earlier_step = body.contacts.has_contact || captured ? 0 : scheme.advance;
 }
 
-/// The rest of a substep, after the links are solved.
+/// The substep after the links are solved.
 void end_chains(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme) {
     finish_chains(body, scheme);
     const bool captured = body.plan.limited && capture(body, around, scheme);
     collide_with_models(body, nullptr, around, gravity, scheme);
     if (!body.constraints.attachments.empty()) add_tension_impulses(body, around, scheme);
     leave_solids(body, around, scheme.step(body.settings.damping));
-    end_motion(body, captured, scheme);
+    set_earlier_step(body, captured, scheme);
 }
 
-/// The same for a rope that was solved together with its contacts.
+/// The same for a rope whose links were solved together with its contacts.
 void end_with_contacts(Body& body, RopeContacts& contacts, const CollisionContext& around, Vec3 gravity,
                        const TimeScheme& scheme) {
     finish_chains(body, scheme, &contacts);
     const bool captured = body.plan.limited && capture(body, around, scheme);
-    if (contacts.beside_models()) {
+    if (contacts.near_models()) {
         contacts.finish(body, around, quiet_speed(gravity, scheme.advance), scheme);
     } else {
         collide_with_models(body, &contacts, around, gravity, scheme);
     }
     if (!body.constraints.attachments.empty()) add_tension_impulses(body, around, scheme);
-    if (!contacts.beside_models()) leave_solids(body, around, scheme.step(body.settings.damping));
-    end_motion(body, captured, scheme);
+    if (!contacts.near_models()) leave_solids(body, around, scheme.step(body.settings.damping));
+    set_earlier_step(body, captured, scheme);
 }
 
-bool began_in_shape(const Body& body) {
+bool began_feasible(const Body& body) {
     const Plan& plan = body.plan;
     for (const Chain& chain : plan.chains) {
         const uint32_t* const particle = &plan.particles[chain.first_particle];
@@ -221,54 +225,55 @@ bool began_in_shape(const Body& body) {
             if (plan.compliance[link] > 0) continue;
             const double excess =
                 distance(body.history.start[particle[i]], body.history.start[particle[i + 1]]) - body.rope.target[link];
-            if ((plan.limit[link] ? excess : std::fabs(excess)) > in_shape * body.rope.target[link]) return false;
+            if ((plan.limit[link] ? excess : std::fabs(excess)) > most_initial_strain * body.rope.target[link])
+                return false;
         }
     }
     return true;
 }
 
-/// Call after the prediction. Gives links whose lengths are far off, as the caller has placed them, their lengths
-/// before the rope moves. Correcting them within the substep would give the rope a violent speed.
-void restore_shape(Body& body, RopeContacts& contacts, double step) {
+/// Call after the prediction. Corrects the lengths of links that the caller has placed far from them, before the rope
+/// moves. Within the substep, the correction would become a high velocity.
+void restore_lengths(Body& body, RopeContacts& contacts, double step) {
     body.rope.solved = body.history.predicted;
     body.history.predicted = body.particles.position = body.history.start;
     constexpr int most_solutions = 8;
     for (int i = 0; i < most_solutions && !solve_with_contacts(body, step, &contacts); ++i) {
     }
-    contacts.keep_out(body);
+    contacts.push_out(body);
     std::fill(body.rope.tension.begin(), body.rope.tension.end(), 0.0);
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (body.particles.pinned(p)) continue;
-        const Vec3 way = body.particles.position[p] - body.history.start[p];
-        body.history.start[p] += way;
-        body.history.earlier[p] += way;
-        body.particles.position[p] = body.history.predicted[p] = body.rope.solved[p] + way;
+        const Vec3 correction = body.particles.position[p] - body.history.start[p];
+        body.history.start[p] += correction;
+        body.history.earlier[p] += correction;
+        body.particles.position[p] = body.history.predicted[p] = body.rope.solved[p] + correction;
     }
     contacts.search_again();  // from the new positions
 }
 
 }  // namespace
 
-bool starts_again(const Body& body) { return body.history.earlier_step == 0 && !body.contacts.has_contact; }
+bool restarts(const Body& body) { return body.history.earlier_step == 0 && !body.contacts.has_contact; }
 
 void RopeMotion::begin(const CollisionContext& around, double h) {
     scheme = by_trapezoid ? TimeScheme::trapezoid(h) : TimeScheme(h, body.history.earlier_step);
     begin_chains(body, around, gravity, scheme);
     const auto begin_contacts = [&] { return contacts && contacts->begin(body, around, gravity, scheme.advance); };
-    beside = begin_contacts();
-    if (!beside || gphys::began_in_shape(body)) return;
-    restore_shape(body, *contacts, scheme.step(body.settings.damping));
-    beside = begin_contacts();
+    with_contacts = begin_contacts();
+    if (!with_contacts || gphys::began_feasible(body)) return;
+    restore_lengths(body, *contacts, scheme.step(body.settings.damping));
+    with_contacts = begin_contacts();
 }
 
 bool RopeMotion::solve() {
-    return solve_with_contacts(body, scheme.step(body.settings.damping), beside ? contacts : nullptr);
+    return solve_with_contacts(body, scheme.step(body.settings.damping), with_contacts ? contacts : nullptr);
 }
 
-bool RopeMotion::began_in_shape() const { return gphys::began_in_shape(body); }
+bool RopeMotion::began_feasible() const { return gphys::began_feasible(body); }
 
 void RopeMotion::finish(const CollisionContext& around, double) {
-    if (beside) {
+    if (with_contacts) {
         end_with_contacts(body, *contacts, around, gravity, scheme);
     } else {
         end_chains(body, around, gravity, scheme);
@@ -280,14 +285,14 @@ void RopeMotion::roll_back() {
     by_trapezoid = false;
 }
 
-void RopeInStep::begin_substep() {
+void RopeStepper::begin_substep() {
     Body& body = motion_.body;
-    substep_ = part_of_step(step_, made_++, substeps_);
+    substep_ = part_of_step(step_, begun_++, substeps_);
     begin_friction(body, motion_.gravity);
-    // After an interruption, the next step decides whether it is calm.
+    // After an interruption, choose_stages decides again before the next step.
     if (body.history.earlier_step == 0) body.history.in_stages = false;
     static constexpr double whole[] = {1};
-    if (starts_again(body)) {
+    if (restarts(body)) {
         parts_ = starting_parts, part_count_ = std::size(starting_parts);
     } else if (body.history.in_stages) {
         parts_ = stages, part_count_ = std::size(stages);
@@ -295,32 +300,32 @@ void RopeInStep::begin_substep() {
         parts_ = whole, part_count_ = 1;
     }
     part_ = 0;
-    done_ = 0;
+    fraction_done_ = 0;
 }
 
-bool RopeInStep::begin_part() {
+bool RopeStepper::begin_part() {
     if (part_ == part_count_) {
-        if (made_ > 0) end_friction(motion_.body);
-        if (made_ == substeps_) return false;
+        if (begun_ > 0) end_friction(motion_.body);
+        if (begun_ == substeps_) return false;
         begin_substep();
     }
     const double length = substep_.end - substep_.begin;
-    within_ = substep_;
-    within_.begin = substep_.begin + length * done_;
-    done_ += parts_[part_];
-    if (part_count_ > 1) within_.end = substep_.begin + length * done_;
+    part_context_ = substep_;
+    part_context_.begin = substep_.begin + length * fraction_done_;
+    fraction_done_ += parts_[part_];
+    if (part_count_ > 1) part_context_.end = substep_.begin + length * fraction_done_;
     motion_.by_trapezoid = parts_ == stages && part_ == 0;
-    motion_.begin(within_, part_length());
+    motion_.begin(part_context_, part_length());
     return true;
 }
 
-void RopeInStep::end_part(bool found) {
-    end_in_halves(motion_, within_, part_length(), found);
+void RopeStepper::end_part(bool solved) {
+    end_in_halves(motion_, part_context_, part_length(), solved);
     ++part_;
 }
 
 void move_rope(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
-    RopeInStep rope(body, nullptr, around, gravity, 1, h);
+    RopeStepper rope(body, nullptr, around, gravity, 1, h);
     while (rope.begin_part()) rope.end_part(rope.solve());
 }
 

@@ -1,7 +1,13 @@
 // Decides whether the substeps of a rope have two stages, the trapezoid rule and the backward formula (TR-BDF2, see
-// TimeScheme). The trapezoid rule damps nothing. It adds energy where a link turns by more than half a radian in a
-// substep, or begins to, or would swing by more than one radian if its ends were displaced. And a stiff spring that
-// would swing by more, such as a taut elastic string, keeps oscillating.
+// TimeScheme). The trapezoid rule damps nothing, and it adds energy if the motion turns too far within a substep.
+//
+// The measure is the largest angular frequency of a link, times the length of a substep. Three motions count:
+//
+//   turning      |v_b - v_a| / length, and what has been added to it in the last part of a substep
+//   swinging     sqrt(t (w_a + w_b) / length): sideways, under the tension t; w are inverse masses
+//   stretching   sqrt((w_a + w_b) / compliance): along the link; a taut elastic string would keep oscillating
+//
+// A link may turn by half a radian in a substep. It may swing or stretch by a full radian, hence the weights.
 #include "solver/rope/rope_nodes.h"
 
 #include "foundation/compiler.h"
@@ -10,13 +16,11 @@ namespace gphys::GPHYS_ISA {
 
 namespace {
 
-// Weight of swinging, sideways or along, and of faster turning, relative to turning.
-constexpr double swing_weight = 0.25;
-// The squared ratio of a substep to its last part, in which a link has begun to turn faster.
-constexpr double faster_weight = 6;
+// Of squared frequencies, relative to that of turning:
+constexpr double oscillation_weight = 0.25;  // of swinging and stretching
+constexpr double acceleration_weight = 6;    // of added turning: the squared ratio of a substep to its last part
 
-/// The weight that hangs from a link, in newtons: a link that is slack at the moment may become loaded by it within the
-/// step.
+/// Newtons, by which gravity and forces may load a link of the node within the step, even one that is slack now.
 template <int lanes>
 Doubles<lanes> weight_of(const RopeNode<lanes>& node) {
     const Vec<Doubles<lanes>> acceleration = load3(node.acceleration);
@@ -25,33 +29,35 @@ Doubles<lanes> weight_of(const RopeNode<lanes>& node) {
 
 }  // namespace
 
-/// The largest square of a link's turning rate, 1/s^2.
 template <int lanes>
-GPHYS_FLATTEN void find_agility(const RopeNode<lanes>* nodes, uint32_t count, double (&agility)[lanes]) {
+GPHYS_FLATTEN void find_largest_frequency(const RopeNode<lanes>* nodes, uint32_t count,
+                                          double (&frequency_squared)[lanes]) {
     using Value = Doubles<lanes>;
-    const Value none = all_of<lanes>(0), swings = all_of<lanes>(swing_weight), quickens = all_of<lanes>(faster_weight);
-    Value most = none, weight = weight_of(nodes[0]);
+    const Value zero = all_of<lanes>(0);
+    const Value oscillation = all_of<lanes>(oscillation_weight), acceleration = all_of<lanes>(acceleration_weight);
+    Value largest_squared = zero, weight = weight_of(nodes[0]);
     for (uint32_t i = 0; i + 1 < count; ++i) {
         const RopeNode<lanes>&a = nodes[i], &b = nodes[i + 1];
-        const Vec<Value> apart = load3(b.velocity) - load3(a.velocity);
-        const Vec<Value> faster = apart - (load3(b.start_velocity) - load3(a.start_velocity));
-        const Value turning = largest(dot(apart, apart), quickens * dot(faster, faster));
-        const Value tension = load(a.tension), weight_after = weight_of(b);
-        const Value pull = largest(largest(tension, -tension), largest(weight, weight_after));
-        const Value mobility = load(a.inverse_mass) + load(b.inverse_mass), compliance = load(a.compliance);
-        const Value swinging = swings * pull * mobility;
-        const Value inverse = load(a.inverse_target);
-        const Value sideways = largest(turning * inverse, swinging) * inverse;
+        const Vec<Value> relative = load3(b.velocity) - load3(a.velocity);
+        const Vec<Value> added = relative - (load3(b.start_velocity) - load3(a.start_velocity));
+        const Value turning = largest(dot(relative, relative), acceleration * dot(added, added));  // m^2/s^2
+        const Value tension = load(a.tension), next_weight = weight_of(b);
+        const Value load_of_link = largest(largest(tension, -tension), largest(weight, next_weight));
+        const Value inverse_masses = load(a.inverse_mass) + load(b.inverse_mass), compliance = load(a.compliance);
+        const Value swinging = oscillation * load_of_link * inverse_masses;  // m/s^2
+        const Value inverse_length = load(a.inverse_target);
+        const Value sideways = largest(turning * inverse_length, swinging) * inverse_length;
         // Avoids a division by 0 for rigid links, because hosts may trap it.
-        const auto yields = none < compliance;
-        const Value along = select(yields, swings * mobility / select(yields, compliance, all_of<lanes>(1)), none);
-        most = largest(most, largest(sideways, along) * load(a.present));
-        weight = weight_after;
+        const auto is_elastic = zero < compliance;
+        const Value stretching =
+            select(is_elastic, oscillation * inverse_masses / select(is_elastic, compliance, all_of<lanes>(1)), zero);
+        largest_squared = largest(largest_squared, largest(sideways, stretching) * load(a.present));
+        weight = next_weight;
     }
-    store(agility, most);
+    store(frequency_squared, largest_squared);
 }
 
-template void find_agility<1>(const RopeNode<1>*, uint32_t, double (&)[1]);
-template void find_agility<8>(const RopeNode<8>*, uint32_t, double (&)[8]);
+template void find_largest_frequency<1>(const RopeNode<1>*, uint32_t, double (&)[1]);
+template void find_largest_frequency<8>(const RopeNode<8>*, uint32_t, double (&)[8]);
 
 }  // namespace gphys::GPHYS_ISA

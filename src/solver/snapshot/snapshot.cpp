@@ -113,11 +113,11 @@ void visit_globals(Archive& archive, State& state) {
     archive.value(state.settings.max_substeps);
     archive.value(state.settings.max_work);
     archive.value(state.origin);
-    archive.value(state.owed);
+    archive.value(state.accumulator);
     IdTable::visit(archive, state.ids);
     IdTable::visit(archive, state.joint_ids);
     archive.array(state.joints);
-    archive.array(state.seen);
+    archive.array(state.near_models);
 }
 
 template <class Sink>
@@ -232,7 +232,7 @@ gphys_status Solver::restore(const uint32_t* words, uint32_t count) {
     state_ = std::move(restored);
     add_impulses();
     joints_current_ = false;
-    show_all(shift);
+    update_meshes(shift);
     return GPHYS_OK;
 }
 

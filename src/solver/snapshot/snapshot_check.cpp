@@ -205,10 +205,10 @@ bool is_reach_limit(const Particles& particles, const ReachLimit& limit) {
            particles.pinned(limit.anchor) && limit.distance >= 0 && limit.distance <= far_range * IdTable::capacity;
 }
 
-bool is_seen(const PlacedModel& seen) {
-    gphys_transform world = seen.world;
+bool is_placed(const PlacedModel& model) {
+    gphys_transform world = model.world;
     world.position = {0, 0, 0};
-    return is_earlier_place(widen(seen.world.position)) && !defect(world);
+    return is_earlier_place(widen(model.world.position)) && !defect(world);
 }
 
 }  // namespace
@@ -220,13 +220,14 @@ const char* defect_of_globals(const SolverState& state) {
         !is_amount(settings.sleep_strain) || !is_amount(settings.sleep_time) || !is_amount(settings.max_strain) ||
         !is_amount(settings.tolerance) || !is_substeps(settings.substeps) || !is_substeps(settings.max_substeps) ||
         settings.max_steps < 1 || !(settings.fixed_step >= shortest_step && settings.fixed_step <= longest_step) ||
-        !(state.owed >= 0 && state.owed <= settings.fixed_step)) {
+        !(state.accumulator >= 0 && state.accumulator <= settings.fixed_step)) {
         return "words: a setting is out of range";
     }
     if (state.ids.defect()) return "words: the ids of the bodies contradict each other";
     const auto out_of_order = [](const PlacedModel& a, const PlacedModel& b) { return !(a < b); };
-    if (std::adjacent_find(state.seen.begin(), state.seen.end(), out_of_order) != state.seen.end() ||
-        !all(state.seen, is_seen)) {
+    if (std::adjacent_find(state.near_models.begin(), state.near_models.end(), out_of_order) !=
+            state.near_models.end() ||
+        !all(state.near_models, is_placed)) {
         return "words: the models near the bodies are out of order or out of range";
     }
     return nullptr;

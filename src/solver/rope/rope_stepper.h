@@ -1,5 +1,7 @@
-// A rope that is moved alone through the substeps of a step (rope_substep.cpp): from one system of equations to the
-// next, so that those of several ropes can be solved side by side (ropes_beside_models.h).
+// One rope in the substeps of a step (rope_substep.cpp). It stops at each system of equations, so that the systems of
+// several ropes can be solved side by side (ropes_beside_models.h). A rope alone is moved by
+//
+//     while (rope.begin_part()) rope.end_part(rope.solve());
 #pragma once
 
 #include "solver/body.h"
@@ -13,37 +15,37 @@ struct RopeMotion {
     Body& body;
     const Vec3 gravity;
     RopeContacts* const contacts;  // of a rope near static models or with animation targets, else null
-    bool by_trapezoid = false;     // by the trapezoid rule; never in halves
+    bool by_trapezoid = false;     // else by the backward formula, as always in halves
     TimeScheme scheme{1, 0};
-    bool beside = false;  // whether contacts are solved together with the links
+    bool with_contacts = false;  // whether contacts are part of the equations
 
     void begin(const CollisionContext& around, double h);
     bool solve();
-    bool began_in_shape() const;
+    bool began_feasible() const;
     void finish(const CollisionContext& around, double h);
     void roll_back();
 };
 
-class RopeInStep {
+class RopeStepper {
 public:
     /// `h`: seconds of a substep. `contacts` as in RopeMotion, after RopeContacts::begin_step.
-    RopeInStep(Body& body, RopeContacts* contacts, const CollisionContext& step, Vec3 gravity, uint32_t substeps,
-               double h)
+    RopeStepper(Body& body, RopeContacts* contacts, const CollisionContext& step, Vec3 gravity, uint32_t substeps,
+                double h)
         : motion_{body, gravity, contacts}, step_(step), substeps_(substeps), h_(h) {}
 
     Body& body() const { return motion_.body; }
     uint32_t substeps() const { return substeps_; }
     /// Predicts the next part. Returns false at the end of the step.
     bool begin_part();
-    /// Seconds of the part; and the effective time step of the equations (TimeScheme::step), and their contacts or
-    /// null.
+    // Of the part under way: its seconds; the effective time step of its equations (TimeScheme::step); the contacts in
+    // these, or null.
     double advance() const { return motion_.scheme.advance; }
     double effective_step() const { return motion_.scheme.step(body().settings.damping); }
-    RopeContacts* contacts() const { return motion_.beside ? motion_.contacts : nullptr; }
-    /// Solves the equations of the rope alone. Returns whether the lengths of all links have been found.
+    RopeContacts* contacts() const { return motion_.with_contacts ? motion_.contacts : nullptr; }
+    /// Solves the equations of the part. Returns whether Newton's method has converged.
     bool solve() { return motion_.solve(); }
     /// Ends the part, after its equations have been solved.
-    void end_part(bool found);
+    void end_part(bool solved);
 
 private:
     void begin_substep();
@@ -53,11 +55,11 @@ private:
     const CollisionContext step_;
     const uint32_t substeps_;
     const double h_;
-    uint32_t made_ = 0;                      // substeps begun
-    CollisionContext substep_{}, within_{};  // the substep under way, and its part
+    uint32_t begun_ = 0;                           // substeps
+    CollisionContext substep_{}, part_context_{};  // of the substep under way, and of its part
     const double* parts_ = nullptr;
     size_t part_count_ = 0, part_ = 0;
-    double done_ = 0;  // fraction of the substep before the next part
+    double fraction_done_ = 0;  // of the substep
 };
 
 }  // namespace gphys
