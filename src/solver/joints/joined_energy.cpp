@@ -1,14 +1,14 @@
-// Energy balance of joined bodies with cloth. The error that sweeps over cloth leave unsolved does work on all bodies
-// joined to it in long substeps. Energy that the bodies have lost earlier may come back, as it does in every swing. If
-// they gain more than that, their motion is slowed; if nothing holds them, only their motion relative to their common
-// drift. So their energy never exceeds what it was.
+// The energy balance of joined bodies with cloth. In long substeps, the error that sweeps over cloth leave does work on
+// all bodies that are joined to it. Energy that the bodies have lost earlier may come back, as it does in every swing.
+// If they gain more than that, all their velocities are scaled; if no particle is pinned, only the velocities relative
+// to their common drift. So their energy never exceeds what it was.
 #include "solver/joints/joined_motion.h"
 #include "solver/motion.h"
 
 namespace gphys {
 namespace {
 
-/// Whether nothing outside can have done work, and contacts have not changed the quantities that gain_of reads.
+/// Whether nothing outside can have done work, and contacts have not changed the quantities that energy_gain reads.
 bool is_closed(const Body& body) {
     return is_graph(body) ? body.cloth.balance.closed
                           : body.constraints.attachments.empty() && body.constraints.length_changes.empty() &&
@@ -16,7 +16,7 @@ bool is_closed(const Body& body) {
 }
 
 /// Joules gained beyond the work of forces.
-double gain_of(const Body& body, Vec3 gravity) {
+double energy_gain(const Body& body, Vec3 gravity) {
     if (is_graph(body)) return body.cloth.balance.gain;
     double gain = 0;
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
@@ -29,7 +29,7 @@ double gain_of(const Body& body, Vec3 gravity) {
     return gain;
 }
 
-bool is_held(const Body& body) {
+bool has_pin(const Body& body) {
     return std::find(body.particles.inverse_mass.begin(), body.particles.inverse_mass.end(), 0.0) !=
            body.particles.inverse_mass.end();
 }
@@ -41,7 +41,8 @@ Motion motion_of(const Body& body) {
     return sum;
 }
 
-double inner_energy(Body& body, Vec3 drift) {
+/// Joules, of the motion relative to the drift.
+double kinetic_energy(Body& body, Vec3 drift) {
     if (is_graph(body)) return inner_energy_of_cloth(body.cloth.state, body.cloth.shares, drift);
     double energy = 0;
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
@@ -51,27 +52,28 @@ double inner_energy(Body& body, Vec3 drift) {
     return energy;
 }
 
-void slow(Body& body, Vec3 drift, double kept) {
-    if (is_graph(body)) return slow_cloth(body.cloth.state, body.cloth.shares.team, drift, kept);
+void scale_velocities(Body& body, Vec3 drift, double factor) {
+    if (is_graph(body)) return slow_cloth(body.cloth.state, body.cloth.shares.team, drift, factor);
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
-        if (!body.particles.pinned(p)) body.particles.velocity[p] = drift + (body.particles.velocity[p] - drift) * kept;
+        if (!body.particles.pinned(p))
+            body.particles.velocity[p] = drift + (body.particles.velocity[p] - drift) * factor;
     }
 }
 
 }  // namespace
 
-void keep_joined_energy(const Joined& joined, Vec3 gravity) {
-    bool cloth = false, closed = true, held = false;
+void limit_joined_energy(const Joined& joined, Vec3 gravity) {
+    bool cloth = false, closed = true, pinned = false;
     double gain = 0;
     each_body(joined, [&](const Body& body, uint32_t) {
         cloth = cloth || is_graph(body);
         closed = closed && is_closed(body);
-        held = held || is_held(body);
+        pinned = pinned || has_pin(body);
     });
     if (!cloth || !closed) return;
-    each_body(joined, [&](const Body& body, uint32_t) { gain += gain_of(body, gravity); });
+    each_body(joined, [&](const Body& body, uint32_t) { gain += energy_gain(body, gravity); });
     for (const uint32_t* i = joined.systems_begin; i != joined.systems_end; ++i) {
-        gain += joined.all_systems[*i].stored() - joined.all_systems[*i].stored_before();
+        gain += joined.all_systems[*i].elastic_energy() - joined.all_systems[*i].elastic_energy_before();
     }
     double lost = -gain;
     Body* first = nullptr;
@@ -83,12 +85,12 @@ void keep_joined_energy(const Joined& joined, Vec3 gravity) {
     first->cloth.balance.lost = std::max(lost, 0.0);
     if (lost >= 0) return;
     Motion whole;
-    if (!held) each_body(joined, [&](const Body& body, uint32_t) { whole.add(motion_of(body)); });
-    const Vec3 drift = held ? Vec3{} : whole.momentum / whole.mass;
-    double inner = 0;
-    each_body(joined, [&](Body& body, uint32_t) { inner += inner_energy(body, drift); });
-    const double kept = -lost < inner ? std::sqrt(1 + lost / inner) : 0;
-    each_body(joined, [&](Body& body, uint32_t) { slow(body, drift, kept); });
+    if (!pinned) each_body(joined, [&](const Body& body, uint32_t) { whole.add(motion_of(body)); });
+    const Vec3 drift = pinned ? Vec3{} : whole.momentum / whole.mass;
+    double kinetic = 0;
+    each_body(joined, [&](Body& body, uint32_t) { kinetic += kinetic_energy(body, drift); });
+    const double factor = -lost < kinetic ? std::sqrt(1 + lost / kinetic) : 0;
+    each_body(joined, [&](Body& body, uint32_t) { scale_velocities(body, drift, factor); });
 }
 
 }  // namespace gphys

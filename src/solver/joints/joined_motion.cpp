@@ -1,6 +1,7 @@
 // One substep of joined bodies. Chains and particles are predicted as if alone, and then solved together
-// (joint_system.cpp). Cloth bodies are swept one after the other. Each is swept with the inertia of what is joined to
-// it, and its pulls on the joined particles are added to their systems before the next one is swept.
+// (joint_system.cpp). Cloth bodies follow one after the other (block Gauss-Seidel): the chains of each are solved with
+// the inertia of what is joined to it, and their forces on the joined particles are applied to the systems before the
+// next cloth is solved.
 #include "solver/joints/joined_motion.h"
 #include "solver/contact/collision.h"
 #include "solver/contact/leave_solids.h"
@@ -19,18 +20,19 @@ void gather_systems(const Joined& joined, double h) {
     each_system(joined, [&](JointSystem& system) { system.gather(joined.bodies, joined.joints, h); });
 }
 
-/// Call after gather_systems, or again to continue. Returns whether the lengths of all links have been found.
+/// Call after gather_systems, or again to continue the iterations. Returns whether Newton's method has converged in
+/// all.
 bool solve_systems(const Joined& joined) {
-    bool found = true;
+    bool solved = true;
     each_system(joined, [&](JointSystem& system) {
-        found = system.solve() && found;
+        solved = system.solve() && solved;
         system.scatter(joined.bodies);
     });
-    return found;
+    return solved;
 }
 
-/// Sets the inverse mass matrix that the chains of the cloth use for the joined particle.
-void hang_on(Cloth& cloth, const Tether& tether, JointSystem& system) {
+/// Sets the inverse mass matrix of a joined particle for the chains of the cloth: the response of its system.
+void set_inverse_mass(Cloth& cloth, const Tether& tether, JointSystem& system) {
     Vec3 columns[3];
     system.response(tether.node, columns);
     const double weight = system.node(tether.node).weight;
@@ -51,8 +53,8 @@ void sweep_joined_cloth(const Joined& joined, Body& body, uint32_t slot, const C
     if (collides) find_active_planes(body, around, gravity, TimeScheme(h, body.history.earlier_step));
     const auto moves = [&](const Tether& tether) { return body.cloth.state.at[4 * size_t{tether.particle} + 3] > 0; };
     for (auto tether = begin; tether != end; ++tether) {
-        hang_on(body.cloth, *tether, joined.all_systems[tether->system]);
-        // A particle held by friction is not pulled off by this.
+        set_inverse_mass(body.cloth, *tether, joined.all_systems[tether->system]);
+        // A joint does not pull off a particle that friction holds.
         if (moves(*tether)) std::fill_n(&pulls[4 * size_t{tether->particle}], 3, 0.0f);
     }
     solve_cloth(body);
@@ -61,11 +63,11 @@ void sweep_joined_cloth(const Joined& joined, Body& body, uint32_t slot, const C
         if (!moves(*tether)) continue;
         const float* pull = &pulls[4 * size_t{tether->particle}];
         const Vec3 force = Vec3{pull[0], pull[1], pull[2]} * (body.cloth.state.average_mass / (step * step));
-        joined.all_systems[tether->system].push(tether->node, force);
+        joined.all_systems[tether->system].apply_force(tether->node, force);
     }
     for (auto tether = begin; tether != end; ++tether) {
         JointSystem& system = joined.all_systems[tether->system];
-        if (!system.is_pushed()) continue;  // solved already
+        if (!system.is_outdated()) continue;  // solved already
         system.solve();
         system.scatter(joined.bodies);
     }
@@ -124,7 +126,7 @@ void begin_joined(const Joined& joined, const CollisionContext& around, Vec3 gra
 
 namespace {
 
-/// Moves the bodies out of the models that they are in, together with their joints.
+/// Moves the bodies out of models that they are in, and keeps their joints.
 void leave_solids_joined(const Joined& joined, const CollisionContext& around, double h) {
     bool leaving = false;
     each_body(joined, [&](Body& body, uint32_t) {
@@ -139,15 +141,15 @@ void leave_solids_joined(const Joined& joined, const CollisionContext& around, d
         body.history.predicted = body.particles.position;
     });
     gather_systems(joined, h);
-    const bool found = solve_systems(joined);
+    const bool solved = solve_systems(joined);
     each_body(joined, [&](Body& body, uint32_t) {
-        if (!is_graph(body)) end_leaving(body, around, found);
+        if (!is_graph(body)) end_leaving(body, around, solved);
     });
 }
 
 /// Call after the systems are solved.
 void finish_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h) {
-    bool interrupted = false;  // if so, the previous tensions are unknown
+    bool interrupted = false;  // then the previous tensions, and so the elastic energies, are unknown
     each_body(joined, [&](const Body& body, uint32_t) { interrupted = interrupted || body.history.earlier_step == 0; });
     each_body(joined, [&](Body& body, uint32_t slot) {
         if (is_graph(body)) sweep_joined_cloth(joined, body, slot, around, gravity, h);
@@ -173,7 +175,7 @@ void finish_joined(const Joined& joined, const CollisionContext& around, Vec3 gr
             body.history.earlier_step = body.contacts.has_contact || captured ? 0 : h;
         }
     });
-    if (!interrupted) keep_joined_energy(joined, gravity);
+    if (!interrupted) limit_joined_energy(joined, gravity);
     leave_solids_joined(joined, around, h);
 }
 
@@ -186,7 +188,7 @@ struct JoinedMotion {
         gather_systems(joined, part);
     }
     bool solve() { return solve_systems(joined); }
-    /// Cloth cannot be rolled back, so it never counts.
+    /// Cloth cannot be rolled back, so with cloth the substep is never divided.
     bool began_feasible() const {
         bool all = true;
         each_body(joined, [&](const Body& body, uint32_t) { all = all && !is_graph(body); });
@@ -212,7 +214,7 @@ void move_joined(const Joined& joined, const CollisionContext& around, Vec3 grav
         JoinedMotion motion{joined, gravity};
         move_in_halves(motion, within, part);
     };
-    // The time schemes of all bodies must use the same history, or momentum would be created and lost between them.
+    // The time schemes of all bodies must restart together, or momentum between them would not be conserved.
     bool interrupted = false, has_contact = false;
     each_body(joined, [&](const Body& body, uint32_t) {
         interrupted = interrupted || body.history.earlier_step == 0;

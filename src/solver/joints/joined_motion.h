@@ -30,7 +30,7 @@ void each_body(const Joined& joined, Visit&& visit) {
 void move_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h);
 void begin_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h);
 void end_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h);
-/// joined_energy.cpp: slows the bodies so that a substep gains no energy, if one of them is cloth.
-void keep_joined_energy(const Joined& joined, Vec3 gravity);
+/// joined_energy.cpp: if one of the bodies is cloth, slows all of them so that a substep gains no energy.
+void limit_joined_energy(const Joined& joined, Vec3 gravity);
 
 }  // namespace gphys

@@ -1,12 +1,13 @@
 // Newton's method on a system of joined chains and particles. The equations, with geometric stiffness and
 // regularisation, are those of rope_direct.cpp. Forces are in newtons here, because damping may give bodies different
-// effective time steps.
+// effective time steps. Each linear system is factorised as L D L^T, in an order of little fill (elimination_order.h).
 //
-// A chain is the special case without branches, and could be solved here. It is not: a step of a free rope of 30 links
-// takes 1.1 million instructions in rope_direct.cpp, and 2.0 million here with one more link as a branch. Block
-// elimination over a forest plus loop closures would come close to the former for trees. But joints that close loops
-// would need an additional dense system, where SparseLdl includes them in its order. It would also change the bits of
-// all trees.
+// Why chains have an elimination of their own: a step of a free rope of 30 links takes 1.1 million instructions in
+// rope_direct.cpp, and 2.0 million here with one more link as a branch.
+//
+// Why not block elimination over a forest with loop closures: for trees it would come close to rope_direct.cpp. But
+// joints that close loops would need an additional dense system, where SparseLdl includes them in its order. It would
+// also change the bits of all trees.
 #include "solver/body.h"
 #include "solver/contact/impulses.h"
 #include "solver/joints/elimination_order.h"
@@ -21,18 +22,18 @@ namespace {
 
 // As for chains: Newton's method squares the error in each iteration.
 constexpr int most_iterations = 4;
-constexpr int most_limited_iterations = 16;  // as for chains: the active limits have to be found as well
-constexpr double settled = 1e-9;
-// The links of eight joints of zero length. Up to this number, the tensions that end at a node couple to a few hundred
+constexpr int most_limited_iterations = 16;  // which also determine the active limits
+constexpr double tolerance = 1e-9;           // of lengths
+// The links of eight joints of zero length. Up to this number, the tensions that end at a node couple by a few hundred
 // entries at most.
 constexpr uint32_t most_late_links = 24;
-// Between pins too far apart only this compliance bounds the tensions, and geometric stiffness with such tensions
+// Between pins too far apart only the regularisation bounds the tensions, and geometric stiffness with such tensions
 // throws particles aside. A tension that would move a particle by more than 10^4 lengths of its link in a substep is
-// infeasible. Then all links yield, with a compliance of 10^-4 of the inverse masses, and share the stretch.
-constexpr double absurd = 1e4;
-constexpr double yielding = 1e-4;
-// From links at rest to twice their lengths this many are needed once, and a few in later substeps.
-constexpr int most_yielding_iterations = 300;
+// infeasible. Then all links get a compliance of 10^-4 of the inverse masses, and share the stretch.
+constexpr double infeasible = 1e4;
+constexpr double soft_regularisation = 1e-4;
+// To stretch links from rest to twice their lengths takes this many once, and a few in later substeps.
+constexpr int most_soft_iterations = 300;
 
 constexpr Vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
@@ -65,13 +66,13 @@ void JointSystem::plan() {
     for (Link& link : links_) link.a = place[link.a], link.b = place[link.b];
 
     // The tension of a link is eliminated right after the later of its ends, whose mass keeps its pivot from zero. But
-    // eliminating a node couples all tensions that come after it: with n links to a hub, n^2 entries. The tensions of a
-    // hub's links are therefore eliminated right after the earlier ends. If such an end does not move, the pivot is the
-    // regularisation alone, which acts as a stiff spring. That loses digits, which Newton's next iteration recovers.
+    // to eliminate a node couples all tensions that come after it: with n links to a hub, n^2 entries. The tensions of
+    // a hub's links are therefore eliminated right after the earlier ends. If such an end does not move, the pivot is
+    // the regularisation alone, a stiff spring. That loses digits, which Newton's next iteration recovers.
     Vector<uint32_t> ending(count, 0u, memory);
     for (const Link& link : links_) ++ending[link.later()];
-    for (Link& link : links_) link.early = ending[link.later()] > most_late_links;
-    const auto after = [](const Link& link) { return link.early ? link.earlier() : link.later(); };
+    for (Link& link : links_) link.after_earlier = ending[link.later()] > most_late_links;
+    const auto after = [](const Link& link) { return link.after_earlier ? link.earlier() : link.later(); };
     std::stable_sort(links_.begin(), links_.end(), [&](const Link& a, const Link& b) { return after(a) < after(b); });
     Vector<uint32_t> by_end(memory);  // links, sorted by their later end
     for (uint32_t l = 0; l < links_.size(); ++l) by_end.push_back(l);
@@ -85,16 +86,16 @@ void JointSystem::plan() {
         nodes_[i].scalar = scalar;
         const size_t first_end = next_end;
         while (next_end < by_end.size() && links_[by_end[next_end]].later() == i) ++next_end;
-        // In each column of the node: couplings to earlier nodes, then earlier tensions, then the entries above its
-        // diagonal.
-        uint32_t rank = 0, pulls = 0;
+        // The rows of each column of the node: the nodes to which it is coupled, tensions eliminated before it, then
+        // the entries above its diagonal.
+        uint32_t couplings = 0, tensions = 0;
         for (size_t e = first_end; e < next_end; ++e) {
             Link& link = links_[by_end[e]];
-            if (link.axis == along) link.rank = rank++;
+            if (link.axis == along) link.coupling_index = couplings++;
         }
         for (size_t e = first_end; e < next_end; ++e) {
             Link& link = links_[by_end[e]];
-            if (link.early) link.pull = 3 * rank + pulls++;
+            if (link.after_earlier) link.tension_row = 3 * couplings + tensions++;
         }
         for (uint32_t k = 0; k < 3; ++k, ++scalar) {
             for (size_t e = first_end; e < next_end; ++e) {
@@ -105,7 +106,7 @@ void JointSystem::plan() {
             }
             for (size_t e = first_end; e < next_end; ++e) {
                 const Link& link = links_[by_end[e]];
-                if (link.early) rows.push_back(link.scalar);
+                if (link.after_earlier) rows.push_back(link.scalar);
             }
             for (uint32_t above = 0; above < k; ++above) rows.push_back(nodes_[i].scalar + above);
             column_begin.push_back(static_cast<uint32_t>(rows.size()));
@@ -114,7 +115,7 @@ void JointSystem::plan() {
             Link& link = links_[next_link];
             link.scalar = scalar;
             for (const uint32_t node : {link.a, link.b}) {
-                if (link.early && node != i) continue;
+                if (link.after_earlier && node != i) continue;
                 for (uint32_t k = 0; k < 3; ++k) rows.push_back(nodes_[node].scalar + k);
             }
             column_begin.push_back(static_cast<uint32_t>(rows.size()));
@@ -141,23 +142,23 @@ void JointSystem::gather(const Vector<Body>& bodies, const Vector<Joint>& joints
         }
     }
     for (Link& link : links_) {
-        if (link.source_body == of_joint) {
-            const Joint& joint = joints[link.source];
+        if (link.owner == of_joint) {
+            const Joint& joint = joints[link.index];
             link.rest = joint.rest;
             link.compliance = joint.compliance;
             link.tension = link.axis == along ? joint.tension.x : joint.tension[link.axis];
         } else {
-            const Body& body = bodies[link.source_body];
-            link.rest = body.rope.damped_rest[link.source];
-            link.compliance = body.rope.damped_compliance[link.source];
-            link.limit = body.plan.limit[link.source] != 0;
-            link.tension = body.rope.tension[link.source];
+            const Body& body = bodies[link.owner];
+            link.rest = body.rope.damped_rest[link.index];
+            link.compliance = body.rope.damped_compliance[link.index];
+            link.limit = body.plan.limit[link.index] != 0;
+            link.tension = body.rope.tension[link.index];
         }
     }
-    stored_before_ = stored();
+    elastic_energy_before_ = elastic_energy();
 }
 
-double JointSystem::stored() const {
+double JointSystem::elastic_energy() const {
     double sum = 0;
     for (const Link& link : links_) sum += link.compliance * link.tension * link.tension / 2;
     return sum;
@@ -181,32 +182,32 @@ void JointSystem::scatter(Vector<Body>& bodies) const {
 
 void JointSystem::scatter_tensions(Vector<Body>& bodies, Vector<Joint>& joints) const {
     for (const Link& link : links_) {
-        // NaN or infinity is no initial guess for the next solution.
-        const double found = is_finite(link.tension) ? link.tension : 0;
-        if (link.source_body != of_joint) {
-            bodies[link.source_body].rope.tension[link.source] = found;
+        // The initial guess of the next solution must be finite.
+        const double tension = is_finite(link.tension) ? link.tension : 0;
+        if (link.owner != of_joint) {
+            bodies[link.owner].rope.tension[link.index] = tension;
         } else {
-            Vec3& tension = joints[link.source].tension;
-            (link.axis == along ? tension.x : tension[link.axis]) = found;
+            Vec3& joint_tension = joints[link.index].tension;
+            (link.axis == along ? joint_tension.x : joint_tension[link.axis]) = tension;
         }
     }
 }
 
 void JointSystem::add_anchor_impulses(Vector<Body>& bodies, const CollisionContext& around, double h) const {
     for (const Link& link : links_) {
-        if (link.source_body != of_joint) continue;  // chains add their own
+        if (link.owner != of_joint) continue;  // chains add their own
         const Node &a = nodes_[link.a], &b = nodes_[link.b];
         if (a.free && b.free) continue;
-        const Vec3 pull = stretch(link).direction * (link.tension * h);
+        const Vec3 pull = linearise(link).direction * (link.tension * h);
         if (!a.free) add_anchor_impulse(bodies[a.body], around, a.particle, pull);
         if (!b.free) add_anchor_impulse(bodies[b.body], around, b.particle, -pull);
     }
 }
 
-JointSystem::Stretch JointSystem::stretch(const Link& link) const {
+JointSystem::LinkEquation JointSystem::linearise(const Link& link) const {
     const Node &a = nodes_[link.a], &b = nodes_[link.b];
-    Stretch out{};
-    out.acts = a.free || b.free;
+    LinkEquation out{};
+    out.active = a.free || b.free;
     const Vec3 between = b.position - a.position;
     const double mobility = (a.free ? 1 / a.weight : 0) + (b.free ? 1 / b.weight : 0);
     out.softness = link.compliance + regularisation_ * mobility;
@@ -220,7 +221,7 @@ JointSystem::Stretch JointSystem::stretch(const Link& link) const {
     out.error = length - link.rest;
     if (link.tension > 0) out.stiffness = link.tension / scale;
     // As in rope_direct.cpp: a limit is active while its tension is positive.
-    if (link.limit && link.tension * mobility + out.error <= 0) return Stretch{};
+    if (link.limit && link.tension * mobility + out.error <= 0) return LinkEquation{};
     return out;
 }
 
@@ -239,19 +240,19 @@ void JointSystem::assemble() {
         }
     }
     for (const Link& link : links_) {
-        const Stretch s = stretch(link);
+        const LinkEquation s = linearise(link);
         const Node &a = nodes_[link.a], &b = nodes_[link.b];
-        diagonal_[link.scalar] = s.acts ? -s.softness : -1;
-        solution_[link.scalar] = s.acts ? -s.error : 0;
+        diagonal_[link.scalar] = s.active ? -s.softness : -1;
+        solution_[link.scalar] = s.active ? -s.error : 0;
         const Node& later = nodes_[link.later()];
         double* const ends = column_begin(link.scalar);
         for (uint32_t k = 0; k < 3; ++k) {
             const double of_a = a.free ? -s.direction[static_cast<int>(k)] : 0;
             const double of_b = b.free ? s.direction[static_cast<int>(k)] : 0;
-            if (link.early) {
+            if (link.after_earlier) {
                 const bool a_first = link.a < link.b;
                 ends[k] = a_first ? of_a : of_b;
-                column_begin(later.scalar + k)[link.pull] = a_first ? of_b : of_a;
+                column_begin(later.scalar + k)[link.tension_row] = a_first ? of_b : of_a;
             } else {
                 ends[k] = of_a;
                 ends[3 + k] = of_b;
@@ -266,34 +267,35 @@ void JointSystem::assemble() {
                 for (uint32_t row = 0; row < column; ++row) own(*node, column)[row] += k[static_cast<int>(row)];
             }
             if (!a.free || !b.free) continue;
-            double* const coupling = column_begin(later.scalar + column) + 3 * size_t{link.rank};
+            double* const coupling = column_begin(later.scalar + column) + 3 * size_t{link.coupling_index};
             for (int row = 0; row < 3; ++row) coupling[row] = -k[row];
         }
     }
 }
 
-/// A bound for corrections: the sum of all link lengths, as placed and at rest, and of the displacements by all pushes.
-double JointSystem::reach() const {
+/// A bound of corrections, metres: the sum of all link lengths, as placed and at rest, and of the distances to the
+/// predicted positions.
+double JointSystem::most_displacement() const {
     double sum = 0;
     for (const Node& node : nodes_) sum += distance(node.position, node.predicted);
     for (const Link& link : links_) sum += distance(nodes_[link.a].position, nodes_[link.b].position) + link.rest;
     return sum;
 }
 
-bool JointSystem::is_settled() const {
+bool JointSystem::is_converged() const {
     return std::all_of(links_.begin(), links_.end(), [&](const Link& link) {
         // The equations of joints with zero length are linear.
         if (link.axis != along) return true;
-        const Stretch s = stretch(link);
-        return !s.acts || std::fabs(s.error - s.softness * link.tension) <= settled * link.rest;
+        const LinkEquation s = linearise(link);
+        return !s.active || std::fabs(s.error - s.softness * link.tension) <= tolerance * link.rest;
     });
 }
 
-bool JointSystem::is_found() const {
-    return regularisation_ != yielding && std::all_of(links_.begin(), links_.end(), [&](const Link& link) {
+bool JointSystem::is_solved() const {
+    return regularisation_ != soft_regularisation && std::all_of(links_.begin(), links_.end(), [&](const Link& link) {
                if (link.axis != along || link.rest == 0) return true;
-               const Stretch s = stretch(link);
-               return !s.acts || std::fabs(s.error - s.softness * link.tension) <= rope_failure * link.rest;
+               const LinkEquation s = linearise(link);
+               return !s.active || std::fabs(s.error - s.softness * link.tension) <= rope_failure * link.rest;
            });
 }
 
@@ -313,12 +315,12 @@ bool JointSystem::is_feasible() const {
         const Node &a = nodes_[link.a], &b = nodes_[link.b];
         if (link.axis != along || (!a.free && !b.free)) return true;
         const double weight = std::max(a.free ? a.weight : 0, b.free ? b.weight : 0);
-        return std::fabs(link.tension) <= absurd * weight * std::max(link.rest, distance(a.position, b.position));
+        return std::fabs(link.tension) <= infeasible * weight * std::max(link.rest, distance(a.position, b.position));
     });
 }
 
 bool JointSystem::solve() {
-    pushed_ = false;
+    outdated_ = false;
     for (Node& node : nodes_) node.start = node.position;
     regularisation_ = rope_regularisation;
     const bool limited = std::any_of(links_.begin(), links_.end(), [](const Link& link) { return link.limit; });
@@ -328,23 +330,23 @@ bool JointSystem::solve() {
         matrix_.factor(entries_.data(), diagonal_.data());
         matrix_.solve(solution_.data());
         for (Link& link : links_) link.tension = solution_[link.scalar];
-        if (regularisation_ != yielding && !is_feasible()) {
-            regularisation_ = yielding;
-            iterations = most_yielding_iterations;
-            // Where only this compliance bounds the tensions, they are inversely proportional to it.
-            for (Link& link : links_) link.tension *= rope_regularisation / yielding;
+        if (regularisation_ != soft_regularisation && !is_feasible()) {
+            regularisation_ = soft_regularisation;
+            iterations = most_soft_iterations;
+            // Where only the regularisation bounds the tensions, they are inversely proportional to it.
+            for (Link& link : links_) link.tension *= rope_regularisation / soft_regularisation;
             for (Node& node : nodes_) node.position = node.start;
             iteration = -1;
             continue;
         }
         const double fraction = advance();
-        if (iteration > 0 && fraction == 1 && is_settled()) return true;
+        if (iteration > 0 && fraction == 1 && is_converged()) return true;
     }
-    return is_found();
+    return is_solved();
 }
 
-/// Moves the particles by the solution, or by a fraction of it; returns the fraction. A solution with NaN or infinity
-/// moves nothing.
+/// Moves the nodes by the solution, or by a fraction of it that bounds the displacement; returns the fraction. A
+/// solution that is not finite moves nothing.
 double JointSystem::advance() {
     double longest = 0;
     for (const Node& node : nodes_) {
@@ -352,10 +354,10 @@ double JointSystem::advance() {
         if (!is_finite(Vec3{x[0], x[1], x[2]})) return 0;
         longest = std::max({longest, std::fabs(x[0]), std::fabs(x[1]), std::fabs(x[2])});
     }
-    const double most = reach(), fraction = longest > most ? most / longest : 1;
+    const double most = most_displacement(), fraction = longest > most ? most / longest : 1;
     for (Node& node : nodes_) {
         const double* x = &solution_[node.scalar];
-        node.position += Vec3{x[0], x[1], x[2]} * fraction;  // 0 for pins, which are coupled to nothing
+        node.position += Vec3{x[0], x[1], x[2]} * fraction;  // pins are coupled to nothing, so theirs is 0
     }
     return fraction;
 }

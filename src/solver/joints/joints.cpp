@@ -65,7 +65,7 @@ void Solver::list_joints(gphys_body_id of, Smallest<gphys_joint_info, JointOrder
 
 namespace {
 
-/// A unit of the partition: a whole body of chains or particles, or a joined particle of cloth.
+/// An element of the partition: a whole body of chains or particles, or a joined particle of cloth.
 struct Part {
     uint32_t body, particle;  // `whole` stands for all particles
 
@@ -76,10 +76,11 @@ struct Part {
     bool operator==(const Part& other) const { return body == other.body && particle == other.particle; }
 };
 
-struct Planner {
+/// Union-find over the parts that joints and branches unite.
+struct Partition {
     const Vector<Body>& bodies;
     Vector<Part> parts;       // sorted
-    Vector<uint32_t> parent;  // union-find over parts
+    Vector<uint32_t> parent;  // of DisjointSets
 
     Part part_of(uint32_t body, uint32_t particle) const {
         return {body, bodies[body].plan.method == GPHYS_SOLVE_GRAPH ? particle : Part::whole};
@@ -105,8 +106,8 @@ void add_chain_links(const Plan& plan, uint32_t slot, JointSystem& system) {
             JointSystem::Link link;
             link.a = system.find_node(slot, particle[i]);
             link.b = system.find_node(slot, particle[i + 1]);
-            link.source_body = slot;
-            link.source = chain.first_link + i;
+            link.owner = slot;
+            link.index = chain.first_link + i;
             system.add_link(link);
         }
     }
@@ -116,8 +117,8 @@ void add_joint(const Joint& joint, uint32_t slot, JointSystem& system) {
     JointSystem::Link link;
     link.a = system.find_node(joint.body_a, joint.particle_a);
     link.b = system.find_node(joint.body_b, joint.particle_b);
-    link.source_body = JointSystem::of_joint;
-    link.source = slot;
+    link.owner = JointSystem::of_joint;
+    link.index = slot;
     if (joint.rest > 0) {
         system.add_link(link);
         return;
@@ -127,32 +128,33 @@ void add_joint(const Joint& joint, uint32_t slot, JointSystem& system) {
 
 }  // namespace
 
-/// If it throws std::bad_alloc, it must be called again.
+/// Partitions bodies and joints, and builds a system of each set: nodes, links, order of elimination. If it throws
+/// std::bad_alloc, it must be called again.
 void Solver::plan_joints() {
     systems_.clear();
     tethers_.clear();
-    Planner planner{state_.bodies, Vector<Part>(&memory), Vector<uint32_t>(&memory)};
+    Partition partition{state_.bodies, Vector<Part>(&memory), Vector<uint32_t>(&memory)};
     const auto each_joint = [&](auto&& visit) {
         for (uint32_t slot = 0; slot < state_.joint_ids.slots(); ++slot) {
             if (state_.joint_ids.live(slot)) visit(state_.joints[slot], slot);
         }
     };
-    Vector<Part>& parts = planner.parts;
+    Vector<Part>& parts = partition.parts;
     for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
         if (state_.ids.live(slot) && state_.bodies[slot].plan.branched) parts.push_back({slot, Part::whole});
     }
     each_joint([&](const Joint& joint, uint32_t) {
-        parts.push_back(planner.part_of(joint.body_a, joint.particle_a));
-        parts.push_back(planner.part_of(joint.body_b, joint.particle_b));
+        parts.push_back(partition.part_of(joint.body_a, joint.particle_a));
+        parts.push_back(partition.part_of(joint.body_b, joint.particle_b));
     });
     std::sort(parts.begin(), parts.end());
     parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
-    DisjointSets sets(planner.parent, static_cast<uint32_t>(parts.size()));
+    DisjointSets sets(partition.parent, static_cast<uint32_t>(parts.size()));
     const auto part_a = [&](const Joint& joint) {
-        return planner.index(planner.part_of(joint.body_a, joint.particle_a));
+        return partition.index(partition.part_of(joint.body_a, joint.particle_a));
     };
     each_joint([&](const Joint& joint, uint32_t) {
-        sets.unite(part_a(joint), planner.index(planner.part_of(joint.body_b, joint.particle_b)));
+        sets.unite(part_a(joint), partition.index(partition.part_of(joint.body_b, joint.particle_b)));
     });
 
     // Systems are ordered by their first parts.

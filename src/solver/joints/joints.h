@@ -1,14 +1,14 @@
 // Joints between bodies, and the systems of equations that they form.
 //
-// Joined ropes and particles are one system: Newton's method on all their positions and tensions together, as in
-// rope_direct.cpp for one chain, but with a sparse elimination instead of one along the chain. A joint with a length is
-// one more link, a joint without one is three links along the axes. A body whose chains branch is a system without
-// joints.
+// Joined ropes and particles are one system: Newton's method on all their positions and tensions together, with the
+// equations of rope_direct.cpp, but a sparse elimination (sparse_ldl.h) instead of one along a chain. A joint with a
+// length is one more link, a joint without one is three links along the axes. A body whose chains branch is a system
+// without joints.
 //
-// Cloth is not part of a system; only its joined particles are. In return the system gives the response of such a
-// particle to a force, a matrix, which replaces its inverse mass in the chains of the cloth. The pulls of the chains
-// then act on the system. So a weight on a rope loads a corner of cloth with its whole mass along the rope and with
-// almost none across it. Momentum between cloth and rope is conserved to the last bit of float32.
+// Cloth is not part of a system; only its joined particles are. The coupling is by effective mass. The system computes
+// the response of such a particle to a force, a matrix, which replaces its inverse mass in the chains of the cloth. The
+// forces of the chains then act on the system. So a weight on a rope loads a corner of cloth with its whole mass along
+// the rope and with almost none across it. Momentum between cloth and rope is conserved to the last bit of float32.
 #pragma once
 
 #include "foundation/math.h"
@@ -19,12 +19,14 @@ namespace gphys {
 struct Body;
 struct CollisionContext;
 
-/// position of b - position of a| = rest + compliance * tension. The ends are in different bodies.
+/// |position of b - position of a| = rest + compliance * tension. The ends are in different bodies.
 struct Joint {
     uint32_t body_a, particle_a, body_b, particle_b;  // bodies by slot
-    double rest, compliance;
-    Vec3 tension;  // newtons, of the last substep; all in x if rest > 0
+    double rest, compliance;                          // m, m/N
+    Vec3 tension;                                     // newtons, of the last substep; all in x if rest > 0
 };
+
+/// A system of equations: the particles (nodes) and links of a set of bodies that are joined.
 
 class JointSystem {
 public:
@@ -34,23 +36,27 @@ public:
     /// A particle of the system. Nodes are stored in the order of elimination.
     struct Node {
         uint32_t body, particle;
-        uint32_t scalar = 0;  // index of the first of its three unknowns
-        bool of_graph = false;
+        uint32_t scalar = 0;    // index of the first of its three unknowns
+        bool of_graph = false;  // whether it belongs to cloth
         bool free = true;
-        double weight = 0;  // mass / step^2: the force in newtons that moves it by a metre
-        Vec3 before{}, predicted{}, start{}, position{};  // before the substep; then during its solution
+        double weight = 0;  // N/m, mass / step^2: the force that moves it by a metre
+        Vec3 before{};      // before the substep
+        Vec3 predicted{};   // without constraints
+        Vec3 start{};       // the initial guess of the solution under way
+        Vec3 position{};    // the present iterate
     };
     /// A constraint between two nodes: a link of a chain, a joint with a length, or one axis of a joint without one.
     struct Link {
-        uint32_t a, b;
-        uint32_t source_body, source;  // slot of the body and link in its plan; or `of_joint` and the slot of the joint
-        int axis = along;              // or an axis, for a joint of zero length
-        uint32_t scalar = 0;           // index of its tension
-        uint32_t rank = 0;             // index among the links from the later end to earlier nodes
-        bool early = false;            // its tension is eliminated right after the earlier end, not the later one,
-        uint32_t pull = 0;             // and has this place in the columns of the later end
-        double rest = 0, compliance = 0, tension = 0;
-        bool limit = false;  // it can pull but not push
+        uint32_t a, b;                // nodes
+        uint32_t owner, index;        // slot of the body and link in its plan; or `of_joint` and the slot of the joint
+        int axis = along;             // or an axis, for a joint of zero length
+        uint32_t scalar = 0;          // index of its tension among the unknowns
+        uint32_t coupling_index = 0;  // among the links from the later end to earlier nodes
+        bool after_earlier =
+            false;                 // whether its tension is eliminated right after the earlier end, not the later one;
+        uint32_t tension_row = 0;  // then its entry in the columns of the later end
+        double rest = 0, compliance = 0, tension = 0;  // m, m/N, N
+        bool limit = false;                            // whether it only pulls
 
         uint32_t earlier() const { return std::min(a, b); }
         uint32_t later() const { return std::max(a, b); }
@@ -58,11 +64,11 @@ public:
     static constexpr int along = -1;
     static constexpr uint32_t of_joint = 0xffffffff;
 
-    // Building a system: first all nodes, by body and particle, then the links between them, then plan().
+    // To build a system: add all nodes, by body and particle, then the links between them, then call plan().
     void add_node(uint32_t body, uint32_t particle, bool of_graph) { nodes_.push_back({body, particle, 0, of_graph}); }
     uint32_t find_node(uint32_t body, uint32_t particle) const;
     void add_link(const Link& link) { links_.push_back(link); }
-    /// Orders the nodes and finds the fill of the elimination. Throws std::bad_alloc.
+    /// Orders the nodes and computes the fill of the elimination (symbolic factorisation). Throws std::bad_alloc.
     void plan();
     /// Number of entries of the factor below the diagonal. Call after plan().
     size_t fill() const { return matrix_.fill(); }
@@ -70,40 +76,41 @@ public:
     uint32_t node_count() const { return static_cast<uint32_t>(nodes_.size()); }
     const Node& node(uint32_t i) const { return nodes_[i]; }
 
-    /// Copies the predicted state of a substep from the bodies, or the solved one back.
+    /// Copies the predicted state of a substep from the bodies, and the solved one back.
     void gather(const Vector<Body>& bodies, const Vector<Joint>& joints, double h);
     void scatter(Vector<Body>& bodies) const;
     void scatter_tensions(Vector<Body>& bodies, Vector<Joint>& joints) const;
-    /// Adds the pulls of joints on attached particles to the impulses of their models.
+    /// Adds the tensions of joints at attached particles to the impulses of their models.
     void add_anchor_impulses(Vector<Body>& bodies, const CollisionContext& around, double h) const;
-    /// Applies a force in newtons to a node during the substep under way.
-    void push(uint32_t node, Vec3 force) {
+    /// Applies a force, newtons, to a node during the substep under way. Then the solution is outdated.
+    void apply_force(uint32_t node, Vec3 force) {
         nodes_[node].predicted += force / nodes_[node].weight;
-        pushed_ = true;
+        outdated_ = true;
     }
-    /// Whether push() was called since the last solve().
-    bool is_pushed() const { return pushed_; }
-    /// Returns whether the lengths of all links have been found.
+    /// Whether a force was applied since the last solve().
+    bool is_outdated() const { return outdated_; }
+    /// Returns whether Newton's method has converged.
     bool solve();
-    /// Whether all rigid links had their lengths before the substep. Not for cloth.
+    /// Whether all rigid links had their lengths before the substep, nearly. Not for cloth.
     bool began_feasible() const;
-    /// Energy in elastic links, in joules: now, and before the substep.
-    double stored() const;
-    double stored_before() const { return stored_before_; }
-    /// The displacement of the node in metres by one newton along each axis, as three columns.
+    /// Joules, in elastic links: now, and before the substep.
+    double elastic_energy() const;
+    double elastic_energy_before() const { return elastic_energy_before_; }
+    /// The compliance matrix of a node, m/N: its displacement by a unit force along each axis, as three columns.
     void response(uint32_t node, Vec3 (&columns)[3]);
 
 private:
-    struct Stretch {
+    /// As Link in rope_direct.cpp, with forces in newtons.
+    struct LinkEquation {
         Vec3 direction;
-        double error, stiffness, softness;
-        bool acts;
+        double error, stiffness, softness;  // m, N/m, m/N
+        bool active;
     };
-    Stretch stretch(const Link& link) const;
+    LinkEquation linearise(const Link& link) const;
     void assemble();
-    double reach() const;
-    bool is_settled() const;
-    bool is_found() const;
+    double most_displacement() const;
+    bool is_converged() const;
+    bool is_solved() const;
     bool is_feasible() const;
     double advance();
 
@@ -111,9 +118,9 @@ private:
     Vector<Link> links_;
     Vector<double> entries_, diagonal_, solution_;
     SparseLdl matrix_;
-    bool pushed_ = false;
-    double stored_before_ = 0;
-    double regularisation_ = 0;  // compliance added to that of every link, relative to inverse masses
+    bool outdated_ = false;
+    double elastic_energy_before_ = 0;
+    double regularisation_ = 0;  // compliance that every link has, relative to the inverse masses at its ends
 };
 
 /// A particle of cloth that is a node of a system.

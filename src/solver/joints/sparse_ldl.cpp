@@ -57,7 +57,7 @@ void SparseLdl::factor(const double* entries, const double* diagonal) {
             factor_[end] = entry;
             ++filled_[i];
         }
-        // 0 if the row depends linearly on earlier ones
+        // 0 if the row depends linearly on earlier ones: then its unknown is 0.
         inverse_pivot_[k] = pivot != 0 ? 1 / pivot : 0;
         filled_[k] = 0;
     }

@@ -1,4 +1,5 @@
-// The inertia of cloth's particles that are joined to other bodies, as the chains of the cloth feel it.
+// The effective inverse mass of cloth's particles that are joined to other bodies: the response of their systems, in
+// place of the inverse mass in the chains of the cloth.
 #pragma once
 
 #include <algorithm>
