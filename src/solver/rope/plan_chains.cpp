@@ -1,5 +1,8 @@
-// Finding chains among constraints: the ones that a rope or a tree consists of, for direct solving, or the
-// colours of straight lines that cover a cloth.
+// The plan of a body: chains among its constraints.
+//
+// The constraints of ropes and trees are a forest, which is peeled from its leaves inward into chains and solved
+// directly. Any other graph, such as cloth, is covered by straight lines. These are coloured, so that chains of one
+// colour can be solved in any order or at once (line relaxation with graph colouring).
 #include "solver/body.h"
 #include "solver/rope/rope_kernels.h"
 
@@ -12,26 +15,27 @@ uint32_t other_end(const DistanceConstraint& constraint, uint32_t particle) {
     return constraint.a == particle ? constraint.b : constraint.a;
 }
 
-/// Take trees apart, from each end to the other or to where there is still a branch: begin(end), then
-/// pass(slot, next particle) along the chain. What remains are rings, and what is between them.
-template <class Begin, class Pass>
-void walk_chains(const Body& body, Begin&& begin, Pass&& pass) {
-    Vector<Links> left(body.constraints.links, body.constraints.links.get_allocator());
-    for (uint32_t end = 0; end < body.particles.size(); ++end) {
-        if (left[end].degree != 1) continue;
-        begin(end);
-        for (uint32_t particle = end; left[particle].degree == 1;) {
-            const uint32_t slot = left[particle].slots;
-            left[particle] = {};
+/// Peels chains off from their leaves, particles with one constraint left: begin(leaf), then visit(slot, next particle)
+/// along the chain, to another leaf or to a particle with further constraints. Trees are visited as a whole. What
+/// remains of other graphs are their cycles and the paths between them. O(particles).
+template <class Begin, class Visit>
+void peel_chains(const Body& body, Begin&& begin, Visit&& visit) {
+    Vector<Links> remaining(body.constraints.links, body.constraints.links.get_allocator());
+    for (uint32_t leaf = 0; leaf < body.particles.size(); ++leaf) {
+        if (remaining[leaf].degree != 1) continue;
+        begin(leaf);
+        for (uint32_t particle = leaf; remaining[particle].degree == 1;) {
+            const uint32_t slot = remaining[particle].slots;
+            remaining[particle] = {};
             particle = other_end(body.constraints.by_slot[slot], particle);
-            --left[particle].degree;
-            left[particle].slots ^= slot;
-            pass(slot, particle);
+            --remaining[particle].degree;
+            remaining[particle].slots ^= slot;
+            visit(slot, particle);
         }
     }
 }
 
-/// Elimination couples the links of a particle with each other: its work grows with the third power of their number.
+/// Constraints of a particle. Elimination couples them all with each other, so its work grows with their third power.
 constexpr uint32_t most_branches = 64;
 
 void clear_chains(Plan& plan) {
@@ -56,8 +60,8 @@ void add_link(Plan& plan, uint32_t slot, uint32_t particle) {
     ++plan.chains.back().link_count;
 }
 
-/// What their constraints are like.
-void describe_links(const Constraints& constraints, Plan& plan) {
+/// Copies the parameters of the links from their constraints.
+void copy_parameters(const Constraints& constraints, Plan& plan) {
     const size_t count = plan.slots.size();
     plan.rest.resize(count);
     plan.compliance.resize(count);
@@ -80,26 +84,26 @@ uint32_t longest_chain(const Plan& plan) {
 
 }  // namespace
 
-/// In trees, walking inward from all ends passes every constraint.
+/// Forests are solved directly: peeling visits all their constraints.
 gphys_solve_method method_of(const Body& body, uint32_t constraint_count) {
     if (body.cloth.volume.held) return GPHYS_SOLVE_GRAPH;
     if (constraint_count == 0) return GPHYS_SOLVE_FREE;
     for (const Links& links : body.constraints.links) {
         if (links.degree > most_branches) return GPHYS_SOLVE_GRAPH;
     }
-    uint32_t passed = 0;
-    walk_chains(
-        body, [](uint32_t) {}, [&](uint32_t, uint32_t) { ++passed; });
-    return passed == constraint_count ? GPHYS_SOLVE_DIRECT : GPHYS_SOLVE_GRAPH;
+    uint32_t visited = 0;
+    peel_chains(
+        body, [](uint32_t) {}, [&](uint32_t, uint32_t) { ++visited; });
+    return visited == constraint_count ? GPHYS_SOLVE_DIRECT : GPHYS_SOLVE_GRAPH;
 }
 
 gphys_solve_method method_of(const Body& body) { return method_of(body, body.constraints.ids.size()); }
 
 namespace {
 
-void describe_direct_links(Body& body) {
+void copy_direct_parameters(Body& body) {
     Plan& plan = body.plan;
-    describe_links(body.constraints, plan);
+    copy_parameters(body.constraints, plan);
     for (double& rest : plan.rest) rest = rest < rope_shortest ? 0 : rest;
     body.rope.damped_rest = plan.rest;
     body.rope.damped_compliance = plan.compliance;
@@ -111,10 +115,10 @@ void describe_direct_links(Body& body) {
 void plan_direct_chains(Body& body) {
     Plan& plan = body.plan;
     clear_chains(plan);
-    walk_chains(
+    peel_chains(
         body, [&](uint32_t end) { begin_chain(plan, end); },
         [&](uint32_t slot, uint32_t particle) { add_link(plan, slot, particle); });
-    describe_direct_links(body);
+    copy_direct_parameters(body);
     body.rope.rows.resize(longest_chain(plan) + 1);
     body.rope.earlier_tension.assign(plan.rest.size(), 0.0);
     body.rope.tension.assign(plan.rest.size(), 0.0);
@@ -122,14 +126,14 @@ void plan_direct_chains(Body& body) {
 
 namespace {
 
-/// Vectors, component by component, so that the compiler takes several at once.
-struct Vectors {
-    explicit Vectors(std::pmr::memory_resource* memory) : x(memory), y(memory), z(memory) {}
+/// Vectors as a structure of arrays, so that the compiler vectorises the loops over them.
+struct VectorArray {
+    explicit VectorArray(std::pmr::memory_resource* memory) : x(memory), y(memory), z(memory) {}
 
     void resize(size_t size) { x.resize(size), y.resize(size), z.resize(size); }
     void set(size_t i, Vec3 v) { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
 
-    /// As normalized does it, with the same bits; a zero stays.
+    /// With the same bits as normalized. Zero vectors stay.
     void normalize() {
         for (size_t i = 0; i < x.size(); ++i) {
             const double largest = gphys::largest(gphys::largest(absolute(x[i]), absolute(y[i])), absolute(z[i]));
@@ -143,52 +147,53 @@ struct Vectors {
     Vector<double> x, y, z;
 };
 
-/// For each constraint and each of its ends, the constraint that continues it straight on, or none.
+/// For each constraint and each of its ends, the constraint that continues it straight on, or none. At each particle
+/// the candidates are matched greedily, the straightest pair first.
 class StraightLines {
 public:
     StraightLines(const Body& body, std::pmr::memory_resource* memory)
         : body_(body),
           next_(2 * size_t{body.constraints.ids.slots()}, none, memory),
           directions_(memory),
-          ends_(memory),
-          away_(memory),
+          around_(memory),
+          outward_(memory),
           cosines_(memory),
-          pairs_(memory) {
+          candidates_(memory) {
         find_directions();
-        pair_up(memory);
+        match(memory);
     }
 
     uint32_t next(uint32_t slot, uint32_t end_particle) const {
-        return next_[place(slot, body_.constraints.by_slot[slot].b == end_particle)];
+        return next_[half_edge(slot, body_.constraints.by_slot[slot].b == end_particle)];
     }
 
 private:
-    /// A constraint as one of its particles sees it.
-    struct End {
-        uint32_t place;  // in next_
+    /// A constraint at one of its particles.
+    struct HalfEdge {
+        uint32_t index;  // in next_
         bool limit;
         double rest, compliance;
     };
-    /// Two constraints with a common particle; the lower straightness the straighter.
-    struct Pair {
+    /// Two constraints with a common particle that may continue each other.
+    struct Candidate {
         double straightness;     // cosine of the angle between them: -1 is straight on
-        uint32_t first, second;  // in ends_, which are in the order of slots
+        uint32_t first, second;  // in around_, which is in the order of slots
 
-        bool operator<(const Pair& other) const {
+        bool operator<(const Candidate& other) const {
             if (straightness != other.straightness) return straightness < other.straightness;
             return first != other.first ? first < other.first : second < other.second;
         }
     };
 
-    // A line bends by less than 45 degrees at a particle, and joins only constraints of one kind: a
-    // bend constraint is twice as long as the edges beside it, the edges of a mesh vary less.
+    // A line turns by less than 45 degrees at a particle, and joins only constraints of one kind. Bend constraints are
+    // twice as long as the edges beside them; the edges of a mesh vary less than this ratio.
     static constexpr double least_straight = -0.70710678118654752;
     static constexpr double most_ratio = 1.75;
 
-    static uint32_t place(uint32_t slot, bool second_end) { return 2 * slot + second_end; }
+    static uint32_t half_edge(uint32_t slot, bool second_end) { return 2 * slot + second_end; }
 
-    static bool same_kind(const End& a, const End& b) {
-        if (a.limit || b.limit) return false;  // whether one pulls is decided for it alone
+    static bool same_kind(const HalfEdge& a, const HalfEdge& b) {
+        if (a.limit || b.limit) return false;  // each one that only pulls is solved alone
         return a.compliance == b.compliance && a.rest <= most_ratio * b.rest && b.rest <= most_ratio * a.rest;
     }
 
@@ -203,73 +208,74 @@ private:
         directions_.normalize();
     }
 
-    void pair_up(std::pmr::memory_resource* memory) {
+    void match(std::pmr::memory_resource* memory) {
         const Constraints& constraints = body_.constraints;
         Vector<uint32_t> begin(body_.particles.size() + 1, 0, memory);
         for (uint32_t p = 0; p < body_.particles.size(); ++p) begin[p + 1] = begin[p] + constraints.links[p].degree;
-        Vector<uint32_t> places(begin.back(), memory), filled(begin.begin(), begin.end() - 1, memory);
+        Vector<uint32_t> half_edges(begin.back(), memory), filled(begin.begin(), begin.end() - 1, memory);
         for (uint32_t slot = 0; slot < constraints.ids.slots(); ++slot) {
             if (!constraints.ids.live(slot)) continue;
-            places[filled[constraints.by_slot[slot].a]++] = place(slot, false);
-            places[filled[constraints.by_slot[slot].b]++] = place(slot, true);
+            half_edges[filled[constraints.by_slot[slot].a]++] = half_edge(slot, false);
+            half_edges[filled[constraints.by_slot[slot].b]++] = half_edge(slot, true);
         }
         for (uint32_t p = 0; p < body_.particles.size(); ++p) {
-            pair_up(places.data() + begin[p], begin[p + 1] - begin[p]);
+            match(half_edges.data() + begin[p], begin[p + 1] - begin[p]);
         }
     }
 
-    /// Those at one particle, the straightest first.
-    void pair_up(const uint32_t* places, uint32_t count) {
-        ends_.resize(count);
-        away_.resize(count);
+    /// Matches the constraints at one particle.
+    void match(const uint32_t* half_edges, uint32_t count) {
+        around_.resize(count);
+        outward_.resize(count);
         cosines_.resize(count);
-        pairs_.clear();
+        candidates_.clear();
         for (uint32_t i = 0; i < count; ++i) {
-            const uint32_t slot = places[i] / 2;
+            const uint32_t slot = half_edges[i] / 2;
             const DistanceConstraint& constraint = body_.constraints.by_slot[slot];
-            ends_[i] = {places[i], constraint.limit != 0, constraint.rest, constraint.compliance};
-            const double sign = places[i] % 2 == 0 ? 1 : -1;
-            away_.set(i, Vec3{directions_.x[slot], directions_.y[slot], directions_.z[slot]} * sign);
+            around_[i] = {half_edges[i], constraint.limit != 0, constraint.rest, constraint.compliance};
+            const double sign = half_edges[i] % 2 == 0 ? 1 : -1;
+            outward_.set(i, Vec3{directions_.x[slot], directions_.y[slot], directions_.z[slot]} * sign);
         }
         for (uint32_t i = 0; i < count; ++i) {
-            const double x = away_.x[i], y = away_.y[i], z = away_.z[i];
-            for (uint32_t j = i + 1; j < count; ++j) cosines_[j] = x * away_.x[j] + y * away_.y[j] + z * away_.z[j];
+            const double x = outward_.x[i], y = outward_.y[i], z = outward_.z[i];
+            for (uint32_t j = i + 1; j < count; ++j)
+                cosines_[j] = x * outward_.x[j] + y * outward_.y[j] + z * outward_.z[j];
             for (uint32_t j = i + 1; j < count; ++j) {
-                if (cosines_[j] <= least_straight && same_kind(ends_[i], ends_[j]))
-                    pairs_.push_back({cosines_[j], i, j});
+                if (cosines_[j] <= least_straight && same_kind(around_[i], around_[j]))
+                    candidates_.push_back({cosines_[j], i, j});
             }
         }
-        std::sort(pairs_.begin(), pairs_.end());
-        for (const Pair& pair : pairs_) {
-            uint32_t& after_first = next_[ends_[pair.first].place];
-            uint32_t& after_second = next_[ends_[pair.second].place];
+        std::sort(candidates_.begin(), candidates_.end());
+        for (const Candidate& candidate : candidates_) {
+            uint32_t& after_first = next_[around_[candidate.first].index];
+            uint32_t& after_second = next_[around_[candidate.second].index];
             if (after_first != none || after_second != none) continue;
-            after_first = ends_[pair.second].place / 2;
-            after_second = ends_[pair.first].place / 2;
+            after_first = around_[candidate.second].index / 2;
+            after_second = around_[candidate.first].index / 2;
         }
     }
 
     const Body& body_;
     Vector<uint32_t> next_;
-    Vectors directions_;  // by slot, from the first end to the second
-    // Of the constraints at one particle:
-    Vector<End> ends_;
-    Vectors away_;  // directions from the particle
+    VectorArray directions_;  // by slot, from the first end to the second
+    // Of the particle that is matched:
+    Vector<HalfEdge> around_;
+    VectorArray outward_;  // directions from the particle
     Vector<double> cosines_;
-    Vector<Pair> pairs_;
+    Vector<Candidate> candidates_;
 };
 
-/// Cover all constraints by lines, those with the lowest slots first. A line that meets itself ends
-/// there, for a chain passes no particle twice; what is left of it becomes another line.
+/// Covers all constraints by lines, from the lowest slot on. A line ends where it meets itself, because a chain passes
+/// no particle twice; the rest of it becomes another line.
 void collect_lines(const Body& body, Plan& lines, std::pmr::memory_resource* memory) {
     const StraightLines straight(body, memory);
     lines.slots.reserve(body.constraints.ids.size());
     lines.particles.reserve(2 * size_t{body.constraints.ids.size()});
     Vector<uint8_t> used(body.constraints.ids.slots(), 0, memory);
-    Vector<uint32_t> seen(body.particles.size(), none, memory);  // the line that passed a particle last
+    Vector<uint32_t> last_line(body.particles.size(), none, memory);  // by particle: the line that was there last
     for (uint32_t seed = 0; seed < body.constraints.ids.slots(); ++seed) {
         while (body.constraints.ids.live(seed) && !used[seed]) {
-            // Back to where the line begins, ...
+            // Back to the beginning of the line, ...
             uint32_t slot = seed, start = body.constraints.by_slot[seed].a;
             for (;;) {
                 const uint32_t before = straight.next(slot, start);
@@ -280,11 +286,11 @@ void collect_lines(const Body& body, Plan& lines, std::pmr::memory_resource* mem
             // ... and along it.
             const uint32_t line = static_cast<uint32_t>(lines.chains.size());
             begin_chain(lines, start);
-            seen[start] = line;
+            last_line[start] = line;
             for (uint32_t particle = start; slot != none && !used[slot];) {
                 particle = other_end(body.constraints.by_slot[slot], particle);
-                if (seen[particle] == line) break;
-                seen[particle] = line;
+                if (last_line[particle] == line) break;
+                last_line[particle] = line;
                 used[slot] = 1;
                 add_link(lines, slot, particle);
                 slot = straight.next(slot, particle);
@@ -293,7 +299,7 @@ void collect_lines(const Body& body, Plan& lines, std::pmr::memory_resource* mem
     }
 }
 
-/// The lowest colour whose chains leave all particles of the chain alone; masks has a bit per colour.
+/// The lowest colour that no particle of the chain has yet, or 64. `masks`: by particle, a bit for each colour.
 uint32_t free_colour(const Plan& lines, const Chain& chain, const Vector<uint64_t>& masks) {
     uint64_t taken = 0;
     for (uint32_t i = 0; i <= chain.link_count; ++i) taken |= masks[lines.particles[chain.first_particle + i]];
@@ -302,23 +308,23 @@ uint32_t free_colour(const Plan& lines, const Chain& chain, const Vector<uint64_
     return colour;
 }
 
-/// Give a colour to each line for which of_kind(line), `turn` by turn, those from first_colour on. Returns
-/// the end of the colours.
+/// Colours the lines for which of_kind(line), greedily in the given order, with colours from first_colour on. Lines
+/// that find 64 colours taken wait for the next 64. Returns the end of the colours.
 template <class OfKind>
-uint32_t colour_lines(const Particles& particles, const Plan& lines, const Vector<uint32_t>& turn, OfKind&& of_kind,
-                      uint32_t first_colour, Vector<uint32_t>& colours) {
+uint32_t colour_lines(const Particles& particles, const Plan& lines, const Vector<uint32_t>& colouring_order,
+                      OfKind&& of_kind, uint32_t first_colour, Vector<uint32_t>& colours) {
     Vector<uint64_t> masks(particles.size(), 0, colours.get_allocator());
     uint32_t colour_count = first_colour;
-    for (bool waiting = true; waiting;) {
-        waiting = false;
+    for (bool incomplete = true; incomplete;) {
+        incomplete = false;
         const uint32_t base = colour_count;
         std::fill(masks.begin(), masks.end(), 0);
-        for (const uint32_t line : turn) {
+        for (const uint32_t line : colouring_order) {
             if (colours[line] != none || !of_kind(line)) continue;
             const Chain& chain = lines.chains[line];
             const uint32_t colour = free_colour(lines, chain, masks);
             if (colour == 64) {
-                waiting = true;
+                incomplete = true;
                 continue;
             }
             colours[line] = base + colour;
@@ -333,37 +339,36 @@ uint32_t colour_lines(const Particles& particles, const Plan& lines, const Vecto
 
 }  // namespace
 
-/// Colour the lines greedily so that those of one colour share no particle: rows, columns and
-/// diagonals of a grid become a colour each. Lines that find 64 colours taken wait for the next 64.
-/// The colour that is solved last has no error left, so the softest lines come first, and of those
-/// alike the ones of constraints added last: the sides of a grid after its diagonals, which cannot all
-/// keep their lengths on a surface that is round both ways.
+/// Lines of one colour share no particle: rows, columns and diagonals of a grid become a colour each. The colour that
+/// is solved last has no error left, so the softest lines come first, and of equally soft ones those whose constraints
+/// were added last. So the sides of a grid come after its diagonals, which cannot all keep their lengths on a surface
+/// with Gaussian curvature.
 void plan_chain_colours(Body& body) {
     Plan& plan = body.plan;
     std::pmr::memory_resource* memory = plan.chains.get_allocator().resource();
     Plan lines(memory);
     collect_lines(body, lines, memory);
 
-    // Constraints of a line are of one kind.
+    // All constraints of a line are of one kind.
     const auto kind_of = [&](uint32_t line) -> const DistanceConstraint& {
         return body.constraints.by_slot[lines.slots[lines.chains[line].first_link]];
     };
     const uint32_t line_count = static_cast<uint32_t>(lines.chains.size());
-    Vector<uint32_t> turn(line_count, memory);
-    for (uint32_t i = 0; i < line_count; ++i) turn[i] = line_count - 1 - i;
-    std::stable_sort(turn.begin(), turn.end(),
+    Vector<uint32_t> colouring_order(line_count, memory);
+    for (uint32_t i = 0; i < line_count; ++i) colouring_order[i] = line_count - 1 - i;
+    std::stable_sort(colouring_order.begin(), colouring_order.end(),
                      [&](uint32_t a, uint32_t b) { return kind_of(a).compliance > kind_of(b).compliance; });
     Vector<uint32_t> colour(line_count, none, memory);
     uint32_t colour_count = 0;
-    // Links that only pull, which are solved by another kernel, have colours of their own, the last.
+    // Links that only pull have colours of their own, the last, because another kernel solves them.
     for (const uint32_t limit : {0u, 1u}) {
         const auto of_kind = [&](uint32_t line) { return kind_of(line).limit == limit; };
-        colour_count = colour_lines(body.particles, lines, turn, of_kind, colour_count, colour);
+        colour_count = colour_lines(body.particles, lines, colouring_order, of_kind, colour_count, colour);
     }
 
     Vector<uint32_t> order(line_count, memory);
     for (uint32_t line = 0; line < line_count; ++line) order[line] = line;
-    // Within a colour the longest first, so that chains solved side by side are of one length.
+    // Within a colour the longest first, so that chains that are solved side by side have similar lengths.
     std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
         if (colour[a] != colour[b]) return colour[a] < colour[b];
         return lines.chains[a].link_count > lines.chains[b].link_count;
@@ -382,13 +387,13 @@ void plan_chain_colours(Body& body) {
         plan.slots.insert(plan.slots.end(), slots, slots + chain.link_count);
     }
     plan.colours.push_back(line_count);
-    describe_links(body.constraints, plan);
+    copy_parameters(body.constraints, plan);
 }
 
 namespace {
 
-/// What the links of a plan are like.
-void note_kinds(Body& body) {
+/// Sets the flags of the plan that tell which kinds of links it has.
+void classify_links(Body& body) {
     Plan& plan = body.plan;
     plan.branched =
         plan.method == GPHYS_SOLVE_DIRECT && std::any_of(body.constraints.links.begin(), body.constraints.links.end(),
@@ -419,8 +424,8 @@ void complete_plan(Body& body) {
         plan_direct_chains(body);
         body.rope.tension = std::move(tension);
     }
-    if (plan.method == GPHYS_SOLVE_GRAPH) describe_links(body.constraints, plan);
-    note_kinds(body);
+    if (plan.method == GPHYS_SOLVE_GRAPH) copy_parameters(body.constraints, plan);
+    classify_links(body);
     plan.described = true;
 }
 
@@ -434,14 +439,14 @@ void update_plan(Body& body) {
         if (plan.method == GPHYS_SOLVE_FREE) clear_chains(plan);
         if (plan.method == GPHYS_SOLVE_DIRECT) plan_direct_chains(body);
         if (plan.method == GPHYS_SOLVE_GRAPH) plan_chain_colours(body);
-        note_kinds(body);
+        classify_links(body);
         plan.chains_current = plan.described = true;
         plan.reach_current = false;
     }
     if (!plan.described) {
-        if (plan.method == GPHYS_SOLVE_DIRECT) describe_direct_links(body);
-        if (plan.method == GPHYS_SOLVE_GRAPH) describe_links(body.constraints, plan);
-        note_kinds(body);
+        if (plan.method == GPHYS_SOLVE_DIRECT) copy_direct_parameters(body);
+        if (plan.method == GPHYS_SOLVE_GRAPH) copy_parameters(body.constraints, plan);
+        classify_links(body);
         plan.chains_packed = false;
         plan.described = true;
     }
@@ -457,7 +462,7 @@ void update_plan(Body& body) {
         plan.reach_current = true;
     }
     if (plan.method != GPHYS_SOLVE_GRAPH) return;
-    // Pins come and go without changing the chains.
+    // Pins change without the chains.
     if (!plan.chains_packed) {
         plan.pins_packed = false;
         pack_cloth(body);
