@@ -19,6 +19,10 @@ struct DistanceConstraint {
     uint64_t limit;  // 1: a maximum distance, which pulls and never pushes; 64 bits, so that there is no padding
 };
 
+inline uint32_t other_end(const DistanceConstraint& constraint, uint32_t particle) {
+    return constraint.a == particle ? constraint.b : constraint.a;
+}
+
 /// A constraint whose length goes from one to that of its constraint during the next step.
 struct LengthChange {
     uint64_t slot;  // of the constraint; 64 bits, so that there is no padding

@@ -1,5 +1,10 @@
-// The plan of a body: in which order its constraints are solved. It is computed from the constraints and the pins, and
-// again after these change.
+// The plan of a body: in which order its constraints are solved. It follows from the constraints and the pins, and is
+// updated after these have changed.
+//
+//   plan.cpp               updating it
+//   rope/plan_chains.cpp   chains of ropes and trees, for direct solution
+//   plan_colours.cpp       chains of cloth and their colours
+//   cloth/plan_cloth.cpp   their layout in the kernels; plan_edits.cpp: edits without planning the body again
 #pragma once
 
 #include "foundation/math.h"
@@ -8,6 +13,7 @@
 namespace gphys {
 
 struct Body;
+struct Constraints;
 
 /// Constraints in a row: link i joins particle i and particle i + 1 of the chain.
 struct Chain {
@@ -26,12 +32,26 @@ struct Plan {
           damping(memory),
           limit(memory) {}
 
+    void clear_chains();
+    void begin_chain(uint32_t particle) {
+        chains.push_back({static_cast<uint32_t>(particles.size()), static_cast<uint32_t>(slots.size()), 0});
+        particles.push_back(particle);
+    }
+    /// Adds a link from the last particle of the last chain to the given one.
+    void add_link(uint32_t slot, uint32_t particle) {
+        particles.push_back(particle);
+        slots.push_back(slot);
+        ++chains.back().link_count;
+    }
+    /// Copies the parameters of all links from their constraints.
+    void copy_parameters(const Constraints& constraints);
+
     static constexpr uint32_t most_edits = 64;
 
     gphys_solve_method method = GPHYS_SOLVE_FREE;
     // Whether the chains, and the reach limits of pins, are up to date. If not, they are not used.
     bool chains_current = false, reach_current = false;
-    uint32_t edits = 0;      // of the chains since the last step; beyond most_edits they are planned again
+    uint32_t edits = 0;      // of the chains since the last step; after most_edits they are planned again
     bool described = false;  // whether the parameters of the links are those of their constraints
     bool chains_packed = false, pins_packed = false;  // whether Cloth::batches and Cloth::reach are up to date
 
@@ -47,26 +67,28 @@ struct Plan {
     bool joined = false;                       // branched, or to other bodies; set at the beginning of a step
 };
 
-/// Which method suits the constraints. O(particles). Throws std::bad_alloc.
+/// The method that suits the constraints. O(particles). Throws std::bad_alloc.
 gphys_solve_method method_of(const Body& body);
 /// The same for a body with this number of constraints.
 gphys_solve_method method_of(const Body& body, uint32_t constraints);
-/// Updates the plan. Throws std::bad_alloc, and then leaves it out of date.
+/// Updates what is out of date. Throws std::bad_alloc, and then leaves it out of date.
 void update_plan(Body& body);
+/// Computes what a snapshot does not hold of a valid plan. Throws std::bad_alloc.
+void complete_plan(Body& body);
+
+// Parts of update_plan. These throw std::bad_alloc.
+void plan_direct_chains(Body& body);
+/// Copies the parameters of links that are solved directly.
+void copy_direct_parameters(Body& body);
+void plan_chain_colours(Body& body);
 
 /// plan_edits.cpp: whether a constraint can be added to or removed from the plan of cloth without planning the body
-/// again. Call before anything changes, because it makes room: what an edit leads to must not depend on memory. Throws
-/// std::bad_alloc.
+/// again. Call before anything changes, because it reserves memory: the result of an edit must not depend on whether
+/// there is any. Throws std::bad_alloc.
 bool can_add_to_plan(Body& body);
 bool can_remove_from_plan(Body& body, uint32_t slot);
 /// O(links). Call after the constraint was added, or removed.
 void add_to_plan(Body& body, uint32_t slot);
 void remove_from_plan(Body& body, uint32_t slot);
-
-/// Computes what a snapshot does not hold of a valid plan. Throws std::bad_alloc.
-void complete_plan(Body& body);
-
-void plan_direct_chains(Body& body);
-void plan_chain_colours(Body& body);
 
 }  // namespace gphys

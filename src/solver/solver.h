@@ -8,6 +8,8 @@
 //   constraints.cpp    adding and removing constraints
 //   settings.cpp       settings of the solver and of bodies
 //   constraint_settings.cpp  settings of constraints: winches and muscles
+//   plan.cpp           in which order the constraints of a body are solved
+//   plan_colours.cpp   chains of cloth and their colours
 //   prepare.cpp        before a step: plans, memory, broad phase, tasks
 //   step.cpp           the step: how each body is moved
 //   time_scheme.h      the time integration of constrained bodies
@@ -21,7 +23,7 @@
 //   body_meshes.cpp    bodies as meshes in scenes
 //   particles/         bodies without constraints: exact flight and impacts
 //   rope/              chains and trees: Newton's method on the whole chain
-//     plan_chains.cpp    which constraints form chains
+//     plan_chains.cpp    its chains
 //     rope_substep.cpp   a substep of a rope, also in contact with models
 //     rope_stepper.h     one rope, from one system of equations to the next
 //     stages_kernels.cpp whether a substep has two stages (TR-BDF2), for a seventh of the error

@@ -1,0 +1,116 @@
+// When the plan of a body is computed, and what follows from it. Constraints and pins change it part by part: the
+// chains, the parameters of their links, adjacency lists and reach limits of cloth, and the layout of its kernels.
+#include "solver/plan.h"
+
+#include "solver/body.h"
+
+namespace gphys {
+
+void Plan::clear_chains() {
+    chains.clear();
+    colours.clear();
+    particles.clear();
+    slots.clear();
+    rest.clear();
+    compliance.clear();
+    damping.clear();
+    limit.clear();
+}
+
+void Plan::copy_parameters(const Constraints& constraints) {
+    const size_t count = slots.size();
+    rest.resize(count);
+    compliance.resize(count);
+    damping.resize(count);
+    limit.resize(count);
+    for (size_t link = 0; link < count; ++link) {
+        const DistanceConstraint& constraint = constraints.by_slot[slots[link]];
+        rest[link] = constraint.rest;
+        compliance[link] = constraint.compliance;
+        damping[link] = constraint.damping;
+        limit[link] = static_cast<uint32_t>(constraint.limit);
+    }
+}
+
+namespace {
+
+/// Sets the flags of the plan that tell which kinds of links it has.
+void classify_links(Body& body) {
+    Plan& plan = body.plan;
+    plan.branched =
+        plan.method == GPHYS_SOLVE_DIRECT && std::any_of(body.constraints.links.begin(), body.constraints.links.end(),
+                                                         [](Links links) { return links.degree > 2; });
+    plan.damped = std::any_of(plan.damping.begin(), plan.damping.end(), [](double damping) { return damping > 0; });
+    plan.limited = std::find(plan.limit.begin(), plan.limit.end(), 1u) != plan.limit.end();
+}
+
+void pack_cloth(Body& body) {
+    const uint32_t particles = body.particles.size();
+    ClothBatches& batches = body.cloth.batches;
+    pack_cloth_chains(batches, body.plan, particles);
+    list_kept_links(body.cloth.relaxation.kept, batches, body.cloth.rigid, body.plan, particles,
+                    body.constraints.ids.slots(), body.kind == GPHYS_BODY_CLOTH);
+}
+
+}  // namespace
+
+void complete_plan(Body& body) {
+    Plan& plan = body.plan;
+    if (!plan.chains_current) return;
+    if (plan.method == GPHYS_SOLVE_DIRECT) {
+        Vector<double> tension = std::move(body.rope.tension);
+        plan_direct_chains(body);
+        body.rope.tension = std::move(tension);
+    }
+    if (plan.method == GPHYS_SOLVE_GRAPH) plan.copy_parameters(body.constraints);
+    classify_links(body);
+    plan.described = true;
+}
+
+void update_plan(Body& body) {
+    Plan& plan = body.plan;
+    if (!plan.chains_current) {
+        plan.chains_packed = false;
+        plan.edits = 0;
+        body.cloth.rigid.forget();
+        plan.method = method_of(body);
+        if (plan.method == GPHYS_SOLVE_FREE) plan.clear_chains();
+        if (plan.method == GPHYS_SOLVE_DIRECT) plan_direct_chains(body);
+        if (plan.method == GPHYS_SOLVE_GRAPH) plan_chain_colours(body);
+        classify_links(body);
+        plan.chains_current = plan.described = true;
+        plan.reach_current = false;
+    }
+    if (!plan.described) {
+        if (plan.method == GPHYS_SOLVE_DIRECT) copy_direct_parameters(body);
+        if (plan.method == GPHYS_SOLVE_GRAPH) plan.copy_parameters(body.constraints);
+        classify_links(body);
+        plan.chains_packed = false;
+        plan.described = true;
+    }
+    if (body.cloth.rigid.begin.empty() && plan.method == GPHYS_SOLVE_GRAPH) {
+        body.cloth.reach.paths.clear();
+        body.cloth.rigid.list(plan, body.particles.size());
+    }
+    if (!plan.reach_current) {
+        Cloth& cloth = body.cloth;
+        cloth.reach.limits.clear();
+        plan.pins_packed = false;
+        if (plan.method == GPHYS_SOLVE_GRAPH) plan_reach_limits(cloth.reach, cloth.rigid, body.particles, cloth.sheet);
+        plan.reach_current = true;
+    }
+    if (plan.method != GPHYS_SOLVE_GRAPH) return;
+    // Pins change without the chains.
+    if (!plan.chains_packed) {
+        plan.pins_packed = false;
+        pack_cloth(body);
+        plan.chains_packed = true;
+    }
+    if (!plan.pins_packed) {
+        pack_reach_limits(body.cloth.reach, body.particles.size());
+        mark_attached(body.cloth.batches, body.constraints, body.particles.size());
+        plan.pins_packed = true;
+    }
+}
+
+}  // namespace gphys
