@@ -30,7 +30,7 @@
 //     rope_direct.cpp    links of a single rope, by block elimination
 //     rope_contacts.cpp  contacts with models, as part of its equations
 //     rope_lanes.cpp     undisturbed ropes, eight side by side
-//     ropes_beside_models.cpp  ropes that may touch models, their equations solved side by side
+//     rope_contact_lanes.cpp  ropes that may touch models, their equations solved side by side
 //     rope_kernels.cpp   what these two compute; rope_layout_kernels.cpp: gather and scatter
 //     rope_limits.cpp    links that only pull
 //     damping.h          damped links as undamped ones with other parameters

@@ -34,7 +34,7 @@
 #include "solver/motion.h"
 #include "solver/particles/free_flight.h"
 #include "solver/rope/rope.h"
-#include "solver/rope/ropes_beside_models.h"
+#include "solver/rope/rope_contact_lanes.h"
 #include "solver/solver.h"
 #include "solver/state_range.h"
 

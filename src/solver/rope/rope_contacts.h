@@ -16,7 +16,7 @@
 // Then it is the Coulomb force, against the direction of slip. So tensions, normal forces and friction belong to the
 // same time, and tension passes around a post. If particles in contact were pinned while links are solved, none would.
 //
-// The iterations are those of ropes_beside_models.cpp, or of rope_direct.cpp for what the kernels do not support.
+// The iterations are those of rope_contact_lanes.cpp, or of rope_direct.cpp for what the kernels do not support.
 #pragma once
 
 #include "scene/closest_features.h"

@@ -1,5 +1,5 @@
 // One rope in the substeps of a step (rope_substep.cpp). It stops at each system of equations, so that the systems of
-// several ropes can be solved side by side (ropes_beside_models.h). A rope alone is moved by
+// several ropes can be solved side by side (rope_contact_lanes.h). A rope alone is moved by
 //
 //     while (rope.begin_part()) rope.end_part(rope.solve());
 #pragma once

@@ -1,5 +1,5 @@
-// Newton's iterations of ropes with contacts, side by side (ropes_beside_models.h).
-#include "solver/rope/ropes_beside_models.h"
+// Newton's iterations of ropes with contacts, side by side (rope_contact_lanes.h).
+#include "solver/rope/rope_contact_lanes.h"
 
 #include <limits>
 
