@@ -35,11 +35,9 @@ void Plan::copy_parameters(const Constraints& constraints) {
 namespace {
 
 /// Sets the flags of the plan that tell which kinds of links it has.
-void classify_links(Body& body) {
-    Plan& plan = body.plan;
-    plan.branched =
-        plan.method == GPHYS_SOLVE_DIRECT && std::any_of(body.constraints.links.begin(), body.constraints.links.end(),
-                                                         [](Links links) { return links.degree > 2; });
+void classify_links(Plan& plan, const Constraints& constraints) {
+    plan.branched = plan.method == GPHYS_SOLVE_DIRECT && std::any_of(constraints.links.begin(), constraints.links.end(),
+                                                                     [](Links links) { return links.degree > 2; });
     plan.damped = std::any_of(plan.damping.begin(), plan.damping.end(), [](double damping) { return damping > 0; });
     plan.limited = std::find(plan.limit.begin(), plan.limit.end(), 1u) != plan.limit.end();
 }
@@ -59,11 +57,11 @@ void complete_plan(Body& body) {
     if (!plan.chains_current) return;
     if (plan.method == GPHYS_SOLVE_DIRECT) {
         Vector<double> tension = std::move(body.rope.tension);
-        plan_direct_chains(body);
+        plan_direct_chains(plan, body.rope, body.constraints);
         body.rope.tension = std::move(tension);
     }
     if (plan.method == GPHYS_SOLVE_GRAPH) plan.copy_parameters(body.constraints);
-    classify_links(body);
+    classify_links(plan, body.constraints);
     plan.described = true;
 }
 
@@ -75,16 +73,16 @@ void update_plan(Body& body) {
         body.cloth.rigid.forget();
         plan.method = method_of(body);
         if (plan.method == GPHYS_SOLVE_FREE) plan.clear_chains();
-        if (plan.method == GPHYS_SOLVE_DIRECT) plan_direct_chains(body);
-        if (plan.method == GPHYS_SOLVE_GRAPH) plan_chain_colours(body);
-        classify_links(body);
+        if (plan.method == GPHYS_SOLVE_DIRECT) plan_direct_chains(plan, body.rope, body.constraints);
+        if (plan.method == GPHYS_SOLVE_GRAPH) plan_chain_colours(plan, body.constraints, body.particles);
+        classify_links(plan, body.constraints);
         plan.chains_current = plan.described = true;
         plan.reach_current = false;
     }
     if (!plan.described) {
-        if (plan.method == GPHYS_SOLVE_DIRECT) copy_direct_parameters(body);
+        if (plan.method == GPHYS_SOLVE_DIRECT) copy_direct_parameters(plan, body.rope, body.constraints);
         if (plan.method == GPHYS_SOLVE_GRAPH) plan.copy_parameters(body.constraints);
-        classify_links(body);
+        classify_links(plan, body.constraints);
         plan.chains_packed = false;
         plan.described = true;
     }

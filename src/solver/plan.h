@@ -14,6 +14,8 @@ namespace gphys {
 
 struct Body;
 struct Constraints;
+struct Particles;
+struct Rope;
 
 /// Constraints in a row: link i joins particle i and particle i + 1 of the chain.
 struct Chain {
@@ -77,10 +79,10 @@ void update_plan(Body& body);
 void complete_plan(Body& body);
 
 // Parts of update_plan. These throw std::bad_alloc.
-void plan_direct_chains(Body& body);
+void plan_direct_chains(Plan& plan, Rope& rope, const Constraints& constraints);
 /// Copies the parameters of links that are solved directly.
-void copy_direct_parameters(Body& body);
-void plan_chain_colours(Body& body);
+void copy_direct_parameters(Plan& plan, Rope& rope, const Constraints& constraints);
+void plan_chain_colours(Plan& plan, const Constraints& constraints, const Particles& particles);
 
 /// plan_edits.cpp: whether a constraint can be added to or removed from the plan of cloth without planning the body
 /// again. Call before anything changes, because it reserves memory: the result of an edit must not depend on whether

@@ -33,9 +33,10 @@ struct VectorArray {
 /// the candidates are matched greedily, the straightest pair first.
 class StraightLines {
 public:
-    StraightLines(const Body& body, std::pmr::memory_resource* memory)
-        : body_(body),
-          next_(2 * size_t{body.constraints.ids.slots()}, none, memory),
+    StraightLines(const Constraints& constraints, const Particles& particles, std::pmr::memory_resource* memory)
+        : constraints_(constraints),
+          particles_(particles),
+          next_(2 * size_t{constraints.ids.slots()}, none, memory),
           directions_(memory),
           around_(memory),
           outward_(memory),
@@ -46,7 +47,7 @@ public:
     }
 
     uint32_t next(uint32_t slot, uint32_t end_particle) const {
-        return next_[half_edge(slot, body_.constraints.by_slot[slot].b == end_particle)];
+        return next_[half_edge(slot, constraints_.by_slot[slot].b == end_particle)];
     }
 
 private:
@@ -80,27 +81,25 @@ private:
     }
 
     void find_directions() {
-        const Constraints& constraints = body_.constraints;
-        directions_.resize(constraints.ids.slots());
-        for (uint32_t slot = 0; slot < constraints.ids.slots(); ++slot) {
-            if (!constraints.ids.live(slot)) continue;
-            const DistanceConstraint& c = constraints.by_slot[slot];
-            directions_.set(slot, body_.particles.position[c.b] - body_.particles.position[c.a]);
+        directions_.resize(constraints_.ids.slots());
+        for (uint32_t slot = 0; slot < constraints_.ids.slots(); ++slot) {
+            if (!constraints_.ids.live(slot)) continue;
+            const DistanceConstraint& c = constraints_.by_slot[slot];
+            directions_.set(slot, particles_.position[c.b] - particles_.position[c.a]);
         }
         directions_.normalize();
     }
 
     void match(std::pmr::memory_resource* memory) {
-        const Constraints& constraints = body_.constraints;
-        Vector<uint32_t> begin(body_.particles.size() + 1, 0, memory);
-        for (uint32_t p = 0; p < body_.particles.size(); ++p) begin[p + 1] = begin[p] + constraints.links[p].degree;
+        Vector<uint32_t> begin(particles_.size() + 1, 0, memory);
+        for (uint32_t p = 0; p < particles_.size(); ++p) begin[p + 1] = begin[p] + constraints_.links[p].degree;
         Vector<uint32_t> half_edges(begin.back(), memory), filled(begin.begin(), begin.end() - 1, memory);
-        for (uint32_t slot = 0; slot < constraints.ids.slots(); ++slot) {
-            if (!constraints.ids.live(slot)) continue;
-            half_edges[filled[constraints.by_slot[slot].a]++] = half_edge(slot, false);
-            half_edges[filled[constraints.by_slot[slot].b]++] = half_edge(slot, true);
+        for (uint32_t slot = 0; slot < constraints_.ids.slots(); ++slot) {
+            if (!constraints_.ids.live(slot)) continue;
+            half_edges[filled[constraints_.by_slot[slot].a]++] = half_edge(slot, false);
+            half_edges[filled[constraints_.by_slot[slot].b]++] = half_edge(slot, true);
         }
-        for (uint32_t p = 0; p < body_.particles.size(); ++p) {
+        for (uint32_t p = 0; p < particles_.size(); ++p) {
             match(half_edges.data() + begin[p], begin[p + 1] - begin[p]);
         }
     }
@@ -113,7 +112,7 @@ private:
         candidates_.clear();
         for (uint32_t i = 0; i < count; ++i) {
             const uint32_t slot = half_edges[i] / 2;
-            const DistanceConstraint& constraint = body_.constraints.by_slot[slot];
+            const DistanceConstraint& constraint = constraints_.by_slot[slot];
             around_[i] = {half_edges[i], constraint.limit != 0, constraint.rest, constraint.compliance};
             const double sign = half_edges[i] % 2 == 0 ? 1 : -1;
             outward_.set(i, Vec3{directions_.x[slot], directions_.y[slot], directions_.z[slot]} * sign);
@@ -137,7 +136,8 @@ private:
         }
     }
 
-    const Body& body_;
+    const Constraints& constraints_;
+    const Particles& particles_;
     Vector<uint32_t> next_;
     VectorArray directions_;  // by slot, from the first end to the second
     // Of the particle that is matched:
@@ -149,28 +149,29 @@ private:
 
 /// Covers all constraints by lines, from the lowest slot on. A line ends where it meets itself, because a chain passes
 /// no particle twice; the rest of it becomes another line.
-void collect_lines(const Body& body, Plan& lines, std::pmr::memory_resource* memory) {
-    const StraightLines straight(body, memory);
-    lines.slots.reserve(body.constraints.ids.size());
-    lines.particles.reserve(2 * size_t{body.constraints.ids.size()});
-    Vector<uint8_t> used(body.constraints.ids.slots(), 0, memory);
-    Vector<uint32_t> last_line(body.particles.size(), none, memory);  // by particle: the line that was there last
-    for (uint32_t seed = 0; seed < body.constraints.ids.slots(); ++seed) {
-        while (body.constraints.ids.live(seed) && !used[seed]) {
+void collect_lines(const Constraints& constraints, const Particles& particles, Plan& lines,
+                   std::pmr::memory_resource* memory) {
+    const StraightLines straight(constraints, particles, memory);
+    lines.slots.reserve(constraints.ids.size());
+    lines.particles.reserve(2 * size_t{constraints.ids.size()});
+    Vector<uint8_t> used(constraints.ids.slots(), 0, memory);
+    Vector<uint32_t> last_line(particles.size(), none, memory);  // by particle: the line that was there last
+    for (uint32_t seed = 0; seed < constraints.ids.slots(); ++seed) {
+        while (constraints.ids.live(seed) && !used[seed]) {
             // Back to the beginning of the line, ...
-            uint32_t slot = seed, start = body.constraints.by_slot[seed].a;
+            uint32_t slot = seed, start = constraints.by_slot[seed].a;
             for (;;) {
                 const uint32_t before = straight.next(slot, start);
                 if (before == none || before == seed || used[before]) break;
                 slot = before;
-                start = other_end(body.constraints.by_slot[slot], start);
+                start = other_end(constraints.by_slot[slot], start);
             }
             // ... and along it.
             const uint32_t line = static_cast<uint32_t>(lines.chains.size());
             lines.begin_chain(start);
             last_line[start] = line;
             for (uint32_t particle = start; slot != none && !used[slot];) {
-                particle = other_end(body.constraints.by_slot[slot], particle);
+                particle = other_end(constraints.by_slot[slot], particle);
                 if (last_line[particle] == line) break;
                 last_line[particle] = line;
                 used[slot] = 1;
@@ -225,15 +226,14 @@ uint32_t colour_lines(const Particles& particles, const Plan& lines, const Vecto
 /// is solved last has no error left, so the softest lines come first, and of equally soft ones those whose constraints
 /// were added last. So the sides of a grid come after its diagonals, which cannot all keep their lengths on a surface
 /// with Gaussian curvature.
-void plan_chain_colours(Body& body) {
-    Plan& plan = body.plan;
+void plan_chain_colours(Plan& plan, const Constraints& constraints, const Particles& particles) {
     std::pmr::memory_resource* memory = plan.chains.get_allocator().resource();
     Plan lines(memory);
-    collect_lines(body, lines, memory);
+    collect_lines(constraints, particles, lines, memory);
 
     // All constraints of a line are of one kind.
     const auto kind_of = [&](uint32_t line) -> const DistanceConstraint& {
-        return body.constraints.by_slot[lines.slots[lines.chains[line].first_link]];
+        return constraints.by_slot[lines.slots[lines.chains[line].first_link]];
     };
     const uint32_t line_count = static_cast<uint32_t>(lines.chains.size());
     Vector<uint32_t> colouring_order(line_count, memory);
@@ -245,7 +245,7 @@ void plan_chain_colours(Body& body) {
     // Links that only pull have colours of their own, the last, because another kernel solves them.
     for (const uint32_t limit : {0u, 1u}) {
         const auto of_kind = [&](uint32_t line) { return kind_of(line).limit == limit; };
-        colour_count = colour_lines(body.particles, lines, colouring_order, of_kind, colour_count, colour);
+        colour_count = colour_lines(particles, lines, colouring_order, of_kind, colour_count, colour);
     }
 
     Vector<uint32_t> order(line_count, memory);
@@ -263,13 +263,13 @@ void plan_chain_colours(Body& body) {
         if (plan.colours.size() == colour[line]) plan.colours.push_back(static_cast<uint32_t>(plan.chains.size()));
         plan.chains.push_back(
             {static_cast<uint32_t>(plan.particles.size()), static_cast<uint32_t>(plan.slots.size()), chain.link_count});
-        const uint32_t* const particles = &lines.particles[chain.first_particle];
-        const uint32_t* const slots = &lines.slots[chain.first_link];
-        plan.particles.insert(plan.particles.end(), particles, particles + chain.link_count + 1);
-        plan.slots.insert(plan.slots.end(), slots, slots + chain.link_count);
+        const uint32_t* const line_particles = &lines.particles[chain.first_particle];
+        const uint32_t* const line_slots = &lines.slots[chain.first_link];
+        plan.particles.insert(plan.particles.end(), line_particles, line_particles + chain.link_count + 1);
+        plan.slots.insert(plan.slots.end(), line_slots, line_slots + chain.link_count);
     }
     plan.colours.push_back(line_count);
-    plan.copy_parameters(body.constraints);
+    plan.copy_parameters(constraints);
 }
 
 }  // namespace gphys

@@ -41,9 +41,9 @@ void release_lost(Body& body, const Scene* scene) {
 }
 
 /// Sets the beginning and the end of the motion of attached particles in this step.
-void aim_attachments(Body& body, const Scene* scene) {
-    for (Attachment& attachment : body.constraints.attachments) {
-        attachment.begin = attachment.end = body.particles.position[attachment.particle];
+void aim_attachments(Constraints& constraints, const Particles& particles, const Scene* scene) {
+    for (Attachment& attachment : constraints.attachments) {
+        attachment.begin = attachment.end = particles.position[attachment.particle];
         if (!scene) continue;
         Vec3 ignored;
         attachment.end = scene->world_transform(attachment.model).apply(attachment.local);
@@ -167,7 +167,7 @@ void Solver::prepare_body(uint32_t slot, const Scene* scene, double dt) {
     }
     active_.push_back({body.particles.size(), slot, substeps_of(body, state_.settings, dt),
                        static_cast<uint32_t>(plan.chains.size()), is_plain_rope(body), is_plain_rope(body),
-                       restarts(body)});
+                       restarts(body.history, body.contacts)});
 }
 
 void Solver::Undo::apply(Body& body) {
@@ -188,7 +188,7 @@ void Solver::begin_step(const Scene* scene) noexcept {
         Body& body = state_.bodies[active.slot];
         if (body.sleep.asleep) wake(body);
         body.plan.edits = 0;
-        aim_attachments(body, scene);
+        aim_attachments(body.constraints, body.particles, scene);
         begin_targets(body);
         each_kept_array(body, scene && body.settings.layers != 0,
                         [](auto& values, size_t size) { values.resize(size); });

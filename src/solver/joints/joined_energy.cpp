@@ -29,9 +29,8 @@ double energy_gain(const Body& body, Vec3 gravity) {
     return gain;
 }
 
-bool has_pin(const Body& body) {
-    return std::find(body.particles.inverse_mass.begin(), body.particles.inverse_mass.end(), 0.0) !=
-           body.particles.inverse_mass.end();
+bool has_pin(const Particles& particles) {
+    return std::find(particles.inverse_mass.begin(), particles.inverse_mass.end(), 0.0) != particles.inverse_mass.end();
 }
 
 Motion motion_of(const Body& body) {
@@ -68,7 +67,7 @@ void limit_joined_energy(const Joined& joined, Vec3 gravity) {
     each_body(joined, [&](const Body& body, uint32_t) {
         cloth = cloth || is_graph(body);
         closed = closed && is_closed(body);
-        pinned = pinned || has_pin(body);
+        pinned = pinned || has_pin(body.particles);
     });
     if (!cloth || !closed) return;
     each_body(joined, [&](const Body& body, uint32_t) { gain += energy_gain(body, gravity); });

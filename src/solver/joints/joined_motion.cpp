@@ -32,12 +32,12 @@ bool solve_systems(const Joined& joined) {
 }
 
 /// Sets the inverse mass matrix of a joined particle for the chains of the cloth: the response of its system.
-void set_inverse_mass(Cloth& cloth, const Tether& tether, JointSystem& system) {
+void set_inverse_mass(TetherInertia& inertia, const Tether& tether, JointSystem& system) {
     Vec3 columns[3];
     system.response(tether.node, columns);
     const double weight = system.node(tether.node).weight;
-    float* const diagonal = &cloth.tethers.diagonal[4 * size_t{tether.particle}];
-    float* const off = &cloth.tethers.off[4 * size_t{tether.particle}];
+    float* const diagonal = &inertia.diagonal[4 * size_t{tether.particle}];
+    float* const off = &inertia.off[4 * size_t{tether.particle}];
     for (int k = 0; k < 3; ++k) {
         diagonal[k] = static_cast<float>(columns[k][k] * weight);
         off[k] = static_cast<float>(columns[(k + 1) % 3][(k + 2) % 3] * weight);
@@ -53,7 +53,7 @@ void sweep_joined_cloth(const Joined& joined, Body& body, uint32_t slot, const C
     if (collides) find_active_planes(body, around, gravity, TimeScheme(h, body.history.earlier_step));
     const auto moves = [&](const Tether& tether) { return body.cloth.state.at[4 * size_t{tether.particle} + 3] > 0; };
     for (auto tether = begin; tether != end; ++tether) {
-        set_inverse_mass(body.cloth, *tether, joined.all_systems[tether->system]);
+        set_inverse_mass(body.cloth.tethers, *tether, joined.all_systems[tether->system]);
         // A joint does not pull off a particle that friction holds.
         if (moves(*tether)) std::fill_n(&pulls[4 * size_t{tether->particle}], 3, 0.0f);
     }
@@ -86,7 +86,7 @@ void collide_joined(const Joined& joined, const CollisionContext& around, double
         if (is_graph(body)) return;
         if (body.contacts.has_contact) {
             ease_contacts(body, around);
-            pin_contacts(body);
+            pin_contacts(body.particles, body.contacts);
         } else {
             body.history.start = body.particles.position;
         }
@@ -98,7 +98,7 @@ void collide_joined(const Joined& joined, const CollisionContext& around, double
         if (is_graph(body)) return;
         const TimeScheme scheme(h, body.history.earlier_step);
         const SolvedAgain again{scheme.step(body.settings.damping), scheme.next / h};
-        if (body.contacts.has_contact) unpin_contacts(body);
+        if (body.contacts.has_contact) unpin_contacts(body.particles, body.contacts);
         for (uint32_t p = 0; p < body.particles.size(); ++p)
             keep_in_range(body.particles.position[p], body.particles.velocity[p], body.history.start[p]);
         if (collides(body, around)) {
@@ -197,7 +197,7 @@ struct JoinedMotion {
     }
     void finish(const CollisionContext& around, double part) { finish_joined(joined, around, gravity, part); }
     void roll_back() {
-        each_body(joined, [](Body& body, uint32_t) { roll_back_chains(body); });
+        each_body(joined, [](Body& body, uint32_t) { roll_back_chains(body.particles, body.history, body.rope); });
     }
 };
 

@@ -37,9 +37,9 @@ constexpr int most_soft_iterations = 300;
 
 constexpr Vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
-Vec3 cloth_position(const Cloth& cloth, uint32_t particle) {
-    const float* at = &cloth.state.at[4 * size_t{particle}];
-    return cloth.state.origin + Vec3{at[0], at[1], at[2]};
+Vec3 cloth_position(const ClothState& state, uint32_t particle) {
+    const float* at = &state.at[4 * size_t{particle}];
+    return state.origin + Vec3{at[0], at[1], at[2]};
 }
 
 }  // namespace
@@ -134,7 +134,7 @@ void JointSystem::gather(const Vector<Body>& bodies, const Vector<Joint>& joints
         node.free = !body.particles.pinned(node.particle);
         node.weight = body.particles.mass[node.particle] / (step * step);
         if (node.of_graph) {
-            node.position = node.predicted = node.before = cloth_position(body.cloth, node.particle);
+            node.position = node.predicted = node.before = cloth_position(body.cloth.state, node.particle);
         } else {
             node.position = body.particles.position[node.particle];
             node.predicted = body.history.predicted[node.particle];

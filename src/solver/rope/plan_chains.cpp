@@ -10,15 +10,15 @@ namespace {
 /// along the chain, to another leaf or to a particle with further constraints. Trees are visited as a whole. What
 /// remains of other graphs are their cycles and the paths between them. O(particles).
 template <class Begin, class Visit>
-void peel_chains(const Body& body, Begin&& begin, Visit&& visit) {
-    Vector<Links> remaining(body.constraints.links, body.constraints.links.get_allocator());
-    for (uint32_t leaf = 0; leaf < body.particles.size(); ++leaf) {
+void peel_chains(const Constraints& constraints, Begin&& begin, Visit&& visit) {
+    Vector<Links> remaining(constraints.links, constraints.links.get_allocator());
+    for (uint32_t leaf = 0; leaf < remaining.size(); ++leaf) {
         if (remaining[leaf].degree != 1) continue;
         begin(leaf);
         for (uint32_t particle = leaf; remaining[particle].degree == 1;) {
             const uint32_t slot = remaining[particle].slots;
             remaining[particle] = {};
-            particle = other_end(body.constraints.by_slot[slot], particle);
+            particle = other_end(constraints.by_slot[slot], particle);
             --remaining[particle].degree;
             remaining[particle].slots ^= slot;
             visit(slot, particle);
@@ -46,31 +46,29 @@ gphys_solve_method method_of(const Body& body, uint32_t constraint_count) {
     }
     uint32_t visited = 0;
     peel_chains(
-        body, [](uint32_t) {}, [&](uint32_t, uint32_t) { ++visited; });
+        body.constraints, [](uint32_t) {}, [&](uint32_t, uint32_t) { ++visited; });
     return visited == constraint_count ? GPHYS_SOLVE_DIRECT : GPHYS_SOLVE_GRAPH;
 }
 
 gphys_solve_method method_of(const Body& body) { return method_of(body, body.constraints.ids.size()); }
 
-void copy_direct_parameters(Body& body) {
-    Plan& plan = body.plan;
-    plan.copy_parameters(body.constraints);
+void copy_direct_parameters(Plan& plan, Rope& rope, const Constraints& constraints) {
+    plan.copy_parameters(constraints);
     for (double& rest : plan.rest) rest = rest < rope_shortest ? 0 : rest;
-    body.rope.damped_rest = plan.rest;
-    body.rope.damped_compliance = plan.compliance;
-    body.rope.target = plan.rest;
+    rope.damped_rest = plan.rest;
+    rope.damped_compliance = plan.compliance;
+    rope.target = plan.rest;
 }
 
-void plan_direct_chains(Body& body) {
-    Plan& plan = body.plan;
+void plan_direct_chains(Plan& plan, Rope& rope, const Constraints& constraints) {
     plan.clear_chains();
     peel_chains(
-        body, [&](uint32_t leaf) { plan.begin_chain(leaf); },
+        constraints, [&](uint32_t leaf) { plan.begin_chain(leaf); },
         [&](uint32_t slot, uint32_t particle) { plan.add_link(slot, particle); });
-    copy_direct_parameters(body);
-    body.rope.rows.resize(longest_chain(plan) + 1);
-    body.rope.earlier_tension.assign(plan.rest.size(), 0.0);
-    body.rope.tension.assign(plan.rest.size(), 0.0);
+    copy_direct_parameters(plan, rope, constraints);
+    rope.rows.resize(longest_chain(plan) + 1);
+    rope.earlier_tension.assign(plan.rest.size(), 0.0);
+    rope.tension.assign(plan.rest.size(), 0.0);
 }
 
 }  // namespace gphys

@@ -8,6 +8,10 @@
 namespace gphys {
 
 struct Body;
+struct Contacts;
+struct History;
+struct Particles;
+struct Plan;
 struct CollisionContext;
 struct TimeScheme;
 struct Chain;
@@ -45,11 +49,11 @@ struct Rope {
 };
 
 /// Whether the time scheme restarts after an interruption that is no contact: the first substep is made in parts.
-bool restarts(const Body& body);
+bool restarts(const History& history, const Contacts& contacts);
 
 /// Sets the target lengths of a chain's links. If two pins are farther apart than the rigid links between them are
 /// long, these share the unavoidable stretch in proportion to their lengths.
-void set_targets(Body& body, const Chain& chain);
+void set_targets(Rope& rope, const Plan& plan, const Particles& particles, const Chain& chain);
 
 /// The same as solve_directly, together with contacts unless they are null.
 bool solve_with_contacts(Body& body, double step, RopeContacts* contacts);
@@ -62,7 +66,7 @@ constexpr double most_initial_strain = 0.05;
 /// Predicts: free particles move as without constraints, attached ones with their models.
 void begin_chains(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme);
 /// Restores the state before begin_chains, if nothing else has been done since.
-void roll_back_chains(Body& body);
+void roll_back_chains(Particles& particles, History& history, Rope& rope);
 /// Moves the solved positions to where targets and contacts (or null) allow them, and computes the velocities of the
 /// time scheme from them.
 void finish_chains(Body& body, const TimeScheme& scheme, const RopeContacts* contacts = nullptr);
@@ -74,8 +78,8 @@ void move_rope(Body& body, const CollisionContext& around, Vec3 gravity, double 
 void end_rope(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme);
 
 /// Between the two, the particles in contact count as pinned.
-void pin_contacts(Body& body);
-void unpin_contacts(Body& body);
+void pin_contacts(Particles& particles, const Contacts& contacts);
+void unpin_contacts(Particles& particles, const Contacts& contacts);
 
 /// Moves the positions so that the constraints hold. `step`: seconds, the effective time step of the scheme; a force f
 /// moves a particle by f / m * step^2. Returns whether Newton's method has converged.

@@ -44,9 +44,9 @@ void clear(RopeContactTerm<lanes>& term, uint32_t lane) {
     set3(term.force, lane, {});
 }
 
-/// The particles of the only chain of a body, in order.
-const uint32_t* particles_of(const Body& body) { return &body.plan.particles[body.plan.chains[0].first_particle]; }
-uint32_t links_of(const Body& body) { return body.plan.chains[0].link_count; }
+/// The particles of the only chain, in order, and the number of its links.
+const uint32_t* particles_of(const Plan& plan) { return &plan.particles[plan.chains[0].first_particle]; }
+uint32_t links_of(const Plan& plan) { return plan.chains[0].link_count; }
 
 }  // namespace
 
@@ -82,8 +82,8 @@ void RopeContactLanes<lanes>::add(const RopeStepper& rope) {
 template <int lanes>
 void RopeContactLanes<lanes>::gather_constants(uint32_t lane, Body& body) {
     const Chain& chain = body.plan.chains[0];
-    const uint32_t* const particles = particles_of(body);
-    set_targets(body, chain);
+    const uint32_t* const particles = particles_of(body.plan);
+    set_targets(body.rope, body.plan, body.particles, chain);
     double inverse_mass_before = 0;
     for (uint32_t i = 0; i < longest_; ++i) {
         const bool is_there = i <= chain.link_count;
@@ -120,13 +120,13 @@ template <int lanes>
 void RopeContactLanes<lanes>::gather_prediction(uint32_t lane) {
     const RopeStepper& rope = *lanes_[lane].rope;
     const Body& body = rope.body();
-    const uint32_t* const particles = particles_of(body);
+    const uint32_t* const particles = particles_of(body.plan);
     const History& history = body.history;
     const double h = rope.advance(), before = history.earlier_step;
     const double extrapolation = before > 0 ? h * h / (2 * before) : 0;
     const bool has_history = before > 0 || body.contacts.has_contact;
     double longest = 0, farthest = 0, mass = 0;
-    for (uint32_t i = 0; i <= links_of(body); ++i) {
+    for (uint32_t i = 0; i <= links_of(body.plan); ++i) {
         RopeNode<lanes>& node = nodes_[i];
         const uint32_t p = particles[i];
         Vec3 at = history.predicted[p];
@@ -139,7 +139,7 @@ void RopeContactLanes<lanes>::gather_prediction(uint32_t lane) {
         set3(node.position, lane, at);
         farthest = std::max(farthest, length_squared(at - history.predicted[p]));
         mass += node.mass[lane];
-        if (i == links_of(body)) continue;
+        if (i == links_of(body.plan)) continue;
         longest = std::max(longest, node.target[lane]);
         node.tension[lane] = body.rope.tension[body.plan.chains[0].first_link + i];
     }
@@ -159,12 +159,12 @@ void RopeContactLanes<lanes>::gather_contacts(uint32_t lane) {
     const RopeStepper& rope = *lanes_[lane].rope;
     RopeContacts& contacts = *rope.contacts();
     Body& body = rope.body();
-    const uint32_t* const particles = particles_of(body);
+    const uint32_t* const particles = particles_of(body.plan);
     const auto stiffness = [&](uint32_t link) {
         const RopeNode<lanes>& node = nodes_[link];
         return std::max(0.0, node.tension[lane]) * equations_.step_squared[lane] * node.inverse_target[lane];
     };
-    for (uint32_t i = 0; i <= links_of(body); ++i) {
+    for (uint32_t i = 0; i <= links_of(body.plan); ++i) {
         const uint32_t p = particles[i];
         if (body.particles.pinned(p) || !contacts.any(p)) continue;
         body.particles.position[p] = get3(nodes_[i].position, lane);
@@ -173,7 +173,7 @@ void RopeContactLanes<lanes>::gather_contacts(uint32_t lane) {
             continue;
         }
         const double mass =
-            body.particles.mass[p] + (i > 0 ? stiffness(i - 1) : 0) + (i < links_of(body) ? stiffness(i) : 0);
+            body.particles.mass[p] + (i > 0 ? stiffness(i - 1) : 0) + (i < links_of(body.plan) ? stiffness(i) : 0);
         const ContactTerm term = contacts.term(body, p, mass);
         const double matrix[] = {term.xx, term.xy, term.xz, term.yy, term.yz, term.zz};
         for (int k = 0; k < 6; ++k) terms_[i].stiffness[k][lane] = matrix[k];
@@ -237,8 +237,8 @@ bool RopeContactLanes<lanes>::update_contacts(uint32_t lane) {
     const RopeStepper& rope = *lanes_[lane].rope;
     RopeContacts& contacts = *rope.contacts();
     Body& body = rope.body();
-    const uint32_t* const particles = particles_of(body);
-    for (uint32_t i = 0; i <= links_of(body); ++i) {
+    const uint32_t* const particles = particles_of(body.plan);
+    for (uint32_t i = 0; i <= links_of(body.plan); ++i) {
         if (contacts.any(particles[i])) body.particles.position[particles[i]] = get3(nodes_[i].position, lane);
     }
     return contacts.update(body, lanes_[lane].iteration);
@@ -247,10 +247,10 @@ bool RopeContactLanes<lanes>::update_contacts(uint32_t lane) {
 template <int lanes>
 void RopeContactLanes<lanes>::scatter(uint32_t lane) const {
     Body& body = lanes_[lane].rope->body();
-    const uint32_t* const particles = particles_of(body);
-    for (uint32_t i = 0; i <= links_of(body); ++i) {
+    const uint32_t* const particles = particles_of(body.plan);
+    for (uint32_t i = 0; i <= links_of(body.plan); ++i) {
         body.particles.position[particles[i]] = get3(nodes_[i].position, lane);
-        if (i == links_of(body)) continue;
+        if (i == links_of(body.plan)) continue;
         const double tension = nodes_[i].tension[lane];
         body.rope.tension[body.plan.chains[0].first_link + i] = is_finite(tension) ? tension : 0;
     }
@@ -259,7 +259,7 @@ void RopeContactLanes<lanes>::scatter(uint32_t lane) const {
 /// Whether the lengths of all links match their tensions closely enough.
 template <int lanes>
 bool RopeContactLanes<lanes>::is_solved(uint32_t lane) const {
-    for (uint32_t i = 0; i < links_of(lanes_[lane].rope->body()); ++i) {
+    for (uint32_t i = 0; i < links_of(lanes_[lane].rope->body().plan); ++i) {
         const RopeNode<lanes>& node = nodes_[i];
         if (node.present[lane] == 0 || node.target[lane] == 0) continue;
         const double length = distance(get3(node.position, lane), get3(nodes_[i + 1].position, lane));

@@ -23,21 +23,33 @@ double friction_of(const Body& body, uint32_t p) {
     return settings.sticks() && body.contacts.stuck[p] ? settings.static_friction : settings.friction;
 }
 
-/// The displacement along the plane, since the start of the substep.
-Vec3 tangential_displacement(const RopeContact& contact, const Body& body, uint32_t p) {
-    const Vec3 displacement = body.particles.position[p] - body.history.start[p];
+/// The displacement along the plane.
+Vec3 tangential(const RopeContact& contact, Vec3 displacement) {
     return displacement - contact.normal * dot(displacement, contact.normal);
 }
 
-double clearance(const Body& body, uint32_t p, Vec3 at) {
-    return body.particles.radius[p] + skin(body.particles.radius[p], at);
-}
+double clearance(double radius, Vec3 at) { return radius + skin(radius, at); }
 
 /// Whether the plane for a place is still that of the contact. The surface at which particles touch a convex feature is
 /// curved at most like a ball of their radius.
 bool is_current_plane(const RopeContact& contact, Vec3 at, double radius) {
     constexpr double most_angle = 1e-4;  // radians
     return length_squared(at - contact.placed_at) < most_angle * most_angle * radius * radius;
+}
+
+/// A particle that is within the skin already may stay there.
+void allow_within_skin(RopeContact& contact, double radius, Vec3 start) {
+    const double missing = contact.outside - dot(contact.normal, start);
+    const double allowed = std::clamp(missing, 0.0, skin(radius, start));
+    contact.offset = contact.outside - allowed;
+    contact.depth = missing - allowed;
+}
+
+/// Places the plane of a target's maximum distance, for the position of its particle.
+void place_ball(RopeContact& contact, const AnimationTargets& targets, uint32_t p, Vec3 at) {
+    const TargetBound ball = ball_of(targets.all[p], targets.fraction, targets.time, at);
+    contact.normal = ball.normal;
+    contact.outside = ball.offset;
 }
 
 }  // namespace
@@ -71,7 +83,8 @@ bool RopeContacts::find_features(const Body& body, uint32_t first, uint32_t coun
     double farthest = 0;
     for (uint32_t i = 0; i < count; ++i) {
         const uint32_t p = first + i;
-        probes_[i] = {body.history.start[p], clearance(body, p, body.history.start[p]) + balls_[p].radius};
+        probes_[i] = {body.history.start[p],
+                      clearance(body.particles.radius[p], body.history.start[p]) + balls_[p].radius};
         places = {min(places.min, body.history.start[p]), max(places.max, body.history.start[p])};
         farthest = std::max(farthest, probes_[i].radius);
     }
@@ -87,15 +100,17 @@ bool RopeContacts::find_features(const Body& body, uint32_t first, uint32_t coun
         for (uint32_t i = 0; i < count; ++i) begin_particle(first + i);
         return true;
     }
-    for (uint32_t i = 0; i < count && complete; ++i) make_contacts(body, first + i, i);
+    for (uint32_t i = 0; i < count && complete; ++i) {
+        const uint32_t p = first + i;
+        make_contacts(p, body.history.start[p], body.particles.radius[p], i);
+    }
     return complete;
 }
 
 /// Sets the ball and the contacts of a particle from the features around it.
-void RopeContacts::make_contacts(const Body& body, uint32_t p, uint32_t point) {
+void RopeContacts::make_contacts(uint32_t p, Vec3 at, double particle_radius, uint32_t point) {
     begin_particle(p);
-    const Vec3 at = body.history.start[p];
-    const double off = clearance(body, p, at);
+    const double off = clearance(particle_radius, at);
     double& radius = balls_[p].radius;
     for (int halvings = 0; features_->select_point(point) > many_features && halvings < 3; ++halvings) {
         radius /= 2;
@@ -111,8 +126,8 @@ void RopeContacts::make_contacts(const Body& body, uint32_t p, uint32_t point) {
         contacts_.push_back(contact);
         // Coplanar triangles share a plane.
         if (feature.is_triangle) {
-            features_->cull_behind(
-                feature.normal, contact.outside - body.particles.radius[p] - skin(body.particles.radius[p], at) / 2, 0);
+            features_->cull_behind(feature.normal, contact.outside - particle_radius - skin(particle_radius, at) / 2,
+                                   0);
         }
     }
     if (count < most_planes) return;
@@ -131,7 +146,8 @@ void RopeContacts::search(const Body& body, const CollisionContext& around, Vec3
     }
     for (uint32_t first = 0, count; first < body.particles.size(); first += count) {
         Aabb places{body.history.start[first], body.history.start[first]};
-        const double size = 8 * (clearance(body, first, body.history.start[first]) + balls_[first].radius);
+        const double size =
+            8 * (clearance(body.particles.radius[first], body.history.start[first]) + balls_[first].radius);
         for (count = 1; count < ClosestFeatures::most_points && first + count < body.particles.size(); ++count) {
             const Vec3 at = body.history.start[first + count];
             places = {min(places.min, at), max(places.max, at)};
@@ -159,37 +175,22 @@ void RopeContacts::search(const Body& body, const CollisionContext& around, Vec3
     searched_ = true;
 }
 
-void RopeContacts::place_plane(RopeContact& contact, const Body& body, uint32_t p, Vec3 at) const {
+void RopeContacts::place_plane(RopeContact& contact, double radius, Vec3 at) const {
     Vec3 closest, normal;
     double distance;
     contact.placed_at = at;
     if (!scene_->closest_point_model(contact.model, at, closest, normal, distance)) return;
     contact.normal = normal;
-    contact.outside = dot(normal, closest) + clearance(body, p, at);
-}
-
-void RopeContacts::allow_within_skin(RopeContact& contact, const Body& body, uint32_t p) const {
-    const double missing = contact.outside - dot(contact.normal, body.history.start[p]);
-    const double allowed = std::clamp(missing, 0.0, skin(body.particles.radius[p], body.history.start[p]));
-    contact.offset = contact.outside - allowed;
-    contact.depth = missing - allowed;
-}
-
-void RopeContacts::place_ball(RopeContact& contact, const Body& body, uint32_t p, Vec3 at) const {
-    const AnimationTargets& targets = body.targets;
-    const TargetBound ball = ball_of(targets.all[p], targets.fraction, targets.time, at);
-    contact.normal = ball.normal;
-    contact.outside = ball.offset;
+    contact.outside = dot(normal, closest) + clearance(radius, at);
 }
 
 /// Places the bounds of all targets, for the predicted positions.
-void RopeContacts::place_bounds(const Body& body) {
-    const AnimationTargets& targets = body.targets;
-    for (uint32_t p = 0; p < body.particles.size(); ++p) {
+void RopeContacts::place_bounds(const AnimationTargets& targets, const Vector<Vec3>& positions) {
+    for (uint32_t p = 0; p < positions.size(); ++p) {
         RopeContact &ball = contacts_[first_[p]], &backstop = contacts_[first_[p] + 1];
-        const Vec3 at = body.particles.position[p];
+        const Vec3 at = positions[p];
         const TargetBound behind = backstop_of(targets.all[p], targets.fraction, targets.time, at);
-        place_ball(ball, body, p, at);
+        place_ball(ball, targets, p, at);
         ball.offset = ball.outside;
         backstop.normal = behind.normal;
         backstop.outside = backstop.offset = behind.offset;
@@ -200,10 +201,10 @@ void RopeContacts::place_bounds(const Body& body) {
 }
 
 /// Places the plane for the beginning of the substep.
-void RopeContacts::begin_contact(RopeContact& contact, const Body& body, uint32_t p) const {
-    if (!contact.is_fixed) place_plane(contact, body, p, body.history.start[p]);
-    allow_within_skin(contact, body, p);
-    contact.approach = -dot(contact.normal, body.particles.velocity[p]);
+void RopeContacts::begin_contact(RopeContact& contact, const Particles& particles, uint32_t p, Vec3 start) const {
+    if (!contact.is_fixed) place_plane(contact, particles.radius[p], start);
+    allow_within_skin(contact, particles.radius[p], start);
+    contact.approach = -dot(contact.normal, particles.velocity[p]);
     contact.is_updated = true;
 }
 
@@ -211,13 +212,13 @@ bool RopeContacts::begin(Body& body, const CollisionContext& around, Vec3 gravit
     const auto stays = [&] {
         if (!near_models_) return true;
         for (uint32_t p = 0; p < body.particles.size(); ++p) {
-            if (!body.particles.pinned(p) && !in_ball(body, p)) return false;
+            if (!body.particles.pinned(p) && !in_ball(p, body.particles.position[p])) return false;
         }
         return true;
     };
     if (!searched_ || !stays()) search(body, around, gravity, h);
     active_ = !contacts_.empty();
-    if (has_targets_) place_bounds(body);
+    if (has_targets_) place_bounds(body.targets, body.particles.position);
     const double most_push = leaving_speed * around.step_time * (around.end - around.begin);
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (body.particles.pinned(p)) continue;
@@ -230,7 +231,7 @@ bool RopeContacts::begin(Body& body, const CollisionContext& around, Vec3 gravit
             contact.force = {};
             contact.offset = contact.outside;
             contact.depth = 0;
-            if (contact.is_updated) begin_contact(contact, body, p);
+            if (contact.is_updated) begin_contact(contact, body.particles, p, body.history.start[p]);
             sunk = sunk || contact.depth > most_push;
         });
         if (!sunk) continue;
@@ -250,7 +251,7 @@ ContactTerm RopeContacts::term(const Body& body, uint32_t p, double mass) {
         term.force += n * (k * (contact.offset - dot(n, body.particles.position[p])));
         const double friction_limit = contact.model != 0 ? friction_of(body, p) * contact.normal_force : 0;
         if (friction_limit == 0) return term.add_stiffness(n, k, 0);
-        const Vec3 slip = tangential_displacement(contact, body, p);
+        const Vec3 slip = tangential(contact, body.particles.position[p] - body.history.start[p]);
         const double length = gphys::length(slip);
         // Perpendicular to the direction of slip, because the friction force turns with it.
         const double lateral_stiffness = length * k > friction_limit ? friction_limit / length : k;
@@ -274,7 +275,7 @@ bool RopeContacts::update(RopeContact& contact, const Body& body, uint32_t p, in
     double gap = dot(contact.normal, at) - contact.offset;
     if (contact.state == RopeContact::open && gap >= 0) return true;
     if (gap < 0 && !contact.is_updated && contact.model != 0) {
-        begin_contact(contact, body, p);
+        begin_contact(contact, body.particles, p, body.history.start[p]);
         gap = dot(contact.normal, at) - contact.offset;
     }
     const double friction = contact.model != 0 ? friction_of(body, p) : 0;
@@ -287,7 +288,7 @@ bool RopeContacts::update(RopeContact& contact, const Body& body, uint32_t p, in
         converged = false;
     } else {
         const double normal_force = -contact.stiffness * gap, before = contact.normal_force;
-        const Vec3 slip = tangential_displacement(contact, body, p);
+        const Vec3 slip = tangential(contact, body.particles.position[p] - body.history.start[p]);
         const double length = gphys::length(slip), friction_limit = friction * before;
         contact.normal_force = std::max(0.0, normal_force);
         contact.force +=
@@ -298,8 +299,9 @@ bool RopeContacts::update(RopeContact& contact, const Body& body, uint32_t p, in
         } else if (before == 0) {
             // The initial guess is slip for a fast particle: to stop it would take a larger normal force than there is.
             const Vec3 velocity = body.history.start_velocity[p];
-            const Vec3 tangential = velocity - contact.normal * dot(velocity, contact.normal);
-            const bool slow = length_squared(tangential) <= 4 * length_squared(body.particles.velocity[p] - velocity);
+            const Vec3 tangential_velocity = velocity - contact.normal * dot(velocity, contact.normal);
+            const bool slow =
+                length_squared(tangential_velocity) <= 4 * length_squared(body.particles.velocity[p] - velocity);
             contact.state = slow || length == 0 ? RopeContact::stick : RopeContact::slip;
             if (!slow && length > 0) contact.slip_direction = slip / length;
         } else if (friction_limit > 0 && contact.iterations < most_switches) {
@@ -318,9 +320,9 @@ bool RopeContacts::update(RopeContact& contact, const Body& body, uint32_t p, in
     if (contact.model != 0 && is_current_plane(contact, at, body.particles.radius[p])) return converged;
     RopeContact turned = contact;
     if (contact.model == 0) {
-        place_ball(turned, body, p, at);
+        place_ball(turned, body.targets, p, at);
     } else {
-        place_plane(turned, body, p, at);
+        place_plane(turned, body.particles.radius[p], at);
     }
     turned.offset = turned.outside - (contact.outside - contact.offset);
     const double moved = dot(turned.normal, at) - turned.offset - gap;
@@ -342,19 +344,19 @@ bool RopeContacts::update(const Body& body, int iteration) {
     return converged;
 }
 
-void RopeContacts::push_out(Body& body) const {
+void RopeContacts::push_out(Particles& particles) const {
     constexpr int most_passes = 8;
-    for (uint32_t p = 0; p < body.particles.size() && active_; ++p) {
-        if (body.particles.pinned(p)) continue;
-        const double tolerance = skin(body.particles.radius[p], body.particles.position[p]) / 8;
+    for (uint32_t p = 0; p < particles.size() && active_; ++p) {
+        if (particles.pinned(p)) continue;
+        const double tolerance = skin(particles.radius[p], particles.position[p]) / 8;
         bool out = false;
         for (int pass = 0; pass < most_passes && !out; ++pass) {
             out = true;
             for (uint32_t i = first_[p]; i < first_[p + 1]; ++i) {
                 const RopeContact& contact = contacts_[i];
-                const double depth = contact.offset - dot(contact.normal, body.particles.position[p]);
+                const double depth = contact.offset - dot(contact.normal, particles.position[p]);
                 if (depth <= tolerance) continue;
-                body.particles.position[p] += contact.normal * depth;
+                particles.position[p] += contact.normal * depth;
                 out = false;
             }
         }
@@ -362,7 +364,9 @@ void RopeContacts::push_out(Body& body) const {
 }
 
 void RopeContacts::sweep_escaped(Body& body, const CollisionContext& around, double quiet) {
-    const auto escaped = [&](uint32_t p) { return !body.particles.pinned(p) && !in_ball(body, p); };
+    const auto escaped = [&](uint32_t p) {
+        return !body.particles.pinned(p) && !in_ball(p, body.particles.position[p]);
+    };
     bool any = false;
     for (uint32_t p = 0; p < body.particles.size(); ++p) any = any || escaped(p);
     if (!any) return;
@@ -431,9 +435,9 @@ void RopeContacts::finish(Body& body, const CollisionContext& around, double qui
             const double added = wanted - dot(velocity, contact.normal);
             if (added > 0) {
                 velocity += contact.normal * added;
-                const Vec3 tangential = velocity - contact.normal * dot(velocity, contact.normal);
-                const double speed = length(tangential), most_taken = friction_of(body, p) * added;
-                velocity -= speed > most_taken ? tangential * (most_taken / speed) : tangential;
+                const Vec3 tangential_velocity = velocity - contact.normal * dot(velocity, contact.normal);
+                const double speed = length(tangential_velocity), most_taken = friction_of(body, p) * added;
+                velocity -= speed > most_taken ? tangential_velocity * (most_taken / speed) : tangential_velocity;
             }
             const Vec3 point = body.particles.position[p] - contact.normal * body.particles.radius[p];
             add_impulse(body, around, contact.model, point,

@@ -90,7 +90,7 @@ public:
     /// Call after an iteration. Returns whether all contacts have converged.
     bool update(const Body& body, int iteration);
     /// Call after the last iteration: moves particles out of contacts that they are still in (position projection).
-    void push_out(Body& body) const;
+    void push_out(Particles& particles) const;
     /// Call after the velocities have been computed: restitution, contact points, and impulses on models.
     void finish(Body& body, const CollisionContext& around, double quiet, const TimeScheme& scheme);
 
@@ -112,18 +112,17 @@ private:
         const uint32_t first = first_[particle] + (has_targets_ ? bounds_per_particle : 0);
         for (uint32_t i = first; i < first_[particle + 1]; ++i) visit(contacts_[i]);
     }
-    bool in_ball(const Body& body, uint32_t p) const {
-        return length_squared(body.particles.position[p] - balls_[p].center) < balls_[p].radius * balls_[p].radius;
+    bool in_ball(uint32_t particle, Vec3 at) const {
+        const Ball& ball = balls_[particle];
+        return length_squared(at - ball.center) < ball.radius * ball.radius;
     }
     void search(const Body& body, const CollisionContext& around, Vec3 gravity, double h);
     bool find_features(const Body& body, uint32_t first, uint32_t count);
-    void make_contacts(const Body& body, uint32_t particle, uint32_t point);
+    void make_contacts(uint32_t particle, Vec3 at, double particle_radius, uint32_t point);
     void begin_particle(uint32_t particle);
-    void begin_contact(RopeContact& contact, const Body& body, uint32_t particle) const;
-    void place_plane(RopeContact& contact, const Body& body, uint32_t particle, Vec3 at) const;
-    void allow_within_skin(RopeContact& contact, const Body& body, uint32_t particle) const;
-    void place_ball(RopeContact& contact, const Body& body, uint32_t particle, Vec3 at) const;
-    void place_bounds(const Body& body);
+    void begin_contact(RopeContact& contact, const Particles& particles, uint32_t particle, Vec3 start) const;
+    void place_plane(RopeContact& contact, double radius, Vec3 at) const;
+    void place_bounds(const AnimationTargets& targets, const Vector<Vec3>& positions);
     bool update(RopeContact& contact, const Body& body, uint32_t particle, int iteration) const;
     void sweep_escaped(Body& body, const CollisionContext& around, double quiet);
 

@@ -243,7 +243,7 @@ bool is_solved(const ChainView& view) {
 bool solve_chain(Body& body, const Chain& chain, double step, RopeContacts* contacts) {
     const ChainView view{body, chain, 1 / (step * step)};
     DirectRow* rows = body.rope.rows.data();
-    set_targets(body, chain);
+    set_targets(body.rope, body.plan, body.particles, chain);
     const int iterations = body.plan.limited ? most_limited_iterations
                            : contacts        ? most_contact_iterations
                                              : most_iterations;
@@ -265,11 +265,10 @@ bool solve_chain(Body& body, const Chain& chain, double step, RopeContacts* cont
 
 }  // namespace
 
-void set_targets(Body& body, const Chain& chain) {
-    Plan& plan = body.plan;
-    const double* const rest = body.rope.damped_rest.data() + chain.first_link;
-    double* const target = body.rope.target.data() + chain.first_link;
-    const auto at = [&](uint32_t i) { return body.particles.position[plan.particles[chain.first_particle + i]]; };
+void set_targets(Rope& rope, const Plan& plan, const Particles& particles, const Chain& chain) {
+    const double* const rest = rope.damped_rest.data() + chain.first_link;
+    double* const target = rope.target.data() + chain.first_link;
+    const auto at = [&](uint32_t i) { return particles.position[plan.particles[chain.first_particle + i]]; };
     uint32_t pin = chain.link_count + 1;  // the last pin; none yet
     double total = 0;                     // metres: the rest lengths since then
     bool rigid = true;                    // whether all these links are rigid
@@ -279,7 +278,7 @@ void set_targets(Body& body, const Chain& chain) {
             total += rest[i - 1];
             rigid = rigid && plan.compliance[chain.first_link + i - 1] == 0;
         }
-        if (!body.particles.pinned(plan.particles[chain.first_particle + i])) continue;
+        if (!particles.pinned(plan.particles[chain.first_particle + i])) continue;
         if (pin < i && rigid) {
             const double span = distance(at(pin), at(i));
             for (uint32_t j = pin; j < i && span > total; ++j) {

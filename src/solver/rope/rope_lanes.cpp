@@ -103,7 +103,7 @@ private:
             Plan& plan = bodies_[lane]->plan;
             const Chain& chain = plan.chains[i];
             if (is_between_pins(bodies_[lane]->particles)) {
-                set_targets(*bodies_[lane], chain);
+                set_targets(bodies_[lane]->rope, plan, bodies_[lane]->particles, chain);
             } else {
                 ropes[lane].target = plan.rest.data() + chain.first_link;
             }
@@ -134,7 +134,7 @@ private:
         };
         const double h = step_.dt / step_.substeps;
         for (uint32_t i = 0; i < step_.substeps; ++i) {
-            if (i == 0 && restarts(*bodies_[0])) {
+            if (i == 0 && restarts(bodies_[0]->history, bodies_[0]->contacts)) {
                 for (const double part : starting_parts) move_part(h * part, false);
             } else if (in_stages) {
                 move_part(h * stages[0], true);

@@ -25,13 +25,13 @@ namespace gphys {
 namespace {
 
 /// By particle: the sum of the forces of its links, newtons.
-void sum_tensions(const Body& body, Vector<Vec3>& forces) {
-    forces.assign(body.particles.size(), Vec3{});
-    for (const Chain& chain : body.plan.chains) {
+void sum_tensions(const Rope& rope, const Plan& plan, const Particles& particles, Vector<Vec3>& forces) {
+    forces.assign(particles.size(), Vec3{});
+    for (const Chain& chain : plan.chains) {
         for (uint32_t i = 0; i < chain.link_count; ++i) {
-            const uint32_t a = body.plan.particles[chain.first_particle + i];
-            const uint32_t b = body.plan.particles[chain.first_particle + i + 1];
-            const Vec3 pull = link_direction(body.particles, a, b) * body.rope.tension[chain.first_link + i];
+            const uint32_t a = plan.particles[chain.first_particle + i];
+            const uint32_t b = plan.particles[chain.first_particle + i + 1];
+            const Vec3 pull = link_direction(particles, a, b) * rope.tension[chain.first_link + i];
             forces[a] += pull;
             forces[b] += -pull;
         }
@@ -45,7 +45,7 @@ void predict_chains(Body& body, const TimeScheme& scheme, Vec3 gravity) {
     body.history.start_velocity = body.particles.velocity;
     const double damping = body.settings.damping, drag = scheme.drag(damping);
     Vector<Vec3>& link_forces = body.history.predicted;  // which is not in use yet
-    if (scheme.explicit_h > 0) sum_tensions(body, link_forces);
+    if (scheme.explicit_h > 0) sum_tensions(body.rope, body.plan, body.particles, link_forces);
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (body.particles.pinned(p)) continue;
         const Vec3 velocity = body.particles.velocity[p],
@@ -73,20 +73,18 @@ double length_rate(const History& history, uint32_t a, uint32_t b) {
 }
 
 /// Sets the parameters of damped links for the substep.
-void damp_chains(Body& body, const TimeScheme& scheme) {
-    Plan& plan = body.plan;
+void damp_chains(Rope& rope, const Plan& plan, const History& history, const TimeScheme& scheme) {
     for (const Chain& chain : plan.chains) {
         for (uint32_t i = 0; i < chain.link_count; ++i) {
             const uint32_t link = chain.first_link + i;
             if (plan.damping[link] == 0 || plan.compliance[link] == 0) continue;
             const uint32_t a = plan.particles[chain.first_particle + i],
                            b = plan.particles[chain.first_particle + i + 1];
-            const DampedLink now =
-                damped(plan.rest[link], plan.compliance[link], plan.damping[link], scheme,
-                       distance(body.history.start[a], body.history.start[b]),
-                       distance(body.history.earlier[a], body.history.earlier[b]), length_rate(body.history, a, b));
-            body.rope.damped_rest[link] = now.rest;
-            body.rope.damped_compliance[link] = now.compliance;
+            const DampedLink now = damped(plan.rest[link], plan.compliance[link], plan.damping[link], scheme,
+                                          distance(history.start[a], history.start[b]),
+                                          distance(history.earlier[a], history.earlier[b]), length_rate(history, a, b));
+            rope.damped_rest[link] = now.rest;
+            rope.damped_compliance[link] = now.compliance;
         }
     }
 }
@@ -99,20 +97,20 @@ void begin_chains(Body& body, const CollisionContext& around, Vec3 gravity, cons
     aim_targets(body, around);
     predict_chains(body, scheme, gravity);
     follow_models(body, around.end, scheme.advance, 0, body.particles.size());
-    if (body.plan.damped) damp_chains(body, scheme);
+    if (body.plan.damped) damp_chains(body.rope, body.plan, body.history, scheme);
 }
 
-void roll_back_chains(Body& body) {
-    body.particles.position = body.history.start;
-    body.particles.velocity = body.history.start_velocity;
-    std::swap(body.history.earlier, body.history.start);
-    std::swap(body.history.earlier_velocity, body.history.start_velocity);
-    body.rope.tension = body.rope.earlier_tension;
+void roll_back_chains(Particles& particles, History& history, Rope& rope) {
+    particles.position = history.start;
+    particles.velocity = history.start_velocity;
+    std::swap(history.earlier, history.start);
+    std::swap(history.earlier_velocity, history.start_velocity);
+    rope.tension = rope.earlier_tension;
 }
 
 void finish_chains(Body& body, const TimeScheme& scheme, const RopeContacts* contacts) {
     keep_to_targets(body);
-    if (contacts) contacts->push_out(body);
+    if (contacts) contacts->push_out(body.particles);
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (body.particles.pinned(p)) continue;
         Vec3 &position = body.particles.position[p], &velocity = body.particles.velocity[p];
@@ -129,15 +127,15 @@ void finish_chains(Body& body, const TimeScheme& scheme, const RopeContacts* con
     stop_at_targets(body);
 }
 
-void pin_contacts(Body& body) {
-    for (uint32_t p = 0; p < body.particles.size(); ++p) {
-        if (body.contacts.held[p]) body.particles.inverse_mass[p] = 0;
+void pin_contacts(Particles& particles, const Contacts& contacts) {
+    for (uint32_t p = 0; p < particles.size(); ++p) {
+        if (contacts.held[p]) particles.inverse_mass[p] = 0;
     }
 }
 
-void unpin_contacts(Body& body) {
-    for (uint32_t p = 0; p < body.particles.size(); ++p) {
-        if (body.contacts.held[p]) body.particles.inverse_mass[p] = 1 / body.particles.mass[p];
+void unpin_contacts(Particles& particles, const Contacts& contacts) {
+    for (uint32_t p = 0; p < particles.size(); ++p) {
+        if (contacts.held[p]) particles.inverse_mass[p] = 1 / particles.mass[p];
     }
 }
 
@@ -175,9 +173,9 @@ void collide_with_models(Body& body, RopeContacts* limits, const CollisionContex
     collide(body, around, quiet);
     if (body.contacts.has_contact) {
         ease_contacts(body, around);
-        pin_contacts(body);
+        pin_contacts(body.particles, body.contacts);
         solve_with_contacts(body, step, limits);
-        unpin_contacts(body);
+        unpin_contacts(body.particles, body.contacts);
         // Particles pushed out by a shape at the border, and others linked to them, may have left the range.
         for (uint32_t p = 0; p < body.particles.size(); ++p)
             keep_in_range(body.particles.position[p], body.particles.velocity[p], body.history.start[p]);
@@ -216,17 +214,15 @@ void end_with_contacts(Body& body, RopeContacts& contacts, const CollisionContex
     set_earlier_step(body, captured, scheme);
 }
 
-bool began_feasible(const Body& body) {
-    const Plan& plan = body.plan;
+bool began_feasible(const Plan& plan, const History& history, const Rope& rope) {
     for (const Chain& chain : plan.chains) {
         const uint32_t* const particle = &plan.particles[chain.first_particle];
         for (uint32_t i = 0; i < chain.link_count; ++i) {
             const uint32_t link = chain.first_link + i;
             if (plan.compliance[link] > 0) continue;
             const double excess =
-                distance(body.history.start[particle[i]], body.history.start[particle[i + 1]]) - body.rope.target[link];
-            if ((plan.limit[link] ? excess : std::fabs(excess)) > most_initial_strain * body.rope.target[link])
-                return false;
+                distance(history.start[particle[i]], history.start[particle[i + 1]]) - rope.target[link];
+            if ((plan.limit[link] ? excess : std::fabs(excess)) > most_initial_strain * rope.target[link]) return false;
         }
     }
     return true;
@@ -240,7 +236,7 @@ void restore_lengths(Body& body, RopeContacts& contacts, double step) {
     constexpr int most_solutions = 8;
     for (int i = 0; i < most_solutions && !solve_with_contacts(body, step, &contacts); ++i) {
     }
-    contacts.push_out(body);
+    contacts.push_out(body.particles);
     std::fill(body.rope.tension.begin(), body.rope.tension.end(), 0.0);
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (body.particles.pinned(p)) continue;
@@ -254,14 +250,16 @@ void restore_lengths(Body& body, RopeContacts& contacts, double step) {
 
 }  // namespace
 
-bool restarts(const Body& body) { return body.history.earlier_step == 0 && !body.contacts.has_contact; }
+bool restarts(const History& history, const Contacts& contacts) {
+    return history.earlier_step == 0 && !contacts.has_contact;
+}
 
 void RopeMotion::begin(const CollisionContext& around, double h) {
     scheme = by_trapezoid ? TimeScheme::trapezoid(h) : TimeScheme(h, body.history.earlier_step);
     begin_chains(body, around, gravity, scheme);
     const auto begin_contacts = [&] { return contacts && contacts->begin(body, around, gravity, scheme.advance); };
     with_contacts = begin_contacts();
-    if (!with_contacts || gphys::began_feasible(body)) return;
+    if (!with_contacts || gphys::began_feasible(body.plan, body.history, body.rope)) return;
     restore_lengths(body, *contacts, scheme.step(body.settings.damping));
     with_contacts = begin_contacts();
 }
@@ -270,7 +268,7 @@ bool RopeMotion::solve() {
     return solve_with_contacts(body, scheme.step(body.settings.damping), with_contacts ? contacts : nullptr);
 }
 
-bool RopeMotion::began_feasible() const { return gphys::began_feasible(body); }
+bool RopeMotion::began_feasible() const { return gphys::began_feasible(body.plan, body.history, body.rope); }
 
 void RopeMotion::finish(const CollisionContext& around, double) {
     if (with_contacts) {
@@ -281,7 +279,7 @@ void RopeMotion::finish(const CollisionContext& around, double) {
 }
 
 void RopeMotion::roll_back() {
-    roll_back_chains(body);
+    roll_back_chains(body.particles, body.history, body.rope);
     by_trapezoid = false;
 }
 
@@ -292,7 +290,7 @@ void RopeStepper::begin_substep() {
     // After an interruption, choose_stages decides again before the next step.
     if (body.history.earlier_step == 0) body.history.in_stages = false;
     static constexpr double whole[] = {1};
-    if (restarts(body)) {
+    if (restarts(body.history, body.contacts)) {
         parts_ = starting_parts, part_count_ = std::size(starting_parts);
     } else if (body.history.in_stages) {
         parts_ = stages, part_count_ = std::size(stages);
