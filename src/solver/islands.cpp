@@ -63,7 +63,7 @@ void Solver::unite_bodies(const Scene* scene, double dt) {
     for (uint32_t slot = 0; slot < slots; ++slot) set_of_[slot] = sets.root(slot);
     awake_.assign(slots, 0);
     for (uint32_t slot = 0; slot < slots; ++slot) {
-        if (state_.ids.live(slot) && !sleeps_on(state_.bodies[slot], scene)) awake_[set_of_[slot]] = 1;
+        if (state_.ids.live(slot) && !stays_asleep(state_.bodies[slot], scene)) awake_[set_of_[slot]] = 1;
     }
 }
 

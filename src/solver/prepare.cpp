@@ -19,22 +19,22 @@ namespace gphys {
 
 namespace {
 
-bool is_lost(const Attachment& attachment, const Scene* scene) { return scene && !scene->has(attachment.model); }
+bool is_dangling(const Attachment& attachment, const Scene* scene) { return scene && !scene->has(attachment.model); }
 
-bool has_lost(const Constraints& constraints, const Scene* scene) {
+bool has_dangling(const Constraints& constraints, const Scene* scene) {
     return std::any_of(constraints.attachments.begin(), constraints.attachments.end(),
-                       [&](const Attachment& attachment) { return is_lost(attachment, scene); });
+                       [&](const Attachment& attachment) { return is_dangling(attachment, scene); });
 }
 
 /// Releases attached particles whose model no longer exists.
-void release_lost(Body& body, const Scene* scene) {
-    const auto lost = [&](const Attachment& attachment) {
-        if (!is_lost(attachment, scene)) return false;
+void release_dangling(Body& body, const Scene* scene) {
+    const auto dangling = [&](const Attachment& attachment) {
+        if (!is_dangling(attachment, scene)) return false;
         body.particles.inverse_mass[attachment.particle] = 1 / body.particles.mass[attachment.particle];
         return true;
     };
     body.constraints.attachments.erase(
-        std::remove_if(body.constraints.attachments.begin(), body.constraints.attachments.end(), lost),
+        std::remove_if(body.constraints.attachments.begin(), body.constraints.attachments.end(), dangling),
         body.constraints.attachments.end());
     body.plan.reach_current = false;
     body.history.earlier_step = 0;
@@ -113,11 +113,11 @@ void Solver::prepare(const Scene* scene, double dt) {
         make_tasks();
         if (scene) reserve_flight_planes();
         state_.near_models.reserve(next_near_models_.capacity());  // the two are swapped
-        size_t given = 0;
+        size_t impulse_count = 0;
         for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot)
-            given += state_.bodies[slot].contacts.impulses.capacity();
-        body_impulses_.reserve(given);
-        impulses_.reserve(given);
+            impulse_count += state_.bodies[slot].contacts.impulses.capacity();
+        body_impulses_.reserve(impulse_count);
+        impulses_.reserve(impulse_count);
     } catch (...) {
         for (Undo& undo : undo_) undo.apply(state_.bodies[undo.slot]);
         throw;
@@ -127,16 +127,16 @@ void Solver::prepare(const Scene* scene, double dt) {
 void Solver::prepare_body(uint32_t slot, const Scene* scene, double dt) {
     Body& body = state_.bodies[slot];
     Plan& plan = body.plan;
-    const bool lost = has_lost(body.constraints, scene), changed = !plan.chains_current;
-    if (lost || changed || !plan.reach_current) {
+    const bool dangling = has_dangling(body.constraints, scene), changed = !plan.chains_current;
+    if (dangling || changed || !plan.reach_current) {
         // Complete before it is added to the list, because copying its parts may throw.
         Undo undo(slot, body, &memory);
-        if (lost) undo.attachments = body.constraints.attachments;
+        if (dangling) undo.attachments = body.constraints.attachments;
         undo_.push_back(std::move(undo));
     }
-    if (lost) {
+    if (dangling) {
         undo_.back().reach_limits.swap(body.cloth.reach.limits);
-        release_lost(body, scene);
+        release_dangling(body, scene);
     }
     if (changed) joints_current_ = false;
     update_plan(body);
@@ -280,11 +280,11 @@ void Solver::limit_work(double dt) {
     for (const ActiveBody& active : active_) {
         work += static_cast<double>(state_.bodies[active.slot].substeps.allowed) * active.size;
     }
-    const double kept = work > most ? most / work : 1;
+    const double factor = work > most ? most / work : 1;
     for (ActiveBody& active : active_) {
         Body& body = state_.bodies[active.slot];
         const uint32_t least = least_substeps(body, dt);
-        body.substeps.allowed = std::max(least, static_cast<uint32_t>(body.substeps.allowed * kept));
+        body.substeps.allowed = std::max(least, static_cast<uint32_t>(body.substeps.allowed * factor));
         active.substeps = std::min(active.substeps, body.substeps.allowed);
     }
 }

@@ -95,7 +95,7 @@ void rest(Body& body, const Scene* scene, const SolverSettings& settings, double
     if (is_at_rest(body, settings, dt)) fall_asleep(body, scene, dt);
 }
 
-bool Solver::sleeps_on(const Body& body, const Scene* scene) {
+bool Solver::stays_asleep(const Body& body, const Scene* scene) {
     if (!body.sleep.asleep) return false;
     // Its models are tracked like those of other bodies: if one moves and wakes it, its former place is known.
     const auto see = [&](gphys_model_id model) { next_near_models_.push_back({model, scene->world(model)}); };

@@ -13,7 +13,7 @@
 //   prepare.cpp        before a step: plans, memory, broad phase, tasks
 //   step.cpp           the step: how each body is moved
 //   time_scheme.h      the time integration of constrained bodies
-//   islands.cpp        bodies that influence each other, moved together
+//   islands.cpp        bodies that influence each other, moved in one task
 //   sleep.cpp          bodies at rest
 //   wind.cpp           drag and lift
 //   animation_targets.cpp  positions from an animation, and how far from there particles may be
@@ -74,8 +74,9 @@ constexpr double usual_cloth_strain = 0.02;
 constexpr uint32_t most_substeps = 1000;
 constexpr float shortest_step = 1e-6f, longest_step = 0.5f;  // seconds
 
-/// m/s: a model up to this fast is noticed before it hits a particle at rest, and is swept along its path. A faster one
-/// is only hit where it arrives. A larger value makes a step track more models around each body.
+/// m/s. The broad phase finds a model up to this fast before it hits a particle at rest, so that the model is swept
+/// along its path. A faster one only hits what is where it arrives. A larger value makes a step track more models
+/// around each body.
 constexpr double fastest_model = 50;
 
 /// All state that the next step depends on, except the scene. Snapshots contain it.
@@ -311,7 +312,7 @@ private:
     void move_colliding(const Island& island, const Joined& joined, const CollisionContext& around, double h);
     void move_island(const Island& island, const Scene* scene, double dt);
     /// Whether the body sleeps and nothing wakes it.
-    bool sleeps_on(const Body& body, const Scene* scene);
+    bool stays_asleep(const Body& body, const Scene* scene);
     void list_near_models(const Scene& scene, double dt);
     void limit_work(double dt);
     void find_disturbed(const Scene& scene);

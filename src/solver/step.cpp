@@ -27,7 +27,7 @@
 //
 //   free         exact flight and impacts                                    free_flight.cpp
 //   direct       predict, solve chains as a whole, new velocities, collide,
-//                solve again beside contacts                                 rope_substep.cpp
+//                solve again with contacts                                   rope_substep.cpp
 //                the same of chains that branch                              joined_motion.cpp
 //   graph        predict, chain colours, reach limits, velocities, collide  cloth.cpp
 #include "solver/contact/collision.h"
@@ -304,16 +304,16 @@ void Solver::add_impulses() {
     impulses_.clear();
     for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
         if (!state_.ids.live(slot)) continue;
-        for (const ModelImpulse& given : state_.bodies[slot].contacts.impulses)
-            body_impulses_.push_back({given.model, slot, &given});
+        for (const ModelImpulse& part : state_.bodies[slot].contacts.impulses)
+            body_impulses_.push_back({part.model, slot, &part});
     }
     std::sort(body_impulses_.begin(), body_impulses_.end());
-    for (const BodyImpulse& given : body_impulses_) {
-        if (impulses_.empty() || impulses_.back().model != given.model) {
-            impulses_.push_back(*given.impulse);
+    for (const BodyImpulse& part : body_impulses_) {
+        if (impulses_.empty() || impulses_.back().model != part.model) {
+            impulses_.push_back(*part.impulse);
         } else {
-            impulses_.back().linear += given.impulse->linear;
-            impulses_.back().angular += given.impulse->angular;
+            impulses_.back().linear += part.impulse->linear;
+            impulses_.back().angular += part.impulse->angular;
         }
     }
 }

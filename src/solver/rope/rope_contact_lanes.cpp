@@ -166,9 +166,9 @@ void RopeContactLanes<lanes>::gather_contacts(uint32_t lane) {
     };
     for (uint32_t i = 0; i <= links_of(body.plan); ++i) {
         const uint32_t p = particles[i];
-        if (body.particles.pinned(p) || !contacts.any(p)) continue;
+        if (body.particles.pinned(p) || !contacts.has_contacts(p)) continue;
         body.particles.position[p] = get3(nodes_[i].position, lane);
-        if (!contacts.acts(p)) {
+        if (!contacts.has_active(p)) {
             clear(terms_[i], lane);
             continue;
         }
@@ -239,7 +239,7 @@ bool RopeContactLanes<lanes>::update_contacts(uint32_t lane) {
     Body& body = rope.body();
     const uint32_t* const particles = particles_of(body.plan);
     for (uint32_t i = 0; i <= links_of(body.plan); ++i) {
-        if (contacts.any(particles[i])) body.particles.position[particles[i]] = get3(nodes_[i].position, lane);
+        if (contacts.has_contacts(particles[i])) body.particles.position[particles[i]] = get3(nodes_[i].position, lane);
     }
     return contacts.update(body, lanes_[lane].iteration);
 }

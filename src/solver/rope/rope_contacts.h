@@ -76,9 +76,9 @@ public:
     /// Call after the prediction. Returns false if a particle is deeper in a solid than it can leave at once.
     bool begin(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 
-    bool any(uint32_t particle) const { return first_[particle] < first_[particle + 1]; }
+    bool has_contacts(uint32_t particle) const { return first_[particle] < first_[particle + 1]; }
     /// Whether any contact of the particle is active.
-    bool acts(uint32_t particle) const {
+    bool has_active(uint32_t particle) const {
         for (uint32_t i = first_[particle]; i < first_[particle + 1]; ++i) {
             if (contacts_[i].state != RopeContact::open) return true;
         }

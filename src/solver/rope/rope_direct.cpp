@@ -139,7 +139,7 @@ void eliminate(const ChainView& view, DirectRow* rows, RopeContacts* contacts) {
             y = y * m + arriving.geometric(y) + leaving.geometric(y);
             z = z * m + arriving.geometric(z) + leaving.geometric(z);
             force = (body.history.predicted[p] - body.particles.position[p]) * m;
-            if (contacts && contacts->any(p)) {
+            if (contacts && contacts->has_contacts(p)) {
                 const ContactTerm term = contacts->term(body, p, m + arriving.stiffness + leaving.stiffness);
                 x += Vec3{term.xx, term.xy, term.xz};
                 y += Vec3{term.xy, term.yy, term.yz};

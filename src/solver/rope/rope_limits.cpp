@@ -63,8 +63,8 @@ struct TautLinks {
                     (dot(n, body.particles.velocity[b] - body.particles.velocity[a]) + row.coupling * last.value) *
                     row.inverse_pivot;
             }
-            double(&kept)[4] = row_of(i);
-            kept[0] = row.inverse_pivot, kept[1] = row.value, kept[2] = row.coupling;
+            double(&stored)[4] = row_of(i);
+            stored[0] = row.inverse_pivot, stored[1] = row.value, stored[2] = row.coupling;
             before = n;
             last = row;
         }
