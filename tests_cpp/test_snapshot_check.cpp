@@ -142,7 +142,7 @@ TEST_CASE("a snapshot's models are in order, each in a place") {
     const auto taken = [](const std::vector<PlacedModel>& models) {
         Memory memory(nullptr);
         SolverState state(&memory);
-        state.seen.assign(models.begin(), models.end());
+        state.near_models.assign(models.begin(), models.end());
         return defect_of_globals(state) == nullptr;
     };
     const gphys_transform unit{{0, 0, 0}, {0, 0, 0, 1}, 1};

@@ -204,8 +204,8 @@ struct Star {
             gphys::JointSystem::Link link{};
             link.a = 0;
             link.b = i;
-            link.source_body = gphys::JointSystem::of_joint;
-            link.source = i - 1;
+            link.owner = gphys::JointSystem::of_joint;
+            link.index = i - 1;
             system.add_link(link);
         }
         for (size_t p = 0; p < body.particles.position.size(); ++p) {
