@@ -49,6 +49,12 @@ public:
         for (uint32_t i = 0; i < count; ++i) GPHYS_TRY(read(i));
         return GPHYS_OK;
     }
+    /// Calls check(element) for each; only after check.
+    template <class Check>
+    gphys_status check_each(uint32_t count, const Check& check) {
+        for (uint32_t i = 0; i < (stride_ == 0 ? 1 : count); ++i) GPHYS_TRY(check((*this)[i]));
+        return GPHYS_OK;
+    }
     /// Element i; only after check.
     const Read& operator[](uint32_t i) {
         if (stride_ != 0) read(i);

@@ -30,14 +30,10 @@ bool penetration(const ShapeOrMesh& other, const Shape& moving, gphys_penetratio
     return deepest.total() > 0;
 }
 
-gphys_status check_sweep(gphys_shape_type type, gphys_shape_type moving_type) {
-    if (type != GPHYS_SHAPE_FRUSTUM || moving_type == GPHYS_SHAPE_SPHERE) return GPHYS_OK;
-    return fail(GPHYS_ERROR_UNSUPPORTED, "type: only a sphere can be swept against a frustum");
-}
-
-gphys_status check_penetration(gphys_shape_type type) {
-    if (type != GPHYS_SHAPE_FRUSTUM) return GPHYS_OK;
-    return fail(GPHYS_ERROR_UNSUPPORTED, "type: there is no penetration into a frustum");
+/// Of a frustum, which is met as the hull of its corners.
+gphys_status check_corners(const ShapeOrMesh& other) {
+    if (is_hexahedron(std::get<Frustum>(other.shape))) return GPHYS_OK;
+    return fail(GPHYS_ERROR_UNSUPPORTED, "type: the frustum is not the convex hull of eight corners");
 }
 
 }  // namespace
@@ -53,7 +49,7 @@ gphys_status gphys_shape_sweep(gphys_shape_type type, const void* shape, gphys_s
         Shape solid;
         GPHYS_TRY(read_shape(type, shape, other));
         GPHYS_TRY(read_moving(moving_type, moving, solid, moving_names));
-        GPHYS_TRY(check_sweep(type, moving_type));
+        if (type == GPHYS_SHAPE_FRUSTUM && moving_type != GPHYS_SHAPE_SPHERE) GPHYS_TRY(check_corners(other));
         GPHYS_REQUIRE_VALID(*displacement);
         return sweep(other, solid, widen(*displacement), *out_hit) ? GPHYS_OK : GPHYS_NO_HIT;
     });
@@ -71,7 +67,8 @@ gphys_status gphys_shape_sweep_batch(gphys_shape_type type, const void* shapes, 
         Shapes<Shape> solid(moving_names, moving_type, moving, moving_stride);
         GPHYS_TRY(other.check("shape_stride", count));
         GPHYS_TRY(solid.check("moving_stride", count));
-        GPHYS_TRY(check_sweep(type, moving_type));
+        if (type == GPHYS_SHAPE_FRUSTUM && moving_type != GPHYS_SHAPE_SPHERE)
+            GPHYS_TRY(other.check_each(count, check_corners));
         const Strided<gphys_vec3> displacement(displacements, displacement_stride);
         for (uint32_t i = 0; i < count; ++i) GPHYS_TRY(check_element("displacements", i, displacement[i]));
         const StridedOut<gphys_hit> out(out_hits, out_stride);
@@ -90,7 +87,7 @@ gphys_status gphys_shape_penetration(gphys_shape_type type, const void* shape, g
         Shape solid;
         GPHYS_TRY(read_shape(type, shape, other));
         GPHYS_TRY(read_moving(moving_type, moving, solid, moving_names));
-        GPHYS_TRY(check_penetration(type));
+        if (type == GPHYS_SHAPE_FRUSTUM) GPHYS_TRY(check_corners(other));
         return penetration(other, solid, *out_penetration) ? GPHYS_OK : GPHYS_NO_HIT;
     });
 }
@@ -105,7 +102,7 @@ gphys_status gphys_shape_penetration_batch(gphys_shape_type type, const void* sh
         Shapes<Shape> solid(moving_names, moving_type, moving, moving_stride);
         GPHYS_TRY(other.check("shape_stride", count));
         GPHYS_TRY(solid.check("moving_stride", count));
-        GPHYS_TRY(check_penetration(type));
+        if (type == GPHYS_SHAPE_FRUSTUM) GPHYS_TRY(other.check_each(count, check_corners));
         const StridedOut<gphys_penetration> out(out_penetrations, out_stride);
         for (uint32_t i = 0; i < count; ++i) {
             if (!penetration(other[i], solid[i], out[i])) out[i] = no_penetration;

@@ -1,6 +1,8 @@
 // Cores and their Minkowski difference: support points and projections (convex.h).
 #include "geometry/convex.h"
 
+#include <algorithm>
+
 namespace gphys {
 
 Core core_of(const Sphere& sphere) {
@@ -33,6 +35,17 @@ Core core_of(const Obb& box) {
     return core;
 }
 
+Hexahedron core_of(const Frustum& frustum) {
+    Vec3 corner[8];
+    corners(frustum, corner);
+    Hexahedron core;
+    core.corner = corner[0];
+    // Those of a frustum go around each face.
+    for (int i = 0; i < 8; ++i) core.corners[i ^ (i >> 1 & 1)] = corner[i] - corner[0];
+    for (int i = 0; i < 6; ++i) core.normals[i] = normalized(frustum.planes[i].normal);
+    return core;
+}
+
 ConvexDifference::ConvexDifference(const Core& other, const Core& moving)
     : center_(other.center - moving.center),
       other_center_(other.center),
@@ -54,8 +67,16 @@ ConvexDifference::ConvexDifference(const Triangle& other, const Core& moving)
     corners_[2] = other.c - other.a;
 }
 
+ConvexDifference::ConvexDifference(const Hexahedron& other, const Core& moving)
+    : ConvexDifference(core_of(Sphere{other.corner, 0}), moving) {
+    corner_count_ = 8;
+    hexahedron_ = &other;
+}
+
 double ConvexDifference::size() const {
-    Vec3 reach = abs(center_) + max(abs(corners_[1]), abs(corners_[2]));
+    Vec3 furthest;
+    for (int i = 1; i < corner_count_; ++i) furthest = max(furthest, abs(corners()[i]));
+    Vec3 reach = abs(center_) + furthest;
     for (int k = 0; k < axis_count_; ++k) reach += abs(axes_[k]) * half_[k];
     return max_component(reach) + radius_;
 }
@@ -84,9 +105,14 @@ void ConvexDifference::project(Vec3 vector, double& low, double& high) const {
     low = middle - reach;
     high = middle + reach;
     if (corner_count_ == 1) return;
-    const double b = dot(vector, corners_[1]), c = dot(vector, corners_[2]);
-    low += std::min(0.0, std::min(b, c));
-    high += std::max(0.0, std::max(b, c));
+    double least = 0, most = 0;
+    for (int i = 1; i < corner_count_; ++i) {
+        const double height = dot(vector, corners()[i]);
+        least = std::min(least, height);
+        most = std::max(most, height);
+    }
+    low += least;
+    high += most;
 }
 
 ConvexDifference::Corner ConvexDifference::furthest(Vec3 vector) const {
@@ -97,8 +123,13 @@ ConvexDifference::Corner ConvexDifference::furthest(Vec3 vector) const {
         if (k < other_axis_count_) corner.on_other += way;
     }
     if (corner_count_ == 1) return corner;
-    const double b = dot(vector, corners_[1]), c = dot(vector, corners_[2]);
-    const Vec3 way = corners_[b > 0 ? (c > b ? 2 : 1) : (c > 0 ? 2 : 0)];
+    int highest = 0;
+    double most = 0;
+    for (int i = 1; i < corner_count_; ++i) {
+        const double height = dot(vector, corners()[i]);
+        if (height > most) most = height, highest = i;
+    }
+    const Vec3 way = corners()[highest];
     corner.difference += way;
     corner.on_other += way;
     return corner;

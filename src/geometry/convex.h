@@ -2,9 +2,10 @@
 // moving one. The shapes overlap if it contains the origin. Their distance is its distance from the origin. If the
 // moving shape moves, the difference moves the opposite way. See Gilbert, Johnson, Keerthi 1988.
 //
-// Spheres, capsules and boxes are a core (a point, a segment or a box) rounded by a radius; a triangle is a core. The
-// difference of two cores is a polytope: a point or a triangle, extruded along up to six axes. The radii add up. All
-// coordinates are relative to a point of the moving shape, so that no digits are lost far from the origin.
+// Spheres, capsules and boxes are a core (a point, a segment or a box) rounded by a radius; a triangle is a core, and
+// so is a frustum with eight corners. The difference of two cores is a polytope: a point, a triangle or a hexahedron,
+// extruded along up to six axes. The radii add up. All coordinates are relative to a point of the moving shape, so that
+// no digits are lost far from the origin.
 #pragma once
 
 #include "foundation/exact.h"
@@ -25,6 +26,27 @@ Core core_of(const Sphere& sphere);
 Core core_of(const Capsule& capsule);
 Core core_of(const Aabb& box);
 Core core_of(const Obb& box);
+
+/// A convex solid of six faces with four corners each.
+struct Hexahedron {
+    Vec3 corner;      // number 0
+    Vec3 corners[8];  // relative to it; numbered as those of a box: bit k is the side of pair k of opposite faces
+    Vec3 normals[6];  // of the faces, of length 1
+
+    /// Calls visit(a, b) for the ends of all edges. Stops when visit returns false, and returns false then.
+    template <class Visit>
+    bool for_each_edge(const Visit& visit) const {
+        for (int k = 0; k < 3; ++k) {
+            for (int i = 0; i < 8; ++i) {
+                if ((i >> k & 1) && !visit(corners[i - (1 << k)], corners[i])) return false;
+            }
+        }
+        return true;
+    }
+};
+/// The frustum must be the hull of its corners (is_hexahedron).
+Hexahedron core_of(const Frustum& frustum);
+inline Triangle core_of(const Triangle& triangle) { return triangle; }
 
 /// A point of a shape, used as the origin of relative coordinates.
 inline Vec3 reference_point(const Sphere& sphere) { return sphere.center; }
@@ -52,6 +74,9 @@ class ConvexDifference {
 public:
     ConvexDifference(const Core& other, const Core& moving);
     ConvexDifference(const Triangle& other, const Core& moving);
+    /// Refers to the hexahedron, which must stay.
+    ConvexDifference(const Hexahedron& other, const Core& moving);
+    ConvexDifference(const Hexahedron&& other, const Core& moving) = delete;
 
     /// The sum of both radii; other_radius: that of the other shape.
     double radius() const { return radius_; }
@@ -102,13 +127,15 @@ private:
     Corner furthest(Vec3 vector) const;
     Features features_of_other() const;
     Features features_of_moving() const;
+    const Vec3* corners() const { return hexahedron_ ? hexahedron_->corners : corners_; }
 
     Vec3 center_, other_center_;
     Vec3 axes_[6];  // those of the other shape come first
     double half_[6];
     int axis_count_ = 0, other_axis_count_ = 0;
-    Vec3 corners_[3] = {};  // of a triangle, relative to the centre
-    int corner_count_ = 1;
+    const Hexahedron* hexahedron_ = nullptr;
+    Vec3 corners_[3] = {};  // of a triangle, relative to the centre, which is the first
+    int corner_count_ = 1;  // 3 of a triangle, 8 of a hexahedron
     double radius_, other_radius_;
 };
 
@@ -156,6 +183,9 @@ bool ConvexDifference::for_each_normal(Visit&& visit) const {
         return unit == Vec3{} || visit(unit);
     };
     if (corner_count_ == 3 && !visit_across(corners_[0], corners_[1], corners_[0], corners_[2])) return false;
+    for (int i = 0; i < 6 && hexahedron_; ++i) {
+        if (!visit(hexahedron_->normals[i])) return false;
+    }
     for (int i = first_moving; i < axis_count_; ++i) {
         for (int k = 0; k < other_axis_count_; ++k) {
             if (!visit_across({}, axes_[k], {}, axes_[i])) return false;
@@ -163,6 +193,8 @@ bool ConvexDifference::for_each_normal(Visit&& visit) const {
         for (int k = 0; k < 3 && corner_count_ == 3; ++k) {
             if (!visit_across({}, axes_[i], corners_[k], corners_[(k + 1) % 3])) return false;
         }
+        const auto visit_edge = [&](Vec3 a, Vec3 b) { return visit_across({}, axes_[i], a, b); };
+        if (hexahedron_ && !hexahedron_->for_each_edge(visit_edge)) return false;
     }
     return true;
 }

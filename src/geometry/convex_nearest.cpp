@@ -163,7 +163,7 @@ NearestDifference ConvexDifference::nearest() const {
     return found.is_proved() ? found.best() : nearest_by_features();
 }
 
-/// The features of one core: at most those of a box.
+/// The features of one core: at most those of a hexahedron, with two triangles for each face.
 struct ConvexDifference::Features {
     Vec3 corners[8];
     Segment edges[12];
@@ -178,6 +178,10 @@ struct ConvexDifference::Features {
             for (int k = 0; k < axis_count; ++k) corner += i >> k & 1 ? way[k] : -way[k];
             corners[corner_count++] = corner;
         }
+        connect(axis_count);
+    }
+    /// The edges and faces between corners that are numbered as those of a box (Hexahedron).
+    void connect(int axis_count) {
         for (int k = 0; k < axis_count; ++k) {
             for (int i = 0; i < corner_count; ++i) {
                 if (i >> k & 1) edges[edge_count++] = {corners[i - (1 << k)], corners[i]};
@@ -199,7 +203,11 @@ ConvexDifference::Features ConvexDifference::features_of_other() const {
         result.extend(other_center_, axes_, half_, other_axis_count_);
         return result;
     }
-    for (int k = 0; k < 3; ++k) result.corners[result.corner_count++] = other_center_ + corners_[k];
+    for (int k = 0; k < corner_count_; ++k) result.corners[result.corner_count++] = other_center_ + corners()[k];
+    if (hexahedron_) {
+        result.connect(3);
+        return result;
+    }
     const auto& c = result.corners;
     for (int k = 0; k < 3; ++k) result.edges[result.edge_count++] = {c[k], c[(k + 1) % 3]};
     result.faces[result.face_count++] = {c[0], c[1], c[2]};

@@ -1,20 +1,10 @@
-// Pairs of a sphere, capsule or box and any other shape, for sweep and penetration: as a Minkowski difference
-// (convex.h), or as a convex shape above a plane.
+// Pairs of a sphere, capsule or box and any other shape, for sweep and penetration: which types they have, and a convex
+// shape above a plane. Other pairs are a Minkowski difference (convex.h).
 #pragma once
 
 #include "geometry/convex.h"
 
 namespace gphys {
-
-/// The difference relative to `from`, a point of the moving shape.
-template <class Other, class Moving>
-ConvexDifference difference_of(const Other& other, const Moving& moving, Vec3 from) {
-    return {core_of(relative_to(from, other)), core_of(relative_to(from, moving))};
-}
-template <class Moving>
-ConvexDifference difference_of(const Triangle& other, const Moving& moving, Vec3 from) {
-    return {relative_to(from, other), core_of(relative_to(from, moving))};
-}
 
 /// On which side of a plane the centre of a solid is, and the distance of the solid from the plane.
 struct OverPlane {

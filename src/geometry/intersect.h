@@ -128,7 +128,7 @@ bool sweep(const Plane& plane, const Sphere& moving, Vec3 displacement, Hit& hit
 bool sweep(const Triangle& triangle, const Sphere& moving, Vec3 displacement, Hit& hit);
 bool sweep(const Frustum& frustum, const Sphere& moving, Vec3 displacement, Hit& hit);
 bool sweep(const Shape& shape, const Sphere& moving, Vec3 displacement, Hit& hit);
-/// The same for a moving sphere, capsule or box. The shape must not be a frustum, unless a sphere moves.
+/// The same for a moving sphere, capsule or box. A frustum must be a hexahedron (shapes.h), unless a sphere moves.
 bool sweep(const Shape& shape, const Shape& moving, Vec3 displacement, Hit& hit);
 bool sweep(const Triangle& triangle, const Shape& moving, Vec3 displacement, Hit& hit);
 /// The AABB of a moving sphere, capsule or box, as centre and half extents.
@@ -158,7 +158,7 @@ struct DeepestFirst {
         return a.model != b.model ? a.model < b.model : a.triangle < b.triangle;
     }
 };
-/// `moving` is a sphere, capsule or box, `shape` is no frustum. They must overlap, up to rounding.
+/// `moving` is a sphere, capsule or box; a frustum must be a hexahedron (shapes.h). They must overlap, up to rounding.
 Penetration penetration(const Shape& shape, const Shape& moving);
 Penetration penetration(const Triangle& triangle, const Shape& moving);
 

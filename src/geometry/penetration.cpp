@@ -13,7 +13,8 @@ namespace {
 template <class Other, class Moving>
 Penetration pair(const Other& other, const Moving& moving) {
     const Vec3 from = reference_point(moving);
-    const ConvexDifference set = difference_of(other, moving, from);
+    const auto core = core_of(relative_to(from, other));
+    const ConvexDifference set(core, core_of(relative_to(from, moving)));
     const Separation apart = separation(set);
     const Vec3 point = contact_on_other(set, apart) + apart.normal * set.other_radius();
     return {std::max(0.0, set.radius() - apart.distance), apart.normal, from + point};
@@ -29,13 +30,7 @@ Penetration pair(const Plane& plane, const Moving& moving) {
 }  // namespace
 
 Penetration penetration(const Shape& shape, const Shape& moving) {
-    return with_pair(shape, moving, [](const auto& other, const auto& solid) {
-        if constexpr (std::is_same_v<decltype(other), const Frustum&>) {
-            return Penetration{};  // the interface does not allow a frustum
-        } else {
-            return pair(other, solid);
-        }
-    });
+    return with_pair(shape, moving, [](const auto& other, const auto& solid) { return pair(other, solid); });
 }
 Penetration penetration(const Triangle& triangle, const Shape& moving) {
     return with_solid(moving, [&](const auto& solid) { return pair(triangle, solid); });

@@ -170,7 +170,8 @@ private:
 template <class Other, class Moving>
 bool sweep_convex(const Other& other, const Moving& moving, Vec3 displacement, Hit& hit) {
     const Vec3 from = reference_point(moving);
-    const ConvexDifference set = difference_of(other, moving, from);
+    const auto core = core_of(relative_to(from, other));
+    const ConvexDifference set(core, core_of(relative_to(from, moving)));
     ConvexSweep path(set, displacement);
     if (!path.find([&] { return overlaps(Shape(other), Shape(moving)); })) return false;
     hit = Hit{};
@@ -221,8 +222,6 @@ bool sweep_pair(const Other& other, const Moving& moving, Vec3 displacement, Hit
         return sweep(other, moving, displacement, hit);
     } else if constexpr (std::is_same_v<Other, Triangle>) {
         return sweep_triangle(other, moving, displacement, hit);
-    } else if constexpr (std::is_same_v<Other, Frustum>) {
-        return false;
     } else {
         return sweep_convex(other, moving, displacement, hit);
     }

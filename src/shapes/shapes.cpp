@@ -362,25 +362,47 @@ bool axis_parallel(const Mat3& axes) {
     return along_one_axis(axes.x) && along_one_axis(axes.y) && along_one_axis(axes.z);
 }
 
-bool corners(const Frustum& frustum, Vec3 out[8]) {
-    constexpr double largest = std::numeric_limits<float>::max();
+namespace {
+
+/// Number k of the planes that meet in corner i of a frustum; the opposite of each is the other one of its pair.
+int plane_at_corner(int i, int k) {
     constexpr int depth[2] = {GPHYS_FRUSTUM_NEAR, GPHYS_FRUSTUM_FAR};
     constexpr int around[4][2] = {{GPHYS_FRUSTUM_LEFT, GPHYS_FRUSTUM_BOTTOM},
                                   {GPHYS_FRUSTUM_RIGHT, GPHYS_FRUSTUM_BOTTOM},
                                   {GPHYS_FRUSTUM_RIGHT, GPHYS_FRUSTUM_TOP},
                                   {GPHYS_FRUSTUM_LEFT, GPHYS_FRUSTUM_TOP}};
+    return k == 0 ? depth[i / 4] : around[i % 4][k - 1];
+}
+
+}  // namespace
+
+bool corners(const Frustum& frustum, Vec3 out[8]) {
+    constexpr double largest = std::numeric_limits<float>::max();
     Vec3 found[8];
     for (int i = 0; i < 8; ++i) {
-        const Plane& a = frustum.planes[depth[i / 4]];
-        const Plane& b = frustum.planes[around[i % 4][0]];
-        const Plane& c = frustum.planes[around[i % 4][1]];
+        const auto plane = [&](int k) { return frustum.planes[plane_at_corner(i, k)]; };
         Vec3 from_origin;
-        if (!common_point(a, b, c, from_origin)) return false;
+        if (!common_point(plane(0), plane(1), plane(2), from_origin)) return false;
         found[i] = frustum.origin + from_origin;
         // Almost parallel planes may intersect beyond the largest float.
         if (!(max_component(abs(found[i])) <= largest)) return false;
     }
     std::copy(found, found + 8, out);
+    return true;
+}
+
+bool is_hexahedron(const Frustum& frustum) {
+    Vec3 corner[8];
+    if (!corners(relative_to(frustum.origin, frustum), corner)) return false;
+    for (int i = 0; i < 8; ++i) {
+        if (!(max_component(abs(frustum.origin + corner[i])) <= GPHYS_MAX_COORDINATE)) return false;
+        for (int k = 0; k < 3; ++k) {
+            const Plane& opposite = frustum.planes[plane_at_corner(i, k) ^ 1];
+            // Coordinates of a corner have an error of 2^-42 of themselves.
+            const double size = dot(abs(opposite.normal), abs(corner[i])) + std::fabs(opposite.distance);
+            if (!(dot(opposite.normal, corner[i]) - opposite.distance > 0x1p-41 * size)) return false;
+        }
+    }
     return true;
 }
 

@@ -164,5 +164,8 @@ bool common_point(const Plane& a, const Plane& b, const Plane& c, Vec3& out);
 
 /// The eight corners in the order of gphys_frustum_corners. Returns false if three planes have no common point.
 bool corners(const Frustum& frustum, Vec3 out[8]);
+/// Whether the frustum is the convex hull of those corners, with six faces of four corners each: every corner lies, by
+/// more than rounding, in front of the three planes that do not meet in it.
+bool is_hexahedron(const Frustum& frustum);
 
 }  // namespace gphys
