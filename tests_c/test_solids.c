@@ -7,7 +7,7 @@ typedef struct target {
     const void* shape;
 } target;
 
-#define TARGETS 7
+#define TARGETS 8
 #define MOVERS 4
 
 /* All begin at z = 2 when met along +z from the origin. */
@@ -19,14 +19,15 @@ static const gphys_plane plane = {{0, 0, -2}, -4};
 static const gphys_triangle triangle = {{-4, -4, 2}, {-4, 8, 2}, {8, -4, 2}};
 static const gphys_frustum frustum = {
     {0, 0, 1}, {{{0, 0, 1}, 1}, {{0, 0, -1}, -3}, {{1, 0, 1}, 0}, {{-1, 0, 1}, 0}, {{0, 1, 1}, 0}, {{0, -1, 1}, 0}}};
+static const gphys_plane no_far_plane = {{0, 0, 0}, -1};
 static gphys_mesh* mesh;
 static gphys_scene* scene;
 static gphys_model_id models[4];
 
-static target targets[TARGETS] = {{GPHYS_SHAPE_SPHERE, &sphere}, {GPHYS_SHAPE_CAPSULE, &capsule},
-                                  {GPHYS_SHAPE_AABB, &aabb},     {GPHYS_SHAPE_OBB, &obb},
-                                  {GPHYS_SHAPE_PLANE, &plane},   {GPHYS_SHAPE_TRIANGLE, &triangle},
-                                  {GPHYS_SHAPE_MESH, NULL}};
+static target targets[TARGETS] = {{GPHYS_SHAPE_SPHERE, &sphere},   {GPHYS_SHAPE_CAPSULE, &capsule},
+                                  {GPHYS_SHAPE_AABB, &aabb},       {GPHYS_SHAPE_OBB, &obb},
+                                  {GPHYS_SHAPE_PLANE, &plane},     {GPHYS_SHAPE_TRIANGLE, &triangle},
+                                  {GPHYS_SHAPE_FRUSTUM, &frustum}, {GPHYS_SHAPE_MESH, NULL}};
 
 /* Half a metre to the front and around the origin. */
 static const gphys_sphere ball = {{0, 0, 0}, 0.5f};
@@ -267,12 +268,16 @@ static void bad_batches_of_shapes_are_refused(void** state) {
     const gphys_vec3 way = {0, 0, 1};
     gphys_vec3 ways[2] = {{0, 0, 1}, {0, NAN, 0}};
     gphys_capsule pills[2];
+    gphys_frustum frusta[2];
     gphys_hit hits[2], no_hits[2];
     gphys_penetration outs[2], none[2];
     const uint32_t pill_step = sizeof *pills, hit_step = sizeof *hits, out_step = sizeof *outs;
+    const uint32_t frustum_step = sizeof *frusta;
     (void)state;
     pills[0] = pills[1] = pill;
     pills[1].radius = -1;
+    frusta[0] = frusta[1] = frustum;
+    frusta[1].planes[GPHYS_FRUSTUM_FAR] = no_far_plane;
     memset(hits, 0x5a, sizeof hits);
     memset(outs, 0x5a, sizeof outs);
     memcpy(no_hits, hits, sizeof hits);
@@ -303,12 +308,14 @@ static void bad_batches_of_shapes_are_refused(void** state) {
     PUSHED(surface, mesh, 64, moves, &pill, 0, 2, outs, out_step);
 #undef SWEPT
 #undef PUSHED
-    assert_int_equal(gphys_shape_sweep_batch(GPHYS_SHAPE_FRUSTUM, &frustum, 0, moves, &pill, 0, &way, 0, 2, hits, 56),
-                     GPHYS_ERROR_UNSUPPORTED);
+    assert_int_equal(
+        gphys_shape_sweep_batch(GPHYS_SHAPE_FRUSTUM, frusta, frustum_step, moves, &pill, 0, &way, 0, 2, hits, hit_step),
+        GPHYS_ERROR_UNSUPPORTED);
     assert_int_equal(gphys_shape_sweep_batch(box, &aabb, 0, GPHYS_SHAPE_PLANE, &plane, 0, &way, 0, 2, hits, 56),
                      GPHYS_ERROR_UNSUPPORTED);
-    assert_int_equal(gphys_shape_penetration_batch(GPHYS_SHAPE_FRUSTUM, &frustum, 0, moves, &pill, 0, 2, outs, 40),
-                     GPHYS_ERROR_UNSUPPORTED);
+    assert_int_equal(
+        gphys_shape_penetration_batch(GPHYS_SHAPE_FRUSTUM, frusta, frustum_step, moves, &pill, 0, 2, outs, out_step),
+        GPHYS_ERROR_UNSUPPORTED);
     assert_int_equal(gphys_shape_penetration_batch(box, &aabb, 0, surface, mesh, 0, 2, outs, 40),
                      GPHYS_ERROR_UNSUPPORTED);
     assert_memory_equal(hits, no_hits, sizeof hits);
@@ -445,15 +452,11 @@ static void bad_input_is_refused(void** state) {
     assert_int_equal(gphys_scene_penetration(scene, moves, &pill, 1, NULL, 1, &total), GPHYS_ERROR_INVALID_ARGUMENT);
     assert_int_equal(gphys_scene_penetration(scene, moves, &pill, 1, &out, 1, NULL), GPHYS_ERROR_INVALID_ARGUMENT);
 
-    assert_int_equal(gphys_shape_sweep(GPHYS_SHAPE_FRUSTUM, &frustum, moves, &pill, &way, &hit),
-                     GPHYS_ERROR_UNSUPPORTED);
     assert_int_equal(gphys_shape_sweep(GPHYS_SHAPE_RAY, &ray, moves, &pill, &way, &hit), GPHYS_ERROR_UNSUPPORTED);
     assert_int_equal(gphys_shape_sweep(box, &aabb, GPHYS_SHAPE_PLANE, &plane, &way, &hit), GPHYS_ERROR_UNSUPPORTED);
     assert_int_equal(gphys_shape_sweep(box, &aabb, GPHYS_SHAPE_TRIANGLE, &triangle, &way, &hit),
                      GPHYS_ERROR_UNSUPPORTED);
     assert_int_equal(gphys_shape_sweep(box, &aabb, GPHYS_SHAPE_MESH, mesh, &way, &hit), GPHYS_ERROR_UNSUPPORTED);
-    assert_int_equal(gphys_shape_penetration(GPHYS_SHAPE_FRUSTUM, &frustum, moves, &pill, &out),
-                     GPHYS_ERROR_UNSUPPORTED);
     assert_int_equal(gphys_shape_penetration(GPHYS_SHAPE_RAY, &ray, moves, &pill, &out), GPHYS_ERROR_UNSUPPORTED);
     assert_int_equal(gphys_shape_penetration(box, &aabb, GPHYS_SHAPE_MESH, mesh, &out), GPHYS_ERROR_UNSUPPORTED);
     assert_int_equal(gphys_scene_sweep(scene, GPHYS_SHAPE_MESH, mesh, &way, 1, &hit), GPHYS_ERROR_UNSUPPORTED);
@@ -464,9 +467,40 @@ static void bad_input_is_refused(void** state) {
     assert_memory_equal(&hit, &no_hit, sizeof hit);
     assert_memory_equal(&out, &none, sizeof out);
     assert_int_equal(total, 77);
-    /* A sphere may be swept against a frustum. */
-    assert_int_equal(gphys_shape_sweep(GPHYS_SHAPE_FRUSTUM, &frustum, GPHYS_SHAPE_SPHERE, &ball, &way, &hit),
-                     GPHYS_NO_HIT);
+}
+
+/* Of a frustum without eight corners the status says so; a sphere may be swept against any. */
+static void frusta_without_corners_are_refused(void** state) {
+    enum { FRUSTA = 6 };
+    const gphys_vec3 way = {0, 0, 6};
+    gphys_frustum frusta[FRUSTA];
+    (void)state;
+    for (int i = 0; i < FRUSTA; ++i) frusta[i] = frustum;
+    frusta[0].planes[GPHYS_FRUSTUM_FAR] = no_far_plane;
+    frusta[1].planes[GPHYS_FRUSTUM_FAR].distance = -0.5f;   /* nearer than the near plane: empty */
+    frusta[2].planes[GPHYS_FRUSTUM_FAR].distance = -1;      /* where the near plane is: flat */
+    frusta[3].planes[GPHYS_FRUSTUM_NEAR].distance = 0;      /* at the apex: a pyramid */
+    frusta[4].planes[GPHYS_FRUSTUM_NEAR].distance = -1;     /* behind the apex, which cuts its corners off */
+    frusta[5].planes[GPHYS_FRUSTUM_LEFT].normal.x = 1e-18f; /* corners beyond GPHYS_MAX_COORDINATE */
+    for (int i = 0; i < FRUSTA; ++i) {
+        for (int m = 0; m < MOVERS; ++m) {
+            gphys_hit hit, before;
+            gphys_penetration out, none;
+            const gphys_status of_a_sphere = i == 1 ? GPHYS_NO_HIT : GPHYS_OK;
+            const gphys_status swept = movers[m].type == GPHYS_SHAPE_SPHERE ? of_a_sphere : GPHYS_ERROR_UNSUPPORTED;
+            memset(&hit, 0x5a, sizeof hit);
+            memset(&out, 0x5a, sizeof out);
+            before = hit;
+            none = out;
+            assert_int_equal(
+                gphys_shape_sweep(GPHYS_SHAPE_FRUSTUM, &frusta[i], movers[m].type, movers[m].shape, &way, &hit), swept);
+            if (swept != GPHYS_OK) assert_memory_equal(&hit, &before, sizeof hit);
+            assert_int_equal(
+                gphys_shape_penetration(GPHYS_SHAPE_FRUSTUM, &frusta[i], movers[m].type, movers[m].shape, &out),
+                GPHYS_ERROR_UNSUPPORTED);
+            assert_memory_equal(&out, &none, sizeof out);
+        }
+    }
 }
 
 int main(void) {
@@ -479,6 +513,7 @@ int main(void) {
         cmocka_unit_test(bad_batches_of_shapes_are_refused),
         cmocka_unit_test(a_crowd_gets_out_in_one_call),
         cmocka_unit_test(bad_input_is_refused),
+        cmocka_unit_test(frusta_without_corners_are_refused),
     };
     return cmocka_run_group_tests(tests, make_models, free_models);
 }

@@ -59,6 +59,31 @@ inline Hull hull(const gphys::Aabb& b) {
     return Hull::hexahedron(corner);
 }
 
+/// Of a frustum with eight corners: each by Cramer's rule, in long double.
+inline Hull hull(const gphys::Frustum& f) {
+    using Real = long double;
+    using gphys::Plane;
+    const auto determinant = [](std::array<Real, 3> a, std::array<Real, 3> b, std::array<Real, 3> c) {
+        return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+               a[2] * (b[0] * c[1] - b[1] * c[0]);
+    };
+    Vec3 corner[8];
+    for (int i = 0; i < 8; ++i) {
+        const Plane& a = f.planes[i < 4 ? GPHYS_FRUSTUM_NEAR : GPHYS_FRUSTUM_FAR];
+        const Plane& b = f.planes[i % 4 == 1 || i % 4 == 2 ? GPHYS_FRUSTUM_RIGHT : GPHYS_FRUSTUM_LEFT];
+        const Plane& c = f.planes[i % 4 >= 2 ? GPHYS_FRUSTUM_TOP : GPHYS_FRUSTUM_BOTTOM];
+        std::array<Real, 3> column[4];
+        for (int k = 0; k < 3; ++k) column[k] = {a.normal[k], b.normal[k], c.normal[k]};
+        column[3] = {a.distance, b.distance, c.distance};
+        const Real volume = determinant(column[0], column[1], column[2]);
+        for (int k = 0; k < 3; ++k) {
+            const auto of = [&](int axis) { return column[axis == k ? 3 : axis]; };
+            corner[i][k] = static_cast<double>(f.origin[k] + determinant(of(0), of(1), of(2)) / volume);
+        }
+    }
+    return Hull::hexahedron(corner);
+}
+
 /// A camera's frustum beside its corners, made from the same parameters.
 struct View {
     gphys::Frustum frustum;

@@ -71,7 +71,7 @@ private:
     }
     gphys::Shape other() {
         const gphys::Vec3 at = point(2) + offset_;
-        switch (random.index(6)) {
+        switch (random.index(7)) {
             case 0:
                 return gphys::Sphere{at, radius()};
             case 1:
@@ -86,9 +86,21 @@ private:
                 const gphys::Vec3 normal = grid_ ? grid_direction(random, 2) : on_lattice(random.direction());
                 return gphys::Plane{normal, dot(normal, at)};
             }
+            case 5:
+                return frustum(at);
             default:
                 return triangle(at);
         }
+    }
+    /// What a camera sees: some long and thin, some wide.
+    gphys::Frustum frustum(gphys::Vec3 at) {
+        const auto some = [&](double low, double high) {
+            return grid_ ? 0.5 * (1 + random.index(4)) : std::pow(10, random.uniform(low, high));
+        };
+        const double width = some(-3, 2), height = some(-3, 2), near = some(-4, 0) / std::max({1.0, width, height});
+        const double longer = grid_ ? 1 + random.index(3) : std::pow(10, random.uniform(0.01, 4));
+        const double far = std::min(near * (1 + longer), 4 / std::max({1.0, width, height}));
+        return view(at, axes(), width, height, near, std::max(far, 1.01 * near), false).frustum;
     }
     gphys::Triangle triangle(gphys::Vec3 at) {
         const gphys::Vec3 b = at + point(3);
@@ -153,13 +165,13 @@ inline gphys::Shape grown(const gphys::Shape& shape, double by) {
         shape);
 }
 
-/// The slow twin of a shape that has one; without corners for others.
+/// The slow twin of a shape that has one; without corners for a plane.
 inline Hull twin_of(const gphys::Shape& shape) {
     return std::visit(
         [](const auto& each) {
             using S = std::decay_t<decltype(each)>;
             Hull twin;
-            if constexpr (!std::is_same_v<S, gphys::Plane> && !std::is_same_v<S, gphys::Frustum>) twin = hull(each);
+            if constexpr (!std::is_same_v<S, gphys::Plane>) twin = hull(each);
             return twin;
         },
         shape);

@@ -109,11 +109,13 @@ TEST_CASE("sweep of solids: first contact, a million times", "[sweep][.long]") {
 
 TEST_CASE("sweep of solids: touching counts at the start and at the end", "[sweep]") {
     const NoTraps watch;
+    const Mat3 turned{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
+    const Frustum frustum = view({-1, 0, 0}, turned, 1, 1, 1, 3, false).frustum;
     for (const Shape& moving : {Shape(Capsule{{-3, 0, -1}, {-3, 0, 1}, 1}), Shape(Capsule{{-3, 0, 0}, {-4, 0, 0}, 1}),
                                 Shape(Aabb{{-4, -1, -1}, {-2, 1, 1}}), Shape(Obb{{-3, 0, 0}, {1, 1, 1}, Mat3{}})}) {
         for (const Shape& shape :
              {Shape(Sphere{{1, 0, 0}, 1}), Shape(Capsule{{1, 0, 0}, {1, 2, 0}, 1}), Shape(Aabb{{0, -1, -1}, {1, 1, 1}}),
-              Shape(Obb{{1, 0, 0}, {1, 1, 1}, Mat3{}}), Shape(Plane{{2, 0, 0}, 0}),
+              Shape(Obb{{1, 0, 0}, {1, 1, 1}, Mat3{}}), Shape(Plane{{2, 0, 0}, 0}), Shape(frustum),
               Shape(Triangle{{0, -1, -1}, {0, 1, -1}, {0, 0, 1}}), Shape(Triangle{{0, 0, 0}, {0, 1, 0}, {0, 2, 0}})}) {
             Hit hit;
             REQUIRE(sweep(shape, moving, {2, 0, 0}, hit));
