@@ -469,7 +469,8 @@ GPHYS_API gphys_status gphys_shape_sweep_sphere(gphys_shape_type type, const voi
                                                 const gphys_vec3* displacement, gphys_hit* out_hit);
 
 /** First contact of a sphere, capsule, AABB or OBB that moves by displacement, without turning, with a
- *  sphere, capsule, AABB, OBB, plane, triangle or mesh.
+ *  sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh. A frustum, unless a sphere moves, must be
+ *  the hull of its corners (gphys_frustum_corners).
  *  @param moving_type   sphere, capsule, AABB or OBB
  *  @param displacement  metres; may be zero
  *  @param out_hit  t, point and normal as in gphys_shape_sweep_sphere, whose answers a sphere gets. The
@@ -477,10 +478,10 @@ GPHYS_API gphys_status gphys_shape_sweep_sphere(gphys_shape_type type, const voi
  *                  for a sphere: t = 0, GPHYS_HIT_INSIDE, and point and normal of gphys_shape_penetration;
  *                  of a mesh that is no hull, those of its first triangle.
  *  @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape, for a
- *          frustum unless a sphere moves, and for other types that move
+ *          frustum that is not the hull of its corners, unless a sphere moves, and for other types that move
  *  Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1 ulp of t. Point
  *  and normal are those of that contact.
- *  Cost: O(1), 0.1 to 2 us; O(log n + k) expected for a mesh. */
+ *  Cost: O(1), 0.1 to 2 us, 3 to 20 us for a frustum; O(log n + k) expected for a mesh. */
 GPHYS_API gphys_status gphys_shape_sweep(gphys_shape_type type, const void* shape, gphys_shape_type moving_type,
                                          const void* moving, const gphys_vec3* displacement, gphys_hit* out_hit);
 
@@ -498,20 +499,22 @@ GPHYS_API gphys_status gphys_shape_sweep_batch(gphys_shape_type type, const void
                                                uint32_t count, gphys_hit* out_hits, uint32_t out_stride);
 
 /** The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule, AABB,
- *  OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle that is nearer. Of a
- *  mesh: out of the triangle that it is deepest in; others may remain, and have translations of their own. Of a hull:
- *  out of all of it, and triangle is GPHYS_NO_TRIANGLE.
+ *  OBB, plane, triangle or frustum: to where the two just touch, on the side of a plane or triangle that is nearer.
+ *  Of a mesh: out of the triangle that it is deepest in; others may remain, and have translations of their own. Of a
+ *  hull: out of all of it, and triangle is GPHYS_NO_TRIANGLE. A frustum must be the hull of its corners
+ *  (gphys_frustum_corners).
  *  @param moving_type      sphere, capsule, AABB or OBB
  *  @param out_penetration  depth and normal of the translation, which is their product; of several that are
  *                          as short one, always the same. The point of the solid that gets furthest in
  *                          is point - depth * normal.
  *  @return GPHYS_OK if gphys_shape_overlaps says that they overlap, else GPHYS_NO_HIT;
- *          GPHYS_ERROR_UNSUPPORTED for rays, segments and frusta, and for other types that move
+ *          GPHYS_ERROR_UNSUPPORTED for rays, segments, frusta that are not the hull of their corners, and for
+ *          other types that move
  *  Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1 ulp of
  *  depth; by 2^-32 where the centre or axis of what is round is less than that away from the other shape.
  *  Added to float positions, the translation may leave an overlap of the spacing of floats there.
- *  Cost: O(1), 0.1 to 1 us; O(log n + k) expected for a mesh. Boxes by separating axes (Gottschalk 1996), what
- *  is round by the distance of its core (Gilbert, Johnson, Keerthi 1988). */
+ *  Cost: O(1), 0.1 to 1 us, 3 to 20 us for a frustum; O(log n + k) expected for a mesh. Boxes by separating axes
+ *  (Gottschalk 1996), what is round by the distance of its core (Gilbert, Johnson, Keerthi 1988). */
 GPHYS_API gphys_status gphys_shape_penetration(gphys_shape_type type, const void* shape, gphys_shape_type moving_type,
                                                const void* moving, gphys_penetration* out_penetration);
 
@@ -530,6 +533,10 @@ GPHYS_API gphys_status gphys_shape_penetration_batch(gphys_shape_type type, cons
 
 /** The eight corners, each the intersection of three planes: near then far, each in the order
  *  left-bottom, right-bottom, right-top, left-top.
+ *  A frustum is the convex hull of its corners (the intersections themselves, not rounded to floats) if each
+ *  is within GPHYS_MAX_COORDINATE and in front of the three planes that do not meet there, by more than 2^-39
+ *  of its distance from origin: so unless it is empty, flat, unbounded or ends in a tip. Solids are swept
+ *  against such a frustum and pushed out of it; for the bounds of their errors, origin counts as a corner.
  *  @return GPHYS_UNBOUNDED if three planes do not meet in a point (infinite far plane), or meet
  *          beyond the largest float
  *  Cost: O(1). */
