@@ -1,8 +1,8 @@
-// What solids are swept against and pushed out of, for the examinations of both: primitives, triangle meshes and convex
-// hulls, as parts that are convex; and solids beside them.
+// What solids are swept against and pushed out of, for the examinations of both: primitives, triangle meshes, convex
+// hulls and frusta, as parts that are convex; and solids beside them.
 #pragma once
 
-#include "certified_separation.h"
+#include "frustum_target.h"
 #include "true_hull.h"
 
 namespace test {
@@ -129,6 +129,12 @@ Solid solid_at(Cases& c, const gphys_vec3& place) {
     return moved(solid, widen(place) - widen(target_on(c, solid)));
 }
 
+/// What has coordinates beside those of its corners counts them too.
+template <class Part>
+double size_beside_corners(const Part&, gphys_vec3) {
+    return 0;
+}
+
 /// A part of a target and a solid that is somewhere between two places on its way.
 template <class Part, class Solid>
 class Encounter {
@@ -139,7 +145,7 @@ public:
         for (const Rounded<double>& each : {rounded_of<double>(part, from_), rounded_of<double>(solid, from_)}) {
             for (const VectorOf<double>& corner : each.corners) size_ = std::max(size_, largest(corner) + each.radius);
         }
-        size_ += largest(widen(way)) * end;
+        size_ = std::max(size_, size_beside_corners(part, from_)) + largest(widen(way)) * end;
     }
     /// No coordinate is further from the solid's first point, nor gets further.
     double size() const { return size_; }

@@ -1,5 +1,5 @@
-// When moving solids first touch convex shapes, planes, meshes and hulls. A time is proved: until shortly before it,
-// what the solid has covered on its way stays away from the shape; around it the two meet. Shortly is an ulp of the
+// When moving solids first touch convex shapes, planes, meshes, hulls and frusta. A time is proved: until shortly before
+// it, what the solid has covered on its way stays away from the shape; around it the two meet. Shortly is an ulp of the
 // time and the band of the contract.
 #include "motion_cases.h"
 #include "score.h"
@@ -253,4 +253,9 @@ TEST_CASE("solids swept against meshes and hulls touch them when they do", "[mot
     prove_sweeps_of_meshes<gphys_capsule>("sweep capsule", 233);
     prove_sweeps_of_meshes<gphys_aabb>("sweep AABB", 235);
     prove_sweeps_of_meshes<gphys_obb>("sweep OBB", 237);
+}
+TEST_CASE("solids swept against frusta touch them when they do", "[motion]") {
+    prove_sweep<FrustumTarget, gphys_capsule>("sweep capsule, frustum", 241);
+    prove_sweep<FrustumTarget, gphys_aabb>("sweep AABB, frustum", 242);
+    prove_sweep<FrustumTarget, gphys_obb>("sweep OBB, frustum", 243);
 }

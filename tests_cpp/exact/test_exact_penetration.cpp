@@ -1,6 +1,6 @@
-// How deep solids are in convex shapes, meshes and hulls, and which way leads out. A depth is proved: gone that far
-// along the normal, but for a band, the solid is out; and the ball of that radius is in the Minkowski difference, so
-// that no other way is shorter.
+// How deep solids are in convex shapes, meshes, hulls and frusta, and which way leads out. A depth is proved: gone that
+// far along the normal, but for a band, the solid is out; and the ball of that radius is in the Minkowski difference,
+// so that no other way is shorter.
 #include "motion_cases.h"
 #include "score.h"
 
@@ -150,4 +150,10 @@ TEST_CASE("the way of an AABB out of shapes, meshes and hulls leads out, and non
 }
 TEST_CASE("the way of an OBB out of shapes, meshes and hulls leads out, and none is shorter", "[penetration]") {
     prove_ways_out<gphys_obb>("penetration OBB", 331);
+}
+TEST_CASE("the way of solids out of frusta leads out, and none is shorter", "[penetration]") {
+    prove_way_out<FrustumTarget, gphys_sphere>("penetration sphere, frustum", 341);
+    prove_way_out<FrustumTarget, gphys_capsule>("penetration capsule, frustum", 342);
+    prove_way_out<FrustumTarget, gphys_aabb>("penetration AABB, frustum", 343);
+    prove_way_out<FrustumTarget, gphys_obb>("penetration OBB, frustum", 344);
 }
