@@ -2023,17 +2023,18 @@ export function segmentTest(shape: AnyShape, segment: Given<Segment>): Hit | nul
  * @throws {GamephysError} ERROR_UNSUPPORTED: for a ray or a segment as the shape */
 export function sweepSphere(shape: AnyShape, sphere: Given<Sphere>, displacement: Given<number[]>): Hit | null;
 /** First contact of a sphere, capsule, AABB or OBB that moves by displacement, without turning, with a
- * sphere, capsule, AABB, OBB, plane, triangle or mesh.
+ * sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh. A frustum, unless a sphere moves, must
+ * be the hull of its corners (frustumCorners).
  * Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
  * ulp of t. Point and normal are those of that contact.
- * Cost: O(1), 0.1 to 2 us; O(log n + k) expected for a mesh.
+ * Cost: O(1), 0.1 to 2 us, 3 to 20 us for a frustum; O(log n + k) expected for a mesh.
  * @param displacement - metres; may be zero
  * @returns t, point and normal as in sweepSphere, whose answers a sphere gets. The point is one of
  *     those where the two touch, always the same. Already overlapping, but for a sphere: t = 0,
  *     HIT_INSIDE, and point and normal of penetration; of a mesh that is no hull, those of its first
  *     triangle. null if nothing is found.
- * @throws {GamephysError} ERROR_UNSUPPORTED: for a ray or a segment as the shape, for a frustum unless
- *     a sphere moves, and for other types that move */
+ * @throws {GamephysError} ERROR_UNSUPPORTED: for a ray or a segment as the shape, for a frustum that
+ *     is not the hull of its corners, unless a sphere moves, and for other types that move */
 export function sweep(shape: AnyShape, moving: AnyShape, displacement: Given<number[]>): Hit | null;
 /** First contacts of count moving shapes of one type with the shapes of another, as sweep: moving[i]
  * with shapes[i]. One that touches nothing gets t = INFINITY, triangle = NO_TRIANGLE and zeros.
@@ -2044,20 +2045,22 @@ export function sweep(shape: AnyShape, moving: AnyShape, displacement: Given<num
  * @throws {GamephysError} ERROR_UNSUPPORTED: as sweep */
 export function sweepBatch(shapes: Shapes | AnyShape, moving: Shapes | AnyShape, displacements: Elements, out?: Elements): Records<Hit>;
 /** The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule, AABB,
- * OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle that is
- * nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and have
- * translations of their own. Of a hull: out of all of it, and triangle is NO_TRIANGLE.
+ * OBB, plane, triangle or frustum: to where the two just touch, on the side of a plane or triangle
+ * that is nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and have
+ * translations of their own. Of a hull: out of all of it, and triangle is NO_TRIANGLE. A frustum must
+ * be the hull of its corners (frustumCorners).
  * Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
  * ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from the
  * other shape. Added to float positions, the translation may leave an overlap of the spacing of floats
  * there.
- * Cost: O(1), 0.1 to 1 us; O(log n + k) expected for a mesh. Boxes by separating axes (Gottschalk
- * 1996), what is round by the distance of its core (Gilbert, Johnson, Keerthi 1988).
+ * Cost: O(1), 0.1 to 1 us, 3 to 20 us for a frustum; O(log n + k) expected for a mesh. Boxes by
+ * separating axes (Gottschalk 1996), what is round by the distance of its core (Gilbert, Johnson,
+ * Keerthi 1988).
  * @returns depth and normal of the translation, which is their product; of several that are as short
  *     one, always the same. The point of the solid that gets furthest in is point - depth * normal.
  *     null if nothing is found.
- * @throws {GamephysError} ERROR_UNSUPPORTED: for rays, segments and frusta, and for other types that
- *     move */
+ * @throws {GamephysError} ERROR_UNSUPPORTED: for rays, segments, frusta that are not the hull of their
+ *     corners, and for other types that move */
 export function penetration(shape: AnyShape, moving: AnyShape): Penetration | null;
 /** The shortest translations that take the shapes of one type out of the shapes of another, as
  * penetration: moving[i] out of shapes[i]. One that overlaps nothing gets depth = -INFINITY, triangle
@@ -2068,7 +2071,11 @@ export function penetration(shape: AnyShape, moving: AnyShape): Penetration | nu
  * @throws {GamephysError} ERROR_UNSUPPORTED: as penetration */
 export function penetrationBatch(shapes: Shapes | AnyShape, moving: Shapes | AnyShape, out?: Elements): Records<Penetration>;
 /** The eight corners, each the intersection of three planes: near then far, each in the order
- * left-bottom, right-bottom, right-top, left-top.
+ * left-bottom, right-bottom, right-top, left-top. A frustum is the convex hull of its corners (the
+ * intersections themselves, not rounded to floats) if each is within MAX_COORDINATE and in front of
+ * the three planes that do not meet there, by more than 2^-39 of its distance from origin: so unless
+ * it is empty, flat, unbounded or ends in a tip. Solids are swept against such a frustum and pushed
+ * out of it; for the bounds of their errors, origin counts as a corner.
  * Cost: O(1).
  * @returns null if three planes do not meet in a point (infinite far plane), or meet beyond the
  *     largest float. */

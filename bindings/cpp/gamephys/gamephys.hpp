@@ -2516,7 +2516,8 @@ inline std::optional<Hit> sweep_sphere(ShapeRef shape, const Sphere& sphere, con
 }
 
 // First contact of a sphere, capsule, AABB or OBB that moves by displacement, without turning, with a
-// sphere, capsule, AABB, OBB, plane, triangle or mesh.
+// sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh. A frustum, unless a sphere moves, must
+// be the hull of its corners (gamephys::frustum_corners).
 // Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
 // ulp of t. Point and normal are those of that contact.
 //   - displacement: metres; may be zero
@@ -2524,9 +2525,9 @@ inline std::optional<Hit> sweep_sphere(ShapeRef shape, const Sphere& sphere, con
 // one of those where the two touch, always the same. Already overlapping, but for a sphere: t = 0,
 // GPHYS_HIT_INSIDE, and point and normal of gamephys::penetration; of a mesh that is no hull, those of
 // its first triangle. std::nullopt if nothing is found.
-// Throws Error with GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape, for a frustum unless
-// a sphere moves, and for other types that move.
-// Cost: O(1), 0.1 to 2 us; O(log n + k) expected for a mesh.
+// Throws Error with GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape, for a frustum that is
+// not the hull of its corners, unless a sphere moves, and for other types that move.
+// Cost: O(1), 0.1 to 2 us, 3 to 20 us for a frustum; O(log n + k) expected for a mesh.
 inline std::optional<Hit> sweep(ShapeRef shape, ShapeRef moving, const Vec3& displacement) {
     Hit out_hit{};
     if (!found(gphys_shape_sweep(shape.type, shape.pointer, moving.type, moving.pointer, &displacement, &out_hit))) return std::nullopt;
@@ -2547,9 +2548,10 @@ inline void sweep_batch(ShapeSpan shapes, ShapeSpan moving, Span<const Vec3> dis
 }
 
 // The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule, AABB,
-// OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle that is
-// nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and have
-// translations of their own. Of a hull: out of all of it, and triangle is GPHYS_NO_TRIANGLE.
+// OBB, plane, triangle or frustum: to where the two just touch, on the side of a plane or triangle
+// that is nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and have
+// translations of their own. Of a hull: out of all of it, and triangle is GPHYS_NO_TRIANGLE. A frustum
+// must be the hull of its corners (gamephys::frustum_corners).
 // Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
 // ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from the
 // other shape. Added to float positions, the translation may leave an overlap of the spacing of floats
@@ -2557,10 +2559,11 @@ inline void sweep_batch(ShapeSpan shapes, ShapeSpan moving, Span<const Vec3> dis
 // Result: depth and normal of the translation, which is their product; of several that are as short
 // one, always the same. The point of the solid that gets furthest in is point - depth * normal.
 // std::nullopt if nothing is found.
-// Throws Error with GPHYS_ERROR_UNSUPPORTED for rays, segments and frusta, and for other types that
-// move.
-// Cost: O(1), 0.1 to 1 us; O(log n + k) expected for a mesh. Boxes by separating axes (Gottschalk
-// 1996), what is round by the distance of its core (Gilbert, Johnson, Keerthi 1988).
+// Throws Error with GPHYS_ERROR_UNSUPPORTED for rays, segments, frusta that are not the hull of their
+// corners, and for other types that move.
+// Cost: O(1), 0.1 to 1 us, 3 to 20 us for a frustum; O(log n + k) expected for a mesh. Boxes by
+// separating axes (Gottschalk 1996), what is round by the distance of its core (Gilbert, Johnson,
+// Keerthi 1988).
 inline std::optional<Penetration> penetration(ShapeRef shape, ShapeRef moving) {
     Penetration out_penetration{};
     if (!found(gphys_shape_penetration(shape.type, shape.pointer, moving.type, moving.pointer, &out_penetration))) return std::nullopt;
@@ -2580,7 +2583,11 @@ inline void penetration_batch(ShapeSpan shapes, ShapeSpan moving, Span<Penetrati
 }
 
 // The eight corners, each the intersection of three planes: near then far, each in the order
-// left-bottom, right-bottom, right-top, left-top.
+// left-bottom, right-bottom, right-top, left-top. A frustum is the convex hull of its corners (the
+// intersections themselves, not rounded to floats) if each is within GPHYS_MAX_COORDINATE and in front
+// of the three planes that do not meet there, by more than 2^-39 of its distance from origin: so
+// unless it is empty, flat, unbounded or ends in a tip. Solids are swept against such a frustum and
+// pushed out of it; for the bounds of their errors, origin counts as a corner.
 // Result: std::nullopt if three planes do not meet in a point (infinite far plane), or meet beyond the
 // largest float.
 // Cost: O(1).

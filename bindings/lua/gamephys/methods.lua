@@ -2659,17 +2659,18 @@ function gp.sweep_sphere(shape, sphere, displacement, out_hit)
 end
 
 --- First contact of a sphere, capsule, AABB or OBB that moves by displacement, without turning, with a
---- sphere, capsule, AABB, OBB, plane, triangle or mesh.
+--- sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh. A frustum, unless a sphere moves, must
+--- be the hull of its corners (gp.frustum_corners).
 --- Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
 --- ulp of t. Point and normal are those of that contact.
---- Cost: O(1), 0.1 to 2 us; O(log n + k) expected for a mesh.
+--- Cost: O(1), 0.1 to 2 us, 3 to 20 us for a frustum; O(log n + k) expected for a mesh.
 --- @param displacement metres; may be zero
 --- @return t, point and normal as in gp.sweep_sphere, whose answers a sphere gets. The point is one of
 ---     those where the two touch, always the same. Already overlapping, but for a sphere: t = 0,
 ---     HIT_INSIDE, and point and normal of gp.penetration; of a mesh that is no hull, those of its
 ---     first triangle. nil if nothing is found.
---- @raise status ERROR_UNSUPPORTED: for a ray or a segment as the shape, for a frustum unless a sphere
----     moves, and for other types that move
+--- @raise status ERROR_UNSUPPORTED: for a ray or a segment as the shape, for a frustum that is not the
+---     hull of its corners, unless a sphere moves, and for other types that move
 function gp.sweep(shape, moving, displacement, out_hit)
     out_hit = out_hit or Hit.new()
     if found(C.gphys_shape_sweep(kind(shape), address(shape), kind(moving), address(moving), to_value(Vec3, displacement), out_hit)) then return out_hit end
@@ -2693,19 +2694,22 @@ function gp.sweep_batch(shapes, moving, displacements, out)
 end
 
 --- The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule, AABB,
---- OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle that is
---- nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and have
---- translations of their own. Of a hull: out of all of it, and triangle is NO_TRIANGLE.
+--- OBB, plane, triangle or frustum: to where the two just touch, on the side of a plane or triangle
+--- that is nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and have
+--- translations of their own. Of a hull: out of all of it, and triangle is NO_TRIANGLE. A frustum must
+--- be the hull of its corners (gp.frustum_corners).
 --- Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
 --- ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from the
 --- other shape. Added to float positions, the translation may leave an overlap of the spacing of floats
 --- there.
---- Cost: O(1), 0.1 to 1 us; O(log n + k) expected for a mesh. Boxes by separating axes (Gottschalk
---- 1996), what is round by the distance of its core (Gilbert, Johnson, Keerthi 1988).
+--- Cost: O(1), 0.1 to 1 us, 3 to 20 us for a frustum; O(log n + k) expected for a mesh. Boxes by
+--- separating axes (Gottschalk 1996), what is round by the distance of its core (Gilbert, Johnson,
+--- Keerthi 1988).
 --- @return depth and normal of the translation, which is their product; of several that are as short
 ---     one, always the same. The point of the solid that gets furthest in is point - depth * normal.
 ---     nil if nothing is found.
---- @raise status ERROR_UNSUPPORTED: for rays, segments and frusta, and for other types that move
+--- @raise status ERROR_UNSUPPORTED: for rays, segments, frusta that are not the hull of their corners,
+---     and for other types that move
 function gp.penetration(shape, moving, out_penetration)
     out_penetration = out_penetration or Penetration.new()
     if found(C.gphys_shape_penetration(kind(shape), address(shape), kind(moving), address(moving), out_penetration)) then return out_penetration end
@@ -2728,7 +2732,11 @@ function gp.penetration_batch(shapes, moving, out)
 end
 
 --- The eight corners, each the intersection of three planes: near then far, each in the order
---- left-bottom, right-bottom, right-top, left-top.
+--- left-bottom, right-bottom, right-top, left-top. A frustum is the convex hull of its corners (the
+--- intersections themselves, not rounded to floats) if each is within MAX_COORDINATE and in front of
+--- the three planes that do not meet there, by more than 2^-39 of its distance from origin: so unless
+--- it is empty, flat, unbounded or ends in a tip. Solids are swept against such a frustum and pushed
+--- out of it; for the bounds of their errors, origin counts as a corner.
 --- Cost: O(1).
 --- @return nil if three planes do not meet in a point (infinite far plane), or meet beyond the largest
 ---     float.

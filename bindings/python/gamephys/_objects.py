@@ -2858,10 +2858,11 @@ def sweep_sphere(shape: Shape, sphere: low.Sphere | Sequence, displacement: low.
 
 def sweep(shape: Shape, moving: Shape, displacement: low.Vec3 | Sequence) -> low.Hit | None:
     """First contact of a sphere, capsule, AABB or OBB that moves by displacement, without turning,
-    with a sphere, capsule, AABB, OBB, plane, triangle or mesh.
+    with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh. A frustum, unless a sphere
+    moves, must be the hull of its corners (gamephys.frustum_corners).
     Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and
     1 ulp of t. Point and normal are those of that contact.
-    Cost: O(1), 0.1 to 2 us; O(log n + k) expected for a mesh.
+    Cost: O(1), 0.1 to 2 us, 3 to 20 us for a frustum; O(log n + k) expected for a mesh.
 
     Args:
         displacement: metres; may be zero
@@ -2873,8 +2874,8 @@ def sweep(shape: Shape, moving: Shape, displacement: low.Vec3 | Sequence) -> low
             is no hull, those of its first triangle. None if nothing is found.
 
     Raises:
-        Error, status ERROR_UNSUPPORTED: for a ray or a segment as the shape, for a frustum unless a
-            sphere moves, and for other types that move"""
+        Error, status ERROR_UNSUPPORTED: for a ray or a segment as the shape, for a frustum that is
+            not the hull of its corners, unless a sphere moves, and for other types that move"""
     type_, shape_ = shape_of(shape)
     moving_type_, moving_ = shape_of(moving)
     displacement_ = value_of(displacement, low.Vec3)
@@ -2905,15 +2906,17 @@ def sweep_batch(shapes: ArrayLike, moving: ArrayLike, displacements: ArrayLike, 
 
 def penetration(shape: Shape, moving: Shape) -> low.Penetration | None:
     """The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule,
-    AABB, OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle
-    that is nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and
-    have translations of their own. Of a hull: out of all of it, and triangle is NO_TRIANGLE.
+    AABB, OBB, plane, triangle or frustum: to where the two just touch, on the side of a plane or
+    triangle that is nearer. Of a mesh: out of the triangle that it is deepest in; others may
+    remain, and have translations of their own. Of a hull: out of all of it, and triangle is
+    NO_TRIANGLE. A frustum must be the hull of its corners (gamephys.frustum_corners).
     Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and
     1 ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from
     the other shape. Added to float positions, the translation may leave an overlap of the spacing
     of floats there.
-    Cost: O(1), 0.1 to 1 us; O(log n + k) expected for a mesh. Boxes by separating axes (Gottschalk
-    1996), what is round by the distance of its core (Gilbert, Johnson, Keerthi 1988).
+    Cost: O(1), 0.1 to 1 us, 3 to 20 us for a frustum; O(log n + k) expected for a mesh. Boxes by
+    separating axes (Gottschalk 1996), what is round by the distance of its core (Gilbert, Johnson,
+    Keerthi 1988).
 
     Returns:
         depth and normal of the translation, which is their product; of several that are as short
@@ -2921,8 +2924,8 @@ def penetration(shape: Shape, moving: Shape) -> low.Penetration | None:
             normal. None if nothing is found.
 
     Raises:
-        Error, status ERROR_UNSUPPORTED: for rays, segments and frusta, and for other types that
-            move"""
+        Error, status ERROR_UNSUPPORTED: for rays, segments, frusta that are not the hull of their
+            corners, and for other types that move"""
     type_, shape_ = shape_of(shape)
     moving_type_, moving_ = shape_of(moving)
     out_penetration = low.Penetration()
@@ -2950,7 +2953,11 @@ def penetration_batch(shapes: ArrayLike, moving: ArrayLike, *, out: np.ndarray |
 
 def frustum_corners(frustum: low.Frustum | Sequence) -> np.ndarray | None:
     """The eight corners, each the intersection of three planes: near then far, each in the order
-    left-bottom, right-bottom, right-top, left-top.
+    left-bottom, right-bottom, right-top, left-top. A frustum is the convex hull of its corners (the
+    intersections themselves, not rounded to floats) if each is within MAX_COORDINATE and in front
+    of the three planes that do not meet there, by more than 2^-39 of its distance from origin: so
+    unless it is empty, flat, unbounded or ends in a tip. Solids are swept against such a frustum
+    and pushed out of it; for the bounds of their errors, origin counts as a corner.
     Cost: O(1).
 
     Returns:
