@@ -189,7 +189,10 @@ void World::set_state() {
             case 3:
                 return call(gphys_solver_set_masses, s, body, first, count, scalars.data(), stride / 3);
             case 4:
-                return call(gphys_solver_set_radii, s, body, first, count, scalars.data(), stride / 3);
+                // By an earlier choice, so that the programs of the corpus keep their meaning.
+                return first % 2
+                           ? call(gphys_solver_set_friction_factors, s, body, first, count, scalars.data(), stride / 3)
+                           : call(gphys_solver_set_radii, s, body, first, count, scalars.data(), stride / 3);
             case 5:
                 return call(gphys_solver_set_air_velocities, s, body, first, count, vectors.data(), stride);
             case 6:
@@ -200,16 +203,17 @@ void World::set_state() {
         }
     });
     std::vector<gphys_vec3> read(count + 1);
-    std::vector<float> radii(count + 1);
+    std::vector<float> radii(count + 1), factors(count + 1);
     std::vector<int32_t> held(count + 1);
     const gphys_status status = call(gphys_solver_get_forces, solver_, body, first, count, read.data(), 12u);
     FUZZ_CHECK(call(gphys_solver_get_air_velocities, solver_, body, first, count, read.data(), 12u) == status &&
                    call(gphys_solver_get_animation_targets, solver_, body, first, count, aimed.data(),
                         uint32_t{sizeof aimed[0]}) == status &&
                    call(gphys_solver_get_radii, solver_, body, first, count, radii.data(), 4u) == status &&
+                   call(gphys_solver_get_friction_factors, solver_, body, first, count, factors.data(), 4u) == status &&
                    call(gphys_solver_get_pinned, solver_, body, first, count, held.data(), 4u) == status,
                "what is set of particles is read");
-    if (status == GPHYS_OK && count > 0) note(held[0]), note(aimed[0]);
+    if (status == GPHYS_OK && count > 0) note(held[0]), note(aimed[0]), note(factors[0]);
 }
 
 void World::change_body() {
@@ -646,6 +650,8 @@ void World::solver_misuse() {
         call(gphys_solver_set_constraint_settings, solver_, body, nullptr, nullptr, 12u, 1u),
         call(gphys_solver_get_wind, solver_, body, nullptr),
         call(gphys_solver_set_wind, none, body, nullptr),
+        call(gphys_solver_set_friction_factors, solver_, body, 0u, 1u, nullptr, 4u),
+        call(gphys_solver_get_friction_factors, none, body, 0u, 1u, &value, 4u),
         call(gphys_solver_set_air_velocities, solver_, body, 0u, 1u, nullptr, 12u),
         call(gphys_solver_get_air_velocities, solver_, body, 1000u, 1u, &out, 12u),
         call(gphys_solver_set_animation_targets, solver_, body, 0u, 1u, nullptr, 32u),

@@ -2076,7 +2076,7 @@ typedef struct gphys_body_desc {
  * rows) and w = 30 rad/s, and a damping of 1 or 2 per second. It hangs with more strain beside its pins; curtains and
  * capes do better with damping alone. docs/solver.md has measured both. */
 /* Particles that collide with particles are spheres that do not pass through each other whatever their speed;
- * friction and restitution of a pair are the geometric means of its bodies' (sqrt(a b)). Within a body with
+ * friction and restitution of a pair are the geometric means of its particles' (sqrt(a b)). Within a body with
  * constraints, those collide that were placed further apart than their radii reach and are not linked
  * directly; without constraints, all. Links and triangles have no thickness of their own: cloth lets no cloth
  * of its own spacing through if the radius is 0.45 spacings at least (0.36 closes a square cell), and no rope
@@ -2296,6 +2296,21 @@ GPHYS_API gphys_status gphys_solver_get_radii(const gphys_solver* solver, gphys_
  *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_set_radii(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                               const float* radii, uint32_t stride);
+/** Friction factors of particles; 1 until they are set.
+ *  @param first, count  as in gphys_solver_get_positions
+ *  @param out_factors   count elements
+ *  Cost: O(count).  Since 1.1. */
+GPHYS_API gphys_status gphys_solver_get_friction_factors(const gphys_solver* solver, gphys_body_id body, uint32_t first,
+                                                         uint32_t count, float* out_factors, uint32_t out_stride);
+/** Give particles more or less friction than their body has: ice, a sticky hem, a worn patch. In every contact, with
+ *  models and with particles, the coefficients of a particle are the friction and the static_friction of its body times
+ *  its factor. A body with a friction of 1 thus has the factors for coefficients; gphys_solver_set_body_settings scales
+ *  them all and keeps the factors. Wakes the body.
+ *  @param first, count  as in gphys_solver_get_positions
+ *  @param factors       >= 0; a stride of 0 gives all the same
+ *  Cost: O(count); the first factor other than 1 O(particles), and it allocates.  Since 1.1. */
+GPHYS_API gphys_status gphys_solver_set_friction_factors(gphys_solver* solver, gphys_body_id body, uint32_t first,
+                                                         uint32_t count, const float* factors, uint32_t stride);
 /** The forces that were set for particles, newtons.
  *  @param first, count  as in gphys_solver_get_positions
  *  @param out_forces    count elements

@@ -132,6 +132,7 @@ static void changes(session* s) {
         steps(s, 1);
         DO(gphys_solver_set_positions(s->solver, body, 0, 1, &place, 12));
         DO(gphys_solver_set_radii(s->solver, body, 0, 1, &radius, 4));
+        DO(gphys_solver_set_friction_factors(s->solver, body, 0, 1, &radius, 4));
         DO(gphys_solver_set_air_velocities(s->solver, body, 0, 1, &wind, 12));
         DO(gphys_solver_set_animation_targets(s->solver, body, 0, 2, &target, 0));
         settings.self_collision = 1;

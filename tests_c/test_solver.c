@@ -951,6 +951,51 @@ static void test_reading_particles(void** state) {
     assert_int_equal(gphys_solver_get_pinned(f->solver, f->rope, 1, 3, pinned, 3), BAD);
 }
 
+static void test_friction_factors(void** state) {
+    fixture* f = *state;
+    const float given[3] = {0.5f, 0, 2};
+    float bad[3] = {3, 3, -1}, got[4] = {7, 7, 7, 7}, spread[6];
+    uint32_t before[2], after[2];
+    size_t i;
+    assert_int_equal(gphys_solver_get_friction_factors(f->solver, f->rope, 0, 4, got, 4), GPHYS_OK);
+    for (i = 0; i < 4; ++i) assert_true(got[i] == 1);
+    assert_int_equal(gphys_solver_set_friction_factors(f->solver, f->rope, 1, 3, given, 4), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_friction_factors(f->solver, f->rope, 0, 4, got, 4), GPHYS_OK);
+    assert_true(got[0] == 1 && got[1] == 0.5f && got[2] == 0 && got[3] == 2);
+    /* What is refused changes nothing, also where others of the array are fine. */
+    assert_int_equal(gphys_solver_get_hash(f->solver, before), GPHYS_OK);
+    assert_int_equal(gphys_solver_set_friction_factors(f->solver, f->rope, 0, 3, bad, 4), BAD);
+    assert_non_null(strstr(gphys_last_error(), "factors[2]: -1 is not"));
+    for (i = 0; i < BAD_COUNT; ++i) {
+        bad[2] = bad_values[i];
+        assert_int_equal(gphys_solver_set_friction_factors(f->solver, f->rope, 0, 3, bad, 4), BAD);
+    }
+    assert_int_equal(gphys_solver_set_friction_factors(f->solver, f->rope, 2, 3, given, 4), BAD);
+    assert_int_equal(gphys_solver_set_friction_factors(f->solver, f->rope, 0, 3, given, 3), BAD);
+    assert_int_equal(gphys_solver_set_friction_factors(f->solver, f->rope, 0, 3, NULL, 4), BAD);
+    assert_int_equal(gphys_solver_set_friction_factors(NULL, f->rope, 0, 3, given, 4), BAD);
+    assert_int_equal(gphys_solver_set_friction_factors(f->solver, f->removed, 0, 1, given, 4), STALE);
+    assert_int_equal(gphys_solver_get_friction_factors(f->solver, f->rope, 3, 2, got, 4), BAD);
+    assert_int_equal(gphys_solver_get_friction_factors(f->solver, f->rope, 0, 4, got, 0), BAD);
+    assert_int_equal(gphys_solver_get_friction_factors(f->solver, f->rope, 0, 4, NULL, 4), BAD);
+    assert_int_equal(gphys_solver_get_friction_factors(NULL, f->rope, 0, 4, got, 4), BAD);
+    assert_int_equal(gphys_solver_get_friction_factors(f->solver, f->removed, 0, 1, got, 4), STALE);
+    assert_int_equal(gphys_solver_get_hash(f->solver, after), GPHYS_OK);
+    assert_memory_equal(before, after, sizeof before);
+    /* No particles, a stride, one for all, and back. */
+    assert_int_equal(gphys_solver_set_friction_factors(f->solver, f->rope, 4, 0, NULL, 4), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_friction_factors(f->solver, f->rope, 1, 3, spread, 8), GPHYS_OK);
+    assert_true(spread[0] == 0.5f && spread[2] == 0 && spread[4] == 2);
+    assert_int_equal(gphys_solver_set_friction_factors(f->solver, f->rope, 0, 2, spread, 8), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_friction_factors(f->solver, f->rope, 0, 2, got, 4), GPHYS_OK);
+    assert_true(got[0] == 0.5f && got[1] == 0);
+    got[0] = 1;
+    assert_int_equal(gphys_solver_set_friction_factors(f->solver, f->rope, 0, 4, got, 0), GPHYS_OK);
+    assert_int_equal(gphys_solver_step(f->solver, NULL, 0.01f), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_friction_factors(f->solver, f->rope, 3, 1, got, 4), GPHYS_OK);
+    assert_true(got[0] == 1);
+}
+
 static void test_wind(void** state) {
     fixture* f = *state;
     gphys_wind wind = {{1, 2, 3}, 1.2f, 0.5f, 0.25f}, got;
@@ -1067,6 +1112,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_body_settings, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_constraint_settings, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_reading_particles, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_friction_factors, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_wind, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_animation_targets, set_up, tear_down),
     };

@@ -168,6 +168,7 @@ static void test_changes_of_settings(void** state) {
     const gphys_vec3 nowhere = {NAN, 0, 0};
     const gphys_animation_target target = {{0, 0, 0}, {0, 0, 0}, 1, 1};
     const gphys_constraint_id none = NONE;
+    const float sticky = -0.5f;
     assert_int_equal(gphys_solver_get_settings(s, &solver), GPHYS_OK);
     solver.fixed_step = 1;
     REFUSED(gphys_solver_set_settings(s, &solver), BAD);
@@ -177,6 +178,7 @@ static void test_changes_of_settings(void** state) {
     body.restitution = 0;
     REFUSED(gphys_solver_set_body_settings(s, f->removed, &body), STALE);
     REFUSED(gphys_solver_set_constraint_settings(s, f->rope, &none, &link, 0, 1), STALE);
+    REFUSED(gphys_solver_set_friction_factors(s, f->rope, 0, 2, &sticky, 0), BAD);
     REFUSED(gphys_solver_set_wind(s, f->rope, &wind), BAD);
     REFUSED(gphys_solver_set_air_velocities(s, f->rope, 0, 1, &nowhere, 12), BAD);
     REFUSED(gphys_solver_set_animation_targets(s, f->rope, 0, 1, &target, 0), BAD);

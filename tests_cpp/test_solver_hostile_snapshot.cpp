@@ -147,6 +147,20 @@ const State states[] = {
          world.rope(line({0, 0.3f, 0.05f}, {0.11f, 0, 0}, 4), 0, desc);
      },
      10},
+    {"friction of single particles",
+     [](World& world) {
+         add_floor(world);
+         gphys_body_desc desc = test::point_mass(0.05f, 0.4f, 0);
+         desc.static_friction = 0.6f;
+         const gphys_body_id bodies[] = {world.particles(line({0, 0.05f, 0}, {0.2f, 0, 0}, 3), desc),
+                                         world.rope(line({0, 0.05f, 1}, {0.1f, 0, 0}, 3), 0, desc),
+                                         world.cloth({0, 0.05f, 2}, {0.2f, 0, 0}, {0, 0, 0.2f}, 3, 3, desc)};
+         const float factors[] = {0, 0.5f, 2};
+         for (const gphys_body_id body : bodies) {
+             REQUIRE(gphys_solver_set_friction_factors(world.solver, body, 0, 3, factors, 4) == GPHYS_OK);
+         }
+     },
+     3},
     {"sleepers",
      [](World& world) {
          replace_solver(world, with_sleep());

@@ -283,6 +283,25 @@ func TestWindCarriesBallsAlong(t *testing.T) {
 	same(t, vectors[0].X > 1.8 && vectors[1].Y > 2.7, true)
 }
 
+func TestOneOfTwoBallsSlidesOverIce(t *testing.T) {
+	solver := must(NewSolver(nil))
+	scene := must(NewScene(nil))
+	must(scene.Add(Plane{Normal: up}, nil, nil))
+	balls := must(solver.AddParticles([]Vec3{Vec(0, 0.01, 0), Vec(0, 0.01, 1)}, nil))
+	try(t, solver.SetFrictionFactors(balls, 1, []float32{0}))
+	factors := make([]float32, 2)
+	try(t, solver.FrictionFactors(balls, 0, factors))
+	same(t, factors[0] == 1 && factors[1] == 0, true)
+	speeds := []Vec3{Vec(1, 0, 0), Vec(1, 0, 0)}
+	try(t, solver.SetVelocities(balls, 0, speeds))
+	for i := 0; i < 50; i++ {
+		try(t, solver.Step(scene, 0.01))
+	}
+	try(t, solver.Velocities(balls, 0, speeds))
+	same(t, speeds[0].X, float32(0))
+	same(t, close(speeds[1].X, 1, 1e-5), true)
+}
+
 func TestABallHangsBelowItsAnimationTarget(t *testing.T) {
 	solver := must(NewSolver(nil))
 	balls := must(solver.AddParticles([]Vec3{{}, Vec(1, 0, 0)}, nil))

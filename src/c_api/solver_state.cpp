@@ -4,6 +4,7 @@
 #include "c_api/lists.h"
 #include "c_api/solver_settings.h"
 #include "foundation/strided.h"
+#include "solver/contact/friction.h"
 #include "solver/solver.h"
 #include "solver/state.h"
 
@@ -45,7 +46,8 @@ Defect defect_of_vector(const gphys_vec3& value) { return defect(value); }
 Defect defect_of_mass(float value) {
     return value > 0 && value <= GPHYS_MAX_COORDINATE ? Defect{} : Defect{"", 0, value, mass_range};
 }
-Defect defect_of_radius(float value) { return is_amount(value) ? Defect{} : Defect{"", 0, value, amount_range}; }
+/// A radius or a friction factor.
+Defect defect_of_amount(float value) { return is_amount(value) ? Defect{} : Defect{"", 0, value, amount_range}; }
 
 constexpr char distance_range[] = "from 0 to 1e15 or INFINITY";
 Defect defect_of_target(const gphys_animation_target& target) {
@@ -154,9 +156,31 @@ gphys_status gphys_solver_set_radii(gphys_solver* solver, gphys_body_id body, ui
                                     const float* radii, uint32_t stride) {
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_range(solver, body, first, count));
-        GPHYS_TRY(check_array("radii", radii, stride, count, defect_of_radius));
+        GPHYS_TRY(check_array("radii", radii, stride, count, defect_of_amount));
         set_radii(unwrap(solver)->edit(body), first, count, radii, stride);
         unwrap(solver)->update_mesh(body);
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_solver_get_friction_factors(const gphys_solver* solver, gphys_body_id body, uint32_t first,
+                                               uint32_t count, float* out_factors, uint32_t out_stride) {
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_TRY(check_range(solver, body, first, count));
+        GPHYS_TRY(check_out("out_factors", out_factors, out_stride, count));
+        const StridedOut<float> to(out_factors, out_stride);
+        const Body& b = unwrap(solver)->body(body);
+        for (uint32_t i = 0; i < count; ++i) to[i] = static_cast<float>(friction_factor(b, first + i));
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_solver_set_friction_factors(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
+                                               const float* factors, uint32_t stride) {
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_TRY(check_range(solver, body, first, count));
+        GPHYS_TRY(check_array("factors", factors, stride, count, defect_of_amount));
+        set_friction_factors(unwrap(solver)->body(body), first, count, factors, stride);
         return GPHYS_OK;
     });
 }

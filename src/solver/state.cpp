@@ -54,6 +54,23 @@ void set_radii(Body& body, uint32_t first, uint32_t count, const float* radii, u
     body.particles.largest_radius = -1;
 }
 
+void set_friction_factors(Body& body, uint32_t first, uint32_t count, const float* factors, uint32_t stride) {
+    const Strided<float> from(factors, stride);
+    Vector<double>& all = body.contacts.friction_factor;
+    bool any = !all.empty();
+    for (uint32_t i = 0; i < count && !any; ++i) any = from[i] != 1;
+    if (all.empty() && any) all.assign(body.particles.size(), 1);
+    wake(body);
+    if (!any) return;
+    for (uint32_t i = 0; i < count; ++i) {
+        double& factor = all[first + i];
+        // What friction holds now was held by another friction.
+        if (factor != from[i] && !body.contacts.stuck.empty()) body.contacts.stuck[first + i] = 0;
+        factor = from[i];
+    }
+    if (std::all_of(all.begin(), all.end(), [](double factor) { return factor == 1; })) all.clear();
+}
+
 void set_forces(Body& body, uint32_t first, uint32_t count, const gphys_vec3* forces, uint32_t stride) {
     const Strided<gphys_vec3> from(forces, stride);
     bool any = false;

@@ -15,6 +15,8 @@ void set_positions(Body& body, uint32_t first, uint32_t count, const gphys_vec3*
 void set_velocities(Body& body, uint32_t first, uint32_t count, const gphys_vec3* velocities, uint32_t stride);
 void set_masses(Body& body, uint32_t first, uint32_t count, const float* masses, uint32_t stride);
 void set_radii(Body& body, uint32_t first, uint32_t count, const float* radii, uint32_t stride);
+/// Throws std::bad_alloc before it changes anything, and then wakes the body.
+void set_friction_factors(Body& body, uint32_t first, uint32_t count, const float* factors, uint32_t stride);
 void set_forces(Body& body, uint32_t first, uint32_t count, const gphys_vec3* forces, uint32_t stride);
 void set_pinned(Body& body, uint32_t first, uint32_t count, bool pinned);
 bool is_attached(const Constraints& constraints, uint32_t particle);

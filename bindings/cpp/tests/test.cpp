@@ -718,6 +718,24 @@ TEST_CASE("wind carries balls along") {
     CHECK((vectors[0].x > 1.8f && vectors[1].y > 2.7f));
 }
 
+TEST_CASE("one of two balls slides over ice") {
+    auto desc = solver_desc();
+    desc.gravity = {0, -10, 0};
+    Solver solver(&desc);
+    Scene scene;
+    scene.add(Plane{{0, 1, 0}, 0});
+    const auto balls = solver.add_particles(std::vector<Vec3>{{0, 0.01f, 0}, {0, 0.01f, 1}});
+    solver.set_friction_factors(balls, 1, std::vector<float>{0});
+    std::vector<float> factors(2);
+    solver.get_friction_factors(balls, 0, 2, factors);
+    CHECK((factors[0] == 1 && factors[1] == 0));
+    solver.set_velocities(balls, 0, std::vector<Vec3>{{1, 0, 0}, {1, 0, 0}});
+    for (int i = 0; i < 50; ++i) solver.step(&scene, 0.01f);
+    std::vector<Vec3> speeds(2);
+    solver.get_velocities(balls, 0, 2, speeds);
+    CHECK((speeds[0].x == 0 && speeds[1].x == Approx(1)));
+}
+
 TEST_CASE("a ball hangs below its animation target") {
     gamephys::Solver solver;
     const auto balls = solver.add_particles(std::vector<Vec3>{zero, {1, 0, 0}});

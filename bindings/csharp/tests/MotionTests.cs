@@ -285,6 +285,24 @@ public class MotionTests {
     }
 
     [Test]
+    public void OneOfTwoBallsSlidesOverIce() {
+        var solver = new Solver();
+        var scene = new Scene();
+        scene.Add(new Plane(Up, 0));
+        var balls = solver.AddParticles(new Vec3[] { (0, 0.01f, 0), (0, 0.01f, 1) });
+        solver.SetFrictionFactors(balls, 1, new float[] { 0 });
+        var factors = new float[2];
+        solver.GetFrictionFactors(balls, 0, factors);
+        Assert.AreEqual((1f, 0f), (factors[0], factors[1]));
+        var speeds = new Vec3[] { (1, 0, 0), (1, 0, 0) };
+        solver.SetVelocities(balls, 0, speeds);
+        for (var i = 0; i < 50; ++i) solver.Step(0.01f, scene);
+        solver.GetVelocities(balls, 0, speeds);
+        Assert.AreEqual(0, speeds[0].X);
+        Assert.AreEqual(1, speeds[1].X, 1e-5);
+    }
+
+    [Test]
     public void ABallHangsBelowItsAnimationTarget() {
         var solver = new Solver();
         var balls = solver.AddParticles(new Vec3[] { (0, 0, 0), (1, 0, 0) });

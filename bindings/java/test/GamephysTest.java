@@ -635,6 +635,22 @@ public class GamephysTest {
     }
 
     @Test
+    public void oneOfTwoBallsSlidesOverIce() {
+        Solver solver = new Solver();
+        Scene scene = new Scene();
+        scene.add(new Plane(v(0, 1, 0), 0));
+        int balls = solver.addParticles(points(v(0, 0.01f, 0), v(0, 0.01f, 1)));
+        solver.setFrictionFactors(balls, 1, Batch.floats(0));
+        assertEquals(1, solver.getFrictionFactors(balls, 0, 2).get(0), 0);
+        assertEquals(0, solver.getFrictionFactors(balls, 0, 2).get(1), 0);
+        solver.setVelocities(balls, 0, points(v(1, 0, 0), v(1, 0, 0)));
+        for (int step = 0; step < 50; ++step) solver.step(scene, 0.01f);
+        Batch<Vec3> speeds = solver.getVelocities(balls, 0, 2);
+        assertEquals(0, speeds.get(0).x(), 0);
+        assertEquals(1, speeds.get(1).x(), 1e-5);
+    }
+
+    @Test
     public void aBallHangsBelowItsAnimationTarget() {
         Solver solver = new Solver();
         int balls = solver.addParticles(points(ZERO, v(1, 0, 0)));

@@ -433,6 +433,19 @@ test('wind carries balls along', () => {
     assert(first[0] > 1.8 && second[1] > 2.7);
 });
 
+test('one of two balls slides over ice', () => {
+    const solver = new gp.Solver();
+    const scene = new gp.Scene();
+    scene.add(gp.plane([0, 1, 0], 0));
+    const balls = solver.addParticles(floats(0, 0.01, 0, 0, 0.01, 1));
+    solver.setFrictionFactors(balls, 1, floats(0));
+    near(solver.getFrictionFactors(balls, 0, 2).f32, [1, 0]);
+    solver.setVelocities(balls, 0, floats(1, 0, 0, 1, 0, 0));
+    for (let i = 0; i < 50; ++i) solver.step(scene, 0.01);
+    const [first, second] = solver.getVelocities(balls, 0, 2);
+    near([first[0], second[0]], [0, 1]);
+});
+
 test('a ball hangs below its animation target', () => {
     const solver = new gp.Solver();
     const balls = solver.addParticles(floats(0, 0, 0, 1, 0, 0));

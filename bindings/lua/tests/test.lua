@@ -523,6 +523,19 @@ function tests.wind_carries_balls_along()
     assert(speeds[0].x > 1.8 and speeds[1].y > 2.7)
 end
 
+function tests.one_of_two_balls_slides_over_ice()
+    local solver, scene = gp.Solver(), gp.Scene()
+    scene:add(gp.Plane({ 0, 1, 0 }, 0))
+    local balls = solver:add_particles(gp.array('vec3', { { 0, 0.01, 0 }, { 0, 0.01, 1 } }))
+    solver:set_friction_factors(balls, 1, { 0 })
+    local factors = solver:get_friction_factors(balls, 0, 2)
+    assert(factors[0] == 1 and factors[1] == 0)
+    solver:set_velocities(balls, 0, { { 1, 0, 0 }, { 1, 0, 0 } })
+    for _ = 1, 50 do solver:step(scene, 0.01) end
+    local speeds = solver:get_velocities(balls, 0, 2)
+    assert(speeds[0].x == 0 and near(speeds[1].x, 1, 1e-5))
+end
+
 function tests.a_ball_hangs_below_its_animation_target()
     local solver = gp.Solver()
     local balls = solver:add_particles(gp.array('vec3', { { 0, 0, 0 }, { 1, 0, 0 } }))

@@ -507,6 +507,20 @@ class Functions(unittest.TestCase):
         self.assertGreater(first[0], 1.8)
         self.assertGreater(second[1], 2.7)
 
+    def test_one_of_two_balls_slides_over_ice(self):
+        solver = gp.Solver()
+        scene = gp.Scene()
+        scene.add(gp.Plane((0, 1, 0), 0))
+        balls = solver.add_particles([(0, 0.01, 0), (0, 0.01, 1)])
+        solver.set_friction_factors(balls, 1, [0])
+        self.assertEqual(solver.get_friction_factors(balls, 0, 2).tolist(), [1, 0])
+        solver.set_velocities(balls, 0, [(1, 0, 0), (1, 0, 0)])
+        for _ in range(50):
+            solver.step(scene, 0.01)
+        first, second = solver.get_velocities(balls, 0, 2)
+        self.assertEqual(first[0], 0)
+        self.assertAlmostEqual(second[0], 1, 5)
+
     def test_a_ball_hangs_below_its_animation_target(self):
         solver = gp.Solver()
         balls = solver.add_particles([(0, 0, 0), (1, 0, 0)])

@@ -520,6 +520,20 @@ class TestGamephys < Minitest::Test
     assert_operator second[1], :>, 2.7
   end
 
+  def test_one_of_two_balls_slides_over_ice
+    solver = Solver.new
+    scene = Scene.new
+    scene.add(Plane.new([0, 1, 0], 0))
+    balls = solver.add_particles([[0, 0.01, 0], [0, 0.01, 1]])
+    solver.set_friction_factors(balls, 1, [0])
+    assert_equal [1, 0], solver.get_friction_factors(balls, 0, 2).to_a
+    solver.set_velocities(balls, 0, [[1, 0, 0], [1, 0, 0]])
+    50.times { solver.step(scene, 0.01) }
+    first, second = solver.get_velocities(balls, 0, 2).to_a
+    assert_equal 0, first[0]
+    assert_in_delta 1, second[0], 1e-5
+  end
+
   def test_a_ball_hangs_below_its_animation_target
     solver = Solver.new
     balls = solver.add_particles([[0, 0, 0], [1, 0, 0]])

@@ -258,6 +258,23 @@ fn wind_carries_balls_along() {
 }
 
 #[test]
+fn one_of_two_balls_slides_over_ice() {
+    let mut solver = Solver::new(None).unwrap();
+    let mut scene = Scene::new(None).unwrap();
+    scene.add(&Plane::new([0.0, 1.0, 0.0], 0.0), None, None).unwrap();
+    let balls = solver.add_particles(&[[0.0, 0.01, 0.0], [0.0, 0.01, 1.0]], None).unwrap();
+    solver.set_friction_factors(balls, 1, &[0.0]).unwrap();
+    let mut factors = [0.5; 2];
+    solver.get_friction_factors(balls, 0, &mut factors).unwrap();
+    assert_eq!(factors, [1.0, 0.0]);
+    solver.set_velocities(balls, 0, &[[1.0, 0.0, 0.0], [1.0, 0.0, 0.0]]).unwrap();
+    (0..50).for_each(|_| solver.step(Some(&scene), 0.01).unwrap());
+    let mut speeds = [Vec3::default(); 2];
+    solver.get_velocities(balls, 0, &mut speeds).unwrap();
+    assert!(speeds[0].x == 0.0 && (speeds[1].x - 1.0).abs() < 1e-5);
+}
+
+#[test]
 fn a_ball_hangs_below_its_animation_target() {
     let mut solver = Solver::new(None).unwrap();
     let balls = solver.add_particles(&[[0.0; 3], [1.0, 0.0, 0.0]], None).unwrap();

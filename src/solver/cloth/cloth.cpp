@@ -145,7 +145,7 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
         add_pull_impulses(body.constraints, around, state, cloth.in_chains, body.contacts.impulses,
                           scheme.step(damping), h);
     keep_cloth_to_targets(body.targets, state, cloth.in_chains);
-    if (collides) leave_planes(contacts, cloth.in_chains, state, cloth.moving_colliders, body.settings);
+    if (collides) leave_planes(body);
     const ClothStep step = cloth_step(h, body.history.earlier_step, damping);
     const double gain =
         sum_of_blocks(state, cloth.shares, [&](const ClothMotion& block) { return kernels.finish(block, step); });

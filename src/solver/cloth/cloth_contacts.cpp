@@ -6,6 +6,7 @@
 #include "solver/cloth/contact_cache.h"
 #include "solver/cloth/contact_search.h"
 #include "solver/contact/collision.h"
+#include "solver/contact/friction.h"
 #include "solver/quads.h"
 
 namespace gphys {
@@ -202,8 +203,7 @@ double impact_speed(const ClothContact& n, const ClothState& state, Vec3 place, 
 
 void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme) {
     ClothState& state = body.cloth.state;
-    const BodySettings& settings = body.settings;
-    const double h = scheme.h, rate = 1 / h, drag = scheme.drag(settings.damping);
+    const double h = scheme.h, rate = 1 / h, drag = scheme.drag(body.settings.damping);
     ClothContacts& contacts = body.cloth.contacts;
     ChainContacts& in_chains = body.cloth.in_chains;
     Vector<MovingCollider>& moving_colliders = body.cloth.moving_colliders;
@@ -239,15 +239,16 @@ void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity
         const double away = dot(moved, normal);
         n.approach = impact_speed(n, state, place, -away * rate, quiet_speed(gravity, h));
         const Vec3 along = moved - normal * away;
+        const Friction friction = friction_coefficients(body, n.particle);
         n.creep = -1;
-        if (settings.sticks()) {
+        if (friction.sticks()) {
             const Vec3 sliding = get(&state.velocity[i]) - (place - start) * rate;
             if (rests(body, n.particle, sliding, gravity)) n.creep = length(sliding) * h;
         }
         put(&in_chains.pulls[i], {});
         put(&in_chains.normals[i], normal);
         // The pull of links against the plane is known from the last substep.
-        const double squared = length_squared(along), hold = settings.friction * std::max(pressed_before, depth);
+        const double squared = length_squared(along), hold = friction.kinetic * std::max(pressed_before, depth);
         if (squared > hold * hold) {
             n.friction_before = hold;
             if (hold > 0) put(at, get(at) - along * (hold / std::sqrt(squared)));
@@ -263,17 +264,16 @@ void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity
 namespace {
 
 /// Friction: moves the particle back towards its place on the contact plane as far as Coulomb's law allows.
-void slow_down(ClothContact& n, Vec3 pull, const BodySettings& settings, Vec3 place, float* at) {
+void slow_down(ClothContact& n, Vec3 pull, const Friction& friction, double restitution, Vec3 place, float* at) {
     const Vec3 normal = n.planes[n.active_plane].normal, moved = get(at) - place;
     n.normal_total = std::max(0.0, n.normal_push - dot(pull, normal) * at[3]);
     const Vec3 along = moved - normal * dot(moved, normal);
-    const double squared = length_squared(along), hold = settings.friction * n.normal_total - n.friction_before;
+    const double squared = length_squared(along), hold = friction.kinetic * n.normal_total - n.friction_before;
     const auto within = [&](double most) { return most >= 0 && squared <= most * most; };
-    n.held = within(hold) ||
-             (n.creep >= 0 && within(n.creep + settings.static_friction * n.normal_total - n.friction_before));
+    n.held = within(hold) || (n.creep >= 0 && within(n.creep + friction.at_rest * n.normal_total - n.friction_before));
     if (n.held) {
         // A bouncing particle is held tangentially only.
-        put(at, settings.restitution * n.approach > 0 ? get(at) - along : place);
+        put(at, restitution * n.approach > 0 ? get(at) - along : place);
     } else if (hold > 0) {
         put(at, get(at) - along * (hold / std::sqrt(squared)));
     }
@@ -288,8 +288,10 @@ void note_places(ClothContacts& contacts, const ClothState& state) {
     }
 }
 
-void leave_planes(ClothContacts& contacts, ChainContacts& in_chains, ClothState& state,
-                  const Vector<MovingCollider>& moving_colliders, const BodySettings& settings) {
+void leave_planes(Body& body) {
+    ClothState& state = body.cloth.state;
+    ClothContacts& contacts = body.cloth.contacts;
+    ChainContacts& in_chains = body.cloth.in_chains;
     contacts.active.clear();
     for (uint32_t number = 0; number < contacts.candidates.size(); ++number) {
         ClothContact& n = contacts.candidates[number];
@@ -307,7 +309,8 @@ void leave_planes(ClothContacts& contacts, ChainContacts& in_chains, ClothState&
         contacts.active.push_back(number);
         const int32_t pushing = push_out(n, at);
         if (!before) n.active_plane = pushing;
-        slow_down(n, get(&in_chains.pulls[i]), settings, place_on_plane(n, moving_colliders, get(&state.start[i])), at);
+        slow_down(n, get(&in_chains.pulls[i]), friction_coefficients(body, n.particle), body.settings.restitution,
+                  place_on_plane(n, body.cloth.moving_colliders, get(&state.start[i])), at);
         // Moving back may lead into another contact plane.
         if (n.plane_count > 1) push_out(n, at);
         put(&in_chains.normals[i], {});

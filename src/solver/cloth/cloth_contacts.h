@@ -108,8 +108,7 @@ void search_cloth_contacts(Body& body, const CollisionContext& around, Vec3 grav
 void search_ahead(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme);
 void note_places(ClothContacts& contacts, const ClothState& state);
-void leave_planes(ClothContacts& contacts, ChainContacts& in_chains, ClothState& state,
-                  const Vector<MovingCollider>& moving_colliders, const BodySettings& settings);
+void leave_planes(Body& body);
 void count_contacts(Body& body, const CollisionContext& around, double rate);
 void turn_velocities(Body& body, const CollisionContext& around, double h);
 /// Call if moving models are in contact: they carry particles farther in a substep than friction should. Links between

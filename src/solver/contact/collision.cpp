@@ -2,6 +2,8 @@
 // step records (collision.h).
 #include "solver/contact/collision.h"
 
+#include "solver/contact/friction.h"
+
 namespace gphys {
 namespace {
 
@@ -191,17 +193,16 @@ namespace {
 /// The friction coefficient of an impact. Also decides whether the particle sticks: one that sticks is released when
 /// holding it would exceed static friction, and one that slides is caught when kinetic friction stops it.
 double choose_friction(Body& body, uint32_t particle, const Impact& impact, double restitution) {
-    const BodySettings& settings = body.settings;
-    if (!settings.sticks()) return settings.friction;
+    const Friction friction = friction_coefficients(body, particle);
+    if (!body.settings.sticks()) return friction.kinetic;
     const Vec3 relative = body.particles.velocity[particle] - impact.surface_velocity;
     const double approach = -dot(relative, impact.normal), given = (1 + restitution) * approach;
-    if (approach <= 0) return settings.friction;  // no impulse
+    if (approach <= 0) return friction.kinetic;  // no impulse
     const double sideways = length(relative + impact.normal * approach);
-    const double friction = body.contacts.stuck[particle] && sideways <= settings.static_friction * given
-                                ? settings.static_friction
-                                : settings.friction;
-    body.contacts.stuck[particle] = sideways <= friction * given;
-    return friction;
+    const double chosen =
+        body.contacts.stuck[particle] && sideways <= friction.at_rest * given ? friction.at_rest : friction.kinetic;
+    body.contacts.stuck[particle] = sideways <= chosen * given;
+    return chosen;
 }
 
 }  // namespace
@@ -244,12 +245,10 @@ bool Collider::holds(Body& body, uint32_t particle, uint32_t obstacle, Vec3 disp
     if (near.flat.sweep({at, radius}, displacement, hit) != TriState::yes) return false;
     const double into = -dot(displacement, hit.normal);
     if (into * hit.t > largest_gap(skin(radius, at))) return false;
-    const BodySettings& settings = body.settings;
-    const bool stuck = settings.sticks() && body.contacts.stuck[particle];
-    const double hold = (stuck ? settings.static_friction : settings.friction) * into;
+    const double hold = friction_of(body, particle) * into;
     if (length_squared(displacement + hit.normal * into) > hold * hold) return false;
     note(body, particle, near.model, hit.point, hit.normal);
-    if (settings.sticks()) body.contacts.stuck[particle] = 1;
+    if (body.settings.sticks()) body.contacts.stuck[particle] = 1;
     add_impulse(accumulator_.impulses, around_, near.model, hit.point, velocity * body.particles.mass[particle]);
     return true;
 }
@@ -320,7 +319,8 @@ void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement
         if (into > 0) {
             const Vec3 along = displacement + impact.normal * into;
             const double way = length(along);
-            const double hold = (stays ? body.settings.static_friction : body.settings.friction) * into;
+            const Friction friction = friction_coefficients(body, particle);
+            const double hold = (stays ? friction.at_rest : friction.kinetic) * into;
             displacement = way <= hold ? Vec3{} : along * (1 - hold / way);
         }
         if (contact > most_contacts) break;

@@ -45,6 +45,7 @@ struct Contacts {
           parts(memory),
           held(memory),
           stuck(memory),
+          friction_factor(memory),
           self(memory) {}
 
     Vector<ContactPoint> points;    // contact_points_per_particle each; empty until it has been in a scene
@@ -53,10 +54,11 @@ struct Contacts {
     Vector<FlightPart> parts;       // of free particles, if there are several; empty between steps
     /// By particle: 0, or 1 + the index of its last contact point in the substep under way.
     Vector<uint8_t> held;
-    Vector<uint32_t> stuck;    // by particle, if it sticks: whether friction holds it or it rests
-    bool has_contact = false;  // whether there was any, and the caller has not interrupted the motion since
-    bool near = false;         // its particles may be in contact with others in this substep
-    bool sunk = false;         // some particles are deeper in models than they can leave at once, in this substep
+    Vector<uint32_t> stuck;          // by particle, if it sticks: whether friction holds it or it rests
+    Vector<double> friction_factor;  // by particle, of the body's friction; empty: 1
+    bool has_contact = false;        // whether there was any, and the caller has not interrupted the motion since
+    bool near = false;               // its particles may be in contact with others in this substep
+    bool sunk = false;               // some particles are deeper in models than they can leave at once, in this substep
     SelfCollision self;
 };
 

@@ -3,6 +3,7 @@
 #include "solver/contact/particle_contacts.h"
 
 #include "solver/contact/collision.h"
+#include "solver/contact/friction.h"
 #include "solver/quads.h"
 
 namespace gphys {
@@ -330,16 +331,18 @@ bool ParticleContacts::find_contacts(const Range& range, const Vector<Body>& bod
         const Vec3 at_impact = t > 1 ? now : before + (now - before) * t;
         const double length = gphys::length(at_impact);
         const Vec3 normal = length > 0 ? at_impact / length : direction_of_pair(pair.a, pair.b);
-        const BodySettings &of_a = bodies[a.body].settings, &of_b = bodies[b.body].settings;
+        const Body &of_a = bodies[a.body], &of_b = bodies[b.body];
         // Their speed at the time of impact: later they would be faster, and never stop bouncing.
         const Vec3 arrived = b.velocity - a.velocity, gained = (arrived - (now - before) / h) * 2;
         const double approach = -dot(arrived - gained * (1 - std::min(t, 1.0)), normal);
-        const double restitution = std::sqrt(of_a.restitution * of_b.restitution);
+        const double restitution = std::sqrt(of_a.settings.restitution * of_b.settings.restitution);
+        const double friction =
+            std::sqrt(friction_coefficients(of_a, a.number).kinetic * friction_coefficients(of_b, b.number).kinetic);
         const double closing = std::max(0.0, dot(before - now, normal));
         range.contacts[count++] = {pair.a,
                                    pair.b,
                                    normal,
-                                   std::sqrt(of_a.friction * of_b.friction),
+                                   friction,
                                    approach > quiet ? restitution * approach : 0,
                                    0,
                                    0,

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "solver/contact/collision.h"
+#include "solver/contact/friction.h"
 #include "solver/motion.h"
 #include "solver/particles/flight.h"
 #include "solver/particles/flight_kernels.h"
@@ -60,8 +61,8 @@ private:
         if (!body_.particles.forced) return {gravity_, body_.settings.damping};
         return {gravity_ + body_.particles.force[p] * body_.particles.inverse_mass[p], body_.settings.damping};
     }
-    /// Lists the regions in which particles may hit something, and those in which they rest.
-    void list_obstacles(const Collider& collider, const Aabb& region);
+    /// Lists the regions in which particles may hit something, and those in which friction holds all of them.
+    void list_obstacles(const Collider& collider, const Aabb& region, uint32_t first, uint32_t count);
     void fly_one(const Collider* collider, uint32_t p, uint32_t obstacle);
     void keep_to_targets(uint32_t first, uint32_t count);
     void fly_freely(uint32_t p);
@@ -182,7 +183,7 @@ FlightBounds FreeFlight::bound(const FlightGroups& groups, uint32_t first, uint3
     return bounds;
 }
 
-void FreeFlight::list_obstacles(const Collider& collider, const Aabb& region) {
+void FreeFlight::list_obstacles(const Collider& collider, const Aabb& region, uint32_t first, uint32_t count) {
     constexpr Aabb nowhere{{1, 1, 1}, {-1, -1, -1}};
     const bool alike = !body_.particles.forced && body_.particles.smallest_radius == body_.particles.largest_radius;
     const double radius = body_.particles.largest_radius;
@@ -190,10 +191,10 @@ void FreeFlight::list_obstacles(const Collider& collider, const Aabb& region) {
     Vec3 nearest;
     for (int k = 0; k < 3; ++k) nearest[k] = std::max({0.0, region.min[k], -region.max[k]});
     const double gap = largest_gap(skin(radius, nearest));
+    const double friction = body_.settings.friction * least_friction_factor(body_, first, count);
     known_ = collider.for_each_obstacle(radius, region, [&](const Aabb& box, const FlatModel* flat) {
         if (obstacle_count_ < most_obstacles) {
             FlightObstacle& obstacle = obstacles_[obstacle_count_];
-            const double friction = body_.settings.friction;
             repeat(box, obstacle.all);
             repeat(alike && flat ? flat->rest(radius, gap, gravity_ * whole_.fall, friction) : nowhere, obstacle.rest);
         }
@@ -274,7 +275,7 @@ void FreeFlight::fly_block(const CollisionContext& around, uint32_t first, uint3
         if (collider->idle()) {
             collider.reset();
         } else if (known_) {
-            list_obstacles(*collider, region);
+            list_obstacles(*collider, region, first, count);
         }
     }
     // Particles that must not be moved by the kernel, or whose paths are not known to be clear, are moved one by one.

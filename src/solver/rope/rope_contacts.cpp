@@ -1,6 +1,8 @@
 // Contacts of ropes as springs of an active set in Newton's iterations (rope_contacts.h).
 #include "solver/rope/rope_contacts.h"
 
+#include "solver/contact/friction.h"
+
 namespace gphys {
 namespace {
 
@@ -17,11 +19,6 @@ constexpr int most_switches = 4;
 constexpr double normal_force_tolerance = 1e-2;
 // The ball of a particle near more features than this is halved, at most three times.
 constexpr uint32_t many_features = 64;
-
-double friction_of(const Body& body, uint32_t p) {
-    const BodySettings& settings = body.settings;
-    return settings.sticks() && body.contacts.stuck[p] ? settings.static_friction : settings.friction;
-}
 
 /// The displacement along the plane.
 Vec3 tangential(const RopeContact& contact, Vec3 displacement) {

@@ -18,6 +18,12 @@ constexpr uint32_t magic = 0x6770686e;
 // Version of the list below: increase it when that changes.
 constexpr uint32_t format = 8;
 
+/// Arrays that few bodies have. They come last, in the order of their keys: the key, which is the array and the slot of
+/// the body, and the elements. A snapshot without them is as it was before there were any.
+enum class RareArray : uint32_t { targets, friction_factors };
+constexpr uint32_t slot_bits = 24;
+static_assert(IdTable::capacity < 1u << slot_bits);
+
 // Copied byte by byte, so they must have no padding.
 static_assert(sizeof(Vec3) == 24 && sizeof(DistanceConstraint) == 40 && sizeof(LengthChange) == 16 &&
               sizeof(Attachment) == 80 && sizeof(AnimationTarget) == 120);
@@ -120,6 +126,15 @@ void visit_globals(Archive& archive, State& state) {
     archive.array(state.near_models);
 }
 
+template <class Archive, class Array>
+void write_rare(Archive& archive, const SolverState& state, RareArray which, Array&& array_of) {
+    for (uint32_t slot = 0; slot < state.ids.slots(); ++slot) {
+        if (!state.ids.live(slot) || array_of(state.bodies[slot]).empty()) continue;
+        archive.value(static_cast<uint32_t>(which) << slot_bits | slot);
+        archive.array(array_of(state.bodies[slot]));
+    }
+}
+
 template <class Sink>
 void write(Sink& sink, const SolverState& state) {
     Writer<Sink> archive(sink);
@@ -127,12 +142,11 @@ void write(Sink& sink, const SolverState& state) {
     for (uint32_t slot = 0; slot < state.ids.slots(); ++slot) {
         if (state.ids.live(slot)) visit_body(archive, state.bodies[slot]);
     }
-    // Members that few bodies have: slots and arrays, up to the end mark.
-    for (uint32_t slot = 0; slot < state.ids.slots(); ++slot) {
-        if (!state.ids.live(slot) || state.bodies[slot].targets.empty()) continue;
-        archive.value(slot);
-        archive.array(state.bodies[slot].targets.all);
-    }
+    write_rare(
+        archive, state, RareArray::targets, [](const Body& body) -> auto& { return body.targets.all; });
+    write_rare(
+        archive, state, RareArray::friction_factors,
+        [](const Body& body) -> auto& { return body.contacts.friction_factor; });
 }
 
 /// Computes what is not in a snapshot, except the plan. Throws std::bad_alloc.
@@ -150,16 +164,29 @@ void complete(Body& body) {
     }
 }
 
-/// Reads the targets, each of a body, in the order of the bodies.
-const char* read_targets(Reader& archive, SolverState& state) {
+const char* read_rare(Reader& archive, SolverState& state) {
     for (uint32_t next = 0; !archive.finished();) {
-        uint32_t slot = 0;
-        archive.value(slot);
-        if (!archive.good() || slot < next || slot >= state.ids.slots() || !state.ids.live(slot)) return cut_short;
-        archive.array(state.bodies[slot].targets.all);
+        uint32_t key = 0;
+        archive.value(key);
+        const uint32_t slot = key & ((1u << slot_bits) - 1);
+        if (!archive.good() || key < next || slot >= state.ids.slots() || !state.ids.live(slot)) return cut_short;
+        Body& body = state.bodies[slot];
+        const char* wrong = nullptr;
+        switch (RareArray{key >> slot_bits}) {
+            case RareArray::targets:
+                archive.array(body.targets.all);
+                wrong = defect_of_targets(body);
+                break;
+            case RareArray::friction_factors:
+                archive.array(body.contacts.friction_factor);
+                wrong = defect_of_friction_factors(body);
+                break;
+            default:
+                return cut_short;
+        }
         if (!archive.good()) return cut_short;
-        if (const char* wrong = defect_of_targets(state.bodies[slot])) return wrong;
-        next = slot + 1;
+        if (wrong) return wrong;
+        next = key + 1;
     }
     return nullptr;
 }
@@ -180,7 +207,7 @@ const char* read(Reader& archive, SolverState& state) {
         complete_plan(body);
     }
     if (const char* wrong = defect_of_joints(state)) return wrong;
-    return read_targets(archive, state);
+    return read_rare(archive, state);
 }
 
 uint64_t hash_of(const uint32_t* words, size_t count) {

@@ -280,6 +280,12 @@ const char* defect_of_targets(const Body& body) {
     return fine ? nullptr : "words: an animation target is out of range";
 }
 
+const char* defect_of_friction_factors(const Body& body) {
+    const Vector<double>& factors = body.contacts.friction_factor;
+    const bool fine = factors.size() == body.particles.size() && all(factors, is_amount);
+    return fine ? nullptr : "words: a friction factor is out of range";
+}
+
 const char* defect_of_plan(const Body& body) {
     constexpr const char* wrong = "words: the plan of a body does not follow from its constraints";
     const Plan& plan = body.plan;

@@ -17,5 +17,7 @@ const char* defect(const Body& body);
 const char* defect_of_plan(const Body& body);
 /// The animation targets of a body that has some.
 const char* defect_of_targets(const Body& body);
+/// The same for friction factors.
+const char* defect_of_friction_factors(const Body& body);
 
 }  // namespace gphys
