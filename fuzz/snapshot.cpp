@@ -145,6 +145,7 @@ void use(Program& p, Solver& solver, const gphys_scene* scene) {
     const uint32_t count = std::min(total, 16u);
     gphys_solver_stats stats;
     gphys_contact contacts[16];
+    gphys_body_contact touches[16];
     gphys_impulse impulses[16];
     gphys_joint_info joints[16];
     const auto check_finite = [](const std::vector<gphys_vec3>& vectors) {
@@ -174,6 +175,10 @@ void use(Program& p, Solver& solver, const gphys_scene* scene) {
         }
         call(gphys_solver_get_contacts, solver.get(), contacts, 16u, &total);
         for (uint32_t i = 0; i < std::min(total, 16u); ++i) check_finite({contacts[i].point, contacts[i].normal});
+        call(gphys_solver_get_body_contacts, solver.get(), touches, 16u, &total);
+        for (uint32_t i = 0; i < std::min(total, 16u); ++i) {
+            check_finite({touches[i].normal, {touches[i].distance, touches[i].impulse, 0}});
+        }
         call(gphys_solver_get_impulses, solver.get(), impulses, 16u, &total);
         for (uint32_t i = 0; i < std::min(total, 16u); ++i) check_finite({impulses[i].linear, impulses[i].angular});
         call(gphys_solver_get_joints, solver.get(), 0u, joints, 16u, &total);

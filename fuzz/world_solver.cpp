@@ -494,7 +494,10 @@ void World::follow_solver() {
     call(gphys_solver_get_snapshot, solver_, nullptr, 0u, &total);
     std::vector<uint32_t> words(total);
     call(gphys_solver_get_snapshot, solver_, words.data(), total, &total);
-    FUZZ_CHECK(call(gphys_solver_restore, twin_, words.data(), total) == GPHYS_OK, "a snapshot is restored");
+    // Both, because contacts of bodies are in no snapshot.
+    for (gphys_solver* const each : {twin_, solver_}) {
+        FUZZ_CHECK(call(gphys_solver_restore, each, words.data(), total) == GPHYS_OK, "a snapshot is restored");
+    }
 }
 
 void World::snapshot() {
@@ -569,6 +572,20 @@ void World::inspect_solver() {
     gphys_impulse impulses[64];
     call(gphys_solver_get_contacts, solver_, contacts, 64u, &total);
     for (uint32_t i = 0; i < std::min(total, 64u); ++i) note(contacts[i]);
+    gphys_body_contact touches[64], twins[64];
+    uint32_t twin_total = 0;
+    call(gphys_solver_get_body_contacts, solver_, touches, 64u, &total);
+    call(gphys_solver_get_body_contacts, twin_, twins, 64u, &twin_total);
+    FUZZ_CHECK(total == twin_total && std::memcmp(touches, twins, std::min(total, 64u) * sizeof touches[0]) == 0,
+               "workers in another order list the same contacts of bodies");
+    for (uint32_t i = 0; i < std::min(total, 64u); ++i) {
+        note(touches[i]);
+        FUZZ_CHECK(touches[i].body_a < touches[i].body_b && touches[i].impulse >= 0,
+                   "a contact is of two bodies, which press each other");
+        for (const gphys_body_id body : {touches[i].body_a, touches[i].body_b}) {
+            FUZZ_CHECK(std::find(bodies_.begin(), bodies_.end(), body) != bodies_.end(), "contacts are of bodies");
+        }
+    }
     call(gphys_solver_get_impulses, solver_, impulses, 64u, &total);
     for (uint32_t i = 0; i < std::min(total, 64u); ++i) note(impulses[i]);
     call(gphys_solver_get_sleeping, solver_, listed.data(), static_cast<uint32_t>(listed.size()), &total);
@@ -637,6 +654,7 @@ void World::solver_misuse() {
         call(gphys_solver_get_substeps, solver_, body, nullptr),
         call(gphys_solver_get_stats, solver_, 0u, nullptr),
         call(gphys_solver_get_contacts, solver_, nullptr, 3u, &total),
+        call(gphys_solver_get_body_contacts, solver_, nullptr, 3u, &total),
         call(gphys_solver_get_impulses, none, nullptr, 0u, &total),
         call(gphys_solver_get_snapshot, solver_, nullptr, 0u, nullptr),
         call(gphys_solver_restore, solver_, words, 8u),

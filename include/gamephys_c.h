@@ -2082,7 +2082,7 @@ typedef struct gphys_body_desc {
  * of its own spacing through if the radius is 0.45 spacings at least (0.36 closes a square cell), and no rope
  * whose particles are as near to one another; and not above 0.5, or neighbours touch. Bodies that may meet in a
  * step are moved by one thread, and fall asleep and wake together. Cost: some 2 microseconds for each
- * particle and substep, and 700 bytes for each particle. */
+ * particle and substep, and 1 kB for each particle. */
 
 /** Fill a desc with the defaults of the gphys_solver_add_... functions, which are stated beside its fields.
  *  @param size  sizeof(gphys_body_desc) of the caller; no byte beyond is written
@@ -2670,6 +2670,27 @@ typedef struct gphys_contact {
  *  Cost: O(contacts). */
 GPHYS_API gphys_status gphys_solver_get_contacts(const gphys_solver* solver, gphys_contact* out_contacts,
                                                  uint32_t capacity, uint32_t* out_total);
+
+/** Two particles of different bodies that touched in the last step. Frozen.  Since 1.1. */
+typedef struct gphys_body_contact {
+    gphys_body_id body_a;
+    uint32_t particle_a;
+    gphys_body_id body_b; /* above body_a */
+    uint32_t particle_b;
+    gphys_vec3 normal; /* unit, from a to b, when they touched last */
+    float distance;    /* metres between their surfaces as they are now; below 0: they overlap */
+    float impulse;     /* N s along normal, of the whole step: b got it, and a its opposite. What links and models
+                          answered is not in it */
+} gphys_body_contact;
+
+/** Contacts between bodies in the last step, of any substep, by body_a, particle_a, body_b, particle_b: for sounds,
+ *  damage and sparks. Of sleeping bodies those of the step in which they fell asleep. Contacts with a body that was
+ *  removed are no longer listed. They are not part of snapshots: after gphys_solver_restore there are none until the
+ *  next step. Contacts within a body (gphys_body_desc.self_collision) are not listed. Kept when too many: the first;
+ *  where particles have more than 12 contacts on average, not all are known.
+ *  Cost: O(contacts); no allocation. The same bits for any number of workers.  Since 1.1. */
+GPHYS_API gphys_status gphys_solver_get_body_contacts(const gphys_solver* solver, gphys_body_contact* out_contacts,
+                                                      uint32_t capacity, uint32_t* out_total);
 
 /** What bodies gave a model in the last step, by contacts and by attachments. Frozen. */
 typedef struct gphys_impulse {

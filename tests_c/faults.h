@@ -101,6 +101,7 @@ static inline void mix_solver(uint64_t* digest, const gphys_solver* solver) {
     gphys_joint_info joints[16];
     gphys_impulse impulses[16];
     gphys_contact contacts[16];
+    gphys_body_contact touches[16];
     assert_int_equal(gphys_solver_get_hash(solver, hash), GPHYS_OK);
     mix(digest, hash, sizeof hash);
     assert_int_equal(gphys_solver_get_sleeping(solver, sleeping, 16, &total), GPHYS_OK);
@@ -111,6 +112,9 @@ static inline void mix_solver(uint64_t* digest, const gphys_solver* solver) {
     mix(digest, impulses, (total < 16 ? total : 16) * sizeof *impulses);
     gphys_solver_get_contacts(solver, contacts, 16, &total);
     mix(digest, contacts, (total < 16 ? total : 16) * sizeof *contacts);
+    mix(digest, &total, sizeof total);
+    gphys_solver_get_body_contacts(solver, touches, 16, &total);
+    mix(digest, touches, (total < 16 ? total : 16) * sizeof *touches);
     mix(digest, &total, sizeof total);
 }
 

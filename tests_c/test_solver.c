@@ -195,6 +195,7 @@ static void test_ids_and_lists(void** state) {
     gphys_body_id bodies[2] = {0, 0}, second = 0;
     gphys_body_info info;
     gphys_solver_stats stats;
+    gphys_body_contact touch;
     gphys_contact contact;
     uint32_t total = 0;
     assert_int_equal(gphys_solver_add_particles(f->solver, NULL, points, 12, 3, &second), GPHYS_OK);
@@ -224,6 +225,11 @@ static void test_ids_and_lists(void** state) {
     assert_int_equal(gphys_solver_get_contacts(f->solver, NULL, 1, &total), BAD);
     assert_int_equal(gphys_solver_get_contacts(f->solver, &contact, 1, NULL), BAD);
     assert_int_equal(gphys_solver_get_contacts(f->solver, NULL, 0, &total), GPHYS_OK);
+    assert_int_equal(total, 0);
+    assert_int_equal(gphys_solver_get_body_contacts(NULL, &touch, 1, &total), BAD);
+    assert_int_equal(gphys_solver_get_body_contacts(f->solver, NULL, 1, &total), BAD);
+    assert_int_equal(gphys_solver_get_body_contacts(f->solver, &touch, 1, NULL), BAD);
+    assert_int_equal(gphys_solver_get_body_contacts(f->solver, NULL, 0, &total), GPHYS_OK);
     assert_int_equal(total, 0);
 }
 
@@ -996,6 +1002,48 @@ static void test_friction_factors(void** state) {
     assert_true(got[0] == 1);
 }
 
+static void test_body_contacts(void** state) {
+    fixture* f = *state;
+    const gphys_vec3 row[3] = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+    gphys_vec3 above[3];
+    gphys_body_desc desc;
+    gphys_body_contact got[4];
+    gphys_body_id lower, upper;
+    uint32_t total, i;
+    gphys_body_desc_init(&desc, sizeof desc);
+    desc.radius = 0.25f;
+    desc.body_layers = 1;
+    for (i = 0; i < 3; ++i) above[i] = row[i], above[i].y = 0.5f;
+    assert_int_equal(gphys_solver_add_particles(f->solver, &desc, row, 12, 3, &lower), GPHYS_OK);
+    assert_int_equal(gphys_solver_add_particles(f->solver, &desc, above, 12, 3, &upper), GPHYS_OK);
+    assert_int_equal(gphys_solver_set_pinned(f->solver, lower, 0, 3, 1), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_body_contacts(f->solver, got, 4, &total), GPHYS_OK);
+    assert_int_equal(total, 0);
+    for (i = 0; i < 30; ++i) assert_int_equal(gphys_solver_step(f->solver, NULL, 0.01f), GPHYS_OK);
+    got[3].body_a = 77;
+    assert_int_equal(gphys_solver_get_body_contacts(f->solver, got, 4, &total), GPHYS_OK);
+    assert_int_equal(total, 3);
+    assert_int_equal(got[3].body_a, 77);
+    for (i = 0; i < 3; ++i) {
+        assert_int_equal(got[i].body_a, lower);
+        assert_int_equal(got[i].body_b, upper);
+        assert_int_equal(got[i].particle_a, i);
+        assert_int_equal(got[i].particle_b, i);
+        assert_true(got[i].normal.y == 1);
+        assert_true(fabsf(got[i].distance) < 1e-4f);
+        assert_true(fabsf(got[i].impulse - 9.81f * 0.01f / 3) < 1e-5f);
+    }
+    /* The first are kept. */
+    got[2].particle_a = 77;
+    assert_int_equal(gphys_solver_get_body_contacts(f->solver, got, 2, &total), GPHYS_INCOMPLETE);
+    assert_int_equal(total, 3);
+    assert_int_equal(got[1].particle_a, 1);
+    assert_int_equal(got[2].particle_a, 77);
+    assert_int_equal(gphys_solver_remove_body(f->solver, lower), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_body_contacts(f->solver, got, 4, &total), GPHYS_OK);
+    assert_int_equal(total, 0);
+}
+
 static void test_wind(void** state) {
     fixture* f = *state;
     gphys_wind wind = {{1, 2, 3}, 1.2f, 0.5f, 0.25f}, got;
@@ -1113,6 +1161,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_constraint_settings, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_reading_particles, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_friction_factors, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_body_contacts, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_wind, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_animation_targets, set_up, tear_down),
     };

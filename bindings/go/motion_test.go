@@ -302,6 +302,21 @@ func TestOneOfTwoBallsSlidesOverIce(t *testing.T) {
 	same(t, close(speeds[1].X, 1, 1e-5), true)
 }
 
+func TestABallPressesTheOneThatItLiesOn(t *testing.T) {
+	solver, desc := must(NewSolver(nil)), DefaultBodyDesc()
+	desc.Mass, desc.Radius, desc.BodyLayers = 2, 0.5, 1
+	lower := must(solver.AddParticles([]Vec3{{}}, &desc))
+	upper := must(solver.AddParticles([]Vec3{up}, &desc))
+	try(t, solver.SetPinned(lower, 0, 1, true))
+	for i := 0; i < 20; i++ {
+		try(t, solver.Step(nil, 0.01))
+	}
+	contacts := must(solver.BodyContacts())
+	same(t, len(contacts), 1)
+	same(t, contacts[0].BodyA == lower && contacts[0].BodyB == upper && contacts[0].Normal == up, true)
+	same(t, close(contacts[0].Impulse, 0.1962, 2e-3), true)
+}
+
 func TestABallHangsBelowItsAnimationTarget(t *testing.T) {
 	solver := must(NewSolver(nil))
 	balls := must(solver.AddParticles([]Vec3{{}, Vec(1, 0, 0)}, nil))

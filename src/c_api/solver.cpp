@@ -428,6 +428,17 @@ gphys_status gphys_solver_get_contacts(const gphys_solver* solver, gphys_contact
     });
 }
 
+gphys_status gphys_solver_get_body_contacts(const gphys_solver* solver, gphys_body_contact* out_contacts,
+                                            uint32_t capacity, uint32_t* out_total) {
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
+        GPHYS_TRY(check_list("out_contacts", out_contacts, capacity, out_total));
+        Smallest<gphys_body_contact, BodyContactOrder> contacts(out_contacts, capacity);
+        unwrap(solver)->body_contacts(contacts);
+        return listed(contacts.finish(), capacity, out_total);
+    });
+}
+
 gphys_status gphys_solver_get_impulses(const gphys_solver* solver, gphys_impulse* out_impulses, uint32_t capacity,
                                        uint32_t* out_total) {
     return guarded(__func__, [&]() -> gphys_status {

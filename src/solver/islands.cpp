@@ -184,7 +184,7 @@ void Solver::move_island(const Island& island, const Scene* scene, double dt) {
         substeps = std::max(substeps, std::min(substeps_of(body, state_.settings, dt), body.substeps.allowed));
         if (body.plan.method == GPHYS_SOLVE_GRAPH) begin_cloth(body, beginning, gravity);
     });
-    if (island.colliding_count > 0) particle_contacts_.begin(island, state_.bodies, slots);
+    if (island.colliding_count > 0) particle_contacts_.begin(island, state_.ids, state_.bodies, slots);
     for (uint32_t i = 1; i <= substeps; ++i) {
         const double begin = static_cast<double>(i - 1) / substeps, end = static_cast<double>(i) / substeps;
         const CollisionContext around{scene, &moved_models_, dt, begin, end};

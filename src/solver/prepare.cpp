@@ -193,6 +193,7 @@ void Solver::begin_step(const Scene* scene) noexcept {
         each_kept_array(body, scene && body.settings.layers != 0,
                         [](auto& values, size_t size) { values.resize(size); });
     }
+    particle_contacts_.begin_step(state_.ids, state_.bodies, islands_);
 }
 
 /// The broad phase: lists the models near the bodies with their transforms, and those that have moved since the last

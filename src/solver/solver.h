@@ -50,7 +50,7 @@
 //     contact_search.cpp the search for contact planes; contact_cache.cpp: reuse from step to step
 //     reach_limits.cpp   long range attachments to pins
 //     volume.cpp         the enclosed volume of closed cloth
-//   contact/           particles against the scene and against particles; impulses on models
+//   contact/           particles against the scene and against particles; impulses on models; lists of contacts
 //   joints/            joints between bodies: Newton's method on all joined chains, by sparse elimination
 //   snapshot/          the whole state as words, and back; its hash
 #pragma once
@@ -99,6 +99,13 @@ struct ContactOrder {
     bool operator()(const gphys_contact& a, const gphys_contact& b) const {
         if (a.body != b.body) return a.body < b.body;
         return a.particle != b.particle ? a.particle < b.particle : a.model < b.model;
+    }
+};
+struct BodyContactOrder {
+    bool operator()(const gphys_body_contact& a, const gphys_body_contact& b) const {
+        if (a.body_a != b.body_a) return a.body_a < b.body_a;
+        if (a.particle_a != b.particle_a) return a.particle_a < b.particle_a;
+        return a.body_b != b.body_b ? a.body_b < b.body_b : a.particle_b < b.particle_b;
     }
 };
 struct ImpulseOrder {
@@ -191,6 +198,7 @@ public:
     /// For one body, or 0 for all.
     gphys_solver_stats stats(gphys_body_id body) const;
     void contacts(Smallest<gphys_contact, ContactOrder>& out) const;
+    void body_contacts(Smallest<gphys_body_contact, BodyContactOrder>& out) const;
     void impulses(Smallest<gphys_impulse, ImpulseOrder>& out) const;
 
     // snapshot.cpp

@@ -65,6 +65,20 @@ void Solver::impulses(Smallest<gphys_impulse, ImpulseOrder>& out) const {
     }
 }
 
+void Solver::body_contacts(Smallest<gphys_body_contact, BodyContactOrder>& out) const {
+    for (const BodyContact& contact : particle_contacts_.listed()) {
+        if (!state_.ids.has(contact.body_a) || !state_.ids.has(contact.body_b)) continue;
+        const Particles &of_a = body(contact.body_a).particles, &of_b = body(contact.body_b).particles;
+        const uint32_t a = contact.particle_a, b = contact.particle_b;
+        const float gap = to_float(distance(of_a.position[a], of_b.position[b]) - of_a.radius[a] - of_b.radius[b]);
+        if (contact.body_a < contact.body_b) {
+            out.add({contact.body_a, a, contact.body_b, b, contact.normal, gap, contact.impulse});
+        } else {
+            out.add({contact.body_b, b, contact.body_a, a, narrow(-widen(contact.normal)), gap, contact.impulse});
+        }
+    }
+}
+
 void Solver::contacts(Smallest<gphys_contact, ContactOrder>& out) const {
     for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
         if (!state_.ids.live(slot)) continue;

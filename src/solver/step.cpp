@@ -295,6 +295,7 @@ void Solver::simulate(const Scene* scene, double dt) {
     each_divided(
         [&](const ActiveBody& active) { end_body_step(state_.bodies[active.slot], scene, dt, active.substeps); });
     state_.near_models.swap(next_near_models_);
+    particle_contacts_.end_step(islands_);
     add_impulses();
 }
 

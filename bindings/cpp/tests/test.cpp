@@ -736,6 +736,22 @@ TEST_CASE("one of two balls slides over ice") {
     CHECK((speeds[0].x == 0 && speeds[1].x == Approx(1)));
 }
 
+TEST_CASE("a ball presses the one that it lies on") {
+    Solver solver;
+    auto desc = body_desc();
+    desc.mass = 2;
+    desc.radius = 0.5f;
+    desc.body_layers = 1;
+    const auto lower = solver.add_particles(std::vector<Vec3>{zero}, &desc);
+    const auto upper = solver.add_particles(std::vector<Vec3>{{0, 1, 0}}, &desc);
+    solver.set_pinned(lower, 0, 1, true);
+    for (int i = 0; i < 20; ++i) solver.step(nullptr, 0.01f);
+    const auto contacts = solver.get_body_contacts();
+    REQUIRE(contacts.size() == 1);
+    CHECK((contacts[0].body_a == lower && contacts[0].body_b == upper && contacts[0].normal.y == 1));
+    CHECK(contacts[0].impulse == Approx(0.1962f).epsilon(1e-2));
+}
+
 TEST_CASE("a ball hangs below its animation target") {
     gamephys::Solver solver;
     const auto balls = solver.add_particles(std::vector<Vec3>{zero, {1, 0, 0}});

@@ -303,6 +303,22 @@ public class MotionTests {
     }
 
     [Test]
+    public void ABallPressesTheOneThatItLiesOn() {
+        var solver = new Solver();
+        var desc = BodyDesc.Default;
+        desc.Mass = 2;
+        desc.Radius = 0.5f;
+        desc.BodyLayers = 1;
+        var lower = solver.AddParticles(new Vec3[] { (0, 0, 0) }, desc);
+        var upper = solver.AddParticles(new Vec3[] { (0, 1, 0) }, desc);
+        solver.SetPinned(lower, 0, 1, true);
+        for (var i = 0; i < 20; ++i) solver.Step(0.01f);
+        var contact = solver.GetBodyContacts().Single();
+        Assert.AreEqual((lower, upper, 1f), (contact.BodyA, contact.BodyB, contact.Normal.Y));
+        Assert.AreEqual(0.1962, contact.Impulse, 2e-3);
+    }
+
+    [Test]
     public void ABallHangsBelowItsAnimationTarget() {
         var solver = new Solver();
         var balls = solver.AddParticles(new Vec3[] { (0, 0, 0), (1, 0, 0) });

@@ -651,6 +651,20 @@ public class GamephysTest {
     }
 
     @Test
+    public void aBallPressesTheOneThatItLiesOn() {
+        Solver solver = new Solver();
+        BodyDesc desc = new BodyDesc().mass(2).radius(0.5f).bodyLayers(1);
+        int lower = solver.addParticles(points(ZERO), desc), upper = solver.addParticles(points(UP), desc);
+        solver.setPinned(lower, 0, 1, true);
+        for (int step = 0; step < 20; ++step) solver.step(null, 0.01f);
+        Batch<BodyContact> contacts = solver.getBodyContacts();
+        assertEquals(1, contacts.size());
+        assertEquals(List.of(lower, upper), List.of(contacts.get(0).bodyA(), contacts.get(0).bodyB()));
+        assertEquals(UP, contacts.get(0).normal());
+        assertEquals(0.1962, contacts.get(0).impulse(), 2e-3);
+    }
+
+    @Test
     public void aBallHangsBelowItsAnimationTarget() {
         Solver solver = new Solver();
         int balls = solver.addParticles(points(ZERO, v(1, 0, 0)));

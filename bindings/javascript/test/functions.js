@@ -446,6 +446,16 @@ test('one of two balls slides over ice', () => {
     near([first[0], second[0]], [0, 1]);
 });
 
+test('a ball presses the one that it lies on', () => {
+    const solver = new gp.Solver(), desc = { mass: 2, radius: 0.5, body_layers: 1 };
+    const lower = solver.addParticles(floats(0, 0, 0), desc), upper = solver.addParticles(floats(0, 1, 0), desc);
+    solver.setPinned(lower, 0, 1, true);
+    for (let i = 0; i < 20; ++i) solver.step(null, 0.01);
+    const [contact, ...others] = solver.getBodyContacts();
+    same([contact.body_a, contact.body_b, contact.normal, others], [lower, upper, [0, 1, 0], []]);
+    near([contact.impulse], [0.1962], 2e-3);
+});
+
 test('a ball hangs below its animation target', () => {
     const solver = new gp.Solver();
     const balls = solver.addParticles(floats(0, 0, 0, 1, 0, 0));

@@ -536,6 +536,17 @@ function tests.one_of_two_balls_slides_over_ice()
     assert(speeds[0].x == 0 and near(speeds[1].x, 1, 1e-5))
 end
 
+function tests.a_ball_presses_the_one_that_it_lies_on()
+    local solver, desc = gp.Solver(), { mass = 2, radius = 0.5, body_layers = 1 }
+    local lower = solver:add_particles(gp.array('vec3', { { 0, 0, 0 } }), desc)
+    local upper = solver:add_particles(gp.array('vec3', { { 0, 1, 0 } }), desc)
+    solver:set_pinned(lower, 0, 1, true)
+    for _ = 1, 20 do solver:step(nil, 0.01) end
+    local contacts, count = solver:get_body_contacts()
+    assert(count == 1 and contacts[0].body_a == lower and contacts[0].body_b == upper)
+    assert(contacts[0].normal.y == 1 and near(contacts[0].impulse, 0.1962, 2e-3))
+end
+
 function tests.a_ball_hangs_below_its_animation_target()
     local solver = gp.Solver()
     local balls = solver:add_particles(gp.array('vec3', { { 0, 0, 0 }, { 1, 0, 0 } }))

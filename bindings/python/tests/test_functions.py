@@ -521,6 +521,19 @@ class Functions(unittest.TestCase):
         self.assertEqual(first[0], 0)
         self.assertAlmostEqual(second[0], 1, 5)
 
+    def test_a_ball_presses_the_one_that_it_lies_on(self):
+        solver = gp.Solver()
+        desc = gp.BodyDesc(mass=2, radius=0.5, body_layers=1)
+        lower = solver.add_particles([(0, 0, 0)], desc)
+        upper = solver.add_particles([(0, 1, 0)], desc)
+        solver.set_pinned(lower, 0, 1, True)
+        for _ in range(20):
+            solver.step(None, 0.01)
+        contacts = solver.get_body_contacts()
+        self.assertEqual([contacts["body_a"].tolist(), contacts["body_b"].tolist()], [[lower], [upper]])
+        self.assertEqual(contacts["normal"].tolist(), [[0, 1, 0]])
+        self.assertAlmostEqual(contacts["impulse"][0], 0.1962, 3)
+
     def test_a_ball_hangs_below_its_animation_target(self):
         solver = gp.Solver()
         balls = solver.add_particles([(0, 0, 0), (1, 0, 0)])

@@ -534,6 +534,18 @@ class TestGamephys < Minitest::Test
     assert_in_delta 1, second[0], 1e-5
   end
 
+  def test_a_ball_presses_the_one_that_it_lies_on
+    solver = Solver.new
+    desc = { mass: 2, radius: 0.5, body_layers: 1 }
+    lower = solver.add_particles([[0, 0, 0]], **desc)
+    upper = solver.add_particles([[0, 1, 0]], **desc)
+    solver.set_pinned(lower, 0, 1, true)
+    20.times { solver.step(nil, 0.01) }
+    contacts = solver.get_body_contacts.to_a
+    assert_equal [[lower, upper, UP]], (contacts.map { |each| [each.body_a, each.body_b, each.normal] })
+    assert_in_delta 0.1962, contacts[0].impulse, 2e-3
+  end
+
   def test_a_ball_hangs_below_its_animation_target
     solver = Solver.new
     balls = solver.add_particles([[0, 0, 0], [1, 0, 0]])

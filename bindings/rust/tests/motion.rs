@@ -275,6 +275,21 @@ fn one_of_two_balls_slides_over_ice() {
 }
 
 #[test]
+fn a_ball_presses_the_one_that_it_lies_on() {
+    let mut solver = Solver::new(None).unwrap();
+    let desc = BodyDesc { mass: 2.0, radius: 0.5, body_layers: 1, ..Default::default() };
+    let lower = solver.add_particles(&[[0.0; 3]], Some(&desc)).unwrap();
+    let upper = solver.add_particles(&[[0.0, 1.0, 0.0]], Some(&desc)).unwrap();
+    solver.set_pinned(lower, 0, 1, true).unwrap();
+    (0..20).for_each(|_| solver.step(None, 0.01).unwrap());
+    let contacts = solver.get_body_contacts().unwrap();
+    assert_eq!(contacts.len(), 1);
+    let contact = &contacts[0];
+    assert!(contact.body_a == lower && contact.body_b == upper && contact.normal.y == 1.0);
+    assert!((contact.impulse - 0.1962).abs() < 2e-3);
+}
+
+#[test]
 fn a_ball_hangs_below_its_animation_target() {
     let mut solver = Solver::new(None).unwrap();
     let balls = solver.add_particles(&[[0.0; 3], [1.0, 0.0, 0.0]], None).unwrap();

@@ -155,6 +155,14 @@ void ParticleContacts::reserve(const Vector<Body>& bodies, Vector<Island>& islan
     keys_.resize(most);
     pair_counts_.resize(most);
     contact_counts_.resize(most);
+    listed_.reserve(most);
+}
+
+void ParticleContacts::begin_step(const IdTable& ids, const Vector<Body>& bodies,
+                                  const Vector<Island>& islands) noexcept {
+    uint32_t moving = 0;
+    for (const Island& island : islands) moving += island.colliding_count;
+    listed_.begin_step(ids, bodies, moving);
 }
 
 ParticleContacts::Range ParticleContacts::range(const Island& island) {
@@ -172,10 +180,12 @@ ParticleContacts::Range ParticleContacts::range(const Island& island) {
             &buckets_[first * 4],
             table,
             &sorted_[first],
-            &keys_[first]};
+            &keys_[first],
+            listed_.of_island(island.first_particle, island.colliding_count)};
 }
 
-void ParticleContacts::begin(const Island& island, const Vector<Body>& bodies, const uint32_t* slots) {
+void ParticleContacts::begin(const Island& island, const IdTable& ids, const Vector<Body>& bodies,
+                             const uint32_t* slots) {
     const Range range = this->range(island);
     Particle* next = range.particles;
     for (uint32_t i = 0; i < island.body_count; ++i) {
@@ -185,6 +195,7 @@ void ParticleContacts::begin(const Island& island, const Vector<Body>& bodies, c
             *next = {};
             next->body = slots[i];
             next->number = p;
+            next->id = ids.id(slots[i]);
             next->radius = body.particles.radius[p];
             next->margin = -1;  // in no list yet
             next->at = place_of(body, p);
@@ -193,6 +204,7 @@ void ParticleContacts::begin(const Island& island, const Vector<Body>& bodies, c
         }
     }
     *range.pair_count = *range.contact_count = 0;
+    range.listed.clear();
 }
 
 void ParticleContacts::gather(const Range& range, const Vector<Body>& bodies) const {
@@ -222,6 +234,7 @@ void ParticleContacts::find_pairs(const Range& range, const Vector<Body>& bodies
     }
     uint32_t& count = *range.pair_count;
     count = 0;
+    range.listed.sort();
     if (sum == 0) return;  // points at rest
     // Cells are as wide as two particles of average reach, so that such a particle visits 27 cells.
     const Grid grid{2 * sum / range.count};
@@ -480,6 +493,26 @@ void ParticleContacts::each_body(const Island& island, Vector<Body>& bodies, con
     }
 }
 
+/// For pairs of different bodies that have been separated in this substep: adds `change` of their contact, times
+/// `rate`, to their impulse.
+void ParticleContacts::add_impulses(const Range& range, double Contact::*change, double rate) const {
+    Pair* pair = range.pairs;
+    for (uint32_t i = 0; i < *range.contact_count; ++i) {
+        const Contact& contact = range.contacts[i];
+        const Particle &a = range.particles[contact.a], &b = range.particles[contact.b];
+        // Contacts are in the order of the pairs.
+        while (pair->a != contact.a || pair->b != contact.b) ++pair;
+        if (!(contact.parted > 0) || a.body == b.body) continue;
+        if (pair->listed == IslandContacts::none)
+            pair->listed = range.listed.add({a.id, a.number, b.id, b.number, {}, 0});
+        if (pair->listed == IslandContacts::none) continue;
+        BodyContact& listed = range.listed[pair->listed];
+        listed.normal = narrow(contact.normal);
+        const double more = contact.*change * rate / (a.inverse_mass + b.inverse_mass);
+        if (more > 0) listed.impulse = to_float(static_cast<double>(listed.impulse) + more);
+    }
+}
+
 ParticleContacts::Found ParticleContacts::part_contacts(const Island& island, const Vector<Body>& bodies, double quiet,
                                                         double h) {
     const Range range = this->range(island);
@@ -500,6 +533,8 @@ void ParticleContacts::part(const Island& island, Vector<Body>& bodies, const ui
     const double quiet = quiet_speed(gravity, h);
     const Found contacts = part_contacts(island, bodies, quiet, h);
     const Range range = this->range(island);
+    // Deep ones are separated without a change of velocity.
+    if (contacts.any) add_impulses(range, &Contact::parted, contacts.deep ? 0 : 1 / h);
     for (uint32_t i = 0; i < *range.pair_count; ++i) {
         for (const uint32_t p : {range.pairs[i].a, range.pairs[i].b})
             bodies[range.particles[p].body].contacts.near = true;
@@ -531,6 +566,7 @@ void ParticleContacts::turn(const Island& island, Vector<Body>& bodies, const ui
             gphys::turn(contact, range.particles[contact.a], range.particles[contact.b]);
         }
     }
+    add_impulses(range, &Contact::pushed, 1);
     each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
         for (const Particle* p = first; p != end; ++p) {
             if (p->velocity == p->arrived_velocity) continue;

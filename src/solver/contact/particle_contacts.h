@@ -15,6 +15,7 @@
 
 #include "foundation/math.h"
 #include "solver/body.h"
+#include "solver/contact/body_contacts.h"
 #include "solver/islands.h"
 
 namespace gphys {
@@ -31,13 +32,22 @@ public:
           sorted_(memory),
           pair_counts_(memory),
           contact_counts_(memory),
-          keys_(memory) {}
+          keys_(memory),
+          listed_(memory) {}
 
     /// Call before a step, for all islands. Sets their ranges. Throws std::bad_alloc.
     void reserve(const Vector<Body>& bodies, Vector<Island>& islands, const Vector<uint32_t>& island_bodies);
+    /// Call when nothing can fail any more, and after the step.
+    void begin_step(const IdTable& ids, const Vector<Body>& bodies, const Vector<Island>& islands) noexcept;
+    void end_step(const Vector<Island>& islands) { listed_.end_step(islands); }
+
+    /// Those between different bodies in the last step.
+    const BodyContacts& listed() const { return listed_; }
+    /// For a state that is exchanged.
+    void clear_list() { listed_.clear(); }
 
     // For one island; the data of others are not accessed.
-    void begin(const Island& island, const Vector<Body>& bodies, const uint32_t* slots);
+    void begin(const Island& island, const IdTable& ids, const Vector<Body>& bodies, const uint32_t* slots);
     /// Call when all bodies are predicted: separates pairs in contact. h: seconds of the substep.
     void part(const Island& island, Vector<Body>& bodies, const uint32_t* slots, const CollisionContext& around,
               Vec3 gravity, double h);
@@ -50,6 +60,7 @@ public:
 private:
     struct Particle {
         uint32_t body, number;
+        gphys_body_id id;
         double radius, inverse_mass, margin;
         Vec3 found_at;         // position at which the list was made
         Vec3 before, arrived;  // at the beginning of the substep, and at its end before contacts
@@ -61,6 +72,7 @@ private:
     };
     struct Pair {
         uint32_t a, b;
+        uint32_t listed = IslandContacts::none;  // its index in the list
     };
     struct Contact {
         uint32_t a, b;
@@ -86,6 +98,7 @@ private:
         uint32_t table_size;
         uint32_t* sorted;
         uint64_t* keys;
+        IslandContacts listed;
     };
     struct Found {
         bool any, deep;  // whether there are contacts; whether many overlap deeply
@@ -97,6 +110,7 @@ private:
     bool list_holds(const Range& range) const;
     void find_pairs(const Range& range, const Vector<Body>& bodies) const;
     bool find_contacts(const Range& range, const Vector<Body>& bodies, double quiet, double h) const;
+    void add_impulses(const Range& range, double Contact::*change, double rate) const;
     Found part_contacts(const Island& island, const Vector<Body>& bodies, double quiet, double h);
 
     Vector<Particle> particles_;
@@ -104,6 +118,7 @@ private:
     Vector<Contact> contacts_;
     Vector<uint32_t> buckets_, sorted_, pair_counts_, contact_counts_;
     Vector<uint64_t> keys_;
+    BodyContacts listed_;
 };
 
 /// Finds which particles of a body are linked directly, and where they are at rest; for bodies that collide with

@@ -258,6 +258,7 @@ gphys_status Solver::restore(const uint32_t* words, uint32_t count) {
     const Vec3 shift = state_.origin - restored.origin;
     state_ = std::move(restored);
     add_impulses();
+    particle_contacts_.clear_list();
     joints_current_ = false;
     update_meshes(shift);
     return GPHYS_OK;
