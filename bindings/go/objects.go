@@ -3642,6 +3642,46 @@ func (o *Solver) SetRadii(body BodyID, first uint32, radii []float32) (err error
 	return
 }
 
+// Friction factors of particles; 1 until they are set.
+//   - first, count: as in Solver.Positions
+// Cost: O(count). Since 1.1.
+func (o *Solver) FrictionFactors(body BodyID, first uint32, factors []float32) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	count := len(factors)
+	if err = checkLength(count); err != nil {
+		return
+	}
+	r := C.go_gphys_solver_get_friction_factors(self, C.gphys_body_id(body), C.uint32_t(first), C.uint32_t(count), (*C.float)(data(factors)), size(factors))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
+// Give particles more or less friction than their body has: ice, a sticky hem, a worn patch. In every
+// contact, with models and with particles, the coefficients of a particle are the friction and the
+// static_friction of its body times its factor. A body with a friction of 1 thus has the factors for
+// coefficients; Solver.SetBodySettings scales them all and keeps the factors. Wakes the body.
+//   - first: as in Solver.Positions
+//   - factors: >= 0
+// Cost: O(elements); the first factor other than 1 O(particles), and it allocates. Since 1.1.
+func (o *Solver) SetFrictionFactors(body BodyID, first uint32, factors []float32) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	count, err := commonLength([]int{}, len(factors))
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_solver_set_friction_factors(self, C.gphys_body_id(body), C.uint32_t(first), C.uint32_t(count), (*C.float)(data(factors)), step(factors))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
 // The forces that were set for particles, newtons.
 //   - first, count: as in Solver.Positions
 // Cost: O(count).
@@ -4279,6 +4319,25 @@ func (o *Solver) Contacts() (result []Contact, err error) {
 	}
 	result, err = list[Contact](func(out unsafe.Pointer, capacity C.uint32_t) (C.gphys_status, *C.char, C.uint32_t) {
 		r := C.go_gphys_solver_get_contacts(self, (*C.gphys_contact)(out), capacity)
+		return r.status, r.message, r.out_total
+	})
+	runtime.KeepAlive(o)
+	return
+}
+
+// Contacts between bodies in the last step, of any substep, by bodyA, particleA, bodyB, particleB: for
+// sounds, damage and sparks. Of sleeping bodies those of the step in which they fell asleep. Contacts
+// with a body that was removed are no longer listed. They are not part of snapshots: after
+// Solver.Restore there are none until the next step. Contacts within a body (BodyDesc.self_collision)
+// are not listed. where particles have more than 12 contacts on average, not all are known.
+// Cost: O(contacts); no allocation. The same bits for any number of workers. Since 1.1.
+func (o *Solver) BodyContacts() (result []BodyContact, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	result, err = list[BodyContact](func(out unsafe.Pointer, capacity C.uint32_t) (C.gphys_status, *C.char, C.uint32_t) {
+		r := C.go_gphys_solver_get_body_contacts(self, (*C.gphys_body_contact)(out), capacity)
 		return r.status, r.message, r.out_total
 	})
 	runtime.KeepAlive(o)

@@ -2534,6 +2534,28 @@ static inline go_gphys_solver_set_radii_result go_gphys_solver_set_radii(void* s
     return r;
 }
 
+typedef struct go_gphys_solver_get_friction_factors_result {
+    gphys_status status;
+    char* message;
+} go_gphys_solver_get_friction_factors_result;
+static inline go_gphys_solver_get_friction_factors_result go_gphys_solver_get_friction_factors(void* solver, gphys_body_id body, uint32_t first, uint32_t count, float * out_factors, uint32_t out_stride) {
+    go_gphys_solver_get_friction_factors_result r = {0};
+    r.status = gphys_solver_get_friction_factors(solver, body, first, count, out_factors, out_stride);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_solver_set_friction_factors_result {
+    gphys_status status;
+    char* message;
+} go_gphys_solver_set_friction_factors_result;
+static inline go_gphys_solver_set_friction_factors_result go_gphys_solver_set_friction_factors(void* solver, gphys_body_id body, uint32_t first, uint32_t count, const float * factors, uint32_t stride) {
+    go_gphys_solver_set_friction_factors_result r = {0};
+    r.status = gphys_solver_set_friction_factors(solver, body, first, count, factors, stride);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_solver_get_forces_result {
     gphys_status status;
     char* message;
@@ -2910,6 +2932,18 @@ typedef struct go_gphys_solver_get_contacts_result {
 static inline go_gphys_solver_get_contacts_result go_gphys_solver_get_contacts(void* solver, gphys_contact * out_contacts, uint32_t capacity) {
     go_gphys_solver_get_contacts_result r = {0};
     r.status = gphys_solver_get_contacts(solver, out_contacts, capacity, &r.out_total);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_solver_get_body_contacts_result {
+    gphys_status status;
+    char* message;
+    uint32_t out_total;
+} go_gphys_solver_get_body_contacts_result;
+static inline go_gphys_solver_get_body_contacts_result go_gphys_solver_get_body_contacts(void* solver, gphys_body_contact * out_contacts, uint32_t capacity) {
+    go_gphys_solver_get_body_contacts_result r = {0};
+    r.status = gphys_solver_get_body_contacts(solver, out_contacts, capacity, &r.out_total);
     r.message = go_message(r.status);
     return r;
 }

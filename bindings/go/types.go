@@ -775,6 +775,22 @@ type Contact struct {
 	Normal Vec3
 }
 
+// Two particles of different bodies that touched in the last step. Frozen.  Since 1.1.
+type BodyContact struct {
+	BodyA BodyID
+	ParticleA uint32
+	// above bodyA
+	BodyB BodyID
+	ParticleB uint32
+	// unit, from a to b, when they touched last
+	Normal Vec3
+	// metres between their surfaces as they are now; below 0: they overlap
+	Distance float32
+	// N s along normal, of the whole step: b got it, and a its opposite. What links and models
+	// answered is not in it
+	Impulse float32
+}
+
 // What bodies gave a model in the last step, by contacts and by attachments. Frozen.
 type Impulse struct {
 	Model ModelID
@@ -1049,6 +1065,14 @@ var (
 	_ [unsafe.Offsetof(C.gphys_contact{}.tag)]byte = [unsafe.Offsetof(Contact{}.Tag)]byte{}
 	_ [unsafe.Offsetof(C.gphys_contact{}.point)]byte = [unsafe.Offsetof(Contact{}.Point)]byte{}
 	_ [unsafe.Offsetof(C.gphys_contact{}.normal)]byte = [unsafe.Offsetof(Contact{}.Normal)]byte{}
+	_ [C.sizeof_gphys_body_contact]byte = [unsafe.Sizeof(BodyContact{})]byte{}
+	_ [unsafe.Offsetof(C.gphys_body_contact{}.body_a)]byte = [unsafe.Offsetof(BodyContact{}.BodyA)]byte{}
+	_ [unsafe.Offsetof(C.gphys_body_contact{}.particle_a)]byte = [unsafe.Offsetof(BodyContact{}.ParticleA)]byte{}
+	_ [unsafe.Offsetof(C.gphys_body_contact{}.body_b)]byte = [unsafe.Offsetof(BodyContact{}.BodyB)]byte{}
+	_ [unsafe.Offsetof(C.gphys_body_contact{}.particle_b)]byte = [unsafe.Offsetof(BodyContact{}.ParticleB)]byte{}
+	_ [unsafe.Offsetof(C.gphys_body_contact{}.normal)]byte = [unsafe.Offsetof(BodyContact{}.Normal)]byte{}
+	_ [unsafe.Offsetof(C.gphys_body_contact{}.distance)]byte = [unsafe.Offsetof(BodyContact{}.Distance)]byte{}
+	_ [unsafe.Offsetof(C.gphys_body_contact{}.impulse)]byte = [unsafe.Offsetof(BodyContact{}.Impulse)]byte{}
 	_ [C.sizeof_gphys_impulse]byte = [unsafe.Sizeof(Impulse{})]byte{}
 	_ [unsafe.Offsetof(C.gphys_impulse{}.model)]byte = [unsafe.Offsetof(Impulse{}.Model)]byte{}
 	_ [unsafe.Offsetof(C.gphys_impulse{}.tag)]byte = [unsafe.Offsetof(Impulse{}.Tag)]byte{}

@@ -551,6 +551,21 @@ export interface Contact {
     /** unit, from the model to the particle */
     normal: number[];
 }
+/** Two particles of different bodies that touched in the last step. Frozen.  Since 1.1. */
+export interface BodyContact {
+    body_a: number;
+    particle_a: number;
+    /** above body_a */
+    body_b: number;
+    particle_b: number;
+    /** unit, from a to b, when they touched last */
+    normal: number[];
+    /** metres between their surfaces as they are now; below 0: they overlap */
+    distance: number;
+    /** N s along normal, of the whole step: b got it, and a its opposite. What links and models
+     * answered is not in it */
+    impulse: number;
+}
 /** What bodies gave a model in the last step, by contacts and by attachments. Frozen. */
 export interface Impulse {
     model: number;
@@ -602,6 +617,7 @@ export interface Kinds {
     joint_info: JointInfo;
     solver_stats: SolverStats;
     contact: Contact;
+    body_contact: BodyContact;
     impulse: Impulse;
 }
 export type Kind = keyof Kinds;
@@ -1680,6 +1696,19 @@ export class Solver {
      * @param first - as in Solver.getPositions
      * @param radii - metres, >= 0 */
     setRadii(body: number, first: number, radii: Elements): void;
+    /** Friction factors of particles; 1 until they are set.
+     * Cost: O(count). Since 1.1.
+     * @param first - as in Solver.getPositions
+     * @param count - as in Solver.getPositions */
+    getFrictionFactors(body: number, first: number, count: number, out?: Elements): Records<number>;
+    /** Give particles more or less friction than their body has: ice, a sticky hem, a worn patch. In every
+     * contact, with models and with particles, the coefficients of a particle are the friction and the
+     * static_friction of its body times its factor. A body with a friction of 1 thus has the factors for
+     * coefficients; Solver.setBodySettings scales them all and keeps the factors. Wakes the body.
+     * Cost: O(elements); the first factor other than 1 O(particles), and it allocates. Since 1.1.
+     * @param first - as in Solver.getPositions
+     * @param factors - >= 0 */
+    setFrictionFactors(body: number, first: number, factors: Elements): void;
     /** The forces that were set for particles, newtons.
      * Cost: O(count).
      * @param first - as in Solver.getPositions
@@ -1897,6 +1926,13 @@ export class Solver {
     /** Contacts of the last step by body, particle, model.
      * Cost: O(contacts). */
     getContacts(): Records<Contact>;
+    /** Contacts between bodies in the last step, of any substep, by body_a, particle_a, body_b, particle_b:
+     * for sounds, damage and sparks. Of sleeping bodies those of the step in which they fell asleep.
+     * Contacts with a body that was removed are no longer listed. They are not part of snapshots: after
+     * Solver.restore there are none until the next step. Contacts within a body (BodyDesc.self_collision)
+     * are not listed. where particles have more than 12 contacts on average, not all are known.
+     * Cost: O(contacts); no allocation. The same bits for any number of workers. Since 1.1. */
+    getBodyContacts(): Records<BodyContact>;
     /** Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in
      * which they fell asleep. Divided by dt they are mean forces: what lies on a model presses it with its
      * weight. A particle of cloth that touches several models at once gives to the one that it touches

@@ -50,6 +50,7 @@ using ConstraintSettings = gphys_constraint_settings;
 using JointInfo = gphys_joint_info;
 using SolverStats = gphys_solver_stats;
 using Contact = gphys_contact;
+using BodyContact = gphys_body_contact;
 using Impulse = gphys_impulse;
 
 inline MeshDesc mesh_desc() {
@@ -1941,6 +1942,26 @@ public:
         check(gphys_solver_set_radii(handle(), body, first, count, radii.data, radii.stride));
     }
 
+    // Friction factors of particles; 1 until they are set.
+    //   - first, count: as in Solver::get_positions
+    // Cost: O(count). Since 1.1.
+    void get_friction_factors(gphys_body_id body, uint32_t first, uint32_t count, Span<float> out_factors) const {
+        require_size(out_factors.size, count);
+        check(gphys_solver_get_friction_factors(handle(), body, first, count, out_factors.data, out_factors.stride));
+    }
+
+    // Give particles more or less friction than their body has: ice, a sticky hem, a worn patch. In every
+    // contact, with models and with particles, the coefficients of a particle are the friction and the
+    // static_friction of its body times its factor. A body with a friction of 1 thus has the factors for
+    // coefficients; Solver::set_body_settings scales them all and keeps the factors. Wakes the body.
+    //   - first: as in Solver::get_positions
+    //   - factors: >= 0
+    // Cost: O(elements); the first factor other than 1 O(particles), and it allocates. Since 1.1.
+    void set_friction_factors(gphys_body_id body, uint32_t first, Span<const float> factors) {
+        const uint32_t count = common_size({factors.sizes()});
+        check(gphys_solver_set_friction_factors(handle(), body, first, count, factors.data, factors.stride));
+    }
+
     // The forces that were set for particles, newtons.
     //   - first, count: as in Solver::get_positions
     // Cost: O(count).
@@ -2285,6 +2306,16 @@ public:
     // Cost: O(contacts).
     std::vector<Contact> get_contacts() const {
         return list<Contact>([&](Contact* out_contacts, uint32_t capacity, uint32_t* total) { return gphys_solver_get_contacts(handle(), out_contacts, capacity, total); });
+    }
+
+    // Contacts between bodies in the last step, of any substep, by body_a, particle_a, body_b, particle_b:
+    // for sounds, damage and sparks. Of sleeping bodies those of the step in which they fell asleep.
+    // Contacts with a body that was removed are no longer listed. They are not part of snapshots: after
+    // Solver::restore there are none until the next step. Contacts within a body (BodyDesc.self_collision)
+    // are not listed. where particles have more than 12 contacts on average, not all are known.
+    // Cost: O(contacts); no allocation. The same bits for any number of workers. Since 1.1.
+    std::vector<BodyContact> get_body_contacts() const {
+        return list<BodyContact>([&](BodyContact* out_contacts, uint32_t capacity, uint32_t* total) { return gphys_solver_get_body_contacts(handle(), out_contacts, capacity, total); });
     }
 
     // Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in

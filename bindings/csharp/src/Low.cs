@@ -232,6 +232,8 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_solver_set_masses(SolverHandle solver, uint body, uint first, uint count, float* masses, uint stride);
     [DllImport(Library)] internal static extern Status gphys_solver_get_radii(SolverHandle solver, uint body, uint first, uint count, float* out_radii, uint out_stride);
     [DllImport(Library)] internal static extern Status gphys_solver_set_radii(SolverHandle solver, uint body, uint first, uint count, float* radii, uint stride);
+    [DllImport(Library)] internal static extern Status gphys_solver_get_friction_factors(SolverHandle solver, uint body, uint first, uint count, float* out_factors, uint out_stride);
+    [DllImport(Library)] internal static extern Status gphys_solver_set_friction_factors(SolverHandle solver, uint body, uint first, uint count, float* factors, uint stride);
     [DllImport(Library)] internal static extern Status gphys_solver_get_forces(SolverHandle solver, uint body, uint first, uint count, Vec3* out_forces, uint out_stride);
     [DllImport(Library)] internal static extern Status gphys_solver_set_forces(SolverHandle solver, uint body, uint first, uint count, Vec3* forces, uint stride);
     [DllImport(Library)] internal static extern Status gphys_solver_get_pinned(SolverHandle solver, uint body, uint first, uint count, int* out_pinned, uint out_stride);
@@ -265,6 +267,7 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_solver_get_substeps(SolverHandle solver, uint body, uint* out_substeps);
     [DllImport(Library)] internal static extern Status gphys_solver_get_stats(SolverHandle solver, uint body, SolverStats* out_stats);
     [DllImport(Library)] internal static extern Status gphys_solver_get_contacts(SolverHandle solver, Contact* out_contacts, uint capacity, uint* out_total);
+    [DllImport(Library)] internal static extern Status gphys_solver_get_body_contacts(SolverHandle solver, BodyContact* out_contacts, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_solver_get_impulses(SolverHandle solver, Impulse* out_impulses, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_solver_get_snapshot(SolverHandle solver, uint* out_words, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_solver_restore(SolverHandle solver, uint* words, uint count);

@@ -2506,6 +2506,29 @@ public sealed partial class Solver : IDisposable {
         Check(Low.gphys_solver_set_radii(Handle, body, first, count, radii_, StrideOf(radii)));
     }
 
+    /// <summary>Friction factors of particles; 1 until they are set.
+    /// Cost: O(count). Since 1.1.</summary>
+    /// <param name="first">as in Solver.GetPositions</param>
+    /// <param name="count">as in Solver.GetPositions</param>
+    public unsafe void GetFrictionFactors(uint body, uint first, Span<float> factors) {
+        var count = (uint)factors.Length;
+        fixed (float* factors_ = &MemoryMarshal.GetReference(factors))
+        Check(Low.gphys_solver_get_friction_factors(Handle, body, first, count, factors_, (uint)sizeof(float)));
+    }
+
+    /// <summary>Give particles more or less friction than their body has: ice, a sticky hem, a worn patch. In every
+    /// contact, with models and with particles, the coefficients of a particle are the friction and the
+    /// static_friction of its body times its factor. A body with a friction of 1 thus has the factors for
+    /// coefficients; Solver.SetBodySettings scales them all and keeps the factors. Wakes the body.
+    /// Cost: O(elements); the first factor other than 1 O(particles), and it allocates. Since 1.1.</summary>
+    /// <param name="first">as in Solver.GetPositions</param>
+    /// <param name="factors">&gt;= 0</param>
+    public unsafe void SetFrictionFactors(uint body, uint first, ReadOnlySpan<float> factors) {
+        var count = CommonLength(-1, factors.Length);
+        fixed (float* factors_ = &MemoryMarshal.GetReference(factors))
+        Check(Low.gphys_solver_set_friction_factors(Handle, body, first, count, factors_, StrideOf(factors)));
+    }
+
     /// <summary>The forces that were set for particles, newtons.
     /// Cost: O(count).</summary>
     /// <param name="first">as in Solver.GetPositions</param>
@@ -2925,6 +2948,28 @@ public sealed partial class Solver : IDisposable {
                 return result;
             }
             result = new Contact[total];
+        }
+    }
+
+    /// <summary>Contacts between bodies in the last step, of any substep, by bodyA, particleA, bodyB, particleB: for
+    /// sounds, damage and sparks. Of sleeping bodies those of the step in which they fell asleep. Contacts
+    /// with a body that was removed are no longer listed. They are not part of snapshots: after
+    /// Solver.Restore there are none until the next step. Contacts within a body (BodyDesc.self_collision)
+    /// are not listed. where particles have more than 12 contacts on average, not all are known.
+    /// Cost: O(contacts); no allocation. The same bits for any number of workers. Since 1.1.</summary>
+    public unsafe BodyContact[] GetBodyContacts() {
+        var result = new BodyContact[Guess];
+        for (;;) {
+            uint total;
+            Status status;
+            fixed (BodyContact* out_ = result)
+            status = Low.gphys_solver_get_body_contacts(Handle, out_, (uint)result.Length, &total);
+            Check(status);
+            if (status != Status.Incomplete) {
+                Array.Resize(ref result, (int)total);
+                return result;
+            }
+            result = new BodyContact[total];
         }
     }
 

@@ -925,6 +925,25 @@ public partial struct Contact {
     public Vec3 Normal;
 }
 
+/// <summary>Two particles of different bodies that touched in the last step. Frozen.  Since 1.1.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public partial struct BodyContact {
+    public uint BodyA;
+    public uint ParticleA;
+    /// <summary>above bodyA</summary>
+    public uint BodyB;
+    public uint ParticleB;
+    /// <summary>unit, from a to b, when they touched last</summary>
+    public Vec3 Normal;
+    /// <summary>metres between their surfaces as they are now; below 0: they overlap</summary>
+    public float Distance;
+    /// <summary>
+    /// N s along normal, of the whole step: b got it, and a its opposite. What links and models
+    /// answered is not in it
+    /// </summary>
+    public float Impulse;
+}
+
 /// <summary>What bodies gave a model in the last step, by contacts and by attachments. Frozen.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public partial struct Impulse {

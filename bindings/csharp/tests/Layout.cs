@@ -49,6 +49,7 @@ static class Layout {
         (typeof(JointInfo), 32, new string[] { "Id", "BodyA", "ParticleA", "BodyB", "ParticleB", "RestLength", "Compliance", "Force" }, new int[] { 0, 4, 8, 12, 16, 20, 24, 28 }),
         (typeof(SolverStats), 32, new string[] { "ParticleCount", "PinnedCount", "ConstraintCount", "ContactCount", "StrainMax", "StrainRms", "KineticEnergy", "PotentialEnergy" }, new int[] { 0, 4, 8, 12, 16, 20, 24, 28 }),
         (typeof(Contact), 40, new string[] { "Body", "Particle", "Model", "Tag", "Point", "Normal" }, new int[] { 0, 4, 8, 12, 16, 28 }),
+        (typeof(BodyContact), 36, new string[] { "BodyA", "ParticleA", "BodyB", "ParticleB", "Normal", "Distance", "Impulse" }, new int[] { 0, 4, 8, 12, 16, 28, 32 }),
         (typeof(Impulse), 32, new string[] { "Model", "Tag", "Linear", "Angular" }, new int[] { 0, 4, 8, 20 }),
     };
 }

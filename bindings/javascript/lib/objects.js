@@ -985,6 +985,18 @@ export function objects(memory) {
             const count = common(radii_);
             check(native.gphys_solver_set_radii(this.pointer, body, first, count, pass(radii_), 4));
         }
+        getFrictionFactors(body, first, count, out) {
+            begin();
+            const out_factors_ = output(out, 'float', count);
+            check(native.gphys_solver_get_friction_factors(this.pointer, body, first, count, pass(out_factors_), 4));
+            return finish(out_factors_);
+        }
+        setFrictionFactors(body, first, factors) {
+            begin();
+            const factors_ = input(factors, 4, 'factors');
+            const count = common(factors_);
+            check(native.gphys_solver_set_friction_factors(this.pointer, body, first, count, pass(factors_), 4));
+        }
         getForces(body, first, count, out) {
             begin();
             const out_forces_ = output(out, 'vec3', count);
@@ -1134,6 +1146,10 @@ export function objects(memory) {
         getContacts() {
             begin();
             return list('contact', 0, (room, capacity) => native.gphys_solver_get_contacts(this.pointer, room, capacity, base));
+        }
+        getBodyContacts() {
+            begin();
+            return list('body_contact', 0, (room, capacity) => native.gphys_solver_get_body_contacts(this.pointer, room, capacity, base));
         }
         getImpulses() {
             begin();

@@ -411,6 +411,17 @@ export function writeContact(v, at, value) {
     writeVec3(v, at + 4, rows ? value[4] : value.point);
     writeVec3(v, at + 7, rows ? value[5] : value.normal);
 }
+export const readBodyContact = (v, at) => ({ body_a: v.u32[at], particle_a: v.u32[at + 1], body_b: v.u32[at + 2], particle_b: v.u32[at + 3], normal: readVec3(v, at + 4), distance: v.f32[at + 7], impulse: v.f32[at + 8] });
+export function writeBodyContact(v, at, value) {
+    const rows = row(value, 7, 'body_contact');
+    v.u32[at] = number(rows ? value[0] : value.body_a, 'body_a');
+    v.u32[at + 1] = number(rows ? value[1] : value.particle_a, 'particle_a');
+    v.u32[at + 2] = number(rows ? value[2] : value.body_b, 'body_b');
+    v.u32[at + 3] = number(rows ? value[3] : value.particle_b, 'particle_b');
+    writeVec3(v, at + 4, rows ? value[4] : value.normal);
+    v.f32[at + 7] = number(rows ? value[5] : value.distance, 'distance');
+    v.f32[at + 8] = number(rows ? value[6] : value.impulse, 'impulse');
+}
 export const readImpulse = (v, at) => ({ model: v.u32[at], tag: v.u32[at + 1], linear: readVec3(v, at + 2), angular: readVec3(v, at + 5) });
 export function writeImpulse(v, at, value) {
     const rows = row(value, 4, 'impulse');
@@ -460,5 +471,6 @@ export const types = {
     joint_info: { size: 32, read: readJointInfo, write: writeJointInfo },
     solver_stats: { size: 32, read: readSolverStats, write: writeSolverStats },
     contact: { size: 40, read: readContact, write: writeContact },
+    body_contact: { size: 36, read: readBodyContact, write: writeBodyContact },
     impulse: { size: 32, read: readImpulse, write: writeImpulse },
 };

@@ -65,6 +65,7 @@ typedef struct gphys_constraint_settings { float rest_length; float compliance; 
 typedef struct gphys_joint_info { gphys_joint_id id; gphys_body_id body_a; uint32_t particle_a; gphys_body_id body_b; uint32_t particle_b; float rest_length; float compliance; float force; } gphys_joint_info;
 typedef struct gphys_solver_stats { uint32_t particle_count; uint32_t pinned_count; uint32_t constraint_count; uint32_t contact_count; float strain_max; float strain_rms; float kinetic_energy; float potential_energy; } gphys_solver_stats;
 typedef struct gphys_contact { gphys_body_id body; uint32_t particle; gphys_model_id model; uint32_t tag; gphys_vec3 point; gphys_vec3 normal; } gphys_contact;
+typedef struct gphys_body_contact { gphys_body_id body_a; uint32_t particle_a; gphys_body_id body_b; uint32_t particle_b; gphys_vec3 normal; float distance; float impulse; } gphys_body_contact;
 typedef struct gphys_impulse { gphys_model_id model; uint32_t tag; gphys_vec3 linear; gphys_vec3 angular; } gphys_impulse;
 uint32_t gphys_version(void);
 const char *gphys_status_name(gphys_status status);
@@ -290,6 +291,8 @@ gphys_status gphys_solver_get_masses(const gphys_solver *solver, gphys_body_id b
 gphys_status gphys_solver_set_masses(gphys_solver *solver, gphys_body_id body, uint32_t first, uint32_t count, const float *masses, uint32_t stride);
 gphys_status gphys_solver_get_radii(const gphys_solver *solver, gphys_body_id body, uint32_t first, uint32_t count, float *out_radii, uint32_t out_stride);
 gphys_status gphys_solver_set_radii(gphys_solver *solver, gphys_body_id body, uint32_t first, uint32_t count, const float *radii, uint32_t stride);
+gphys_status gphys_solver_get_friction_factors(const gphys_solver *solver, gphys_body_id body, uint32_t first, uint32_t count, float *out_factors, uint32_t out_stride);
+gphys_status gphys_solver_set_friction_factors(gphys_solver *solver, gphys_body_id body, uint32_t first, uint32_t count, const float *factors, uint32_t stride);
 gphys_status gphys_solver_get_forces(const gphys_solver *solver, gphys_body_id body, uint32_t first, uint32_t count, gphys_vec3 *out_forces, uint32_t out_stride);
 gphys_status gphys_solver_set_forces(gphys_solver *solver, gphys_body_id body, uint32_t first, uint32_t count, const gphys_vec3 *forces, uint32_t stride);
 gphys_status gphys_solver_get_pinned(const gphys_solver *solver, gphys_body_id body, uint32_t first, uint32_t count, int32_t *out_pinned, uint32_t out_stride);
@@ -323,6 +326,7 @@ gphys_status gphys_solver_get_leftover(const gphys_solver *solver, float *out_le
 gphys_status gphys_solver_get_substeps(const gphys_solver *solver, gphys_body_id body, uint32_t *out_substeps);
 gphys_status gphys_solver_get_stats(const gphys_solver *solver, gphys_body_id body, gphys_solver_stats *out_stats);
 gphys_status gphys_solver_get_contacts(const gphys_solver *solver, gphys_contact *out_contacts, uint32_t capacity, uint32_t *out_total);
+gphys_status gphys_solver_get_body_contacts(const gphys_solver *solver, gphys_body_contact *out_contacts, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_solver_get_impulses(const gphys_solver *solver, gphys_impulse *out_impulses, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_solver_get_snapshot(const gphys_solver *solver, uint32_t *out_words, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_solver_restore(gphys_solver *solver, const uint32_t *words, uint32_t count);
@@ -441,6 +445,7 @@ gphys_status gphys_solver_get_hash(const gphys_solver *solver, uint32_t *out_has
         { name = "joint_info", fields = { "id", "body_a", "particle_a", "body_b", "particle_b", "rest_length", "compliance", "force" } },
         { name = "solver_stats", fields = { "particle_count", "pinned_count", "constraint_count", "contact_count", "strain_max", "strain_rms", "kinetic_energy", "potential_energy" } },
         { name = "contact", fields = { "body", "particle", "model", "tag", "point", "normal" } },
+        { name = "body_contact", fields = { "body_a", "particle_a", "body_b", "particle_b", "normal", "distance", "impulse" } },
         { name = "impulse", fields = { "model", "tag", "linear", "angular" } },
     },
     shapes = {"sphere", "capsule", "aabb", "obb", "plane", "triangle", "frustum", "ray", "segment"},

@@ -51,6 +51,7 @@ local ConstraintSettings = runtime.element 'gphys_constraint_settings'
 local JointInfo = runtime.element 'gphys_joint_info'
 local SolverStats = runtime.element 'gphys_solver_stats'
 local Contact = runtime.element 'gphys_contact'
+local BodyContact = runtime.element 'gphys_body_contact'
 local Impulse = runtime.element 'gphys_impulse'
 
 local Mesh = runtime.class 'mesh'
@@ -2037,6 +2038,29 @@ function Solver:set_radii(body, first, radii)
     check(C.gphys_solver_set_radii(opened(self), body, first, count, radii, radii_stride))
 end
 
+--- Friction factors of particles; 1 until they are set.
+--- Cost: O(count). Since 1.1.
+--- @param first as in Solver:get_positions
+--- @param count as in Solver:get_positions
+function Solver:get_friction_factors(body, first, count, out)
+    out = results(float, out, count)
+    check(C.gphys_solver_get_friction_factors(opened(self), body, first, count, out, float.size))
+    return out
+end
+
+--- Give particles more or less friction than their body has: ice, a sticky hem, a worn patch. In every
+--- contact, with models and with particles, the coefficients of a particle are the friction and the
+--- static_friction of its body times its factor. A body with a friction of 1 thus has the factors for
+--- coefficients; Solver:set_body_settings scales them all and keeps the factors. Wakes the body.
+--- Cost: O(elements); the first factor other than 1 O(particles), and it allocates. Since 1.1.
+--- @param first as in Solver:get_positions
+--- @param factors >= 0
+function Solver:set_friction_factors(body, first, factors)
+    local factors, factors_count, factors_stride = to_array(float, factors)
+    local count = common(factors_count)
+    check(C.gphys_solver_set_friction_factors(opened(self), body, first, count, factors, factors_stride))
+end
+
 --- The forces that were set for particles, newtons.
 --- Cost: O(count).
 --- @param first as in Solver:get_positions
@@ -2421,6 +2445,18 @@ end
 function Solver:get_contacts()
     return list(Contact, function(out, capacity, total)
         return C.gphys_solver_get_contacts(opened(self), out, capacity, total)
+    end)
+end
+
+--- Contacts between bodies in the last step, of any substep, by body_a, particle_a, body_b, particle_b:
+--- for sounds, damage and sparks. Of sleeping bodies those of the step in which they fell asleep.
+--- Contacts with a body that was removed are no longer listed. They are not part of snapshots: after
+--- Solver:restore there are none until the next step. Contacts within a body (BodyDesc.self_collision)
+--- are not listed. where particles have more than 12 contacts on average, not all are known.
+--- Cost: O(contacts); no allocation. The same bits for any number of workers. Since 1.1.
+function Solver:get_body_contacts()
+    return list(BodyContact, function(out, capacity, total)
+        return C.gphys_solver_get_body_contacts(opened(self), out, capacity, total)
     end)
 end
 

@@ -670,6 +670,22 @@ contact_dtype = dtype([("body", "<u4"), ("particle", "<u4"), ("model", "<u4"), (
 Contact.dtype = contact_dtype
 
 
+class BodyContact(Value, Structure):
+    """Two particles of different bodies that touched in the last step. Frozen.  Since 1.1."""
+    body_a: int
+    particle_a: int
+    body_b: int  # above body_a
+    particle_b: int
+    normal: Vec3  # unit, from a to b, when they touched last
+    distance: float  # metres between their surfaces as they are now; below 0: they overlap
+    impulse: float  # N s along normal, of the whole step: b got it, and a its opposite. What links and models answered is not in it
+    _fields_ = [("body_a", c_uint32), ("particle_a", c_uint32), ("body_b", c_uint32), ("particle_b", c_uint32), ("normal", Vec3), ("distance", c_float), ("impulse", c_float)]
+
+
+body_contact_dtype = dtype([("body_a", "<u4"), ("particle_a", "<u4"), ("body_b", "<u4"), ("particle_b", "<u4"), ("normal", "<f4", (3,)), ("distance", "<f4"), ("impulse", "<f4")])
+BodyContact.dtype = body_contact_dtype
+
+
 class Impulse(Value, Structure):
     """What bodies gave a model in the last step, by contacts and by attachments. Frozen."""
     model: int
@@ -907,6 +923,8 @@ gphys_solver_get_masses = function("gphys_solver_get_masses", c_int32, [c_void_p
 gphys_solver_set_masses = function("gphys_solver_set_masses", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
 gphys_solver_get_radii = function("gphys_solver_get_radii", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
 gphys_solver_set_radii = function("gphys_solver_set_radii", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_solver_get_friction_factors = function("gphys_solver_get_friction_factors", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_solver_set_friction_factors = function("gphys_solver_set_friction_factors", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
 gphys_solver_get_forces = function("gphys_solver_get_forces", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
 gphys_solver_set_forces = function("gphys_solver_set_forces", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
 gphys_solver_get_pinned = function("gphys_solver_get_pinned", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
@@ -940,6 +958,7 @@ gphys_solver_get_leftover = function("gphys_solver_get_leftover", c_int32, [c_vo
 gphys_solver_get_substeps = function("gphys_solver_get_substeps", c_int32, [c_void_p, c_uint32, c_void_p])
 gphys_solver_get_stats = function("gphys_solver_get_stats", c_int32, [c_void_p, c_uint32, c_void_p])
 gphys_solver_get_contacts = function("gphys_solver_get_contacts", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
+gphys_solver_get_body_contacts = function("gphys_solver_get_body_contacts", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
 gphys_solver_get_impulses = function("gphys_solver_get_impulses", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
 gphys_solver_get_snapshot = function("gphys_solver_get_snapshot", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
 gphys_solver_restore = function("gphys_solver_restore", c_int32, [c_void_p, c_void_p, c_uint32])

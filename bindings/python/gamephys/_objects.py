@@ -2162,6 +2162,31 @@ class Solver(Object):
         count = common_length(radii_)
         check(low.gphys_solver_set_radii(self._handle, body, first, count, radii_.address, radii_.stride))
 
+    def get_friction_factors(self, body: int, first: int, count: int, *, out: np.ndarray | None = None) -> np.ndarray:
+        """Friction factors of particles; 1 until they are set.
+        Cost: O(count). Since 1.1.
+
+        Args:
+            first, count: as in Solver.get_positions"""
+        out_ = result_array(out, count, "<f4")
+        check(low.gphys_solver_get_friction_factors(self._handle, body, first, count, out_.address, out_.stride))
+        return out_.array
+
+    def set_friction_factors(self, body: int, first: int, factors: ArrayLike) -> None:
+        """Give particles more or less friction than their body has: ice, a sticky hem, a worn patch. In
+        every contact, with models and with particles, the coefficients of a particle are the friction
+        and the static_friction of its body times its factor. A body with a friction of 1 thus has the
+        factors for coefficients; Solver.set_body_settings scales them all and keeps the factors. Wakes
+        the body.
+        Cost: O(elements); the first factor other than 1 O(particles), and it allocates. Since 1.1.
+
+        Args:
+            first: as in Solver.get_positions
+            factors: >= 0"""
+        factors_ = array_of(factors, "<f4")
+        count = common_length(factors_)
+        check(low.gphys_solver_set_friction_factors(self._handle, body, first, count, factors_.address, factors_.stride))
+
     def get_forces(self, body: int, first: int, count: int, *, out: np.ndarray | None = None) -> np.ndarray:
         """The forces that were set for particles, newtons.
         Cost: O(count).
@@ -2564,6 +2589,16 @@ class Solver(Object):
         """Contacts of the last step by body, particle, model.
         Cost: O(contacts)."""
         return list_of(low.gphys_solver_get_contacts, (self._handle,), low.contact_dtype)
+
+    def get_body_contacts(self) -> np.ndarray:
+        """Contacts between bodies in the last step, of any substep, by body_a, particle_a, body_b,
+        particle_b: for sounds, damage and sparks. Of sleeping bodies those of the step in which they
+        fell asleep. Contacts with a body that was removed are no longer listed. They are not part of
+        snapshots: after Solver.restore there are none until the next step. Contacts within a body
+        (BodyDesc.self_collision) are not listed. where particles have more than 12 contacts on average,
+        not all are known.
+        Cost: O(contacts); no allocation. The same bits for any number of workers. Since 1.1."""
+        return list_of(low.gphys_solver_get_body_contacts, (self._handle,), low.body_contact_dtype)
 
     def get_impulses(self) -> np.ndarray:
         """Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the

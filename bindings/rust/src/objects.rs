@@ -2515,6 +2515,32 @@ impl Solver {
         check(unsafe { sys::gphys_solver_set_radii(self.handle.as_ptr(), body, first, count, radii.data, radii.stride) })
     }
 
+    /// Friction factors of particles; 1 until they are set.
+    ///
+    /// Cost: O(count). Since 1.1.
+    ///
+    /// * `first`, `count`: as in `Solver::get_positions`
+    pub fn get_friction_factors<'a>(&self, body: BodyId, first: u32, out_factors: impl Into<BatchMut<'a, f32>>) -> Result<()> {
+        let out_factors = out_factors.into();
+        let count = out_factors.count()?;
+        check(unsafe { sys::gphys_solver_get_friction_factors(self.handle.as_ptr(), body, first, count, out_factors.data, out_factors.stride) })
+    }
+
+    /// Give particles more or less friction than their body has: ice, a sticky hem, a worn patch. In every
+    /// contact, with models and with particles, the coefficients of a particle are the friction and the
+    /// static_friction of its body times its factor. A body with a friction of 1 thus has the factors for
+    /// coefficients; `Solver::set_body_settings` scales them all and keeps the factors. Wakes the body.
+    ///
+    /// Cost: O(elements); the first factor other than 1 O(particles), and it allocates. Since 1.1.
+    ///
+    /// * `first`: as in `Solver::get_positions`
+    /// * `factors`: >= 0
+    pub fn set_friction_factors<'a>(&mut self, body: BodyId, first: u32, factors: impl Into<Batch<'a, f32>>) -> Result<()> {
+        let factors = factors.into();
+        let count = common_length(&[factors.length])?;
+        check(unsafe { sys::gphys_solver_set_friction_factors(self.handle.as_ptr(), body, first, count, factors.data, factors.stride) })
+    }
+
     /// The forces that were set for particles, newtons.
     ///
     /// Cost: O(count).
@@ -2951,6 +2977,18 @@ impl Solver {
     /// Cost: O(contacts).
     pub fn get_contacts(&self) -> Result<Vec<Contact>> {
         list(|out_contacts, capacity, total| unsafe { sys::gphys_solver_get_contacts(self.handle.as_ptr(), out_contacts, capacity, total) })
+    }
+
+    /// Contacts between bodies in the last step, of any substep, by body_a, particle_a, body_b, particle_b:
+    /// for sounds, damage and sparks. Of sleeping bodies those of the step in which they fell asleep.
+    /// Contacts with a body that was removed are no longer listed. They are not part of snapshots: after
+    /// `Solver::restore` there are none until the next step. Contacts within a body
+    /// (`BodyDesc`.self_collision) are not listed. where particles have more than 12 contacts on average,
+    /// not all are known.
+    ///
+    /// Cost: O(contacts); no allocation. The same bits for any number of workers. Since 1.1.
+    pub fn get_body_contacts(&self) -> Result<Vec<BodyContact>> {
+        list(|out_contacts, capacity, total| unsafe { sys::gphys_solver_get_body_contacts(self.handle.as_ptr(), out_contacts, capacity, total) })
     }
 
     /// Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in

@@ -248,6 +248,8 @@ extern "C" {
     pub fn gphys_solver_set_masses(solver: *mut gphys_solver, body: BodyId, first: u32, count: u32, masses: *const f32, stride: u32) -> Status;
     pub fn gphys_solver_get_radii(solver: *mut gphys_solver, body: BodyId, first: u32, count: u32, out_radii: *mut f32, out_stride: u32) -> Status;
     pub fn gphys_solver_set_radii(solver: *mut gphys_solver, body: BodyId, first: u32, count: u32, radii: *const f32, stride: u32) -> Status;
+    pub fn gphys_solver_get_friction_factors(solver: *mut gphys_solver, body: BodyId, first: u32, count: u32, out_factors: *mut f32, out_stride: u32) -> Status;
+    pub fn gphys_solver_set_friction_factors(solver: *mut gphys_solver, body: BodyId, first: u32, count: u32, factors: *const f32, stride: u32) -> Status;
     pub fn gphys_solver_get_forces(solver: *mut gphys_solver, body: BodyId, first: u32, count: u32, out_forces: *mut Vec3, out_stride: u32) -> Status;
     pub fn gphys_solver_set_forces(solver: *mut gphys_solver, body: BodyId, first: u32, count: u32, forces: *const Vec3, stride: u32) -> Status;
     pub fn gphys_solver_get_pinned(solver: *mut gphys_solver, body: BodyId, first: u32, count: u32, out_pinned: *mut i32, out_stride: u32) -> Status;
@@ -281,6 +283,7 @@ extern "C" {
     pub fn gphys_solver_get_substeps(solver: *mut gphys_solver, body: BodyId, out_substeps: *mut u32) -> Status;
     pub fn gphys_solver_get_stats(solver: *mut gphys_solver, body: BodyId, out_stats: *mut SolverStats) -> Status;
     pub fn gphys_solver_get_contacts(solver: *mut gphys_solver, out_contacts: *mut Contact, capacity: u32, out_total: *mut u32) -> Status;
+    pub fn gphys_solver_get_body_contacts(solver: *mut gphys_solver, out_contacts: *mut BodyContact, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_solver_get_impulses(solver: *mut gphys_solver, out_impulses: *mut Impulse, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_solver_get_snapshot(solver: *mut gphys_solver, out_words: *mut u32, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_solver_restore(solver: *mut gphys_solver, words: *const u32, count: u32) -> Status;

@@ -884,6 +884,24 @@ pub struct Contact {
     pub normal: Vec3,
 }
 
+/// Two particles of different bodies that touched in the last step. Frozen.  Since 1.1.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct BodyContact {
+    pub body_a: BodyId,
+    pub particle_a: u32,
+    /// above body_a
+    pub body_b: BodyId,
+    pub particle_b: u32,
+    /// unit, from a to b, when they touched last
+    pub normal: Vec3,
+    /// metres between their surfaces as they are now; below 0: they overlap
+    pub distance: f32,
+    /// N s along normal, of the whole step: b got it, and a its opposite. What links and models
+    /// answered is not in it
+    pub impulse: f32,
+}
+
 /// What bodies gave a model in the last step, by contacts and by attachments. Frozen.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
@@ -944,6 +962,7 @@ const _: () = {
     assert!(std::mem::size_of::<JointInfo>() == 32);
     assert!(std::mem::size_of::<SolverStats>() == 32);
     assert!(std::mem::size_of::<Contact>() == 40);
+    assert!(std::mem::size_of::<BodyContact>() == 36);
     assert!(std::mem::size_of::<Impulse>() == 32);
 };
 #[cfg(target_pointer_width = "32")]
@@ -992,6 +1011,7 @@ const _: () = {
     assert!(std::mem::size_of::<JointInfo>() == 32);
     assert!(std::mem::size_of::<SolverStats>() == 32);
     assert!(std::mem::size_of::<Contact>() == 40);
+    assert!(std::mem::size_of::<BodyContact>() == 36);
     assert!(std::mem::size_of::<Impulse>() == 32);
 };
 #[cfg(all(test, target_pointer_width = "64"))]
@@ -1314,6 +1334,15 @@ fn fields_stand_where_c_has_them() {
     assert_eq!(unsafe { std::ptr::addr_of!((*p).tag) } as usize - p as usize, 12);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).point) } as usize - p as usize, 16);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).normal) } as usize - p as usize, 28);
+    let s = std::mem::MaybeUninit::<BodyContact>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).body_a) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).particle_a) } as usize - p as usize, 4);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).body_b) } as usize - p as usize, 8);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).particle_b) } as usize - p as usize, 12);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).normal) } as usize - p as usize, 16);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).distance) } as usize - p as usize, 28);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).impulse) } as usize - p as usize, 32);
     let s = std::mem::MaybeUninit::<Impulse>::uninit();
     let p = s.as_ptr();
     assert_eq!(unsafe { std::ptr::addr_of!((*p).model) } as usize - p as usize, 0);

@@ -256,6 +256,8 @@ module Gamephys
     attach_function :gphys_solver_set_masses, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_solver_get_radii, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_solver_set_radii, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_solver_get_friction_factors, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_solver_set_friction_factors, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_solver_get_forces, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_solver_set_forces, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_solver_get_pinned, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
@@ -289,6 +291,7 @@ module Gamephys
     attach_function :gphys_solver_get_substeps, [:pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_get_stats, [:pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_get_contacts, [:pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_solver_get_body_contacts, [:pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_get_impulses, [:pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_get_snapshot, [:pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_restore, [:pointer, :pointer, :uint32], :int32

@@ -1936,6 +1936,30 @@ module Gamephys
       nil
     end
 
+    # Friction factors of particles; 1 until they are set.
+    # Cost: O(count). Since 1.1.
+    # @param first as in Solver#get_positions
+    # @param count as in Solver#get_positions
+    def get_friction_factors(body, first, count, out: nil)
+      out = Low.results(Float32, out, count)
+      Low.check(Low.gphys_solver_get_friction_factors(opened, body, first, count, out.pointer, Float32::BYTES))
+      out
+    end
+
+    # Give particles more or less friction than their body has: ice, a sticky hem, a worn patch. In every
+    # contact, with models and with particles, the coefficients of a particle are the friction and the
+    # static_friction of its body times its factor. A body with a friction of 1 thus has the factors for
+    # coefficients; Solver#set_body_settings scales them all and keeps the factors. Wakes the body.
+    # Cost: O(elements); the first factor other than 1 O(particles), and it allocates. Since 1.1.
+    # @param first as in Solver#get_positions
+    # @param factors >= 0
+    def set_friction_factors(body, first, factors)
+      factors = Low.array(Float32, factors)
+      count = Low.common(factors)
+      Low.check(Low.gphys_solver_set_friction_factors(opened, body, first, count, factors.pointer, factors.stride))
+      nil
+    end
+
     # The forces that were set for particles, newtons.
     # Cost: O(count).
     # @param first as in Solver#get_positions
@@ -2310,6 +2334,16 @@ module Gamephys
     # Cost: O(contacts).
     def get_contacts
       Low.list(Contact) { |out, capacity, total| Low.gphys_solver_get_contacts(opened, out, capacity, total) }
+    end
+
+    # Contacts between bodies in the last step, of any substep, by body_a, particle_a, body_b, particle_b:
+    # for sounds, damage and sparks. Of sleeping bodies those of the step in which they fell asleep.
+    # Contacts with a body that was removed are no longer listed. They are not part of snapshots: after
+    # Solver#restore there are none until the next step. Contacts within a body (BodyDesc.self_collision)
+    # are not listed. where particles have more than 12 contacts on average, not all are known.
+    # Cost: O(contacts); no allocation. The same bits for any number of workers. Since 1.1.
+    def get_body_contacts
+      Low.list(BodyContact) { |out, capacity, total| Low.gphys_solver_get_body_contacts(opened, out, capacity, total) }
     end
 
     # Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in

@@ -407,6 +407,15 @@ module Gamephys
   end
   Contact::FORMAT, Contact::COUNT, Contact::BYTES = 'L4f6', 10, 40
 
+  # Two particles of different bodies that touched in the last step. Frozen.  Since 1.1.
+  BodyContact = ::Struct.new(:body_a, :particle_a, :body_b, :particle_b, :normal, :distance, :impulse) do
+    extend Value
+
+    def self.from(n) = new(n[0], n[1], n[2], n[3], n[4, 3], n[7], n[8])
+    def numbers = [body_a, particle_a, body_b, particle_b, *normal, distance, impulse]
+  end
+  BodyContact::FORMAT, BodyContact::COUNT, BodyContact::BYTES = 'L4f5', 9, 36
+
   # What bodies gave a model in the last step, by contacts and by attachments. Frozen.
   Impulse = ::Struct.new(:model, :tag, :linear, :angular) do
     extend Value

@@ -233,6 +233,8 @@ class LowFunctions {
     static native int gphys_solver_set_masses(Pointer solver, int body, int first, int count, Pointer masses, int stride);
     static native int gphys_solver_get_radii(Pointer solver, int body, int first, int count, Pointer outRadii, int outStride);
     static native int gphys_solver_set_radii(Pointer solver, int body, int first, int count, Pointer radii, int stride);
+    static native int gphys_solver_get_friction_factors(Pointer solver, int body, int first, int count, Pointer outFactors, int outStride);
+    static native int gphys_solver_set_friction_factors(Pointer solver, int body, int first, int count, Pointer factors, int stride);
     static native int gphys_solver_get_forces(Pointer solver, int body, int first, int count, Pointer outForces, int outStride);
     static native int gphys_solver_set_forces(Pointer solver, int body, int first, int count, Pointer forces, int stride);
     static native int gphys_solver_get_pinned(Pointer solver, int body, int first, int count, Pointer outPinned, int outStride);
@@ -266,6 +268,7 @@ class LowFunctions {
     static native int gphys_solver_get_substeps(Pointer solver, int body, Pointer outSubsteps);
     static native int gphys_solver_get_stats(Pointer solver, int body, Pointer outStats);
     static native int gphys_solver_get_contacts(Pointer solver, Pointer outContacts, int capacity, Pointer outTotal);
+    static native int gphys_solver_get_body_contacts(Pointer solver, Pointer outContacts, int capacity, Pointer outTotal);
     static native int gphys_solver_get_impulses(Pointer solver, Pointer outImpulses, int capacity, Pointer outTotal);
     static native int gphys_solver_get_snapshot(Pointer solver, Pointer outWords, int capacity, Pointer outTotal);
     static native int gphys_solver_restore(Pointer solver, Pointer words, int count);

@@ -490,6 +490,41 @@ public final class Solver extends Owned {
     }
 
     /**
+     * Friction factors of particles; 1 until they are set.
+     * Cost: O(count). Since 1.1.
+     * @param first as in Solver.getPositions
+     * @param count as in Solver.getPositions
+     */
+    public Batch<Float> getFrictionFactors(int body, int first, int count, Batch<Float> out) {
+        Batch<Float> room = Batch.room(Layout.FLOAT, count, out);
+        int status = Low.gphys_solver_get_friction_factors(opened(), body, first, count, room.pointer(), Layout.FLOAT.bytes());
+        Low.keep(this, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<Float> getFrictionFactors(int body, int first, int count) {
+        return getFrictionFactors(body, first, count, (Batch<Float>) null);
+    }
+
+    /**
+     * Give particles more or less friction than their body has: ice, a sticky hem, a worn patch. In every
+     * contact, with models and with particles, the coefficients of a particle are the friction and the
+     * static_friction of its body times its factor. A body with a friction of 1 thus has the factors for
+     * coefficients; Solver.setBodySettings scales them all and keeps the factors. Wakes the body.
+     * Cost: O(elements); the first factor other than 1 O(particles), and it allocates. Since 1.1.
+     * @param first as in Solver.getPositions
+     * @param factors &gt;= 0
+     */
+    public void setFrictionFactors(int body, int first, Batch<Float> factors) {
+        int count = Low.common(factors.common());
+        int status = Low.gphys_solver_set_friction_factors(opened(), body, first, count, factors.pointer(), factors.stride());
+        Low.keep(this, factors);
+        Low.check(status);
+    }
+
+    /**
      * The forces that were set for particles, newtons.
      * Cost: O(count).
      * @param first as in Solver.getPositions
@@ -1046,6 +1081,22 @@ public final class Solver extends Owned {
     public Batch<Contact> getContacts() {
         return Low.list(Contact.LAYOUT, (room, capacity, total) -> {
                 int status = Low.gphys_solver_get_contacts(opened(), room, capacity, total);
+                Low.keep(this);
+                return status;
+            });
+    }
+
+    /**
+     * Contacts between bodies in the last step, of any substep, by bodyA, particleA, bodyB, particleB: for
+     * sounds, damage and sparks. Of sleeping bodies those of the step in which they fell asleep. Contacts
+     * with a body that was removed are no longer listed. They are not part of snapshots: after
+     * Solver.restore there are none until the next step. Contacts within a body (BodyDesc.self_collision)
+     * are not listed. where particles have more than 12 contacts on average, not all are known.
+     * Cost: O(contacts); no allocation. The same bits for any number of workers. Since 1.1.
+     */
+    public Batch<BodyContact> getBodyContacts() {
+        return Low.list(BodyContact.LAYOUT, (room, capacity, total) -> {
+                int status = Low.gphys_solver_get_body_contacts(opened(), room, capacity, total);
                 Low.keep(this);
                 return status;
             });
