@@ -204,10 +204,12 @@ void use(World& world) {
     const auto ask = [&] {
         gphys_solver_stats stats;
         gphys_contact contacts[8];
+        gphys_body_contact touches[8];
         gphys_impulse impulses[8];
         gphys_joint_info joints[8];
         REQUIRE(gphys_solver_get_stats(solver, 0, &stats) == GPHYS_OK);
         REQUIRE(gphys_solver_get_contacts(solver, contacts, 8, &total) >= GPHYS_OK);
+        REQUIRE(gphys_solver_get_body_contacts(solver, touches, 8, &total) >= GPHYS_OK);
         REQUIRE(gphys_solver_get_impulses(solver, impulses, 8, &total) >= GPHYS_OK);
         REQUIRE(gphys_solver_get_joints(solver, 0, joints, 8, &total) >= GPHYS_OK);
         REQUIRE(gphys_solver_get_bodies(solver, bodies, 16, &bodies_total) == GPHYS_OK);
