@@ -121,7 +121,7 @@ TEST_CASE("a snapshot's settings are in their ranges, each by itself") {
     }
     check([](SolverState& s) -> double& { return s.settings.fixed_step; }, {1e-6f, 0.5},
           {std::nextafter(double{1e-6f}, 0), beyond(0.5), -0.01});
-    check([](SolverState& s) -> double& { return s.owed; }, {0, 1.0 / 60}, {-tiny, beyond(1.0 / 60)});
+    check([](SolverState& s) -> double& { return s.accumulator; }, {0, 1.0 / 60}, {-tiny, beyond(1.0 / 60)});
     for (uint32_t Settings::*const count : {&Settings::substeps, &Settings::max_substeps}) {
         for (const uint32_t good : {1u, 1000u}) CHECK(taken([&](SolverState& s) { s.settings.*count = good; }));
         for (const uint32_t bad : {0u, 1001u}) CHECK_FALSE(taken([&](SolverState& s) { s.settings.*count = bad; }));
