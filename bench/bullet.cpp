@@ -42,6 +42,8 @@ struct Count final : btCollisionWorld::ContactResultCallback {
 
 class Bullet final : public Implementation {
 public:
+    // Queries need no pairs of overlapping objects: so none are looked for.
+    Bullet() { broadphase_.m_deferedcollide = true; }
     ~Bullet() override { clear(); }
     bool is_slow() const override { return true; }
 
@@ -220,7 +222,8 @@ private:
 
     btDefaultCollisionConfiguration configuration_;
     btCollisionDispatcher dispatcher_{&configuration_};
-    btDbvtBroadphase broadphase_;
+    btNullPairCache no_pairs_;
+    btDbvtBroadphase broadphase_{&no_pairs_};
     std::unique_ptr<btCollisionWorld> world_ =
         std::make_unique<btCollisionWorld>(&dispatcher_, &broadphase_, &configuration_);
     Triangles mesh_;

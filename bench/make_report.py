@@ -90,8 +90,9 @@ def load(directory):
     return read(directory), solver, seconds, load_average
 
 
-def largest(rows, case):
-    return max((n for name, n in rows if name == case), default=None)
+def usual(rows, case):
+    """Of the numbers of objects that were measured, the one nearest to 100,000."""
+    return min((n for name, n in rows if name == case), key=lambda n: abs(math.log(n / 100000)), default=None)
 
 
 def percent(share):
@@ -105,15 +106,15 @@ def ordinary_panels(rows):
     for title, cases in ORDINARY:
         points, n = [], 0
         for case, how in cases:
-            n = largest(rows, case) or n
+            n = usual(rows, case) or n
             for name, row in rows.get((case, n), {}).items():
                 if name.startswith("gamephys_") or row["unit"] != "ns" or row["error_unit"] in WRONG:
                     continue
                 own_batch = name == "gamephys" or "packets" in name
-                singly = any(name in rows.get((other, largest(rows, other)), {}) for other, what in cases if not what)
+                singly = any(name in rows.get((other, usual(rows, other)), {}) for other, what in cases if not what)
                 if how and singly and not own_batch:
                     continue  # a loop of single calls, which the other case has
-                points.append((row["value"], row["median"], row["error"], name, shown(name) + (f", {how}" if how and len(cases) > 1 and name == "gamephys" else "")))
+                points.append((row["value"], row["median"], row["error"], name, shown(name) + (f", {how or 'one call'}" if len(cases) > 1 and name == "gamephys" else "")))
         if any(library != "gamephys" for *_, library, _ in points):
             panels.append((f"{title} ({n:,})", points))
     return panels
@@ -122,7 +123,7 @@ def ordinary_panels(rows):
 def answer_panels(rows):
     panels = []
     for title, case in ANSWERS:
-        n = largest(rows, case)
+        n = usual(rows, case)
         points = [(row["value"], row["median"], row["error"] if case in COUNTED or row["error_unit"] in WRONG else 0, name, shown(name))
                   for name, row in rows.get((case, n), {}).items() if not name.startswith("gamephys_") and "packets" not in name]
         if len(points) > 1:
@@ -133,7 +134,7 @@ def answer_panels(rows):
 def hard_panels(rows):
     panels = []
     for case, title in HARD.items():
-        n = largest(rows, case)
+        n = usual(rows, case)
         points = [(row["value"], row["median"], row["error"], name, shown(name)) for name, row in rows.get((case, n), {}).items()]
         if points:
             panels.append((title, points))
@@ -183,9 +184,9 @@ def growth(rows, path):
 
 
 def latency_figure(suites, path):
-    """The distribution of the times of single calls, at the largest number of objects for which all were measured."""
+    """The distribution of the times of single calls, at the usual number of objects."""
     found = latencies(suites)
-    n = max(n for _, n in found)
+    n = usual(found, next(iter(found))[0])
     calls = [call for call in CALLS if (call, n) in found][::-1]
     drawing, axes = plt.subplots(figsize=(12, 0.5 * len(calls) + 1.2), layout="constrained")
     shades = dict(zip(QUANTILES, ("#D55E00", "#E69F00", "#56B4E9", "#0072B2")))
@@ -206,7 +207,7 @@ def summary(rows):
     """Each kind of work beside the fastest of the others that gives no false answer: time and error."""
     lines = []
     for what, case in SUMMARY:
-        n = largest(rows, case)
+        n = usual(rows, case)
         by = rows.get((case, n), {})
         others = {name: row for name, row in by.items() if not name.startswith("gamephys") and row["error_unit"] not in WRONG}
         if "gamephys" not in by or not others:
@@ -233,7 +234,7 @@ def price(rows):
     """What one pays and gets, case by case, in sentences of the figures."""
     lines = []
     for case, title in HARD.items():
-        by = rows.get((case, largest(rows, case)), {})
+        by = rows.get((case, usual(rows, case)), {})
         others = {name: row for name, row in by.items() if not name.startswith("gamephys")}
         if "gamephys" not in by or not others:
             continue
@@ -255,7 +256,7 @@ Written by `./bench.sh --report{quick}`: all numbers and figures on this page ar
 
 ## How to read the figures
 
-Each panel is one kind of work. Left is faster, down is more exact; both axes are logarithmic. The grey line is the Pareto front: the points that no other point beats in both. The band at the bottom, below the axis break, is *no error*. The bar to the right of a point reaches from the fastest repetition to the median. All times are of one thread.
+Each panel is one kind of work. Left is faster, down is more exact; both axes are logarithmic. The grey line is the Pareto front: the points that no other point beats in both. The band at the bottom, below the axis break, is *no error*. The bar to the right of a point reaches from the fastest repetition to the median. All times are of one thread. The number of objects is the measured one that is nearest to 100,000; the growth of times with it is in a figure of its own, and *Every row* has all numbers.
 
 ## Ordinary work
 

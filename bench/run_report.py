@@ -60,12 +60,12 @@ class Progress:
             print(f"{number}/{self.total} {name}: {'measured before' if kept else span(seconds)}", file=sys.stderr, flush=True)
 
 
-def measure(program, arguments, folder):
+def measure(program, arguments, folder, is_first):
     """Runs one part in a folder that takes its name only when it is complete."""
     work = folder.with_name(folder.name + ".part")
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
-    load = os.getloadavg()[0]
+    load = os.getloadavg()[0] - (0 if is_first else 1)
     start = time.monotonic()
     with (work / "log.txt").open("w") as log:
         status = subprocess.run([program, *arguments, f"--out={work}"], stdout=log, stderr=subprocess.STDOUT).returncode
@@ -73,7 +73,7 @@ def measure(program, arguments, folder):
         print(file=sys.stderr)
         sys.exit(f"{program.name} {' '.join(arguments)} failed:\n{(work / 'log.txt').read_text()[-2000:]}")
     took = time.monotonic() - start
-    # What others did to the machine meanwhile: one is this run itself.
+    # What others did to the machine: one is this run itself, which has just measured another part unless it begins.
     (work / "took.json").write_text(json.dumps({"seconds": took, "load": max(load, os.getloadavg()[0] - 1)}))
     shutil.rmtree(folder, ignore_errors=True)
     work.rename(folder)
@@ -98,7 +98,7 @@ def main():
         progress.show(number, name, sum(p[3] for p in todo) - expected, expected * pace)
         took = 0
         if name not in kept:
-            took = measure(programs / program, arguments, directory / name)
+            took = measure(programs / program, arguments, directory / name, passed == 0)
             passed += took
             expected -= seconds
             begun = sum(p[3] for p in todo[:number] if p[0] not in kept)

@@ -67,7 +67,8 @@ def panel(axes, title, points, cost_label, error_label, percent=False):
     axes.set_xscale("log")
     costs = [cost for cost, *_ in points]
     axes.set_xlim(min(costs) / 2.2, max(max(costs) * 2.6, min(costs) * 12))
-    axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    # Over many decades, labels of 1, 2 and 5 would touch each other.
+    axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5) if max(costs) < 30 * min(costs) else (1,)))
     axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:,.12g}"))
     axes.xaxis.set_minor_formatter(NullFormatter())
     axes.set_title(title, loc="left")
