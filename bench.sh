@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Times the library and others beside it.
 #   ./bench.sh                     the quick report, about five minutes: build/bench/report.md
-#   ./bench.sh --report [--quick]  the report in full, an hour and a half: docs/report.md, its figures and the README's table,
+#   ./bench.sh --report [--quick]  the report in full, about an hour: docs/report.md, its figures and the README's table,
 #                                  and what was measured in docs/accuracy.md and docs/solver_figures.md. An interrupted
 #                                  run goes on where it was; --quick is a part of the work, in five minutes, and leaves
 #                                  those two pages as they are.

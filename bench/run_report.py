@@ -22,12 +22,12 @@ SOLVER = {"chain_30": True, "rope_1e3": True, "rope_1e6": False, "ropes_1000x30"
 
 def parts(quick):
     """(name, program, arguments, seconds that it takes on a machine of two cores: for the first estimate)"""
-    sizes = {1000: 15, 10000: 25} if quick else {1000: 200, 10000: 240, 100000: 400, 1000000: 900, 4000000: 900}
+    sizes = {1000: 15, 10000: 25} if quick else {1000: 65, 10000: 75, 100000: 340, 1000000: 430, 4000000: 260}
     extra = ["--quick"] if quick else []
     found = [(f"scene_{n}", "gamephys_bench", ["scene", f"--objects={n}", *extra], seconds) for n, seconds in sizes.items()]
-    suites = {"accuracy": (25, 600), "mesh": (15, 300), "query": (25, 600), "update": (15, 200)}
+    suites = {"accuracy": (25, 230), "mesh": (15, 390), "query": (25, 330), "update": (15, 480)}
     ordinary = [(suite, "gamephys_bench", [suite, *extra], seconds[not quick]) for suite, seconds in suites.items()]
-    solver = [(f"solver_{case}", "gamephys_bench_solver", [case, *extra], 10 if quick else 120)
+    solver = [(f"solver_{case}", "gamephys_bench_solver", [case, *extra], 10 if quick else 25)
               for case, is_quick in SOLVER.items() if is_quick or not quick]
     # What the first figures show comes first, for those who look before the end.
     return found + ordinary[:1] + solver + ordinary[1:]
