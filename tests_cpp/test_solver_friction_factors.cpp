@@ -94,7 +94,8 @@ TEST_CASE("On a slope of 20 degrees those with friction above its tangent stay, 
 TEST_CASE("Factors that are all the same are a friction of the body, bit for bit") {
     // Ropes, cloth and particles, on models that stand and move, joined, and on one another.
     const auto make = [](World& world, bool by_factors) {
-        const float factor = 0.75f, friction = by_factors ? 0.8f : 0.8f * factor, at_rest = by_factors ? 1 : factor;
+        // Whose products are floats.
+        const float factor = 0.75f, scale = by_factors ? 1 : factor, friction = 0.8125f * scale, at_rest = scale;
         const gphys_plane floor{{0, 1, 0}, 0};
         const gphys_sphere ball{{0, 0, 0}, 0.4f};
         world.model(GPHYS_SHAPE_PLANE, &floor);
