@@ -210,6 +210,24 @@ TEST_CASE("Ice comes and goes while particles slide over it") {
     }
 }
 
+TEST_CASE("Of many that lie still on a slope only those on ice begin to slide") {
+    World world(8);
+    const Slope slope(20);
+    slope.add_to(world);
+    std::vector<gphys_vec3> places;
+    for (int i = 0; i < 24; ++i) places.push_back(slope.place(0, 0.1 * i));
+    const gphys_body_id row = world.particles(places, rubbing(0.6f));
+    for (int i = 0; i < 10; ++i) world.step(frame);
+    for (const gphys_vec3& v : world.velocities(row)) CHECK(gphys::widen(v) == Vec3{});
+    set_factors(world, row, 9, {0, 0.25f});
+    for (int i = 0; i < 60; ++i) world.step(frame);
+    for (uint32_t p = 0; p < places.size(); ++p) {
+        const double mu = p == 9 ? 0 : 0.15, speed = g * (slope.sine - mu * slope.cosine);
+        const bool slides = p == 9 || p == 10;
+        CHECK(std::fabs(dot(velocity(world, row, p), slope.down) - (slides ? speed : 0)) < 1e-4 * speed);
+    }
+}
+
 TEST_CASE("What sleeps on a slope wakes on ice, and slides") {
     const Slope slope(20);
     gphys_solver_desc desc = World::desc();
@@ -334,7 +352,6 @@ TEST_CASE("Factors belong to the state: snapshots restore them, and without any 
     set_factors(world, rope, 2, {0.3f});
     CHECK(hash(world.solver) != without);
     const Words words = snapshot(world.solver);
-    CHECK(words.size() > earlier.size());
     REQUIRE(restore(other.solver, words) == GPHYS_OK);
     CHECK(snapshot(other.solver) == words);
     float read[6] = {};
