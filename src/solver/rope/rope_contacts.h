@@ -127,9 +127,10 @@ private:
     void sweep_escaped(Body& body, const CollisionContext& around, double quiet);
 
     const Scene* scene_ = nullptr;
-    bool near_models_ = false, has_targets_ = false;
-    bool searched_ = false;         // whether balls and contacts are valid
-    bool active_ = false;           // whether there are contacts
+    bool near_models_ = false;
+    bool searched_ = false;  // whether balls and contacts are valid
+    bool active_ = false;    // whether there are contacts
+    bool has_targets_ = false;
     Vector<RopeContact> contacts_;  // by particle, including the bounds of targets
     Vector<uint32_t> first_;        // index of each particle's first contact, and the end
     Vector<Ball> balls_;
