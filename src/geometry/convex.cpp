@@ -43,6 +43,10 @@ Hexahedron core_of(const Frustum& frustum) {
     // Those of a frustum go around each face.
     for (int i = 0; i < 8; ++i) core.corners[i ^ (i >> 1 & 1)] = corner[i] - corner[0];
     for (int i = 0; i < 6; ++i) core.normals[i] = normalized(frustum.planes[i].normal);
+    Vec3* edge = core.edges;
+    for (int i = 0; i < 6; ++i) {
+        for (int k = i / 2 * 2 + 2; k < 6; ++k) *edge++ = unit_across({}, core.normals[i], {}, core.normals[k]);
+    }
     return core;
 }
 

@@ -32,17 +32,7 @@ struct Hexahedron {
     Vec3 corner;      // number 0
     Vec3 corners[8];  // relative to it; numbered as those of a box: bit k is the side of pair k of opposite faces
     Vec3 normals[6];  // of the faces, of length 1
-
-    /// Calls visit(a, b) for the ends of all edges. Stops when visit returns false, and returns false then.
-    template <class Visit>
-    bool for_each_edge(const Visit& visit) const {
-        for (int k = 0; k < 3; ++k) {
-            for (int i = 0; i < 8; ++i) {
-                if ((i >> k & 1) && !visit(corners[i - (1 << k)], corners[i])) return false;
-            }
-        }
-        return true;
-    }
+    Vec3 edges[12];   // along them, of length 1, also where rounding makes corners coincide
 };
 /// The frustum must be the hull of its corners (is_hexahedron).
 Hexahedron core_of(const Frustum& frustum);
@@ -193,8 +183,9 @@ bool ConvexDifference::for_each_normal(Visit&& visit) const {
         for (int k = 0; k < 3 && corner_count_ == 3; ++k) {
             if (!visit_across({}, axes_[i], corners_[k], corners_[(k + 1) % 3])) return false;
         }
-        const auto visit_edge = [&](Vec3 a, Vec3 b) { return visit_across({}, axes_[i], a, b); };
-        if (hexahedron_ && !hexahedron_->for_each_edge(visit_edge)) return false;
+        for (int k = 0; k < 12 && hexahedron_; ++k) {
+            if (!visit_across({}, axes_[i], {}, hexahedron_->edges[k])) return false;
+        }
     }
     return true;
 }
