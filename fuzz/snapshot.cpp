@@ -91,6 +91,12 @@ void fill(Program& p, gphys_solver* solver, const gphys_scene* scene, gphys_mode
         }
         if (body == 0) continue;
         if (p.one_in(3)) call(gphys_solver_set_pinned, solver, body, 0u, 1u, 1);
+        const uint32_t members[] = {0, 1, 2, 3};
+        gphys_cluster_id cluster = 0;
+        // By an earlier choice, so that the programs of the corpus keep their meaning.
+        for (uint32_t k = 0; desc.body_layers && k < 2; ++k) {
+            call(gphys_solver_add_cluster, solver, body, members + k, 3u - k, &cluster);
+        }
         if (p.one_in(3)) call(gphys_solver_attach, solver, scene, body, 0u, floor, nullptr);
         bodies.push_back(body);
     }
@@ -169,6 +175,13 @@ void use(Program& p, Solver& solver, const gphys_scene* scene) {
             call(gphys_solver_get_triangles, solver.get(), bodies[i], numbers.data(), 3 * info.triangle_count, &total);
             call(gphys_solver_get_constraints, solver.get(), bodies[i], links.data(), info.constraint_count, &total);
             call(gphys_solver_get_volume, solver.get(), bodies[i], &volume, &pressure);
+            gphys_cluster_id clusters[4];
+            call(gphys_solver_get_clusters, solver.get(), bodies[i], clusters, 4u, &total);
+            for (uint32_t k = 0; k < std::min(total, 4u); ++k) {
+                uint32_t members[4], count_of = 0;
+                call(gphys_solver_get_cluster_particles, solver.get(), bodies[i], clusters[k], members, 4u, &count_of);
+                FUZZ_CHECK(count_of >= 2 && members[0] < info.particle_count, "a cluster has particles of its body");
+            }
             call(gphys_solver_get_stats, solver.get(), bodies[i], &stats);
             check_finite({{volume, pressure, stats.strain_max},
                           {stats.strain_rms, stats.kinetic_energy, stats.potential_energy}});

@@ -114,6 +114,7 @@ private:
     void join();
     void attach();
     void volume();
+    void cluster(gphys_body_id body, uint32_t choice);
     void settings();
     void change_body();
     void change_constraints();

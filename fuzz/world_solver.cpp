@@ -343,6 +343,7 @@ void World::volume() {
     float rest = p_.one_in(2) ? -1 : p_.size();
     const float compliance = p_.one_in(4) ? INFINITY : p_.one_in(2) ? 0 : 1e-4f;
     if (p_.one_in(12)) rest = p_.hostile();
+    if (compliance == INFINITY) cluster(body, rest > 0 && rest < 100 ? static_cast<uint32_t>(rest * 8) % 16 : 1);
     gphys_status set = GPHYS_NO_HIT;
     on_both("set_volume that fails changes nothing",
             [&](gphys_solver* s) { return set = call(gphys_solver_set_volume, s, body, rest, compliance); });
@@ -356,6 +357,27 @@ void World::volume() {
     softness.after(told);
     FUZZ_CHECK(told == status && (told != GPHYS_OK || set != GPHYS_OK || softness.value == compliance),
                "what holds a volume is read as it was set");
+}
+
+/// `choice` is of another decision, so that the programs of the corpus keep their meaning.
+void World::cluster(gphys_body_id body, uint32_t choice) {
+    const uint32_t members[] = {0, 1, 2, 3, 4, 5, 2};
+    gphys_cluster_id known[4];
+    uint32_t total = 0, size = 0;
+    const gphys_status listed = call(gphys_solver_get_clusters, solver_, body, known, 4u, &total);
+    total = listed < 0 ? 0 : std::min(total, 4u);
+    const gphys_cluster_id last = total > 0 ? known[total - 1] : 0;
+    on_both("a change of clusters that fails changes nothing", [&](gphys_solver* s) {
+        gphys_cluster_id made = 0;
+        if (choice % 4 == 0) return call(gphys_solver_remove_cluster, s, body, last);
+        return call(gphys_solver_add_cluster, s, body, members + choice % 3, 2 + choice / 4, &made);
+    });
+    for (uint32_t i = 0; i < total; ++i) {
+        uint32_t first = 0;
+        const gphys_status status =
+            call(gphys_solver_get_cluster_particles, solver_, body, known[i], &first, 1u, &size);
+        FUZZ_CHECK(known[i] == last || (status == GPHYS_INCOMPLETE && size >= 2), "a listed cluster has particles");
+    }
 }
 
 void World::settings() {
@@ -644,6 +666,10 @@ void World::solver_misuse() {
         call(gphys_solver_set_constraint_damping, solver_, body, 0u, 1.0f),
         call(gphys_solver_set_volume, solver_, body, 0.0f, 0.0f),
         call(gphys_solver_remove_constraint, solver_, body, 0u),
+        call(gphys_solver_add_cluster, solver_, body, &total, 1u, &made),
+        call(gphys_solver_remove_cluster, solver_, body, 0u),
+        call(gphys_solver_get_clusters, solver_, body, nullptr, 3u, &total),
+        call(gphys_solver_get_cluster_particles, solver_, body, 0u, nullptr, 0u, &total),
         call(gphys_solver_get_constraints, solver_, body, nullptr, 3u, &total),
         call(gphys_solver_join, solver_, body, 0u, body, 0u, 0.0f, 0.0f, &made),
         call(gphys_solver_unjoin, solver_, 0u),

@@ -119,6 +119,8 @@ static void changes(session* s) {
     gphys_body_settings settings;
     gphys_constraint_id link;
     gphys_constraint_settings shorter = {0.1f, 0, 0};
+    static const uint32_t stiff[4] = {0, 1, 2, 3};
+    gphys_cluster_id cluster;
     int k;
     DO(make_scene(s, 0));
     DO(make_solver(s, 0));
@@ -138,8 +140,10 @@ static void changes(session* s) {
         settings.self_collision = 1;
         settings.friction = 0.1f;
         DO(gphys_solver_set_body_settings(s->solver, body, &settings));
+        DO(gphys_solver_add_cluster(s->solver, body, stiff, 4, &cluster));
     }
     steps(s, 1);
+    DO(gphys_solver_remove_cluster(s->solver, rope, cluster));
     DO(gphys_solver_set_constraint_settings(s->solver, sheet, &link, &shorter, 0, 1));
     steps(s, 1);
     DO(gphys_scene_set_origin(s->scene, origin));

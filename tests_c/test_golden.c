@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { GROUPS = 10 };
+enum { GROUPS = 11 };
 
 static const struct golden {
     const char* group;
@@ -25,6 +25,7 @@ static const struct golden {
     {"queries", 0x0825934e, 0x151790c5},
     {"shapes", 0x67a709b4, 0x62fe01be},
     {"targets", 0x825e139b, 0x1521c3a2},
+    {"clusters", 0xc3fdf9dc, 0x058ec1cd},
 };
 
 /* FNV-1a of 64 bits over 32-bit words. */
@@ -623,8 +624,45 @@ static uint64_t targets(uint32_t workers) {
     return h.value;
 }
 
-static uint64_t (*const groups[GROUPS])(uint32_t workers) = {particles, ropes,  cloth,   joints, moving_models,
-                                                             cameras,   orbits, queries, shapes,  targets};
+/* Crates that fall on a floor and a capsule, a plank that swings at the end of a rope, and two that are hinged. */
+static uint64_t clusters(uint32_t workers) {
+    enum { COUNT = 8 };
+    static const uint32_t first[COUNT] = {0, 1, 2, 3, 4, 5, 6, 7}, second[COUNT] = {6, 7, 8, 9, 10, 11, 12, 13};
+    hash h = begin_hash();
+    gphys_scene* scene = make_scene(1);
+    gphys_solver* solver = make_solver(workers, 4);
+    const gphys_capsule shape = {{0, 0.25f, -1}, {0, 0.25f, 1}, 0.25f};
+    gphys_vec3 points[2 * COUNT];
+    gphys_body_id body;
+    gphys_cluster_id cluster;
+    int i, k;
+    put_floor(scene);
+    put(scene, GPHYS_SHAPE_CAPSULE, &shape, NULL, 2);
+    for (k = 0; k < 6; ++k) {
+        for (i = 0; i < COUNT; ++i) {
+            points[i] = point((float)(k - 3) / 2 + (float)(i & 1) / 4, 1.5f + (float)(i >> 1 & 1) / 4 + (float)i / 32,
+                              (float)(i >> 2) / 4);
+        }
+        assert_int_equal(gphys_solver_add_particles(solver, NULL, points, sizeof *points, COUNT, &body), GPHYS_OK);
+        assert_int_equal(gphys_solver_add_cluster(solver, body, first, COUNT, &cluster), GPHYS_OK);
+    }
+    for (k = 0; k < 2; ++k) {
+        for (i = 0; i < 14; ++i) points[i] = point((float)(i / 2) / 4, 3, (float)(i & 1) / 4 + (float)k + 2);
+        assert_int_equal(gphys_solver_add_rope(solver, NULL, points, sizeof *points, 14, 0, &body), GPHYS_OK);
+        assert_int_equal(gphys_solver_add_cluster(solver, body, first, COUNT, &cluster), GPHYS_OK);
+        if (k == 1) {
+            assert_int_equal(gphys_solver_add_cluster(solver, body, second, COUNT, &cluster), GPHYS_OK);
+        }
+        assert_int_equal(gphys_solver_set_pinned(solver, body, 0, 1 + (uint32_t)k, 1), GPHYS_OK);
+    }
+    run_steps(&h, solver, scene, 60);
+    gphys_solver_destroy(solver);
+    gphys_scene_destroy(scene);
+    return h.value;
+}
+
+static uint64_t (*const groups[GROUPS])(uint32_t workers) = {
+    particles, ropes, cloth, joints, moving_models, cameras, orbits, queries, shapes, targets, clusters};
 
 static int is_as_recorded(int group, uint32_t workers) {
     const uint64_t value = groups[group](workers);
@@ -648,7 +686,7 @@ static void answers_have_the_bits_that_were_recorded(void** state) {
 
 static void so_they_have_with_any_number_of_workers(void** state) {
     static const uint32_t workers[] = {2, 4, 16};
-    static const int shared[] = {1, 2, 3, 4, 7, 9};
+    static const int shared[] = {1, 2, 3, 4, 7, 9, 10};
     size_t i, k;
     int all = 1;
     (void)state;

@@ -497,6 +497,65 @@ static void test_volumes(void** state) {
     assert_int_equal(gphys_solver_get_volume_settings(f->solver, body, NULL, NULL), GPHYS_ERROR_UNSUPPORTED);
 }
 
+static void test_clusters(void** state) {
+    fixture* f = *state;
+    static const uint32_t all[4] = {3, 0, 1, 2}, twice[3] = {0, 1, 0}, outside[2] = {0, 4};
+    gphys_cluster_id first = 0, second = 0, ids[2] = {7, 7};
+    uint32_t particles[4] = {7, 7, 7, 7}, total = 7, before[2], after[2];
+    gphys_body_info info;
+    assert_int_equal(gphys_solver_get_hash(f->solver, before), GPHYS_OK);
+    assert_int_equal(gphys_solver_add_cluster(NULL, f->rope, all, 4, &first), BAD);
+    assert_int_equal(gphys_solver_add_cluster(f->solver, f->removed, all, 4, &first), STALE);
+    assert_int_equal(gphys_solver_add_cluster(f->solver, f->rope, NULL, 4, &first), BAD);
+    assert_int_equal(gphys_solver_add_cluster(f->solver, f->rope, all, 4, NULL), BAD);
+    assert_int_equal(gphys_solver_add_cluster(f->solver, f->rope, all, 0, &first), BAD);
+    assert_int_equal(gphys_solver_add_cluster(f->solver, f->rope, all, 1, &first), BAD);
+    assert_int_equal(gphys_solver_add_cluster(f->solver, f->rope, twice, 3, &first), BAD);
+    assert_non_null(strstr(gphys_last_error(), "particles[2]"));
+    assert_int_equal(gphys_solver_add_cluster(f->solver, f->rope, outside, 2, &first), BAD);
+    assert_non_null(strstr(gphys_last_error(), "particles[1]"));
+    assert_int_equal(gphys_solver_get_clusters(f->solver, f->rope, NULL, 0, &total), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_hash(f->solver, after), GPHYS_OK);
+    assert_memory_equal(before, after, sizeof before);
+    assert_true(first == 0 && total == 0);
+
+    assert_int_equal(gphys_solver_add_cluster(f->solver, f->rope, all, 4, &first), GPHYS_OK);
+    assert_int_equal(gphys_solver_add_cluster(f->solver, f->rope, all, 2, &second), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_body_info(f->solver, f->rope, &info), GPHYS_OK);
+    assert_int_equal(info.method, GPHYS_SOLVE_GRAPH);
+    assert_int_equal(gphys_solver_get_clusters(NULL, f->rope, ids, 2, &total), BAD);
+    assert_int_equal(gphys_solver_get_clusters(f->solver, f->removed, ids, 2, &total), STALE);
+    assert_int_equal(gphys_solver_get_clusters(f->solver, f->rope, NULL, 2, &total), BAD);
+    assert_int_equal(gphys_solver_get_clusters(f->solver, f->rope, ids, 2, NULL), BAD);
+    assert_int_equal(gphys_solver_get_clusters(f->solver, f->rope, ids, 1, &total), GPHYS_INCOMPLETE);
+    assert_true(total == 2 && ids[0] == first && ids[1] == 7);
+    assert_int_equal(gphys_solver_get_clusters(f->solver, f->rope, ids, 2, &total), GPHYS_OK);
+    assert_true(total == 2 && ids[0] == first && ids[1] == second);
+    assert_int_equal(gphys_solver_get_cluster_particles(NULL, f->rope, first, particles, 4, &total), BAD);
+    assert_int_equal(gphys_solver_get_cluster_particles(f->solver, f->removed, first, particles, 4, &total), STALE);
+    assert_int_equal(gphys_solver_get_cluster_particles(f->solver, f->rope, 0, particles, 4, &total), STALE);
+    assert_int_equal(gphys_solver_get_cluster_particles(f->solver, f->rope, first, NULL, 4, &total), BAD);
+    assert_int_equal(gphys_solver_get_cluster_particles(f->solver, f->rope, first, particles, 4, NULL), BAD);
+    assert_int_equal(gphys_solver_get_cluster_particles(f->solver, f->rope, first, particles, 3, &total),
+                     GPHYS_INCOMPLETE);
+    assert_true(total == 4 && particles[0] == 3 && particles[1] == 0 && particles[2] == 1 && particles[3] == 7);
+    assert_int_equal(gphys_solver_get_cluster_particles(f->solver, f->rope, second, particles, 4, &total), GPHYS_OK);
+    assert_true(total == 2 && particles[0] == 3 && particles[1] == 0);
+
+    assert_int_equal(gphys_solver_step(f->solver, NULL, 0.01f), GPHYS_OK);
+    assert_int_equal(gphys_solver_remove_cluster(NULL, f->rope, first), BAD);
+    assert_int_equal(gphys_solver_remove_cluster(f->solver, f->removed, first), STALE);
+    assert_int_equal(gphys_solver_remove_cluster(f->solver, f->rope, first), GPHYS_OK);
+    assert_int_equal(gphys_solver_remove_cluster(f->solver, f->rope, first), STALE);
+    assert_int_equal(gphys_solver_get_cluster_particles(f->solver, f->rope, first, particles, 4, &total), STALE);
+    assert_int_equal(gphys_solver_get_clusters(f->solver, f->rope, ids, 2, &total), GPHYS_OK);
+    assert_true(total == 1 && ids[0] == second);
+    assert_int_equal(gphys_solver_remove_cluster(f->solver, f->rope, second), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_body_info(f->solver, f->rope, &info), GPHYS_OK);
+    assert_int_equal(info.method, GPHYS_SOLVE_DIRECT);
+    assert_int_equal(gphys_solver_step(f->solver, NULL, 0.01f), GPHYS_OK);
+}
+
 static void test_impulses(void** state) {
     fixture* f = *state;
     static const gphys_vec3 places[1] = {{0, 0.01f, 0}};
@@ -1148,6 +1207,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_constraints, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_max_distances_and_damping, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_volumes, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_clusters, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_impulses, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_joints, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_step_and_settings, set_up, tear_down),

@@ -84,8 +84,10 @@ static int tear_down(void** state) {
 static void test_constraints(void** state) {
     fixture* f = *state;
     gphys_solver* s = f->solver;
+    static const uint32_t twice[2] = {1, 1}, outside[2] = {0, 4}, two[2] = {0, 1};
     gphys_constraint_id link = 0;
     gphys_joint_id joint = 0;
+    gphys_cluster_id cluster = 0;
     REFUSED(gphys_solver_remove_constraint(s, f->rope, NONE), STALE);
     REFUSED(gphys_solver_remove_constraint(s, f->sheet, f->cut), STALE);
     REFUSED(gphys_solver_remove_constraint(s, f->removed, f->cut), STALE);
@@ -102,6 +104,13 @@ static void test_constraints(void** state) {
     REFUSED(gphys_solver_set_volume(s, f->sheet, -1, 0), GPHYS_ERROR_UNSUPPORTED);
     REFUSED(gphys_solver_set_volume(s, f->sheet, 0, 0), BAD);
     REFUSED(gphys_solver_set_volume(s, f->removed, 1, 0), STALE);
+    REFUSED(gphys_solver_add_cluster(s, f->rope, twice, 2, &cluster), BAD);
+    REFUSED(gphys_solver_add_cluster(s, f->rope, outside, 2, &cluster), BAD);
+    REFUSED(gphys_solver_add_cluster(s, f->rope, two, 1, &cluster), BAD);
+    REFUSED(gphys_solver_add_cluster(s, f->rope, two, 2, NULL), BAD);
+    REFUSED(gphys_solver_add_cluster(s, f->removed, two, 2, &cluster), STALE);
+    REFUSED(gphys_solver_remove_cluster(s, f->rope, NONE), STALE);
+    REFUSED(gphys_solver_remove_cluster(s, f->removed, NONE), STALE);
     REFUSED(gphys_solver_join(s, f->rope, 0, f->rope, 1, -1, 0, &joint), BAD);
     REFUSED(gphys_solver_join(s, f->rope, 0, f->sheet, 99, -1, 0, &joint), BAD);
     REFUSED(gphys_solver_join(s, f->rope, 0, f->removed, 0, -1, 0, &joint), STALE);

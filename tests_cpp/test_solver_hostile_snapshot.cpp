@@ -161,6 +161,24 @@ const State states[] = {
          }
      },
      3},
+    {"clusters, one of them gone",
+     [](World& world) {
+         add_floor(world);
+         const uint32_t all[] = {0, 1, 2, 3, 4, 5};
+         const gphys_body_id bodies[] = {
+             world.particles({{0, 0.1f, 0}, {0.2f, 0.1f, 0}, {0, 0.3f, 0}, {0, 0.1f, 0.2f}}),
+             world.rope(line({0, 0.3f, 1}, {0.1f, 0, 0}, 6), 0),
+             world.cloth({0, 0.2f, 2}, {0.2f, 0, 0}, {0, 0.05f, 0.2f}, 3, 3)};
+         gphys_cluster_id cluster = 0;
+         for (const gphys_body_id body : bodies) {
+             REQUIRE(gphys_solver_add_cluster(world.solver, body, all, 4, &cluster) == GPHYS_OK);
+             REQUIRE(gphys_solver_add_cluster(world.solver, body, all, 2, &cluster) == GPHYS_OK);
+         }
+         REQUIRE(gphys_solver_remove_cluster(world.solver, bodies[2], cluster) == GPHYS_OK);
+         REQUIRE(gphys_solver_add_cluster(world.solver, bodies[1], all + 1, 5, &cluster) == GPHYS_OK);
+         world.pin(bodies[1], 0);
+     },
+     8},
     {"sleepers",
      [](World& world) {
          replace_solver(world, with_sleep());
@@ -222,6 +240,14 @@ void use(World& world) {
             REQUIRE(gphys_solver_get_constraints(solver, bodies[i], links, 8, &total) >= GPHYS_OK);
             REQUIRE(gphys_solver_get_triangles(solver, bodies[i], corners, 8, &total) >= GPHYS_OK);
             gphys_solver_get_volume(solver, bodies[i], &volume, nullptr);
+            gphys_cluster_id clusters[4];
+            REQUIRE(gphys_solver_get_clusters(solver, bodies[i], clusters, 4, &total) >= GPHYS_OK);
+            for (uint32_t k = 0; k < std::min(total, 4u); ++k) {
+                uint32_t members = 0;
+                REQUIRE(gphys_solver_get_cluster_particles(solver, bodies[i], clusters[k], corners, 8, &members) >=
+                        GPHYS_OK);
+                REQUIRE(members >= 2);
+            }
             places.resize(info.particle_count);
             REQUIRE(gphys_solver_get_positions(solver, bodies[i], 0, info.particle_count, places.data(), 12) ==
                     GPHYS_OK);

@@ -283,6 +283,28 @@ func TestWindCarriesBallsAlong(t *testing.T) {
 	same(t, vectors[0].X > 1.8 && vectors[1].Y > 2.7, true)
 }
 
+func TestAClusterHoldsOutAParticleUntilItEnds(t *testing.T) {
+	solver := must(NewSolver(nil))
+	plank := must(solver.AddParticles([]Vec3{{}, Vec(1, 0, 0), Vec(2, 0, 0)}, nil))
+	try(t, solver.SetPinned(plank, 0, 2, true))
+	cluster := must(solver.AddCluster(plank, []uint32{0, 1, 2}))
+	same(t, must(solver.Clusters(plank)), []ClusterID{cluster})
+	same(t, must(solver.ClusterParticles(plank, cluster)), []uint32{0, 1, 2})
+	places := make([]Vec3, 1)
+	for i := 0; i < 30; i++ {
+		try(t, solver.Step(nil, 0.01))
+	}
+	try(t, solver.Positions(plank, 2, places))
+	same(t, close(places[0].X, 2, 1e-5) && close(places[0].Y, 0, 1e-5), true)
+	try(t, solver.RemoveCluster(plank, cluster))
+	for i := 0; i < 30; i++ {
+		try(t, solver.Step(nil, 0.01))
+	}
+	try(t, solver.Positions(plank, 2, places))
+	same(t, places[0].Y < -0.4, true)
+	refused(t, ErrInvalidID, solver.RemoveCluster(plank, cluster))
+}
+
 func TestOneOfTwoBallsSlidesOverIce(t *testing.T) {
 	solver := must(NewSolver(nil))
 	scene := must(NewScene(nil))

@@ -50,6 +50,7 @@
 //     contact_search.cpp the search for contact planes; contact_cache.cpp: reuse from step to step
 //     reach_limits.cpp   long range attachments to pins
 //     volume.cpp         the enclosed volume of closed cloth
+//     clusters.cpp       particles that keep their shape; cluster_edits.cpp, best_rotation.cpp
 //   contact/           particles against the scene and against particles; impulses on models; lists of contacts
 //   joints/            joints between bodies: Newton's method on all joined chains, by sparse elimination
 //   snapshot/          the whole state as words, and back; its hash

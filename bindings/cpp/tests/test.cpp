@@ -718,6 +718,24 @@ TEST_CASE("wind carries balls along") {
     CHECK((vectors[0].x > 1.8f && vectors[1].y > 2.7f));
 }
 
+TEST_CASE("a cluster holds out a particle until it ends") {
+    Solver solver;
+    const auto plank = solver.add_particles(std::vector<Vec3>{zero, {1, 0, 0}, {2, 0, 0}});
+    solver.set_pinned(plank, 0, 2, true);
+    const auto cluster = solver.add_cluster(plank, std::vector<uint32_t>{0, 1, 2});
+    CHECK(solver.get_clusters(plank) == std::vector<gphys_cluster_id>{cluster});
+    CHECK(solver.get_cluster_particles(plank, cluster) == std::vector<uint32_t>{0, 1, 2});
+    std::vector<Vec3> places(1);
+    for (int i = 0; i < 30; ++i) solver.step(nullptr, 0.01f);
+    solver.get_positions(plank, 2, places);
+    CHECK((places[0].x == Approx(2) && std::abs(places[0].y) < 1e-5f));
+    solver.remove_cluster(plank, cluster);
+    for (int i = 0; i < 30; ++i) solver.step(nullptr, 0.01f);
+    solver.get_positions(plank, 2, places);
+    CHECK(places[0].y < -0.4f);
+    failure(GPHYS_ERROR_INVALID_ID, [&] { solver.remove_cluster(plank, cluster); });
+}
+
 TEST_CASE("one of two balls slides over ice") {
     auto desc = solver_desc();
     desc.gravity = {0, -10, 0};

@@ -285,6 +285,26 @@ public class MotionTests {
     }
 
     [Test]
+    public void AClusterHoldsOutAParticleUntilItEnds() {
+        var solver = new Solver();
+        var plank = solver.AddParticles(new Vec3[] { Vec3.Zero, (1, 0, 0), (2, 0, 0) });
+        solver.SetPinned(plank, 0, 2, true);
+        var cluster = solver.AddCluster(plank, new uint[] { 0, 1, 2 });
+        CollectionAssert.AreEqual(new[] { cluster }, solver.GetClusters(plank));
+        CollectionAssert.AreEqual(new uint[] { 0, 1, 2 }, solver.GetClusterParticles(plank, cluster));
+        var places = new Vec3[1];
+        for (var i = 0; i < 30; ++i) solver.Step(0.01f);
+        solver.GetPositions(plank, 2, places);
+        Assert.AreEqual(2, places[0].X, 1e-5);
+        Assert.AreEqual(0, places[0].Y, 1e-5);
+        solver.RemoveCluster(plank, cluster);
+        for (var i = 0; i < 30; ++i) solver.Step(0.01f);
+        solver.GetPositions(plank, 2, places);
+        Assert.That(places[0].Y < -0.4);
+        Refused(Status.ErrorInvalidId, () => solver.RemoveCluster(plank, cluster));
+    }
+
+    [Test]
     public void OneOfTwoBallsSlidesOverIce() {
         var solver = new Solver();
         var scene = new Scene();

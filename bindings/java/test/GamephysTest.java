@@ -635,6 +635,23 @@ public class GamephysTest {
     }
 
     @Test
+    public void aClusterHoldsOutAParticleUntilItEnds() {
+        Solver solver = new Solver();
+        int plank = solver.addParticles(points(v(0, 0, 0), v(1, 0, 0), v(2, 0, 0)));
+        solver.setPinned(plank, 0, 2, true);
+        int cluster = solver.addCluster(plank, Batch.ints(0, 1, 2));
+        assertEquals(List.of(cluster), solver.getClusters(plank));
+        assertEquals(List.of(0, 1, 2), solver.getClusterParticles(plank, cluster));
+        for (int step = 0; step < 30; ++step) solver.step(null, 0.01f);
+        assertEquals(2, solver.getPositions(plank, 2, 1).get(0).x(), 1e-5);
+        assertEquals(0, solver.getPositions(plank, 2, 1).get(0).y(), 1e-5);
+        solver.removeCluster(plank, cluster);
+        for (int step = 0; step < 30; ++step) solver.step(null, 0.01f);
+        assertTrue(solver.getPositions(plank, 2, 1).get(0).y() < -0.4);
+        assertFails(ERROR_INVALID_ID, () -> solver.removeCluster(plank, cluster));
+    }
+
+    @Test
     public void oneOfTwoBallsSlidesOverIce() {
         Solver solver = new Solver();
         Scene scene = new Scene();

@@ -433,6 +433,21 @@ test('wind carries balls along', () => {
     assert(first[0] > 1.8 && second[1] > 2.7);
 });
 
+test('a cluster holds out a particle until it ends', () => {
+    const solver = new gp.Solver();
+    const plank = solver.addParticles(floats(0, 0, 0, 1, 0, 0, 2, 0, 0));
+    solver.setPinned(plank, 0, 2, true);
+    const cluster = solver.addCluster(plank, Uint32Array.of(0, 1, 2));
+    same([...solver.getClusters(plank)], [cluster]);
+    same([...solver.getClusterParticles(plank, cluster)], [0, 1, 2]);
+    for (let i = 0; i < 30; ++i) solver.step(null, 0.01);
+    near(solver.getPositions(plank, 2, 1).f32, [2, 0, 0]);
+    solver.removeCluster(plank, cluster);
+    for (let i = 0; i < 30; ++i) solver.step(null, 0.01);
+    assert(solver.getPositions(plank, 2, 1).f32[1] < -0.4);
+    assert.throws(() => solver.removeCluster(plank, cluster), { status: gp.ERROR_INVALID_ID });
+});
+
 test('one of two balls slides over ice', () => {
     const solver = new gp.Solver();
     const scene = new gp.Scene();

@@ -523,6 +523,24 @@ function tests.wind_carries_balls_along()
     assert(speeds[0].x > 1.8 and speeds[1].y > 2.7)
 end
 
+function tests.a_cluster_holds_out_a_particle_until_it_ends()
+    local solver = gp.Solver()
+    local plank = solver:add_particles(gp.array('vec3', { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } }))
+    solver:set_pinned(plank, 0, 2, true)
+    local cluster = solver:add_cluster(plank, { 0, 1, 2 })
+    local clusters, count = solver:get_clusters(plank)
+    assert(count == 1 and clusters[0] == cluster)
+    local particles, number = solver:get_cluster_particles(plank, cluster)
+    assert(number == 3 and particles[0] == 0 and particles[2] == 2)
+    for _ = 1, 30 do solver:step(nil, 0.01) end
+    local place = solver:get_positions(plank, 2, 1)[0]
+    assert(near(place.x, 2, 1e-5) and math.abs(place.y) < 1e-5)
+    solver:remove_cluster(plank, cluster)
+    for _ = 1, 30 do solver:step(nil, 0.01) end
+    assert(solver:get_positions(plank, 2, 1)[0].y < -0.4)
+    fails(gp.ERROR_INVALID_ID, solver.remove_cluster, solver, plank, cluster)
+end
+
 function tests.one_of_two_balls_slides_over_ice()
     local solver, scene = gp.Solver(), gp.Scene()
     scene:add(gp.Plane({ 0, 1, 0 }, 0))

@@ -507,6 +507,26 @@ class Functions(unittest.TestCase):
         self.assertGreater(first[0], 1.8)
         self.assertGreater(second[1], 2.7)
 
+    def test_a_cluster_holds_out_a_particle_until_it_ends(self):
+        solver = gp.Solver()
+        plank = solver.add_particles([(0, 0, 0), (1, 0, 0), (2, 0, 0)])
+        solver.set_pinned(plank, 0, 2, True)
+        cluster = solver.add_cluster(plank, [0, 1, 2])
+        self.assertEqual(solver.get_clusters(plank).tolist(), [cluster])
+        self.assertEqual(solver.get_cluster_particles(plank, cluster).tolist(), [0, 1, 2])
+        for _ in range(30):
+            solver.step(None, 0.01)
+        place = solver.get_positions(plank, 2, 1)[0]
+        self.assertAlmostEqual(place[0], 2, 5)
+        self.assertAlmostEqual(place[1], 0, 5)
+        solver.remove_cluster(plank, cluster)
+        for _ in range(30):
+            solver.step(None, 0.01)
+        self.assertLess(solver.get_positions(plank, 2, 1)[0][1], -0.4)
+        with self.assertRaises(gp.Error) as caught:
+            solver.remove_cluster(plank, cluster)
+        self.assertEqual(caught.exception.status, gp.ERROR_INVALID_ID)
+
     def test_one_of_two_balls_slides_over_ice(self):
         solver = gp.Solver()
         scene = gp.Scene()

@@ -520,6 +520,23 @@ class TestGamephys < Minitest::Test
     assert_operator second[1], :>, 2.7
   end
 
+  def test_a_cluster_holds_out_a_particle_until_it_ends
+    solver = Solver.new
+    plank = solver.add_particles([[0, 0, 0], [1, 0, 0], [2, 0, 0]])
+    solver.set_pinned(plank, 0, 2, true)
+    cluster = solver.add_cluster(plank, [0, 1, 2])
+    assert_equal [cluster], solver.get_clusters(plank).to_a
+    assert_equal [0, 1, 2], solver.get_cluster_particles(plank, cluster).to_a
+    30.times { solver.step(nil, 0.01) }
+    place = solver.get_positions(plank, 2, 1)[0]
+    assert_in_delta 2, place[0], 1e-5
+    assert_in_delta 0, place[1], 1e-5
+    solver.remove_cluster(plank, cluster)
+    30.times { solver.step(nil, 0.01) }
+    assert_operator solver.get_positions(plank, 2, 1)[0][1], :<, -0.4
+    assert_fails(ERROR_INVALID_ID) { solver.remove_cluster(plank, cluster) }
+  end
+
   def test_one_of_two_balls_slides_over_ice
     solver = Solver.new
     scene = Scene.new

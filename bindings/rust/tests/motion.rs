@@ -258,6 +258,25 @@ fn wind_carries_balls_along() {
 }
 
 #[test]
+fn a_cluster_holds_out_a_particle_until_it_ends() {
+    let mut solver = Solver::new(None).unwrap();
+    let plank = solver.add_particles(&[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]], None).unwrap();
+    solver.set_pinned(plank, 0, 2, true).unwrap();
+    let cluster = solver.add_cluster(plank, &[0, 1, 2]).unwrap();
+    assert_eq!(solver.get_clusters(plank).unwrap(), [cluster]);
+    assert_eq!(solver.get_cluster_particles(plank, cluster).unwrap(), [0, 1, 2]);
+    let mut places = [Vec3::default(); 1];
+    (0..30).for_each(|_| solver.step(None, 0.01).unwrap());
+    solver.get_positions(plank, 2, &mut places).unwrap();
+    assert!((places[0].x - 2.0).abs() < 1e-5 && places[0].y.abs() < 1e-5);
+    solver.remove_cluster(plank, cluster).unwrap();
+    (0..30).for_each(|_| solver.step(None, 0.01).unwrap());
+    solver.get_positions(plank, 2, &mut places).unwrap();
+    assert!(places[0].y < -0.4);
+    assert_eq!(solver.remove_cluster(plank, cluster).unwrap_err().status, Status::ERROR_INVALID_ID);
+}
+
+#[test]
 fn one_of_two_balls_slides_over_ice() {
     let mut solver = Solver::new(None).unwrap();
     let mut scene = Scene::new(None).unwrap();

@@ -41,6 +41,7 @@ void reserve_cloth(Body& body, bool collides) {
     if (!body.targets.empty() || body.plan.joined || collides) cloth.in_chains.reserve(floats);
     if (body.plan.joined) cloth.tethers.reserve(floats);
     if (cloth.volume.held) cloth.volume.gradient.resize(particles);
+    if (!cloth.clusters.empty()) reserve_clusters(cloth.clusters, particles);
     if (!collides) return;
     cloth.contacts.reserve(particles, floats);
     cloth.cache.search_balls.reserve(4 * size_t{particles});
@@ -98,9 +99,9 @@ void solve_cloth(Body& body) {
     ChainContacts& in_chains = cloth.in_chains;
     press_on_targets(body.targets, cloth.state, in_chains, contacts.any_active());
     const bool has_contact = contacts.any_active() || !body.targets.pressing.empty();
+    const bool pulls_count = contacts.any_active() || !body.constraints.attachments.empty();
     const auto correct_volume = [&] {
         if (!cloth.volume.held) return;
-        const bool pulls_count = contacts.any_active() || !body.constraints.attachments.empty();
         solve_volume(cloth.volume, cloth.sheet, cloth.state, in_chains, cloth.batches.scale, contacts.any_active(),
                      pulls_count);
     };
@@ -124,6 +125,7 @@ void solve_cloth(Body& body) {
                       }
                   });
     correct_volume();
+    if (!cloth.clusters.empty()) solve_clusters(body, pulls_count || body.plan.joined);
     if (contacts.any_active()) note_places(contacts, cloth.state);
     if (body.constraints.attachments.empty()) {
         apply_reach_limits(cloth.reach, cloth.state, cloth.shares.team);

@@ -8,6 +8,7 @@
 #include "solver/cloth/cloth_shares.h"
 #include "solver/cloth/cloth_sheet.h"
 #include "solver/cloth/cloth_state.h"
+#include "solver/cloth/clusters.h"
 #include "solver/cloth/contact_cache.h"
 #include "solver/cloth/moving_colliders.h"
 #include "solver/cloth/reach_limits.h"
@@ -33,6 +34,7 @@ struct Cloth {
           in_chains(memory),
           relaxation(memory),
           volume(memory),
+          clusters(memory),
           contacts(memory),
           moving_colliders(memory),
           cache(memory) {}
@@ -50,6 +52,7 @@ struct Cloth {
     ChainContacts in_chains;
     Relaxation relaxation;
     Volume volume;
+    Clusters clusters;
     ClothContacts contacts;
     Vector<MovingCollider> moving_colliders;
     ContactCache cache;

@@ -66,15 +66,6 @@ void carry_planes(ClothContacts& contacts, const Vector<MovingCollider>& moving_
     }
 }
 
-/// The position of the particle if it sticks to its place on its active contact plane.
-inline Vec3 place_on_plane(const ClothContact& n, const Vector<MovingCollider>& moving_colliders, Vec3 start) {
-    const uint32_t moving_collider = n.planes[n.active_plane].moving_collider;
-    if (moving_collider == ContactPlane::unmoved) return start;
-    float rounded[3];
-    put(rounded, moving_colliders[moving_collider].carry.apply(start));
-    return get(rounded);
-}
-
 bool is_pushed(const ClothContact& n) {
     return n.active_plane >= 0 && n.planes[n.active_plane].moving_collider != ContactPlane::unmoved;
 }
@@ -137,6 +128,14 @@ int32_t push_out(ClothContact& n, float* at) {
 }
 
 }  // namespace
+
+Vec3 place_on_plane(const ClothContact& n, const Vector<MovingCollider>& moving_colliders, Vec3 start) {
+    const uint32_t moving_collider = n.planes[n.active_plane].moving_collider;
+    if (moving_collider == ContactPlane::unmoved) return start;
+    float rounded[3];
+    put(rounded, moving_colliders[moving_collider].carry.apply(start));
+    return get(rounded);
+}
 
 void ClothContacts::reserve(uint32_t particles, size_t floats) {
     candidates.reserve(particles);

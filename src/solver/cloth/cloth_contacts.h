@@ -107,6 +107,9 @@ void search_cloth_contacts(Body& body, const CollisionContext& around, Vec3 grav
 /// planes.
 void search_ahead(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme);
+/// Where a particle in contact is if it sticks to its place on its active contact plane. `start`: its position at the
+/// start of the substep.
+Vec3 place_on_plane(const ClothContact& n, const Vector<MovingCollider>& moving_colliders, Vec3 start);
 void note_places(ClothContacts& contacts, const ClothState& state);
 void leave_planes(Body& body);
 void count_contacts(Body& body, const CollisionContext& around, double rate);

@@ -150,8 +150,10 @@ void leave_solids(Body& body, double h) {
         n.aim = get(at) + ways.way(normal, n.depth);
         put(at, n.aim);
     });
-    for (int sweep = 0; sweep < sweeps; ++sweep)
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
         project_links(cloth.batches, cloth.reach, cloth.state, cloth.shares.team);
+        if (!cloth.clusters.empty()) project_clusters(cloth.clusters, cloth.state);
+    }
     keep_aims(body);
     for (ClothContact& n : contacts.candidates) {
         if (n.depth == 0) stay_outside(contacts, cloth.state, n.particle);

@@ -39,7 +39,7 @@ uint32_t longest_chain(const Plan& plan) {
 
 /// Forests are solved directly: peeling visits all their constraints.
 gphys_solve_method method_of(const Body& body, uint32_t constraint_count) {
-    if (body.cloth.volume.held) return GPHYS_SOLVE_GRAPH;
+    if (body.cloth.volume.held || !body.cloth.clusters.empty()) return GPHYS_SOLVE_GRAPH;
     if (constraint_count == 0) return GPHYS_SOLVE_FREE;
     for (const Links& links : body.constraints.links) {
         if (links.degree > most_branches) return GPHYS_SOLVE_GRAPH;

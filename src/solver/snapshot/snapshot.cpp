@@ -19,14 +19,15 @@ constexpr uint32_t magic = 0x6770686e;
 constexpr uint32_t format = 8;
 
 /// Arrays that few bodies have. They come last, in the order of their keys: the key, which is the array and the slot of
-/// the body, and the elements. A snapshot without them is as it was before there were any.
-enum class RareArray : uint32_t { targets, friction_factors };
+/// the body, and the elements; of clusters their ids come before. A snapshot without them is as it was before there
+/// were any.
+enum class RareArray : uint32_t { targets, friction_factors, clusters };
 constexpr uint32_t slot_bits = 24;
 static_assert(IdTable::capacity < 1u << slot_bits);
 
 // Copied byte by byte, so they must have no padding.
 static_assert(sizeof(Vec3) == 24 && sizeof(DistanceConstraint) == 40 && sizeof(LengthChange) == 16 &&
-              sizeof(Attachment) == 80 && sizeof(AnimationTarget) == 120);
+              sizeof(Attachment) == 80 && sizeof(AnimationTarget) == 120 && sizeof(ClusterMember) == 32);
 static_assert(sizeof(ContactPoint) == 32 && sizeof(ModelImpulse) == 56 && sizeof(PlacedModel) == 36 &&
               sizeof(Chain) == 12 && sizeof(ReachLimit) == 16);
 static_assert(sizeof(Joint) == 56);
@@ -135,6 +136,19 @@ void write_rare(Archive& archive, const SolverState& state, RareArray which, Arr
     }
 }
 
+/// Also of a body that has none any more, because stale ids must stay stale.
+template <class Archive>
+void write_clusters(Archive& archive, const SolverState& state) {
+    for (uint32_t slot = 0; slot < state.ids.slots(); ++slot) {
+        if (!state.ids.live(slot)) continue;
+        const Clusters& clusters = state.bodies[slot].cloth.clusters;
+        if (clusters.ids.slots() == 0) continue;
+        archive.value(static_cast<uint32_t>(RareArray::clusters) << slot_bits | slot);
+        IdTable::visit(archive, clusters.ids);
+        archive.array(clusters.members);
+    }
+}
+
 template <class Sink>
 void write(Sink& sink, const SolverState& state) {
     Writer<Sink> archive(sink);
@@ -147,6 +161,7 @@ void write(Sink& sink, const SolverState& state) {
     write_rare(
         archive, state, RareArray::friction_factors,
         [](const Body& body) -> auto& { return body.contacts.friction_factor; });
+    write_clusters(archive, state);
 }
 
 /// Computes what is not in a snapshot, except the plan. Throws std::bad_alloc.
@@ -181,6 +196,11 @@ const char* read_rare(Reader& archive, SolverState& state) {
                 archive.array(body.contacts.friction_factor);
                 wrong = defect_of_friction_factors(body);
                 break;
+            case RareArray::clusters:
+                IdTable::visit(archive, body.cloth.clusters.ids);
+                archive.array(body.cloth.clusters.members);
+                wrong = defect_of_clusters(body);
+                break;
             default:
                 return cut_short;
         }
@@ -203,11 +223,16 @@ const char* read(Reader& archive, SolverState& state) {
         if (!archive.good()) return cut_short;
         if (const char* wrong = defect(body)) return wrong;
         complete(body);
-        if (const char* wrong = defect_of_plan(body)) return wrong;
-        complete_plan(body);
     }
     if (const char* wrong = defect_of_joints(state)) return wrong;
-    return read_rare(archive, state);
+    if (const char* wrong = read_rare(archive, state)) return wrong;
+    // Clusters decide which plans are possible.
+    for (uint32_t slot = 0; slot < state.ids.slots(); ++slot) {
+        if (!state.ids.live(slot)) continue;
+        if (const char* wrong = defect_of_plan(state.bodies[slot])) return wrong;
+        complete_plan(state.bodies[slot]);
+    }
+    return nullptr;
 }
 
 uint64_t hash_of(const uint32_t* words, size_t count) {

@@ -286,6 +286,30 @@ const char* defect_of_friction_factors(const Body& body) {
     return fine ? nullptr : "words: a friction factor is out of range";
 }
 
+const char* defect_of_clusters(const Body& body) {
+    constexpr const char* wrong = "words: a cluster is out of range";
+    const Clusters& clusters = body.cloth.clusters;
+    if (clusters.ids.defect() || clusters.members.size() > IdTable::capacity) return wrong;
+    constexpr uint32_t none = 0xffffffff;
+    Vector<uint32_t> last_of(body.particles.size(), none,
+                             clusters.members.get_allocator());  // by particle: its cluster
+    uint32_t found = 0;
+    for (size_t i = 0; i < clusters.members.size(); ++i) {
+        const ClusterMember& member = clusters.members[i];
+        if (member.cluster >= clusters.ids.slots() || !clusters.ids.live(member.cluster) ||
+            member.particle >= body.particles.size() || !is_within(far_range, member.rest)) {
+            return wrong;
+        }
+        const bool first = i == 0 || clusters.members[i - 1].cluster != member.cluster;
+        if (i > 0 && clusters.members[i - 1].cluster > member.cluster) return wrong;
+        const bool last = i + 1 == clusters.members.size() || clusters.members[i + 1].cluster != member.cluster;
+        if (last_of[member.particle] == member.cluster || (first && last)) return wrong;
+        last_of[member.particle] = member.cluster;
+        found += first;
+    }
+    return found == clusters.ids.size() ? nullptr : wrong;
+}
+
 const char* defect_of_plan(const Body& body) {
     constexpr const char* wrong = "words: the plan of a body does not follow from its constraints";
     const Plan& plan = body.plan;

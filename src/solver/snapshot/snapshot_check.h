@@ -19,5 +19,7 @@ const char* defect_of_plan(const Body& body);
 const char* defect_of_targets(const Body& body);
 /// The same for friction factors.
 const char* defect_of_friction_factors(const Body& body);
+/// The same of clusters.
+const char* defect_of_clusters(const Body& body);
 
 }  // namespace gphys

@@ -1,0 +1,325 @@
+// A substep of rigid clusters: the fit of their shapes and their contacts (clusters.h).
+#include "solver/cloth/clusters.h"
+
+#include "solver/body.h"
+#include "solver/cloth/best_rotation.h"
+#include "solver/contact/friction.h"
+#include "solver/quads.h"
+
+namespace gphys {
+namespace {
+
+// Particles that do not move freely have this many times the moment of inertia of the others. So what is left for
+// these to decide is the rotation about the line through two such particles, and all of it about a single one.
+constexpr double held_weight = 1e6;
+
+/// Second moments of points about an origin: sums of products of coordinates.
+struct SecondMoments {
+    Vec3 squares, products;  // xx, yy, zz and yz, zx, xy
+
+    void add(Vec3 at, double weight) {
+        squares += by_component(at, at) * weight;
+        products += Vec3{at.y * at.z, at.z * at.x, at.x * at.y} * weight;
+    }
+    /// The inverse of the tensor of inertia; 0 for points that all lie at the origin. About a line through all points
+    /// the inertia is a rounding error, and so are torques.
+    Mat3 inverse_inertia() const {
+        constexpr double regularisation = 1e-12;
+        const Vec3 s = squares, p = products;
+        const double least = regularisation * (s.x + s.y + s.z);
+        const Vec3 x{s.y + s.z + least, -p.z, -p.y}, y{-p.z, s.z + s.x + least, -p.x}, z{-p.y, -p.x, s.x + s.y + least};
+        const Vec3 yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);
+        const double determinant = dot(x, yz);
+        if (!(determinant > 0)) return {{}, {}, {}};
+        return {yz / determinant, zx / determinant, xy / determinant};
+    }
+};
+
+/// The sum of weight * at rest^T.
+void add_product(Mat3& sum, Vec3 at, Vec3 rest, double weight) {
+    const Vec3 weighted = at * weight;
+    sum.x += weighted * rest.x;
+    sum.y += weighted * rest.y;
+    sum.z += weighted * rest.z;
+}
+
+/// Relative; 0 if it does not move freely.
+double mass_of(const ClothState& state, const ClusterMember& member) {
+    return state.acceleration[4 * size_t{member.particle} + 3];
+}
+Vec3 place_of(const ClothState& state, const ClusterMember& member) {
+    return get(&state.at[4 * size_t{member.particle}]);
+}
+
+/// A cluster on its way to the end of a substep.
+class MovingCluster {
+public:
+    MovingCluster(ClusterRange members, const ClothState& state) : members_(members), state_(state) {}
+
+    /// Finds where the shape is nearest to the particles. Returns false if none of them moves freely.
+    bool fit();
+    /// Moves the shape until no particle in contact is behind its plane. Call after fit.
+    void leave_planes(Body& body);
+    /// The position of a member in the shape.
+    Vec3 place(const ClusterMember& member) const { return at_ + rotation_ * (member.rest - rest_); }
+    /// Adds up the pulls of the cluster on its particles, when these are moved to their places in the shape.
+    void add_pulls(ChainContacts& contacts, const Vector<ClusterContact>& pressed) const;
+
+private:
+    void find_inertia();
+    void yield_to(Vec3 impulse, Vec3 arm) {
+        shift_ += impulse * mobility_;
+        turn_ += inverse_inertia_ * cross(arm, impulse);
+    }
+    double yield(Vec3 direction, Vec3 arm) const {
+        const Vec3 lever = cross(arm, direction);
+        return mobility_ + dot(lever, inverse_inertia_ * lever);
+    }
+    Vec3 way(Vec3 arm) const { return shift_ + cross(turn_, arm); }
+    void list_pressed(Body& body);
+    double press(ClusterContact& contact);
+    void rub(ClusterContact& contact);
+    void turn_shape();
+
+    const ClusterRange members_;
+    const ClothState& state_;
+    uint32_t held_ = 0;  // number of members that do not move freely
+    Vec3 at_, rest_;     // the point that it turns about, and this point in the shape
+    Mat3 rotation_;
+    double mobility_ = 0;  // 1 / mass
+    double weight_ = 0;    // of members that do not move freely, in the inertia
+    double size_ = 0;      // metres: root mean square distance of the particles from that point
+    Mat3 inverse_inertia_;
+    Vec3 shift_, turn_;  // by contacts: displacement, and rotation vector
+};
+
+bool MovingCluster::fit() {
+    double mass = 0;
+    Vec3 at, rest, held_at, held_rest;
+    for (const ClusterMember& member : members_) {
+        const double m = mass_of(state_, member);
+        if (m > 0) {
+            mass += m;
+            at += place_of(state_, member) * m;
+            rest += member.rest * m;
+        } else {
+            ++held_;
+            held_at += place_of(state_, member);
+            held_rest += member.rest;
+        }
+    }
+    if (mass == 0) return false;
+    at_ = held_ > 0 ? held_at / held_ : at / mass;
+    rest_ = held_ > 0 ? held_rest / held_ : rest / mass;
+    mobility_ = held_ > 0 ? 0 : 1 / mass;
+
+    Mat3 free{{}, {}, {}}, held{{}, {}, {}};
+    double free_size = 0, held_size = 0;
+    for (const ClusterMember& member : members_) {
+        const double m = mass_of(state_, member);
+        const Vec3 local = member.rest - rest_;
+        add_product(m > 0 ? free : held, place_of(state_, member) - at_, local, m > 0 ? m : 1);
+        (m > 0 ? free_size : held_size) += length_squared(local) * (m > 0 ? m : 1);
+    }
+    size_ = std::sqrt(free_size / mass);
+    // Held particles at one point say nothing about the rotation.
+    constexpr double one_point = 1e-12;
+    weight_ = held_size > one_point * size_ * size_ ? held_weight * free_size / held_size : 0;
+    rotation_ = best_rotation({free.x + held.x * weight_, free.y + held.y * weight_, free.z + held.z * weight_});
+    return true;
+}
+
+void MovingCluster::find_inertia() {
+    SecondMoments moments;
+    for (const ClusterMember& member : members_) {
+        const double m = mass_of(state_, member);
+        moments.add(rotation_ * (member.rest - rest_), m > 0 ? m : weight_);
+    }
+    inverse_inertia_ = moments.inverse_inertia();
+}
+
+/// Particles in contact before the chains: other ones leave their planes one by one, after the chains.
+void MovingCluster::list_pressed(Body& body) {
+    const ClothContacts& contacts = body.cloth.contacts;
+    Vector<ClusterContact>& pressed = body.cloth.clusters.pressed;
+    pressed.clear();
+    for (const ClusterMember& member : members_) {
+        const uint32_t number = contacts.candidate_of[member.particle];
+        if (number == ClothContacts::none || mass_of(state_, member) == 0) continue;
+        const ClothContact& n = contacts.candidates[number];
+        if (n.active_plane < 0) continue;
+        const ContactPlane& plane = n.planes[n.active_plane];
+        const Friction friction = friction_coefficients(body, member.particle);
+        const double m = mass_of(state_, member);
+        const Vec3 start = get(&state_.start[4 * size_t{member.particle}]);
+        const Vec3 pull = get(&body.cloth.in_chains.pulls[4 * size_t{member.particle}]);
+        ClusterContact contact;
+        contact.member = static_cast<uint32_t>(&member - members_.first);
+        contact.arm = rotation_ * (member.rest - rest_);
+        contact.normal = plane.normal;
+        contact.gap = dot(plane.normal, at_ + contact.arm) - plane.offset;
+        contact.slip = at_ + contact.arm - place_on_plane(n, body.cloth.moving_colliders, start);
+        contact.friction = n.creep >= 0 ? friction.at_rest : friction.kinetic;
+        contact.spent = n.friction_before * m;
+        contact.before = contact.total = std::max(0.0, n.normal_push * m - dot(pull, plane.normal));
+        pressed.push_back(contact);
+    }
+}
+
+/// Gives the contact plane the impulse that it needs. Returns by how many metres that moves the particle.
+double MovingCluster::press(ClusterContact& contact) {
+    if (contact.yield == 0) return 0;
+    const double gap = contact.gap + dot(contact.normal, way(contact.arm));
+    const double total = std::max(0.0, contact.total - gap / contact.yield), more = total - contact.total;
+    contact.total = total;
+    yield_to(contact.normal * more, contact.arm);
+    return std::fabs(more) * contact.yield;
+}
+
+/// Friction by Coulomb's law: takes back the slip, as far as the impulse of the plane allows.
+void MovingCluster::rub(ClusterContact& contact) {
+    Vec3 slip = contact.slip + way(contact.arm);
+    slip -= contact.normal * dot(contact.normal, slip);
+    const double size = length(slip), most = std::max(0.0, contact.friction * contact.total - contact.spent);
+    Vec3 held = contact.held;
+    if (size > 0) {
+        const double yields = yield(slip / size, contact.arm);
+        if (yields > 0) held -= slip / yields;
+    }
+    const double given = length(held);
+    if (given > most) held *= most / given;
+    yield_to(held - contact.held, contact.arm);
+    contact.held = held;
+}
+
+/// Projected Gauss-Seidel on the impulses of all contacts, linear in the small displacement of the shape.
+void MovingCluster::leave_planes(Body& body) {
+    constexpr int most_sweeps = 32;
+    constexpr double rounding = 1e-8;  // relative to the size of the cluster, below that of float32 positions
+    Vector<ClusterContact>& pressed = body.cloth.clusters.pressed;
+    list_pressed(body);
+    if (pressed.empty()) return;
+    find_inertia();
+    for (ClusterContact& contact : pressed) contact.yield = yield(contact.normal, contact.arm);
+    double largest = infinity;
+    for (int sweep = 0; sweep < most_sweeps && largest > rounding * size_; ++sweep) {
+        largest = 0;
+        for (ClusterContact& contact : pressed) {
+            largest = std::max(largest, press(contact));
+            if (contact.friction > 0) rub(contact);
+        }
+    }
+    turn_shape();
+    for (const ClusterContact& contact : pressed) {
+        const uint32_t particle = members_.first[contact.member].particle;
+        ClothContact& n = body.cloth.contacts.candidates[body.cloth.contacts.candidate_of[particle]];
+        n.friction_before += length(contact.held) * state_.at[4 * size_t{particle} + 3];
+        // What is not pressed must not be held at its place, or planks would stick to what they tilt off.
+        if (contact.total == 0) {
+            n.active_plane = -1;
+            put(&body.cloth.in_chains.normals[4 * size_t{particle}], {});
+        }
+    }
+}
+
+void MovingCluster::turn_shape() {
+    at_ += shift_;
+    const Vec3 half = turn_ / 2;
+    rotation_ = rotation_matrix(Quat{half.x, half.y, half.z, 1}) * rotation_;
+}
+
+/// A pull moves a free particle, together with the impulses of its contact. Those of particles that do not move freely
+/// are what the others need of them; of the ways to share these out, the one with the least sum of squares.
+void MovingCluster::add_pulls(ChainContacts& contacts, const Vector<ClusterContact>& pressed) const {
+    const auto pull_on = [&](const ClusterMember& member) { return &contacts.pulls[4 * size_t{member.particle}]; };
+    Vec3 force, torque;
+    auto contact = pressed.begin();
+    for (uint32_t i = 0; i < members_.size(); ++i) {
+        const ClusterMember& member = members_.first[i];
+        const double m = mass_of(state_, member);
+        if (m == 0) continue;
+        Vec3 pull = (place(member) - place_of(state_, member)) * m;
+        if (contact != pressed.end() && contact->member == i) {
+            pull -= contact->normal * (contact->total - contact->before) + contact->held;
+            ++contact;
+        }
+        put(pull_on(member), get(pull_on(member)) + pull);
+        force += pull;
+        torque += cross(place(member) - at_, pull);
+    }
+    if (held_ == 0) return;
+    SecondMoments moments;
+    for (const ClusterMember& member : members_) {
+        if (mass_of(state_, member) == 0) moments.add(place_of(state_, member) - at_, 1);
+    }
+    const Vec3 turning = moments.inverse_inertia() * torque;
+    for (const ClusterMember& member : members_) {
+        if (mass_of(state_, member) > 0) continue;
+        const Vec3 share = force / held_ + cross(turning, place_of(state_, member) - at_);
+        put(pull_on(member), get(pull_on(member)) - share);
+    }
+}
+
+void put_on_shape(const MovingCluster& cluster, ClusterRange members, ClothState& state) {
+    for (const ClusterMember& member : members) {
+        if (mass_of(state, member) > 0)
+            put(&state.at[4 * size_t{member.particle}], cluster.place(member), farthest_in_cloth);
+    }
+}
+
+/// Calls visit(members) for each cluster.
+template <class Visit>
+void each_cluster(const Clusters& clusters, Visit&& visit) {
+    const ClusterMember *first = clusters.members.data(), *const end = first + clusters.members.size();
+    while (first != end) {
+        const uint32_t cluster = first->cluster;
+        const ClusterMember* last = first;
+        while (last != end && last->cluster == cluster) ++last;
+        visit(ClusterRange{first, last});
+        first = last;
+    }
+}
+
+/// Clusters that share particles move these in turn, so they take several passes (Gauss-Seidel).
+template <class Visit>
+void sweep_clusters(const Clusters& clusters, Visit&& visit) {
+    constexpr int passes_of_overlapping = 8;
+    for (int pass = 0; pass < (clusters.overlap ? passes_of_overlapping : 1); ++pass) each_cluster(clusters, visit);
+}
+
+}  // namespace
+
+void reserve_clusters(Clusters& clusters, uint32_t particles) {
+    clusters.taken.assign(particles, 0);
+    clusters.overlap = false;
+    uint32_t largest = 0;
+    each_cluster(clusters, [&](ClusterRange members) { largest = std::max(largest, members.size()); });
+    clusters.pressed.reserve(largest);
+    for (const ClusterMember& member : clusters.members) {
+        clusters.overlap = clusters.overlap || clusters.taken[member.particle];
+        clusters.taken[member.particle] = 1;
+    }
+}
+
+void solve_clusters(Body& body, bool pulls_count) {
+    Clusters& clusters = body.cloth.clusters;
+    ClothState& state = body.cloth.state;
+    const bool in_contact = body.cloth.contacts.any_active();
+    clusters.pressed.clear();
+    sweep_clusters(clusters, [&](ClusterRange members) {
+        MovingCluster cluster(members, state);
+        if (!cluster.fit()) return;
+        if (in_contact) cluster.leave_planes(body);
+        if (pulls_count) cluster.add_pulls(body.cloth.in_chains, clusters.pressed);
+        put_on_shape(cluster, members, state);
+    });
+}
+
+void project_clusters(const Clusters& clusters, ClothState& state) {
+    sweep_clusters(clusters, [&](ClusterRange members) {
+        MovingCluster cluster(members, state);
+        if (cluster.fit()) put_on_shape(cluster, members, state);
+    });
+}
+
+}  // namespace gphys

@@ -1,0 +1,87 @@
+// Rigid clusters by shape matching: particles that keep the shape they had when the cluster was made (Mueller,
+// Heidelberger, Teschner & Gross 2005, "Meshless deformations based on shape matching").
+//
+//   clusters.cpp       a substep
+//   cluster_edits.cpp  adding, removing, listing
+//   best_rotation.cpp  the rotation of a cluster
+//
+// The shape is moved to where it is nearest to the particles, by the sum of mass times squared distance, and the
+// particles are put on it. That changes neither their momentum nor their angular momentum. Particles that do not move
+// freely have infinite mass: with one the cluster turns about it, with two about the line through them, and with three
+// it does not move.
+//
+// Contacts act on the cluster as a whole: each contact plane gives an impulse at its particle, and friction another
+// one, until no particle is behind its plane.
+#pragma once
+
+#include "foundation/ids.h"
+#include "foundation/math.h"
+#include "foundation/memory.h"
+#include "foundation/results.h"
+#include "gamephys_c.h"
+
+namespace gphys {
+
+struct Body;
+struct ClothState;
+
+struct ClusterMember {
+    Vec3 rest;  // in the shape, relative to the first member
+    uint32_t particle;
+    uint32_t cluster;  // slot
+};
+
+/// A particle of a cluster that is in contact, while the cluster is solved. Impulses are relative masses times metres.
+struct ClusterContact {
+    uint32_t member;
+    Vec3 arm;                // from the point that the cluster turns about
+    Vec3 normal;             // of the contact plane
+    double gap;              // metres in front of it
+    double yield;            // metres along the normal for a unit impulse
+    Vec3 slip;               // metres along the plane that friction takes back if it can
+    double friction, spent;  // coefficient, and impulse of friction that was used before
+    double before, total;    // impulse of the plane, before and now
+    Vec3 held;               // impulse of friction
+};
+
+struct Clusters {
+    explicit Clusters(std::pmr::memory_resource* memory)
+        : ids(memory), members(memory), taken(memory), pressed(memory) {}
+
+    bool empty() const { return members.empty(); }
+
+    IdTable ids;
+    Vector<ClusterMember> members;  // cluster by cluster, in the order of slots; of each as they were given
+    // Of the step under way:
+    bool overlap = false;            // whether any particle is in several
+    Vector<uint8_t> taken;           // by particle: whether it is in any
+    Vector<ClusterContact> pressed;  // capacity for the largest cluster
+};
+
+/// Allocates what a step needs of clusters. Throws std::bad_alloc.
+void reserve_clusters(Clusters& clusters, uint32_t particles);
+/// For cloth during a substep: puts the particles on their shapes, and on the right side of their contact planes.
+/// `pulls_count`: whether pulls are added up.
+void solve_clusters(Body& body, bool pulls_count);
+/// The same, without contacts and pulls.
+void project_clusters(const Clusters& clusters, ClothState& state);
+
+// cluster_edits.cpp. Values have been checked. A function that fails, by status or std::bad_alloc, changes nothing;
+// else it wakes the body.
+gphys_status add_cluster(Body& body, const uint32_t* particles, uint32_t count, gphys_cluster_id& out);
+/// GPHYS_OK, or the failure that names a stale id.
+gphys_status check_cluster(const Clusters& clusters, gphys_cluster_id id);
+gphys_status remove_cluster(Body& body, gphys_cluster_id id);
+void list_clusters(const Clusters& clusters, Smallest<gphys_cluster_id>& out);
+
+/// The members of the cluster with this slot.
+struct ClusterRange {
+    const ClusterMember *first, *last;
+
+    const ClusterMember* begin() const { return first; }
+    const ClusterMember* end() const { return last; }
+    uint32_t size() const { return static_cast<uint32_t>(last - first); }
+};
+ClusterRange members_of(const Clusters& clusters, uint32_t slot);
+
+}  // namespace gphys
