@@ -2829,6 +2829,53 @@ static inline go_gphys_solver_set_constraint_settings_result go_gphys_solver_set
     return r;
 }
 
+typedef struct go_gphys_solver_add_cluster_result {
+    gphys_status status;
+    char* message;
+    gphys_cluster_id out_cluster;
+} go_gphys_solver_add_cluster_result;
+static inline go_gphys_solver_add_cluster_result go_gphys_solver_add_cluster(void* solver, gphys_body_id body, const uint32_t * particles, uint32_t count) {
+    go_gphys_solver_add_cluster_result r = {0};
+    r.status = gphys_solver_add_cluster(solver, body, particles, count, &r.out_cluster);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_solver_remove_cluster_result {
+    gphys_status status;
+    char* message;
+} go_gphys_solver_remove_cluster_result;
+static inline go_gphys_solver_remove_cluster_result go_gphys_solver_remove_cluster(void* solver, gphys_body_id body, gphys_cluster_id cluster) {
+    go_gphys_solver_remove_cluster_result r = {0};
+    r.status = gphys_solver_remove_cluster(solver, body, cluster);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_solver_get_clusters_result {
+    gphys_status status;
+    char* message;
+    uint32_t out_total;
+} go_gphys_solver_get_clusters_result;
+static inline go_gphys_solver_get_clusters_result go_gphys_solver_get_clusters(void* solver, gphys_body_id body, gphys_cluster_id * out_clusters, uint32_t capacity) {
+    go_gphys_solver_get_clusters_result r = {0};
+    r.status = gphys_solver_get_clusters(solver, body, out_clusters, capacity, &r.out_total);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_solver_get_cluster_particles_result {
+    gphys_status status;
+    char* message;
+    uint32_t out_total;
+} go_gphys_solver_get_cluster_particles_result;
+static inline go_gphys_solver_get_cluster_particles_result go_gphys_solver_get_cluster_particles(void* solver, gphys_body_id body, gphys_cluster_id cluster, uint32_t * out_particles, uint32_t capacity) {
+    go_gphys_solver_get_cluster_particles_result r = {0};
+    r.status = gphys_solver_get_cluster_particles(solver, body, cluster, out_particles, capacity, &r.out_total);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_solver_join_result {
     gphys_status status;
     char* message;

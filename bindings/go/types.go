@@ -175,8 +175,8 @@ const (
 	SolveFree SolveMethod = 0
 	// chains and trees: Newton on the whole body at once
 	SolveDirect SolveMethod = 1
-	// what has rings, volume, or a particle with more than 64 constraints: coloured
-	// batches of chains, then the rest, then reach limits
+	// what has rings, volume, clusters, or a particle with more than 64 constraints:
+	// coloured batches of chains, then the rest, then reach limits
 	SolveGraph SolveMethod = 2
 )
 
@@ -204,6 +204,8 @@ type ModelID = uint32
 type BodyID = uint32
 
 type ConstraintID = uint32
+
+type ClusterID = uint32
 
 type JointID = uint32
 

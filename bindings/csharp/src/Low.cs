@@ -258,6 +258,10 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_solver_get_constraint_kinds(SolverHandle solver, uint body, uint* constraints, uint count, ConstraintKind* out_kinds, uint out_stride);
     [DllImport(Library)] internal static extern Status gphys_solver_get_constraint_settings(SolverHandle solver, uint body, uint* constraints, uint count, ConstraintSettings* out_settings, uint out_stride);
     [DllImport(Library)] internal static extern Status gphys_solver_set_constraint_settings(SolverHandle solver, uint body, uint* constraints, ConstraintSettings* settings, uint setting_stride, uint count);
+    [DllImport(Library)] internal static extern Status gphys_solver_add_cluster(SolverHandle solver, uint body, uint* particles, uint count, uint* out_cluster);
+    [DllImport(Library)] internal static extern Status gphys_solver_remove_cluster(SolverHandle solver, uint body, uint cluster);
+    [DllImport(Library)] internal static extern Status gphys_solver_get_clusters(SolverHandle solver, uint body, uint* out_clusters, uint capacity, uint* out_total);
+    [DllImport(Library)] internal static extern Status gphys_solver_get_cluster_particles(SolverHandle solver, uint body, uint cluster, uint* out_particles, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_solver_join(SolverHandle solver, uint body_a, uint particle_a, uint body_b, uint particle_b, float rest_length, float compliance, uint* out_joint);
     [DllImport(Library)] internal static extern Status gphys_solver_unjoin(SolverHandle solver, uint joint);
     [DllImport(Library)] internal static extern Status gphys_solver_get_joints(SolverHandle solver, uint body, JointInfo* out_joints, uint capacity, uint* out_total);

@@ -2828,6 +2828,82 @@ public sealed partial class Solver : IDisposable {
         Check(Low.gphys_solver_set_constraint_settings(Handle, body, constraints_, settings_, StrideOf(settings), count));
     }
 
+    /// <summary>Make particles of a body a rigid cluster: they keep the shape in which they are now, and move and
+    /// turn as one stiff part, such as a plank of a bridge, a crate or a plate of armour. Links between
+    /// them are not needed. A particle may be in several clusters: planks with two particles in common are
+    /// hinged there, with one they are jointed. The mass of a cluster is that of its particles; hollow
+    /// shapes are light in the middle. Particles that are pinned or attached stay where they are held: with
+    /// one the cluster swings about it, with two about the line through them, and with three that are not
+    /// on a line it does not move. Models that particles are attached to get the impulses. Contacts with
+    /// models move the cluster as a whole, with friction; particles touch, not the faces between them, so
+    /// these should be no further apart than the smallest thing that a cluster meets is thick. Of
+    /// restitution a cluster shows only the share of the mass of the particles that touched. A shape is
+    /// matched once in each substep, after the links: then what hangs from it may be strained a little, and
+    /// clusters that share particles approach their shapes in eight passes. Bodies with clusters are solved
+    /// as cloth (SolveMethod.Graph), ropes and free particles too. The rest positions of cloth are not
+    /// changed by a cluster.
+    /// Cost: O(particles); allocates. In each substep about 1 us a cluster, 50 ns a particle of it and 0.3
+    /// us one that touches a model; the first and the last cluster plan the body again, O(constraints).
+    /// Since 1.1.</summary>
+    /// <param name="particles">count different particles, at least 2</param>
+    /// <exception cref="GamephysException">Status.ErrorInvalidArgument: for a particle that does not exist
+    /// or stands twice</exception>
+    /// <exception cref="GamephysException">Status.ErrorCapacity: beyond 2^24 - 1 clusters of a body, or
+    /// that many particles in them</exception>
+    public unsafe uint AddCluster(uint body, ReadOnlySpan<uint> particles) {
+        var count = CommonLength(particles.Length, 1);
+        var cluster = default(uint);
+        fixed (uint* particles_ = &MemoryMarshal.GetReference(particles))
+        Check(Low.gphys_solver_add_cluster(Handle, body, particles_, count, &cluster));
+        return cluster;
+    }
+
+    /// <summary>End a cluster. Its particles stay where they are; its id stays invalid. Wakes the body.
+    /// Cost: O(particles in clusters of the body). Since 1.1.</summary>
+    /// <exception cref="GamephysException">Status.ErrorInvalidId: for a body or cluster that does not
+    /// exist, or no longer</exception>
+    public unsafe void RemoveCluster(uint body, uint cluster) {
+        Check(Low.gphys_solver_remove_cluster(Handle, body, cluster));
+    }
+
+    /// <summary>All clusters of a body, by id.
+    /// Cost: O(clusters). Since 1.1.</summary>
+    public unsafe uint[] GetClusters(uint body) {
+        var result = new uint[Guess];
+        for (;;) {
+            uint total;
+            Status status;
+            fixed (uint* out_ = result)
+            status = Low.gphys_solver_get_clusters(Handle, body, out_, (uint)result.Length, &total);
+            Check(status);
+            if (status != Status.Incomplete) {
+                Array.Resize(ref result, (int)total);
+                return result;
+            }
+            result = new uint[total];
+        }
+    }
+
+    /// <summary>The particles of a cluster, in the order in which they were given.
+    /// Cost: O(particles of the cluster). Since 1.1.</summary>
+    /// <exception cref="GamephysException">Status.ErrorInvalidId: for a body or cluster that does not
+    /// exist, or no longer</exception>
+    public unsafe uint[] GetClusterParticles(uint body, uint cluster) {
+        var result = new uint[Guess];
+        for (;;) {
+            uint total;
+            Status status;
+            fixed (uint* out_ = result)
+            status = Low.gphys_solver_get_cluster_particles(Handle, body, cluster, out_, (uint)result.Length, &total);
+            Check(status);
+            if (status != Status.Incomplete) {
+                Array.Resize(ref result, (int)total);
+                return result;
+            }
+            result = new uint[total];
+        }
+    }
+
     /// <summary>Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that
     /// are equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved
     /// as one system, as stiff as one rope; a joined particle of cloth has all that hangs on it for

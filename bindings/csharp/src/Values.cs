@@ -119,8 +119,8 @@ public enum SolveMethod {
     /// <summary>chains and trees: Newton on the whole body at once</summary>
     Direct = 1,
     /// <summary>
-    /// what has rings, volume, or a particle with more than 64 constraints: coloured
-    /// batches of chains, then the rest, then reach limits
+    /// what has rings, volume, clusters, or a particle with more than 64 constraints:
+    /// coloured batches of chains, then the rest, then reach limits
     /// </summary>
     Graph = 2,
 }

@@ -1113,6 +1113,24 @@ export function objects(memory) {
             const count = common(constraints_, settings_);
             check(native.gphys_solver_set_constraint_settings(this.pointer, body, pass(constraints_), pass(settings_), 12, count));
         }
+        addCluster(body, particles) {
+            begin();
+            const particles_ = input(particles, 4, 'particles');
+            const count = common(particles_);
+            check(native.gphys_solver_add_cluster(this.pointer, body, pass(particles_), count, base));
+            return v.u32[0];
+        }
+        removeCluster(body, cluster) {
+            check(native.gphys_solver_remove_cluster(this.pointer, body, cluster));
+        }
+        getClusters(body) {
+            begin();
+            return list('uint32_t', 0, (room, capacity) => native.gphys_solver_get_clusters(this.pointer, body, room, capacity, base));
+        }
+        getClusterParticles(body, cluster) {
+            begin();
+            return list('uint32_t', 0, (room, capacity) => native.gphys_solver_get_cluster_particles(this.pointer, body, cluster, room, capacity, base));
+        }
         join(body_a, particle_a, body_b, particle_b, rest_length, compliance) {
             check(native.gphys_solver_join(this.pointer, body_a, particle_a, body_b, particle_b, rest_length, compliance, base));
             return v.u32[0];

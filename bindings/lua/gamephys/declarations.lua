@@ -15,6 +15,7 @@ typedef uint32_t gphys_constraint_id;
 typedef int32_t gphys_body_kind;
 typedef int32_t gphys_solve_method;
 typedef int32_t gphys_constraint_kind;
+typedef uint32_t gphys_cluster_id;
 typedef uint32_t gphys_joint_id;
 typedef struct gphys_mesh gphys_mesh;
 typedef struct gphys_scene gphys_scene;
@@ -317,6 +318,10 @@ gphys_status gphys_solver_get_constraints(const gphys_solver *solver, gphys_body
 gphys_status gphys_solver_get_constraint_kinds(const gphys_solver *solver, gphys_body_id body, const gphys_constraint_id *constraints, uint32_t count, gphys_constraint_kind *out_kinds, uint32_t out_stride);
 gphys_status gphys_solver_get_constraint_settings(const gphys_solver *solver, gphys_body_id body, const gphys_constraint_id *constraints, uint32_t count, gphys_constraint_settings *out_settings, uint32_t out_stride);
 gphys_status gphys_solver_set_constraint_settings(gphys_solver *solver, gphys_body_id body, const gphys_constraint_id *constraints, const gphys_constraint_settings *settings, uint32_t setting_stride, uint32_t count);
+gphys_status gphys_solver_add_cluster(gphys_solver *solver, gphys_body_id body, const uint32_t *particles, uint32_t count, gphys_cluster_id *out_cluster);
+gphys_status gphys_solver_remove_cluster(gphys_solver *solver, gphys_body_id body, gphys_cluster_id cluster);
+gphys_status gphys_solver_get_clusters(const gphys_solver *solver, gphys_body_id body, gphys_cluster_id *out_clusters, uint32_t capacity, uint32_t *out_total);
+gphys_status gphys_solver_get_cluster_particles(const gphys_solver *solver, gphys_body_id body, gphys_cluster_id cluster, uint32_t *out_particles, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_solver_join(gphys_solver *solver, gphys_body_id body_a, uint32_t particle_a, gphys_body_id body_b, uint32_t particle_b, float rest_length, float compliance, gphys_joint_id *out_joint);
 gphys_status gphys_solver_unjoin(gphys_solver *solver, gphys_joint_id joint);
 gphys_status gphys_solver_get_joints(const gphys_solver *solver, gphys_body_id body, gphys_joint_info *out_joints, uint32_t capacity, uint32_t *out_total);

@@ -2340,6 +2340,60 @@ function Solver:set_constraint_settings(body, constraints, settings)
 end
 
 do
+    local out_cluster = uint32_t.array(1)
+    --- Make particles of a body a rigid cluster: they keep the shape in which they are now, and move and
+    --- turn as one stiff part, such as a plank of a bridge, a crate or a plate of armour. Links between
+    --- them are not needed. A particle may be in several clusters: planks with two particles in common are
+    --- hinged there, with one they are jointed. The mass of a cluster is that of its particles; hollow
+    --- shapes are light in the middle. Particles that are pinned or attached stay where they are held: with
+    --- one the cluster swings about it, with two about the line through them, and with three that are not
+    --- on a line it does not move. Models that particles are attached to get the impulses. Contacts with
+    --- models move the cluster as a whole, with friction; particles touch, not the faces between them, so
+    --- these should be no further apart than the smallest thing that a cluster meets is thick. Of
+    --- restitution a cluster shows only the share of the mass of the particles that touched. A shape is
+    --- matched once in each substep, after the links: then what hangs from it may be strained a little, and
+    --- clusters that share particles approach their shapes in eight passes. Bodies with clusters are solved
+    --- as cloth (SOLVE_GRAPH), ropes and free particles too. The rest positions of cloth are not changed by
+    --- a cluster.
+    --- Cost: O(particles); allocates. In each substep about 1 us a cluster, 50 ns a particle of it and 0.3
+    --- us one that touches a model; the first and the last cluster plan the body again, O(constraints).
+    --- Since 1.1.
+    --- @param particles count different particles, at least 2
+    --- @raise status ERROR_INVALID_ARGUMENT: for a particle that does not exist or stands twice
+    --- @raise status ERROR_CAPACITY: beyond 2^24 - 1 clusters of a body, or that many particles in them
+    function Solver:add_cluster(body, particles)
+        local particles, particles_count, particles_stride = to_array(uint32_t, particles)
+        local count = common(particles_count)
+        check(C.gphys_solver_add_cluster(opened(self), body, particles, count, out_cluster))
+        return out_cluster[0]
+    end
+end
+
+--- End a cluster. Its particles stay where they are; its id stays invalid. Wakes the body.
+--- Cost: O(particles in clusters of the body). Since 1.1.
+--- @raise status ERROR_INVALID_ID: for a body or cluster that does not exist, or no longer
+function Solver:remove_cluster(body, cluster)
+    check(C.gphys_solver_remove_cluster(opened(self), body, cluster))
+end
+
+--- All clusters of a body, by id.
+--- Cost: O(clusters). Since 1.1.
+function Solver:get_clusters(body)
+    return list(uint32_t, function(out, capacity, total)
+        return C.gphys_solver_get_clusters(opened(self), body, out, capacity, total)
+    end)
+end
+
+--- The particles of a cluster, in the order in which they were given.
+--- Cost: O(particles of the cluster). Since 1.1.
+--- @raise status ERROR_INVALID_ID: for a body or cluster that does not exist, or no longer
+function Solver:get_cluster_particles(body, cluster)
+    return list(uint32_t, function(out, capacity, total)
+        return C.gphys_solver_get_cluster_particles(opened(self), body, cluster, out, capacity, total)
+    end)
+end
+
+do
     local out_joint = uint32_t.array(1)
     --- Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that
     --- are equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved

@@ -78,7 +78,7 @@ BODY_CLOTH = 3
 
 SOLVE_FREE = 0  # no constraints: exact flight
 SOLVE_DIRECT = 1  # chains and trees: Newton on the whole body at once
-SOLVE_GRAPH = 2  # what has rings, volume, or a particle with more than 64 constraints: coloured batches of chains, then the rest, then reach limits
+SOLVE_GRAPH = 2  # what has rings, volume, clusters, or a particle with more than 64 constraints: coloured batches of chains, then the rest, then reach limits
 
 CONSTRAINT_DISTANCE = 0  # its length: Solver.add_distance, and those of builders
 CONSTRAINT_MAX_DISTANCE = 1  # at most its length; it may go slack: Solver.add_max_distance
@@ -949,6 +949,10 @@ gphys_solver_get_constraints = function("gphys_solver_get_constraints", c_int32,
 gphys_solver_get_constraint_kinds = function("gphys_solver_get_constraint_kinds", c_int32, [c_void_p, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32])
 gphys_solver_get_constraint_settings = function("gphys_solver_get_constraint_settings", c_int32, [c_void_p, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32])
 gphys_solver_set_constraint_settings = function("gphys_solver_set_constraint_settings", c_int32, [c_void_p, c_uint32, c_void_p, c_void_p, c_uint32, c_uint32])
+gphys_solver_add_cluster = function("gphys_solver_add_cluster", c_int32, [c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
+gphys_solver_remove_cluster = function("gphys_solver_remove_cluster", c_int32, [c_void_p, c_uint32, c_uint32])
+gphys_solver_get_clusters = function("gphys_solver_get_clusters", c_int32, [c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
+gphys_solver_get_cluster_particles = function("gphys_solver_get_cluster_particles", c_int32, [c_void_p, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p])
 gphys_solver_join = function("gphys_solver_join", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_uint32, c_float, c_float, c_void_p])
 gphys_solver_unjoin = function("gphys_solver_unjoin", c_int32, [c_void_p, c_uint32])
 gphys_solver_get_joints = function("gphys_solver_get_joints", c_int32, [c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])

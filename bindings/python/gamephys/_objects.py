@@ -2480,6 +2480,59 @@ class Solver(Object):
         count = common_length(constraints_, settings_)
         check(low.gphys_solver_set_constraint_settings(self._handle, body, constraints_.address, settings_.address, settings_.stride, count))
 
+    def add_cluster(self, body: int, particles: ArrayLike) -> int:
+        """Make particles of a body a rigid cluster: they keep the shape in which they are now, and move
+        and turn as one stiff part, such as a plank of a bridge, a crate or a plate of armour. Links
+        between them are not needed. A particle may be in several clusters: planks with two particles in
+        common are hinged there, with one they are jointed. The mass of a cluster is that of its
+        particles; hollow shapes are light in the middle. Particles that are pinned or attached stay
+        where they are held: with one the cluster swings about it, with two about the line through them,
+        and with three that are not on a line it does not move. Models that particles are attached to
+        get the impulses. Contacts with models move the cluster as a whole, with friction; particles
+        touch, not the faces between them, so these should be no further apart than the smallest thing
+        that a cluster meets is thick. Of restitution a cluster shows only the share of the mass of the
+        particles that touched. A shape is matched once in each substep, after the links: then what
+        hangs from it may be strained a little, and clusters that share particles approach their shapes
+        in eight passes. Bodies with clusters are solved as cloth (SOLVE_GRAPH), ropes and free
+        particles too. The rest positions of cloth are not changed by a cluster.
+        Cost: O(particles); allocates. In each substep about 1 us a cluster, 50 ns a particle of it and
+        0.3 us one that touches a model; the first and the last cluster plan the body again,
+        O(constraints). Since 1.1.
+
+        Args:
+            particles: count different particles, at least 2
+
+        Raises:
+            InvalidArgument: for a particle that does not exist or stands twice
+            Error, status ERROR_CAPACITY: beyond 2^24 - 1 clusters of a body, or that many particles in
+                them"""
+        particles_ = array_of(particles, "<u4")
+        out_cluster = ctypes.c_uint32()
+        count = common_length(particles_)
+        check(low.gphys_solver_add_cluster(self._handle, body, particles_.address, count, ctypes.byref(out_cluster)))
+        return out_cluster.value
+
+    def remove_cluster(self, body: int, cluster: int) -> None:
+        """End a cluster. Its particles stay where they are; its id stays invalid. Wakes the body.
+        Cost: O(particles in clusters of the body). Since 1.1.
+
+        Raises:
+            InvalidId: for a body or cluster that does not exist, or no longer"""
+        check(low.gphys_solver_remove_cluster(self._handle, body, cluster))
+
+    def get_clusters(self, body: int) -> np.ndarray:
+        """All clusters of a body, by id.
+        Cost: O(clusters). Since 1.1."""
+        return list_of(low.gphys_solver_get_clusters, (self._handle, body,), "<u4")
+
+    def get_cluster_particles(self, body: int, cluster: int) -> np.ndarray:
+        """The particles of a cluster, in the order in which they were given.
+        Cost: O(particles of the cluster). Since 1.1.
+
+        Raises:
+            InvalidId: for a body or cluster that does not exist, or no longer"""
+        return list_of(low.gphys_solver_get_cluster_particles, (self._handle, body, cluster,), "<u4")
+
     def join(self, body_a: int, particle_a: int, body_b: int, particle_b: int, rest_length: float, compliance: float = 0) -> int:
         """Hold a particle of one body and a particle of another at a distance. Both are moved, by forces
         that are equal and opposite; either may be pinned or attached. Joined ropes and free particles

@@ -274,6 +274,10 @@ extern "C" {
     pub fn gphys_solver_get_constraint_kinds(solver: *mut gphys_solver, body: BodyId, constraints: *const ConstraintId, count: u32, out_kinds: *mut ConstraintKind, out_stride: u32) -> Status;
     pub fn gphys_solver_get_constraint_settings(solver: *mut gphys_solver, body: BodyId, constraints: *const ConstraintId, count: u32, out_settings: *mut ConstraintSettings, out_stride: u32) -> Status;
     pub fn gphys_solver_set_constraint_settings(solver: *mut gphys_solver, body: BodyId, constraints: *const ConstraintId, settings: *const ConstraintSettings, setting_stride: u32, count: u32) -> Status;
+    pub fn gphys_solver_add_cluster(solver: *mut gphys_solver, body: BodyId, particles: *const u32, count: u32, out_cluster: *mut ClusterId) -> Status;
+    pub fn gphys_solver_remove_cluster(solver: *mut gphys_solver, body: BodyId, cluster: ClusterId) -> Status;
+    pub fn gphys_solver_get_clusters(solver: *mut gphys_solver, body: BodyId, out_clusters: *mut ClusterId, capacity: u32, out_total: *mut u32) -> Status;
+    pub fn gphys_solver_get_cluster_particles(solver: *mut gphys_solver, body: BodyId, cluster: ClusterId, out_particles: *mut u32, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_solver_join(solver: *mut gphys_solver, body_a: BodyId, particle_a: u32, body_b: BodyId, particle_b: u32, rest_length: f32, compliance: f32, out_joint: *mut JointId) -> Status;
     pub fn gphys_solver_unjoin(solver: *mut gphys_solver, joint: JointId) -> Status;
     pub fn gphys_solver_get_joints(solver: *mut gphys_solver, body: BodyId, out_joints: *mut JointInfo, capacity: u32, out_total: *mut u32) -> Status;

@@ -182,8 +182,8 @@ impl SolveMethod {
     pub const FREE: SolveMethod = SolveMethod(0);
     /// chains and trees: Newton on the whole body at once
     pub const DIRECT: SolveMethod = SolveMethod(1);
-    /// what has rings, volume, or a particle with more than 64 constraints: coloured
-    /// batches of chains, then the rest, then reach limits
+    /// what has rings, volume, clusters, or a particle with more than 64 constraints:
+    /// coloured batches of chains, then the rest, then reach limits
     pub const GRAPH: SolveMethod = SolveMethod(2);
 }
 
@@ -208,6 +208,7 @@ pub const ALL_LAYERS: u32 = 0xffffffff;
 pub type ModelId = u32;
 pub type BodyId = u32;
 pub type ConstraintId = u32;
+pub type ClusterId = u32;
 pub type JointId = u32;
 /// One part of a call's work: the function to call, with the context and an index. Any thread may
 /// call it; it returns when that part is done, without calling back.

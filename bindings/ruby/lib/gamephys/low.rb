@@ -282,6 +282,10 @@ module Gamephys
     attach_function :gphys_solver_get_constraint_kinds, [:pointer, :uint32, :pointer, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_solver_get_constraint_settings, [:pointer, :uint32, :pointer, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_solver_set_constraint_settings, [:pointer, :uint32, :pointer, :pointer, :uint32, :uint32], :int32
+    attach_function :gphys_solver_add_cluster, [:pointer, :uint32, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_solver_remove_cluster, [:pointer, :uint32, :uint32], :int32
+    attach_function :gphys_solver_get_clusters, [:pointer, :uint32, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_solver_get_cluster_particles, [:pointer, :uint32, :uint32, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_join, [:pointer, :uint32, :uint32, :uint32, :uint32, :float, :float, :pointer], :int32
     attach_function :gphys_solver_unjoin, [:pointer, :uint32], :int32
     attach_function :gphys_solver_get_joints, [:pointer, :uint32, :pointer, :uint32, :pointer], :int32

@@ -259,6 +259,10 @@ class LowFunctions {
     static native int gphys_solver_get_constraint_kinds(Pointer solver, int body, Pointer constraints, int count, Pointer outKinds, int outStride);
     static native int gphys_solver_get_constraint_settings(Pointer solver, int body, Pointer constraints, int count, Pointer outSettings, int outStride);
     static native int gphys_solver_set_constraint_settings(Pointer solver, int body, Pointer constraints, Pointer settings, int settingStride, int count);
+    static native int gphys_solver_add_cluster(Pointer solver, int body, Pointer particles, int count, Pointer outCluster);
+    static native int gphys_solver_remove_cluster(Pointer solver, int body, int cluster);
+    static native int gphys_solver_get_clusters(Pointer solver, int body, Pointer outClusters, int capacity, Pointer outTotal);
+    static native int gphys_solver_get_cluster_particles(Pointer solver, int body, int cluster, Pointer outParticles, int capacity, Pointer outTotal);
     static native int gphys_solver_join(Pointer solver, int bodyA, int particleA, int bodyB, int particleB, float restLength, float compliance, Pointer outJoint);
     static native int gphys_solver_unjoin(Pointer solver, int joint);
     static native int gphys_solver_get_joints(Pointer solver, int body, Pointer outJoints, int capacity, Pointer outTotal);
