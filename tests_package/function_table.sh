@@ -8,7 +8,7 @@ cmp functions.md "$SOURCE/docs/functions.md" || fail "docs/functions.md is not u
 
 # A function that nothing covers is noticed.
 mkdir -p copy/include
-for folder in fuzz tests_c tests_cpp docs bindings tests_package; do ln -s "$SOURCE/$folder" copy/$folder; done
+for folder in bench fuzz tests_c tests_cpp docs bindings tests_package; do ln -s "$SOURCE/$folder" copy/$folder; done
 sed 's/^GPHYS_API uint32_t gphys_version(void);/&\nGPHYS_API uint32_t gphys_extra(void);/' \
     "$SOURCE/include/gamephys_c.h" >copy/include/gamephys_c.h
 if python3 "$table" copy 2>holes.txt; then fail "an uncovered function is not noticed"; fi
