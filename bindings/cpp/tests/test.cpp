@@ -727,11 +727,11 @@ TEST_CASE("a cluster holds out a particle until it ends") {
     CHECK(solver.get_cluster_particles(plank, cluster) == std::vector<uint32_t>{0, 1, 2});
     std::vector<Vec3> places(1);
     for (int i = 0; i < 30; ++i) solver.step(nullptr, 0.01f);
-    solver.get_positions(plank, 2, places);
+    solver.get_positions(plank, 2, 1, places);
     CHECK((places[0].x == Approx(2) && std::abs(places[0].y) < 1e-5f));
     solver.remove_cluster(plank, cluster);
     for (int i = 0; i < 30; ++i) solver.step(nullptr, 0.01f);
-    solver.get_positions(plank, 2, places);
+    solver.get_positions(plank, 2, 1, places);
     CHECK(places[0].y < -0.4f);
     failure(GPHYS_ERROR_INVALID_ID, [&] { solver.remove_cluster(plank, cluster); });
 }

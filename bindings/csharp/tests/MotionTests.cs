@@ -287,7 +287,7 @@ public class MotionTests {
     [Test]
     public void AClusterHoldsOutAParticleUntilItEnds() {
         var solver = new Solver();
-        var plank = solver.AddParticles(new Vec3[] { Vec3.Zero, (1, 0, 0), (2, 0, 0) });
+        var plank = solver.AddParticles(new Vec3[] { (0, 0, 0), (1, 0, 0), (2, 0, 0) });
         solver.SetPinned(plank, 0, 2, true);
         var cluster = solver.AddCluster(plank, new uint[] { 0, 1, 2 });
         CollectionAssert.AreEqual(new[] { cluster }, solver.GetClusters(plank));
