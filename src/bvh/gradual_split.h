@@ -18,8 +18,9 @@ public:
     /// four times.
     bool advance(uint32_t& work) {
         while (stage_ != Stage::done && work > 0) {
-            BoxedItem* const end = next_ + std::min<ptrdiff_t>(work, source_end() - next_);
-            work -= static_cast<uint32_t>(end - next_);
+            const auto count = std::min(work, static_cast<uint32_t>(source_end() - next_));
+            work -= count;
+            BoxedItem* const end = next_ + count;
             pass_to(end);
             if (next_ == source_end()) enter_next_stage();
         }
