@@ -222,8 +222,17 @@ Vec3 closest_point(const Triangle& triangle, Vec3 point) {
 
 namespace {
 
+/// A face, an edge or a corner: one to three planes.
+struct Feature {
+    int count;
+    int plane[3];
+
+    bool has(int i) const { return std::find(plane, plane + count, i) != plane + count; }
+};
+
 /// The closest point of a frustum by enumeration: the nearest of the projections of the point on a face, on an edge
-/// (the line of two planes) or on a corner (of three planes) that lie in the frustum.
+/// (the line of two planes) or on a corner (of three planes) that lie in the frustum. Whether they do is exact, because
+/// where planes meet at a small angle, a projection that is hardly outside of one is far from the frustum.
 class NearestFoot {
 public:
     NearestFoot(const Plane (&planes)[6], Vec3 point) : point_(point) {
@@ -235,69 +244,126 @@ public:
     }
 
     /// The projection on the planes that the active-set search of nearest_common_point found. False if it is not in the
-    /// frustum.
+    /// frustum, or not certainly the nearest.
     bool try_likely() {
         Plane from_point[6];
         for (int i = 0; i < bounding_count_; ++i) from_point[i] = seen_from_point(bounding_[i]);
         const CommonPoint likely = nearest_common_point(from_point, bounding_count_);
-        if (likely.outcome != CommonPoint::Outcome::found) return false;
-        int i[3];
-        for (int k = 0; k < likely.plane_count; ++k) i[k] = bounding_[likely.planes[k]];
-        if (likely.plane_count == 1) try_face(i[0]);
-        if (likely.plane_count == 2) try_edge(i[0], i[1]);
-        if (likely.plane_count == 3) try_corner(i[0], i[1], i[2]);
+        if (likely.outcome != CommonPoint::Outcome::found || likely.plane_count == 0) return false;
+        Feature feature{likely.plane_count, {}};
+        for (int k = 0; k < feature.count; ++k) feature.plane[k] = bounding_[likely.planes[k]];
+        if (!try_feature(feature) || !is_surely_nearest(feature)) square_ = infinity;
         return found();
     }
     void try_all() {
         for (int i = 0; i < bounding_count_; ++i) {
-            try_face(bounding_[i]);
+            try_feature({1, {bounding_[i]}});
             for (int j = i + 1; j < bounding_count_; ++j) {
-                try_edge(bounding_[i], bounding_[j]);
-                for (int k = j + 1; k < bounding_count_; ++k) try_corner(bounding_[i], bounding_[j], bounding_[k]);
+                try_feature({2, {bounding_[i], bounding_[j]}});
+                for (int k = j + 1; k < bounding_count_; ++k) {
+                    try_feature({3, {bounding_[i], bounding_[j], bounding_[k]}});
+                }
             }
         }
     }
 
+    /// False after try_all only if the frustum is empty.
     bool found() const { return square_ < infinity; }
-    /// Whether a projection was clearly inside all other planes. That proves that the frustum is not empty.
-    bool proves_a_point() const { return proves_a_point_; }
     Vec3 foot() const { return foot_; }
 
 private:
     Plane seen_from_point(int i) const {
         return {planes_[i].normal, planes_[i].distance - dot(planes_[i].normal, point_)};
     }
-    void try_face(int i) { add(point_ + foot_on(seen_from_point(i)), 1 << i); }
-    /// The common point of two planes and of the plane through the point perpendicular to their line: accurate at any
-    /// angle.
-    void try_edge(int i, int j) {
-        const Vec3 line = accurate_cross({}, planes_[i].normal, {}, planes_[j].normal);
-        Vec3 foot;
-        if (common_point(planes_[i], planes_[j], {line, dot(line, point_)}, foot)) add(foot, 1 << i | 1 << j);
-    }
-    void try_corner(int i, int j, int k) {
-        Vec3 corner;
-        if (common_point(planes_[i], planes_[j], planes_[k], corner)) add(corner, 1 << i | 1 << j | 1 << k);
-    }
+    const Plane& plane(const Feature& feature, int k) const { return planes_[feature.plane[k]]; }
 
-    void add(Vec3 foot, int own_planes) {
+    /// Keeps the projection if it is in the frustum and nearer than the one that is kept.
+    bool try_feature(const Feature& feature) {
+        Vec3 foot;
+        if (!project(feature, foot)) return false;
         const double square = length_squared(foot - point_);
-        if (!(square < square_)) return;
-        bool well_inside = true;
-        const double reach = length(foot) + length(point_);
-        for (int i = 0; i < 6; ++i) {
-            const Plane& plane = planes_[i];
-            // The error of a projection is about 2^-50 of its distance. The tolerance of 2^-40 accepts corners where
-            // more than three planes intersect.
-            const double slack = 0x1p-40 * size_[i] * reach;
-            const double height = dot(plane.normal, foot) - plane.distance;
-            if (height < -slack) return;
-            const bool is_own = own_planes >> i & 1;
-            well_inside = well_inside && (is_own ? height <= slack : height > 0x1p20 * slack);
-        }
-        proves_a_point_ = proves_a_point_ || well_inside;
+        if (!(square < square_) || !is_inside(foot, feature)) return false;
         foot_ = foot;
         square_ = square;
+        return true;
+    }
+    bool project(const Feature& feature, Vec3& foot) const {
+        const Plane& a = plane(feature, 0);
+        if (feature.count == 1) {
+            foot = point_ + foot_on(seen_from_point(feature.plane[0]));
+            return true;
+        }
+        const Plane& b = plane(feature, 1);
+        if (feature.count == 3) return common_point(a, b, plane(feature, 2), foot);
+        // The common point of two planes and of the plane through the point perpendicular to their line: accurate at
+        // any angle.
+        const Vec3 line = accurate_cross({}, a.normal, {}, b.normal);
+        return common_point(a, b, {line, dot(line, point_)}, foot);
+    }
+
+    bool is_inside(Vec3 foot, const Feature& feature) const {
+        const double reach = length(foot) + length(point_);
+        for (int i = 0; i < 6; ++i) {
+            // Coordinates of a projection have an error of about 2^-42 of themselves.
+            const double slack = 0x1p-40 * size_[i] * reach;
+            const double height = dot(planes_[i].normal, foot) - planes_[i].distance;
+            if (height < -slack) return false;
+            if (height <= slack && !feature.has(i) && !is_in_front(planes_[i], feature)) return false;
+        }
+        return true;
+    }
+
+    /// Whether the exact projection is in front of another plane, or on it.
+    bool is_in_front(const Plane& other, const Feature& feature) const {
+        if (feature.count == 3) return corner_is_in_front(other, feature);
+        return sign_of([&](auto number) {
+                   using N = decltype(number);
+                   using V = Vec<N>;
+                   const V n = V::of(other.normal), q = V::of(point_);
+                   const N height = dot(n, q) - N(other.distance);
+                   const V a = V::of(plane(feature, 0).normal);
+                   const N behind_a = N(plane(feature, 0).distance) - dot(a, q), aa = dot(a, a);
+                   if (feature.count == 1) return height * aa + dot(n, a) * behind_a;
+                   const V b = V::of(plane(feature, 1).normal);
+                   const N behind_b = N(plane(feature, 1).distance) - dot(b, q), bb = dot(b, b), ab = dot(a, b);
+                   // As in foot_on of two planes.
+                   return height * (aa * bb - ab * ab) + dot(n, a) * (behind_a * bb - behind_b * ab) +
+                          dot(n, b) * (behind_b * aa - behind_a * ab);
+               }) >= 0;
+    }
+    bool corner_is_in_front(const Plane& other, const Feature& feature) const {
+        const Plane &a = plane(feature, 0), &b = plane(feature, 1), &c = plane(feature, 2);
+        const int volume = sign_of([&](auto number) {
+            using V = Vec<decltype(number)>;
+            return dot(V::of(a.normal), cross(V::of(b.normal), V::of(c.normal)));
+        });
+        return volume * sign_of([&](auto number) {
+                   using N = decltype(number);
+                   using V = Vec<N>;
+                   const V na = V::of(a.normal), bc = cross(V::of(b.normal), V::of(c.normal)),
+                           ca = cross(V::of(c.normal), na), ab = cross(na, V::of(b.normal));
+                   return dot(V::of(other.normal), bc * N(a.distance) + ca * N(b.distance) + ab * N(c.distance)) -
+                          N(other.distance) * dot(na, bc);
+               }) >= 0;
+    }
+
+    /// The conditions of Karush, Kuhn and Tucker: the way from the point to its projection is a sum of the normals with
+    /// positive multipliers. In double, with a margin for rounding.
+    bool is_surely_nearest(const Feature& feature) const {
+        const Vec3 way = foot_ - point_, a = plane(feature, 0).normal;
+        const double error = 0x1p-40 * (length(foot_) + length(point_));
+        if (feature.count == 1) return true;  // the search started from a plane that the point is behind
+        const Vec3 b = plane(feature, 1).normal;
+        if (feature.count == 2) {
+            const double aa = length_squared(a), bb = length_squared(b), ab = dot(a, b);
+            const double along_a = dot(way, a), along_b = dot(way, b);
+            return along_a * bb - along_b * ab > error * bb && along_b * aa - along_a * ab > error * aa;
+        }
+        const Vec3 c = plane(feature, 2).normal;
+        const Vec3 bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
+        const double volume = dot(a, bc), turn = volume < 0 ? -1 : 1;
+        return std::fabs(volume) > 0x1p-40 && turn * dot(way, bc) > error && turn * dot(way, ca) > error &&
+               turn * dot(way, ab) > error;
     }
 
     Plane planes_[6];
@@ -305,7 +371,6 @@ private:
     int bounding_[6], bounding_count_ = 0;
     Vec3 point_, foot_;
     double square_ = infinity;
-    bool proves_a_point_ = false;
 };
 
 }  // namespace
@@ -317,7 +382,7 @@ bool closest_point(const Frustum& frustum, Vec3 point, Vec3& out) {
     }
     NearestFoot nearest(frustum.planes, point - frustum.origin);
     if (!nearest.try_likely()) nearest.try_all();
-    if (!nearest.found() || (!nearest.proves_a_point() && is_empty(frustum))) return false;
+    if (!nearest.found()) return false;
     out = frustum.origin + nearest.foot();
     return true;
 }
