@@ -154,8 +154,8 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
     state.velocity.swap(state.velocity_before);
     if (collides) count_contacts(body, around, scheme.next / h);
     TautLimits taut(body.constraints, around, cloth.in_chains, body.contacts.impulses, scheme, damping);
-    const bool captured = taut.capture(cloth.batches.limits, state);
-    if (contacts.sunk && collides && !state.held) limit_energy_in_solid(state, cloth.shares, gain * state.average_mass);
+    const bool has_limit_impact = taut.apply_impacts(cloth.batches.limits, state);
+    if (contacts.penetrating && collides && !state.held) limit_energy_in_solid(state, cloth.shares, gain * state.average_mass);
     const bool bounded = body.targets.act();
     balance.closed = balance.closed && !(collides && contacts.pushed) && !bounded;
     const bool accounted = is_accounted_for(body, collides);
@@ -166,7 +166,7 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
         if (balance.gain > 0 && !body.plan.joined) remove_energy(state, cloth.shares, balance.gain);
     }
     stop_cloth_at_targets(body.targets, state);
-    body.contacts.has_contact = captured || bounded;
+    body.contacts.has_contact = has_limit_impact || bounded;
     if (collides) {
         body.contacts.has_contact = body.contacts.has_contact || contacts.any_active();
         turn_velocities(body, around, h);
@@ -184,9 +184,9 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
     }
     if (collides) {
         catch_escaped(body, around, gravity, h);
-        if (contacts.sunk) leave_solids(body, h);
+        if (contacts.penetrating) leave_solids(body, h);
     }
-    if (balance.closed && !accounted && !body.plan.joined && !contacts.sunk) {
+    if (balance.closed && !accounted && !body.plan.joined && !contacts.penetrating) {
         // Contact planes and friction only take energy, but pushing particles out of planes raises them.
         const double stored = stored_energy(cloth);
         const double all =

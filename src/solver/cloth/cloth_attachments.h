@@ -28,7 +28,7 @@ public:
 
     /// Limits that have become taut: their ends stop separating, in an inelastic impact. Returns whether there were
     /// any, which counts as an interruption.
-    bool capture(const Vector<LimitInCloth>& limits, ClothState& state);
+    bool apply_impacts(const Vector<LimitInCloth>& limits, ClothState& state);
 
 private:
     void add_to_model(const ClothState& state, uint32_t particle, Vec3 impulse);

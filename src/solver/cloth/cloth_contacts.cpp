@@ -151,7 +151,7 @@ void search_cloth_contacts(Body& body, const CollisionContext& around, Vec3 grav
     ClothContacts& contacts = body.cloth.contacts;
     Vector<float>& search_balls = body.cloth.cache.search_balls;
     std::fill(body.cloth.in_chains.normals.begin(), body.cloth.in_chains.normals.end(), 0.0f);
-    contacts.sunk = false;
+    contacts.penetrating = false;
     find_moving_colliders(body.cloth.moving_colliders, state.origin, body.settings.layers, around);
     ContactSearch search(around, body, gravity, around.step_time);
     const Reuse reuse = reusable_contacts(body, around);
@@ -186,12 +186,12 @@ namespace {
 /// The speed at which the particle hits its contact plane. It began the substep at `place`, relative to the plane, and
 /// would arrive at the end with `predicted`. Counts the speed gained by falling up to the plane, but not behind it. 0
 /// if it is too slow to bounce.
-double impact_speed(const ClothContact& n, const ClothState& state, Vec3 place, double predicted, double quiet) {
+double impact_speed(const ClothContact& n, const ClothState& state, Vec3 place, double predicted, double bounce_threshold) {
     const ContactPlane& plane = n.planes[n.active_plane];
     const size_t i = 4 * size_t{n.particle};
     const double drop = std::max(0.0, dot(plane.normal, place) - plane.offset);
     const double of_plane = dot(place - get(&state.start[i]), plane.normal);
-    if (predicted <= quiet) return 0;
+    if (predicted <= bounce_threshold) return 0;
     if (of_plane != 0) return predicted;
     const double speed = -dot(get(&state.velocity[i]), plane.normal);
     const double pull = -dot(get(&state.acceleration[i]), plane.normal);
@@ -236,7 +236,7 @@ void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity
         const Vec3 place = place_on_plane(n, moving_colliders, start),
                    moved = get(at) - place;  // relative to the moving plane
         const double away = dot(moved, normal);
-        n.approach = impact_speed(n, state, place, -away * rate, quiet_speed(gravity, h));
+        n.approach = impact_speed(n, state, place, -away * rate, find_bounce_threshold(gravity, h));
         const Vec3 along = moved - normal * away;
         const Friction friction = friction_coefficients(body, n.particle);
         n.creep = -1;
@@ -380,7 +380,7 @@ void stop_undone_motion(Body& body, const CollisionContext& around, double h) {
 
 bool is_held(const ClothContacts& contacts, uint32_t particle) {
     const uint32_t number = contacts.candidate_of[particle];
-    if (number == ClothContacts::none || contacts.sunk) return false;
+    if (number == ClothContacts::none || contacts.penetrating) return false;
     const ClothContact& n = contacts.candidates[number];
     return n.active_plane >= 0 && n.held && !is_pushed(n);
 }
@@ -420,7 +420,7 @@ void ease_links(Body& body) {
 void catch_escaped(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     ClothState& state = body.cloth.state;
     ClothContacts& contacts = body.cloth.contacts;
-    contacts.sunk = false;
+    contacts.penetrating = false;
     const uint32_t count = list_moving(body.particles, contacts.escaped, [&](uint32_t p) {
         return squared_from_ball(contacts, state, p) >= contacts.balls[4 * size_t{p} + 3];
     });
@@ -448,7 +448,7 @@ void catch_escaped(Body& body, const CollisionContext& around, Vec3 gravity, dou
         body.contacts.held[p] = 0;
         const Vec3 at = body.particles.position[p];
         collider.slide(body, p, body.history.start[p], at - body.history.start[p], around.begin,
-                       quiet_speed(gravity, h));
+                       find_bounce_threshold(gravity, h));
         if (body.contacts.held[p]) {
             put(&state.at[i], body.particles.position[p] - state.origin);
             put(&state.velocity[i], body.particles.velocity[p]);

@@ -67,11 +67,11 @@ struct alignas(64) ClothContact {
     gphys_model_id impulse_model;  // the model that gets the next two:
     Vec3 impulse, moment;  // m/s: velocity that it has lost to the model, and its moment about the cloth's origin
     // For a particle that is deeper in a model than it can leave at once (leave_solids.cpp):
-    uint32_t sunk_planes;  // bit i: contact plane i is where the particle is, not at the surface
-    uint32_t sunk_most;    // the plane that it is deepest behind,
+    uint32_t penetrated_planes;  // bit i: contact plane i is where the particle is, not at the surface
+    uint32_t deepest_plane;    // the plane that it is deepest behind,
     double depth;          // and the depth; 0 if it is in no model
-    Vec3 aim;              // while it leaves: its aim, or the position that the links gave it,
-    bool aims;             // and whether it is at its aim
+    Vec3 target;              // while it leaves: its aim, or the position that the links gave it,
+    bool is_at_target;             // and whether it is at its aim
 
     /// Call at the beginning of a step, if the planes are reused.
     void rest() {
@@ -94,7 +94,7 @@ struct ClothContacts {
     Vector<uint32_t> escaped;         // particles outside their balls; when searching, those that search
     Vec3 impulse, moment;             // sums of those of the candidates in this substep, times their relative masses
     bool pushed = false;              // whether a moving model pushes any active one
-    bool sunk = false;                // whether any was found in a model
+    bool penetrating = false;                // whether any was found in a model
 
     bool any_active() const { return !active.empty(); }
     /// `floats`: the length of the arrays of the state. Throws std::bad_alloc.

@@ -169,7 +169,7 @@ void ContactSearch::settle(uint32_t p, uint32_t point) {
     if (push_out(ball, found) > 0) {
         // It searches again after each substep.
         reach = 0;
-        contacts_.sunk = true;
+        contacts_.penetrating = true;
         search_balls_[4 * size_t{p} + 3] = ContactCache::no_ball;
     }
     if (!again_) put(&state_.at[4 * size_t{p}], get(ball));
@@ -192,16 +192,16 @@ double ContactSearch::push_out(float* ball, ClothContact& found) const {
         ContactPlane& plane = found.planes[i];
         const double depth = plane.offset - dot(plane.normal, get(ball));
         if (depth > most_push_) {
-            found.sunk_planes |= 1u << i;
-            if (depth > found.depth) found.depth = depth, found.sunk_most = i;
+            found.penetrated_planes |= 1u << i;
+            if (depth > found.depth) found.depth = depth, found.deepest_plane = i;
         } else if (depth > 0) {
             put(ball, get(ball) + plane.normal * depth);
         }
     }
-    if (found.sunk_planes == 0) return 0;
+    if (found.penetrated_planes == 0) return 0;
     for (uint32_t i = 0; i < found.plane_count; ++i) {
         ContactPlane& plane = found.planes[i];
-        if (found.sunk_planes >> i & 1) plane.offset = std::min(plane.offset, dot(plane.normal, get(ball)));
+        if (found.penetrated_planes >> i & 1) plane.offset = std::min(plane.offset, dot(plane.normal, get(ball)));
     }
     return found.depth;
 }

@@ -25,7 +25,7 @@ void find_moving_colliders(Vector<MovingCollider>& moving_colliders, Vec3 origin
         MovingCollider moving_collider{};
         moving_collider.model = before.model;
         moving_collider.before = before.world;
-        moving_collider.bounded = way_of(*around.scene, before, moving_collider.way);
+        moving_collider.bounded = swept_bounds(*around.scene, before, moving_collider.way);
         // For unit quaternions, up to rounding: |q - p| = 2 sin(angle / 4), and their dot product is the cosine of half
         // the angle.
         const Quat p = normalized(widen(before.world.rotation)), q = normalized(widen(after.rotation));

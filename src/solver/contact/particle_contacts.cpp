@@ -448,7 +448,7 @@ void correct_predicted(const Particle* first, const Particle* end, Body& body) {
         }
         body.particles.position[p] += displacement;
         body.history.predicted[p] += displacement;
-        if (body.plan.limited) body.rope.flying[p] = 0;
+        if (body.plan.limited) body.rope.slack[p] = 0;
     });
 }
 
