@@ -42,7 +42,8 @@ void add_pull_impulses(const Constraints& constraints, const CollisionContext& a
     }
 }
 
-/// Models got the forces of this substep as continuous ones; an impact has no such history.
+/// add_pull_impulses has counted the pulls of this substep as continuous forces, by the factor h / step^2. In an impact
+/// they act by the factor next / h. `counted_` is the difference.
 TautLimits::TautLimits(const Constraints& constraints, const CollisionContext& around, ChainContacts& contacts,
                        Vector<ModelImpulse>& impulses, const TimeScheme& scheme, double damping)
     : constraints_(constraints),

@@ -26,7 +26,7 @@ bool is_accounted_for(const Body& body, bool collides) {
     if (body.targets.act()) return false;
     if (body.air.blows()) return false;  // the wind's force depends on the velocity that would be restored
     if (!collides || !(contacts.any_active() || contacts.penetrating)) return true;
-    return body.cloth.volume.held && !contacts.penetrating && !contacts.pushed;
+    return body.cloth.volume.held && !contacts.penetrating && !contacts.has_moving_model;
 }
 
 void limit_energy_in_solid(ClothState& state, ClothShares& shares, double gain) {

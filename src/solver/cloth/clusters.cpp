@@ -160,9 +160,9 @@ void MovingCluster::list_contacts(Body& body) {
         contact.normal = plane.normal;
         contact.gap = dot(plane.normal, at_ + contact.arm) - plane.offset;
         contact.slip = at_ + contact.arm - place_on_plane(n, body.cloth.moving_colliders, start);
-        contact.friction = n.creep >= 0 ? friction.at_rest : friction.kinetic;
+        contact.friction = n.rest_slip >= 0 ? friction.at_rest : friction.kinetic;
         contact.friction_before = n.friction_before * m;
-        contact.normal_before = contact.normal_impulse = std::max(0.0, n.normal_push * m - dot(pull, plane.normal));
+        contact.normal_before = contact.normal_impulse = std::max(0.0, n.normal_displacement * m - dot(pull, plane.normal));
         contacts.push_back(contact);
     }
 }
@@ -217,8 +217,8 @@ void MovingCluster::solve_contacts(Body& body) {
         const uint32_t particle = members_.first[contact.member].particle;
         ClothContact& n = body.cloth.contacts.candidates[body.cloth.contacts.candidate_of[particle]];
         n.friction_before += length(contact.friction_impulse) * state_.at[4 * size_t{particle} + 3];
-        // A particle without a normal impulse is not in contact. Friction must not hold it, or planks would stick to what
-        // they tilt off.
+        // A particle without a normal impulse is not in contact. Friction must not hold it, or planks would stick to
+        // what they tilt off.
         if (contact.normal_impulse == 0) {
             n.active_plane = -1;
             put(&body.cloth.in_chains.normals[4 * size_t{particle}], {});
@@ -233,7 +233,8 @@ void MovingCluster::apply_displacement() {
 }
 
 /// The displacement of a free particle is the sum of its pull and its contact impulses. The pulls on particles that do
-/// not move freely balance the force and the torque of the others; of all such pulls they have the least sum of squares.
+/// not move freely balance the force and the torque of the others; of all such pulls they have the least sum of
+/// squares.
 void MovingCluster::add_pulls(ChainContacts& in_chains, const Vector<ClusterContact>& contacts) const {
     const auto pull_on = [&](const ClusterMember& member) { return &in_chains.pulls[4 * size_t{member.particle}]; };
     Vec3 force, torque;

@@ -399,8 +399,8 @@ void relax_links_between_contacts(const Collider& collider, Body& body) {
     }
 }
 
-/// The pulls of links on a particle that friction holds are impulses on the model. Pulls from before the second solution
-/// are in its velocity, and are transferred from there.
+/// The pulls of links on a particle that friction holds are impulses on the model. Pulls from before the second
+/// solution are in its velocity, and are transferred from there.
 void add_impulses_through_held(Body& body, const CollisionContext& around, const SolvedAgain& again) {
     const auto add_to_holder = [&](uint32_t p, Vec3 impulse) {
         if (!body.contacts.held[p] || body.particles.pinned(p)) return;

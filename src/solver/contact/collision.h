@@ -92,14 +92,15 @@ public:
     /// The first model that the particle hits; of simultaneous ones, the lower id. The particle starts at `time`, a
     /// fraction of the step, and arrives at the end of the substep. Models that move do so meanwhile.
     bool sweep(uint32_t particle, Vec3 from, Vec3 displacement, double time, Impact& impact) const;
-    /// Returns whether static friction holds a particle on the only obstacle that it can reach; then records the contact
-    /// and gives the model the impulse. Without friction the particle would move by `displacement` and get `velocity`.
+    /// Returns whether static friction holds a particle on the only obstacle that it can reach; then records the
+    /// contact and gives the model the impulse. Without friction the particle would move by `displacement` and get
+    /// `velocity`.
     bool try_hold(Body& body, uint32_t particle, uint32_t obstacle, Vec3 displacement, Vec3 velocity) const;
     /// The same for consecutive particles, all of which are in FlatModel::resting_region of the obstacle.
     void hold(Body& body, uint32_t first, uint32_t count, uint32_t obstacle, Vec3 displacement, Vec3 velocity) const;
     /// Moves the particle along the displacement as far as possible, sliding along surfaces with friction, and changes
-    /// its velocity accordingly. Approach speeds below `bounce_threshold` do not bounce. Records contacts. `time`: as in
-    /// sweep.
+    /// its velocity accordingly. Approach speeds below `bounce_threshold` do not bounce. Records contacts. `time`: as
+    /// in sweep.
     void slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double time, double bounce_threshold) const;
     /// The same if the first impact on that path is known and recorded.
     void slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double time, double bounce_threshold,

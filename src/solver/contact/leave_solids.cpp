@@ -159,7 +159,7 @@ void leave_solids(Body& body, double h) {
     }
     keep_targets(body);
     for (ClothContact& n : contacts.candidates) {
-        if (n.depth == 0) stay_outside(contacts, cloth.state, n.particle);
+        if (n.depth == 0) push_out_of_planes(contacts, cloth.state, n.particle);
     }
     // The contact planes follow these particles.
     each_penetrating([&](ClothContact& n, float* at, Vec3 normal) {

@@ -8,8 +8,8 @@ namespace gphys {
 struct Body;
 struct CollisionContext;
 
-/// Call before and after the links are solved, for a penetrating body that is not cloth. If none of its particles is in a
-/// model, begin_leaving returns false and end_leaving is not needed.
+/// Call before and after the links are solved, for a penetrating body that is not cloth. If none of its particles is in
+/// a model, begin_leaving returns false and end_leaving is not needed.
 bool begin_leaving(Body& body, const CollisionContext& around);
 void end_leaving(Body& body, const CollisionContext& around, bool lengths_found);
 /// For cloth, at the end of a substep of h seconds: both at once.

@@ -1,7 +1,8 @@
 // Sweeps of particles against models that move during a step (collision.h).
 //
 // A sweep uses the motion of the particle relative to the model, with a common time. A path starts at the place and at
-// the time at which the previous path ended. So the relative paths have no gaps, and no particle passes through a model.
+// the time at which the previous path ended. So the relative paths have no gaps, and no particle passes through a
+// model.
 #include "solver/contact/collision.h"
 
 namespace gphys {

@@ -3,9 +3,9 @@
 // Candidate pairs come from a list (Verlet 1967): pairs closer than their radii plus a margin for each, found by
 // spatial hashing (Teschner et al. 2003). The list holds until a particle has moved farther than its margin. The faster
 // a particle is, the larger its margin in the next list. After each substep, the pairs whose paths came into contact
-// become contacts, with the normal at the time of impact, so that none passes through another at any speed. Gauss-Seidel
-// sweeps over the contacts correct positions, with friction. The velocities follow from the positions; further sweeps
-// apply restitution to them.
+// become contacts, with the normal at the time of impact, so that none passes through another at any speed.
+// Gauss-Seidel sweeps over the contacts correct positions, with friction. The velocities follow from the positions;
+// further sweeps apply restitution to them.
 //
 // Where many pairs overlap deeply, such as particles at one point, each particle takes a bounded number of pairs, and
 // the correction changes positions only. So a pile spreads at low speed.
