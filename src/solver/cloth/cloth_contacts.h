@@ -117,7 +117,7 @@ void solve_contact_velocities(Body& body, const CollisionContext& around, double
 /// Call if moving models are in contact. Friction moves particles with their models, and so strains links between two
 /// particles in contact. Restores the lengths of these links.
 void relax_links_in_contact(Body& body);
-/// Removes the velocity that corresponds to displacements undone by relax_links since note_places, for particles in
+/// Removes the velocity that corresponds to displacements undone by relax_links since save_positions, for particles in
 /// contact.
 void stop_undone_motion(Body& body, const CollisionContext& around, double h);
 /// Whether friction has held a particle at its place in this substep, on a static model, while no particle of the body
