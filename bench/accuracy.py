@@ -27,7 +27,7 @@ CASES = {
 # The page from this heading on; what is above is written by hand.
 MEASURED = """## Scores
 
-Of runs of the exact suite, added up by `bench/scores.py`. `./test.sh --long` asks all: 10 million cases of each function that says yes or no, a million of closest points, sweeps, penetrations and cameras, and 120 million rays out of closed meshes, which takes some hours of a processor; and a short form with gcc and clang, unoptimised and for Haswell, on each instruction set. Its scores are in `build/*/exact_scores.csv`.
+The sums of the scores of all runs of the exact suite (`bench/scores.py`). `./test.sh --long` runs all cases: 10 million of each function that returns yes or no, a million of closest points, sweeps, penetrations and cameras, and 120 million rays out of closed meshes. That takes some hours of a processor. It also has a brief run for gcc and clang, unoptimised and for Haswell, on each instruction set. The scores are in `build/*/exact_scores.csv`.
 
 {scores}
 The worst errors came from these inputs (`%a`):

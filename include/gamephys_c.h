@@ -2526,7 +2526,7 @@ enum {
 };
 
 /** Which constraints keep a length, and which a maximum.
- *  @param constraints  count ids; one may stand twice
+ *  @param constraints  count ids; one may appear twice
  *  @param out_kinds    count elements
  *  Cost: O(count).  Since 1.1. */
 GPHYS_API gphys_status gphys_solver_get_constraint_kinds(const gphys_solver* solver, gphys_body_id body,
@@ -2541,7 +2541,7 @@ typedef struct gphys_constraint_settings {
 } gphys_constraint_settings;
 
 /** What constraints are like.
- *  @param constraints   count ids; one may stand twice
+ *  @param constraints   count ids; one may appear twice
  *  @param out_settings  count elements
  *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_get_constraint_settings(const gphys_solver* solver, gphys_body_id body,
@@ -2551,7 +2551,7 @@ GPHYS_API gphys_status gphys_solver_get_constraint_settings(const gphys_solver* 
 /** Change constraints while they act, all or none: winches, muscles. A rest length goes from the old to the
  *  new one at constant speed during the next step; a winch that reels in at v m/s is given a length that is v dt
  *  shorter before each step of dt. Wakes the body.
- *  @param constraints  count ids; one that stands twice gets the last
+ *  @param constraints  count ids; one that appears twice gets the last
  *  @param settings     count elements; a stride of 0 gives all the same
  *  Cost: O(count); in the next step O(constraints) to pack them again, of rigid cloth with pins that gets longer
  *  links O(n log n). Chains are not planned again. Allocates. */
@@ -2575,7 +2575,7 @@ typedef uint32_t gphys_cluster_id;
  *  clusters that share particles approach their shapes in eight passes. Bodies with clusters are solved as cloth
  *  (GPHYS_SOLVE_GRAPH), ropes and free particles too. The rest positions of cloth are not changed by a cluster.
  *  @param particles  count different particles, at least 2
- *  @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or stands twice; GPHYS_ERROR_CAPACITY
+ *  @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or appears twice; GPHYS_ERROR_CAPACITY
  *          beyond 2^24 - 1 clusters of a body, or that many particles in them
  *  Cost: O(particles); allocates. In each substep about 1 us a cluster, 50 ns a particle of it and 0.3 us one that
  *  touches a model; the first and the last cluster plan the body again, O(constraints).  Since 1.1. */

@@ -80,7 +80,7 @@ void list_overlaps(const Scene& scene, gphys_shape_type type, const Strided<char
     bool valid = true;
     for (uint32_t k = 0; k < count; ++k) valid &= read_shape(type, &shapes[first + k], queries[k]) == GPHYS_OK;
     QueryFilter storage;
-    // The layers only select what is prefetched, so those of the first filter do for all.
+    // The layers only select what is prefetched, so those of the first filter suffice.
     if (valid) scene.find_candidates(queries, count, layers_of(filter_of(filter, first, storage)), candidates);
     for (uint32_t k = 0; k < count; ++k) {
         const auto add_all = [&](auto& models) {

@@ -154,7 +154,7 @@ inline void set_x87_control([[maybe_unused]] uint16_t control) {
 #endif
 }
 
-/// The same value, of which the compiler knows nothing: it does not evaluate what is computed from it.
+/// The same value, opaque to the compiler, which therefore evaluates no expression of it at compile time.
 GPHYS_INLINE __m128 opaque(__m128 value) {
 #if defined(__GNUC__)
     __asm__ volatile("" : "+x"(value));

@@ -11,7 +11,7 @@ namespace gphys::GPHYS_ISA {
 
 #if GPHYS_HAS_AVX2
 
-/// x, y, z, x: what is computed of the fourth raises no exception of its own and is never the greatest alone.
+/// x, y, z, x: the fourth lane repeats the first, so it raises no other exception and does not change the greatest.
 struct Axes {
     __m256d v;
 
@@ -55,7 +55,7 @@ GPHYS_INLINE int longest_axis(Axes a) {
 
 /// From x, y, z, x.
 GPHYS_INLINE void load(const double (&from)[4], Axes& to) { to.v = _mm256_loadu_pd(from); }
-/// As floats; of the fourth anything.
+/// As floats; the fourth is arbitrary.
 GPHYS_INLINE void store_narrowed(float (&to)[4], Axes a) { _mm_storeu_ps(to, _mm256_cvtpd_ps(a.v)); }
 GPHYS_INLINE void store(double (&to)[4], Axes a) { _mm256_storeu_pd(to, a.v); }
 /// Bit k: whether component k has a minus sign.

@@ -159,7 +159,7 @@ bool for_each_gap(const Hull& hull, const AxisScale& axes, const Core& core, Vec
         for (int k = 0; k < core.axis_count; ++k) {
             const double rise = dot(one, core.axes[k]), fall = dot(other, core.axes[k]);
             const double turn = rise * fall;
-            // Of a blade, or an edge along the axis, rounding would say on which side the edge is.
+            // At a sharp edge, or at an edge along the axis, the side of the edge would depend on rounding.
             const bool is_open = is_blade || (std::fabs(turn) < parallel[k] &&
                                               std::max(std::fabs(rise), std::fabs(fall)) < std::sqrt(parallel[k]));
             if (!is_open && turn >= 0) continue;
@@ -295,7 +295,7 @@ std::optional<bool> Mesh::sweep_sharp_at_hull(const Shape& moving, Vec3 displace
         hit.normal = normal_at_hull(core, from, displacement, hit.normal, size, axes);
         hit.point = from + contact_on_hull(core, from, hit.normal, 0, size, hit.triangle, axes);
         const Triangle hit_triangle = axes(triangle(hit.triangle));
-        // Beyond the edge of a blade the core may be within rounding of both planes and yet far from the hull.
+        // Beyond a sharp edge the core may be within rounding of both planes and yet far from the hull.
         const ConvexDifference there(relative_to(from, hit_triangle), core);
         if (length(there.nearest().offset) > sharp * (size + max_component(abs(displacement)))) return {};
         barycentric(hit_triangle, hit.point, hit.u, hit.v);

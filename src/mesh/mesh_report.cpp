@@ -17,7 +17,7 @@ void count(uint32_t index, uint32_t& counter, uint32_t& first) {
 }
 
 /// Visits the edges of the triangles that have three different vertices in range: visit(low, high). A triangle that
-/// uses a vertex twice is no surface and joins nothing.
+/// uses a vertex twice has no area, so its edges do not count.
 template <class Visit>
 void for_each_edge(const MeshArrays& arrays, Visit&& visit) {
     for (uint32_t triangle = 0; triangle < arrays.index_count / 3; ++triangle) {

@@ -142,13 +142,13 @@ void Solver::move_colliding(const Island& island, const Joined& joined, const Co
             if (!body.plan.joined) begin_move(body, within, gravity, part);
         }
         begin_joined(joined, within, gravity, part);
-        particle_contacts_.part(island, state_.bodies, slots, within, gravity, part);
+        particle_contacts_.solve_positions(island, state_.bodies, slots, within, gravity, part);
         for (uint32_t i = 0; i < island.body_count; ++i) {
             Body& body = state_.bodies[slots[i]];
             if (!body.plan.joined) end_move(body, within, gravity, part);
         }
         end_joined(joined, within, gravity, part);
-        particle_contacts_.turn(island, state_.bodies, slots);
+        particle_contacts_.solve_velocities(island, state_.bodies, slots);
     };
     if (interrupted && !has_contact) {
         start_slowly(around, h, move_once);
@@ -199,7 +199,7 @@ void Solver::move_island(const Island& island, const Scene* scene, double dt) {
         if (island.joined_count > 0) move_joined(joined, around, gravity, h);
     }
     if (island.colliding_count > 0)
-        particle_contacts_.settle(island, state_.bodies, slots, whole, gravity, dt / substeps);
+        particle_contacts_.solve_final_positions(island, state_.bodies, slots, whole, gravity, dt / substeps);
     bool at_rest = state_.settings.sleep_speed > 0;
     each_body([&](Body& body) {
         if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body, whole);

@@ -80,7 +80,7 @@ void reserve_arrays(Body& body, bool collides) {
     } else if (body.plan.method != GPHYS_SOLVE_FREE || body.plan.joined) {
         body.history.predicted.resize(body.particles.size());
         body.rope.solved.resize(body.particles.size());
-        if (body.plan.limited) body.rope.flying.resize(body.particles.size());
+        if (body.plan.limited) body.rope.slack.resize(body.particles.size());
         body.history.earlier.resize(body.particles.size());
         body.history.earlier_velocity.resize(body.particles.size());
     }
@@ -294,7 +294,7 @@ void Solver::limit_work(double dt) {
 void Solver::find_disturbed(const Scene& scene) {
     for (const PlacedModel& before : moved_models_) {
         Box path;
-        const bool bounded = way_of(scene, before, path);
+        const bool bounded = swept_bounds(scene, before, path);
         for (ActiveBody& active : active_) {
             const uint32_t layers = scene.layers(before.model) & state_.bodies[active.slot].settings.layers;
             if (layers != 0 && (!bounded || overlaps(path, active.search_box))) {

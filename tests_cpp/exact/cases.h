@@ -1,9 +1,13 @@
-// Shapes, rays and points of which most are hard cases. Each case takes place in a world of its own
-// kind: whole numbers (where nearly everything touches, is coplanar, collinear or coincides), the same
-// scaled by a power of two, millimetres to 1e7 metres, far from the origin, stretched by powers of two
-// of its own along each axis (slivers to 1e6 : 1), numbers below the smallest normal float, or numbers
-// of very different size beside each other, whose differences are no doubles. Then some coordinates are
-// moved by an ulp or two.
+// Random shapes, rays and points, most of them hard cases. Each case has one of these kinds of coordinates:
+//
+// - whole numbers, for which nearly all shapes touch or are coplanar, collinear or equal; also times a power of two
+// - millimetres to 1e7 metres
+// - far from the origin
+// - scaled by another power of two on each axis (slivers to 1e6 : 1)
+// - numbers below the smallest normal float
+// - numbers of very different size, whose differences are not doubles
+//
+// Then some coordinates are changed by an ulp or two.
 #pragma once
 
 #include <cfloat>
@@ -28,8 +32,7 @@ constexpr gphys_shape_type type_of(const gphys_frustum&) { return GPHYS_SHAPE_FR
 constexpr gphys_shape_type type_of(const gphys_segment&) { return GPHYS_SHAPE_SEGMENT; }
 constexpr gphys_shape_type type_of(const gphys_ray&) { return GPHYS_SHAPE_RAY; }
 
-/// The largest coordinate or size among structs of floats: W of the contract, but for numbers that are
-/// none (quaternions, t_max) and do not matter.
+/// The largest magnitude of a component.
 inline double largest(Vec3 v) { return max_component(abs(v)); }
 
 /// The unit in the last place of a float of this size.
@@ -38,8 +41,8 @@ inline double ulp_of(double size) {
     return static_cast<double>(std::nextafterf(nearest, FLT_MAX)) - static_cast<double>(nearest);
 }
 
-/// A number of a world where sizes from the least to 2^20 stand beside each other: what sines and cosines of
-/// right angles leave in place of 0 (6.1e-17 and its multiples), simple fractions, powers of two.
+/// Numbers of very different size, up to 2^20: the computed sines and cosines of right angles, which are not 0 (6.1e-17
+/// and multiples), simple fractions, powers of two.
 inline float mixed_number(Random& random) {
     constexpr float least_cosine = 0x1.1a6264p-54f;  // of the double nearest to pi / 2, in float
     const float sign = random.index(2) ? 1.0f : -1.0f;
@@ -71,7 +74,7 @@ public:
 
     bool one_in(uint32_t n) { return random.index(n) == 0; }
 
-    /// Begin another case, in another world.
+    /// Begins another case, with another kind of coordinates.
     void next() {
         kind_ = static_cast<Kind>(random.index(8));
         offset_ = {};
@@ -113,7 +116,7 @@ public:
         if (one_in(6)) nudge(p.z);
         return p;
     }
-    /// One of the given points, or one between them, or one beside them.
+    /// One of the given points, or a point between them, or near them.
     gphys_vec3 point_by(const gphys_vec3& a, const gphys_vec3& b, const gphys_vec3& c) {
         gphys_vec3 p = a;
         switch (random.index(5)) {
@@ -134,7 +137,7 @@ public:
         if (one_in(3)) nudge(p);
         return p;
     }
-    /// A length of the world's size; sometimes 0.
+    /// A length of the size of the coordinates; sometimes 0.
     float size() {
         if (one_in(12)) return 0;
         if (kind_ == Kind::mixed) return std::fabs(mixed_number(random));
@@ -153,7 +156,7 @@ public:
         if (one_in(2)) nudge(p.y);
         if (one_in(2)) nudge(p.z);
     }
-    /// None, by a quarter or half turn, by a tiny angle or by any.
+    /// The identity, a rotation by 90 or 180 degrees, by a tiny angle, or by any angle.
     gphys_quat rotation() {
         const float half = static_cast<float>(std::sqrt(.5));
         switch (random.index(6)) {
@@ -209,12 +212,12 @@ public:
         s.b = one_in(12) ? s.a : point();
     }
 
-    /// A ray, mostly one that passes by the target within rounding.
+    /// A ray; most pass the target within rounding.
     gphys_ray ray_to(const gphys_vec3& target) {
         gphys_ray ray;
         ray.origin = point();
         if (one_in(3)) {
-            // From afar, where rounding is coarse.
+            // From a distance, at which the rounding error is large.
             const Vec3 back = random.direction() * (scale_ * std::pow(10.0, random.uniform(0, 5)));
             ray.origin = narrow(widen(ray.origin) + back);
         }
@@ -263,7 +266,7 @@ private:
     Vec3 offset_, stretch_;
 };
 
-/// A point on or in a shape, at which rays and other shapes are aimed: corners, edges, faces, insides.
+/// A point on or in a shape, as a target of rays and other shapes: a corner, or on an edge, on a face or inside.
 inline gphys_vec3 target_on(Cases& c, const gphys_sphere& s) {
     if (c.one_in(4)) return s.center;
     const Vec3 out = c.one_in(3) ? widen(c.direction()) : c.random.direction();
@@ -307,7 +310,7 @@ inline gphys_vec3 target_on(Cases& c, const gphys_triangle& t) {
     }
 }
 
-/// The same shape, larger by one ulp somewhere: what an examination must be able to tell apart.
+/// The same shape with some numbers larger by one ulp. An examination must detect the difference.
 inline float after(float value) { return std::nextafterf(value, FLT_MAX); }
 inline gphys_sphere grown(gphys_sphere s) { return {s.center, after(s.radius)}; }
 inline gphys_capsule grown(gphys_capsule s) { return {s.a, s.b, after(s.radius)}; }

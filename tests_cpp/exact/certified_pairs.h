@@ -1,24 +1,25 @@
-// Whether two rounded solids come within a reach of each other, by a proof that is cheap to check: a
-// guess in double precision names the corners that decide, and CGAL's interval arithmetic then shows a
-// common point of theirs or a plane between them. What is not certain is left to slower references.
+// Whether the distance of two rounded solids is at most a given reach, by a certificate that is cheap to check. The
+// algorithm of Gilbert, Johnson and Keerthi in double precision selects corners. CGAL's interval arithmetic then proves
+// that their hulls have points within that distance, or that a plane separates the solids by more. Cases that the
+// intervals leave undecided are decided by slower references.
 #pragma once
 
 #include "oracle.h"
 
 namespace test {
 
-/// A corner of the difference of two solids, a - b.
+/// A corner of the Minkowski difference a - b, as the corners of a and b that it is the difference of.
 struct CornerPair {
     int a, b;
 };
 
-/// By the algorithm of Gilbert, Johnson and Keerthi (1988), in doubles: the up to four corners of a - b
-/// whose hull has, as it seems, the point of a - b that is nearest to the origin.
+/// Up to four corners of a - b whose hull has the point of a - b nearest to the origin, up to rounding: the algorithm
+/// of Gilbert, Johnson and Keerthi (1988), in doubles.
 class NearestCorners {
 public:
     NearestCorners(const Rounded<double>& a, const Rounded<double>& b) : a_(a), b_(b) {
         add({0, 0});
-        // A corner comes in only once while the distance falls; rounding may keep it from falling.
+        // The distance decreases, so no set of corners recurs. The limit ends cycles that rounding may cause.
         for (int i = 0; i < 40; ++i) {
             const double square = dot(nearest_, nearest_);
             if (square <= 1e-32 || count_ == 4) return;
@@ -29,7 +30,7 @@ public:
     }
     int count() const { return count_; }
     const CornerPair& operator[](int i) const { return pairs_[i]; }
-    /// Of each, none negative, of sum 1: that of the nearest point.
+    /// The barycentric coordinates of the nearest point: not negative, of sum 1.
     double weight(int i) const { return weights_[i]; }
     const VectorOf<double>& nearest() const { return nearest_; }
 
@@ -54,8 +55,8 @@ private:
     }
     CornerPair furthest(const VectorOf<double>& along) const { return {furthest(a_, along), furthest(b_, -along)}; }
 
-    /// Weights of the point nearest to the origin on the flat through `size` corners; false if it is not
-    /// between them.
+    /// The barycentric coordinates of the point nearest to the origin in the affine hull of `size` corners. Returns
+    /// false if it is outside of their convex hull.
     static bool weigh(const VectorOf<double>* const* m, int size, double (&weight)[4]) {
         switch (size) {
             case 1:
@@ -90,7 +91,7 @@ private:
         return sum > 0;
     }
 
-    /// Keep those corners whose hull has the nearest point, as few as do.
+    /// Keeps the smallest set of corners whose hull has the nearest point.
     void shrink() {
         double least = INFINITY;
         uint32_t kept = 0;
@@ -124,7 +125,7 @@ private:
     int count_ = 0;
 };
 
-/// What a guess proves, in numbers that tell when they are not certain.
+/// Checks a certificate. Scalar is exact or an interval; predicates return false if intervals leave them undecided.
 template <class Scalar>
 class PairProof {
 public:
@@ -135,12 +136,12 @@ public:
         for (int i = 0; i < by.count(); ++i) m_[i] = a.corners[by[i].a] - b.corners[by[i].b];
     }
 
-    /// A point of a - b is no further from the origin.
+    /// Whether some point of a - b is within `reach` of the origin.
     bool within(const Scalar& reach) const {
         const Scalar square = reach * reach;
         return CGAL::certainly(reach >= zero_) && (weighed_is_within(square) || hull_is_within(square));
     }
-    /// All of a - b is further from the origin: beyond a plane.
+    /// Whether all of a - b is beyond a plane at a distance of more than `reach` from the origin.
     bool beyond(const Scalar& reach) const {
         return is_beyond(reach, Vec(by_.nearest().x, by_.nearest().y, by_.nearest().z)) ||
                (by_.count() < 4 && is_beyond(reach, normal()));
@@ -150,7 +151,8 @@ public:
         return CGAL::certainly(low > zero_) &&
                (CGAL::certainly(reach <= zero_) || CGAL::certainly(low * low > reach * reach * dot(normal, normal)));
     }
-    /// Of the plane through the corners, or through their edge or the one, across the way to the origin.
+    /// The normal of the plane through three corners. For fewer corners: of the plane through them that is
+    /// perpendicular to the direction to the origin.
     Vec normal() const {
         if (by_.count() == 1) return m_[0];
         if (by_.count() == 2) return cross(m_[1] - m_[0], cross(m_[0], m_[1]));
@@ -164,7 +166,7 @@ public:
     }
 
 private:
-    /// The point that the guess's weights make.
+    /// Tests the point with the barycentric coordinates computed in double.
     bool weighed_is_within(const Scalar& square) const {
         Vec point(zero_, zero_, zero_);
         Scalar sum = zero_;
@@ -175,7 +177,7 @@ private:
         }
         return CGAL::certainly(sum > zero_) && CGAL::certainly(dot(point, point) <= square * sum * sum);
     }
-    /// The point of the hull of the guess's corners that is nearest to the origin, if it is not at the rim.
+    /// Tests the nearest point of the hull of the corners, if it is in the hull's interior.
     bool hull_is_within(const Scalar& square) const {
         switch (by_.count()) {
             case 1:
@@ -217,7 +219,8 @@ private:
     Vec m_[4];
 };
 
-/// Whether an answer is proven: that a and b come within the sum of their radii, but for a band.
+/// Whether an answer is proven. `overlap`: the distance of the cores is at most the sum of the radii plus `band`.
+/// Otherwise: it is more than that sum minus `band`.
 template <class Scalar>
 bool is_proven(bool overlap, const Rounded<Scalar>& a, const Rounded<Scalar>& b, const NearestCorners& by,
                double band) {
@@ -226,7 +229,7 @@ bool is_proven(bool overlap, const Rounded<Scalar>& a, const Rounded<Scalar>& b,
     return overlap ? proof.within(radii + Scalar(band)) : proof.beyond(radii - Scalar(band));
 }
 
-/// All of these begin with a point of theirs.
+/// The first point of a shape; the struct of each shape begins with one.
 template <class Shape>
 gphys_vec3 anchor(const Shape& shape) {
     gphys_vec3 point;
@@ -243,7 +246,7 @@ double largest_corner(const Rounded<Scalar>& solid) {
     }
     return size;
 }
-/// Multiplied by a power of two, for its products to stay in the range of doubles, and in doubles.
+/// Multiplies the solid by a power of two, so that products stay in the range of doubles. Returns it in doubles.
 inline Rounded<double> scale(Rounded<Range>& solid, double factor) {
     solid.radius *= factor;
     Rounded<double> middle({}, {}, CGAL::to_double(solid.radius));
@@ -254,7 +257,7 @@ inline Rounded<double> scale(Rounded<Range>& solid, double factor) {
     return middle;
 }
 
-/// Whether it is certain that the answer is right, or within a band of this part of the pair's size.
+/// Whether the answer is certainly right, up to a band of this fraction of the pair's size.
 template <class A, class B>
 bool is_certain(bool overlap, const A& a, const B& b, double relative_band) {
     const Upward upward;
@@ -269,7 +272,7 @@ bool is_certain(bool overlap, const A& a, const B& b, double relative_band) {
     return is_proven(overlap, p, q, by, relative_band * 0.999);
 }
 
-/// The same in exact numbers, for shapes whose corners are floats, without a band.
+/// The same in exact arithmetic and without a band, for shapes whose corners are floats.
 template <class A, class B>
 bool is_exactly(bool overlap, const A& a, const B& b) {
     const auto of = [](const auto& shape, gphys_vec3 from) { return rounded_of<Binary>(shape, from); };

@@ -1,7 +1,7 @@
-// Whether half-spaces have a common point, by a proof that is cheap to check: a guess in double
-// precision names three planes that meet in such a point, or up to four half-spaces that exclude each
-// other, and CGAL's interval arithmetic, else its exact numbers, then shows that they do. What neither
-// shows is left to a linear program.
+// Whether half-spaces have a common point, by a certificate that is cheap to check. A linear program in double
+// precision selects three planes that meet in such a point, or up to four half-spaces without a common point (Helly).
+// CGAL's interval arithmetic, or else its exact numbers, then verifies this. If that fails, an exact linear program
+// decides.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace test {
 
-/// Points p of which normal . p >= distance.
+/// The points p with dot(normal, p) >= distance.
 template <class Scalar>
 struct HalfSpace {
     VectorOf<Scalar> normal;
@@ -19,11 +19,11 @@ struct HalfSpace {
 template <class Scalar>
 using HalfSpaces = boost::container::static_vector<HalfSpace<Scalar>, 12>;
 
-/// The algorithm of Seidel (1991), in doubles: the lowest point in some direction, within a large box,
-/// one half-space after the other; what excludes the point so far has the next one on its plane.
+/// A linear program by the algorithm of Seidel (1991), in doubles: the lowest point along a direction, within a large
+/// box. Half-spaces are added one by one. If one excludes the optimum so far, the next optimum is on its plane.
 class ProgramGuess {
 public:
-    /// The sides of the box have negative numbers.
+    /// The sides of the box are numbered by negative numbers.
     static constexpr double box = 64;
     static int box_side(int axis, bool high) { return -1 - (2 * axis + high); }
 
@@ -42,13 +42,13 @@ public:
         feasible_ = solve(rows, count, 3, axes, objective, point);
     }
     bool feasible() const { return feasible_; }
-    /// Numbers of the planes that meet in the point, or of the half-spaces that have none in common.
+    /// The numbers of the planes that meet in the optimum, or of half-spaces without a common point.
     const boost::container::static_vector<int, 4>& deciding() const { return deciding_; }
 
 private:
     static constexpr double slack = 1e-9, flat = 1e-12;
 
-    /// factor . p >= right
+    /// dot(factor, p) >= right
     struct Row {
         double factor[3], right;
         int number;
@@ -76,7 +76,7 @@ private:
             }
             if (height >= -slack) continue;
             if (std::fabs(row.factor[out]) <= flat) return excluded_by(row.number);
-            // In its plane, without the axis that climbs most.
+            // The problem in its plane, with the axis of the largest factor eliminated.
             Row rest[12];
             int rest_axes[2];
             double rest_objective[2], rest_point[2];
@@ -132,7 +132,7 @@ private:
     boost::container::static_vector<int, 4> deciding_;
 };
 
-/// What a guess proves, if it does, in numbers that tell when they are not certain.
+/// Checks a certificate. Scalar is exact or an interval; no result if intervals leave it undecided.
 template <class Scalar>
 class ProgramProof {
 public:
@@ -155,7 +155,7 @@ private:
     }
     static Scalar determinant(const Vec& a, const Vec& b, const Vec& c) { return dot(a, cross(b, c)); }
 
-    /// The point of three planes, by Cramer's rule, is in all half-spaces.
+    /// Whether the common point of three planes (Cramer's rule) is in all half-spaces.
     bool is_met() const {
         const Vec &a = by_[0].normal, &b = by_[1].normal, &c = by_[2].normal;
         Scalar unit = determinant(a, b, c);
@@ -166,7 +166,7 @@ private:
             return CGAL::certainly(dot(space.normal, point) >= space.distance * unit);
         });
     }
-    /// A sum of them with weights that are not negative says 0 >= something positive (Farkas).
+    /// Whether a sum of the inequalities with weights >= 0 is 0 >= a positive number (Farkas' lemma).
     bool is_void() const {
         switch (by_.size()) {
             case 1:
@@ -195,7 +195,8 @@ private:
         const Vec& n = by_[i].normal;
         return axis == 0 ? n.x : axis == 1 ? n.y : n.z;
     }
-    /// Normals with weights cancel: of four, these weights make it so, whatever rounding shows.
+    /// Whether the weights prove it. The weighted normals must cancel; with four, they do so by the choice of the
+    /// weights.
     bool excludes(std::initializer_list<Scalar> weights) const {
         bool all_up = true, all_down = true;
         Vec sum(zero_, zero_, zero_);
@@ -220,7 +221,7 @@ private:
     std::optional<bool> feasible_;
 };
 
-/// build(number of some kind) gives the half-spaces in such numbers.
+/// build(T()) returns the half-spaces in numbers of type T.
 template <class Build>
 std::optional<bool> is_feasible(const Build& build) {
     const ProgramGuess guess(build(0.0));

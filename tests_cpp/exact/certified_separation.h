@@ -1,7 +1,7 @@
-// How far two convex solids are apart, or how deep they are in each other, by proofs: that the separation is at most or
-// at least a number. Points of both that are near each other bound it from above; a plane between them, or one that
-// cuts off little, from below. A depth is that of the origin in the Minkowski difference, whose faces have normals of
-// faces of either solid, or of an edge of each. Intervals decide nearly all, CGAL's exact numbers the rest.
+// Certified bounds of the separation of two convex solids: their distance, or minus their penetration depth. A pair of
+// points bounds it from above, the gap along a normal from below. The penetration depth is that of the origin in the
+// Minkowski difference. The normals of its faces are face normals of either solid, or cross products of an edge of
+// each. Interval arithmetic decides nearly all cases, CGAL's exact numbers the rest.
 #pragma once
 
 #include <optional>
@@ -10,13 +10,13 @@
 
 namespace test {
 
-/// A rounded polytope, with vectors along all of its edges and across all of its faces: at least these.
+/// A rounded polytope with the directions of its edges and the normals of its faces. Further vectors do no harm.
 template <class T>
 struct Convex {
     Rounded<T> core;
     std::vector<VectorOf<T>> edges, normals;
 
-    /// All that it covers while it moves from one place to another.
+    /// Replaces the polytope by the volume that it sweeps between two displacements.
     void sweep(const VectorOf<T>& from, const VectorOf<T>& to) {
         const size_t count = core.corners.size();
         for (size_t i = 0; i < count; ++i) {
@@ -29,7 +29,7 @@ struct Convex {
     }
 };
 
-/// Relative to a point, and multiplied by a power of two.
+/// The core of a shape relative to a point, multiplied by a power of two.
 template <class T, class Shape>
 Rounded<T> core_of(const Shape& shape, gphys_vec3 from, double factor) {
     Rounded<T> core = rounded_of<T>(shape, from);
@@ -68,7 +68,8 @@ Convex<T> convex_of(const gphys_triangle& triangle, gphys_vec3 from, double fact
     return result;
 }
 
-/// What is proved in numbers of one kind about the separation of two cores; below 0 it is a depth.
+/// Proofs about the separation of two cores; below 0 it is a penetration depth. T is exact or an interval; functions
+/// return false if intervals leave them undecided.
 template <class T>
 class SeparationProof {
 public:
@@ -81,7 +82,7 @@ public:
         if (CGAL::certainly(reach >= zero_)) return near_.within(reach) || is_deep(zero_);
         return CGAL::certainly(reach < zero_) && is_deep(reach);
     }
-    /// Whether the two overlap along all normals, and by so much; `reach` is not above 0.
+    /// Whether the projections on all normals overlap by at least -reach; reach <= 0.
     bool is_deep(const T& reach) const {
         bool some = false;
         const bool all = for_each_normal([&](const Vec& normal) {
@@ -100,13 +101,14 @@ public:
         if (CGAL::certainly(low >= zero_)) return CGAL::certainly(reach <= zero_);
         return CGAL::certainly(reach < zero_) && CGAL::certainly(low * low <= square);
     }
-    /// By the way between the nearest corners.
+    /// The same with the normal between the nearest corners.
     bool at_least_by_corners(const T& reach) const { return at_least(reach, near_.normal()); }
-    /// By any normal that there is.
+    /// Whether some normal proves it.
     bool at_least_by_any(const T& reach) const {
         return !for_each_normal([&](const Vec& n) { return !at_least(reach, n) && !at_least(reach, -n); });
     }
-    /// Along which the two are furthest apart. Where the difference is flat, perhaps one that is across it.
+    /// The normal with the largest gap. Also tries cross products of edges with the axes, for flat differences, which
+    /// have too few normals.
     Vec widest() const {
         T most(-INFINITY);
         Vec best(zero_, zero_, zero_);
@@ -146,7 +148,7 @@ private:
         }
         return true;
     }
-    /// From the highest of b to the lowest of a along a vector.
+    /// The gap along a vector: the least height of a minus the greatest height of b.
     T gap(const Vec& n) const { return near_.lowest(a_.core, n) + near_.lowest(b_.core, -n); }
     bool is_zero(const Vec& n) const {
         return CGAL::certainly(n.x == zero_) && CGAL::certainly(n.y == zero_) && CGAL::certainly(n.z == zero_);
@@ -157,8 +159,8 @@ private:
     const T zero_;
 };
 
-/// Of two rounded solids. build(number of some kind) gives them in such numbers, as a pair of Convex with coordinates
-/// of up to 2 or so.
+/// The separation of two rounded solids. build(T()) returns them as a pair of Convex in numbers of type T, with
+/// coordinates of up to about 2.
 template <class Build>
 class Separation {
 public:
@@ -168,7 +170,7 @@ public:
         ranges_.emplace(build(Range()));
     }
 
-    /// Whether it is proved that the solids are no further apart, or no less deep in each other.
+    /// Whether it is proved that the separation is at most `reach`.
     bool at_most(double reach) const {
         {
             const Upward upward;
@@ -200,7 +202,7 @@ public:
     }
 
 private:
-    /// Of the corners in doubles.
+    /// Bound of the rounding errors of corners in doubles.
     static constexpr double rounding = 0x1p-48;
 
     template <class T>

@@ -1,5 +1,6 @@
-// How much is asked: GAMEPHYS_TEST=long is everything, GAMEPHYS_TEST=3/8 the third of eight parts of
-// it, each with random numbers of its own, so that processors can share a long run.
+// The number of random cases. Without GAMEPHYS_TEST a run is brief. GAMEPHYS_TEST=long has all cases. GAMEPHYS_TEST=3/8
+// has the third of eight parts of these; parts have different random numbers, so several processors can share a long
+// run.
 #pragma once
 
 #include <cstdint>
@@ -14,24 +15,24 @@ struct Effort {
     long part = 1, parts = 1;
 
     Effort() {
-        const char* asked = std::getenv("GAMEPHYS_TEST");
-        if (!asked) return;
-        if (std::sscanf(asked, "%ld/%ld", &part, &parts) == 2) {
+        const char* setting = std::getenv("GAMEPHYS_TEST");
+        if (!setting) return;
+        if (std::sscanf(setting, "%ld/%ld", &part, &parts) == 2) {
             thorough = true;
         } else {
             part = parts = 1;
-            thorough = std::strcmp(asked, "long") == 0;
+            thorough = std::strcmp(setting, "long") == 0;
         }
     }
 };
 
-/// Cases of an examination: `brief` of them in the usual run.
+/// The number of cases of an examination: `brief` in a run without GAMEPHYS_TEST.
 inline long cases(long brief, long thorough) {
     const Effort effort;
     return effort.thorough ? thorough / effort.parts : brief;
 }
 
-/// A seed for the random numbers of this part, the same as without parts for the first.
+/// The seed of this part. The first part has the seed of a run without parts.
 inline uint64_t seed_of_part(uint64_t seed) { return seed + 1000 * static_cast<uint64_t>(Effort().part - 1); }
 
 }  // namespace test

@@ -1,5 +1,5 @@
-// Frusta that solids are swept against and pushed out of: each is the convex hull of its eight corners, the points
-// where its planes meet, in exact numbers.
+// Frusta as targets of sweeps and penetrations. Each is the convex hull of its eight corners, the exact intersections
+// of its planes.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ struct FrustumPart {
     gphys_frustum frustum;
     std::array<VectorOf<Number>, 8> corners;  // in the order of gphys_frustum_corners
 
-    /// False of a frustum that is not the hull of its corners by as much as the header asks for.
+    /// Returns false for a frustum that the header excludes: it is not the hull of its corners by the required margin.
     bool make(const gphys_frustum& made) {
         frustum = made;
         if (gphys_shape_validate(GPHYS_SHAPE_FRUSTUM, &frustum) != GPHYS_OK) return false;
@@ -44,10 +44,10 @@ struct FrustumPart {
     }
 };
 
-/// Of exact numbers.
+/// Conversions of exact numbers.
 inline void convert(const Number& value, Number& out) { out = value; }
 inline void convert(const Number& value, double& out) {
-    value.exact();  // else within 1e-5
+    value.exact();  // otherwise the result may have an error of 1e-5
     out = CGAL::to_double(value);
 }
 inline void convert(const Number& value, Range& out) {
@@ -87,8 +87,8 @@ inline double size_beside_corners(const FrustumPart& part, gphys_vec3 from) {
     return largest(widen(part.frustum.origin) - widen(from));
 }
 
-/// As of a camera, whose image may be off its axis, or a box, or in between; some long and thin, some wide. A few have
-/// planes that are turned or displaced by themselves, or distances from elsewhere.
+/// A frustum of a camera, possibly off-centre, or a box, or a shape in between; some are long and thin, some wide. A
+/// few have planes that are rotated or displaced individually, or distances relative to another origin.
 inline gphys_frustum some_frustum(Cases& c) {
     const gphys::Mat3 axes = rotation_matrix(widen(c.rotation()));
     const Vec3 towards[6] = {axes.z, -axes.z, axes.x, -axes.x, axes.y, -axes.y};
@@ -122,7 +122,7 @@ public:
     gphys_shape_type type() const { return GPHYS_SHAPE_FRUSTUM; }
     const void* data() const { return &parts[0].frustum; }
     const gphys_frustum& sample() const { return parts[0].frustum; }
-    /// On a corner, an edge, a face or inside.
+    /// A target point: a corner, or on an edge, on a face or inside.
     gphys_vec3 aim(Cases& c) const {
         const uint32_t i = c.random.index(8), around = i / 4 * 4;
         const auto corner = [&](uint32_t k) {

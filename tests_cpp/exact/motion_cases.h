@@ -1,5 +1,5 @@
-// What solids are swept against and pushed out of, for the examinations of both: primitives, triangle meshes, convex
-// hulls and frusta, as parts that are convex; and solids beside them.
+// Targets of sweeps and penetrations, with their convex parts: primitives, triangle meshes, convex hulls and frusta;
+// and moving solids near them.
 #pragma once
 
 #include "frustum_target.h"
@@ -22,7 +22,7 @@ struct ShapeTarget {
     size_t part_of(uint32_t) const { return 0; }
 };
 
-/// A surface without end, which solids meet from either side.
+/// An unbounded surface, which solids may hit from either side.
 struct PlaneTarget {
     gphys_plane plane;
 
@@ -64,7 +64,7 @@ private:
     gphys_mesh* mesh_ = nullptr;
 };
 
-/// The corners of a hull, and its faces in triangles.
+/// The corners of a hull, and the triangles of its faces.
 struct HullPart {
     std::vector<gphys_vec3> corners;
     std::vector<gphys_triangle> faces;
@@ -83,7 +83,7 @@ Convex<T> convex_of(const HullPart& hull, gphys_vec3 from, double factor) {
         result.normals.push_back(triangle.normals[0]);
         const gphys_vec3 corners[3] = {face.a, face.b, face.c};
         for (size_t i = 0; i < 3; ++i) {
-            // The neighbour has each side, too, the other way.
+            // The neighbour has each side, too, in the opposite direction.
             const gphys_vec3 &p = corners[i], &q = corners[(i + 1) % 3];
             if (std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z)) result.edges.push_back(triangle.edges[i]);
         }
@@ -121,7 +121,7 @@ inline gphys_capsule moved(const gphys_capsule& s, Vec3 by) { return {moved(s.a,
 inline gphys_aabb moved(const gphys_aabb& b, Vec3 by) { return {moved(b.min, by), moved(b.max, by)}; }
 inline gphys_obb moved(const gphys_obb& b, Vec3 by) { return {moved(b.center, by), b.half_extents, b.rotation}; }
 
-/// A solid with some point of its own at a place.
+/// A solid with one of its points at a place.
 template <class Solid>
 Solid solid_at(Cases& c, const gphys_vec3& place) {
     Solid solid;
@@ -129,17 +129,17 @@ Solid solid_at(Cases& c, const gphys_vec3& place) {
     return moved(solid, widen(place) - widen(target_on(c, solid)));
 }
 
-/// What has coordinates beside those of its corners counts them too.
+/// The largest coordinate of a part besides those of its corners.
 template <class Part>
 double size_beside_corners(const Part&, gphys_vec3) {
     return 0;
 }
 
-/// A part of a target and a solid that is somewhere between two places on its way.
+/// A part of a target and a moving solid, with proofs about their separation at some or all times.
 template <class Part, class Solid>
 class Encounter {
 public:
-    /// `end`: when the way ends.
+    /// `end`: the time at which the motion `way` * t ends.
     Encounter(const Part& part, const Solid& solid, const gphys_vec3& way, double end)
         : part_(part), solid_(solid), way_(way), from_(anchor(solid)) {
         for (const Rounded<double>& each : {rounded_of<double>(part, from_), rounded_of<double>(solid, from_)}) {
@@ -147,10 +147,10 @@ public:
         }
         size_ = std::max(size_, size_beside_corners(part, from_)) + largest(widen(way)) * end;
     }
-    /// No coordinate is further from the solid's first point, nor gets further.
+    /// Upper bound of all coordinates relative to the first point of the solid, during the motion.
     double size() const { return size_; }
 
-    /// The sum of both.
+    /// The sum of both radii.
     double radius() const { return rounded_of<double>(part_, from_).radius + rounded_of<double>(solid_, from_).radius; }
 
     template <class Ask>
@@ -169,14 +169,15 @@ public:
         };
         return ask(Separation(build), factor);
     }
-    /// Whether it is proved that the two are no further apart than that at some time, and no nearer at all times.
+    /// Whether it is proved that the separation is at most `distance` at some time between `from` and `to`; at least
+    /// `distance` at all these times.
     bool gets_within(double distance, double from, double to) const {
         return between(from, to, [&](const auto& pair, double factor) { return pair.at_most(distance * factor); });
     }
     bool stays_beyond(double distance, double from, double to) const {
         return between(from, to, [&](const auto& pair, double factor) { return pair.at_least(distance * factor); });
     }
-    /// Along a vector, in doubles, how far the two are apart at a time.
+    /// The gap along a vector at a time, in doubles.
     double gap(Vec3 n, double t) const {
         const auto high = [&](const Rounded<double>& of, Vec3 along) {
             double high = -INFINITY;

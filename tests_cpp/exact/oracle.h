@@ -1,6 +1,6 @@
-// The exact shapes that float bits denote, in the arithmetic of CGAL: rational numbers behind
-// intervals (Number), predicates and distances of its exact kernel, and for square roots 300 digits
-// of MPFR (Big). None of it is ours.
+// References that share no code with the library. Shapes are exactly those of their floats, in the arithmetic of CGAL:
+// rational numbers filtered by intervals (Number), with the predicates and distances of its exact kernel. Square roots
+// have 300 digits of MPFR (Big).
 #pragma once
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -25,9 +25,9 @@ using Big =
     boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<300, boost::multiprecision::allocate_stack>,
                                   boost::multiprecision::et_off>;
 
-/// Integers times powers of two: all that sums and products of floats need.
+/// Integers times powers of two: sums and products of floats are exact.
 using Binary = CGAL::Gmpzf;
-/// An interval that holds the number; only right while an Upward lives.
+/// An interval that contains the number. Valid only while an Upward exists.
 using Range = CGAL::Interval_nt<false>;
 using Upward = CGAL::Protect_FPU_rounding<true>;
 
@@ -35,7 +35,7 @@ inline Point exact(gphys_vec3 v) { return {v.x, v.y, v.z}; }
 inline Vector exact_vector(gphys_vec3 v) { return {v.x, v.y, v.z}; }
 inline Point exact(Vec3 v) { return {v.x, v.y, v.z}; }
 
-/// How far a computed number is from the truth, in units.
+/// The absolute error of a computed number.
 inline double error_of(double computed, const Number& truth) {
     return std::fabs(CGAL::to_double(Number(computed) - truth));
 }
@@ -43,7 +43,7 @@ inline double error_of(double computed, const Big& truth) { return abs(Big(compu
 inline double rounded(const Number& value) { return CGAL::to_double(value); }
 inline double rounded(const Big& value) { return value.convert_to<double>(); }
 
-/// A vector of numbers of any kind.
+/// A vector of numbers of any type.
 template <class Scalar>
 struct VectorOf {
     Scalar x, y, z;
@@ -86,7 +86,7 @@ inline Big big(const Number& value) {
 }
 inline BigVec big(const Point& p) { return {big(p.x()), big(p.y()), big(p.z())}; }
 
-/// The rotation of a quaternion, which is rational: columns.
+/// The columns of the rotation matrix of a quaternion; they are rational.
 template <class Scalar>
 struct Axes {
     VectorOf<Scalar> axis[3];
@@ -100,7 +100,7 @@ struct Axes {
     }
 };
 
-/// The same for vectors of CGAL.
+/// The same with vectors of CGAL.
 struct Rotation {
     Vector axis[3];
 
@@ -112,7 +112,7 @@ struct Rotation {
     Vector out(const Vector& v) const { return axis[0] * v.x() + axis[1] * v.y() + axis[2] * v.z(); }
 };
 
-/// CGAL throws at degenerate triangles and segments, so they are given to it as what they are.
+/// CGAL throws for degenerate triangles and segments, so these are passed as segments and points.
 template <class Answer>
 auto with_simplex(const gphys_triangle& t, const Answer& answer) {
     const Point a = exact(t.a), b = exact(t.b), c = exact(t.c);
@@ -124,7 +124,7 @@ auto with_simplex(const gphys_triangle& t, const Answer& answer) {
 
 // --- How far apart two convex shapes are ---------------------------------------------------------
 
-/// A convex solid as the corners of its core, counted from a reference, and the radius around them.
+/// A convex solid: the hull of the corners of its core, relative to a reference point, rounded by a radius.
 template <class Scalar>
 struct Rounded {
     boost::container::static_vector<VectorOf<Scalar>, 16> corners;
@@ -172,7 +172,7 @@ Rounded<T> rounded_of(const gphys_obb& b, gphys_vec3 from) {
     return result;
 }
 
-/// S of the contract: the largest coordinate difference of a shape and a point.
+/// The size S of the documented error bounds: the largest coordinate difference of a shape and a point.
 template <class S>
 double size_of(const S& shape, gphys_vec3 point) {
     const Rounded<double> rounded = rounded_of<double>(shape, point);
@@ -183,13 +183,13 @@ double size_of(const S& shape, gphys_vec3 point) {
     }
     return size;
 }
-/// A plane has no end, but its distance counts from the origin.
+/// A plane is unbounded. Its distance is relative to the origin, so the size includes the coordinates of the point.
 inline double size_of(const gphys_plane& plane, gphys_vec3 point) {
     return largest(widen(point)) + std::fabs(plane.distance) / length(widen(plane.normal));
 }
 
-/// The squared distance of the hulls of two sets of corners, exact in what the doubles are. Coordinates
-/// go to CGAL as Gmpzf: with doubles it makes products in double, and what those round away can turn an answer.
+/// The exact squared distance of the hulls of two sets of corners. Coordinates are passed to CGAL as Gmpzf: with
+/// doubles it would compute products in double, and their rounding can change an answer.
 inline CGAL::Quotient<Binary> squared_distance(const Rounded<double>& a, const Rounded<double>& b) {
     using Coordinates = CGAL::Simple_cartesian<Binary>;
     using Traits = CGAL::Polytope_distance_d_traits_3<Coordinates, Binary, Binary>;

@@ -1,6 +1,6 @@
-// What an examination found: how many cases it asked, which answers were false, how large the worst
-// error was and of which input. An examination is a function of the examined function, so that a
-// spoiled copy can stand in for it: one that finds nothing wrong with a spoiled copy proves nothing.
+// The result of an examination: the number of cases, the false answers, and the largest error with its input. An
+// examination compares a function with a reference. It takes the function as an argument, so it can also be run on
+// mutants, copies with a deliberate fault; it must find the fault of each (mutation testing).
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace test {
 
-/// Structs of floats, to the bit.
+/// The floats of structs as hexadecimal text, which loses no bits.
 template <class... Values>
 std::string bits_of(const Values&... values) {
     std::string text;
@@ -31,11 +31,11 @@ std::string bits_of(const Values&... values) {
 
 class Score {
 public:
-    /// `bound`: of the error, in its unit; a function that only says yes or no has none.
+    /// `bound`: the largest allowed error, in `unit`. Functions that return yes or no have none.
     explicit Score(std::string function, double bound = 0, std::string unit = "")
         : function_(std::move(function)), unit_(std::move(unit)), bound_(bound) {}
 
-    /// An answer that must be the truth, unless the case is so close that it may be either.
+    /// Counts an answer. Both answers are right in a case within the documented tolerance.
     template <class... Input>
     void answer(bool given, bool may_be_yes, bool may_be_no, const Input&... input) {
         ++cases_;
@@ -49,12 +49,12 @@ public:
     }
     template <class... Input>
     void error(double size, const Input&... input) {
-        if (size <= worst_) return;  // a NaN is taken for the worst
+        if (size <= worst_) return;  // NaN counts as the worst
         worst_ = size;
         worst_input_ = bits_of(input...);
     }
 
-    /// Neither answer came too seldom for the examination to mean anything.
+    /// Whether each answer is that of at least 2 % of the cases. Otherwise the cases test little.
     bool both_ways() const { return yes_ * 50 > cases_ && (cases_ - yes_) * 50 > cases_; }
     bool kept() const { return false_ == 0 && worst_ <= bound_; }
 
@@ -70,7 +70,7 @@ public:
     }
 
 private:
-    /// A row for bench/scores.py, written at once, for others may be appending too.
+    /// Appends a row for bench/scores.py, in one write, because other processes may append too.
     void append_to(const char* path) const {
         const char* isa = std::getenv("GAMEPHYS_ISA");
         char numbers[128];
@@ -104,17 +104,18 @@ private:
     long cases_ = 0, yes_ = 0, false_ = 0;
 };
 
-/// Enough to catch what is wrong in one answer of five hundred; what is not caught so gets many more.
+/// Cases for a mutant: enough to find a fault in one answer of five hundred. If they do not, it gets twenty times as
+/// many.
 constexpr long spoiled_cases = 2000;
 
-/// The examined function keeps its promise, and each of the spoiled ones is caught not to.
+/// Checks that the examination finds no fault in the function, and one in each mutant.
 template <class Examine, class Function, class... Spoiled>
 void prove(long count, const Examine& examine, const Function& function, const Spoiled&... spoiled) {
     const Score score = examine(function, count);
     score.print();
     CHECK(score.kept());
     CHECK(score.both_ways());
-    static_assert(sizeof...(spoiled) > 0, "an examination is proven by what it catches");
+    static_assert(sizeof...(spoiled) > 0, "an examination needs a mutant that it must reject");
     const auto seems_right = [&](const auto& wrong) {
         return examine(wrong, spoiled_cases).kept() && examine(wrong, 20 * spoiled_cases).kept();
     };

@@ -1,4 +1,4 @@
-// The convex hull of points as CGAL makes it, and as the library does.
+// The convex hull of points, made by CGAL and by the library.
 #pragma once
 
 #include <CGAL/Polyhedron_3.h>
@@ -10,7 +10,7 @@
 
 namespace test {
 
-/// CGAL's hull, in triangles; nothing of points that lie in a plane.
+/// CGAL's hull, as triangles; empty if all points lie in one plane.
 struct TrueHull {
     std::vector<Kernel::Plane_3> planes;
     std::vector<gphys_triangle> faces;  // one for each plane
@@ -18,7 +18,7 @@ struct TrueHull {
     explicit TrueHull(const std::vector<gphys_vec3>& points) {
         std::vector<Point> exact_points;
         for (const gphys_vec3& p : points) exact_points.push_back(exact(p));
-        // CGAL gives those a single facet.
+        // CGAL makes a single facet of coplanar points.
         const bool flat = [&] {
             for (size_t b = 0; b < exact_points.size(); ++b) {
                 for (size_t c = b + 1; c < exact_points.size(); ++c) {
@@ -42,7 +42,7 @@ struct TrueHull {
             faces.push_back({as_float(a), as_float(b), as_float(c)});
         }
     }
-    /// Faces, of which CGAL cuts those with more than three corners into triangles.
+    /// The number of faces: triangles in one plane count once.
     size_t face_count() const {
         std::vector<Kernel::Plane_3> different;
         for (const auto& plane : planes) {
@@ -56,7 +56,7 @@ struct TrueHull {
         return std::none_of(planes.begin(), planes.end(),
                             [&](const auto& plane) { return plane.has_on_positive_side(p); });
     }
-    /// When a ray enters it.
+    /// The t at which a ray enters the hull.
     std::optional<Number> entry(const gphys_ray& ray) const {
         Number in = 0, out = 0;
         bool bounded = !std::isinf(ray.t_max);

@@ -97,7 +97,7 @@ void solve_cloth(Body& body) {
     Cloth& cloth = body.cloth;
     ClothContacts& contacts = cloth.contacts;
     ChainContacts& in_chains = cloth.in_chains;
-    press_on_targets(body.targets, cloth.state, in_chains, contacts.any_active());
+    find_target_contacts(body.targets, cloth.state, in_chains, contacts.any_active());
     const bool has_contact = contacts.any_active() || !body.targets.pressing.empty();
     const bool pulls_count = contacts.any_active() || !body.constraints.attachments.empty();
     const auto correct_volume = [&] {
@@ -106,7 +106,7 @@ void solve_cloth(Body& body) {
                      pulls_count);
     };
     // Before the chains, which need the volume for their shape, and after them, because they leave an error in it.
-    cloth.volume.given = 0;
+    cloth.volume.multiplier = 0;
     correct_volume();
     solve_colours(cloth.batches, cloth.shares.team,
                   [&](const ChainBatch& batch, const ClothChains& chains, float* rows) {
@@ -126,7 +126,7 @@ void solve_cloth(Body& body) {
                   });
     correct_volume();
     if (!cloth.clusters.empty()) solve_clusters(body, pulls_count || body.plan.joined);
-    if (contacts.any_active()) note_places(contacts, cloth.state);
+    if (contacts.any_active()) save_positions(contacts, cloth.state);
     if (body.constraints.attachments.empty()) {
         apply_reach_limits(cloth.reach, cloth.state, cloth.shares.team);
     } else {
@@ -147,17 +147,17 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
         add_pull_impulses(body.constraints, around, state, cloth.in_chains, body.contacts.impulses,
                           scheme.step(damping), h);
     keep_cloth_to_targets(body.targets, state, cloth.in_chains);
-    if (collides) leave_planes(body);
+    if (collides) resolve_contacts(body);
     const ClothStep step = cloth_step(h, body.history.earlier_step, damping);
     const double gain =
         sum_of_blocks(state, cloth.shares, [&](const ClothMotion& block) { return kernels.finish(block, step); });
     state.velocity.swap(state.velocity_before);
-    if (collides) count_contacts(body, around, scheme.next / h);
+    if (collides) add_contact_impulses(body, around, scheme.next / h);
     TautLimits taut(body.constraints, around, cloth.in_chains, body.contacts.impulses, scheme, damping);
-    const bool captured = taut.capture(cloth.batches.limits, state);
-    if (contacts.sunk && collides && !state.held) limit_energy_in_solid(state, cloth.shares, gain * state.average_mass);
+    const bool has_limit_impact = taut.apply_impacts(cloth.batches.limits, state);
+    if (contacts.penetrating && collides && !state.held) limit_energy_in_solid(state, cloth.shares, gain * state.average_mass);
     const bool bounded = body.targets.act();
-    balance.closed = balance.closed && !(collides && contacts.pushed) && !bounded;
+    balance.closed = balance.closed && !(collides && contacts.has_moving_model) && !bounded;
     const bool accounted = is_accounted_for(body, collides);
     const double before = balance.stored;
     if (balance.closed && !accounted) {
@@ -166,14 +166,14 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
         if (balance.gain > 0 && !body.plan.joined) remove_energy(state, cloth.shares, balance.gain);
     }
     stop_cloth_at_targets(body.targets, state);
-    body.contacts.has_contact = captured || bounded;
+    body.contacts.has_contact = has_limit_impact || bounded;
     if (collides) {
         body.contacts.has_contact = body.contacts.has_contact || contacts.any_active();
-        turn_velocities(body, around, h);
-        if (contacts.pushed) ease_links(body);
+        solve_contact_velocities(body, around, h);
+        if (contacts.has_moving_model) relax_links_in_contact(body);
     }
     if (cloth.relaxation.most_strain > 0) {
-        if (collides) note_places(contacts, state);
+        if (collides) save_positions(contacts, state);
         const double lost = relax_links(body, collides, h);
         if (collides) stop_undone_motion(body, around, h);
         if (lost > 0 && balance.closed && !accounted) remove_energy(state, cloth.shares, lost * state.average_mass);
@@ -183,10 +183,10 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
         keep_momentum(state, contacts, balance.closed, damping, h, balance.stored - before);
     }
     if (collides) {
-        catch_escaped(body, around, gravity, h);
-        if (contacts.sunk) leave_solids(body, h);
+        sweep_escaped(body, around, gravity, h);
+        if (contacts.penetrating) leave_solids(body, h);
     }
-    if (balance.closed && !accounted && !body.plan.joined && !contacts.sunk) {
+    if (balance.closed && !accounted && !body.plan.joined && !contacts.penetrating) {
         // Contact planes and friction only take energy, but pushing particles out of planes raises them.
         const double stored = stored_energy(cloth);
         const double all =
@@ -216,7 +216,7 @@ void move_cloth(Body& body, const CollisionContext& around, Vec3 gravity, double
 void end_cloth(Body& body, const CollisionContext& around) {
     if (collides(body, around)) record_contact_points(body, around);
     publish_state(body.cloth.state, body.particles, body.cloth.shares);
-    if (collides(body, around)) keep_planes(body, around);
+    if (collides(body, around)) update_cache(body, around);
 }
 
 }  // namespace gphys

@@ -42,7 +42,8 @@ void add_pull_impulses(const Constraints& constraints, const CollisionContext& a
     }
 }
 
-/// Models got the forces of this substep as continuous ones; an impact has no such history.
+/// add_pull_impulses has counted the pulls of this substep as continuous forces, by the factor h / step^2. In an impact
+/// they act by the factor next / h. `counted_` is the difference.
 TautLimits::TautLimits(const Constraints& constraints, const CollisionContext& around, ChainContacts& contacts,
                        Vector<ModelImpulse>& impulses, const TimeScheme& scheme, double damping)
     : constraints_(constraints),
@@ -55,12 +56,12 @@ void TautLimits::add_to_model(const ClothState& state, uint32_t particle, Vec3 i
     const Attachment* attachment = around_.scene ? find_attachment(constraints_, particle) : nullptr;
     if (!attachment) return;
     float* pull = &contacts_.pulls[4 * size_t{particle}];
-    const Vec3 given = (impulse - get(pull) * counted_) * state.average_mass;
-    add_impulse(impulses_, around_, attachment->model, state.origin + get(&state.at[4 * size_t{particle}]), given);
+    const Vec3 more = (impulse - get(pull) * counted_) * state.average_mass;
+    add_impulse(impulses_, around_, attachment->model, state.origin + get(&state.at[4 * size_t{particle}]), more);
     put(pull, {}, 0);
 }
 
-bool TautLimits::capture(const Vector<LimitInCloth>& limits, ClothState& state) {
+bool TautLimits::apply_impacts(const Vector<LimitInCloth>& limits, ClothState& state) {
     // Relative to the length: ten times the rounding of positions within about a metre.
     constexpr double slack = 1e-6;
     bool any = false;

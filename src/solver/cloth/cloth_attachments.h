@@ -20,15 +20,15 @@ void follow_models(const Constraints& constraints, const CollisionContext& aroun
 void add_pull_impulses(const Constraints& constraints, const CollisionContext& around, const ClothState& state,
                        const ChainContacts& contacts, Vector<ModelImpulse>& impulses, double step, double h);
 
-/// Adds the impulses of limits that have become taut, in which the pulls of the substep are counted already.
+/// The inelastic impacts of limits that have become taut. Call after add_pull_impulses, which has counted their pulls.
 class TautLimits {
 public:
     TautLimits(const Constraints& constraints, const CollisionContext& around, ChainContacts& contacts,
                Vector<ModelImpulse>& impulses, const TimeScheme& scheme, double damping);
 
-    /// Limits that have become taut: their ends stop separating, in an inelastic impact. Returns whether there were
-    /// any, which counts as an interruption.
-    bool capture(const Vector<LimitInCloth>& limits, ClothState& state);
+    /// Makes the ends of limits that have become taut stop separating. Returns whether there were any; then the time
+    /// scheme restarts.
+    bool apply_impacts(const Vector<LimitInCloth>& limits, ClothState& state);
 
 private:
     void add_to_model(const ClothState& state, uint32_t particle, Vec3 impulse);

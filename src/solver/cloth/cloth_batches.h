@@ -21,7 +21,7 @@ struct LimitInCloth {
     uint32_t a, b;
     float rest;
 };
-/// Lanes that are left over hold two particles beyond the last one, which do not move.
+/// Unused lanes have links between two particles beyond the last one, which do not move.
 struct ClothBatches {
     explicit ClothBatches(std::pmr::memory_resource* memory)
         : chains(memory),
@@ -41,22 +41,22 @@ struct ClothBatches {
     uint32_t spare = 2;         // particles beyond the last one that a colour's lanes need
     Vector<uint32_t> particles;
     Vector<float> rest;
-    Vector<double> compliance;  // by link and chain; infinity for those that are not there
+    Vector<double> compliance;  // by link and chain; infinity for missing links
     double scale = 0;           // average mass / step^2, for which this is:
     Vector<float> softness;     // compliance * scale
     Vector<float> stiffness;    // 1 / (compliance * average mass); 0 for rigid links and absent ones
-    bool elastic = false;       // whether any is not
+    bool elastic = false;       // whether any link stores energy
     Vector<DampedInCloth> damped;
-    Vector<float> target;  // rest, in which those that are damped change; empty if none is
+    Vector<float> target;  // rest, with the lengths of damped links in this substep; empty if no link is damped
     Vector<LimitInCloth> limits;
     uint32_t longest = 0;    // links
     double link_length = 0;  // metres, the average
-    Vector<float> rows;      // room for the longest chain, of each who works on the body
+    Vector<float> rows;      // for the longest chain, for each worker
 };
 
-/// Of a plan that is current. Throw std::bad_alloc.
+/// The plan must be current. Throws std::bad_alloc.
 void pack_cloth_chains(ClothBatches& batches, const Plan& plan, uint32_t particles);
-/// Notes which chains move particles that are attached to models.
+/// Marks the batches with particles that are attached to models. Throws std::bad_alloc.
 void mark_attached(ClothBatches& batches, const Constraints& constraints, uint32_t particles);
 
 }  // namespace gphys

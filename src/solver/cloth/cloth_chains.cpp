@@ -8,7 +8,7 @@
 namespace gphys {
 namespace {
 
-// A softer link does not act: it yields 1e20 times as far as the heaviest particle.
+// The largest softness: 1e20 times the inverse mass of the lightest particle. Such a link does not act.
 constexpr double softest = 1e26;
 
 ClothChains undamped(const ClothBatches& batches) {

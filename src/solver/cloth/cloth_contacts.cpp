@@ -1,5 +1,5 @@
-// Contact planes and friction of cloth, in the order of a substep: search, activation before the chains, friction and
-// push-out after them, velocities, and particles that have left their balls (cloth_contacts.h).
+// Contact planes and friction of cloth, in the order of a substep: search; active planes before the chains; friction
+// and projection after them; velocities; particles that have left their balls (cloth_contacts.h).
 #include "solver/cloth/cloth_contacts.h"
 
 #include "solver/cloth/cloth_targets.h"
@@ -12,7 +12,7 @@
 namespace gphys {
 namespace {
 
-/// Velocity that particles lose to models, and its impulses on these.
+/// Adds up the impulses of particles on models: the velocity that a contact takes from a particle, times its mass.
 class LostVelocity {
 public:
     LostVelocity(Body& body, const CollisionContext& around)
@@ -53,20 +53,20 @@ private:
 };
 
 /// Moves the contact planes of moving models to their places at the end of the substep.
-void carry_planes(ClothContacts& contacts, const Vector<MovingCollider>& moving_colliders) {
+void move_planes(ClothContacts& contacts, const Vector<MovingCollider>& moving_colliders) {
     if (moving_colliders.empty()) return;
     for (ClothContact& n : contacts.candidates) {
         for (uint32_t i = 0; i < n.plane_count; ++i) {
             ContactPlane& plane = n.planes[i];
             if (plane.moving_collider == ContactPlane::unmoved) continue;
-            const RigidMotion& rigid_motion = moving_colliders[plane.moving_collider].carry;
+            const RigidMotion& rigid_motion = moving_colliders[plane.moving_collider].substep_motion;
             plane.normal = rigid_motion.rotation * plane.normal;
             plane.offset += dot(plane.normal, rigid_motion.shift);
         }
     }
 }
 
-bool is_pushed(const ClothContact& n) {
+bool is_on_moving_model(const ClothContact& n) {
     return n.active_plane >= 0 && n.planes[n.active_plane].moving_collider != ContactPlane::unmoved;
 }
 
@@ -90,7 +90,7 @@ float squared_from_ball(const ClothContacts& contacts, const ClothState& state, 
 
 /// Lists in `escaped` the free particles with is(p); returns how many.
 template <class Is>
-uint32_t list_moving(const Particles& particles, Vector<uint32_t>& escaped, Is&& is) {
+uint32_t list_free(const Particles& particles, Vector<uint32_t>& escaped, Is&& is) {
     uint32_t count = 0;
     for (uint32_t p = 0; p < particles.size(); ++p) {
         if (is(p) && !particles.pinned(p)) escaped[count++] = p;
@@ -98,17 +98,17 @@ uint32_t list_moving(const Particles& particles, Vector<uint32_t>& escaped, Is&&
     return count;
 }
 
-/// Whether a particle may leave its ball within h seconds; `fall`: the speed by which gravity makes it faster.
+/// Whether a particle may leave its ball within h seconds. `fall`: the speed that gravity adds meanwhile.
 bool may_leave_ball(const ClothContacts& contacts, const ClothState& state, uint32_t p, double h, double fall) {
-    const double way = h * (length(get(&state.velocity[4 * size_t{p}])) + fall);
-    return std::sqrt(double{squared_from_ball(contacts, state, p)}) + way >=
+    const double travel = h * (length(get(&state.velocity[4 * size_t{p}])) + fall);
+    return std::sqrt(double{squared_from_ball(contacts, state, p)}) + travel >=
            std::sqrt(double{contacts.balls[4 * size_t{p} + 3]});
 }
 
-/// Projects out of all contact planes, and notes the active ones. Returns the first of them, or -1.
+/// Projects the particle out of its contact planes, and marks the active ones. Returns the first of them, or -1.
 int32_t push_out(ClothContact& n, float* at) {
     // Projecting out of one plane may lead into another. For two planes whose normals are at most a right angle apart,
-    // one pass suffices; the narrower the crease between them, the less each pass achieves.
+    // one pass suffices. In a narrower crease the projections converge slowly.
     constexpr int most_passes = 8;
     int32_t first = -1;
     for (int pass = 0; pass < most_passes; ++pass) {
@@ -117,7 +117,7 @@ int32_t push_out(ClothContact& n, float* at) {
             const double depth = n.planes[i].offset - dot(n.planes[i].normal, get(at));
             if (depth <= 0) continue;
             put(at, get(at) + n.planes[i].normal * depth);
-            n.normal_push += depth;
+            n.normal_displacement += depth;
             n.active_planes |= 1u << i;
             if (first < 0) first = static_cast<int32_t>(i);
             moved = true;
@@ -133,7 +133,7 @@ Vec3 place_on_plane(const ClothContact& n, const Vector<MovingCollider>& moving_
     const uint32_t moving_collider = n.planes[n.active_plane].moving_collider;
     if (moving_collider == ContactPlane::unmoved) return start;
     float rounded[3];
-    put(rounded, moving_colliders[moving_collider].carry.apply(start));
+    put(rounded, moving_colliders[moving_collider].substep_motion.apply(start));
     return get(rounded);
 }
 
@@ -151,7 +151,7 @@ void search_cloth_contacts(Body& body, const CollisionContext& around, Vec3 grav
     ClothContacts& contacts = body.cloth.contacts;
     Vector<float>& search_balls = body.cloth.cache.search_balls;
     std::fill(body.cloth.in_chains.normals.begin(), body.cloth.in_chains.normals.end(), 0.0f);
-    contacts.sunk = false;
+    contacts.penetrating = false;
     find_moving_colliders(body.cloth.moving_colliders, state.origin, body.settings.layers, around);
     ContactSearch search(around, body, gravity, around.step_time);
     const Reuse reuse = reusable_contacts(body, around);
@@ -164,10 +164,10 @@ void search_cloth_contacts(Body& body, const CollisionContext& around, Vec3 grav
         std::fill(contacts.balls.begin(), contacts.balls.end(), 0.0f);
         const auto has_ball = [&](uint32_t p) { return search_balls[4 * size_t{p} + 3] >= 0; };
         if (reuse == Reuse::balls)
-            search.repeat(contacts.escaped.data(), list_moving(particles, contacts.escaped, has_ball));
+            search.repeat(contacts.escaped.data(), list_free(particles, contacts.escaped, has_ball));
     }
     const double fall = around.step_time / 2 * length(gravity);
-    search.run(contacts.escaped.data(), list_moving(particles, contacts.escaped, [&](uint32_t p) {
+    search.run(contacts.escaped.data(), list_free(particles, contacts.escaped, [&](uint32_t p) {
                    return may_leave_ball(contacts, state, p, around.step_time, fall);
                }));
 }
@@ -175,7 +175,7 @@ void search_cloth_contacts(Body& body, const CollisionContext& around, Vec3 grav
 void search_ahead(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     ClothContacts& contacts = body.cloth.contacts;
     const double fall = h * length(gravity);
-    const uint32_t count = list_moving(body.particles, contacts.escaped, [&](uint32_t p) {
+    const uint32_t count = list_free(body.particles, contacts.escaped, [&](uint32_t p) {
         return may_leave_ball(contacts, body.cloth.state, p, h, fall);
     });
     ContactSearch(around, body, gravity, around.step_time * (1 - around.begin)).run(contacts.escaped.data(), count);
@@ -183,15 +183,15 @@ void search_ahead(Body& body, const CollisionContext& around, Vec3 gravity, doub
 
 namespace {
 
-/// The speed at which the particle hits its contact plane. It began the substep at `place`, relative to the plane, and
-/// would arrive at the end with `predicted`. Counts the speed gained by falling up to the plane, but not behind it. 0
-/// if it is too slow to bounce.
-double impact_speed(const ClothContact& n, const ClothState& state, Vec3 place, double predicted, double quiet) {
+/// The speed of approach at the time of impact; 0 if it is too low to bounce. `place`: the start of the particle,
+/// carried along by the plane. `predicted`: its speed of approach in this substep. Gravity adds speed up to the plane,
+/// not behind it.
+double impact_speed(const ClothContact& n, const ClothState& state, Vec3 place, double predicted, double bounce_threshold) {
     const ContactPlane& plane = n.planes[n.active_plane];
     const size_t i = 4 * size_t{n.particle};
     const double drop = std::max(0.0, dot(plane.normal, place) - plane.offset);
     const double of_plane = dot(place - get(&state.start[i]), plane.normal);
-    if (predicted <= quiet) return 0;
+    if (predicted <= bounce_threshold) return 0;
     if (of_plane != 0) return predicted;
     const double speed = -dot(get(&state.velocity[i]), plane.normal);
     const double pull = -dot(get(&state.acceleration[i]), plane.normal);
@@ -207,10 +207,10 @@ void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity
     ChainContacts& in_chains = body.cloth.in_chains;
     Vector<MovingCollider>& moving_colliders = body.cloth.moving_colliders;
     contacts.active.clear();
-    contacts.pushed = false;
+    contacts.has_moving_model = false;
     advance_moving_colliders(moving_colliders, state.origin, around);
-    carry_planes(contacts, moving_colliders);
-    // The displacement by gravity in a substep is near enough to be active.
+    move_planes(contacts, moving_colliders);
+    // A particle is active if gravity moves it to its plane within the substep.
     const double near = length(gravity) * h * h;
     for (uint32_t number = 0; number < contacts.candidates.size(); ++number) {
         ClothContact& n = contacts.candidates[number];
@@ -221,33 +221,33 @@ void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity
         double depth;
         const uint32_t plane = deepest(n, get(at), depth);
         if (depth < -near) continue;
-        const double pressed_before = was_active ? n.normal_total : 0;
+        const double normal_before = was_active ? n.normal_total : 0;
         const Vec3 start = get(&state.start[i]);
         contacts.active.push_back(number);
-        n.normal_push = 0;
+        n.normal_displacement = 0;
         n.normal_total = 0;
         n.predicted_velocity = (scheme.from_history(get(&state.velocity[i]), get(&state.velocity_before[i])) +
                                 get(&state.acceleration[i]) * h) *
                                drag;
         n.active_plane = static_cast<int32_t>(plane);
         n.active_planes |= 1u << plane;
-        contacts.pushed = contacts.pushed || is_pushed(n);
+        contacts.has_moving_model = contacts.has_moving_model || is_on_moving_model(n);
         const Vec3 normal = n.planes[plane].normal;
         const Vec3 place = place_on_plane(n, moving_colliders, start),
                    moved = get(at) - place;  // relative to the moving plane
         const double away = dot(moved, normal);
-        n.approach = impact_speed(n, state, place, -away * rate, quiet_speed(gravity, h));
+        n.approach = impact_speed(n, state, place, -away * rate, find_bounce_threshold(gravity, h));
         const Vec3 along = moved - normal * away;
         const Friction friction = friction_coefficients(body, n.particle);
-        n.creep = -1;
+        n.rest_slip = -1;
         if (friction.sticks()) {
             const Vec3 sliding = get(&state.velocity[i]) - (place - start) * rate;
-            if (rests(body, n.particle, sliding, gravity)) n.creep = length(sliding) * h;
+            if (rests(body, n.particle, sliding, gravity)) n.rest_slip = length(sliding) * h;
         }
         put(&in_chains.pulls[i], {});
         put(&in_chains.normals[i], normal);
         // The pull of links against the plane is known from the last substep.
-        const double squared = length_squared(along), hold = friction.kinetic * std::max(pressed_before, depth);
+        const double squared = length_squared(along), hold = friction.kinetic * std::max(normal_before, depth);
         if (squared > hold * hold) {
             n.friction_before = hold;
             if (hold > 0) put(at, get(at) - along * (hold / std::sqrt(squared)));
@@ -256,22 +256,22 @@ void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity
             put(at, get(at) - along);
         }
         push_out(n, at);
-        in_chains.normals[i + 3] = static_cast<float>(n.normal_push / at[3]);
+        in_chains.normals[i + 3] = static_cast<float>(n.normal_displacement / at[3]);
     }
 }
 
 namespace {
 
 /// Friction: moves the particle back towards its place on the contact plane as far as Coulomb's law allows.
-void slow_down(ClothContact& n, Vec3 pull, const Friction& friction, double restitution, Vec3 place, float* at) {
+void apply_friction(ClothContact& n, Vec3 pull, const Friction& friction, double restitution, Vec3 place, float* at) {
     const Vec3 normal = n.planes[n.active_plane].normal, moved = get(at) - place;
-    n.normal_total = std::max(0.0, n.normal_push - dot(pull, normal) * at[3]);
+    n.normal_total = std::max(0.0, n.normal_displacement - dot(pull, normal) * at[3]);
     const Vec3 along = moved - normal * dot(moved, normal);
     const double squared = length_squared(along), hold = friction.kinetic * n.normal_total - n.friction_before;
     const auto within = [&](double most) { return most >= 0 && squared <= most * most; };
-    n.held = within(hold) || (n.creep >= 0 && within(n.creep + friction.at_rest * n.normal_total - n.friction_before));
+    n.held = within(hold) || (n.rest_slip >= 0 && within(n.rest_slip + friction.at_rest * n.normal_total - n.friction_before));
     if (n.held) {
-        // A bouncing particle is held tangentially only.
+        // Of a particle that bounces, friction holds the tangential motion only.
         put(at, restitution * n.approach > 0 ? get(at) - along : place);
     } else if (hold > 0) {
         put(at, get(at) - along * (hold / std::sqrt(squared)));
@@ -280,14 +280,14 @@ void slow_down(ClothContact& n, Vec3 pull, const Friction& friction, double rest
 
 }  // namespace
 
-void note_places(ClothContacts& contacts, const ClothState& state) {
+void save_positions(ClothContacts& contacts, const ClothState& state) {
     for (const uint32_t number : contacts.active) {
         ClothContact& n = contacts.candidates[number];
         n.after_chains = get(&state.at[4 * size_t{n.particle}]);
     }
 }
 
-void leave_planes(Body& body) {
+void resolve_contacts(Body& body) {
     ClothState& state = body.cloth.state;
     ClothContacts& contacts = body.cloth.contacts;
     ChainContacts& in_chains = body.cloth.in_chains;
@@ -302,27 +302,27 @@ void leave_planes(Body& body) {
             double depth;
             deepest(n, limited, depth);
             if (depth <= 0) continue;
-            n.normal_push = n.approach = 0;
+            n.normal_displacement = n.approach = 0;
             put(&in_chains.pulls[i], {});
         }
         contacts.active.push_back(number);
         const int32_t pushing = push_out(n, at);
         if (!before) n.active_plane = pushing;
-        slow_down(n, get(&in_chains.pulls[i]), friction_coefficients(body, n.particle), body.settings.restitution,
+        apply_friction(n, get(&in_chains.pulls[i]), friction_coefficients(body, n.particle), body.settings.restitution,
                   place_on_plane(n, body.cloth.moving_colliders, get(&state.start[i])), at);
         // Moving back may lead into another contact plane.
         if (n.plane_count > 1) push_out(n, at);
         put(&in_chains.normals[i], {});
-        contacts.pushed = contacts.pushed || is_pushed(n);
+        contacts.has_moving_model = contacts.has_moving_model || is_on_moving_model(n);
         // In metres: the displacement by chains and limits, or by contact planes.
         n.moved = before ? get(&in_chains.pulls[i]) * at[3] + (limited - n.after_chains) : limited - get(at);
         n.active_before_chains = before;
     }
 }
 
-/// Links, limits and contact planes have changed the predicted velocity. The share of the contact planes goes to their
-/// models.
-void count_contacts(Body& body, const CollisionContext& around, double rate) {
+/// Links, limits and contact planes have changed the predicted velocity. The part of the contact planes is an impulse
+/// on their models.
+void add_contact_impulses(Body& body, const CollisionContext& around, double rate) {
     const ClothState& state = body.cloth.state;
     ClothContacts& contacts = body.cloth.contacts;
     LostVelocity lost(body, around);
@@ -334,7 +334,7 @@ void count_contacts(Body& body, const CollisionContext& around, double rate) {
     }
 }
 
-void turn_velocities(Body& body, const CollisionContext& around, double h) {
+void solve_contact_velocities(Body& body, const CollisionContext& around, double h) {
     ClothState& state = body.cloth.state;
     ClothContacts& contacts = body.cloth.contacts;
     LostVelocity lost(body, around);
@@ -380,20 +380,20 @@ void stop_undone_motion(Body& body, const CollisionContext& around, double h) {
 
 bool is_held(const ClothContacts& contacts, uint32_t particle) {
     const uint32_t number = contacts.candidate_of[particle];
-    if (number == ClothContacts::none || contacts.sunk) return false;
+    if (number == ClothContacts::none || contacts.penetrating) return false;
     const ClothContact& n = contacts.candidates[number];
-    return n.active_plane >= 0 && n.held && !is_pushed(n);
+    return n.active_plane >= 0 && n.held && !is_on_moving_model(n);
 }
 
-void shift(ClothState& state, ClothContacts& contacts, const AnimationTargets& targets, uint32_t particle, Vec3 way,
+void displace(ClothState& state, ClothContacts& contacts, const AnimationTargets& targets, uint32_t particle, Vec3 displacement,
            bool collides) {
     float* const at = &state.at[4 * size_t{particle}];
-    put(at, get(at) + way);
+    put(at, get(at) + displacement);
     if (!targets.empty()) stay_near_target(targets, state, particle);
-    if (collides) stay_outside(contacts, state, particle);
+    if (collides) push_out_of_planes(contacts, state, particle);
 }
 
-void ease_links(Body& body) {
+void relax_links_in_contact(Body& body) {
     // Relative to the length: smaller errors are invisible and are left alone.
     constexpr double slack = 5e-3;
     ClothState& state = body.cloth.state;
@@ -412,16 +412,16 @@ void ease_links(Body& body) {
         if (std::fabs(error) <= slack * link.rest || length == 0 || mobility == 0) continue;
         if (link.limit && error < 0) continue;
         const Vec3 correction = along * (error / (length * mobility));
-        shift(state, contacts, body.targets, link.a, correction * a[3], true);
-        shift(state, contacts, body.targets, link.b, correction * -b[3], true);
+        displace(state, contacts, body.targets, link.a, correction * a[3], true);
+        displace(state, contacts, body.targets, link.b, correction * -b[3], true);
     }
 }
 
-void catch_escaped(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
+void sweep_escaped(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     ClothState& state = body.cloth.state;
     ClothContacts& contacts = body.cloth.contacts;
-    contacts.sunk = false;
-    const uint32_t count = list_moving(body.particles, contacts.escaped, [&](uint32_t p) {
+    contacts.penetrating = false;
+    const uint32_t count = list_free(body.particles, contacts.escaped, [&](uint32_t p) {
         return squared_from_ball(contacts, state, p) >= contacts.balls[4 * size_t{p} + 3];
     });
     if (count == 0) return;
@@ -448,7 +448,7 @@ void catch_escaped(Body& body, const CollisionContext& around, Vec3 gravity, dou
         body.contacts.held[p] = 0;
         const Vec3 at = body.particles.position[p];
         collider.slide(body, p, body.history.start[p], at - body.history.start[p], around.begin,
-                       quiet_speed(gravity, h));
+                       find_bounce_threshold(gravity, h));
         if (body.contacts.held[p]) {
             put(&state.at[i], body.particles.position[p] - state.origin);
             put(&state.velocity[i], body.particles.velocity[p]);
@@ -457,7 +457,7 @@ void catch_escaped(Body& body, const CollisionContext& around, Vec3 gravity, dou
     ContactSearch(around, body, gravity, around.step_time * (1 - around.end) + h).run(contacts.escaped.data(), count);
 }
 
-void stay_outside(ClothContacts& contacts, ClothState& state, uint32_t particle) {
+void push_out_of_planes(ClothContacts& contacts, ClothState& state, uint32_t particle) {
     const uint32_t number = contacts.candidate_of[particle];
     if (number != ClothContacts::none) push_out(contacts.candidates[number], &state.at[4 * size_t{particle}]);
 }

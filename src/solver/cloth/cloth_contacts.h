@@ -12,9 +12,9 @@
 // can approach in the step. Friction and velocities are relative to the model.
 //
 // Contacts are part of the equations of chains: a particle in contact moves along the contact plane or away from it
-// (Surfaces in cloth_kernels.cpp). After the chains, friction moves it back towards its place on the plane, limited by
-// friction times the total normal displacement of the substep. Pinning it while friction holds it would leave the
-// strain of links between two such particles.
+// (Surfaces in cloth_kernels.cpp). After the chains, friction moves it back towards its place on the plane; Coulomb's
+// law bounds this by the coefficient times the normal displacement of the substep. Particles that friction holds are
+// not pinned in the equations, because links between two pinned particles would stay strained.
 #pragma once
 
 #include "foundation/math.h"
@@ -53,8 +53,8 @@ struct alignas(64) ClothContact {
     int32_t active_plane;    // the contact plane that pushed it most in this substep, or -1
     ContactPlane planes[most_planes];
     // For a particle in contact, in this substep:
-    double creep;         // metres: displacement by its own velocity, if that is small enough to count as rest; else -1
-    double normal_push;   // metres: total displacement by contact planes
+    double rest_slip;  // metres: displacement by its own velocity, if that is small enough to count as rest; else -1
+    double normal_displacement;   // metres: total displacement by contact planes
     double normal_total;  // metres: the same plus the pull of links against them
     double friction_before;  // metres: displacement that friction has removed before the links
     double approach;  // speed of approach to the contact plane at impact, if it is large enough to bounce; else 0
@@ -65,19 +65,19 @@ struct alignas(64) ClothContact {
     Vec3 moved;  // metres: displacement by chains and limits; if it became active after them, by planes, reversed
     // For the impulses on models:
     gphys_model_id impulse_model;  // the model that gets the next two:
-    Vec3 impulse, moment;  // m/s: velocity that it has lost to the model, and its moment about the cloth's origin
+    Vec3 impulse, moment;  // m/s: its impulse on the model per mass, and the moment about the cloth's origin
     // For a particle that is deeper in a model than it can leave at once (leave_solids.cpp):
-    uint32_t sunk_planes;  // bit i: contact plane i is where the particle is, not at the surface
-    uint32_t sunk_most;    // the plane that it is deepest behind,
-    double depth;          // and the depth; 0 if it is in no model
-    Vec3 aim;              // while it leaves: its aim, or the position that the links gave it,
-    bool aims;             // and whether it is at its aim
+    uint32_t penetrated_planes;  // bit i: contact plane i is at the particle, not at the surface
+    uint32_t deepest_plane;      // index of the plane that it is deepest behind
+    double depth;                // metres behind that plane; 0 if it is in no model
+    Vec3 target;                 // where it shall go, or, while it is there, where the links would move it
+    bool is_at_target;           // whether it is at its target
 
-    /// Call at the beginning of a step, if the planes are reused.
+    /// Call at the beginning of a step, if the planes of the last step are reused.
     void rest() {
         active_planes = 0;
         active_plane = -1;
-        normal_total = friction_before = creep = 0;
+        normal_total = friction_before = rest_slip = 0;
     }
 };
 
@@ -93,15 +93,15 @@ struct ClothContacts {
     Vector<float> balls;              // four floats for each particle: centre, squared radius
     Vector<uint32_t> escaped;         // particles outside their balls; when searching, those that search
     Vec3 impulse, moment;             // sums of those of the candidates in this substep, times their relative masses
-    bool pushed = false;              // whether a moving model pushes any active one
-    bool sunk = false;                // whether any was found in a model
+    bool has_moving_model = false;    // whether any active one is in contact with a moving model
+    bool penetrating = false;         // whether any was found in a model
 
     bool any_active() const { return !active.empty(); }
     /// `floats`: the length of the arrays of the state. Throws std::bad_alloc.
     void reserve(uint32_t particles, size_t floats);
 };
 
-/// Called in turn before and after the chains of a substep.
+/// At the beginning of a step.
 void search_cloth_contacts(Body& body, const CollisionContext& around, Vec3 gravity);
 /// Call before a substep: particles that would leave their balls search now, so that the chains know their contact
 /// planes.
@@ -110,27 +110,27 @@ void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity
 /// Where a particle in contact is if it sticks to its place on its active contact plane. `start`: its position at the
 /// start of the substep.
 Vec3 place_on_plane(const ClothContact& n, const Vector<MovingCollider>& moving_colliders, Vec3 start);
-void note_places(ClothContacts& contacts, const ClothState& state);
-void leave_planes(Body& body);
-void count_contacts(Body& body, const CollisionContext& around, double rate);
-void turn_velocities(Body& body, const CollisionContext& around, double h);
-/// Call if moving models are in contact: they carry particles farther in a substep than friction should. Links between
-/// two particles in contact get their lengths back.
-void ease_links(Body& body);
-/// Removes the velocity that corresponds to displacements undone by relax_links since note_places, for particles in
+void save_positions(ClothContacts& contacts, const ClothState& state);
+void resolve_contacts(Body& body);
+void add_contact_impulses(Body& body, const CollisionContext& around, double rate);
+void solve_contact_velocities(Body& body, const CollisionContext& around, double h);
+/// Call if moving models are in contact. Friction moves particles with their models, and so strains links between two
+/// particles in contact. Restores the lengths of these links.
+void relax_links_in_contact(Body& body);
+/// Removes the velocity that corresponds to displacements undone by relax_links since save_positions, for particles in
 /// contact.
 void stop_undone_motion(Body& body, const CollisionContext& around, double h);
 /// Whether friction has held a particle at its place in this substep, on a static model, while no particle of the body
 /// is in a model.
 bool is_held(const ClothContacts& contacts, uint32_t particle);
 /// Displaces a particle, but not into its contact planes or out of the bounds of its target.
-void shift(ClothState& state, ClothContacts& contacts, const AnimationTargets& targets, uint32_t particle, Vec3 way,
-           bool collides);
-void catch_escaped(Body& body, const CollisionContext& around, Vec3 gravity, double h);
+void displace(ClothState& state, ClothContacts& contacts, const AnimationTargets& targets, uint32_t particle,
+              Vec3 displacement, bool collides);
+void sweep_escaped(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 void record_contact_points(Body& body, const CollisionContext& around);
 /// Records the contact points and impulses of a particle, before its contact state is replaced.
 void finish_contact(ClothContact& contact, Body& body, const CollisionContext& around);
 /// Projects a particle that has been displaced out of its contact planes.
-void stay_outside(ClothContacts& contacts, ClothState& state, uint32_t particle);
+void push_out_of_planes(ClothContacts& contacts, ClothState& state, uint32_t particle);
 
 }  // namespace gphys

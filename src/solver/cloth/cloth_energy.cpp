@@ -25,8 +25,8 @@ bool is_accounted_for(const Body& body, bool collides) {
     if (body.cloth.state.held || body.plan.joined || body.contacts.near) return false;
     if (body.targets.act()) return false;
     if (body.air.blows()) return false;  // the wind's force depends on the velocity that would be restored
-    if (!collides || !(contacts.any_active() || contacts.sunk)) return true;
-    return body.cloth.volume.held && !contacts.sunk && !contacts.pushed;
+    if (!collides || !(contacts.any_active() || contacts.penetrating)) return true;
+    return body.cloth.volume.held && !contacts.penetrating && !contacts.has_moving_model;
 }
 
 void limit_energy_in_solid(ClothState& state, ClothShares& shares, double gain) {

@@ -36,7 +36,7 @@ inline Direction direction(const Quads8& a, const Quads8& b) {
     return {x * inverse, y * inverse, z * inverse, length};
 }
 
-double added(Float8 v) {
+double sum_of_lanes(Float8 v) {
     float lanes[8];
     store(lanes, v);
     double sum = 0;
@@ -253,14 +253,14 @@ struct Tethered {
     void move(float* at, const uint32_t* particles, const Quads8& pull) const {
         Quads8 a = load_quads(at, particles);
         const Normals here = normals(particles);
-        const Float8 pressing = load_quads(arrays.surfaces.normals, particles).w;
+        const Float8 normal_force = load_quads(arrays.surfaces.normals, particles).w;
         const Quads8 pulled = load_quads(arrays.surfaces.pulls, particles);
-        const Float8 held = held_part(off_plane(pull, here), off_plane(pulled, here) - pressing) * here.inverse;
-        const Vec<Float8> way = times(here.diagonal, here.off, pull.x - here.normal.x * held,
+        const Float8 held = held_part(off_plane(pull, here), off_plane(pulled, here) - normal_force) * here.inverse;
+        const Vec<Float8> displacement = times(here.diagonal, here.off, pull.x - here.normal.x * held,
                                       pull.y - here.normal.y * held, pull.z - here.normal.z * held);
-        a.x = a.x + way.x * a.w;
-        a.y = a.y + way.y * a.w;
-        a.z = a.z + way.z * a.w;
+        a.x = a.x + displacement.x * a.w;
+        a.y = a.y + displacement.y * a.w;
+        a.z = a.z + displacement.z * a.w;
         store_quads(at, particles, a);
         add_pull(arrays.surfaces.pulls, particles, pull);
     }
@@ -371,7 +371,7 @@ double stored(const float* at, const ClothChains& chains, const ChainBatch& batc
         sum = sum + stretch * stretch * load(chains.stiffness + 8 * size_t{batch.first_link + j});
         a = b;
     }
-    return added(sum) / 2;
+    return sum_of_lanes(sum) / 2;
 }
 
 /// Calls moved(i, x, y, z) for each eight floats from the i-th on.
@@ -438,7 +438,7 @@ double finish(const ClothMotion& motion, const ClothStep& step) {
             sum = sum + last_of_quads(fall) *
                             ((velocity - before) * (velocity + before) * half - without_last_of_quads(fall) * forward);
         }
-        gain += added(sum);
+        gain += sum_of_lanes(sum);
     }
     return gain;
 }
@@ -448,10 +448,10 @@ double gain(const ClothMotion& motion) {
     Float8 sum = splat(0);
     for (uint32_t i = 0; i < motion.floats; i += 8) {
         const Float8 now = load(motion.velocity + i), before = load(motion.velocity_before + i);
-        const Float8 fall = load(motion.acceleration + i), way = load(motion.at + i) - load(motion.start + i);
-        sum = sum + last_of_quads(fall) * ((now - before) * (now + before) * half - without_last_of_quads(fall) * way);
+        const Float8 fall = load(motion.acceleration + i), forward = load(motion.at + i) - load(motion.start + i);
+        sum = sum + last_of_quads(fall) * ((now - before) * (now + before) * half - without_last_of_quads(fall) * forward);
     }
-    return added(sum);
+    return sum_of_lanes(sum);
 }
 
 /// The same velocity for two particles.
@@ -467,7 +467,7 @@ double kinetic(const ClothMotion& motion, const float (&drift)[3]) {
         const Float8 inner = load(motion.velocity + i) - along;
         sum = sum + last_of_quads(load(motion.acceleration + i)) * (inner * inner);
     }
-    return added(sum) / 2;
+    return sum_of_lanes(sum) / 2;
 }
 
 void slow(const ClothMotion& motion, const float (&drift)[3], float kept) {

@@ -9,8 +9,8 @@ namespace {
 
 // Masses are clamped to this ratio to the average: beyond it float32 shows no difference.
 constexpr double most_mass_ratio = 1e6;
-// Accelerations times the other factors must remain floats, too.
-constexpr double hardest = 1e12;
+// Products of accelerations with other factors must not overflow float32.
+constexpr double most_acceleration = 1e12;
 
 }  // namespace
 
@@ -54,7 +54,7 @@ void load_state(ClothState& state, const Particles& particles, uint32_t spare, V
                 std::clamp(particles.mass[p] / state.average_mass, 1 / most_mass_ratio, most_mass_ratio);
             state.at[i + 3] = free ? static_cast<float>(1 / relative) : 0;
             put(&state.acceleration[i], free ? gravity + particles.force[p] * particles.inverse_mass[p] : Vec3{},
-                hardest);
+                most_acceleration);
             state.acceleration[i + 3] = free ? static_cast<float>(relative) : 0;
         }
     });

@@ -32,7 +32,7 @@ void carry_by_targets(const AnimationTargets& targets, ClothState& state) {
     }
 }
 
-void press_on_targets(AnimationTargets& targets, ClothState& state, ChainContacts& contacts, bool has_contact) {
+void find_target_contacts(AnimationTargets& targets, ClothState& state, ChainContacts& contacts, bool has_contact) {
     for (uint32_t p = 0; p < targets.all.size(); ++p) {
         float *const at = &state.at[4 * size_t{p}], *const normal = &contacts.normals[4 * size_t{p}];
         Vec3 place;

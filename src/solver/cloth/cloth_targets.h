@@ -13,7 +13,7 @@ struct ClothState;
 void carry_by_targets(const AnimationTargets& targets, ClothState& state);
 /// Before the chains: projects predicted particles onto their bounds, which become their contact planes in the chains.
 /// If `has_contact`, particles with contact planes of models keep those instead.
-void press_on_targets(AnimationTargets& targets, ClothState& state, ChainContacts& contacts, bool has_contact);
+void find_target_contacts(AnimationTargets& targets, ClothState& state, ChainContacts& contacts, bool has_contact);
 /// After the chains and limits.
 void keep_cloth_to_targets(AnimationTargets& targets, ClothState& state, ChainContacts& contacts);
 /// After the velocities have been computed.

@@ -1,4 +1,5 @@
-// Clusters come and go (clusters.h). What can fail checks and makes room first, and wakes the body then.
+// Adds, removes and lists clusters (clusters.h). A function that can fail checks its input and allocates first; after
+// that it wakes the body and changes it.
 #include "foundation/status.h"
 #include "solver/body.h"
 #include "solver/state.h"

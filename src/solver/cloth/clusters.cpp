@@ -9,8 +9,9 @@
 namespace gphys {
 namespace {
 
-// Particles that do not move freely have this many times the moment of inertia of the others. So what is left for
-// these to decide is the rotation about the line through two such particles, and all of it about a single one.
+// Particles that do not move freely have this many times the moment of inertia of the others, so they determine the
+// rotation first. With two of them the free particles determine the rotation about the line through these, with one the
+// whole rotation.
 constexpr double held_weight = 1e6;
 
 /// Second moments of points about an origin: sums of products of coordinates.
@@ -51,42 +52,42 @@ Vec3 place_of(const ClothState& state, const ClusterMember& member) {
     return get(&state.at[4 * size_t{member.particle}]);
 }
 
-/// A cluster on its way to the end of a substep.
+/// The pose of a cluster while it is solved.
 class MovingCluster {
 public:
     MovingCluster(ClusterRange members, const ClothState& state) : members_(members), state_(state) {}
 
     /// Finds where the shape is nearest to the particles. Returns false if none of them moves freely.
     bool fit();
-    /// Moves the shape until no particle in contact is behind its plane. Call after fit.
-    void leave_planes(Body& body);
+    /// Applies contact impulses until no particle in contact is behind its plane. Call after fit.
+    void solve_contacts(Body& body);
     /// The position of a member in the shape.
     Vec3 place(const ClusterMember& member) const { return at_ + rotation_ * (member.rest - rest_); }
     /// Adds up the pulls of the cluster on its particles, when these are moved to their places in the shape.
-    void add_pulls(ChainContacts& contacts, const Vector<ClusterContact>& pressed) const;
+    void add_pulls(ChainContacts& in_chains, const Vector<ClusterContact>& contacts) const;
 
 private:
     void find_inertia();
-    void yield_to(Vec3 impulse, Vec3 arm) {
-        shift_ += impulse * mobility_;
+    void apply_impulse(Vec3 impulse, Vec3 arm) {
+        shift_ += impulse * inverse_mass_;
         turn_ += inverse_inertia_ * cross(arm, impulse);
     }
-    double yield(Vec3 direction, Vec3 arm) const {
+    double inverse_effective_mass(Vec3 direction, Vec3 arm) const {
         const Vec3 lever = cross(arm, direction);
-        return mobility_ + dot(lever, inverse_inertia_ * lever);
+        return inverse_mass_ + dot(lever, inverse_inertia_ * lever);
     }
-    Vec3 way(Vec3 arm) const { return shift_ + cross(turn_, arm); }
-    void list_pressed(Body& body);
-    double press(ClusterContact& contact);
-    void rub(ClusterContact& contact);
-    void turn_shape();
+    Vec3 displacement(Vec3 arm) const { return shift_ + cross(turn_, arm); }
+    void list_contacts(Body& body);
+    double solve_normal(ClusterContact& contact);
+    void solve_friction(ClusterContact& contact);
+    void apply_displacement();
 
     const ClusterRange members_;
     const ClothState& state_;
     uint32_t held_ = 0;  // number of members that do not move freely
     Vec3 at_, rest_;     // the point that it turns about, and this point in the shape
     Mat3 rotation_;
-    double mobility_ = 0;  // 1 / mass
+    double inverse_mass_ = 0;  // 1 / mass
     double weight_ = 0;    // of members that do not move freely, in the inertia
     double size_ = 0;      // metres: root mean square distance of the particles from that point
     Mat3 inverse_inertia_;
@@ -111,7 +112,7 @@ bool MovingCluster::fit() {
     if (mass == 0) return false;
     at_ = held_ > 0 ? held_at / held_ : at / mass;
     rest_ = held_ > 0 ? held_rest / held_ : rest / mass;
-    mobility_ = held_ > 0 ? 0 : 1 / mass;
+    inverse_mass_ = held_ > 0 ? 0 : 1 / mass;
 
     Mat3 free{{}, {}, {}}, held{{}, {}, {}};
     double free_size = 0, held_size = 0;
@@ -122,7 +123,7 @@ bool MovingCluster::fit() {
         (m > 0 ? free_size : held_size) += length_squared(local) * (m > 0 ? m : 1);
     }
     size_ = std::sqrt(free_size / mass);
-    // Held particles at one point say nothing about the rotation.
+    // Held particles at one point do not determine the rotation.
     constexpr double one_point = 1e-12;
     weight_ = held_size > one_point * size_ * size_ ? held_weight * free_size / held_size : 0;
     rotation_ = best_rotation({free.x + held.x * weight_, free.y + held.y * weight_, free.z + held.z * weight_});
@@ -138,15 +139,15 @@ void MovingCluster::find_inertia() {
     inverse_inertia_ = moments.inverse_inertia();
 }
 
-/// Particles in contact before the chains: other ones leave their planes one by one, after the chains.
-void MovingCluster::list_pressed(Body& body) {
-    const ClothContacts& contacts = body.cloth.contacts;
-    Vector<ClusterContact>& pressed = body.cloth.clusters.pressed;
-    pressed.clear();
+/// Lists the particles in contact before the chains. Other particles are projected one by one, after the chains.
+void MovingCluster::list_contacts(Body& body) {
+    const ClothContacts& cloth_contacts = body.cloth.contacts;
+    Vector<ClusterContact>& contacts = body.cloth.clusters.contacts;
+    contacts.clear();
     for (const ClusterMember& member : members_) {
-        const uint32_t number = contacts.candidate_of[member.particle];
+        const uint32_t number = cloth_contacts.candidate_of[member.particle];
         if (number == ClothContacts::none || mass_of(state_, member) == 0) continue;
-        const ClothContact& n = contacts.candidates[number];
+        const ClothContact& n = cloth_contacts.candidates[number];
         if (n.active_plane < 0) continue;
         const ContactPlane& plane = n.planes[n.active_plane];
         const Friction friction = friction_coefficients(body, member.particle);
@@ -159,88 +160,92 @@ void MovingCluster::list_pressed(Body& body) {
         contact.normal = plane.normal;
         contact.gap = dot(plane.normal, at_ + contact.arm) - plane.offset;
         contact.slip = at_ + contact.arm - place_on_plane(n, body.cloth.moving_colliders, start);
-        contact.friction = n.creep >= 0 ? friction.at_rest : friction.kinetic;
-        contact.spent = n.friction_before * m;
-        contact.before = contact.total = std::max(0.0, n.normal_push * m - dot(pull, plane.normal));
-        pressed.push_back(contact);
+        contact.friction = n.rest_slip >= 0 ? friction.at_rest : friction.kinetic;
+        contact.friction_before = n.friction_before * m;
+        contact.normal_before = contact.normal_impulse = std::max(0.0, n.normal_displacement * m - dot(pull, plane.normal));
+        contacts.push_back(contact);
     }
 }
 
-/// Gives the contact plane the impulse that it needs. Returns by how many metres that moves the particle.
-double MovingCluster::press(ClusterContact& contact) {
-    if (contact.yield == 0) return 0;
-    const double gap = contact.gap + dot(contact.normal, way(contact.arm));
-    const double total = std::max(0.0, contact.total - gap / contact.yield), more = total - contact.total;
-    contact.total = total;
-    yield_to(contact.normal * more, contact.arm);
-    return std::fabs(more) * contact.yield;
+/// Corrects the normal impulse so that the particle is on its contact plane; the accumulated impulse stays positive.
+/// Returns the displacement of the particle, in metres.
+double MovingCluster::solve_normal(ClusterContact& contact) {
+    if (contact.inverse_effective_mass == 0) return 0;
+    const double gap = contact.gap + dot(contact.normal, displacement(contact.arm));
+    const double accumulated = std::max(0.0, contact.normal_impulse - gap / contact.inverse_effective_mass);
+    const double change = accumulated - contact.normal_impulse;
+    contact.normal_impulse = accumulated;
+    apply_impulse(contact.normal * change, contact.arm);
+    return std::fabs(change) * contact.inverse_effective_mass;
 }
 
-/// Friction by Coulomb's law: takes back the slip, as far as the impulse of the plane allows.
-void MovingCluster::rub(ClusterContact& contact) {
-    Vec3 slip = contact.slip + way(contact.arm);
+/// Corrects the friction impulse so that it cancels the slip; Coulomb's law bounds the accumulated impulse.
+void MovingCluster::solve_friction(ClusterContact& contact) {
+    Vec3 slip = contact.slip + displacement(contact.arm);
     slip -= contact.normal * dot(contact.normal, slip);
-    const double size = length(slip), most = std::max(0.0, contact.friction * contact.total - contact.spent);
-    Vec3 held = contact.held;
+    const double size = length(slip), most = std::max(0.0, contact.friction * contact.normal_impulse - contact.friction_before);
+    Vec3 accumulated = contact.friction_impulse;
     if (size > 0) {
-        const double yields = yield(slip / size, contact.arm);
-        if (yields > 0) held -= slip / yields;
+        const double inverse_mass = inverse_effective_mass(slip / size, contact.arm);
+        if (inverse_mass > 0) accumulated -= slip / inverse_mass;
     }
-    const double given = length(held);
-    if (given > most) held *= most / given;
-    yield_to(held - contact.held, contact.arm);
-    contact.held = held;
+    const double magnitude = length(accumulated);
+    if (magnitude > most) accumulated *= most / magnitude;
+    apply_impulse(accumulated - contact.friction_impulse, contact.arm);
+    contact.friction_impulse = accumulated;
 }
 
 /// Projected Gauss-Seidel on the impulses of all contacts, linear in the small displacement of the shape.
-void MovingCluster::leave_planes(Body& body) {
+void MovingCluster::solve_contacts(Body& body) {
     constexpr int most_sweeps = 32;
     constexpr double rounding = 1e-8;  // relative to the size of the cluster, below that of float32 positions
-    Vector<ClusterContact>& pressed = body.cloth.clusters.pressed;
-    list_pressed(body);
-    if (pressed.empty()) return;
+    Vector<ClusterContact>& contacts = body.cloth.clusters.contacts;
+    list_contacts(body);
+    if (contacts.empty()) return;
     find_inertia();
-    for (ClusterContact& contact : pressed) contact.yield = yield(contact.normal, contact.arm);
+    for (ClusterContact& contact : contacts) contact.inverse_effective_mass = inverse_effective_mass(contact.normal, contact.arm);
     double largest = infinity;
     for (int sweep = 0; sweep < most_sweeps && largest > rounding * size_; ++sweep) {
         largest = 0;
-        for (ClusterContact& contact : pressed) {
-            largest = std::max(largest, press(contact));
-            if (contact.friction > 0) rub(contact);
+        for (ClusterContact& contact : contacts) {
+            largest = std::max(largest, solve_normal(contact));
+            if (contact.friction > 0) solve_friction(contact);
         }
     }
-    turn_shape();
-    for (const ClusterContact& contact : pressed) {
+    apply_displacement();
+    for (const ClusterContact& contact : contacts) {
         const uint32_t particle = members_.first[contact.member].particle;
         ClothContact& n = body.cloth.contacts.candidates[body.cloth.contacts.candidate_of[particle]];
-        n.friction_before += length(contact.held) * state_.at[4 * size_t{particle} + 3];
-        // What is not pressed must not be held at its place, or planks would stick to what they tilt off.
-        if (contact.total == 0) {
+        n.friction_before += length(contact.friction_impulse) * state_.at[4 * size_t{particle} + 3];
+        // A particle without a normal impulse is not in contact. Friction must not hold it, or planks would stick to
+        // what they tilt off.
+        if (contact.normal_impulse == 0) {
             n.active_plane = -1;
             put(&body.cloth.in_chains.normals[4 * size_t{particle}], {});
         }
     }
 }
 
-void MovingCluster::turn_shape() {
+void MovingCluster::apply_displacement() {
     at_ += shift_;
     const Vec3 half = turn_ / 2;
     rotation_ = rotation_matrix(Quat{half.x, half.y, half.z, 1}) * rotation_;
 }
 
-/// A pull moves a free particle, together with the impulses of its contact. Those of particles that do not move freely
-/// are what the others need of them; of the ways to share these out, the one with the least sum of squares.
-void MovingCluster::add_pulls(ChainContacts& contacts, const Vector<ClusterContact>& pressed) const {
-    const auto pull_on = [&](const ClusterMember& member) { return &contacts.pulls[4 * size_t{member.particle}]; };
+/// The displacement of a free particle is the sum of its pull and its contact impulses. The pulls on particles that do
+/// not move freely balance the force and the torque of the others; of all such pulls they have the least sum of
+/// squares.
+void MovingCluster::add_pulls(ChainContacts& in_chains, const Vector<ClusterContact>& contacts) const {
+    const auto pull_on = [&](const ClusterMember& member) { return &in_chains.pulls[4 * size_t{member.particle}]; };
     Vec3 force, torque;
-    auto contact = pressed.begin();
+    auto contact = contacts.begin();
     for (uint32_t i = 0; i < members_.size(); ++i) {
         const ClusterMember& member = members_.first[i];
         const double m = mass_of(state_, member);
         if (m == 0) continue;
         Vec3 pull = (place(member) - place_of(state_, member)) * m;
-        if (contact != pressed.end() && contact->member == i) {
-            pull -= contact->normal * (contact->total - contact->before) + contact->held;
+        if (contact != contacts.end() && contact->member == i) {
+            pull -= contact->normal * (contact->normal_impulse - contact->normal_before) + contact->friction_impulse;
             ++contact;
         }
         put(pull_on(member), get(pull_on(member)) + pull);
@@ -280,7 +285,7 @@ void each_cluster(const Clusters& clusters, Visit&& visit) {
     }
 }
 
-/// Clusters that share particles move these in turn, so they take several passes (Gauss-Seidel).
+/// Clusters that share particles are solved one after the other, in several passes (Gauss-Seidel).
 template <class Visit>
 void sweep_clusters(const Clusters& clusters, Visit&& visit) {
     constexpr int passes_of_overlapping = 8;
@@ -290,14 +295,14 @@ void sweep_clusters(const Clusters& clusters, Visit&& visit) {
 }  // namespace
 
 void reserve_clusters(Clusters& clusters, uint32_t particles) {
-    clusters.taken.assign(particles, 0);
+    clusters.is_member.assign(particles, 0);
     clusters.overlap = false;
     uint32_t largest = 0;
     each_cluster(clusters, [&](ClusterRange members) { largest = std::max(largest, members.size()); });
-    clusters.pressed.reserve(largest);
+    clusters.contacts.reserve(largest);
     for (const ClusterMember& member : clusters.members) {
-        clusters.overlap = clusters.overlap || clusters.taken[member.particle];
-        clusters.taken[member.particle] = 1;
+        clusters.overlap = clusters.overlap || clusters.is_member[member.particle];
+        clusters.is_member[member.particle] = 1;
     }
 }
 
@@ -305,12 +310,12 @@ void solve_clusters(Body& body, bool pulls_count) {
     Clusters& clusters = body.cloth.clusters;
     ClothState& state = body.cloth.state;
     const bool in_contact = body.cloth.contacts.any_active();
-    clusters.pressed.clear();
+    clusters.contacts.clear();
     sweep_clusters(clusters, [&](ClusterRange members) {
         MovingCluster cluster(members, state);
         if (!cluster.fit()) return;
-        if (in_contact) cluster.leave_planes(body);
-        if (pulls_count) cluster.add_pulls(body.cloth.in_chains, clusters.pressed);
+        if (in_contact) cluster.solve_contacts(body);
+        if (pulls_count) cluster.add_pulls(body.cloth.in_chains, clusters.contacts);
         put_on_shape(cluster, members, state);
     });
 }

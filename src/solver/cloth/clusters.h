@@ -10,8 +10,8 @@
 // freely have infinite mass: with one the cluster turns about it, with two about the line through them, and with three
 // it does not move.
 //
-// Contacts act on the cluster as a whole: each contact plane gives an impulse at its particle, and friction another
-// one, until no particle is behind its plane.
+// Contacts act on the cluster as a whole. Each has a normal impulse and a friction impulse at its particle, found by
+// projected Gauss-Seidel.
 #pragma once
 
 #include "foundation/ids.h"
@@ -31,31 +31,33 @@ struct ClusterMember {
     uint32_t cluster;  // slot
 };
 
-/// A particle of a cluster that is in contact, while the cluster is solved. Impulses are relative masses times metres.
+/// The contact of a particle while its cluster is solved. Impulses are relative masses times metres.
 struct ClusterContact {
     uint32_t member;
-    Vec3 arm;                // from the point that the cluster turns about
-    Vec3 normal;             // of the contact plane
-    double gap;              // metres in front of it
-    double yield;            // metres along the normal for a unit impulse
-    Vec3 slip;               // metres along the plane that friction takes back if it can
-    double friction, spent;  // coefficient, and impulse of friction that was used before
-    double before, total;    // impulse of the plane, before and now
-    Vec3 held;               // impulse of friction
+    Vec3 arm;                       // from the point that the cluster turns about
+    Vec3 normal;                    // of the contact plane
+    double gap;                     // metres in front of it
+    double inverse_effective_mass;  // along the normal
+    Vec3 slip;                      // metres along the plane since the start of the substep
+    double friction;                // coefficient
+    double friction_before;         // friction impulse before the cluster was solved
+    double normal_before;           // normal impulse before the cluster was solved
+    double normal_impulse;          // accumulated
+    Vec3 friction_impulse;          // accumulated
 };
 
 struct Clusters {
     explicit Clusters(std::pmr::memory_resource* memory)
-        : ids(memory), members(memory), taken(memory), pressed(memory) {}
+        : ids(memory), members(memory), is_member(memory), contacts(memory) {}
 
     bool empty() const { return members.empty(); }
 
     IdTable ids;
     Vector<ClusterMember> members;  // cluster by cluster, in the order of slots; of each as they were given
     // Of the step under way:
-    bool overlap = false;            // whether any particle is in several
-    Vector<uint8_t> taken;           // by particle: whether it is in any
-    Vector<ClusterContact> pressed;  // capacity for the largest cluster
+    bool overlap = false;             // whether any particle is in several
+    Vector<uint8_t> is_member;        // by particle: whether it is in any
+    Vector<ClusterContact> contacts;  // of the cluster being solved; capacity for the largest
 };
 
 /// Allocates what a step needs of clusters. Throws std::bad_alloc.

@@ -46,7 +46,7 @@ Reuse reusable_contacts(const Body& body, const CollisionContext& around) {
     return same ? Reuse::planes : Reuse::balls;
 }
 
-void keep_planes(Body& body, const CollisionContext& around) {
+void update_cache(Body& body, const CollisionContext& around) {
     ContactCache& cache = body.cloth.cache;
     const Vector<ClothContact>& candidates = body.cloth.contacts.candidates;
     const bool has_planes =

@@ -29,6 +29,6 @@ bool keeps_origin(const ContactCache& cache, Vec3 origin, const Aabb& box);
 /// Call at the beginning of a step, when the moving models are known.
 Reuse reusable_contacts(const Body& body, const CollisionContext& around);
 /// Call at the end of a step.
-void keep_planes(Body& body, const CollisionContext& around);
+void update_cache(Body& body, const CollisionContext& around);
 
 }  // namespace gphys

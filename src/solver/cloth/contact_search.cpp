@@ -18,7 +18,7 @@ double ContactSearch::clearance(uint32_t p, Vec3 at) const {
 }
 
 void ContactSearch::run(const uint32_t* particles, uint32_t count) {
-    again_ = false;
+    repeats_ = false;
     for (uint32_t i = 0; i < count; ++i) {
         const size_t at = 4 * size_t{particles[i]};
         put(&search_balls_[at], get(&state_.at[at]));
@@ -27,7 +27,7 @@ void ContactSearch::run(const uint32_t* particles, uint32_t count) {
 }
 
 void ContactSearch::repeat(const uint32_t* particles, uint32_t count) {
-    again_ = true;
+    repeats_ = true;
     search_from_balls(particles, count);
 }
 
@@ -42,7 +42,7 @@ void ContactSearch::search_from_balls(const uint32_t* particles, uint32_t count)
 /// A particle searches no farther than to its neighbours. That keeps the parts few, and a step seldom moves it farther.
 double ContactSearch::farthest(uint32_t p) const { return std::max(link_length_, particles_.radius[p]); }
 
-/// The number of particles that follow the first one within a box of eight times the size of its search range.
+/// The number of particles from the first one on that are within a box of eight times the size of its search range.
 uint32_t ContactSearch::count_together(const uint32_t* particles, uint32_t count) const {
     const double size = 16 * (particles_.radius[particles[0]] + farthest(particles[0]));
     Aabb places{place_of(particles[0]), place_of(particles[0])};
@@ -67,7 +67,7 @@ bool ContactSearch::search_together(const uint32_t* particles, uint32_t count) {
     if (!find_colliders_near(places, range)) return false;
     for (uint32_t i = 0; i < count; ++i) reach_[i] = reach(particles[i]);
     if (!collect(particles, count)) return false;
-    for (uint32_t i = 0; i < count; ++i) settle(particles[i], i);
+    for (uint32_t i = 0; i < count; ++i) set_contacts(particles[i], i);
     return true;
 }
 
@@ -82,7 +82,7 @@ void ContactSearch::search_alone(uint32_t p) {
         complete = collect(&p, 1);
     }
     if (!complete || !follows_all) reach_[0] = 0;
-    settle(p, 0);
+    set_contacts(p, 0);
 }
 
 /// Returns false if there are too many, or if some rotate too fast to follow.
@@ -92,7 +92,7 @@ bool ContactSearch::find_colliders_near(const Aabb& places, double range) {
     if (moving_colliders_.empty()) return true;
     const Box box = around(places, range, state_.origin);
     for (uint32_t i = 0; i < moving_colliders_.size(); ++i) {
-        if (moving_colliders_[i].bounded && !overlaps(moving_colliders_[i].way, box)) continue;
+        if (moving_colliders_[i].bounded && !overlaps(moving_colliders_[i].swept_bounds, box)) continue;
         if (collider_count_ == most_colliders || !moving_colliders_[i].is_rigid) {
             all = false;
         } else {
@@ -102,7 +102,7 @@ bool ContactSearch::find_colliders_near(const Aabb& places, double range) {
     return all;
 }
 
-/// The distance that the particle can go by itself and pushed by models, and half as much again.
+/// 1.5 times the distance that the particle may move until the next search, by its velocity, gravity and moving models.
 double ContactSearch::wanted_reach(uint32_t p) const {
     const Vec3 at = place_of(p), velocity = get(&state_.velocity[4 * size_t{p}]);
     double pushed = 0;
@@ -114,7 +114,7 @@ double ContactSearch::wanted_reach(uint32_t p) const {
 
 double ContactSearch::reach(uint32_t p) {
     float& far = search_balls_[4 * size_t{p} + 3];
-    if (!again_) far = static_cast<float>(wanted_reach(p));
+    if (!repeats_) far = static_cast<float>(wanted_reach(p));
     return far;
 }
 
@@ -154,7 +154,7 @@ bool ContactSearch::collect(const uint32_t* particles, uint32_t count) {
 }
 
 /// Sets the ball and the contact planes of a particle from the collected parts.
-void ContactSearch::settle(uint32_t p, uint32_t point) {
+void ContactSearch::set_contacts(uint32_t p, uint32_t point) {
     ClothContact found{};
     found.particle = p;
     found.active_plane = -1;
@@ -169,10 +169,10 @@ void ContactSearch::settle(uint32_t p, uint32_t point) {
     if (push_out(ball, found) > 0) {
         // It searches again after each substep.
         reach = 0;
-        contacts_.sunk = true;
+        contacts_.penetrating = true;
         search_balls_[4 * size_t{p} + 3] = ContactCache::no_ball;
     }
-    if (!again_) put(&state_.at[4 * size_t{p}], get(ball));
+    if (!repeats_) put(&state_.at[4 * size_t{p}], get(ball));
     ball[3] = static_cast<float>(reach * reach);
     uint32_t& place = contacts_.candidate_of[p];
     if (found.plane_count == 0 && place == ClothContacts::none) return;
@@ -192,16 +192,16 @@ double ContactSearch::push_out(float* ball, ClothContact& found) const {
         ContactPlane& plane = found.planes[i];
         const double depth = plane.offset - dot(plane.normal, get(ball));
         if (depth > most_push_) {
-            found.sunk_planes |= 1u << i;
-            if (depth > found.depth) found.depth = depth, found.sunk_most = i;
+            found.penetrated_planes |= 1u << i;
+            if (depth > found.depth) found.depth = depth, found.deepest_plane = i;
         } else if (depth > 0) {
             put(ball, get(ball) + plane.normal * depth);
         }
     }
-    if (found.sunk_planes == 0) return 0;
+    if (found.penetrated_planes == 0) return 0;
     for (uint32_t i = 0; i < found.plane_count; ++i) {
         ContactPlane& plane = found.planes[i];
-        if (found.sunk_planes >> i & 1) plane.offset = std::min(plane.offset, dot(plane.normal, get(ball)));
+        if (found.penetrated_planes >> i & 1) plane.offset = std::min(plane.offset, dot(plane.normal, get(ball)));
     }
     return found.depth;
 }

@@ -57,7 +57,7 @@ private:
     double reach(uint32_t p);
     bool collect(const uint32_t* particles, uint32_t count);
     void place_balls(uint32_t p, uint32_t point);
-    void settle(uint32_t p, uint32_t point);
+    void set_contacts(uint32_t p, uint32_t point);
     double push_out(float* ball, ClothContact& found) const;
     void choose_planes(uint32_t p, Vec3 at, double& reach, ClothContact& found);
     double nearest_in_step(uint32_t moving_collider, double distance, Vec3 at) const;
@@ -73,7 +73,7 @@ private:
     const Vec3 gravity_;
     const double time_;
     const double most_push_;  // out of a model
-    bool again_ = false;
+    bool repeats_ = false;
     uint32_t near_colliders_[most_colliders];  // indices in the body's list
     uint32_t collider_count_ = 0;
     double reach_[most_points];  // metres beyond the particle's radius

@@ -1,7 +1,7 @@
-// Which links relax_links keeps within a strain (kept_links.h): all rigid links, but without a target of strain not the
-// braces of cloth. A brace is a diagonal of a cell that has both diagonals. Four particles that are all linked to each
-// other cannot bend in their plane, as cells on a surface of double curvature must. There the diagonals may yield, as
-// in woven cloth, and the threads keep their lengths.
+// Which links relax_links keeps within a strain (kept_links.h): all rigid links; without a strain target, all except
+// the braces of cloth. A brace is a diagonal of a cell that has both diagonals. Four particles that are all linked to
+// each other cannot bend in their plane, as cells on a surface of double curvature must. There the diagonals may yield,
+// as in woven cloth, and the threads keep their lengths.
 //
 // A cell is found as two common neighbours of the ends of a link that are linked to each other; its diagonals are the
 // pair of opposite links with the largest sum of squares. Whether a link is a brace depends on nearby links only, so

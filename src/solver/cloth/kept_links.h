@@ -16,7 +16,7 @@ struct KeptLinks {
         uint32_t a, b;
         double rest;
         bool limit;  // whether it only pulls
-        bool brace;  // which yields without a target
+        bool brace;  // not kept without a strain target
     };
 
     explicit KeptLinks(std::pmr::memory_resource* memory)

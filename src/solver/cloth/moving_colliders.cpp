@@ -25,7 +25,7 @@ void find_moving_colliders(Vector<MovingCollider>& moving_colliders, Vec3 origin
         MovingCollider moving_collider{};
         moving_collider.model = before.model;
         moving_collider.before = before.world;
-        moving_collider.bounded = way_of(*around.scene, before, moving_collider.way);
+        moving_collider.bounded = swept_bounds(*around.scene, before, moving_collider.swept_bounds);
         // For unit quaternions, up to rounding: |q - p| = 2 sin(angle / 4), and their dot product is the cosine of half
         // the angle.
         const Quat p = normalized(widen(before.world.rotation)), q = normalized(widen(after.rotation));
@@ -46,7 +46,7 @@ void advance_moving_colliders(Vector<MovingCollider>& moving_colliders, Vec3 ori
         const gphys_transform& after = around.scene->world(moving_collider.model);
         const Transform begin = interpolate(moving_collider.before, after, around.begin);
         const Transform end = interpolate(moving_collider.before, after, around.end);
-        moving_collider.carry = rigid_motion(begin, end, origin);
+        moving_collider.substep_motion = rigid_motion(begin, end, origin);
         moving_collider.from_end = rigid_motion(widen(after), end, origin);
         moving_collider.middle = end.position - origin;
     }

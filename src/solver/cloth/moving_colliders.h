@@ -1,6 +1,6 @@
 // Models that move during a step, for cloth.
 //
-// The scene has such a model at its place at the end of the step; points fixed to it come from another place. All
+// In the scene such a model is at its place at the end of the step; during the step it moves to that place. All
 // positions here except boxes are relative to the cloth's origin.
 #pragma once
 
@@ -11,7 +11,7 @@ namespace gphys {
 
 struct CollisionContext;
 
-/// The motion of points fixed to a model between two of its transforms of the same scale.
+/// The motion of a model between two transforms of the same scale.
 struct RigidMotion {
     Mat3 rotation;
     Vec3 shift;
@@ -23,14 +23,14 @@ struct RigidMotion {
 struct MovingCollider {
     gphys_model_id model;
     gphys_transform before;
-    Box way;               // bounds during the step, in the world
+    Box swept_bounds;               // bounds during the step, in the world
     bool bounded;          // false: it is unbounded
     bool is_rigid;         // it keeps its size and rotates little; otherwise particles near it are swept
     double turn;           // a bound of |R x - x| / |x|, where R is its rotation in the step
     double bulge;          // bound for the distance of an arc of radius 1 with its angle from the chord
-    RigidMotion carry;     // during this substep
+    RigidMotion substep_motion;     // during this substep
     RigidMotion from_end;  // from the end of the step back to that of this substep
-    Vec3 middle;           // the model's position then
+    Vec3 middle;           // the model's position at the end of the substep
 
     /// A bound for the distance that the point would move with the model in the rest of the step.
     double travel(Vec3 at) const { return distance(at, from_end.inverse_apply(at)) + bulge * distance(at, middle); }

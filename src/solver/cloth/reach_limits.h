@@ -24,7 +24,7 @@ struct PinPath {
     }
 };
 
-/// No further than this from a pinned particle.
+/// The largest distance of a particle from a pinned one.
 struct ReachLimit {
     uint32_t particle, anchor;
     double distance;
@@ -35,14 +35,14 @@ struct ReachLimits {
     explicit ReachLimits(std::pmr::memory_resource* memory)
         : paths(memory), limits(memory), limited(memory), anchors(memory), ranks(memory), distances(memory) {}
 
-    Vector<PinPath> paths;  // in order. Empty: not known
+    Vector<PinPath> paths;  // ascending; empty if they are not known
     Vector<ReachLimit> limits;
     Vector<uint32_t> limited, anchors;  // particles
     Vector<uint32_t> ranks;             // in them: the first of each rank, and the end; a rank has no particle twice
     Vector<float> distances;
 };
 
-/// Of the rigid links of a plan that is current. Throw std::bad_alloc.
+/// The plan must be current. Throws std::bad_alloc.
 void plan_reach_limits(ReachLimits& reach, const RigidLinks& rigid, const Particles& particles,
                        const ClothSheet& sheet);
 void pack_reach_limits(ReachLimits& reach, uint32_t particles);

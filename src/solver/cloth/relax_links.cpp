@@ -1,14 +1,14 @@
 // Relaxation of links of cloth that a substep has left strained beyond the error target (local Gauss-Seidel).
 //
-// Chains are solved once, with the directions that links had before. So a link that turns by a third of a radian ends a
-// twentieth too long. So do links whose ends hit contact planes after the chains. These errors are local. Passes over
-// the few strained links, one after the other, bring them below the target for a fraction of the work of shorter
-// substeps. More sweeps over whole chains would not: they do not converge where chains are folded.
+// Chains are solved once, with the directions that links had before. So a link that rotates by a third of a radian ends
+// a twentieth too long. Links whose ends are projected out of contact planes after the chains have similar errors.
+// These errors are local. Passes over the few strained links, one after the other, bring them below the target for a
+// fraction of the work of shorter substeps. More sweeps over whole chains do not converge where chains are folded.
 //
-// Only positions move. Velocities derived from these displacements would make the links whip. But if the ends separate
-// faster than they are brought together again, that speed must go. Otherwise they would stand still at some metres per
-// second between chains that push them apart and passes that bring them back, and their neighbours would get that speed
-// sooner or later. It is lost as in an inelastic impact.
+// The passes change positions only: velocities derived from their displacements would add energy. But the speed at
+// which the ends of a link increase its error is removed, as in an inelastic impact. Otherwise chains would separate
+// the ends in each substep and passes bring them back, while the velocities stay at some metres per second and spread
+// to the neighbours.
 #include "solver/cloth/relax_links.h"
 #include "solver/body.h"
 #include "solver/quads.h"
@@ -18,10 +18,10 @@ namespace {
 
 // Errors that remain after this many passes are not local: 500 were seen to take a strain of 10.6 % to 9.9 %.
 constexpr uint32_t most_passes = 64;
-// Without a target, this many links are relaxed in a substep, relative to all. Infeasible lengths, as between pins too
-// far apart, must not take many times as long as the rest.
+// Without a strain target, at most this many relaxations of links in a substep, relative to the number of links. So
+// infeasible lengths, as between pins too far apart, do not take many times as long as the rest.
 constexpr uint32_t most_work = 4;
-// On a mesh this many take about as long as the rest of the substep, so shorter substeps would take longer.
+// On a mesh this many passes take about as long as the rest of the substep, so shorter substeps would be slower.
 constexpr double aimed_passes = 12;
 // Links strained by more than this fraction of the target are relaxed, so that their effect on others stays below it.
 constexpr double relaxed_part = 0.5;
@@ -58,7 +58,7 @@ public:
 
 private:
     bool yields(const KeptLinks::Link& link) const { return link.brace && relaxation_.braces_yield; }
-    double move(uint32_t particle, Vec3 way);
+    double move(uint32_t particle, Vec3 displacement);
     void stop_straining(const KeptLinks::Link& link, Vec3 direction, double error);
     bool relax(const KeptLinks::Link& link, double& lost);
 
@@ -96,10 +96,10 @@ double Relaxer::find_strained(uint32_t& count) {
 }
 
 /// Returns the work that forces have lost by the displacement.
-double Relaxer::move(uint32_t particle, Vec3 way) {
+double Relaxer::move(uint32_t particle, Vec3 displacement) {
     const size_t i = 4 * size_t{particle};
     const Vec3 before = get(&state_.at[i]);
-    shift(state_, contacts_, targets_, particle, way, collides_);
+    displace(state_, contacts_, targets_, particle, displacement, collides_);
     return state_.acceleration[i + 3] * dot(get(&state_.acceleration[i]), before - get(&state_.at[i]));
 }
 

@@ -70,28 +70,28 @@ void solve_volume(Volume& volume, const ClothSheet& sheet, ClothState& state, Ch
     constexpr double most_change = 0.1;
     const double now = cloth_volume(sheet, state), softness = volume.compliance * scale;
     const double most = most_change * std::max(std::fabs(now), most_change * volume.rest);
-    const double wanted = std::clamp(volume.rest - now - softness * volume.given, -most, most);
+    const double error = std::clamp(volume.rest - now - softness * volume.multiplier, -most, most);
     find_gradient(sheet, state, volume.gradient);
     // Particles in contact move along their contact plane, or off it.
     const auto direction = [&](uint32_t p) {
         Vec3 out = volume.gradient[p];
         if (!has_contact) return out;
         const Vec3 normal = get(&contacts.normals[4 * size_t{p}]);
-        const double off = dot(out, normal) * wanted;
+        const double off = dot(out, normal) * error;
         return off < 0 ? out - normal * dot(out, normal) : out;
     };
-    double mobility = 0;
+    double inverse_mass = 0;
     for (uint32_t p = 0; p < state.particles; ++p)
-        mobility += state.at[4 * size_t{p} + 3] * length_squared(direction(p));
-    if (mobility == 0) return;
-    const double push = wanted / (mobility + softness);
+        inverse_mass += state.at[4 * size_t{p} + 3] * length_squared(direction(p));
+    if (inverse_mass == 0) return;
+    const double change = error / (inverse_mass + softness);
     for (uint32_t p = 0; p < state.particles; ++p) {
         float* at = &state.at[4 * size_t{p}];
-        add(at, direction(p) * (push * at[3]));
-        if (pulls_count) add(&contacts.pulls[4 * size_t{p}], volume.gradient[p] * push);
+        add(at, direction(p) * (change * at[3]));
+        if (pulls_count) add(&contacts.pulls[4 * size_t{p}], volume.gradient[p] * change);
     }
-    volume.given += push;
-    volume.pressure = volume.given * scale;
+    volume.multiplier += change;
+    volume.pressure = volume.multiplier * scale;
 }
 
 gphys_status set_volume(Body& body, double rest, double compliance) {

@@ -25,7 +25,9 @@ struct Volume {
     double rest = 0;        // m^3
     double compliance = 0;  // m^3/Pa; 0: rigid
     double pressure = 0;    // Pa, of the last substep
-    double given = 0;       // in the substep under way: times the gradient, it moves an average particle, in metres
+    /// The Lagrange multiplier, accumulated in the current substep. Times the gradient, it is the displacement of a
+    /// particle of average mass, in metres.
+    double multiplier = 0;
     Vector<Vec3> gradient;  // by particle
 };
 

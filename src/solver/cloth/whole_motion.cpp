@@ -16,26 +16,26 @@ namespace {
 /// Moments of some particles, about the origin of the cloth, per average mass.
 struct Moments {
     double mass = 0, energy = 0;
-    Vec3 places, momentum, spin;
+    Vec3 first_moment, momentum, angular_momentum;
     Vec3 squares, products;  // of coordinates: xx, yy, zz and yz, zx, xy
 
     void add(double m, Vec3 at, Vec3 velocity) {
         mass += m;
-        places += at * m;
+        first_moment += at * m;
         momentum += velocity * m;
-        spin += cross(at, velocity) * m;
+        angular_momentum += cross(at, velocity) * m;
         squares += Vec3{at.x * at.x, at.y * at.y, at.z * at.z} * m;
         products += Vec3{at.y * at.z, at.z * at.x, at.x * at.y} * m;
         energy += length_squared(velocity) * m / 2;
     }
-    Vec3 centre() const { return places / mass; }
+    Vec3 centre() const { return first_moment / mass; }
     /// About the centre of mass.
-    Vec3 own_spin() const { return spin - cross(centre(), momentum); }
+    Vec3 central_angular_momentum() const { return angular_momentum - cross(centre(), momentum); }
 };
 
 /// The angular velocity of a body with these moments and that angular momentum. 0 about an axis through all particles,
 /// because the inertia about it is a rounding error.
-Vec3 turning_of(const Moments& body, Vec3 spin) {
+Vec3 angular_velocity_of(const Moments& body, Vec3 angular_momentum) {
     constexpr double regularisation = 1e-9;
     const Vec3 c = body.centre();
     const Vec3 s = body.squares - Vec3{c.x * c.x, c.y * c.y, c.z * c.z} * body.mass;
@@ -45,23 +45,23 @@ Vec3 turning_of(const Moments& body, Vec3 spin) {
     const Vec3 yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);
     const double determinant = dot(x, yz);
     if (!(determinant > 0)) return {};
-    return Vec3{dot(yz, spin), dot(zx, spin), dot(xy, spin)} / determinant;
+    return Vec3{dot(yz, angular_momentum), dot(zx, angular_momentum), dot(xy, angular_momentum)} / determinant;
 }
 
 /// A rigid motion: the velocity at the origin, and the angular velocity.
 struct Rigid {
-    Vec3 velocity, turning;
+    Vec3 velocity, angular_velocity;
 
-    Vec3 at(Vec3 place) const { return velocity + cross(turning, place); }
+    Vec3 at(Vec3 place) const { return velocity + cross(angular_velocity, place); }
 };
 Rigid rigid_motion_of(const Moments& body) {
-    const Vec3 turning = turning_of(body, body.own_spin());
-    return {body.momentum / body.mass - cross(turning, body.centre()), turning};
+    const Vec3 angular_velocity = angular_velocity_of(body, body.central_angular_momentum());
+    return {body.momentum / body.mass - cross(angular_velocity, body.centre()), angular_velocity};
 }
 /// The energy of the motion relative to the rigid one.
-double energy_beside(const Moments& body) {
-    const Vec3 spin = body.own_spin();
-    return body.energy - length_squared(body.momentum) / (2 * body.mass) - dot(spin, turning_of(body, spin)) / 2;
+double energy_relative_to_rigid(const Moments& body) {
+    const Vec3 angular_momentum = body.central_angular_momentum();
+    return body.energy - length_squared(body.momentum) / (2 * body.mass) - dot(angular_momentum, angular_velocity_of(body, angular_momentum)) / 2;
 }
 
 /// Calls visit(index of the first float, relative mass) for each particle, in order.
@@ -70,15 +70,16 @@ void each_particle(const ClothState& state, Visit&& visit) {
     for (size_t i = 0; i < 4 * size_t{state.particles}; i += 4) visit(i, double{state.acceleration[i + 3]});
 }
 
-/// Keeps the rigid motion, and this fraction of all other motion.
-void slow_beside(ClothState& state, const Rigid& rigid, double kept) {
+/// Scales the motion relative to the rigid one.
+void scale_relative_motion(ClothState& state, const Rigid& rigid, double kept) {
     each_particle(state, [&](size_t i, double) {
         const Vec3 common = rigid.at(get(&state.at[i]));
         put(&state.velocity[i], common + (get(&state.velocity[i]) - common) * kept);
     });
 }
 
-double part_without(double energy, double of) { return energy < of ? std::sqrt(1 - energy / of) : 0; }
+/// The factor for velocities that removes an energy from `of`.
+double scale_without(double energy, double of) { return energy < of ? std::sqrt(1 - energy / of) : 0; }
 
 }  // namespace
 
@@ -88,13 +89,13 @@ void keep_momentum(ClothState& state, const ClothContacts& contacts, bool closed
     Vec3 force, torque_before, torque_after;
     double work = 0;
     each_particle(state, [&](size_t i, double m) {
-        const Vec3 start = get(&state.start[i]), at = get(&state.at[i]), push = get(&state.acceleration[i]) * m;
+        const Vec3 start = get(&state.start[i]), at = get(&state.at[i]), load = get(&state.acceleration[i]) * m;
         before.add(m, start, get(&state.velocity_before[i]));
         after.add(m, at, get(&state.velocity[i]));
-        force += push;
-        torque_before += cross(start, push);
-        torque_after += cross(at, push);
-        work += dot(push, at - start);
+        force += load;
+        torque_before += cross(start, load);
+        torque_after += cross(at, load);
+        work += dot(load, at - start);
     });
     torque_before -= cross(before.centre(), force);
     torque_after -= cross(after.centre(), force);
@@ -102,23 +103,23 @@ void keep_momentum(ClothState& state, const ClothContacts& contacts, bool closed
     const Decay decay = gphys::decay(z);
     const double acting = z > 0 ? h * (decay.lost / z) : h;  // seconds
     const Vec3 momentum = before.momentum * decay.kept + force * acting - contacts.impulse;
-    const Vec3 spin = before.own_spin() * decay.kept + (torque_before + torque_after) * (acting / 2) -
+    const Vec3 angular_momentum = before.central_angular_momentum() * decay.kept + (torque_before + torque_after) * (acting / 2) -
                       (contacts.moment - cross(after.centre(), contacts.impulse));
 
-    const Vec3 push = momentum - after.momentum, twist = spin - after.own_spin();
-    const Vec3 turning = turning_of(after, twist);
-    const Rigid given{push / after.mass - cross(turning, after.centre()), turning};
+    const Vec3 linear_change = momentum - after.momentum, angular_change = angular_momentum - after.central_angular_momentum();
+    const Vec3 angular_velocity = angular_velocity_of(after, angular_change);
+    const Rigid correction{linear_change / after.mass - cross(angular_velocity, after.centre()), angular_velocity};
     each_particle(state, [&](size_t i, double) {
-        put(&state.velocity[i], get(&state.velocity[i]) + given.at(get(&state.at[i])));
+        put(&state.velocity[i], get(&state.velocity[i]) + correction.at(get(&state.at[i])));
     });
-    after.energy += dot(after.momentum, push) / after.mass + dot(after.own_spin(), turning) +
-                    length_squared(push) / (2 * after.mass) + dot(turning, twist) / 2;
-    after.spin += twist + cross(after.centre(), push);
+    after.energy += dot(after.momentum, linear_change) / after.mass + dot(after.central_angular_momentum(), angular_velocity) +
+                    length_squared(linear_change) / (2 * after.mass) + dot(angular_velocity, angular_change) / 2;
+    after.angular_momentum += angular_change + cross(after.centre(), linear_change);
     after.momentum = momentum;
 
     const double gain = after.energy - before.energy - work + stored;
     if (closed && gain > 0) {
-        slow_beside(state, rigid_motion_of(after), part_without(gain, energy_beside(after)));
+        scale_relative_motion(state, rigid_motion_of(after), scale_without(gain, energy_relative_to_rigid(after)));
     }
 }
 

@@ -1,4 +1,4 @@
-// Contacts between bodies, noted by islands and joined to one list (body_contacts.h).
+// Contacts between bodies: the ranges of islands, joined to one list (body_contacts.h).
 #include "solver/contact/body_contacts.h"
 
 #include "solver/body.h"

@@ -1,8 +1,8 @@
 // The list of contacts between particles of different bodies in the last step.
 //
-// During a step each island notes its own contacts, in a range of one array that all islands share. After the step the
-// ranges are joined at the front of the array; that is the list. Contacts of bodies that sleep stay listed: during a
-// step they are at the end of the array, where the particles that sleep leave room for them.
+// All islands share one array. During a step each island writes its contacts to its own range. After the step the
+// ranges are joined at the front of the array; that is the list. Contacts of sleeping bodies stay in it: during a step
+// they are at the end of the array, because sleeping particles need no range.
 #pragma once
 
 #include "foundation/ids.h"
@@ -30,7 +30,7 @@ struct BodyContact {
     }
 };
 
-/// Those of an island in the step under way.
+/// The contacts of an island in the current step.
 class IslandContacts {
 public:
     IslandContacts(BodyContact* contacts, uint32_t most, uint32_t* count, uint32_t* sorted)
@@ -39,9 +39,9 @@ public:
     static constexpr uint32_t none = 0xffffffff;
 
     void clear() const { *count_ = *sorted_ = 0; }
-    /// Call when the caller forgets the indices of its contacts: add finds the old ones again.
+    /// Call when indices of contacts are no longer known: sorts the contacts, so that `add` finds them.
     void sort() const;
-    /// The index of a contact, which is noted if it is new; `none` if there is no room.
+    /// The index of a contact, which is added if it is new; `none` if there is no room.
     uint32_t add(const BodyContact& contact) const;
     BodyContact& operator[](uint32_t index) const { return contacts_[index]; }
 

@@ -23,7 +23,7 @@ Collider::Collider(const CollisionContext& around, const Body& body, const Box& 
     Box box = paths;
     list_moving(box);
     if (moving_count_ > 0) {
-        box = way_of_struck(paths);
+        box = bounds_of_pushed(paths);
         list_moving(box);
     }
     around.scene->for_each_in_box(box, body.settings.layers, [&](gphys_model_id model) {
@@ -49,9 +49,9 @@ void Collider::sweep_model(gphys_model_id model, const Sphere& moving, Vec3 disp
 void Collider::sweep_listed(const Near& near, const Sphere& moving, Vec3 displacement, Impact& first) const {
     if (near.is_flat) {
         Hit hit;
-        const TriState verdict = near.flat.sweep(moving, displacement, hit);
-        if (verdict == TriState::no) return;
-        if (verdict == TriState::yes) {
+        const TriState result = near.flat.sweep(moving, displacement, hit);
+        if (result == TriState::no) return;
+        if (result == TriState::yes) {
             keep_first(first, {hit.t, near.model, false, false, 0, moving.center + displacement * hit.t, hit.point,
                                hit.normal, Vec3{}});
             return;
@@ -91,22 +91,22 @@ bool Collider::sweep(uint32_t particle, Vec3 from, Vec3 displacement, double tim
     return sweep_others(particle, from, displacement, time, 0, first);
 }
 
-Vec3 Collider::way_out(const Body& body, uint32_t particle, gphys_model_id model) const {
+Vec3 Collider::minimum_translation(const Body& body, uint32_t particle, gphys_model_id model) const {
     Impact impact;
     impact.model = model;
     impact.moves = has_moved(around_, model);
     impact.time = around_.end;
-    return way_out(body, particle, body.particles.position[particle], impact);
+    return minimum_translation(body, particle, body.particles.position[particle], impact);
 }
 
-Vec3 Collider::way_out(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const {
+Vec3 Collider::minimum_translation(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const {
     // For the scene, a moving model is at its place at the end of the step.
     const Transform now = widen(around_.scene->world(impact.model));
     const Transform then = impact.moves ? place_of(impact.model, impact.time) : now;
-    const Vec3 seen = impact.moves ? now.apply(then.inverse_apply(at)) : at;
+    const Vec3 relative = impact.moves ? now.apply(then.inverse_apply(at)) : at;
     Vec3 point, normal;
     double distance = 0;
-    if (!around_.scene->closest_point_model(impact.model, seen, point, normal, distance)) return {};
+    if (!around_.scene->closest_point_model(impact.model, relative, point, normal, distance)) return {};
     const Vec3 out =
         normal * std::max(0.0, body.particles.radius[particle] - distance + skin(body.particles.radius[particle], at));
     return impact.moves ? then.rotation * transpose_times(now.rotation, out) : out;
@@ -119,8 +119,8 @@ double Collider::stop_short(const Body& body, uint32_t particle, Vec3 from, Vec3
     return approach * impact.t > largest_gap(room) ? impact.t - room / approach : 0;
 }
 
-// point_count holds two counts while a step is under way: in the upper half of the byte that of the step before. The
-// old points are only cleared once they turn out to be gone, because a particle at rest records the same ones again.
+// During a step point_count holds two counts: in the upper half of the byte that of the step before. Old points are
+// cleared at the end of the step, because a particle at rest records the same points again.
 namespace {
 
 constexpr uint32_t count_bits = 4, count_mask = (1 << count_bits) - 1;
@@ -166,42 +166,42 @@ uint32_t record_contact_point(Body& body, uint32_t particle, const Scene& scene,
     return place;
 }
 
-void Collider::note(Body& body, uint32_t particle, gphys_model_id model, Vec3 point, Vec3 normal) const {
+void Collider::record(Body& body, uint32_t particle, gphys_model_id model, Vec3 point, Vec3 normal) const {
     accumulator_.has_contact = true;
     const uint32_t place = record_contact_point(body, particle, *around_.scene, model, point, normal);
     body.contacts.held[particle] = static_cast<uint8_t>(place + 1);
 }
 
 void Collider::record(Body& body, uint32_t particle, const Impact& impact) const {
-    const Impact there = impact.moves ? carried(impact) : impact;
-    note(body, particle, impact.model, there.point, there.normal);
+    const Impact there = impact.moves ? at_substep_end(impact) : impact;
+    record(body, particle, impact.model, there.point, there.normal);
 }
 
 Vec3 after_impact(Vec3 velocity, const Impact& impact, double restitution, double friction) {
     const Vec3 relative = velocity - impact.surface_velocity;
     const double approach = -dot(relative, impact.normal);
     if (approach <= 0) return velocity;
-    const double given = (1 + restitution) * approach;
-    const Vec3 sideways = relative + impact.normal * approach;
-    const double speed = length(sideways), taken = friction * given;
-    if (speed <= taken) return impact.surface_velocity + impact.normal * (restitution * approach);
-    return velocity + impact.normal * given - sideways * (taken / speed);
+    const double normal_change = (1 + restitution) * approach;
+    const Vec3 tangential = relative + impact.normal * approach;
+    const double speed = length(tangential), friction_change = friction * normal_change;
+    if (speed <= friction_change) return impact.surface_velocity + impact.normal * (restitution * approach);
+    return velocity + impact.normal * normal_change - tangential * (friction_change / speed);
 }
 
 namespace {
 
-/// The friction coefficient of an impact. Also decides whether the particle sticks: one that sticks is released when
-/// holding it would exceed static friction, and one that slides is caught when kinetic friction stops it.
+/// The friction coefficient of an impact. Also decides whether the particle sticks: it starts to slide when the impulse
+/// that holds it would exceed static friction, and it sticks when kinetic friction stops it.
 double choose_friction(Body& body, uint32_t particle, const Impact& impact, double restitution) {
     const Friction friction = friction_coefficients(body, particle);
     if (!body.settings.sticks()) return friction.kinetic;
     const Vec3 relative = body.particles.velocity[particle] - impact.surface_velocity;
-    const double approach = -dot(relative, impact.normal), given = (1 + restitution) * approach;
+    const double approach = -dot(relative, impact.normal), normal_change = (1 + restitution) * approach;
     if (approach <= 0) return friction.kinetic;  // no impulse
-    const double sideways = length(relative + impact.normal * approach);
-    const double chosen =
-        body.contacts.stuck[particle] && sideways <= friction.at_rest * given ? friction.at_rest : friction.kinetic;
-    body.contacts.stuck[particle] = sideways <= chosen * given;
+    const double sliding = length(relative + impact.normal * approach);
+    const double chosen = body.contacts.stuck[particle] && sliding <= friction.at_rest * normal_change ? friction.at_rest
+                                                                                                       : friction.kinetic;
+    body.contacts.stuck[particle] = sliding <= chosen * normal_change;
     return chosen;
 }
 
@@ -230,13 +230,13 @@ void Collider::bounce(Body& body, uint32_t particle, const Impact& impact, doubl
     Vec3& velocity = body.particles.velocity[particle];
     const Vec3 before = velocity;
     velocity = after_impact(velocity, impact, restitution, friction);
-    const Impact there = impact.moves ? carried(impact) : impact;
+    const Impact there = impact.moves ? at_substep_end(impact) : impact;
     add_impulse(accumulator_.impulses, around_, impact.model,
                 there.center - there.normal * body.particles.radius[particle],
                 (before - velocity) * body.particles.mass[particle]);
 }
 
-bool Collider::holds(Body& body, uint32_t particle, uint32_t obstacle, Vec3 displacement, Vec3 velocity) const {
+bool Collider::try_hold(Body& body, uint32_t particle, uint32_t obstacle, Vec3 displacement, Vec3 velocity) const {
     if (obstacle >= count_ || !near_[obstacle].is_flat) return false;
     const Near& near = near_[obstacle];
     const Vec3 at = body.particles.position[particle];
@@ -247,21 +247,21 @@ bool Collider::holds(Body& body, uint32_t particle, uint32_t obstacle, Vec3 disp
     if (into * hit.t > largest_gap(skin(radius, at))) return false;
     const double hold = friction_of(body, particle) * into;
     if (length_squared(displacement + hit.normal * into) > hold * hold) return false;
-    note(body, particle, near.model, hit.point, hit.normal);
+    record(body, particle, near.model, hit.point, hit.normal);
     if (body.settings.sticks()) body.contacts.stuck[particle] = 1;
     add_impulse(accumulator_.impulses, around_, near.model, hit.point, velocity * body.particles.mass[particle]);
     return true;
 }
 
-void Collider::press(Body& body, uint32_t first, uint32_t count, uint32_t obstacle, Vec3 displacement,
+void Collider::hold(Body& body, uint32_t first, uint32_t count, uint32_t obstacle, Vec3 displacement,
                      Vec3 velocity) const {
     const Near& near = near_[obstacle];
-    const PressedFace face = near.flat.pressed_face(displacement);
+    const ContactFace face = near.flat.contact_face(displacement);
     double mass = 0;
     Vec3 middle;
     for (uint32_t p = first; p < first + count; ++p) {
         const Vec3 point = face.point({body.particles.position[p], body.particles.radius[p]}, displacement);
-        note(body, p, near.model, point, face.normal);
+        record(body, p, near.model, point, face.normal);
         if (body.settings.sticks()) body.contacts.stuck[p] = 1;
         mass += body.particles.mass[p];
         middle += point * body.particles.mass[p];
@@ -269,30 +269,30 @@ void Collider::press(Body& body, uint32_t first, uint32_t count, uint32_t obstac
     add_impulse(accumulator_.impulses, around_, near.model, middle / mass, velocity * mass);
 }
 
-void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double time, double quiet) const {
+void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double time, double bounce_threshold) const {
     Impact impact;
     if (sweep(particle, from, displacement, time, impact)) {
         record(body, particle, impact);
-        slide(body, particle, from, displacement, time, quiet, impact);
+        slide(body, particle, from, displacement, time, bounce_threshold, impact);
     } else {
         body.particles.position[particle] = from + displacement;
     }
 }
 
-void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double time, double quiet,
+void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double time, double bounce_threshold,
                      Impact impact) const {
     Vec3 at = from;
     const Vec3& velocity = body.particles.velocity[particle];
     for (int contact = 1;; ++contact) {
-        gphys_model_id within = 0;  // left at a limited speed, and ignored meanwhile
+        gphys_model_id ignored = 0;  // the model that the particle leaves at a limited speed
         if (impact.inside) {
-            const Vec3 out = way_out(body, particle, at, impact);
+            const Vec3 out = minimum_translation(body, particle, at, impact);
             const double depth = length(out);
             if (depth <= most_push_) {
                 at += out;
             } else {
-                within = impact.model;
-                body.contacts.sunk = true;
+                ignored = impact.model;
+                body.contacts.penetrating = true;
                 impact.normal = out / depth;
                 impact.point = at + out - impact.normal * body.particles.radius[particle];
                 record(body, particle, impact);
@@ -300,8 +300,8 @@ void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement
         } else if (impact.moves && time < around_.end) {
             // Move with the model to the end of the substep; the remaining displacement is relative to it.
             const Vec3 hit = at + displacement * impact.t;
-            impact = carried(impact);
-            at = beside(body, particle, hit, impact);
+            impact = at_substep_end(impact);
+            at = place_off_model(body, particle, hit, impact);
             displacement = displacement * (1 - impact.t) - (at - hit);
             time = around_.end;
         } else {
@@ -312,23 +312,23 @@ void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement
         }
         const double approach = -dot(velocity - impact.surface_velocity, impact.normal);
         const bool was_stuck = body.settings.sticks() && body.contacts.stuck[particle];
-        bounce(body, particle, impact, approach > quiet ? body.settings.restitution : 0);
+        bounce(body, particle, impact, approach > bounce_threshold ? body.settings.restitution : 0);
         const bool stays = was_stuck && body.contacts.stuck[particle];
         // The remaining displacement goes along the surface, shortened by friction.
         const double into = -dot(displacement, impact.normal);
         if (into > 0) {
             const Vec3 along = displacement + impact.normal * into;
-            const double way = length(along);
+            const double sliding = length(along);
             const Friction friction = friction_coefficients(body, particle);
             const double hold = (stays ? friction.at_rest : friction.kinetic) * into;
-            displacement = way <= hold ? Vec3{} : along * (1 - hold / way);
+            displacement = sliding <= hold ? Vec3{} : along * (1 - hold / sliding);
         }
         if (contact > most_contacts) break;
         if (contact == most_contacts) displacement = {};
         // A moving model may still hit a particle that stays where it is.
         if (displacement == Vec3{} && (moving_count_ == 0 || time == around_.end)) break;
         impact = {};
-        if (!sweep_others(particle, at, displacement, time, within, impact)) {
+        if (!sweep_others(particle, at, displacement, time, ignored, impact)) {
             at += displacement;
             break;
         }
@@ -350,16 +350,16 @@ Box swept_box(const Body& body, const Vector<Vec3>& from, const Vector<Vec3>& to
     return bounds(Aabb{all.min - Vec3{room, room, room}, all.max + Vec3{room, room, room}});
 }
 
-void Collider::shift(Body& body, uint32_t particle, Vec3 way) const {
+void Collider::slide_along_contacts(Body& body, uint32_t particle, Vec3 displacement) const {
     const ContactPoint* point = &body.contacts.points[size_t{particle} * contact_points_per_particle];
     for (uint32_t i = 0; i < contact_point_count(body, particle); ++i) {
         const Vec3 normal = widen(point[i].normal);
-        way += normal * std::max(0.0, -dot(way, normal));
+        displacement += normal * std::max(0.0, -dot(displacement, normal));
     }
     Vec3& at = body.particles.position[particle];
     Impact impact;
-    const bool free = !sweep(particle, at, way, around_.end, impact);
-    if (!impact.inside) at += free ? way : way * stop_short(body, particle, at, way, impact);
+    const bool free = !sweep(particle, at, displacement, around_.end, impact);
+    if (!impact.inside) at += free ? displacement : displacement * stop_short(body, particle, at, displacement, impact);
 }
 
 namespace {
@@ -381,8 +381,9 @@ uint32_t most_links_of_a_particle(const Body& body) {
     return most;
 }
 
-/// Friction must not hold a link stretched: what two contacts did to its length is undone along the surfaces.
-void ease_links_between_contacts(const Collider& collider, Body& body) {
+/// Contacts at both ends of a link may change its length, and friction would keep it so. Restores the length by
+/// displacements along the surfaces.
+void relax_links_between_contacts(const Collider& collider, Body& body) {
     // Below this strain, which is invisible, resting particles are left alone.
     constexpr double slack = 1e-4;
     for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
@@ -393,13 +394,13 @@ void ease_links_between_contacts(const Collider& collider, Body& body) {
         const double wa = body.particles.inverse_mass[link.a], wb = body.particles.inverse_mass[link.b];
         if (link.compliance > 0 || std::fabs(error) <= slack * link.rest || length == 0 || wa + wb == 0) continue;
         const Vec3 correction = along * (error / (length * (wa + wb)));
-        collider.shift(body, link.a, correction * wa);
-        collider.shift(body, link.b, correction * -wb);
+        collider.slide_along_contacts(body, link.a, correction * wa);
+        collider.slide_along_contacts(body, link.b, correction * -wb);
     }
 }
 
-/// The pulls of links on a particle that is held go to the model that holds it. Pulls from before the second solution
-/// are in its velocity, and are transferred from there.
+/// The pulls of links on a particle that friction holds are impulses on the model. Pulls from before the second
+/// solution are in its velocity, and are transferred from there.
 void add_impulses_through_held(Body& body, const CollisionContext& around, const SolvedAgain& again) {
     const auto add_to_holder = [&](uint32_t p, Vec3 impulse) {
         if (!body.contacts.held[p] || body.particles.pinned(p)) return;
@@ -427,8 +428,8 @@ void add_impulses_through_held(Body& body, const CollisionContext& around, const
 
 }  // namespace
 
-void collide(Body& body, const CollisionContext& around, double quiet) {
-    body.contacts.has_contact = body.contacts.sunk = false;
+void collide(Body& body, const CollisionContext& around, double bounce_threshold) {
+    body.contacts.has_contact = body.contacts.penetrating = false;
     if (!around.scene || body.settings.layers == 0) return;
     const Collider collider(around, body, swept_box(body, body.history.start, body.particles.position, 0));
     if (collider.idle()) return;
@@ -437,26 +438,26 @@ void collide(Body& body, const CollisionContext& around, double quiet) {
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (!body.particles.pinned(p))
             collider.slide(body, p, body.history.start[p], body.particles.position[p] - body.history.start[p],
-                           around.begin, quiet);
+                           around.begin, bounce_threshold);
     }
 }
 
-void ease_contacts(Body& body, const CollisionContext& around) {
+void relax_contacts(Body& body, const CollisionContext& around) {
     // Each link of a particle moves it by less than the longest link.
-    const double way = most_links_of_a_particle(body) * longest_link(body);
-    const Collider collider(around, body, swept_box(body, body.particles.position, body.particles.position, way));
-    ease_links_between_contacts(collider, body);
+    const double margin = most_links_of_a_particle(body) * longest_link(body);
+    const Collider collider(around, body, swept_box(body, body.particles.position, body.particles.position, margin));
+    relax_links_between_contacts(collider, body);
     body.history.start = body.particles.position;
 }
 
-void collide_again(Body& body, const CollisionContext& around, double quiet, const SolvedAgain& again) {
+void collide_again(Body& body, const CollisionContext& around, double bounce_threshold, const SolvedAgain& again) {
     add_impulses_through_held(body, around, again);
     const Collider collider(around, body, swept_box(body, body.history.start, body.particles.position, 0));
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (body.particles.pinned(p) || body.contacts.held[p]) continue;
-        const Vec3 way = body.particles.position[p] - body.history.start[p];
-        body.particles.velocity[p] += way * again.rate;
-        collider.slide(body, p, body.history.start[p], way, around.end, quiet);
+        const Vec3 displacement = body.particles.position[p] - body.history.start[p];
+        body.particles.velocity[p] += displacement * again.rate;
+        collider.slide(body, p, body.history.start[p], displacement, around.end, bounce_threshold);
     }
 }
 

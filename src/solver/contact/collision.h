@@ -20,8 +20,8 @@ struct PlacedModel {
     bool operator<(const PlacedModel& other) const { return model < other.model; }
 };
 
-/// The surroundings during one substep: the scene as it is, the models that have moved since the last step with their
-/// former places, and the part of the step that the substep covers.
+/// What a body collides with in a substep: the scene, the former transforms of models that have moved since the last
+/// step, and the part of the step that the substep covers.
 struct CollisionContext {
     const Scene* scene = nullptr;
     const Vector<PlacedModel>* moved = nullptr;  // sorted by model
@@ -92,24 +92,25 @@ public:
     /// The first model that the particle hits; of simultaneous ones, the lower id. The particle starts at `time`, a
     /// fraction of the step, and arrives at the end of the substep. Models that move do so meanwhile.
     bool sweep(uint32_t particle, Vec3 from, Vec3 displacement, double time, Impact& impact) const;
-    /// Whether friction holds a particle at rest on the only obstacle that it can reach. Without friction it would move
-    /// by `displacement` and get `velocity`. If it is held, the contact is recorded, and the model gets the impulse.
-    bool holds(Body& body, uint32_t particle, uint32_t obstacle, Vec3 displacement, Vec3 velocity) const;
-    /// The same for consecutive particles that are in its FlatModel::rest.
-    void press(Body& body, uint32_t first, uint32_t count, uint32_t obstacle, Vec3 displacement, Vec3 velocity) const;
+    /// Returns whether static friction holds a particle on the only obstacle that it can reach; then records the
+    /// contact and gives the model the impulse. Without friction the particle would move by `displacement` and get
+    /// `velocity`.
+    bool try_hold(Body& body, uint32_t particle, uint32_t obstacle, Vec3 displacement, Vec3 velocity) const;
+    /// The same for consecutive particles, all of which are in FlatModel::resting_region of the obstacle.
+    void hold(Body& body, uint32_t first, uint32_t count, uint32_t obstacle, Vec3 displacement, Vec3 velocity) const;
     /// Moves the particle along the displacement as far as possible, sliding along surfaces with friction, and changes
-    /// its velocity accordingly. Approach speeds below `quiet` do not bounce. Records contacts. `time` is that of
-    /// sweep.
-    void slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double time, double quiet) const;
+    /// its velocity accordingly. Approach speeds below `bounce_threshold` do not bounce. Records contacts. `time`: as
+    /// in sweep.
+    void slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double time, double bounce_threshold) const;
     /// The same if the first impact on that path is known and recorded.
-    void slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double time, double quiet,
+    void slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double time, double bounce_threshold,
                Impact impact) const;
-    /// The place a skin away from a moving model that the particle has hit, unless a static model is in the way.
-    Vec3 beside(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const;
-    /// The displacement that moves a particle out of a model.
-    Vec3 way_out(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const;
+    /// The place a skin away from a moving model that the particle has hit, or as near to it as static models allow.
+    Vec3 place_off_model(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const;
+    /// The shortest displacement that moves a particle out of a model.
+    Vec3 minimum_translation(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const;
     /// The same for a model in contact, at the end of the substep.
-    Vec3 way_out(const Body& body, uint32_t particle, gphys_model_id model) const;
+    Vec3 minimum_translation(const Body& body, uint32_t particle, gphys_model_id model) const;
     /// How far a particle with constraints may move out in this substep.
     double most_push() const { return most_push_; }
     /// The fraction of the path at which the skin to the surface is left.
@@ -117,8 +118,8 @@ public:
     void record(Body& body, uint32_t particle, const Impact& impact) const;
     /// Changes the velocity by an impact; the model gets the opposite impulse.
     void bounce(Body& body, uint32_t particle, const Impact& impact, double restitution) const;
-    /// Moves along the surfaces in contact as far as possible, whatever the velocity.
-    void shift(Body& body, uint32_t particle, Vec3 way) const;
+    /// Moves the particle along its contact planes as far as possible. Does not change its velocity.
+    void slide_along_contacts(Body& body, uint32_t particle, Vec3 displacement) const;
 
 private:
     static constexpr uint32_t most_listed = 32;
@@ -130,12 +131,12 @@ private:
         FlatModel flat;
     };
 
-    void note(Body& body, uint32_t particle, gphys_model_id model, Vec3 point, Vec3 normal) const;
+    void record(Body& body, uint32_t particle, gphys_model_id model, Vec3 point, Vec3 normal) const;
     void list_moving(const Box& box);
     /// Calls visit(former place of the model) for the nearby moving models, or for all if too many are near.
     template <class Visit>
     void for_each_moving(Visit&& visit) const;
-    Box way_of_struck(const Box& paths) const;
+    Box bounds_of_pushed(const Box& paths) const;
     void sweep_model(gphys_model_id model, const Sphere& moving, Vec3 displacement, Impact& first) const;
     void sweep_listed(const Near& near, const Sphere& moving, Vec3 displacement, Impact& first) const;
     void sweep_moving(const Sphere& moving, Vec3 displacement, double time, gphys_model_id ignored,
@@ -148,8 +149,8 @@ private:
     bool sweep_others(uint32_t particle, Vec3 from, Vec3 displacement, double time, gphys_model_id ignored,
                       Impact& first) const;
     Transform place_of(gphys_model_id moved, double time) const;
-    /// The impact at the end of the substep, if the particle stays with the model.
-    Impact carried(const Impact& impact) const;
+    /// The impact at the end of the substep, if the particle moves with the model.
+    Impact at_substep_end(const Impact& impact) const;
 
     const CollisionContext& around_;
     const Body& body_;
@@ -162,8 +163,8 @@ private:
     uint32_t moving_[most_listed];
 };
 
-/// A box around the motion of a model to its present place. Returns false if it is unbounded.
-bool way_of(const Scene& scene, const PlacedModel& before, Box& out);
+/// The bounds of a model during its motion to its present place. Returns false if it is unbounded.
+bool swept_bounds(const Scene& scene, const PlacedModel& before, Box& out);
 
 inline Aabb widen(const Box& box) {
     return {{box.min[0], box.min[1], box.min[2]}, {box.max[0], box.max[1], box.max[2]}};
@@ -183,9 +184,9 @@ bool Collider::for_each_obstacle(double radius, const Aabb& region, Visit&& visi
               near.is_flat ? &near.flat : nullptr);
     }
     for (uint32_t i = 0; i < moving_count_; ++i) {
-        Box way;
-        if (!way_of(*around_.scene, (*around_.moved)[moving_[i]], way)) return false;
-        offer(widen(way), nullptr);
+        Box swept;
+        if (!swept_bounds(*around_.scene, (*around_.moved)[moving_[i]], swept)) return false;
+        offer(widen(swept), nullptr);
     }
     return true;
 }
@@ -198,10 +199,10 @@ Vec3 after_impact(Vec3 velocity, const Impact& impact, double restitution, doubl
 Box swept_box(const Body& body, const Vector<Vec3>& from, const Vector<Vec3>& to, double margin);
 
 /// For a body whose particles have just been moved from start to position.
-void collide(Body& body, const CollisionContext& around, double quiet);
+void collide(Body& body, const CollisionContext& around, double bounce_threshold);
 
-/// Whether a particle is not faster than a fall through four times its skin makes it, 9 mm/s for a radius of 1 cm. It
-/// may have been put down that far above a surface.
+/// Whether a particle is slow enough to count as at rest: not faster than after a fall through four times its skin,
+/// 9 mm/s for a radius of 1 cm. It may have been placed that far above a surface.
 bool rests(const Body& body, uint32_t particle, Vec3 velocity, Vec3 gravity);
 
 /// Call before and after the substep of a body that is not cloth, or some of its particles: which of them static
@@ -213,17 +214,17 @@ inline void end_friction(Body& body) { end_friction(body, 0, body.particles.size
 
 /// Call after collide, if there was contact: before the links are solved again while the particles in contact stay
 /// where they are, ...
-void ease_contacts(Body& body, const CollisionContext& around);
+void relax_contacts(Body& body, const CollisionContext& around);
 
 struct SolvedAgain {
-    double step;  // a force f has moved a particle by f / m * step^2
-    double rate;  // by which a correction of the position changes the velocity, 1/s
+    double step;  // seconds: a force f moves a particle of mass m by f / m * step^2
+    double rate;  // 1/s: a correction of the position times this is that of the velocity
 };
 /// ... and after it, to sweep what they have moved.
-void collide_again(Body& body, const CollisionContext& around, double quiet, const SolvedAgain& again);
+void collide_again(Body& body, const CollisionContext& around, double bounce_threshold, const SolvedAgain& again);
 
 /// A speed that gravity adds in two substeps is too small to bounce.
-inline double quiet_speed(Vec3 gravity, double h) { return 2 * h * length(gravity); }
+inline double find_bounce_threshold(Vec3 gravity, double h) { return 2 * h * length(gravity); }
 
 /// Call at the beginning and at the end of a step, for some particles or all; clear_contact_points is both at once.
 void begin_contact_points(Body& body, uint32_t first, uint32_t end);

@@ -57,8 +57,9 @@ struct Contacts {
     Vector<uint32_t> stuck;          // by particle, if it sticks: whether friction holds it or it rests
     Vector<double> friction_factor;  // by particle, of the body's friction; empty: 1
     bool has_contact = false;        // whether there was any, and the caller has not interrupted the motion since
-    bool near = false;               // its particles may be in contact with others in this substep
-    bool sunk = false;               // some particles are deeper in models than they can leave at once, in this substep
+    bool near = false;               // whether its particles may be in contact with others in this substep
+    /// Whether some particles are deeper in models than they can leave in this substep.
+    bool penetrating = false;
     SelfCollision self;
 };
 

@@ -14,13 +14,13 @@ Vec3 get(const double (&from)[3]) { return {from[0], from[1], from[2]}; }
 }  // namespace
 
 void FlatModel::place(const Aabb& box) {
-    turned_ = false;
+    rotated_ = false;
     put(low_, box.min);
     put(high_, box.max);
 }
 
 void FlatModel::place(const Obb& box) {
-    turned_ = true;
+    rotated_ = true;
     put(low_, -box.half);
     put(high_, box.half);
     put(center_, box.center);
@@ -33,9 +33,9 @@ void FlatModel::place(const Plane& plane) {
     const Vec3 normal = normalized(plane.normal);
     const double distance = plane.distance / length(plane.normal);
     const int axis = longest_axis(normal);
-    turned_ = std::fabs(normal[axis]) != 1;
+    rotated_ = std::fabs(normal[axis]) != 1;
     for (int k = 0; k < 3; ++k) low_[k] = -infinity, high_[k] = infinity;
-    if (!turned_) {
+    if (!rotated_) {
         low_[axis] = high_[axis] = distance * normal[axis];
         return;
     }
@@ -68,13 +68,13 @@ bool FlatModel::prepare(const Scene& scene, gphys_model_id model) {
 /// starts in front of some faces. It enters the sharp enlarged box at the last of their planes that it crosses. If that
 /// point is on a flat face, it is also where the path enters the rounded box, which is inside the sharp one.
 TriState FlatModel::sweep(const Sphere& moving, Vec3 displacement, Hit& hit) const {
-    Vec3 from = moving.center, way = displacement;
-    if (turned_) {
+    Vec3 from = moving.center, local = displacement;
+    if (rotated_) {
         const Mat3 axes{get(axes_[0]), get(axes_[1]), get(axes_[2])};
         from = transpose_times(axes, moving.center - get(center_));
-        way = transpose_times(axes, displacement);
+        local = transpose_times(axes, displacement);
     }
-    const double at[] = {from.x, from.y, from.z}, along[] = {way.x, way.y, way.z};
+    const double at[] = {from.x, from.y, from.z}, along[] = {local.x, local.y, local.z};
     int axis = -1;
     bool above = false;
     double t = -1;
@@ -93,7 +93,7 @@ TriState FlatModel::sweep(const Sphere& moving, Vec3 displacement, Hit& hit) con
         if (k != axis && (there < low_[k] || there > high_[k])) return TriState::undecided;
     }
     const Vec3 out{axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
-    const Vec3 normal = turned_ ? get(axes_[axis]) : out;
+    const Vec3 normal = rotated_ ? get(axes_[axis]) : out;
     hit.t = t;
     hit.normal = above ? normal : -normal;
     hit.point = moving.center + displacement * t - hit.normal * moving.radius;
@@ -101,18 +101,18 @@ TriState FlatModel::sweep(const Sphere& moving, Vec3 displacement, Hit& hit) con
     return TriState::yes;
 }
 
-PressedFace FlatModel::pressed_face(Vec3 displacement) const {
+ContactFace FlatModel::contact_face(Vec3 displacement) const {
     const int axis = longest_axis(displacement);
     const bool above = displacement[axis] < 0;
-    PressedFace face{{}, above ? high_[axis] : -low_[axis], std::fabs(displacement[axis])};
+    ContactFace face{{}, above ? high_[axis] : -low_[axis], std::fabs(displacement[axis])};
     face.normal[axis] = above ? 1 : -1;
     return face;
 }
 
-Aabb FlatModel::rest(double radius, double gap, Vec3 displacement, double friction) const {
+Aabb FlatModel::resting_region(double radius, double gap, Vec3 displacement, double friction) const {
     constexpr Aabb nowhere{{1, 1, 1}, {-1, -1, -1}};
-    if (turned_ || displacement == Vec3{}) return nowhere;
-    const PressedFace face = pressed_face(displacement);
+    if (rotated_ || displacement == Vec3{}) return nowhere;
+    const ContactFace face = contact_face(displacement);
     const Vec3 along = displacement + face.normal * face.into;
     if (length(along) > friction * face.into) return nowhere;
     Aabb place;
@@ -132,7 +132,7 @@ Aabb FlatModel::rest(double radius, double gap, Vec3 displacement, double fricti
 /// Solves n.x = d for each component of x, with the other components at their extremes.
 Aabb FlatModel::part_of_plane(const Aabb& region) const {
     Aabb part = region;
-    if (!turned_) {
+    if (!rotated_) {
         for (int k = 0; k < 3; ++k) {
             part.min[k] = std::max(part.min[k], low_[k]);
             part.max[k] = std::min(part.max[k], high_[k]);

@@ -9,11 +9,11 @@
 
 namespace gphys {
 
-/// A face that a displacement presses on, perpendicular to a world axis.
-struct PressedFace {
+/// The face of a contact, perpendicular to a world axis.
+struct ContactFace {
     Vec3 normal;
     double place;  // along the normal
-    double into;   // metres by which the displacement of a substep penetrates it
+    double into;   // metres: the displacement of a substep against the normal
 
     /// The contact point of a sphere with this displacement.
     Vec3 point(const Sphere& moving, Vec3 displacement) const {
@@ -24,15 +24,15 @@ struct PressedFace {
 
 class FlatModel {
 public:
-    /// Returns false if the model is another shape.
+    /// Returns false if the model is neither a plane nor a box.
     bool prepare(const Scene& scene, gphys_model_id model);
     /// As gphys::sweep of the shape.
     TriState sweep(const Sphere& moving, Vec3 displacement, Hit& hit) const;
-    /// The face that a displacement presses on most; for a model without rotation.
-    PressedFace pressed_face(Vec3 displacement) const;
-    /// The box of all centres at which a sphere rests on a face without rotation: between half of the gap and the gap
-    /// away from it, while friction holds it against `displacement` in a substep. Empty if there are none.
-    Aabb rest(double radius, double gap, Vec3 displacement, double friction) const;
+    /// The face that a displacement is most opposed to; for a model without rotation.
+    ContactFace contact_face(Vec3 displacement) const;
+    /// The box of all centres at which a sphere is at rest on a face without rotation: its distance is between half of
+    /// the gap and the gap, and friction cancels `displacement` in a substep. Empty if there are none.
+    Aabb resting_region(double radius, double gap, Vec3 displacement, double friction) const;
     /// For a plane: a box around the part of it that is in the region.
     Aabb part_of_plane(const Aabb& region) const;
 
@@ -42,7 +42,7 @@ private:
     void place(const Obb& box);
 
     // Not initialised: there are many, and few are used.
-    bool turned_;
+    bool rotated_;
     double low_[3], high_[3];  // corners; relative to the centre if it is rotated
     double center_[3], axes_[3][3];
 };

@@ -9,7 +9,7 @@ namespace gphys {
 struct Friction {
     double kinetic, at_rest;
 
-    /// Whether what is at rest is held by more than what slides.
+    /// Whether static friction is stronger than kinetic friction.
     bool sticks() const { return at_rest > kinetic; }
 };
 

@@ -38,11 +38,11 @@ void reserve_impulses(Body& body, size_t models_near) {
 void add_parts(Body& body) {
     for (FlightPart& part : body.contacts.parts) {
         body.contacts.has_contact = body.contacts.has_contact || part.has_contact;
-        for (const ModelImpulse& given : part.impulses) {
-            ModelImpulse* const sum = sum_for(body.contacts.impulses, given.model, given.tag);
+        for (const ModelImpulse& partial : part.impulses) {
+            ModelImpulse* const sum = sum_for(body.contacts.impulses, partial.model, partial.tag);
             if (!sum) continue;
-            sum->linear += given.linear;
-            sum->angular += given.angular;
+            sum->linear += partial.linear;
+            sum->angular += partial.angular;
         }
         part.impulses.clear();
         part.has_contact = false;
@@ -74,8 +74,8 @@ void add_attached_impulses(Body& body, const CollisionContext& around, double si
     for (const Attachment& attachment : body.constraints.attachments) {
         const uint32_t p = attachment.particle;
         const Vec3 momentum = body.particles.velocity[p] * body.particles.mass[p];
-        const Vec3 pressed = (gravity * body.particles.mass[p] + body.particles.force[p]) * seconds;
-        add_impulse(body, around, attachment.model, body.particles.position[p], momentum * sign + pressed);
+        const Vec3 applied = (gravity * body.particles.mass[p] + body.particles.force[p]) * seconds;
+        add_impulse(body, around, attachment.model, body.particles.position[p], momentum * sign + applied);
     }
 }
 

@@ -20,8 +20,8 @@ struct ModelImpulse {
     Vec3 angular;  // N m s, about the model's position
 };
 
-/// Models that were not near at the beginning of a step are only hit if something has made particles many times faster.
-/// There is room for this many of them; impulses on more are not reported.
+/// Room for models that were not near at the beginning of a step. A particle can hit one only if it became many times
+/// faster during the step. Impulses on more models are not reported.
 constexpr uint32_t spare_impulses = 64;
 
 /// The output of contacts besides the motion of particles: sums by model, and whether there were any. For a body, or

@@ -1,4 +1,4 @@
-// How bodies with constraints leave models that they are in.
+// Moves bodies with constraints out of models that they are in (leave_solids.cpp).
 #pragma once
 
 #include "foundation/math.h"
@@ -8,11 +8,11 @@ namespace gphys {
 struct Body;
 struct CollisionContext;
 
-/// Call before and after the links are solved, for a sunk body that is not cloth. begin_leaving returns false, and
-/// nothing remains to be done, if none of its particles is in a model.
+/// Call before and after the links are solved, for a penetrating body that is not cloth. If none of its particles is in
+/// a model, begin_leaving returns false and end_leaving is not needed.
 bool begin_leaving(Body& body, const CollisionContext& around);
 void end_leaving(Body& body, const CollisionContext& around, bool lengths_found);
-/// The whole of it for cloth, at the end of a substep of h seconds.
+/// For cloth, at the end of a substep of h seconds: both at once.
 void leave_solids(Body& body, double h);
 
 }  // namespace gphys

@@ -1,8 +1,8 @@
-// Sweeps of particles against models that move during a step.
+// Sweeps of particles against models that move during a step (collision.h).
 //
-// The path of a particle and the motion of a model use the same clock. A path that starts where another one ended also
-// starts at the time at which that one ended. So, relative to the model, there are no gaps between paths, and no
-// particle gets through.
+// A sweep uses the motion of the particle relative to the model, with a common time. A path starts at the place and at
+// the time at which the previous path ended. So the relative paths have no gaps, and no particle passes through a
+// model.
 #include "solver/contact/collision.h"
 
 namespace gphys {
@@ -22,7 +22,7 @@ Transform interpolate(const gphys_transform& from, const gphys_transform& to, do
             from.scale * rest + to.scale * fraction};
 }
 
-bool way_of(const Scene& scene, const PlacedModel& before, Box& out) {
+bool swept_bounds(const Scene& scene, const PlacedModel& before, Box& out) {
     Box now;
     if (!scene.bounds(before.model, now)) return false;
     // No part of the model was farther from its position than now, except for the change of scale.
@@ -47,8 +47,8 @@ void Collider::for_each_moving(Visit&& visit) const {
     }
 }
 
-/// A model carries a particle that it hits as far as it moves, and as far again if the particle bounces.
-Box Collider::way_of_struck(const Box& paths) const {
+/// A model pushes a particle that it hits at most as far as it moves, and a bounce adds at most the same distance.
+Box Collider::bounds_of_pushed(const Box& paths) const {
     const Aabb all = widen(paths);
     double furthest = 0;
     for_each_moving([&](const PlacedModel& before) {
@@ -72,9 +72,9 @@ void Collider::list_moving(const Box& box) {
     moving_count_ = 0;
     for (uint32_t i = 0; i < around_.moved->size(); ++i) {
         const PlacedModel& before = (*around_.moved)[i];
-        Box way;
+        Box swept;
         if (!(around_.scene->layers(before.model) & body_.settings.layers)) continue;
-        if (way_of(*around_.scene, before, way) && !overlaps(way, box)) continue;
+        if (swept_bounds(*around_.scene, before, swept) && !overlaps(swept, box)) continue;
         if (moving_count_ < most_listed) moving_[moving_count_] = i;
         ++moving_count_;
     }
@@ -137,35 +137,35 @@ void Collider::sweep_moved(const PlacedModel& before, const Sphere& moving, Vec3
         const double part = static_cast<double>(i) / parts;
         const Transform then = interpolate(before.world, after, time + (around_.end - time) * part);
         const Vec3 to = i == parts ? last : now.apply(then.inverse_apply(moving.center + displacement * part));
-        const Sphere seen{from, moving.radius};
-        const Vec3 way = to - from;
+        const Sphere relative{from, moving.radius};
+        const Vec3 path = to - from;
         Hit hit;
-        if ((!bounded || overlaps(box, path_box(seen, way))) &&
-            around_.scene->sweep_model(before.model, seen, way, hit)) {
+        if ((!bounded || overlaps(box, path_box(relative, path))) &&
+            around_.scene->sweep_model(before.model, relative, path, hit)) {
             hit.t = (i - 1 + hit.t) / parts;
             const double when = time + (around_.end - time) * hit.t;
             const Transform there = interpolate(before.world, after, when);
             const auto placed = [&](Vec3 p) { return there.apply(now.inverse_apply(p)); };
             const Vec3 on_model = now.inverse_apply(hit.point);
-            const Vec3 gone = at_end.apply(on_model) - interpolate(before.world, after, around_.begin).apply(on_model);
+            const Vec3 moved_by = at_end.apply(on_model) - interpolate(before.world, after, around_.begin).apply(on_model);
             const double seconds = around_.step_time * (around_.end - around_.begin);
             keep_first(first, {hit.t, before.model, i == 1 && (hit.flags & GPHYS_HIT_INSIDE) != 0, true, when,
-                               placed(from + way * (hit.t * parts - (i - 1))), placed(hit.point),
-                               there.rotation * transpose_times(now.rotation, hit.normal), gone / seconds});
+                               placed(from + path * (hit.t * parts - (i - 1))), placed(hit.point),
+                               there.rotation * transpose_times(now.rotation, hit.normal), moved_by / seconds});
             return;
         }
         from = to;
     }
 }
 
-Impact Collider::carried(const Impact& impact) const {
+Impact Collider::at_substep_end(const Impact& impact) const {
     const Transform then = place_of(impact.model, impact.time), end = place_of(impact.model, around_.end);
-    Impact carried = impact;
-    carried.time = around_.end;
-    carried.center = end.apply(then.inverse_apply(impact.center));
-    carried.point = end.apply(then.inverse_apply(impact.point));
-    carried.normal = end.rotation * transpose_times(then.rotation, impact.normal);
-    return carried;
+    Impact later = impact;
+    later.time = around_.end;
+    later.center = end.apply(then.inverse_apply(impact.center));
+    later.point = end.apply(then.inverse_apply(impact.point));
+    later.normal = end.rotation * transpose_times(then.rotation, impact.normal);
+    return later;
 }
 
 void Collider::sweep_moving(const Sphere& moving, Vec3 displacement, double time, gphys_model_id ignored,
@@ -175,16 +175,16 @@ void Collider::sweep_moving(const Sphere& moving, Vec3 displacement, double time
     });
 }
 
-Vec3 Collider::beside(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const {
-    Vec3 way = impact.center + impact.normal * skin(body.particles.radius[particle], at) - at;
+Vec3 Collider::place_off_model(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const {
+    Vec3 displacement = impact.center + impact.normal * skin(body.particles.radius[particle], at) - at;
     for (int contact = 0; contact < 3; ++contact) {  // a corner has three
         Impact stopped;
-        sweep_unmoved(particle, at, way, 0, stopped);
-        if (stopped.model == 0) return at + way;
-        const double t = stopped.inside ? 0 : stop_short(body, particle, at, way, stopped);
-        at += way * t;
-        way *= 1 - t;
-        way += stopped.normal * std::max(0.0, -dot(way, stopped.normal));
+        sweep_unmoved(particle, at, displacement, 0, stopped);
+        if (stopped.model == 0) return at + displacement;
+        const double t = stopped.inside ? 0 : stop_short(body, particle, at, displacement, stopped);
+        at += displacement * t;
+        displacement *= 1 - t;
+        displacement += stopped.normal * std::max(0.0, -dot(displacement, stopped.normal));
     }
     return at;
 }

@@ -14,27 +14,27 @@ namespace {
 // highest indices first.
 constexpr uint32_t pairs_per_particle = 12;
 constexpr uint32_t contacts_per_particle = 6;
-// If there are more pairs than that, those of the particles with the highest indices are dropped. If more than one in
-// this many listed pairs overlaps deeply, particles lie in each other, and n particles at one place have n^2 / 2 pairs.
-// Then each particle takes at most a fixed number of pairs, from a fixed number of particles in each cell around it. So
-// the cost is O(n), and in time all are separated.
+// Pairs beyond the capacity are dropped, those of the particles with the highest indices first. n particles at one
+// place have n^2 / 2 pairs. So if the capacity is exceeded and more than one in this many listed pairs overlaps deeply,
+// each particle takes at most a fixed number of pairs, from a fixed number of particles in each cell around it. Then
+// the cost is O(n), and the particles are separated over several substeps.
 constexpr uint32_t one_deep_of = 8;
 constexpr uint32_t crowded_pairs = 4;
 constexpr uint32_t crowded_tests = 8;
-// Margin of a particle at rest, in radii. With a larger one, the list lasts longer, and is longer.
+// Margin of a particle at rest, in radii. With a larger margin the list is valid for longer and has more pairs.
 constexpr double least_margin = 0.2;
 // The margin of a moving particle covers this many substeps at its present speed.
-constexpr double lasting = 2;
-// Sweeps over the contacts of a substep. Each sweep carries a load on by at least one particle, so for a deep pile more
-// sweeps and more substeps help equally.
+constexpr double margin_substeps = 2;
+// Gauss-Seidel sweeps over the contacts of a substep. Each sweep propagates a load by at least one particle, so for a
+// deep pile more sweeps and more substeps help equally.
 constexpr int sweeps = 4;
-// Pairs closer than this, in sums of their radii, are contacts too, because others may press them together.
-constexpr double near = 0.02;
-// Pairs that overlap from the beginning separate by this much per substep, in sums of their radii. Separating them at
-// once would shoot them apart.
-constexpr double most_parting = 0.1;
-// Pairs that overlap by more than this at the beginning of a substep, in sums of their radii, were placed so; impacts
-// do not press particles so deep.
+// Pairs with a smaller gap, in sums of their radii, are contacts too, because others may press them together.
+constexpr double near_gap = 0.02;
+// Pairs that overlap at the beginning of a substep separate by at most this much in it, in sums of their radii.
+// Separating them at once would give them a high speed.
+constexpr double most_correction = 0.1;
+// Pairs that overlap by more than this at the beginning of a substep, in sums of their radii, overlap deeply: they were
+// placed so, because impacts do not penetrate so far.
 constexpr double deep = 0.5;
 
 bool collides_with_others(const Body& body) { return body.settings.self_collision || body.settings.body_layers != 0; }
@@ -74,8 +74,8 @@ uint64_t key_of(const int64_t (&cell)[3]) {
     return key;
 }
 
-/// A unit direction for a pair at one point. Each pair has its own, so that a pile spreads in all directions. It
-/// depends on the indices alone, by operations with the same bits everywhere; no component is 0.
+/// A unit direction for a pair at one point. Different pairs have different directions, so that a pile spreads in all
+/// directions. The direction depends on the indices alone and has the same bits on each machine; no component is 0.
 Vec3 direction_of_pair(uint32_t a, uint32_t b) {
     constexpr int bits = 21;
     const uint64_t key = key_of({a, b, 0});
@@ -102,8 +102,8 @@ struct Grid {
 /// The time at which two points, whose difference goes from `from` to `to`, are first as close as `reach`; above 1:
 /// never.
 double time_of_impact(Vec3 from, Vec3 to, double reach) {
-    const Vec3 way = to - from;
-    const double a = length_squared(way), b = dot(from, way), c = length_squared(from) - reach * reach;
+    const Vec3 motion = to - from;
+    const double a = length_squared(motion), b = dot(from, motion), c = length_squared(from) - reach * reach;
     if (c <= 0) return 0;
     const double discriminant = b * b - a * c;
     if (b >= 0 || discriminant < 0) return infinity;
@@ -212,15 +212,15 @@ void ParticleContacts::gather(const Range& range, const Vector<Body>& bodies) co
         Particle& p = range.particles[i];
         const Body& body = bodies[p.body];
         p.before = p.at;
-        p.at = p.arrived = place_of(body, p.number);
-        p.velocity = p.arrived_velocity = velocity_of(body, p.number);
+        p.at = p.uncorrected = place_of(body, p.number);
+        p.velocity = p.uncorrected_velocity = velocity_of(body, p.number);
         p.inverse_mass = body.particles.inverse_mass[p.number];
     }
 }
 
-bool ParticleContacts::list_holds(const Range& range) const {
+bool ParticleContacts::list_is_valid(const Range& range) const {
     return std::all_of(range.particles, range.particles + range.count, [](const Particle& p) {
-        return p.margin >= 0 && length_squared(p.at - p.found_at) <= p.margin * p.margin;
+        return p.margin >= 0 && length_squared(p.at - p.list_position) <= p.margin * p.margin;
     });
 }
 
@@ -228,8 +228,8 @@ void ParticleContacts::find_pairs(const Range& range, const Vector<Body>& bodies
     double sum = 0;
     for (uint32_t i = 0; i < range.count; ++i) {
         Particle& p = range.particles[i];
-        p.found_at = p.at;
-        p.margin = std::max(least_margin * p.radius, lasting * distance(p.at, p.before));
+        p.list_position = p.at;
+        p.margin = std::max(least_margin * p.radius, margin_substeps * distance(p.at, p.before));
         sum += p.reach();
     }
     uint32_t& count = *range.pair_count;
@@ -328,8 +328,8 @@ void ParticleContacts::find_pairs(const Range& range, const Vector<Body>& bodies
     }
 }
 
-/// Returns whether particles lie in each other: more than one contact in one_deep_of is deep.
-bool ParticleContacts::find_contacts(const Range& range, const Vector<Body>& bodies, double quiet, double h) const {
+/// Returns whether many pairs overlap deeply: more than one contact in one_deep_of.
+bool ParticleContacts::find_contacts(const Range& range, const Vector<Body>& bodies, double bounce_threshold, double h) const {
     uint32_t& count = *range.contact_count;
     count = 0;
     uint32_t deep_contacts = 0;
@@ -339,15 +339,16 @@ bool ParticleContacts::find_contacts(const Range& range, const Vector<Body>& bod
         const double radii = a.radius + b.radius;
         const Vec3 before = b.before - a.before, now = b.at - a.at;
         const double t = time_of_impact(before, now, radii);
-        if (t > 1 && length_squared(now) > radii * radii * (1 + near) * (1 + near)) continue;
+        if (t > 1 && length_squared(now) > radii * radii * (1 + near_gap) * (1 + near_gap)) continue;
         if (length_squared(before) < radii * radii * (1 - deep) * (1 - deep)) ++deep_contacts;
         const Vec3 at_impact = t > 1 ? now : before + (now - before) * t;
         const double length = gphys::length(at_impact);
         const Vec3 normal = length > 0 ? at_impact / length : direction_of_pair(pair.a, pair.b);
         const Body &of_a = bodies[a.body], &of_b = bodies[b.body];
-        // Their speed at the time of impact: later they would be faster, and never stop bouncing.
-        const Vec3 arrived = b.velocity - a.velocity, gained = (arrived - (now - before) / h) * 2;
-        const double approach = -dot(arrived - gained * (1 - std::min(t, 1.0)), normal);
+        // The speed at the time of impact. The speed at the end of the substep is larger, and with it particles would
+        // bounce for ever.
+        const Vec3 at_end = b.velocity - a.velocity, gained = (at_end - (now - before) / h) * 2;
+        const double approach = -dot(at_end - gained * (1 - std::min(t, 1.0)), normal);
         const double restitution = std::sqrt(of_a.settings.restitution * of_b.settings.restitution);
         const double friction =
             std::sqrt(friction_coefficients(of_a, a.number).kinetic * friction_coefficients(of_b, b.number).kinetic);
@@ -356,10 +357,10 @@ bool ParticleContacts::find_contacts(const Range& range, const Vector<Body>& bod
                                    pair.b,
                                    normal,
                                    friction,
-                                   approach > quiet ? restitution * approach : 0,
+                                   approach > bounce_threshold ? restitution * approach : 0,
                                    0,
                                    0,
-                                   closing + most_parting * radii,
+                                   closing + most_correction * radii,
                                    0,
                                    0};
     }
@@ -368,113 +369,115 @@ bool ParticleContacts::find_contacts(const Range& range, const Vector<Body>& bod
 
 namespace {
 
-/// A model in contact does not yield, so other particles cannot press a particle further into it.
+/// The value without motion into the models in contact: other particles cannot push a particle into a model.
 template <class Particle>
-Vec3 beside_models(const Particle& p, Vec3 value, Vec3 arrived) {
+Vec3 blocked_by_models(const Particle& p, Vec3 value, Vec3 uncorrected) {
     if (!p.contact_points) return value;
     for (uint32_t i = 0; i < contact_points_per_particle && p.contact_points[i].model != 0; ++i) {
         const Vec3 normal = widen(p.contact_points[i].normal);
-        value -= normal * std::min(0.0, dot(value - arrived, normal));
+        value -= normal * std::min(0.0, dot(value - uncorrected, normal));
     }
     return value;
 }
 
-/// Moves two particles apart by `way`, or changes their velocities, in proportion to their inverse masses. If models
-/// block one of them, the other takes its share.
+/// Adds a correction to the relative position or velocity of two particles, in proportion to their inverse masses. If
+/// models block one of them, the other takes its share.
 template <class Particle>
-void shift(Particle& a, Particle& b, Vec3 way, Vec3 Particle::*value, Vec3 Particle::*arrived) {
-    const double mobility = a.inverse_mass + b.inverse_mass, square = length_squared(way);
+void apply_correction(Particle& a, Particle& b, Vec3 correction, Vec3 Particle::*value, Vec3 Particle::*uncorrected) {
+    const double inverse_mass = a.inverse_mass + b.inverse_mass, square = length_squared(correction);
     if (square == 0) return;
-    const Vec3 to_a = a.*value - way * (a.inverse_mass / mobility), to_b = b.*value + way * (b.inverse_mass / mobility);
-    a.*value = beside_models(a, to_a, a.*arrived);
-    b.*value = beside_models(b, to_b, b.*arrived);
-    const double lost_a = dot(a.*value - to_a, way) / square, lost_b = dot(to_b - b.*value, way) / square;
-    if (lost_a > 0 && b.inverse_mass > 0) b.*value = beside_models(b, b.*value + way * lost_a, b.*arrived);
-    if (lost_b > 0 && a.inverse_mass > 0) a.*value = beside_models(a, a.*value - way * lost_b, a.*arrived);
+    const Vec3 to_a = a.*value - correction * (a.inverse_mass / inverse_mass), to_b = b.*value + correction * (b.inverse_mass / inverse_mass);
+    a.*value = blocked_by_models(a, to_a, a.*uncorrected);
+    b.*value = blocked_by_models(b, to_b, b.*uncorrected);
+    const double lost_a = dot(a.*value - to_a, correction) / square, lost_b = dot(to_b - b.*value, correction) / square;
+    if (lost_a > 0 && b.inverse_mass > 0) b.*value = blocked_by_models(b, b.*value + correction * lost_a, b.*uncorrected);
+    if (lost_b > 0 && a.inverse_mass > 0) a.*value = blocked_by_models(a, a.*value - correction * lost_b, a.*uncorrected);
 }
 
 template <class Particle, class Contact>
-void part(Contact& contact, Particle& a, Particle& b) {
-    const auto move = [&](Vec3 way) { shift(a, b, way, &Particle::at, &Particle::arrived); };
+void solve_position(Contact& contact, Particle& a, Particle& b) {
+    const auto move = [&](Vec3 displacement) { apply_correction(a, b, displacement, &Particle::at, &Particle::uncorrected); };
     const double overlap = a.radius + b.radius - dot(b.at - a.at, contact.normal);
-    // Corrections that were too large are undone, up to the separation of this pair so far.
-    const double parting = std::clamp(overlap, -contact.parted, contact.most - contact.parted);
-    contact.parted += parting;
-    move(contact.normal * parting);
-    const Vec3 slid = (b.at - b.before) - (a.at - a.before), along = slid - contact.normal * dot(slid, contact.normal);
-    const double way = length(along), hold = contact.friction * contact.parted - contact.rubbed;
-    if (way == 0 || hold <= 0) return;
-    const double held = std::min(way, hold);
-    contact.rubbed += held;
-    move(along * (-held / way));
+    // The accumulated separation is clamped, so a correction that was too large is undone.
+    const double correction = std::clamp(overlap, -contact.separation, contact.most_separation - contact.separation);
+    contact.separation += correction;
+    move(contact.normal * correction);
+    const Vec3 relative = (b.at - b.before) - (a.at - a.before),
+               tangential = relative - contact.normal * dot(relative, contact.normal);
+    const double sliding = length(tangential), most = contact.friction * contact.separation - contact.friction_displacement;
+    if (sliding == 0 || most <= 0) return;
+    const double held = std::min(sliding, most);
+    contact.friction_displacement += held;
+    move(tangential * (-held / sliding));
 }
 
 template <class Particle, class Contact>
-void turn(Contact& contact, Particle& a, Particle& b) {
-    if (contact.parted <= 0) return;
-    const auto change = [&](Vec3 speed) { shift(a, b, speed, &Particle::velocity, &Particle::arrived_velocity); };
-    const double parting = dot(b.velocity - a.velocity, contact.normal);
-    const double push = std::max(contact.wanted - parting, -contact.pushed);
-    contact.pushed += push;
-    change(contact.normal * push);
-    // Friction in the part that changes velocities: the separation has had its friction already.
-    const Vec3 apart = b.velocity - a.velocity, along = apart - contact.normal * dot(apart, contact.normal);
-    const double speed = length(along), hold = contact.friction * contact.pushed - contact.braked;
-    if (speed == 0 || hold <= 0) return;
-    const double held = std::min(speed, hold);
-    contact.braked += held;
-    change(along * (-held / speed));
+void solve_velocity(Contact& contact, Particle& a, Particle& b) {
+    if (contact.separation <= 0) return;
+    const auto accelerate = [&](Vec3 change) { apply_correction(a, b, change, &Particle::velocity, &Particle::uncorrected_velocity); };
+    const double normal_speed = dot(b.velocity - a.velocity, contact.normal);
+    const double change = std::max(contact.target_speed - normal_speed, -contact.normal_change);
+    contact.normal_change += change;
+    accelerate(contact.normal * change);
+    // Coulomb's law for the change of velocity alone: friction has acted on the correction of positions already.
+    const Vec3 relative = b.velocity - a.velocity,
+               tangential = relative - contact.normal * dot(relative, contact.normal);
+    const double speed = length(tangential), most = contact.friction * contact.normal_change - contact.friction_change;
+    if (speed == 0 || most <= 0) return;
+    const double held = std::min(speed, most);
+    contact.friction_change += held;
+    accelerate(tangential * (-held / speed));
 }
 
 /// Calls visit(particle, displacement) for the particles that contacts have moved.
 template <class Particle, class Visit>
 void each_moved(const Particle* first, const Particle* end, Visit&& visit) {
     for (const Particle* p = first; p != end; ++p) {
-        if (p->inverse_mass > 0 && p->at != p->arrived) visit(p->number, p->at - p->arrived);
+        if (p->inverse_mass > 0 && p->at != p->uncorrected) visit(p->number, p->at - p->uncorrected);
     }
 }
 
-/// For particles of a body that is solved afterwards: shifts where it is predicted.
+/// For particles of a body whose constraints are solved afterwards: corrects their predicted positions.
 template <class Particle>
-void push_predicted(const Particle* first, const Particle* end, Body& body) {
-    each_moved(first, end, [&](uint32_t p, Vec3 way) {
+void correct_predicted(const Particle* first, const Particle* end, Body& body) {
+    each_moved(first, end, [&](uint32_t p, Vec3 displacement) {
         if (is_graph(body)) {
             float* const at = &body.cloth.state.at[4 * size_t{p}];
-            put(at, get(at) + way);
+            put(at, get(at) + displacement);
             return;
         }
-        body.particles.position[p] += way;
-        body.history.predicted[p] += way;
-        if (body.plan.limited) body.rope.flying[p] = 0;
+        body.particles.position[p] += displacement;
+        body.history.predicted[p] += displacement;
+        if (body.plan.limited) body.rope.slack[p] = 0;
     });
 }
 
-/// For particles that have been moved already: no farther than the scene allows.
+/// For particles at the end of their substep: corrects their positions as far as the models allow.
 template <class Particle>
-void push_arrived(const Particle* first, const Particle* end, Body& body, const CollisionContext& around,
-                  double quiet) {
+void correct_moved(const Particle* first, const Particle* end, Body& body, const CollisionContext& around,
+                  double bounce_threshold) {
     if (is_graph(body)) {
-        each_moved(first, end, [&](uint32_t p, Vec3 way) {
+        each_moved(first, end, [&](uint32_t p, Vec3 displacement) {
             float* const at = &body.cloth.state.at[4 * size_t{p}];
-            put(at, get(at) + way);
-            if (collides(body, around)) stay_outside(body.cloth.contacts, body.cloth.state, p);
+            put(at, get(at) + displacement);
+            if (collides(body, around)) push_out_of_planes(body.cloth.contacts, body.cloth.state, p);
         });
         return;
     }
     double longest = 0;
-    each_moved(first, end, [&](uint32_t, Vec3 way) { longest = std::max(longest, length_squared(way)); });
+    each_moved(first, end, [&](uint32_t, Vec3 displacement) { longest = std::max(longest, length_squared(displacement)); });
     if (longest > 0 && collides(body, around)) {
         const Collider collider(around, body,
                                 swept_box(body, body.particles.position, body.particles.position, std::sqrt(longest)));
         if (!collider.idle()) {
-            each_moved(first, end, [&](uint32_t p, Vec3 way) {
-                collider.slide(body, p, body.particles.position[p], way, around.end, quiet);
+            each_moved(first, end, [&](uint32_t p, Vec3 displacement) {
+                collider.slide(body, p, body.particles.position[p], displacement, around.end, bounce_threshold);
             });
             return;
         }
     }
-    each_moved(first, end, [&](uint32_t p, Vec3 way) {
-        body.particles.position[p] += way;
+    each_moved(first, end, [&](uint32_t p, Vec3 displacement) {
+        body.particles.position[p] += displacement;
         keep_in_range(body.particles.position[p], body.particles.velocity[p]);
     });
 }
@@ -502,7 +505,7 @@ void ParticleContacts::add_impulses(const Range& range, double Contact::*change,
         const Particle &a = range.particles[contact.a], &b = range.particles[contact.b];
         // Contacts are in the order of the pairs.
         while (pair->a != contact.a || pair->b != contact.b) ++pair;
-        if (!(contact.parted > 0) || a.body == b.body) continue;
+        if (!(contact.separation > 0) || a.body == b.body) continue;
         if (pair->listed == IslandContacts::none)
             pair->listed = range.listed.add({a.id, a.number, b.id, b.number, {}, 0});
         if (pair->listed == IslandContacts::none) continue;
@@ -513,28 +516,28 @@ void ParticleContacts::add_impulses(const Range& range, double Contact::*change,
     }
 }
 
-ParticleContacts::Found ParticleContacts::part_contacts(const Island& island, const Vector<Body>& bodies, double quiet,
+ParticleContacts::Found ParticleContacts::solve_contacts(const Island& island, const Vector<Body>& bodies, double bounce_threshold,
                                                         double h) {
     const Range range = this->range(island);
     gather(range, bodies);
-    if (!list_holds(range)) find_pairs(range, bodies);
-    const bool any_deep = find_contacts(range, bodies, quiet, h);
+    if (!list_is_valid(range)) find_pairs(range, bodies);
+    const bool any_deep = find_contacts(range, bodies, bounce_threshold, h);
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         for (uint32_t i = 0; i < *range.contact_count; ++i) {
             Contact& contact = range.contacts[i];
-            gphys::part(contact, range.particles[contact.a], range.particles[contact.b]);
+            solve_position(contact, range.particles[contact.a], range.particles[contact.b]);
         }
     }
     return {*range.contact_count > 0, any_deep};
 }
 
-void ParticleContacts::part(const Island& island, Vector<Body>& bodies, const uint32_t* slots,
+void ParticleContacts::solve_positions(const Island& island, Vector<Body>& bodies, const uint32_t* slots,
                             const CollisionContext& around, Vec3 gravity, double h) {
-    const double quiet = quiet_speed(gravity, h);
-    const Found contacts = part_contacts(island, bodies, quiet, h);
+    const double bounce_threshold = find_bounce_threshold(gravity, h);
+    const Found contacts = solve_contacts(island, bodies, bounce_threshold, h);
     const Range range = this->range(island);
-    // Deep ones are separated without a change of velocity.
-    if (contacts.any) add_impulses(range, &Contact::parted, contacts.deep ? 0 : 1 / h);
+    // Separating deep pairs changes no velocity, so it transfers no impulse.
+    if (contacts.any) add_impulses(range, &Contact::separation, contacts.deep ? 0 : 1 / h);
     for (uint32_t i = 0; i < *range.pair_count; ++i) {
         for (const uint32_t p : {range.pairs[i].a, range.pairs[i].b})
             bodies[range.particles[p].body].contacts.near = true;
@@ -543,33 +546,33 @@ void ParticleContacts::part(const Island& island, Vector<Body>& bodies, const ui
         if (body.contacts.near) body.cloth.balance.closed = false;  // others do work
         if (!contacts.any) return;
         if (!moves_freely(body)) {
-            push_predicted(first, end, body);
+            correct_predicted(first, end, body);
             return;
         }
-        // If many pairs overlap deeply, the separation changes no velocities, or it would shoot them apart. Approaching
-        // pairs are stopped when velocities are turned.
+        // If many pairs overlap deeply, the correction changes no velocities, because it would give the particles high
+        // speeds. Approaching pairs are stopped by solve_velocities.
         if (!contacts.deep)
-            each_moved(first, end, [&](uint32_t p, Vec3 way) { body.particles.velocity[p] += way / h; });
-        push_arrived(first, end, body, around, quiet);
+            each_moved(first, end, [&](uint32_t p, Vec3 change) { body.particles.velocity[p] += change / h; });
+        correct_moved(first, end, body, around, bounce_threshold);
     });
 }
 
-void ParticleContacts::turn(const Island& island, Vector<Body>& bodies, const uint32_t* slots) {
+void ParticleContacts::solve_velocities(const Island& island, Vector<Body>& bodies, const uint32_t* slots) {
     const Range range = this->range(island);
     for (uint32_t i = 0; i < range.count; ++i) {
         Particle& p = range.particles[i];
-        p.velocity = p.arrived_velocity = velocity_of(bodies[p.body], p.number);
+        p.velocity = p.uncorrected_velocity = velocity_of(bodies[p.body], p.number);
     }
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         for (uint32_t i = 0; i < *range.contact_count; ++i) {
             Contact& contact = range.contacts[i];
-            gphys::turn(contact, range.particles[contact.a], range.particles[contact.b]);
+            solve_velocity(contact, range.particles[contact.a], range.particles[contact.b]);
         }
     }
-    add_impulses(range, &Contact::pushed, 1);
+    add_impulses(range, &Contact::normal_change, 1);
     each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
         for (const Particle* p = first; p != end; ++p) {
-            if (p->velocity == p->arrived_velocity) continue;
+            if (p->velocity == p->uncorrected_velocity) continue;
             if (is_graph(body)) {
                 put(&body.cloth.state.velocity[4 * size_t{p->number}], p->velocity);
             } else {
@@ -577,19 +580,19 @@ void ParticleContacts::turn(const Island& island, Vector<Body>& bodies, const ui
             }
         }
         if (!body.contacts.near) return;
-        // The motion of particles in contact is not smooth, so the time scheme must not use its history.
+        // Motion with contacts is not smooth, so the time scheme must not use its history.
         body.contacts.near = false;
         body.contacts.has_contact = true;
         body.history.earlier_step = 0;
     });
 }
 
-void ParticleContacts::settle(const Island& island, Vector<Body>& bodies, const uint32_t* slots,
+void ParticleContacts::solve_final_positions(const Island& island, Vector<Body>& bodies, const uint32_t* slots,
                               const CollisionContext& around, Vec3 gravity, double h) {
-    const double quiet = quiet_speed(gravity, h);
-    if (!part_contacts(island, bodies, quiet, h).any) return;
+    const double bounce_threshold = find_bounce_threshold(gravity, h);
+    if (!solve_contacts(island, bodies, bounce_threshold, h).any) return;
     each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
-        if (!moves_freely(body)) push_arrived(first, end, body, around, quiet);
+        if (!moves_freely(body)) correct_moved(first, end, body, around, bounce_threshold);
     });
 }
 

@@ -3,14 +3,14 @@
 // Candidate pairs come from a list (Verlet 1967): pairs closer than their radii plus a margin for each, found by
 // spatial hashing (Teschner et al. 2003). The list holds until a particle has moved farther than its margin. The faster
 // a particle is, the larger its margin in the next list. After each substep, the pairs whose paths came into contact
-// become contacts, with the normal at the time of impact, so that none passes through another at any speed. Some sweeps
-// over the contacts separate them and apply friction. The velocities follow, and are then turned according to the
-// restitution.
+// become contacts, with the normal at the time of impact, so that none passes through another at any speed.
+// Gauss-Seidel sweeps over the contacts correct positions, with friction. The velocities follow from the positions;
+// further sweeps apply restitution to them.
 //
 // Where many pairs overlap deeply, such as particles at one point, each particle takes a bounded number of pairs, and
-// the separation changes positions only. So a pile spreads without being shot apart.
+// the correction changes positions only. So a pile spreads at low speed.
 //
-// All data are in arrays that are made large enough before the step and kept. Each island has its own ranges of them.
+// The arrays are enlarged before the step, never during it. Each island has its own ranges of them.
 #pragma once
 
 #include "foundation/math.h"
@@ -41,20 +41,20 @@ public:
     void begin_step(const IdTable& ids, const Vector<Body>& bodies, const Vector<Island>& islands) noexcept;
     void end_step(const Vector<Island>& islands) { listed_.end_step(islands); }
 
-    /// Those between different bodies in the last step.
+    /// Contacts between different bodies in the last step.
     const BodyContacts& listed() const { return listed_; }
-    /// For a state that is exchanged.
+    /// Call when the state is replaced.
     void clear_list() { listed_.clear(); }
 
     // For one island; the data of others are not accessed.
     void begin(const Island& island, const IdTable& ids, const Vector<Body>& bodies, const uint32_t* slots);
-    /// Call when all bodies are predicted: separates pairs in contact. h: seconds of the substep.
-    void part(const Island& island, Vector<Body>& bodies, const uint32_t* slots, const CollisionContext& around,
+    /// Call when all bodies are predicted: separates pairs in contact, with friction. h: seconds of the substep.
+    void solve_positions(const Island& island, Vector<Body>& bodies, const uint32_t* slots, const CollisionContext& around,
               Vec3 gravity, double h);
-    /// Call when they have moved: turns the velocities of pairs in contact.
-    void turn(const Island& island, Vector<Body>& bodies, const uint32_t* slots);
-    /// Call after the last substep: separates pairs that constraints have pressed into each other.
-    void settle(const Island& island, Vector<Body>& bodies, const uint32_t* slots, const CollisionContext& around,
+    /// Call at the end of the substep: restitution and friction of pairs in contact.
+    void solve_velocities(const Island& island, Vector<Body>& bodies, const uint32_t* slots);
+    /// Call after the last substep: separates pairs that constraints have made overlap.
+    void solve_final_positions(const Island& island, Vector<Body>& bodies, const uint32_t* slots, const CollisionContext& around,
                 Vec3 gravity, double h);
 
 private:
@@ -62,10 +62,10 @@ private:
         uint32_t body, number;
         gphys_body_id id;
         double radius, inverse_mass, margin;
-        Vec3 found_at;         // position at which the list was made
-        Vec3 before, arrived;  // at the beginning of the substep, and at its end before contacts
+        Vec3 list_position;         // position at which the list was made
+        Vec3 before, uncorrected;  // at the beginning of the substep, and at its end without contacts
         Vec3 at, velocity;
-        Vec3 arrived_velocity;
+        Vec3 uncorrected_velocity;
         const ContactPoint* contact_points;  // contact_points_per_particle of this step, or null
 
         double reach() const { return radius + margin; }
@@ -78,12 +78,12 @@ private:
         uint32_t a, b;
         Vec3 normal;  // unit, from a to b
         double friction;
-        double wanted;  // speed of separation to reach, m/s
-        double parted;  // metres by which the pair has been separated along the normal in this substep
-        double rubbed;  // metres of sliding that friction has prevented
-        double most;    // metres by which it may be separated at most
-        double pushed;  // m/s by which its speed of separation has been changed
-        double braked;  // m/s of sliding that friction has prevented
+        double target_speed;           // m/s: separating speed by restitution
+        double separation;             // metres: accumulated correction along the normal in this substep
+        double friction_displacement;  // metres: accumulated correction along the tangent
+        double most_separation;        // metres
+        double normal_change;          // m/s: accumulated change of the relative velocity along the normal
+        double friction_change;        // m/s: the same along the tangent
     };
     /// The ranges of an island in the arrays.
     struct Range {
@@ -101,17 +101,17 @@ private:
         IslandContacts listed;
     };
     struct Found {
-        bool any, deep;  // whether there are contacts; whether many overlap deeply
+        bool any, deep;  // whether there are contacts; whether many pairs overlap deeply
     };
     Range range(const Island& island);
     template <class Visit>
     void each_body(const Island& island, Vector<Body>& bodies, const uint32_t* slots, Visit&& visit);
     void gather(const Range& range, const Vector<Body>& bodies) const;
-    bool list_holds(const Range& range) const;
+    bool list_is_valid(const Range& range) const;
     void find_pairs(const Range& range, const Vector<Body>& bodies) const;
-    bool find_contacts(const Range& range, const Vector<Body>& bodies, double quiet, double h) const;
+    bool find_contacts(const Range& range, const Vector<Body>& bodies, double bounce_threshold, double h) const;
     void add_impulses(const Range& range, double Contact::*change, double rate) const;
-    Found part_contacts(const Island& island, const Vector<Body>& bodies, double quiet, double h);
+    Found solve_contacts(const Island& island, const Vector<Body>& bodies, double bounce_threshold, double h);
 
     Vector<Particle> particles_;
     Vector<Pair> pairs_;

@@ -74,18 +74,18 @@ void sweep_joined_cloth(const Joined& joined, Body& body, uint32_t slot, const C
 }
 
 /// As `collide` of a single body, but with the held particles of all bodies pinned at once.
-void collide_joined(const Joined& joined, const CollisionContext& around, double quiet, double h) {
+void collide_joined(const Joined& joined, const CollisionContext& around, double bounce_threshold, double h) {
     bool has_contact = false;
     each_body(joined, [&](Body& body, uint32_t) {
         if (is_graph(body)) return;
-        collide(body, around, quiet);
+        collide(body, around, bounce_threshold);
         has_contact = has_contact || body.contacts.has_contact;
     });
     if (!has_contact) return;
     each_body(joined, [&](Body& body, uint32_t) {
         if (is_graph(body)) return;
         if (body.contacts.has_contact) {
-            ease_contacts(body, around);
+            relax_contacts(body, around);
             pin_contacts(body.particles, body.contacts);
         } else {
             body.history.start = body.particles.position;
@@ -103,7 +103,7 @@ void collide_joined(const Joined& joined, const CollisionContext& around, double
             keep_in_range(body.particles.position[p], body.particles.velocity[p], body.history.start[p]);
         if (collides(body, around)) {
             if (!body.contacts.has_contact) std::fill(body.contacts.held.begin(), body.contacts.held.end(), uint8_t{0});
-            collide_again(body, around, quiet, again);
+            collide_again(body, around, bounce_threshold, again);
         } else {
             for (uint32_t p = 0; p < body.particles.size(); ++p)
                 body.particles.velocity[p] += (body.particles.position[p] - body.history.start[p]) * again.rate;
@@ -131,13 +131,13 @@ void leave_solids_joined(const Joined& joined, const CollisionContext& around, d
     bool leaving = false;
     each_body(joined, [&](Body& body, uint32_t) {
         if (is_graph(body)) return;
-        body.contacts.sunk = body.contacts.sunk && begin_leaving(body, around);
-        leaving = leaving || body.contacts.sunk;
+        body.contacts.penetrating = body.contacts.penetrating && begin_leaving(body, around);
+        leaving = leaving || body.contacts.penetrating;
     });
     if (!leaving) return;
     each_body(joined, [&](Body& body, uint32_t) {
         if (is_graph(body)) return;
-        if (!body.contacts.sunk) body.history.start = body.particles.position;
+        if (!body.contacts.penetrating) body.history.start = body.particles.position;
         body.history.predicted = body.particles.position;
     });
     gather_systems(joined, h);
@@ -154,15 +154,15 @@ void finish_joined(const Joined& joined, const CollisionContext& around, Vec3 gr
     each_body(joined, [&](Body& body, uint32_t slot) {
         if (is_graph(body)) sweep_joined_cloth(joined, body, slot, around, gravity, h);
     });
-    bool captured = false;
+    bool has_limit_impact = false;
     each_system(joined, [&](const JointSystem& system) { system.scatter_tensions(joined.bodies, joined.joints); });
     each_body(joined, [&](Body& body, uint32_t) {
         if (is_graph(body)) return;
         const TimeScheme scheme(h, body.history.earlier_step);
         finish_chains(body, scheme);
-        if (body.plan.limited) captured = capture(body, around, scheme) || captured;
+        if (body.plan.limited) has_limit_impact = apply_limit_impacts(body, around, scheme) || has_limit_impact;
     });
-    collide_joined(joined, around, quiet_speed(gravity, h), h);
+    collide_joined(joined, around, find_bounce_threshold(gravity, h), h);
     each_system(joined, [&](const JointSystem& system) { system.add_anchor_impulses(joined.bodies, around, h); });
     each_body(joined, [&](Body& body, uint32_t) {
         if (is_graph(body)) {
@@ -172,7 +172,7 @@ void finish_joined(const Joined& joined, const CollisionContext& around, Vec3 gr
                 add_tension_impulses(body, around, TimeScheme(h, body.history.earlier_step));
             end_friction(body);
             body.contacts.has_contact = body.contacts.has_contact || !body.targets.reached.empty();
-            body.history.earlier_step = body.contacts.has_contact || captured ? 0 : h;
+            body.history.earlier_step = body.contacts.has_contact || has_limit_impact ? 0 : h;
         }
     });
     if (!interrupted) limit_joined_energy(joined, gravity);

@@ -19,7 +19,7 @@ void FlightPlanes::begin(const Body& body, const CollisionContext& step, uint32_
     for (const PlacedModel& before : *step.moved) {
         Box way;
         if (!scene_ || !(scene_->layers(before.model) & body.settings.layers)) continue;
-        if (!way_of(*scene_, before, way) || overlaps(way, box)) usable_ = false;
+        if (!swept_bounds(*scene_, before, way) || overlaps(way, box)) usable_ = false;
     }
 }
 

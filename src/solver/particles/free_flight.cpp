@@ -71,7 +71,7 @@ private:
     bool hits(const Collider& collider, uint32_t p, Vec3 displacement, Impact& impact);
     bool stays_at_rest(const Collider& collider, uint32_t p, uint32_t obstacle) const {
         const Vec3 acceleration = flight_of(p).acceleration;
-        return collider.holds(body_, p, obstacle, acceleration * whole_.fall, acceleration * whole_.reach);
+        return collider.try_hold(body_, p, obstacle, acceleration * whole_.fall, acceleration * whole_.reach);
     }
     /// Bounds of the whole block; those of complete groups come from the kernel.
     FlightBounds bound(const FlightGroups& groups, uint32_t first, uint32_t count) const;
@@ -113,7 +113,7 @@ void FreeFlight::fly_among(const Collider& collider, uint32_t p) {
     const double damping = body_.settings.damping, restitution = body_.settings.restitution;
     Vec3& at = body_.particles.position[p];
     Vec3& velocity = body_.particles.velocity[p];
-    const double quiet = length(flight.acceleration) * 2 * h_;
+    const double bounce_threshold = length(flight.acceleration) * 2 * h_;
     double left = h_;
     FlightTime ahead = whole_;
     // For moving models, a path is straight and passed at a constant speed, without gaps between successive paths. This
@@ -132,7 +132,7 @@ void FreeFlight::fly_among(const Collider& collider, uint32_t p) {
         collider.record(body_, p, impact);
         if (impact.inside || bounce == most_bounces) {
             velocity = flight.velocity(velocity, ahead);
-            collider.slide(body_, p, at, displacement, time, quiet, impact);
+            collider.slide(body_, p, at, displacement, time, bounce_threshold, impact);
             return;
         }
         const Vec3 towards = -impact.normal;
@@ -147,7 +147,7 @@ void FreeFlight::fly_among(const Collider& collider, uint32_t p) {
             ahead = FlightTime(damping, left);
             time += (around_.end - time) * t;
         }
-        if (impact.moves) at = collider.beside(body_, p, at, impact);
+        if (impact.moves) at = collider.place_off_model(body_, p, at, impact);
         // A bounce that would last less than two substeps does not happen: the particle comes to rest.
         const double approach = dot(velocity - impact.surface_velocity, towards);
         const double pressing = dot(flight.acceleration, towards) * h_;
@@ -159,9 +159,9 @@ void FreeFlight::fly_among(const Collider& collider, uint32_t p) {
         const Vec3 rest = flight.displacement(velocity, ahead);
         velocity = flight.velocity(velocity, ahead);
         if (unchanged) {
-            collider.slide(body_, p, at, rest, time, quiet, impact);
+            collider.slide(body_, p, at, rest, time, bounce_threshold, impact);
         } else {
-            collider.slide(body_, p, at, rest, time, quiet);
+            collider.slide(body_, p, at, rest, time, bounce_threshold);
         }
         return;
     }
@@ -196,7 +196,7 @@ void FreeFlight::list_obstacles(const Collider& collider, const Aabb& region, ui
         if (obstacle_count_ < most_obstacles) {
             FlightObstacle& obstacle = obstacles_[obstacle_count_];
             repeat(box, obstacle.all);
-            repeat(alike && flat ? flat->rest(radius, gap, gravity_ * whole_.fall, friction) : nowhere, obstacle.rest);
+            repeat(alike && flat ? flat->resting_region(radius, gap, gravity_ * whole_.fall, friction) : nowhere, obstacle.rest);
         }
         ++obstacle_count_;
     });
@@ -238,7 +238,7 @@ void FreeFlight::keep_to_targets(uint32_t first, uint32_t count) {
     each_outside([&](uint32_t p, Vec3 at, Vec3 place, const TargetBounds& out_of) {
         body_.particles.velocity[p] = out_of.turned(body_.particles.velocity[p]);
         if (collider && !collider->idle()) {
-            collider->slide(body_, p, at, place - at, around_.end, quiet_speed(gravity_, h_));
+            collider->slide(body_, p, at, place - at, around_.end, find_bounce_threshold(gravity_, h_));
         } else {
             body_.particles.position[p] = place;
             keep_in_range(body_.particles.position[p], body_.particles.velocity[p]);
@@ -292,7 +292,7 @@ void FreeFlight::fly_block(const CollisionContext& around, uint32_t first, uint3
         const uint32_t overlapping = group < groups.count ? overlapping_[group] : 0xff;
         if (overlapping == 0) continue;
         if (group < groups.count && resting_on_[group] != no_obstacle) {
-            collider->press(body_, first + begin, end - begin, resting_on_[group], way, gained);
+            collider->hold(body_, first + begin, end - begin, resting_on_[group], way, gained);
             continue;
         }
         for (uint32_t i = begin; i < end; ++i) {

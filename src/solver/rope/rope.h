@@ -34,7 +34,7 @@ struct Rope {
           earlier_tension(memory),
           rows(memory),
           solved(memory),
-          flying(memory) {}
+          slack(memory) {}
 
     // By link of the plan:
     Vector<double> damped_rest, damped_compliance;  // m, m/N, of the substep under way, see damping.h
@@ -45,7 +45,7 @@ struct Rope {
     Vector<DirectRow> rows;  // for the longest chain
     // By particle:
     Vector<Vec3> solved;     // positions solved with the links alone, before contacts
-    Vector<uint8_t> flying;  // if there are limits: whether all its links were slack at the start of the substep
+    Vector<uint8_t> slack;  // if there are limits: whether all its links were slack at the start of the substep
 };
 
 /// Whether the time scheme restarts after an interruption that is no contact: the first substep is made in parts.

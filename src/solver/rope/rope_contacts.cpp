@@ -219,7 +219,7 @@ bool RopeContacts::begin(Body& body, const CollisionContext& around, Vec3 gravit
     const double most_push = leaving_speed * around.step_time * (around.end - around.begin);
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (body.particles.pinned(p)) continue;
-        bool sunk = false;
+        bool penetrating = false;
         each_of_models(p, [&](RopeContact& contact) {
             // As long as the particle is in front of an earlier plane, that separates it from the model, too.
             const bool in_front = dot(contact.normal, body.history.start[p]) >= contact.outside;
@@ -229,9 +229,9 @@ bool RopeContacts::begin(Body& body, const CollisionContext& around, Vec3 gravit
             contact.offset = contact.outside;
             contact.depth = 0;
             if (contact.is_updated) begin_contact(contact, body.particles, p, body.history.start[p]);
-            sunk = sunk || contact.depth > most_push;
+            penetrating = penetrating || contact.depth > most_push;
         });
-        if (!sunk) continue;
+        if (!penetrating) continue;
         searched_ = false;
         return false;
     }
@@ -360,7 +360,7 @@ void RopeContacts::push_out(Particles& particles) const {
     }
 }
 
-void RopeContacts::sweep_escaped(Body& body, const CollisionContext& around, double quiet) {
+void RopeContacts::sweep_escaped(Body& body, const CollisionContext& around, double bounce_threshold) {
     const auto escaped = [&](uint32_t p) {
         return !body.particles.pinned(p) && !in_ball(p, body.particles.position[p]);
     };
@@ -373,7 +373,7 @@ void RopeContacts::sweep_escaped(Body& body, const CollisionContext& around, dou
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (escaped(p)) {
             collider.slide(body, p, body.history.start[p], body.particles.position[p] - body.history.start[p],
-                           around.begin, quiet);
+                           around.begin, bounce_threshold);
         }
     }
 }
@@ -402,8 +402,8 @@ void find_contact_forces(Body& body, double step) {
 
 }  // namespace
 
-void RopeContacts::finish(Body& body, const CollisionContext& around, double quiet, const TimeScheme& scheme) {
-    body.contacts.has_contact = body.contacts.sunk = false;
+void RopeContacts::finish(Body& body, const CollisionContext& around, double bounce_threshold, const TimeScheme& scheme) {
+    body.contacts.has_contact = body.contacts.penetrating = false;
     std::fill(body.contacts.held.begin(), body.contacts.held.end(), uint8_t{0});
     const BodySettings& settings = body.settings;
     const double rate = scheme.next / scheme.h;  // 1/s: a correction of the position changes the velocity by this
@@ -428,7 +428,7 @@ void RopeContacts::finish(Body& body, const CollisionContext& around, double qui
             const Vec3 before = velocity;
             // Moving out of a model adds no velocity, and the remaining approach speed ends here.
             velocity -= contact.normal * (std::max(0.0, contact.depth) * rate);
-            const double wanted = contact.approach > quiet ? settings.restitution * contact.approach : 0;
+            const double wanted = contact.approach > bounce_threshold ? settings.restitution * contact.approach : 0;
             const double added = wanted - dot(velocity, contact.normal);
             if (added > 0) {
                 velocity += contact.normal * added;
@@ -447,7 +447,7 @@ void RopeContacts::finish(Body& body, const CollisionContext& around, double qui
         });
         if (settings.sticks()) body.contacts.stuck[p] = sticks;
     }
-    sweep_escaped(body, around, quiet);
+    sweep_escaped(body, around, bounce_threshold);
 }
 
 }  // namespace gphys

@@ -92,7 +92,7 @@ public:
     /// Call after the last iteration: moves particles out of contacts that they are still in (position projection).
     void push_out(Particles& particles) const;
     /// Call after the velocities have been computed: restitution, contact points, and impulses on models.
-    void finish(Body& body, const CollisionContext& around, double quiet, const TimeScheme& scheme);
+    void finish(Body& body, const CollisionContext& around, double bounce_threshold, const TimeScheme& scheme);
 
 private:
     static constexpr uint32_t most_planes = 4;          // of models, per particle
@@ -124,7 +124,7 @@ private:
     void place_plane(RopeContact& contact, double radius, Vec3 at) const;
     void place_bounds(const AnimationTargets& targets, const Vector<Vec3>& positions);
     bool update(RopeContact& contact, const Body& body, uint32_t particle, int iteration) const;
-    void sweep_escaped(Body& body, const CollisionContext& around, double quiet);
+    void sweep_escaped(Body& body, const CollisionContext& around, double bounce_threshold);
 
     const Scene* scene_ = nullptr;
     bool near_models_ = false;

@@ -30,7 +30,7 @@ struct TautLinks {
         return body.plan.compliance[link] == 0 && (!body.plan.limit[link] || body.rope.tension[link] > 0) &&
                body.particles.inverse_mass[particle(i)] + body.particles.inverse_mass[particle(i + 1)] > 0;
     }
-    bool captured() const {
+    bool becomes_taut() const {
         for (uint32_t i = 0; i < chain.link_count; ++i) {
             if (taut(i) && is_slack(body.plan, body.history.start, particle(i), particle(i + 1), chain.first_link + i))
                 return true;
@@ -89,20 +89,20 @@ struct TautLinks {
 
 }  // namespace
 
-void predict_flying(Body& body, Vec3 gravity, double h) {
-    std::fill(body.rope.flying.begin(), body.rope.flying.end(), uint8_t{1});
+void predict_slack_particles(Body& body, Vec3 gravity, double h) {
+    std::fill(body.rope.slack.begin(), body.rope.slack.end(), uint8_t{1});
     for (const Chain& chain : body.plan.chains) {
         for (uint32_t i = 0; i < chain.link_count; ++i) {
             const uint32_t a = body.plan.particles[chain.first_particle + i];
             const uint32_t b = body.plan.particles[chain.first_particle + i + 1];
             if (!is_slack(body.plan, body.history.start, a, b, chain.first_link + i))
-                body.rope.flying[a] = body.rope.flying[b] = 0;
+                body.rope.slack[a] = body.rope.slack[b] = 0;
         }
     }
     const FlightTime time(body.settings.damping, h);
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
-        if (body.particles.pinned(p)) body.rope.flying[p] = 0;
-        if (!body.rope.flying[p]) continue;
+        if (body.particles.pinned(p)) body.rope.slack[p] = 0;
+        if (!body.rope.slack[p]) continue;
         const Flight flight{gravity + body.particles.force[p] * body.particles.inverse_mass[p], body.settings.damping};
         body.particles.position[p] = body.history.start[p] + flight.displacement(body.history.start_velocity[p], time);
         body.particles.velocity[p] = flight.velocity(body.history.start_velocity[p], time);
@@ -110,11 +110,11 @@ void predict_flying(Body& body, Vec3 gravity, double h) {
     }
 }
 
-bool capture(Body& body, const CollisionContext& around, const TimeScheme& scheme) {
+bool apply_limit_impacts(Body& body, const CollisionContext& around, const TimeScheme& scheme) {
     bool any = false;
     for (const Chain& chain : body.plan.chains) {
         const TautLinks links{body, around, scheme, chain};
-        if (!links.captured()) continue;
+        if (!links.becomes_taut()) continue;
         links.stop();
         any = true;
     }

@@ -61,7 +61,7 @@ void predict_chains(Body& body, const TimeScheme& scheme, Vec3 gravity) {
             (1 / scheme.next);
         keep_in_range(body.particles.position[p], body.particles.velocity[p]);
     }
-    if (body.plan.limited) predict_flying(body, gravity, scheme.advance);
+    if (body.plan.limited) predict_slack_particles(body, gravity, scheme.advance);
     body.history.predicted = body.particles.position;
 }
 
@@ -115,7 +115,7 @@ void finish_chains(Body& body, const TimeScheme& scheme, const RopeContacts* con
         if (body.particles.pinned(p)) continue;
         Vec3 &position = body.particles.position[p], &velocity = body.particles.velocity[p];
         keep_in_range(position, velocity, body.history.start[p]);
-        if (body.plan.limited && body.rope.flying[p]) {
+        if (body.plan.limited && body.rope.slack[p]) {
             velocity += (position - body.history.predicted[p]) * (scheme.next / scheme.h);
         } else {
             const Vec3 history =
@@ -156,7 +156,7 @@ namespace {
 
 /// Moves the rope out of models that it is in. Its tensions belong to its motion, so they are kept.
 void leave_solids(Body& body, const CollisionContext& around, double step) {
-    if (!body.contacts.sunk || !begin_leaving(body, around)) return;
+    if (!body.contacts.penetrating || !begin_leaving(body, around)) return;
     body.rope.earlier_tension = body.rope.tension;
     std::fill(body.rope.tension.begin(), body.rope.tension.end(), 0.0);
     body.history.predicted = body.particles.position;
@@ -169,49 +169,49 @@ void leave_solids(Body& body, const CollisionContext& around, double step) {
 /// pinned. `limits`: the bounds of animation targets, or null.
 void collide_with_models(Body& body, RopeContacts* limits, const CollisionContext& around, Vec3 gravity,
                          const TimeScheme& scheme) {
-    const double step = scheme.step(body.settings.damping), quiet = quiet_speed(gravity, scheme.advance);
-    collide(body, around, quiet);
+    const double step = scheme.step(body.settings.damping), bounce_threshold = find_bounce_threshold(gravity, scheme.advance);
+    collide(body, around, bounce_threshold);
     if (body.contacts.has_contact) {
-        ease_contacts(body, around);
+        relax_contacts(body, around);
         pin_contacts(body.particles, body.contacts);
         solve_with_contacts(body, step, limits);
         unpin_contacts(body.particles, body.contacts);
         // Particles pushed out by a shape at the border, and others linked to them, may have left the range.
         for (uint32_t p = 0; p < body.particles.size(); ++p)
             keep_in_range(body.particles.position[p], body.particles.velocity[p], body.history.start[p]);
-        collide_again(body, around, quiet, {step, scheme.next / scheme.h});
+        collide_again(body, around, bounce_threshold, {step, scheme.next / scheme.h});
     }
 }
 
 /// Decides whether the next substep continues the time scheme or restarts it.
-void set_earlier_step(Body& body, bool captured, const TimeScheme& scheme) {
+void set_earlier_step(Body& body, bool has_limit_impact, const TimeScheme& scheme) {
     body.contacts.has_contact = body.contacts.has_contact || !body.targets.reached.empty();
-    body.history.earlier_step = body.contacts.has_contact || captured ? 0 : scheme.advance;
+    body.history.earlier_step = body.contacts.has_contact || has_limit_impact ? 0 : scheme.advance;
 }
 
 /// The substep after the links are solved.
 void end_chains(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme) {
     finish_chains(body, scheme);
-    const bool captured = body.plan.limited && capture(body, around, scheme);
+    const bool has_limit_impact = body.plan.limited && apply_limit_impacts(body, around, scheme);
     collide_with_models(body, nullptr, around, gravity, scheme);
     if (!body.constraints.attachments.empty()) add_tension_impulses(body, around, scheme);
     leave_solids(body, around, scheme.step(body.settings.damping));
-    set_earlier_step(body, captured, scheme);
+    set_earlier_step(body, has_limit_impact, scheme);
 }
 
 /// The same for a rope whose links were solved together with its contacts.
 void end_with_contacts(Body& body, RopeContacts& contacts, const CollisionContext& around, Vec3 gravity,
                        const TimeScheme& scheme) {
     finish_chains(body, scheme, &contacts);
-    const bool captured = body.plan.limited && capture(body, around, scheme);
+    const bool has_limit_impact = body.plan.limited && apply_limit_impacts(body, around, scheme);
     if (contacts.near_models()) {
-        contacts.finish(body, around, quiet_speed(gravity, scheme.advance), scheme);
+        contacts.finish(body, around, find_bounce_threshold(gravity, scheme.advance), scheme);
     } else {
         collide_with_models(body, &contacts, around, gravity, scheme);
     }
     if (!body.constraints.attachments.empty()) add_tension_impulses(body, around, scheme);
     if (!contacts.near_models()) leave_solids(body, around, scheme.step(body.settings.damping));
-    set_earlier_step(body, captured, scheme);
+    set_earlier_step(body, has_limit_impact, scheme);
 }
 
 bool began_feasible(const Plan& plan, const History& history, const Rope& rope) {
