@@ -4084,7 +4084,7 @@ func (o *Solver) Constraints(body BodyID) (result []ConstraintInfo, err error) {
 }
 
 // Which constraints keep a length, and which a maximum.
-//   - constraints: the ids; one may stand twice
+//   - constraints: the ids; one may appear twice
 // Cost: O(elements). Since 1.1.
 func (o *Solver) ConstraintKinds(body BodyID, constraints []ConstraintID, kinds []ConstraintKind) (err error) {
 	self, err := o.open()
@@ -4105,7 +4105,7 @@ func (o *Solver) ConstraintKinds(body BodyID, constraints []ConstraintID, kinds 
 }
 
 // What constraints are like.
-//   - constraints: the ids; one may stand twice
+//   - constraints: the ids; one may appear twice
 // Cost: O(elements).
 func (o *Solver) ConstraintSettings(body BodyID, constraints []ConstraintID, settings []ConstraintSettings) (err error) {
 	self, err := o.open()
@@ -4128,7 +4128,7 @@ func (o *Solver) ConstraintSettings(body BodyID, constraints []ConstraintID, set
 // Change constraints while they act, all or none: winches, muscles. A rest length goes from the old to
 // the new one at constant speed during the next step; a winch that reels in at v m/s is given a length
 // that is v dt shorter before each step of dt. Wakes the body.
-//   - constraints: the ids; one that stands twice gets the last
+//   - constraints: the ids; one that appears twice gets the last
 // Cost: O(elements); in the next step O(constraints) to pack them again, of rigid cloth with pins that
 // gets longer links O(n log n). Chains are not planned again. Allocates.
 func (o *Solver) SetConstraintSettings(body BodyID, constraints []ConstraintID, settings []ConstraintSettings) (err error) {
@@ -4161,7 +4161,7 @@ func (o *Solver) SetConstraintSettings(body BodyID, constraints []ConstraintID, 
 // as cloth (SolveGraph), ropes and free particles too. The rest positions of cloth are not changed by
 // a cluster.
 //   - particles: count different particles, at least 2
-// The error is ErrInvalidArgument for a particle that does not exist or stands twice.
+// The error is ErrInvalidArgument for a particle that does not exist or appears twice.
 // The error is ErrCapacity beyond 2^24 - 1 clusters of a body, or that many particles in them.
 // Cost: O(particles); allocates. In each substep about 1 us a cluster, 50 ns a particle of it and 0.3
 // us one that touches a model; the first and the last cluster plan the body again, O(constraints).

@@ -1854,18 +1854,18 @@ export class Solver {
     getConstraints(body: number): Records<ConstraintInfo>;
     /** Which constraints keep a length, and which a maximum.
      * Cost: O(elements). Since 1.1.
-     * @param constraints - the ids; one may stand twice */
+     * @param constraints - the ids; one may appear twice */
     getConstraintKinds(body: number, constraints: Elements, out?: Elements): Records<number>;
     /** What constraints are like.
      * Cost: O(elements).
-     * @param constraints - the ids; one may stand twice */
+     * @param constraints - the ids; one may appear twice */
     getConstraintSettings(body: number, constraints: Elements, out?: Elements): Records<ConstraintSettings>;
     /** Change constraints while they act, all or none: winches, muscles. A rest length goes from the old to
      * the new one at constant speed during the next step; a winch that reels in at v m/s is given a length
      * that is v dt shorter before each step of dt. Wakes the body.
      * Cost: O(elements); in the next step O(constraints) to pack them again, of rigid cloth with pins that
      * gets longer links O(n log n). Chains are not planned again. Allocates.
-     * @param constraints - the ids; one that stands twice gets the last */
+     * @param constraints - the ids; one that appears twice gets the last */
     setConstraintSettings(body: number, constraints: Elements, settings: Elements): void;
     /** Make particles of a body a rigid cluster: they keep the shape in which they are now, and move and
      * turn as one stiff part, such as a plank of a bridge, a crate or a plate of armour. Links between
@@ -1885,7 +1885,7 @@ export class Solver {
      * us one that touches a model; the first and the last cluster plan the body again, O(constraints).
      * Since 1.1.
      * @param particles - count different particles, at least 2
-     * @throws {GamephysError} ERROR_INVALID_ARGUMENT: for a particle that does not exist or stands twice
+     * @throws {GamephysError} ERROR_INVALID_ARGUMENT: for a particle that does not exist or appears twice
      * @throws {GamephysError} ERROR_CAPACITY: beyond 2^24 - 1 clusters of a body, or that many particles
      *     in them */
     addCluster(body: number, particles: Elements): number;

@@ -2183,7 +2183,7 @@ public:
     }
 
     // Which constraints keep a length, and which a maximum.
-    //   - constraints: the ids; one may stand twice
+    //   - constraints: the ids; one may appear twice
     // Cost: O(elements). Since 1.1.
     void get_constraint_kinds(gphys_body_id body, Span<const gphys_constraint_id> constraints, Span<gphys_constraint_kind> out_kinds) const {
         const uint32_t count = common_size({constraints.sizes()});
@@ -2192,7 +2192,7 @@ public:
     }
 
     // What constraints are like.
-    //   - constraints: the ids; one may stand twice
+    //   - constraints: the ids; one may appear twice
     // Cost: O(elements).
     void get_constraint_settings(gphys_body_id body, Span<const gphys_constraint_id> constraints, Span<ConstraintSettings> out_settings) const {
         const uint32_t count = common_size({constraints.sizes()});
@@ -2203,7 +2203,7 @@ public:
     // Change constraints while they act, all or none: winches, muscles. A rest length goes from the old to
     // the new one at constant speed during the next step; a winch that reels in at v m/s is given a length
     // that is v dt shorter before each step of dt. Wakes the body.
-    //   - constraints: the ids; one that stands twice gets the last
+    //   - constraints: the ids; one that appears twice gets the last
     // Cost: O(elements); in the next step O(constraints) to pack them again, of rigid cloth with pins that
     // gets longer links O(n log n). Chains are not planned again. Allocates.
     void set_constraint_settings(gphys_body_id body, Span<const gphys_constraint_id> constraints, Span<const ConstraintSettings> settings) {
@@ -2226,7 +2226,7 @@ public:
     // as cloth (GPHYS_SOLVE_GRAPH), ropes and free particles too. The rest positions of cloth are not
     // changed by a cluster.
     //   - particles: count different particles, at least 2
-    // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or stands twice.
+    // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or appears twice.
     // Throws Error with GPHYS_ERROR_CAPACITY beyond 2^24 - 1 clusters of a body, or that many particles in
     // them.
     // Cost: O(particles); allocates. In each substep about 1 us a cluster, 50 ns a particle of it and 0.3

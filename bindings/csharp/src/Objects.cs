@@ -2795,7 +2795,7 @@ public sealed partial class Solver : IDisposable {
 
     /// <summary>Which constraints keep a length, and which a maximum.
     /// Cost: O(elements). Since 1.1.</summary>
-    /// <param name="constraints">the ids; one may stand twice</param>
+    /// <param name="constraints">the ids; one may appear twice</param>
     public unsafe void GetConstraintKinds(uint body, ReadOnlySpan<uint> constraints, Span<ConstraintKind> kinds) {
         var count = CommonLength(constraints.Length, 1);
         RequireLength(kinds.Length, count);
@@ -2806,7 +2806,7 @@ public sealed partial class Solver : IDisposable {
 
     /// <summary>What constraints are like.
     /// Cost: O(elements).</summary>
-    /// <param name="constraints">the ids; one may stand twice</param>
+    /// <param name="constraints">the ids; one may appear twice</param>
     public unsafe void GetConstraintSettings(uint body, ReadOnlySpan<uint> constraints, Span<ConstraintSettings> settings) {
         var count = CommonLength(constraints.Length, 1);
         RequireLength(settings.Length, count);
@@ -2820,7 +2820,7 @@ public sealed partial class Solver : IDisposable {
     /// that is v dt shorter before each step of dt. Wakes the body.
     /// Cost: O(elements); in the next step O(constraints) to pack them again, of rigid cloth with pins that
     /// gets longer links O(n log n). Chains are not planned again. Allocates.</summary>
-    /// <param name="constraints">the ids; one that stands twice gets the last</param>
+    /// <param name="constraints">the ids; one that appears twice gets the last</param>
     public unsafe void SetConstraintSettings(uint body, ReadOnlySpan<uint> constraints, ReadOnlySpan<ConstraintSettings> settings) {
         var count = CommonLength(constraints.Length, settings.Length);
         fixed (uint* constraints_ = &MemoryMarshal.GetReference(constraints))
@@ -2847,7 +2847,7 @@ public sealed partial class Solver : IDisposable {
     /// Since 1.1.</summary>
     /// <param name="particles">count different particles, at least 2</param>
     /// <exception cref="GamephysException">Status.ErrorInvalidArgument: for a particle that does not exist
-    /// or stands twice</exception>
+    /// or appears twice</exception>
     /// <exception cref="GamephysException">Status.ErrorCapacity: beyond 2^24 - 1 clusters of a body, or
     /// that many particles in them</exception>
     public unsafe uint AddCluster(uint body, ReadOnlySpan<uint> particles) {

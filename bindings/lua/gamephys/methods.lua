@@ -2306,7 +2306,7 @@ end
 
 --- Which constraints keep a length, and which a maximum.
 --- Cost: O(elements). Since 1.1.
---- @param constraints the ids; one may stand twice
+--- @param constraints the ids; one may appear twice
 function Solver:get_constraint_kinds(body, constraints, out)
     local constraints, constraints_count, constraints_stride = to_array(uint32_t, constraints)
     local count = common(constraints_count)
@@ -2317,7 +2317,7 @@ end
 
 --- What constraints are like.
 --- Cost: O(elements).
---- @param constraints the ids; one may stand twice
+--- @param constraints the ids; one may appear twice
 function Solver:get_constraint_settings(body, constraints, out)
     local constraints, constraints_count, constraints_stride = to_array(uint32_t, constraints)
     local count = common(constraints_count)
@@ -2331,7 +2331,7 @@ end
 --- that is v dt shorter before each step of dt. Wakes the body.
 --- Cost: O(elements); in the next step O(constraints) to pack them again, of rigid cloth with pins that
 --- gets longer links O(n log n). Chains are not planned again. Allocates.
---- @param constraints the ids; one that stands twice gets the last
+--- @param constraints the ids; one that appears twice gets the last
 function Solver:set_constraint_settings(body, constraints, settings)
     local constraints, constraints_count, constraints_stride = to_array(uint32_t, constraints)
     local settings, settings_count, settings_stride = to_array(ConstraintSettings, settings)
@@ -2359,7 +2359,7 @@ do
     --- us one that touches a model; the first and the last cluster plan the body again, O(constraints).
     --- Since 1.1.
     --- @param particles count different particles, at least 2
-    --- @raise status ERROR_INVALID_ARGUMENT: for a particle that does not exist or stands twice
+    --- @raise status ERROR_INVALID_ARGUMENT: for a particle that does not exist or appears twice
     --- @raise status ERROR_CAPACITY: beyond 2^24 - 1 clusters of a body, or that many particles in them
     function Solver:add_cluster(body, particles)
         local particles, particles_count, particles_stride = to_array(uint32_t, particles)

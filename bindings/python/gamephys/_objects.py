@@ -2447,7 +2447,7 @@ class Solver(Object):
         Cost: O(elements). Since 1.1.
 
         Args:
-            constraints: the ids; one may stand twice"""
+            constraints: the ids; one may appear twice"""
         constraints_ = array_of(constraints, "<u4")
         count = common_length(constraints_)
         out_ = result_array(out, count, "<i4")
@@ -2459,7 +2459,7 @@ class Solver(Object):
         Cost: O(elements).
 
         Args:
-            constraints: the ids; one may stand twice"""
+            constraints: the ids; one may appear twice"""
         constraints_ = array_of(constraints, "<u4")
         count = common_length(constraints_)
         out_ = result_array(out, count, low.constraint_settings_dtype)
@@ -2474,7 +2474,7 @@ class Solver(Object):
         that gets longer links O(n log n). Chains are not planned again. Allocates.
 
         Args:
-            constraints: the ids; one that stands twice gets the last"""
+            constraints: the ids; one that appears twice gets the last"""
         constraints_ = array_of(constraints, "<u4")
         settings_ = array_of(settings, low.constraint_settings_dtype)
         count = common_length(constraints_, settings_)
@@ -2503,7 +2503,7 @@ class Solver(Object):
             particles: count different particles, at least 2
 
         Raises:
-            InvalidArgument: for a particle that does not exist or stands twice
+            InvalidArgument: for a particle that does not exist or appears twice
             Error, status ERROR_CAPACITY: beyond 2^24 - 1 clusters of a body, or that many particles in
                 them"""
         particles_ = array_of(particles, "<u4")

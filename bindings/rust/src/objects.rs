@@ -2823,7 +2823,7 @@ impl Solver {
     ///
     /// Cost: O(elements). Since 1.1.
     ///
-    /// * `constraints`: the ids; one may stand twice
+    /// * `constraints`: the ids; one may appear twice
     pub fn get_constraint_kinds<'a>(&self, body: BodyId, constraints: &[ConstraintId], out_kinds: impl Into<BatchMut<'a, ConstraintKind>>) -> Result<()> {
         let constraints = Batch::from(constraints);
         let out_kinds = out_kinds.into();
@@ -2836,7 +2836,7 @@ impl Solver {
     ///
     /// Cost: O(elements).
     ///
-    /// * `constraints`: the ids; one may stand twice
+    /// * `constraints`: the ids; one may appear twice
     pub fn get_constraint_settings<'a>(&self, body: BodyId, constraints: &[ConstraintId], out_settings: impl Into<BatchMut<'a, ConstraintSettings>>) -> Result<()> {
         let constraints = Batch::from(constraints);
         let out_settings = out_settings.into();
@@ -2852,7 +2852,7 @@ impl Solver {
     /// Cost: O(elements); in the next step O(constraints) to pack them again, of rigid cloth with pins that
     /// gets longer links O(n log n). Chains are not planned again. Allocates.
     ///
-    /// * `constraints`: the ids; one that stands twice gets the last
+    /// * `constraints`: the ids; one that appears twice gets the last
     pub fn set_constraint_settings<'a>(&mut self, body: BodyId, constraints: &[ConstraintId], settings: impl Into<Batch<'a, ConstraintSettings>>) -> Result<()> {
         let constraints = Batch::from(constraints);
         let settings = settings.into();
@@ -2882,7 +2882,7 @@ impl Solver {
     /// * `particles`: count different particles, at least 2
     ///
     /// # Errors
-    /// * `Status::ERROR_INVALID_ARGUMENT`: for a particle that does not exist or stands twice
+    /// * `Status::ERROR_INVALID_ARGUMENT`: for a particle that does not exist or appears twice
     /// * `Status::ERROR_CAPACITY`: beyond 2^24 - 1 clusters of a body, or that many particles in them
     pub fn add_cluster(&mut self, body: BodyId, particles: &[u32]) -> Result<ClusterId> {
         let particles = Batch::from(particles);

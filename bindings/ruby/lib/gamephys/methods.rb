@@ -2203,7 +2203,7 @@ module Gamephys
 
     # Which constraints keep a length, and which a maximum.
     # Cost: O(elements). Since 1.1.
-    # @param constraints the ids; one may stand twice
+    # @param constraints the ids; one may appear twice
     def get_constraint_kinds(body, constraints, out: nil)
       constraints = Low.array(UInt32, constraints)
       count = Low.common(constraints)
@@ -2214,7 +2214,7 @@ module Gamephys
 
     # What constraints are like.
     # Cost: O(elements).
-    # @param constraints the ids; one may stand twice
+    # @param constraints the ids; one may appear twice
     def get_constraint_settings(body, constraints, out: nil)
       constraints = Low.array(UInt32, constraints)
       count = Low.common(constraints)
@@ -2228,7 +2228,7 @@ module Gamephys
     # that is v dt shorter before each step of dt. Wakes the body.
     # Cost: O(elements); in the next step O(constraints) to pack them again, of rigid cloth with pins that
     # gets longer links O(n log n). Chains are not planned again. Allocates.
-    # @param constraints the ids; one that stands twice gets the last
+    # @param constraints the ids; one that appears twice gets the last
     def set_constraint_settings(body, constraints, settings)
       constraints = Low.array(UInt32, constraints)
       settings = Low.array(ConstraintSettings, settings)
@@ -2255,7 +2255,7 @@ module Gamephys
     # us one that touches a model; the first and the last cluster plan the body again, O(constraints).
     # Since 1.1.
     # @param particles count different particles, at least 2
-    # @raise [InvalidArgument] for a particle that does not exist or stands twice
+    # @raise [InvalidArgument] for a particle that does not exist or appears twice
     # @raise [Error] beyond 2^24 - 1 clusters of a body, or that many particles in them (ERROR_CAPACITY)
     def add_cluster(body, particles)
       particles = Low.array(UInt32, particles)

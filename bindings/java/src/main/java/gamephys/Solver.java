@@ -892,7 +892,7 @@ public final class Solver extends Owned {
     /**
      * Which constraints keep a length, and which a maximum.
      * Cost: O(elements). Since 1.1.
-     * @param constraints the ids; one may stand twice
+     * @param constraints the ids; one may appear twice
      */
     public Batch<Integer> getConstraintKinds(int body, Batch<Integer> constraints, Batch<Integer> out) {
         int count = Low.common(constraints.common());
@@ -911,7 +911,7 @@ public final class Solver extends Owned {
     /**
      * What constraints are like.
      * Cost: O(elements).
-     * @param constraints the ids; one may stand twice
+     * @param constraints the ids; one may appear twice
      */
     public Batch<ConstraintSettings> getConstraintSettings(int body, Batch<Integer> constraints, Batch<ConstraintSettings> out) {
         int count = Low.common(constraints.common());
@@ -933,7 +933,7 @@ public final class Solver extends Owned {
      * that is v dt shorter before each step of dt. Wakes the body.
      * Cost: O(elements); in the next step O(constraints) to pack them again, of rigid cloth with pins that
      * gets longer links O(n log n). Chains are not planned again. Allocates.
-     * @param constraints the ids; one that stands twice gets the last
+     * @param constraints the ids; one that appears twice gets the last
      */
     public void setConstraintSettings(int body, Batch<Integer> constraints, Batch<ConstraintSettings> settings) {
         int count = Low.common(constraints.common(), settings.common());
@@ -961,7 +961,7 @@ public final class Solver extends Owned {
      * us one that touches a model; the first and the last cluster plan the body again, O(constraints).
      * Since 1.1.
      * @param particles count different particles, at least 2
-     * @throws GamephysException with ERROR_INVALID_ARGUMENT: for a particle that does not exist or stands
+     * @throws GamephysException with ERROR_INVALID_ARGUMENT: for a particle that does not exist or appears
      *     twice
      * @throws GamephysException with ERROR_CAPACITY: beyond 2^24 - 1 clusters of a body, or that many
      *     particles in them
