@@ -45,7 +45,10 @@ Hexahedron core_of(const Frustum& frustum) {
     for (int i = 0; i < 6; ++i) core.normals[i] = normalized(frustum.planes[i].normal);
     Vec3* edge = core.edges;
     for (int i = 0; i < 6; ++i) {
-        for (int k = i / 2 * 2 + 2; k < 6; ++k) *edge++ = unit_across({}, core.normals[i], {}, core.normals[k]);
+        for (int k = i / 2 * 2 + 2; k < 6; ++k) {
+            // Not from the normals of length 1: their rounding turns the edge of almost parallel planes.
+            *edge++ = unit_across({}, frustum.planes[i].normal, {}, frustum.planes[k].normal);
+        }
     }
     return core;
 }

@@ -157,3 +157,20 @@ TEST_CASE("the way of solids out of frusta leads out, and none is shorter", "[pe
     prove_way_out<FrustumTarget, gphys_aabb>("penetration AABB, frustum", 343);
     prove_way_out<FrustumTarget, gphys_obb>("penetration OBB, frustum", 344);
 }
+TEST_CASE("the edge of almost parallel planes of a frustum is that of the planes as they are", "[penetration]") {
+    // The planes far and right meet at 1e-5 rad, 1e6 from the origin. The box is there.
+    FrustumTarget target;
+    REQUIRE(target.parts[0].make({{-2, 4, 4},
+                                  {{{0x1.221352p-24f, 0x1.5224dap-16f, 1}, 1},
+                                   {{1, -0x1.5224dap-16f, -1}, -0x1.6a09e6p+2f},
+                                   {{0x1.000004p+0f, 0x1.cc7f34p-16f, 0x1.fffffep-1f}, 0},
+                                   {{-0x1.fffffep-1f, 0x1.af950ap-17f, 0x1.000002p+0f}, 0},
+                                   {{-0x1.ebb152p-18f, 0x1.fffeacp-1f, -0x1.01b0a4p-1f}, 0},
+                                   {{0x1.edf1aap-18f, -0x1.fffd5cp-1f, 0x1.000152p+0f}, 0}}}));
+    const gphys_obb box{{0x1.26d364p+20f, 0x1.893544p+19f, 0x1.26d30cp+20f},
+                        {3, 0x1.fffffep+0f, 3},
+                        {-0x1.edfdap-20f, 0x1.60bb22p-23f, -0x1.6b9be8p-23f, 1}};
+    gphys_penetration out{};
+    REQUIRE(library<gphys_obb>(target.type(), target.data(), box, out) == GPHYS_OK);
+    CHECK(WayOut<FrustumTarget, gphys_obb>(target, box).proves(out));
+}
