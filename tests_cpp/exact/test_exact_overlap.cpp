@@ -264,8 +264,10 @@ void make(test::Random& random, gphys_aabb& b) {
     b = {narrow(min(p, q)), narrow(max(p, q))};
 }
 void make(test::Random& random, gphys_plane& p) {
-    p = grid_frustum(random).planes[0];
-    p.distance = static_cast<float>(random.index(5)) - 2;
+    do {
+        p = grid_frustum(random).planes[0];
+        p.distance = static_cast<float>(random.index(5)) - 2;
+    } while (gphys_shape_validate(GPHYS_SHAPE_PLANE, &p) != GPHYS_OK);  // too far out
 }
 void make(test::Random& random, gphys_vec3& p) { p = narrow(grid_point(random)); }
 void make(test::Random& random, gphys_triangle& t) {
