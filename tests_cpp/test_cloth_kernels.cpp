@@ -7,6 +7,7 @@
 
 #include "foundation/isa.h"
 #include "foundation/math.h"
+#include "solver/cloth/whole_motion_kernels.h"
 #include "test.h"
 
 using namespace gphys;
@@ -209,6 +210,73 @@ TEST_CASE("particles of cloth come no further from their anchors than they may, 
             } else {
                 // Coordinates below 1 are off by half an ulp of 2^-24, and so is each of the five operations.
                 CHECK(std::fabs(std::sqrt(square) - double{distances[i]}) < 6 * 0x1p-24);
+            }
+        }
+    });
+}
+
+TEST_CASE("moments of cloth are sums over its particles, also where the last eight are fewer") {
+    for (const uint32_t count : {1u, 7u, 8u, 37u, 40u}) {
+        CAPTURE(count);
+        Cloth cloth;
+        ClothMotion motion = cloth.motion();
+        motion.floats = 4 * count;
+        ClothMoments<double> sums;
+        for (uint32_t i = 0; i < motion.floats; i += 4) {
+            const auto of = [i](const std::vector<float>& values) {
+                return Vec3{double{values[i]}, double{values[i + 1]}, double{values[i + 2]}};
+            };
+            const double mass = double{cloth.acceleration[i + 3]};
+            const Vec3 start = of(cloth.start), at = of(cloth.at), load = of(cloth.acceleration) * mass;
+            const Vec3 earlier = of(cloth.velocity_before), velocity = of(cloth.velocity);
+            sums.mass += mass;
+            sums.before.add(mass, start, earlier);
+            sums.after.add(mass, at, velocity);
+            sums.squares += by_component(at, at) * mass;
+            sums.products += Vec3{at.y * at.z, at.z * at.x, at.x * at.y} * mass;
+            sums.force += load;
+            sums.torque += cross(start, load) + cross(at, load);
+            sums.energy += length_squared(velocity) * mass;
+            sums.gain += (length_squared(velocity) - length_squared(earlier)) * mass / 2 - dot(load, at - start);
+        }
+        ClothMoments<double> first;
+        on_each_set([&](Isa isa) {
+            const ClothMoments<double> got = whole_motion_kernels(isa).moments(motion);
+            if (isa == Isa::scalar) first = got;
+            constexpr size_t numbers = sizeof got / sizeof(double);
+            double a[numbers], b[numbers], c[numbers];
+            std::memcpy(a, &got, sizeof a), std::memcpy(b, &sums, sizeof b), std::memcpy(c, &first, sizeof c);
+            for (size_t i = 0; i < numbers; ++i) {
+                CAPTURE(i);
+                CHECK(a[i] == c[i]);
+                // Sums of 40 terms below 24, in another order.
+                CHECK(std::fabs(a[i] - b[i]) <= 40 * 40 * 24 * 0x1p-53);
+            }
+        });
+    }
+}
+
+TEST_CASE("a rigid motion is added to the velocities of cloth, and to no others") {
+    const uint32_t count = 37;
+    const double kept = 0.75;
+    const Vec3 along{0.3, -0.2, 0.1}, turning{-1.5, 0.5, 2};
+    on_each_set([&](Isa isa) {
+        Cloth cloth;
+        const std::vector<float> before = cloth.velocity;
+        ClothMotion motion = cloth.motion();
+        motion.floats = 4 * count;
+        whole_motion_kernels(isa).move(motion, kept, along, turning);
+        for (uint32_t i = 0; i < 4 * Cloth::particles; i += 4) {
+            CAPTURE(i);
+            const Vec3 at{double{cloth.at[i]}, double{cloth.at[i + 1]}, double{cloth.at[i + 2]}};
+            const Vec3 added = along + cross(turning, at);
+            for (int k = 0; k < 4; ++k) {
+                const double old = double{before[i + static_cast<uint32_t>(k)]};
+                const bool moves = i < 4 * count && k < 3;
+                const double wanted = moves ? old * kept + added[k] : old;
+                // Rounded to a float; in double, sums below 8 with four roundings before.
+                const double rounding = moves ? 0x1p-24 * std::fabs(wanted) + 4 * 8 * 0x1p-53 : 0;
+                CHECK(std::fabs(double{cloth.velocity[i + static_cast<uint32_t>(k)]} - wanted) <= rounding);
             }
         }
     });

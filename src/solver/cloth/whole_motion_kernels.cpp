@@ -1,0 +1,98 @@
+// Sums over the particles of cloth in double precision, and a change of their velocities (whole_motion_kernels.h). Lane
+// i of a register sums particles i, i + 8, ..., so all instruction sets give the same bits.
+#include "solver/cloth/whole_motion_kernels.h"
+
+#include "foundation/simd_double.h"
+
+namespace gphys::GPHYS_ISA {
+
+namespace {
+
+/// Addresses of eight particles from the first float of one; behind the end that of the last.
+class EightParticles {
+public:
+    EightParticles(const ClothMotion& motion, uint32_t first) : first_(first), last_(motion.floats - 4) {}
+
+    GPHYS_INLINE Four8 load(const float* from) const {
+        return Four8([&](int i) GPHYS_INLINE_LAMBDA { return from + place(i); });
+    }
+    GPHYS_INLINE void store(float* to, const Quads8& quads) const {
+        store_quads([&](int i) GPHYS_INLINE_LAMBDA { return to + place(i); }, quads);
+    }
+    /// 0 behind the end.
+    GPHYS_INLINE Double8 without_repeated(Double8 values) const {
+        if (first_ + 28 <= last_) return values;
+        double lanes[8];
+        GPHYS_ISA::store(lanes, values);
+        for (uint32_t i = 0; i < 8; ++i) {
+            if (first_ + 4 * i > last_) lanes[i] = 0;
+        }
+        return GPHYS_ISA::load(lanes);
+    }
+
+private:
+    GPHYS_INLINE uint32_t place(int i) const {
+        const uint32_t wanted = first_ + 4 * static_cast<uint32_t>(i);
+        return wanted < last_ ? wanted : last_;
+    }
+
+    uint32_t first_, last_;
+};
+
+GPHYS_INLINE Vec<Double8> vector_of(const Four8& quads) { return {quads.x, quads.y, quads.z}; }
+
+double sum_of(Double8 v) {
+    double lanes[8];
+    store(lanes, v);
+    double sum = 0;
+    for (const double lane : lanes) sum += lane;
+    return sum;
+}
+Vec<double> sum_of(const Vec<Double8>& v) { return {sum_of(v.x), sum_of(v.y), sum_of(v.z)}; }
+ClothMoments<double>::Motion sum_of(const ClothMoments<Double8>::Motion& motion) {
+    return {sum_of(motion.first_moment), sum_of(motion.momentum), sum_of(motion.angular_momentum)};
+}
+
+ClothMoments<double> moments(const ClothMotion& motion) {
+    ClothMoments<Double8> sums{};
+    for (uint32_t first = 0; first < motion.floats; first += 32) {
+        const EightParticles eight(motion, first);
+        const Vec<Double8> start = vector_of(eight.load(motion.start)), at = vector_of(eight.load(motion.at));
+        const Vec<Double8> earlier = vector_of(eight.load(motion.velocity_before));
+        const Vec<Double8> velocity = vector_of(eight.load(motion.velocity));
+        const Four8 fall = eight.load(motion.acceleration);
+        const Double8 mass = eight.without_repeated(fall.w);
+        const Vec<Double8> load = vector_of(fall) * mass, weighted = at * mass;
+
+        sums.mass = sums.mass + mass;
+        sums.before.add(mass, start, earlier);
+        sums.after.add(mass, at, velocity);
+        sums.squares += by_component(weighted, at);
+        sums.products += Vec<Double8>{weighted.y * at.z, weighted.z * at.x, weighted.x * at.y};
+        sums.force += load;
+        sums.torque += cross(start + at, load);
+        sums.energy = sums.energy + dot(velocity, velocity) * mass;
+        const Double8 faster = dot(velocity - earlier, velocity + earlier) * mass * Double8(0.5);
+        sums.gain = sums.gain + (faster - dot(load, at - start));
+    }
+    return {sum_of(sums.mass),  sum_of(sums.before), sum_of(sums.after),  sum_of(sums.squares), sum_of(sums.products),
+            sum_of(sums.force), sum_of(sums.torque), sum_of(sums.energy), sum_of(sums.gain)};
+}
+
+void move(const ClothMotion& motion, double kept, const Vec<double>& velocity, const Vec<double>& angular_velocity) {
+    const auto in_all_lanes = [](const Vec<double>& v) { return Vec<Double8>{v.x, v.y, v.z}; };
+    const Vec<Double8> along = in_all_lanes(velocity), turning = in_all_lanes(angular_velocity);
+    for (uint32_t first = 0; first < motion.floats; first += 32) {
+        const EightParticles eight(motion, first);
+        const Four8 before = eight.load(motion.velocity);
+        const Vec<Double8> after =
+            vector_of(before) * Double8(kept) + (along + cross(turning, vector_of(eight.load(motion.at))));
+        eight.store(motion.velocity, {narrowed(after.x), narrowed(after.y), narrowed(after.z), narrowed(before.w)});
+    }
+}
+
+}  // namespace
+
+const WholeMotionKernels whole_motion_kernels = {moments, move};
+
+}  // namespace gphys::GPHYS_ISA

@@ -1,0 +1,40 @@
+// The loops of whole_motion.cpp over all particles of cloth, eight side by side.
+#pragma once
+
+#include "foundation/vec.h"
+#include "solver/cloth/cloth_kernels.h"
+
+namespace gphys {
+
+/// Sums over particles, about the origin of the cloth and per average mass.
+template <class N>
+struct ClothMoments {
+    struct Motion {
+        Vec<N> first_moment, momentum, angular_momentum;
+
+        GPHYS_INLINE void add(const N& mass, const Vec<N>& at, const Vec<N>& velocity) {
+            const Vec<N> impulse = velocity * mass;
+            first_moment += at * mass;
+            momentum += impulse;
+            angular_momentum += cross(at, impulse);
+        }
+    };
+
+    N mass{};
+    Motion before, after;      // at the start and at the end of a substep
+    Vec<N> squares, products;  // of coordinates at the end: xx, yy, zz and yz, zx, xy
+    Vec<N> force, torque;      // torque: the sum of those at the start and at the end
+    N energy{};                // twice the kinetic energy at the end
+    N gain{};                  // kinetic energy gained in the substep beyond the work of forces
+};
+
+struct WholeMotionKernels {
+    ClothMoments<double> (*moments)(const ClothMotion& motion);
+    /// Scales the velocities and adds a rigid motion: the velocity of the origin, and the angular velocity.
+    void (*move)(const ClothMotion& motion, double kept, const Vec<double>& velocity,
+                 const Vec<double>& angular_velocity);
+};
+
+GPHYS_DECLARE_KERNELS(WholeMotionKernels, whole_motion_kernels)
+
+}  // namespace gphys
