@@ -17,9 +17,10 @@ endfunction()
 # The package moves to share/<port>, two folders nearer to the prefix than lib/cmake/<port> by one.
 function(vcpkg_cmake_config_fixup)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "CONFIG_PATH" "")
-  file(RENAME ${CURRENT_PACKAGES_DIR}/${arg_CONFIG_PATH} ${WORK}/moved)
-  file(MAKE_DIRECTORY ${CURRENT_PACKAGES_DIR}/share)
-  file(RENAME ${WORK}/moved ${CURRENT_PACKAGES_DIR}/share/gamephys)
+  # The folder may be there, with other files.
+  file(GLOB files ${CURRENT_PACKAGES_DIR}/${arg_CONFIG_PATH}/*)
+  file(COPY ${files} DESTINATION ${CURRENT_PACKAGES_DIR}/share/gamephys)
+  file(REMOVE_RECURSE ${CURRENT_PACKAGES_DIR}/${arg_CONFIG_PATH})
   file(GLOB files ${CURRENT_PACKAGES_DIR}/share/gamephys/*.cmake)
   foreach(file IN LISTS files)
     file(READ ${file} text)
