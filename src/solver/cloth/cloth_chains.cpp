@@ -1,6 +1,9 @@
 // Sweeps over the chains of cloth (cloth_chains.h): block Gauss-Seidel with graph colouring, each chain solved directly
 // by Thomas's algorithm in the kernels.
 #include "solver/cloth/cloth_chains.h"
+
+#include <algorithm>
+
 #include "solver/cloth/reach_limits.h"
 #include "solver/quads.h"
 #include "solver/rope/damping.h"
@@ -10,6 +13,7 @@ namespace {
 
 // The largest softness: 1e20 times the inverse mass of the lightest particle. Such a link does not act.
 constexpr double softest = 1e26;
+constexpr size_t lanes = 8;
 
 ClothChains undamped(const ClothBatches& batches) {
     return {batches.particles.data(), batches.rest.data(), batches.softness.data(), batches.stiffness.data()};
@@ -27,15 +31,18 @@ void soften_links(ClothBatches& batches, double average_mass, double step) {
     const double scale = average_mass / (step * step);
     if (batches.scale == scale) return;
     batches.scale = scale;
-    batches.elastic = false;
     for (size_t i = 0; i < batches.compliance.size(); ++i) {
         const double compliance = batches.compliance[i];
         batches.softness[i] = to_float(compliance * scale, softest);
-        const bool elastic = compliance > 0 && compliance < infinity;
         // Stiffer links than 1e15, and their energy, count as rigid.
-        batches.stiffness[i] =
-            elastic && compliance * average_mass > 1e-15 ? static_cast<float>(1 / (compliance * average_mass)) : 0;
-        batches.elastic = batches.elastic || elastic;
+        const bool elastic = compliance * average_mass > 1e-15 && compliance < infinity;
+        batches.stiffness[i] = elastic ? static_cast<float>(1 / (compliance * average_mass)) : 0;
+    }
+    batches.elastic = false;
+    for (ChainBatch& batch : batches.chains) {
+        const auto first = batches.stiffness.begin() + lanes * batch.first_link;
+        batch.elastic = std::any_of(first, first + lanes * batch.link_count, [](float s) { return s > 0; });
+        batches.elastic = batches.elastic || batch.elastic;
     }
 }
 
@@ -54,7 +61,8 @@ double add_stored_in_links(double sum, const ClothBatches& batches, const ClothS
     if (!batches.elastic) return sum;
     const ClothKernels& kernels = cloth_kernels(chosen_isa());
     share(shares.team, static_cast<uint32_t>(batches.chains.size()), [&](uint32_t i, uint32_t) {
-        shares.batch_sums[i] = kernels.stored(state.at.data(), undamped(batches), batches.chains[i]);
+        const ChainBatch& batch = batches.chains[i];
+        shares.batch_sums[i] = batch.elastic ? kernels.stored(state.at.data(), undamped(batches), batch) : 0;
     });
     for (const double of_batch : shares.batch_sums) sum += of_batch;
     return sum;
