@@ -191,7 +191,7 @@ struct Surfaces {
         a.y = a.y + (pull.y - normal.y * held) * a.w;
         a.z = a.z + (pull.z - normal.z * held) * a.w;
         store_quads(at, particles, a);
-        add_pull(arrays.pulls, particles, pull);
+        store_quads(arrays.pulls, particles, {pulled.x + pull.x, pulled.y + pull.y, pulled.z + pull.z, pulled.w});
     }
 
 private:
