@@ -118,13 +118,13 @@ void Relaxer::stop_straining(const KeptLinks::Link& link, Vec3 direction, double
 /// Moves both ends, unless the link is hardly strained. Returns whether it was strained.
 bool Relaxer::relax(const KeptLinks::Link& link, double& lost) {
     const float *a = &state_.at[4 * size_t{link.a}], *b = &state_.at[4 * size_t{link.b}];
+    const Vec3 along = get(b) - get(a);
+    const double length = gphys::length(along), error = length - link.rest;
+    if (std::fabs(error) < relaxed_part * relaxation_.most_strain * link.rest) return false;
     const auto weight_of = [&](uint32_t p, const float* at) {
         return collides_ && is_held(contacts_, p) ? held_part * at[3] : at[3];
     };
     const double weight_a = weight_of(link.a, a), weight_b = weight_of(link.b, b), weight = weight_a + weight_b;
-    const Vec3 along = get(b) - get(a);
-    const double length = gphys::length(along), error = length - link.rest;
-    if (std::fabs(error) < relaxed_part * relaxation_.most_strain * link.rest) return false;
     if (length == 0 || weight == 0 || (link.limit && error < 0)) return false;
     const Vec3 correction = along * (error / (length * weight));
     if (has_contact_) stop_straining(link, along / length, error);
