@@ -344,7 +344,8 @@ private:
                            ca = cross(V::of(c.normal), na), ab = cross(na, V::of(b.normal));
                    return dot(V::of(other.normal), bc * N(a.distance) + ca * N(b.distance) + ab * N(c.distance)) -
                           N(other.distance) * dot(na, bc);
-               }) >= 0;
+               }) >=
+               0;
     }
 
     /// The conditions of Karush, Kuhn and Tucker: the way from the point to its projection is a sum of the normals with

@@ -155,7 +155,8 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
     if (collides) add_contact_impulses(body, around, scheme.next / h);
     TautLimits taut(body.constraints, around, cloth.in_chains, body.contacts.impulses, scheme, damping);
     const bool has_limit_impact = taut.apply_impacts(cloth.batches.limits, state);
-    if (contacts.penetrating && collides && !state.held) limit_energy_in_solid(state, cloth.shares, gain * state.average_mass);
+    if (contacts.penetrating && collides && !state.held)
+        limit_energy_in_solid(state, cloth.shares, gain * state.average_mass);
     const bool bounded = body.targets.act();
     balance.closed = balance.closed && !(collides && contacts.has_moving_model) && !bounded;
     const bool accounted = is_accounted_for(body, collides);

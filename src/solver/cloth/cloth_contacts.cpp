@@ -186,7 +186,8 @@ namespace {
 /// The speed of approach at the time of impact; 0 if it is too low to bounce. `place`: the start of the particle,
 /// carried along by the plane. `predicted`: its speed of approach in this substep. Gravity adds speed up to the plane,
 /// not behind it.
-double impact_speed(const ClothContact& n, const ClothState& state, Vec3 place, double predicted, double bounce_threshold) {
+double impact_speed(const ClothContact& n, const ClothState& state, Vec3 place, double predicted,
+                    double bounce_threshold) {
     const ContactPlane& plane = n.planes[n.active_plane];
     const size_t i = 4 * size_t{n.particle};
     const double drop = std::max(0.0, dot(plane.normal, place) - plane.offset);
@@ -269,7 +270,8 @@ void apply_friction(ClothContact& n, Vec3 pull, const Friction& friction, double
     const Vec3 along = moved - normal * dot(moved, normal);
     const double squared = length_squared(along), hold = friction.kinetic * n.normal_total - n.friction_before;
     const auto within = [&](double most) { return most >= 0 && squared <= most * most; };
-    n.held = within(hold) || (n.rest_slip >= 0 && within(n.rest_slip + friction.at_rest * n.normal_total - n.friction_before));
+    n.held = within(hold) ||
+             (n.rest_slip >= 0 && within(n.rest_slip + friction.at_rest * n.normal_total - n.friction_before));
     if (n.held) {
         // Of a particle that bounces, friction holds the tangential motion only.
         put(at, restitution * n.approach > 0 ? get(at) - along : place);
@@ -309,7 +311,7 @@ void resolve_contacts(Body& body) {
         const int32_t pushing = push_out(n, at);
         if (!before) n.active_plane = pushing;
         apply_friction(n, get(&in_chains.pulls[i]), friction_coefficients(body, n.particle), body.settings.restitution,
-                  place_on_plane(n, body.cloth.moving_colliders, get(&state.start[i])), at);
+                       place_on_plane(n, body.cloth.moving_colliders, get(&state.start[i])), at);
         // Moving back may lead into another contact plane.
         if (n.plane_count > 1) push_out(n, at);
         put(&in_chains.normals[i], {});
@@ -385,8 +387,8 @@ bool is_held(const ClothContacts& contacts, uint32_t particle) {
     return n.active_plane >= 0 && n.held && !is_on_moving_model(n);
 }
 
-void displace(ClothState& state, ClothContacts& contacts, const AnimationTargets& targets, uint32_t particle, Vec3 displacement,
-           bool collides) {
+void displace(ClothState& state, ClothContacts& contacts, const AnimationTargets& targets, uint32_t particle,
+              Vec3 displacement, bool collides) {
     float* const at = &state.at[4 * size_t{particle}];
     put(at, get(at) + displacement);
     if (!targets.empty()) stay_near_target(targets, state, particle);

@@ -54,9 +54,9 @@ struct alignas(64) ClothContact {
     ContactPlane planes[most_planes];
     // For a particle in contact, in this substep:
     double rest_slip;  // metres: displacement by its own velocity, if that is small enough to count as rest; else -1
-    double normal_displacement;   // metres: total displacement by contact planes
-    double normal_total;  // metres: the same plus the pull of links against them
-    double friction_before;  // metres: displacement that friction has removed before the links
+    double normal_displacement;  // metres: total displacement by contact planes
+    double normal_total;         // metres: the same plus the pull of links against them
+    double friction_before;      // metres: displacement that friction has removed before the links
     double approach;  // speed of approach to the contact plane at impact, if it is large enough to bounce; else 0
     bool active_before_chains;  // whether it was active before the chains were solved
     bool held;                  // whether friction holds it at its place on the contact plane
@@ -65,7 +65,7 @@ struct alignas(64) ClothContact {
     Vec3 moved;  // metres: displacement by chains and limits; if it became active after them, by planes, reversed
     // For the impulses on models:
     gphys_model_id impulse_model;  // the model that gets the next two:
-    Vec3 impulse, moment;  // m/s: its impulse on the model per mass, and the moment about the cloth's origin
+    Vec3 impulse, moment;          // m/s: its impulse on the model per mass, and the moment about the cloth's origin
     // For a particle that is deeper in a model than it can leave at once (leave_solids.cpp):
     uint32_t penetrated_planes;  // bit i: contact plane i is at the particle, not at the surface
     uint32_t deepest_plane;      // index of the plane that it is deepest behind

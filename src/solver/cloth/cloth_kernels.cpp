@@ -257,7 +257,7 @@ struct Tethered {
         const Quads8 pulled = load_quads(arrays.surfaces.pulls, particles);
         const Float8 held = held_part(off_plane(pull, here), off_plane(pulled, here) - normal_force) * here.inverse;
         const Vec<Float8> displacement = times(here.diagonal, here.off, pull.x - here.normal.x * held,
-                                      pull.y - here.normal.y * held, pull.z - here.normal.z * held);
+                                               pull.y - here.normal.y * held, pull.z - here.normal.z * held);
         a.x = a.x + displacement.x * a.w;
         a.y = a.y + displacement.y * a.w;
         a.z = a.z + displacement.z * a.w;
@@ -449,7 +449,8 @@ double gain(const ClothMotion& motion) {
     for (uint32_t i = 0; i < motion.floats; i += 8) {
         const Float8 now = load(motion.velocity + i), before = load(motion.velocity_before + i);
         const Float8 fall = load(motion.acceleration + i), forward = load(motion.at + i) - load(motion.start + i);
-        sum = sum + last_of_quads(fall) * ((now - before) * (now + before) * half - without_last_of_quads(fall) * forward);
+        sum = sum +
+              last_of_quads(fall) * ((now - before) * (now + before) * half - without_last_of_quads(fall) * forward);
     }
     return sum_of_lanes(sum);
 }

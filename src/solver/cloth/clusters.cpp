@@ -88,8 +88,8 @@ private:
     Vec3 at_, rest_;     // the point that it turns about, and this point in the shape
     Mat3 rotation_;
     double inverse_mass_ = 0;  // 1 / mass
-    double weight_ = 0;    // of members that do not move freely, in the inertia
-    double size_ = 0;      // metres: root mean square distance of the particles from that point
+    double weight_ = 0;        // of members that do not move freely, in the inertia
+    double size_ = 0;          // metres: root mean square distance of the particles from that point
     Mat3 inverse_inertia_;
     Vec3 shift_, turn_;  // by contacts: displacement, and rotation vector
 };
@@ -162,7 +162,8 @@ void MovingCluster::list_contacts(Body& body) {
         contact.slip = at_ + contact.arm - place_on_plane(n, body.cloth.moving_colliders, start);
         contact.friction = n.rest_slip >= 0 ? friction.at_rest : friction.kinetic;
         contact.friction_before = n.friction_before * m;
-        contact.normal_before = contact.normal_impulse = std::max(0.0, n.normal_displacement * m - dot(pull, plane.normal));
+        contact.normal_before = contact.normal_impulse =
+            std::max(0.0, n.normal_displacement * m - dot(pull, plane.normal));
         contacts.push_back(contact);
     }
 }
@@ -183,7 +184,8 @@ double MovingCluster::solve_normal(ClusterContact& contact) {
 void MovingCluster::solve_friction(ClusterContact& contact) {
     Vec3 slip = contact.slip + displacement(contact.arm);
     slip -= contact.normal * dot(contact.normal, slip);
-    const double size = length(slip), most = std::max(0.0, contact.friction * contact.normal_impulse - contact.friction_before);
+    const double size = length(slip),
+                 most = std::max(0.0, contact.friction * contact.normal_impulse - contact.friction_before);
     Vec3 accumulated = contact.friction_impulse;
     if (size > 0) {
         const double inverse_mass = inverse_effective_mass(slip / size, contact.arm);
@@ -203,7 +205,8 @@ void MovingCluster::solve_contacts(Body& body) {
     list_contacts(body);
     if (contacts.empty()) return;
     find_inertia();
-    for (ClusterContact& contact : contacts) contact.inverse_effective_mass = inverse_effective_mass(contact.normal, contact.arm);
+    for (ClusterContact& contact : contacts)
+        contact.inverse_effective_mass = inverse_effective_mass(contact.normal, contact.arm);
     double largest = infinity;
     for (int sweep = 0; sweep < most_sweeps && largest > rounding * size_; ++sweep) {
         largest = 0;

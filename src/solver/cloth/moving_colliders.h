@@ -23,14 +23,14 @@ struct RigidMotion {
 struct MovingCollider {
     gphys_model_id model;
     gphys_transform before;
-    Box swept_bounds;               // bounds during the step, in the world
-    bool bounded;          // false: it is unbounded
-    bool is_rigid;         // it keeps its size and rotates little; otherwise particles near it are swept
-    double turn;           // a bound of |R x - x| / |x|, where R is its rotation in the step
-    double bulge;          // bound for the distance of an arc of radius 1 with its angle from the chord
-    RigidMotion substep_motion;     // during this substep
-    RigidMotion from_end;  // from the end of the step back to that of this substep
-    Vec3 middle;           // the model's position at the end of the substep
+    Box swept_bounds;            // bounds during the step, in the world
+    bool bounded;                // false: it is unbounded
+    bool is_rigid;               // it keeps its size and rotates little; otherwise particles near it are swept
+    double turn;                 // a bound of |R x - x| / |x|, where R is its rotation in the step
+    double bulge;                // bound for the distance of an arc of radius 1 with its angle from the chord
+    RigidMotion substep_motion;  // during this substep
+    RigidMotion from_end;        // from the end of the step back to that of this substep
+    Vec3 middle;                 // the model's position at the end of the substep
 
     /// A bound for the distance that the point would move with the model in the rest of the step.
     double travel(Vec3 at) const { return distance(at, from_end.inverse_apply(at)) + bulge * distance(at, middle); }

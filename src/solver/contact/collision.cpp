@@ -199,8 +199,9 @@ double choose_friction(Body& body, uint32_t particle, const Impact& impact, doub
     const double approach = -dot(relative, impact.normal), normal_change = (1 + restitution) * approach;
     if (approach <= 0) return friction.kinetic;  // no impulse
     const double sliding = length(relative + impact.normal * approach);
-    const double chosen = body.contacts.stuck[particle] && sliding <= friction.at_rest * normal_change ? friction.at_rest
-                                                                                                       : friction.kinetic;
+    const double chosen = body.contacts.stuck[particle] && sliding <= friction.at_rest * normal_change
+                              ? friction.at_rest
+                              : friction.kinetic;
     body.contacts.stuck[particle] = sliding <= chosen * normal_change;
     return chosen;
 }
@@ -254,7 +255,7 @@ bool Collider::try_hold(Body& body, uint32_t particle, uint32_t obstacle, Vec3 d
 }
 
 void Collider::hold(Body& body, uint32_t first, uint32_t count, uint32_t obstacle, Vec3 displacement,
-                     Vec3 velocity) const {
+                    Vec3 velocity) const {
     const Near& near = near_[obstacle];
     const ContactFace face = near.flat.contact_face(displacement);
     double mass = 0;
@@ -269,7 +270,8 @@ void Collider::hold(Body& body, uint32_t first, uint32_t count, uint32_t obstacl
     add_impulse(accumulator_.impulses, around_, near.model, middle / mass, velocity * mass);
 }
 
-void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double time, double bounce_threshold) const {
+void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double time,
+                     double bounce_threshold) const {
     Impact impact;
     if (sweep(particle, from, displacement, time, impact)) {
         record(body, particle, impact);

@@ -111,7 +111,9 @@ bool begin_leaving(Body& body, const CollisionContext& around) {
         }
     };
     each_within([&](uint32_t, Vec3 normal, double) { directions.add(normal); });
-    each_within([&](uint32_t p, Vec3 normal, double depth) { body.particles.position[p] += directions.displacement(normal, depth); });
+    each_within([&](uint32_t p, Vec3 normal, double depth) {
+        body.particles.position[p] += directions.displacement(normal, depth);
+    });
     return directions.any();
 }
 

@@ -147,7 +147,8 @@ void Collider::sweep_moved(const PlacedModel& before, const Sphere& moving, Vec3
             const Transform there = interpolate(before.world, after, when);
             const auto placed = [&](Vec3 p) { return there.apply(now.inverse_apply(p)); };
             const Vec3 on_model = now.inverse_apply(hit.point);
-            const Vec3 moved_by = at_end.apply(on_model) - interpolate(before.world, after, around_.begin).apply(on_model);
+            const Vec3 moved_by =
+                at_end.apply(on_model) - interpolate(before.world, after, around_.begin).apply(on_model);
             const double seconds = around_.step_time * (around_.end - around_.begin);
             keep_first(first, {hit.t, before.model, i == 1 && (hit.flags & GPHYS_HIT_INSIDE) != 0, true, when,
                                placed(from + path * (hit.t * parts - (i - 1))), placed(hit.point),

@@ -329,7 +329,8 @@ void ParticleContacts::find_pairs(const Range& range, const Vector<Body>& bodies
 }
 
 /// Returns whether many pairs overlap deeply: more than one contact in one_deep_of.
-bool ParticleContacts::find_contacts(const Range& range, const Vector<Body>& bodies, double bounce_threshold, double h) const {
+bool ParticleContacts::find_contacts(const Range& range, const Vector<Body>& bodies, double bounce_threshold,
+                                     double h) const {
     uint32_t& count = *range.contact_count;
     count = 0;
     uint32_t deep_contacts = 0;
@@ -386,17 +387,22 @@ template <class Particle>
 void apply_correction(Particle& a, Particle& b, Vec3 correction, Vec3 Particle::*value, Vec3 Particle::*uncorrected) {
     const double inverse_mass = a.inverse_mass + b.inverse_mass, square = length_squared(correction);
     if (square == 0) return;
-    const Vec3 to_a = a.*value - correction * (a.inverse_mass / inverse_mass), to_b = b.*value + correction * (b.inverse_mass / inverse_mass);
+    const Vec3 to_a = a.*value - correction * (a.inverse_mass / inverse_mass),
+               to_b = b.*value + correction * (b.inverse_mass / inverse_mass);
     a.*value = blocked_by_models(a, to_a, a.*uncorrected);
     b.*value = blocked_by_models(b, to_b, b.*uncorrected);
     const double lost_a = dot(a.*value - to_a, correction) / square, lost_b = dot(to_b - b.*value, correction) / square;
-    if (lost_a > 0 && b.inverse_mass > 0) b.*value = blocked_by_models(b, b.*value + correction * lost_a, b.*uncorrected);
-    if (lost_b > 0 && a.inverse_mass > 0) a.*value = blocked_by_models(a, a.*value - correction * lost_b, a.*uncorrected);
+    if (lost_a > 0 && b.inverse_mass > 0)
+        b.*value = blocked_by_models(b, b.*value + correction * lost_a, b.*uncorrected);
+    if (lost_b > 0 && a.inverse_mass > 0)
+        a.*value = blocked_by_models(a, a.*value - correction * lost_b, a.*uncorrected);
 }
 
 template <class Particle, class Contact>
 void solve_position(Contact& contact, Particle& a, Particle& b) {
-    const auto move = [&](Vec3 displacement) { apply_correction(a, b, displacement, &Particle::at, &Particle::uncorrected); };
+    const auto move = [&](Vec3 displacement) {
+        apply_correction(a, b, displacement, &Particle::at, &Particle::uncorrected);
+    };
     const double overlap = a.radius + b.radius - dot(b.at - a.at, contact.normal);
     // The accumulated separation is clamped, so a correction that was too large is undone.
     const double correction = std::clamp(overlap, -contact.separation, contact.most_separation - contact.separation);
@@ -404,7 +410,8 @@ void solve_position(Contact& contact, Particle& a, Particle& b) {
     move(contact.normal * correction);
     const Vec3 relative = (b.at - b.before) - (a.at - a.before),
                tangential = relative - contact.normal * dot(relative, contact.normal);
-    const double sliding = length(tangential), most = contact.friction * contact.separation - contact.friction_displacement;
+    const double sliding = length(tangential),
+                 most = contact.friction * contact.separation - contact.friction_displacement;
     if (sliding == 0 || most <= 0) return;
     const double held = std::min(sliding, most);
     contact.friction_displacement += held;
@@ -414,7 +421,9 @@ void solve_position(Contact& contact, Particle& a, Particle& b) {
 template <class Particle, class Contact>
 void solve_velocity(Contact& contact, Particle& a, Particle& b) {
     if (contact.separation <= 0) return;
-    const auto accelerate = [&](Vec3 change) { apply_correction(a, b, change, &Particle::velocity, &Particle::uncorrected_velocity); };
+    const auto accelerate = [&](Vec3 change) {
+        apply_correction(a, b, change, &Particle::velocity, &Particle::uncorrected_velocity);
+    };
     const double normal_speed = dot(b.velocity - a.velocity, contact.normal);
     const double change = std::max(contact.target_speed - normal_speed, -contact.normal_change);
     contact.normal_change += change;
@@ -455,7 +464,7 @@ void correct_predicted(const Particle* first, const Particle* end, Body& body) {
 /// For particles at the end of their substep: corrects their positions as far as the models allow.
 template <class Particle>
 void correct_moved(const Particle* first, const Particle* end, Body& body, const CollisionContext& around,
-                  double bounce_threshold) {
+                   double bounce_threshold) {
     if (is_graph(body)) {
         each_moved(first, end, [&](uint32_t p, Vec3 displacement) {
             float* const at = &body.cloth.state.at[4 * size_t{p}];
@@ -465,7 +474,8 @@ void correct_moved(const Particle* first, const Particle* end, Body& body, const
         return;
     }
     double longest = 0;
-    each_moved(first, end, [&](uint32_t, Vec3 displacement) { longest = std::max(longest, length_squared(displacement)); });
+    each_moved(first, end,
+               [&](uint32_t, Vec3 displacement) { longest = std::max(longest, length_squared(displacement)); });
     if (longest > 0 && collides(body, around)) {
         const Collider collider(around, body,
                                 swept_box(body, body.particles.position, body.particles.position, std::sqrt(longest)));
@@ -516,8 +526,8 @@ void ParticleContacts::add_impulses(const Range& range, double Contact::*change,
     }
 }
 
-ParticleContacts::Found ParticleContacts::solve_contacts(const Island& island, const Vector<Body>& bodies, double bounce_threshold,
-                                                        double h) {
+ParticleContacts::Found ParticleContacts::solve_contacts(const Island& island, const Vector<Body>& bodies,
+                                                         double bounce_threshold, double h) {
     const Range range = this->range(island);
     gather(range, bodies);
     if (!list_is_valid(range)) find_pairs(range, bodies);
@@ -532,7 +542,7 @@ ParticleContacts::Found ParticleContacts::solve_contacts(const Island& island, c
 }
 
 void ParticleContacts::solve_positions(const Island& island, Vector<Body>& bodies, const uint32_t* slots,
-                            const CollisionContext& around, Vec3 gravity, double h) {
+                                       const CollisionContext& around, Vec3 gravity, double h) {
     const double bounce_threshold = find_bounce_threshold(gravity, h);
     const Found contacts = solve_contacts(island, bodies, bounce_threshold, h);
     const Range range = this->range(island);
@@ -588,7 +598,7 @@ void ParticleContacts::solve_velocities(const Island& island, Vector<Body>& bodi
 }
 
 void ParticleContacts::solve_final_positions(const Island& island, Vector<Body>& bodies, const uint32_t* slots,
-                              const CollisionContext& around, Vec3 gravity, double h) {
+                                             const CollisionContext& around, Vec3 gravity, double h) {
     const double bounce_threshold = find_bounce_threshold(gravity, h);
     if (!solve_contacts(island, bodies, bounce_threshold, h).any) return;
     each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {

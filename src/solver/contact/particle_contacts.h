@@ -49,20 +49,20 @@ public:
     // For one island; the data of others are not accessed.
     void begin(const Island& island, const IdTable& ids, const Vector<Body>& bodies, const uint32_t* slots);
     /// Call when all bodies are predicted: separates pairs in contact, with friction. h: seconds of the substep.
-    void solve_positions(const Island& island, Vector<Body>& bodies, const uint32_t* slots, const CollisionContext& around,
-              Vec3 gravity, double h);
+    void solve_positions(const Island& island, Vector<Body>& bodies, const uint32_t* slots,
+                         const CollisionContext& around, Vec3 gravity, double h);
     /// Call at the end of the substep: restitution and friction of pairs in contact.
     void solve_velocities(const Island& island, Vector<Body>& bodies, const uint32_t* slots);
     /// Call after the last substep: separates pairs that constraints have made overlap.
-    void solve_final_positions(const Island& island, Vector<Body>& bodies, const uint32_t* slots, const CollisionContext& around,
-                Vec3 gravity, double h);
+    void solve_final_positions(const Island& island, Vector<Body>& bodies, const uint32_t* slots,
+                               const CollisionContext& around, Vec3 gravity, double h);
 
 private:
     struct Particle {
         uint32_t body, number;
         gphys_body_id id;
         double radius, inverse_mass, margin;
-        Vec3 list_position;         // position at which the list was made
+        Vec3 list_position;        // position at which the list was made
         Vec3 before, uncorrected;  // at the beginning of the substep, and at its end without contacts
         Vec3 at, velocity;
         Vec3 uncorrected_velocity;

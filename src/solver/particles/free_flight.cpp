@@ -196,7 +196,8 @@ void FreeFlight::list_obstacles(const Collider& collider, const Aabb& region, ui
         if (obstacle_count_ < most_obstacles) {
             FlightObstacle& obstacle = obstacles_[obstacle_count_];
             repeat(box, obstacle.all);
-            repeat(alike && flat ? flat->resting_region(radius, gap, gravity_ * whole_.fall, friction) : nowhere, obstacle.rest);
+            repeat(alike && flat ? flat->resting_region(radius, gap, gravity_ * whole_.fall, friction) : nowhere,
+                   obstacle.rest);
         }
         ++obstacle_count_;
     });

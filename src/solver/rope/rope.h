@@ -44,7 +44,7 @@ struct Rope {
 
     Vector<DirectRow> rows;  // for the longest chain
     // By particle:
-    Vector<Vec3> solved;     // positions solved with the links alone, before contacts
+    Vector<Vec3> solved;    // positions solved with the links alone, before contacts
     Vector<uint8_t> slack;  // if there are limits: whether all its links were slack at the start of the substep
 };
 

@@ -402,7 +402,8 @@ void find_contact_forces(Body& body, double step) {
 
 }  // namespace
 
-void RopeContacts::finish(Body& body, const CollisionContext& around, double bounce_threshold, const TimeScheme& scheme) {
+void RopeContacts::finish(Body& body, const CollisionContext& around, double bounce_threshold,
+                          const TimeScheme& scheme) {
     body.contacts.has_contact = body.contacts.penetrating = false;
     std::fill(body.contacts.held.begin(), body.contacts.held.end(), uint8_t{0});
     const BodySettings& settings = body.settings;

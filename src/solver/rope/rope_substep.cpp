@@ -169,7 +169,8 @@ void leave_solids(Body& body, const CollisionContext& around, double step) {
 /// pinned. `limits`: the bounds of animation targets, or null.
 void collide_with_models(Body& body, RopeContacts* limits, const CollisionContext& around, Vec3 gravity,
                          const TimeScheme& scheme) {
-    const double step = scheme.step(body.settings.damping), bounce_threshold = find_bounce_threshold(gravity, scheme.advance);
+    const double step = scheme.step(body.settings.damping),
+                 bounce_threshold = find_bounce_threshold(gravity, scheme.advance);
     collide(body, around, bounce_threshold);
     if (body.contacts.has_contact) {
         relax_contacts(body, around);
