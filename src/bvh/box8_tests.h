@@ -19,7 +19,7 @@ struct SlabInterval {
     template <class Enters, class Leaves>
     GPHYS_INLINE SlabInterval(const Enters& enters, const Leaves& leaves, Float8 end)
         : entry(max(max(enters(0), enters(1)), max(enters(2), splat(0)))),
-          exit(min(min(min(leaves(0), leaves(1)), leaves(2)), end)) {}
+          exit(min(min(leaves(0), leaves(1)), min(leaves(2), end))) {}
 
     uint32_t hits() const { return bits(entry <= exit); }
 };

@@ -80,6 +80,10 @@ public:
     /// Boxes entered exactly at t_max are visited. With a direction of zero, the boxes that contain the origin are.
     template <class Visit>
     void raycast(const Ray& ray, double t_max, Visit&& visit, ItemMemory items = {}) const;
+    /// The same by the visitor that make_visit() returns. It is called only if the ray meets the bounds of all items,
+    /// so that other rays do not pay for what visits share.
+    template <class MakeVisit>
+    void raycast_by(const Ray& ray, double t_max, MakeVisit&& make_visit, ItemMemory items = {}) const;
     /// Closest hits of up to rays_at_once rays. Consecutive coherent rays form a packet; the others are interleaved.
     /// visit(numbers, items, count) gets up to eight pairs of a ray and an item. It may lower rays[numbers[k]].t_max;
     /// bit k of its result tells whether it has. A ray may visit an item twice: in its packet, and again if the packet
@@ -93,6 +97,9 @@ public:
     /// Any hit: in no order, until visit(item) returns true; returns whether it has.
     template <class Visit>
     bool raycast_any(const Ray& ray, Visit&& visit, ItemMemory items = {}) const;
+    /// The same by the visitor that make_visit() returns.
+    template <class MakeVisit>
+    bool raycast_any_by(const Ray& ray, MakeVisit&& make_visit, ItemMemory items = {}) const;
     /// As raycast, for a sphere that moves from `center` to center + displacement, t = 0 .. 1.
     template <class Visit>
     void sweep(Vec3 center, Vec3 displacement, double radius, Visit&& visit, ItemMemory items = {}) const;
@@ -262,8 +269,8 @@ private:
     template <class Probe, class Visit>
     void traverse_to_bound(void (*kernel)(const BvhNode*, uint32_t, const Probe&, float, const BvhVisitor&),
                            const Probe& probe, double bound, float limit, Visit& visit, ItemMemory items) const;
-    template <class Visit>
-    void traverse_ray(decltype(BvhKernels::ray) kernel, const Ray& ray, double t_max, Visit& visit,
+    template <class MakeVisit>
+    void traverse_ray(decltype(BvhKernels::ray) kernel, const Ray& ray, double t_max, const MakeVisit& make_visit,
                       ItemMemory items) const;
     template <class Visit>
     void traverse_rays(decltype(BvhKernels::rays) kernel, const Ray* rays, uint32_t count, Visit& visit,

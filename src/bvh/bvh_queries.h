@@ -31,18 +31,26 @@ void Bvh8::traverse_to_bound(void (*kernel)(const BvhNode*, uint32_t, const Prob
     kernel(nodes_.data(), root_, probe, limit, {step, &state, items});
 }
 
-template <class Visit>
-void Bvh8::traverse_ray(decltype(BvhKernels::ray) kernel, const Ray& ray, double t_max, Visit& visit,
+template <class MakeVisit>
+void Bvh8::traverse_ray(decltype(BvhKernels::ray) kernel, const Ray& ray, double t_max, const MakeVisit& make_visit,
                         ItemMemory items) const {
     if (root_ == none) return;
     RayProbe probe;
     const float limit = kernels_.probe(ray, t_max, bounds_, probe);
-    if (limit >= 0) traverse_to_bound(kernel, probe, t_max, limit, visit, items);
+    if (!(limit >= 0)) return;
+    auto&& visit = make_visit();
+    traverse_to_bound(kernel, probe, t_max, limit, visit, items);
 }
 
 template <class Visit>
 void Bvh8::raycast(const Ray& ray, double t_max, Visit&& visit, ItemMemory items) const {
-    traverse_ray(kernels_.ray, ray, t_max, visit, items);
+    traverse_ray(
+        kernels_.ray, ray, t_max, [&]() -> Visit& { return visit; }, items);
+}
+
+template <class MakeVisit>
+void Bvh8::raycast_by(const Ray& ray, double t_max, MakeVisit&& make_visit, ItemMemory items) const {
+    traverse_ray(kernels_.ray, ray, t_max, make_visit, items);
 }
 
 template <class Visit>
@@ -96,12 +104,20 @@ void Bvh8::raycast_any_many(const Ray* rays, uint32_t count, Visit&& visit, Item
 
 template <class Visit>
 bool Bvh8::raycast_any(const Ray& ray, Visit&& visit, ItemMemory items) const {
+    return raycast_any_by(
+        ray, [&] { return [&](uint32_t item) { return visit(item); }; }, items);
+}
+
+template <class MakeVisit>
+bool Bvh8::raycast_any_by(const Ray& ray, MakeVisit&& make_visit, ItemMemory items) const {
     bool found = false;
-    const auto until_found = [&](uint32_t item, double& t_max) {
-        found = visit(item);
-        if (found) t_max = -1;
+    const auto make_until_found = [&] {
+        return [&found, visit = make_visit()](uint32_t item, double& t_max) {
+            found = visit(item);
+            if (found) t_max = -1;
+        };
     };
-    traverse_ray(kernels_.ray_any, ray, ray.t_max, until_found, items);
+    traverse_ray(kernels_.ray_any, ray, ray.t_max, make_until_found, items);
     return found;
 }
 

@@ -149,7 +149,7 @@ void traverse_ordered(const BvhNode* nodes, uint32_t root, const Test& test, flo
                 limit = visit(here.child[lane]);
                 hits.lanes &= ~(1u << lane);
                 if (!(limit < before)) continue;
-                size = prune(limit, stack, size);
+                size = prune_one_by_one(limit, stack, size);
                 hits.lanes &= bits(keys <= splat(limit));
             }
         } else if ((hits.lanes & (hits.lanes - 1)) != 0) {

@@ -190,16 +190,26 @@ struct HalvesOfEntries {
 inline constexpr HalvesOfEntries halves_of_entries;
 #endif
 
-/// Keeps the entries with keys up to a limit, in their order, and returns their number. Reads and writes up to
-/// stack_slack more. The scalar form is the last branch.
-inline int prune(float limit, StackEntry* entries, int size) {
+/// Keeps the entries with keys up to a limit, in their order, and returns their number. For a single ray: wider loads
+/// of entries that were just pushed would stall on store forwarding.
+inline int prune_one_by_one(float limit, StackEntry* entries, int size) {
     int kept = 0;
+    for (int i = 0; i < size; ++i) {
+        const StackEntry entry = entries[i];
+        entries[kept] = entry;
+        kept += key_of(entry) <= limit;
+    }
+    return kept;
+}
+
+/// The same for interleaved rays, whose entries were pushed longer ago. Reads and writes up to stack_slack more.
+inline int prune(float limit, StackEntry* entries, int size) {
 #if GPHYS_HAS_AVX2
+    int kept = 0;
     // Keys compare as signed integers; their lowest three bits are ignored.
     uint32_t limit_bits;
     std::memcpy(&limit_bits, &limit, sizeof limit_bits);
     const auto last = static_cast<int64_t>(uint64_t{limit_bits | lane_field} << 32 | 0xffffffffu);
-#endif
 #if GPHYS_ISA_IS(avx512)
     const __m512i lasts = _mm512_set1_epi64(last);
     for (int i = 0; i < size; i += 8) {
@@ -209,7 +219,7 @@ inline int prune(float limit, StackEntry* entries, int size) {
         _mm512_storeu_si512(entries + kept, _mm512_maskz_compress_epi64(keep, eight));
         kept += popcount(keep);
     }
-#elif GPHYS_HAS_AVX2
+#else
     const __m256i lasts = _mm256_set1_epi64x(last);
     for (int i = 0; i < size; i += 4) {
         const __m256i four = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(entries + i));
@@ -220,14 +230,11 @@ inline int prune(float limit, StackEntry* entries, int size) {
         _mm256_storeu_si256(reinterpret_cast<__m256i*>(entries + kept), _mm256_permutevar8x32_epi32(four, words));
         kept += popcount(keep);
     }
-#else
-    for (int i = 0; i < size; ++i) {
-        const StackEntry entry = entries[i];
-        entries[kept] = entry;
-        kept += key_of(entry) <= limit;
-    }
 #endif
     return kept;
+#else
+    return prune_one_by_one(limit, entries, size);
+#endif
 }
 
 }  // namespace gphys::GPHYS_ISA

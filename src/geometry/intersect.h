@@ -114,8 +114,9 @@ struct TriangleCrossing {
     int facing;   // sign of dot(normal, direction)
 };
 bool crosses(const Triangle& triangle, const ShearedRay& ray, TriangleCrossing& crossing);
-/// The hit at a crossing. More expensive than crosses(), so computed for the nearest crossing only.
-Hit hit_at(const Triangle& triangle, const Ray& ray, const TriangleCrossing& crossing);
+/// The hit at a crossing, but for its triangle. More expensive than crosses(), so computed for the nearest crossing
+/// only.
+void make_hit(const Triangle& triangle, const Ray& ray, const TriangleCrossing& crossing, Hit& hit);
 
 /// The barycentric weights of b and c of a point on the triangle; both 0 if it is degenerate.
 void barycentric(const Triangle& triangle, Vec3 point, double& u, double& v);

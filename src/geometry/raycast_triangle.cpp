@@ -248,14 +248,13 @@ bool crosses(const Triangle& triangle, const ShearedRay& ray, TriangleCrossing& 
     return by_the_end;
 }
 
-Hit hit_at(const Triangle& triangle, const Ray& ray, const TriangleCrossing& crossing) {
-    Hit hit;
+void make_hit(const Triangle& triangle, const Ray& ray, const TriangleCrossing& crossing, Hit& hit) {
     hit.t = crossing.t;
     const Vec3 normal = accurate_cross(triangle.a, triangle.b, triangle.a, triangle.c);
     if (normal != Vec3{}) {
         hit.normal = normalized(normal) * (crossing.facing > 0 ? -1.0 : 1.0);
-    } else if (ray.direction != Vec3{}) {
-        hit.normal = -normalized(ray.direction);
+    } else {
+        hit.normal = ray.direction != Vec3{} ? -normalized(ray.direction) : Vec3{};
     }
     // Adding 0 turns -0 into 0, because the sign of a zero depends on the order of operations.
     hit.u = std::clamp(crossing.u, 0.0, 1.0) + 0.0;
@@ -264,16 +263,13 @@ Hit hit_at(const Triangle& triangle, const Ray& ray, const TriangleCrossing& cro
                     ? triangle.a + hit.u * (triangle.b - triangle.a) + hit.v * (triangle.c - triangle.a)
                     : ray.origin;
     hit.flags = (crossing.t == 0 ? GPHYS_HIT_INSIDE : 0) | (crossing.facing > 0 ? GPHYS_HIT_BACK : 0);
-    return hit;
 }
 
 bool raycast(const Triangle& triangle, const Ray& ray, Hit& hit) {
     const ShearedRay sheared(ray);
     TriangleCrossing crossing;
     if (!crosses(triangle, sheared, crossing)) return false;
-    const uint32_t index = hit.triangle;
-    hit = hit_at(triangle, sheared, crossing);
-    hit.triangle = index;
+    make_hit(triangle, sheared, crossing, hit);
     return true;
 }
 

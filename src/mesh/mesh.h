@@ -369,7 +369,8 @@ void Mesh::cross_all(const Ray& ray, Visit&& visit) const {
             const Triangle corners = packet.triangle(lane);
             TriangleCrossing crossing;
             if (!crosses(corners, prepared.sheared, crossing)) return true;
-            Hit hit = hit_at(corners, prepared.sheared, crossing);
+            Hit hit;
+            make_hit(corners, prepared.sheared, crossing, hit);
             hit.triangle = packet.index[lane];
             visit(hit);
             return true;

@@ -60,7 +60,7 @@ private:
 /// x -> position + rotation (scale (axes x)).
 struct MeshPlace {
     const Transform& world;
-    AxisScale axes;
+    const AxisScale& axes;
     Vec3 scale = axes.by * world.scale;  // both scales; the product is exact
 
     Vec3 apply(Vec3 p) const { return world.position + world.rotation * by_component(p, scale); }

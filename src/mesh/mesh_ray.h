@@ -48,7 +48,7 @@ struct NearestCrossing {
 /// The whole answer; false if there is none.
 inline bool hit_at(const NearestCrossing& nearest, const Ray& ray, Hit& hit) {
     if (nearest.triangle == GPHYS_NO_TRIANGLE) return false;
-    hit = hit_at(nearest.packet->triangle(static_cast<int>(nearest.lane)), ray, nearest.crossing);
+    make_hit(nearest.packet->triangle(static_cast<int>(nearest.lane)), ray, nearest.crossing, hit);
     hit.triangle = nearest.triangle;
     return true;
 }

@@ -121,19 +121,20 @@ private:
 template <class Filter>
 gphys_status Scene::raycast_by(const Ray& ray, const Filter& filter, gphys_hit& out) const {
     Ray rest = filtered(ray, filter);
-    const ConservativeRay conservative_ray(ray);
     FirstHitOfRay<gphys_hit> first(*this, rest, filter, out);
-    const auto conservative = [&](const auto& shape) { return conservative_ray.rejects(shape, rest.t_max); };
-    const auto visit = [&](uint32_t slot, double& t_max) {
-        if (!may_pass(filter, slot)) return;
-        decide(filter, slot, conservative, [&](const auto& shape) {
-            first.test(slot, shape);
-            return true;
-        });
-        t_max = rest.t_max;
+    const auto make_visit = [&] {
+        return [&, conservative_ray = ConservativeRay(ray)](uint32_t slot, double& t_max) {
+            if (!may_pass(filter, slot)) return;
+            const auto conservative = [&](const auto& shape) { return conservative_ray.rejects(shape, rest.t_max); };
+            decide(filter, slot, conservative, [&](const auto& shape) {
+                first.test(slot, shape);
+                return true;
+            });
+            t_max = rest.t_max;
+        };
     };
     // `ray`, not `rest`: a load from the fresh copy would stall on store forwarding.
-    bvh_.raycast(ray, rest.t_max, visit, model_memory());
+    bvh_.raycast_by(ray, rest.t_max, make_visit, model_memory());
     return first.status();
 }
 
@@ -448,13 +449,14 @@ template <class Filter>
 bool Scene::raycast_any_by(const Ray& given, const Filter& filter) const {
     const Ray& ray = filtered(given, filter);
     if (hits_unbounded(ray, filter)) return true;
-    const ConservativeRay conservative_ray(ray);
-    const auto conservative = [&](const auto& shape) { return conservative_ray(shape, ray.t_max); };
     const auto exact = [&](const auto& shape) { return is_hit(shape, ray); };
-    const auto visit = [&](uint32_t slot) {
-        return may_pass(filter, slot) && decide(filter, slot, conservative, exact);
+    const auto make_visit = [&] {
+        return [&, conservative_ray = ConservativeRay(ray)](uint32_t slot) {
+            const auto conservative = [&](const auto& shape) { return conservative_ray(shape, ray.t_max); };
+            return may_pass(filter, slot) && decide(filter, slot, conservative, exact);
+        };
     };
-    return bvh_.raycast_any(ray, visit, model_memory());
+    return bvh_.raycast_any_by(ray, make_visit, model_memory());
 }
 
 template <class Filters>
