@@ -2,6 +2,8 @@
 // body. Each edit is made in its own step. A row is the shortest of some repetitions of a step, in milliseconds of
 // processor time:
 //   gamephys_bench_edits [--only NAME] [--repeat N]
+// "tear" includes the call that breaks the link. "breakable" is a usual step of a body whose links could break, beside
+// one whose links cannot.
 // "usual" is the shortest of the steps that follow the edit: what is pinned or joined may itself be moved in more time,
 // or less. Steps after an edit of a rope may differ by more than the edit costs, as its motion does.
 #include <algorithm>
@@ -218,6 +220,55 @@ void run_edit(const BodyScene& scene, const Edit& edit, int repeat) {
     print_row(scene, edit.back, after[1], usual[1]);
 }
 
+std::vector<gphys_constraint_id> links_of(const World& world) {
+    std::vector<gphys_constraint_info> all(world.stats().constraint_count);
+    uint32_t total = 0;
+    check(
+        gphys_solver_get_constraints(world.solver, world.body, all.data(), static_cast<uint32_t>(all.size()), &total));
+    std::vector<gphys_constraint_id> ids;
+    for (const gphys_constraint_info& link : all) ids.push_back(link.id);
+    return ids;
+}
+
+/// Cloth tears at particles far from each other, in the middle.
+void run_tear(const BodyScene& scene, int repeat) {
+    World world;
+    scene.make(world);
+    const std::vector<gphys_constraint_id> links = links_of(world);
+    for (int i = 0; i < 60; ++i) world.step();
+    double after = 1e9, usual = 1e9;
+    for (int i = 0; i < repeat; ++i) {
+        const uint32_t size = world.size();
+        const double begin = now();
+        check(gphys_solver_break_constraint(world.solver, world.body, links[scene.particles / 2 + 37 * i], nullptr));
+        const double broken = 1e3 * (now() - begin);
+        if (world.size() != size + 1) throw std::runtime_error("the cloth of the benchmark has not torn");
+        after = std::min(after, broken + world.step());
+        for (int k = 0; k < 4; ++k) usual = std::min(usual, world.step());
+    }
+    print_row(scene, "tear", after, usual);
+}
+
+void run_breakable(const BodyScene& scene, int repeat) {
+    World worlds[2];
+    for (World& world : worlds) scene.make(world);
+    const std::vector<gphys_constraint_id> links = links_of(worlds[0]);
+    const float force = 1e9f;
+    check(gphys_solver_set_breaking_forces(worlds[0].solver, worlds[0].body, links.data(), &force, 0,
+                                           static_cast<uint32_t>(links.size())));
+    double steps[2] = {1e9, 1e9};
+    for (int i = 0; i < 60; ++i) {
+        for (World& world : worlds) world.step();
+    }
+    for (int i = 0; i < 5 * repeat; ++i) {
+        for (int k = 0; k < 2; ++k) steps[k] = std::min(steps[k], worlds[k].step());
+    }
+    uint32_t breaks = 0;
+    check(gphys_solver_get_breaks(worlds[0].solver, nullptr, 0, &breaks));
+    if (breaks != 0) throw std::runtime_error("a link of the benchmark broke");
+    print_row(scene, "breakable", steps[0], steps[1]);
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -243,6 +294,8 @@ int main(int count, char** arguments) {
             for (const Edit& edit : edits_of(scene)) {
                 if (wants(edit.name)) run_edit(scene, edit, repeat);
             }
+            if (scene.links > 0 && wants("breakable")) run_breakable(scene, repeat);
+            if (scene.links > scene.particles && wants("tear")) run_tear(scene, repeat);
         }
     } catch (const std::exception& problem) {
         std::fprintf(stderr, "%s\n", problem.what());

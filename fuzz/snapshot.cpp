@@ -97,6 +97,13 @@ void fill(Program& p, gphys_solver* solver, const gphys_scene* scene, gphys_mode
         for (uint32_t k = 0; desc.body_layers && k < 2; ++k) {
             call(gphys_solver_add_cluster, solver, body, members + k, 3u - k, &cluster);
         }
+        gphys_constraint_info links[8];
+        uint32_t total = 0;
+        call(gphys_solver_get_constraints, solver, body, links, 8u, &total);
+        for (uint32_t k = 0; desc.body_layers && k < std::min(total, 8u); ++k) {
+            const float force = 0.5f * static_cast<float>(k);
+            call(gphys_solver_set_breaking_forces, solver, body, &links[k].id, &force, 0u, 1u);
+        }
         if (p.one_in(3)) call(gphys_solver_attach, solver, scene, body, 0u, floor, nullptr);
         bodies.push_back(body);
     }
@@ -175,6 +182,11 @@ void use(Program& p, Solver& solver, const gphys_scene* scene) {
             call(gphys_solver_get_triangles, solver.get(), bodies[i], numbers.data(), 3 * info.triangle_count, &total);
             call(gphys_solver_get_constraints, solver.get(), bodies[i], links.data(), info.constraint_count, &total);
             call(gphys_solver_get_volume, solver.get(), bodies[i], &volume, &pressure);
+            if (info.constraint_count > 0) {
+                float force = 0;
+                call(gphys_solver_get_breaking_forces, solver.get(), bodies[i], &links[0].id, 1u, &force, 4u);
+                FUZZ_CHECK(force >= 0, "a breaking force is a number");
+            }
             gphys_cluster_id clusters[4];
             call(gphys_solver_get_clusters, solver.get(), bodies[i], clusters, 4u, &total);
             for (uint32_t k = 0; k < std::min(total, 4u); ++k) {

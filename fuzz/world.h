@@ -115,6 +115,7 @@ private:
     void attach();
     void volume();
     void cluster(gphys_body_id body, uint32_t choice);
+    void tear(gphys_body_id body, float force);
     void settings();
     void change_body();
     void change_constraints();

@@ -344,6 +344,7 @@ void World::volume() {
     const float compliance = p_.one_in(4) ? INFINITY : p_.one_in(2) ? 0 : 1e-4f;
     if (p_.one_in(12)) rest = p_.hostile();
     if (compliance == INFINITY) cluster(body, rest > 0 && rest < 100 ? static_cast<uint32_t>(rest * 8) % 16 : 1);
+    if (compliance == 0 && rest > 0) tear(body, rest);
     gphys_status set = GPHYS_NO_HIT;
     on_both("set_volume that fails changes nothing",
             [&](gphys_solver* s) { return set = call(gphys_solver_set_volume, s, body, rest, compliance); });
@@ -378,6 +379,28 @@ void World::cluster(gphys_body_id body, uint32_t choice) {
             call(gphys_solver_get_cluster_particles, solver_, body, known[i], &first, 1u, &size);
         FUZZ_CHECK(known[i] == last || (status == GPHYS_INCOMPLETE && size >= 2), "a listed cluster has particles");
     }
+}
+
+/// `force` is of another decision, as above: the breaking force of the first constraints, of which one is broken.
+void World::tear(gphys_body_id body, float force) {
+    gphys_constraint_info links[32];
+    gphys_constraint_id ids[32];
+    float forces[32];
+    uint32_t total = 0;
+    const gphys_status listed = call(gphys_solver_get_constraints, solver_, body, links, 32u, &total);
+    if (listed < 0 || total == 0) return;
+    total = std::min(total, 32u);
+    for (uint32_t i = 0; i < total; ++i) ids[i] = links[i].id;
+    gphys_status set = GPHYS_NO_HIT;
+    on_both("breaking forces that are refused change nothing", [&](gphys_solver* s) {
+        return set = call(gphys_solver_set_breaking_forces, s, body, ids, &force, 0u, total);
+    });
+    FUZZ_CHECK(call(gphys_solver_get_breaking_forces, solver_, body, ids, total, forces, 4u) == GPHYS_OK &&
+                   (set != GPHYS_OK || (forces[0] == force && forces[total - 1] == force)),
+               "breaking forces are read as they were set");
+    const gphys_constraint_id broken = ids[static_cast<uint32_t>(std::min(force, 1000.0f)) % total];
+    on_both("a break that is refused changes nothing",
+            [&](gphys_solver* s) { return call(gphys_solver_break_constraint, s, body, broken, nullptr); });
 }
 
 void World::settings() {
@@ -670,6 +693,10 @@ void World::solver_misuse() {
         call(gphys_solver_remove_cluster, solver_, body, 0u),
         call(gphys_solver_get_clusters, solver_, body, nullptr, 3u, &total),
         call(gphys_solver_get_cluster_particles, solver_, body, 0u, nullptr, 0u, &total),
+        call(gphys_solver_set_breaking_forces, solver_, body, nullptr, &scalar, 0u, 1u),
+        call(gphys_solver_get_breaking_forces, solver_, body, nullptr, 1u, nullptr, 4u),
+        call(gphys_solver_break_constraint, solver_, body, 0u, nullptr),
+        call(gphys_solver_get_breaks, solver_, nullptr, 3u, &total),
         call(gphys_solver_get_constraints, solver_, body, nullptr, 3u, &total),
         call(gphys_solver_join, solver_, body, 0u, body, 0u, 0.0f, 0.0f, &made),
         call(gphys_solver_unjoin, solver_, 0u),

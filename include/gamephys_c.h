@@ -248,6 +248,7 @@ enum {
 
 #define GPHYS_MAX_COORDINATE 1e15f
 #define GPHYS_NO_TRIANGLE 0xffffffffu
+#define GPHYS_NO_PARTICLE 0xffffffffu
 #define GPHYS_ALL_LAYERS 0xffffffffu
 
 enum {
@@ -2069,6 +2070,7 @@ typedef struct gphys_body_desc {
     uint32_t self_collision; /* 1: its particles collide with one another, see below; default 0 */
     uint32_t body_layers;   /* two bodies collide with each other if their masks share a bit; 0: with none; default 0 */
     float shear_compliance; /* of GPHYS_CLOTH_SHEAR constraints of a grid, m/N, >= 0; 0: as compliance; default 0 */
+    float breaking_force;   /* of each constraint, newtons, >= 0; 0: none breaks; default 0; see gphys_break */
 } gphys_body_desc;
 /* Woven cloth drapes because it shears and bends easily, and by default sheets do neither: on round or sharp models
  * their rigid constraints contradict each other, and a sheet never stops moving by millimetres a second. One that
@@ -2201,7 +2203,8 @@ typedef struct gphys_body_info {
  *  it allocates. */
 GPHYS_API gphys_status gphys_solver_get_body_info(const gphys_solver* solver, gphys_body_id body,
                                                   gphys_body_info* out_info);
-/** Particle numbers of a cloth's triangles, three each, for drawing. Kept when too many: the first.
+/** Particle numbers of a cloth's triangles, three each, for drawing. Kept when too many: the first. Where cloth tears
+ *  (gphys_break) they change, and their number does not.
  *  Other bodies have none. *out_total counts numbers, not triangles.
  *  Cost: O(triangles). */
 GPHYS_API gphys_status gphys_solver_get_triangles(const gphys_solver* solver, gphys_body_id body, uint32_t* out_indices,
@@ -2216,8 +2219,9 @@ GPHYS_API gphys_status gphys_solver_get_triangles(const gphys_solver* solver, gp
  *  n - 1 + p is particle p, a sphere, there where no link beside it is as thick. Free particles are spheres, and
  *  `triangle` is the particle. gphys_solver_get_nearest_particle finds the particle of a hit.
  *  The mesh has the new form when gphys_solver_step, gphys_solver_advance, gphys_solver_restore or an edit of the
- *  body returns. A model that would leave the range of the world, and a mesh of less than 2^-32 m for which there is no
- *  memory, keep their form until they can follow.
+ *  body returns. Cloth that tears (gphys_break) takes its triangles along, whose numbers stay, and the mesh gets
+ *  vertices for the new particles. A model that would leave the range of the world, and a torn mesh or one of less than
+ *  2^-32 m for which there is no memory, keep their form until they can follow.
  *  gphys_solver_set_origin moves the coordinates of the mesh, and the models back by as much: they stay where they are
  *  in the world, exactly if scenes have moved their origin before.
  *  Solvers do not collide with models of such meshes, nor wake by them: bodies meet by gphys_body_desc.body_layers.
@@ -2498,7 +2502,8 @@ GPHYS_API gphys_status gphys_solver_get_volume(const gphys_solver* solver, gphys
  *  Cost: O(1).  Since 1.1. */
 GPHYS_API gphys_status gphys_solver_get_volume_settings(const gphys_solver* solver, gphys_body_id body,
                                                         float* out_rest_volume, float* out_compliance);
-/** End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
+/** End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body. The triangles of
+ *  cloth stay together: gphys_solver_break_constraint tears them apart.
  *  @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist, or no longer
  *  Cost: as gphys_solver_add_distance; allocates. */
 GPHYS_API gphys_status gphys_solver_remove_constraint(gphys_solver* solver, gphys_body_id body,
@@ -2637,6 +2642,62 @@ typedef struct gphys_joint_info {
  *  Cost: O(joints of the solver). */
 GPHYS_API gphys_status gphys_solver_get_joints(const gphys_solver* solver, gphys_body_id body,
                                                gphys_joint_info* out_joints, uint32_t capacity, uint32_t* out_total);
+
+/** A constraint that broke, or that the caller has broken. Frozen.  Since 1.1. */
+typedef struct gphys_break {
+    gphys_body_id body;
+    gphys_constraint_id constraint;
+    uint32_t particle_a, particle_b; /* its particles before */
+    uint32_t torn_particle;          /* where cloth parted; GPHYS_NO_PARTICLE: nowhere, the constraint was removed */
+    uint32_t new_particle;           /* its copy, the last of the body; GPHYS_NO_PARTICLE: none */
+    float load;                      /* newtons; 0 if the caller broke it */
+} gphys_break;
+/* A constraint with a breaking force breaks at the end of a step in which its load was larger. The load is its mean
+ * tension in the step, which does not depend on the number of substeps; a blow counts by its momentum divided by dt.
+ * Compression breaks nothing.
+ *
+ * Ropes lose the constraint. Cloth tears: its triangles around an end of the constraint part at the plane through that
+ * particle across the constraint. Those on the side of the constraint get a copy of the particle, with their share of
+ * its mass, the same velocity, and the constraints of that side; both sides have those along the cut. Numbers of
+ * triangles stay. Of two ends a free one is preferred, and one at an edge of the cloth, so that tears go on where they
+ * began. A constraint that is no edge of a triangle is removed where the cloth cannot part; one that is an edge holds
+ * there. The copy is not pinned, attached, joined, or in a cluster; gas escapes: gphys_solver_set_volume ends.
+ *
+ * After each break the loads are others, so a step breaks at most one constraint for each 128 particles of a body or
+ * part of 128, the most overloaded first, and none beside another. A body with breaking forces has no long range
+ * attachments to its pins, which would carry loads past its constraints: where it is pinned it hangs with more strain.
+ * docs/solver.md has measured all this. Sources: Mueller et al. 2007, "Position based dynamics"; Souza et al. 2014, "Fast
+ * simulation of cloth tearing". */
+
+/** Breaking forces of constraints. Wakes the body.
+ *  @param constraints  count ids; one that appears twice gets the last
+ *  @param forces       newtons, >= 0; 0: never breaks, as all that are added to a body later; a stride of 0 gives all
+ *                      the same
+ *  Cost: O(count + constraints); of cloth that gets its first or loses its last one also that of a pin. Allocates.
+ *  Since 1.1. */
+GPHYS_API gphys_status gphys_solver_set_breaking_forces(gphys_solver* solver, gphys_body_id body,
+                                                        const gphys_constraint_id* constraints, const float* forces,
+                                                        uint32_t force_stride, uint32_t count);
+/** What gphys_solver_set_breaking_forces or gphys_body_desc.breaking_force has set; 0: never breaks.
+ *  @param constraints  count ids; one may appear twice
+ *  @param out_forces   newtons; count elements
+ *  Cost: O(count).  Since 1.1. */
+GPHYS_API gphys_status gphys_solver_get_breaking_forces(const gphys_solver* solver, gphys_body_id body,
+                                                        const gphys_constraint_id* constraints, uint32_t count,
+                                                        float* out_forces, uint32_t out_stride);
+/** Break a constraint as a load would, whatever its breaking force: scissors, claws. Wakes the body.
+ *  @param out_result  what came of it; may be NULL
+ *  @return GPHYS_ERROR_UNSUPPORTED, and nothing has changed, for an edge where the cloth cannot part: of a triangle that
+ *          hangs together with no other; GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or constraints
+ *  Cost: O(particles + constraints); allocates.  Since 1.1. */
+GPHYS_API gphys_status gphys_solver_break_constraint(gphys_solver* solver, gphys_body_id body,
+                                                     gphys_constraint_id constraint, gphys_break* out_result);
+/** Constraints that broke in the last gphys_solver_step or gphys_solver_advance, in its order: for sounds, dust, and to
+ *  know that a body has more particles. Not those that the caller broke. They are not part of snapshots: after
+ *  gphys_solver_restore there are none. Kept when too many: the first.
+ *  Cost: O(breaks); no allocation. The same bits for any number of workers.  Since 1.1. */
+GPHYS_API gphys_status gphys_solver_get_breaks(const gphys_solver* solver, gphys_break* out_breaks, uint32_t capacity,
+                                               uint32_t* out_total);
 
 /** Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
  *  takes more where they would be longer than 25 ms.

@@ -151,6 +151,35 @@ static void changes(session* s) {
     steps(s, 2);
 }
 
+/* Cloth and a rope that break in steps, by the caller, and beside a mesh that follows. */
+static void tears(session* s) {
+    const gphys_vec3 corner = {0, 1, 0}, u = {1, 0, 0}, v = {0, -1, 0};
+    gphys_body_desc desc;
+    gphys_body_id sheet, rope;
+    gphys_constraint_info links[128];
+    gphys_mesh* mesh = NULL;
+    const float weak = 0.01f;
+    uint32_t total, i;
+    DO(make_scene(s, 0));
+    DO(make_solver(s, 0));
+    DO(gphys_body_desc_init(&desc, sizeof desc));
+    desc.breaking_force = 0.5f;
+    DO(gphys_solver_add_cloth(s->solver, &desc, &corner, &u, &v, 5, 5, &sheet));
+    DO(gphys_solver_set_pinned(s->solver, sheet, 0, 5, 1));
+    add_rope(s, NULL, 3, 2, 0, 0, -0.1f, 0, 6, &rope);
+    DO(gphys_solver_set_pinned(s->solver, rope, 0, 1, 1));
+    DO(gphys_solver_get_constraints(s->solver, rope, links, 128, &total));
+    DO(gphys_solver_set_breaking_forces(s->solver, rope, &links[2].id, &weak, 0, 1));
+    DO(gphys_mesh_create_from_body(NULL, s->solver, sheet, &mesh));
+    steps(s, 3);
+    for (i = 6; i < 9; ++i) {
+        DO(gphys_solver_get_constraints(s->solver, sheet, links, 128, &total));
+        DO(gphys_solver_break_constraint(s->solver, sheet, links[i].id, NULL));
+    }
+    steps(s, 2);
+    gphys_mesh_destroy(mesh);
+}
+
 /* Particles against particles, of one body and of several. */
 static void collisions_of_particles(session* s) {
     gphys_body_desc desc;
@@ -210,6 +239,11 @@ static void test_changes(void** state) {
     (void)state;
     with_all_failing(changes);
 }
+static void test_tears(void** state) {
+    (void)state;
+    with_all_failing(tears);
+}
+
 static void test_collisions_of_particles(void** state) {
     (void)state;
     with_all_failing(collisions_of_particles);
@@ -310,9 +344,13 @@ static void test_advance(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_ropes),    cmocka_unit_test(test_cloth),
-        cmocka_unit_test(test_changes),  cmocka_unit_test(test_collisions_of_particles),
-        cmocka_unit_test(test_sleepers), cmocka_unit_test(test_step_after_one_that_failed),
+        cmocka_unit_test(test_ropes),
+        cmocka_unit_test(test_cloth),
+        cmocka_unit_test(test_changes),
+        cmocka_unit_test(test_tears),
+        cmocka_unit_test(test_collisions_of_particles),
+        cmocka_unit_test(test_sleepers),
+        cmocka_unit_test(test_step_after_one_that_failed),
         cmocka_unit_test(test_advance),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

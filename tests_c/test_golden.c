@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { GROUPS = 11 };
+enum { GROUPS = 12 };
 
 static const struct golden {
     const char* group;
@@ -26,6 +26,7 @@ static const struct golden {
     {"shapes", 0x67a709b4, 0x62fe01be},
     {"targets", 0x825e139b, 0x1521c3a2},
     {"clusters", 0x2fa2132f, 0x27e414f9},
+    {"tears", 0xaebdbfef, 0xaa11c0c9},
 };
 
 /* FNV-1a of 64 bits over 32-bit words. */
@@ -661,8 +662,44 @@ static uint64_t clusters(uint32_t workers) {
     return h.value;
 }
 
+/* A curtain that a ball tears, and a rope that breaks. */
+static uint64_t tears(uint32_t workers) {
+    hash h = begin_hash();
+    gphys_scene* scene = make_scene(1);
+    gphys_solver* solver = make_solver(workers, 4);
+    const gphys_vec3 corner = point(0, 2, 0), u = point(1, 0, 0), v = point(0, -1, 0);
+    const gphys_sphere ball = {{0.5f, 1.25f, -0.5f}, 0.25f};
+    gphys_transform place = {{0, 0, 0}, {0, 0, 0, 1}, 1};
+    gphys_model_id model;
+    gphys_body_desc desc;
+    gphys_body_id body;
+    gphys_vec3 points[8];
+    uint32_t broken = 0, total;
+    int i;
+    assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_SPHERE, &ball, NULL, NULL, &model), GPHYS_OK);
+    assert_int_equal(gphys_body_desc_init(&desc, sizeof desc), GPHYS_OK);
+    desc.breaking_force = 2;
+    assert_int_equal(gphys_solver_add_cloth(solver, &desc, &corner, &u, &v, 17, 17, &body), GPHYS_OK);
+    assert_int_equal(gphys_solver_set_pinned(solver, body, 0, 17, 1), GPHYS_OK);
+    desc.breaking_force = 6;
+    for (i = 0; i < 8; ++i) points[i] = point((float)i / 4, 3, 2);
+    assert_int_equal(gphys_solver_add_rope(solver, &desc, points, sizeof *points, 8, 0, &body), GPHYS_OK);
+    assert_int_equal(gphys_solver_set_pinned(solver, body, 0, 1, 1), GPHYS_OK);
+    for (i = 0; i < 40; ++i) {
+        place.position.z = (float)i / 32;
+        assert_int_equal(gphys_scene_set_transform(scene, model, &place), GPHYS_OK);
+        run_steps(&h, solver, scene, 1);
+        assert_int_equal(gphys_solver_get_breaks(solver, NULL, 0, &total) < GPHYS_OK, 0);
+        broken += total;
+    }
+    assert_true(broken > 10);
+    gphys_solver_destroy(solver);
+    gphys_scene_destroy(scene);
+    return h.value;
+}
+
 static uint64_t (*const groups[GROUPS])(uint32_t workers) = {
-    particles, ropes, cloth, joints, moving_models, cameras, orbits, queries, shapes, targets, clusters};
+    particles, ropes, cloth, joints, moving_models, cameras, orbits, queries, shapes, targets, clusters, tears};
 
 static int is_as_recorded(int group, uint32_t workers) {
     const uint64_t value = groups[group](workers);

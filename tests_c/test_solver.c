@@ -556,6 +556,111 @@ static void test_clusters(void** state) {
     assert_int_equal(gphys_solver_step(f->solver, NULL, 0.01f), GPHYS_OK);
 }
 
+static void test_breaks(void** state) {
+    fixture* f = *state;
+    gphys_constraint_info links[3];
+    gphys_constraint_id ids[3];
+    gphys_break made, listed[2];
+    gphys_body_info info;
+    uint32_t total = 0, before[2], after[2], i;
+    float forces[3] = {7, 7, 7}, bad[2] = {1, -1};
+    const float weak = 0.001f;
+    assert_int_equal(gphys_solver_get_constraints(f->solver, f->rope, links, 3, &total), GPHYS_OK);
+    for (i = 0; i < 3; ++i) ids[i] = links[i].id;
+    assert_int_equal(gphys_solver_get_hash(f->solver, before), GPHYS_OK);
+    assert_int_equal(gphys_solver_set_breaking_forces(NULL, f->rope, ids, &weak, 0, 3), BAD);
+    assert_int_equal(gphys_solver_set_breaking_forces(f->solver, f->removed, ids, &weak, 0, 3), STALE);
+    assert_int_equal(gphys_solver_set_breaking_forces(f->solver, f->rope, NULL, &weak, 0, 3), BAD);
+    assert_int_equal(gphys_solver_set_breaking_forces(f->solver, f->rope, ids, NULL, 0, 3), BAD);
+    assert_int_equal(gphys_solver_set_breaking_forces(f->solver, f->rope, ids, &weak, 2, 3), BAD);
+    assert_int_equal(gphys_solver_set_breaking_forces(f->solver, f->rope, ids, bad, 4, 2), BAD);
+    assert_non_null(strstr(gphys_last_error(), "forces[1]"));
+    ids[2] = 0;
+    assert_int_equal(gphys_solver_set_breaking_forces(f->solver, f->rope, ids, &weak, 0, 3), STALE);
+    assert_int_equal(gphys_solver_get_breaking_forces(NULL, f->rope, ids, 1, forces, 4), BAD);
+    assert_int_equal(gphys_solver_get_breaking_forces(f->solver, f->removed, ids, 1, forces, 4), STALE);
+    assert_int_equal(gphys_solver_get_breaking_forces(f->solver, f->rope, NULL, 1, forces, 4), BAD);
+    assert_int_equal(gphys_solver_get_breaking_forces(f->solver, f->rope, ids, 1, NULL, 4), BAD);
+    assert_int_equal(gphys_solver_get_breaking_forces(f->solver, f->rope, ids, 1, forces, 3), BAD);
+    assert_int_equal(gphys_solver_get_breaking_forces(f->solver, f->rope, ids, 3, forces, 4), STALE);
+    assert_int_equal(gphys_solver_break_constraint(NULL, f->rope, ids[0], &made), BAD);
+    assert_int_equal(gphys_solver_break_constraint(f->solver, f->removed, ids[0], &made), STALE);
+    assert_int_equal(gphys_solver_break_constraint(f->solver, f->rope, 0, &made), STALE);
+    assert_int_equal(gphys_solver_get_breaks(NULL, listed, 2, &total), BAD);
+    assert_int_equal(gphys_solver_get_breaks(f->solver, NULL, 2, &total), BAD);
+    assert_int_equal(gphys_solver_get_breaks(f->solver, listed, 2, NULL), BAD);
+    assert_int_equal(gphys_solver_get_hash(f->solver, after), GPHYS_OK);
+    assert_memory_equal(before, after, sizeof before);
+    assert_true(forces[0] == 7);
+
+    ids[2] = links[2].id;
+    assert_int_equal(gphys_solver_get_breaking_forces(f->solver, f->rope, ids, 3, forces, 4), GPHYS_OK);
+    assert_true(forces[0] == 0 && forces[1] == 0 && forces[2] == 0);
+    assert_int_equal(gphys_solver_set_breaking_forces(f->solver, f->rope, ids + 1, &weak, 0, 1), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_breaking_forces(f->solver, f->rope, ids, 3, forces, 4), GPHYS_OK);
+    assert_true(forces[0] == 0 && forces[1] == weak && forces[2] == 0);
+    assert_int_equal(gphys_solver_set_pinned(f->solver, f->rope, 0, 1, 1), GPHYS_OK);
+    assert_int_equal(gphys_solver_set_pinned(f->solver, f->rope, 3, 1, 1), GPHYS_OK);
+    for (i = 0, total = 0; i < 20 && total == 0; ++i) {
+        assert_int_equal(gphys_solver_step(f->solver, NULL, 0.01f), GPHYS_OK);
+        assert_int_equal(gphys_solver_get_breaks(f->solver, listed, 2, &total), GPHYS_OK);
+    }
+    assert_true(total == 1 && listed[0].body == f->rope && listed[0].constraint == ids[1] && listed[0].load > weak);
+    assert_true(listed[0].torn_particle == GPHYS_NO_PARTICLE && listed[0].new_particle == GPHYS_NO_PARTICLE);
+    assert_int_equal(gphys_solver_get_breaks(f->solver, listed, 0, &total), GPHYS_INCOMPLETE);
+    assert_int_equal(gphys_solver_break_constraint(f->solver, f->rope, ids[1], &made), STALE);
+    assert_int_equal(gphys_solver_break_constraint(f->solver, f->rope, ids[0], NULL), GPHYS_OK);
+    assert_int_equal(gphys_solver_break_constraint(f->solver, f->rope, ids[2], &made), GPHYS_OK);
+    assert_true(made.body == f->rope && made.constraint == ids[2] && made.load == 0);
+    assert_int_equal(gphys_solver_get_body_info(f->solver, f->rope, &info), GPHYS_OK);
+    assert_true(info.constraint_count == 0 && info.method == GPHYS_SOLVE_FREE);
+    assert_int_equal(gphys_solver_step(f->solver, NULL, 0.01f), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_breaks(f->solver, NULL, 0, &total), GPHYS_OK);
+    assert_int_equal(total, 0);
+}
+
+/* The middle of a sheet parts. A single cell does not, but for its diagonal that is no edge of a triangle. */
+static void test_tearing(void** state) {
+    fixture* f = *state;
+    const gphys_vec3 corner = {0, 0, 0}, u = {1, 0, 0}, v = {0, 0, 1};
+    gphys_constraint_info links[128];
+    gphys_body_desc desc;
+    gphys_body_id cell, sheet;
+    gphys_body_info info;
+    gphys_break made;
+    uint32_t corners[24], total = 0, i, removed = 0;
+    assert_int_equal(gphys_body_desc_init(&desc, sizeof desc), GPHYS_OK);
+    desc.breaking_force = -1;
+    assert_int_equal(gphys_solver_add_cloth(f->solver, &desc, &corner, &u, &v, 2, 2, &cell), BAD);
+    desc.breaking_force = 1e6f;
+    assert_int_equal(gphys_solver_add_cloth(f->solver, &desc, &corner, &u, &v, 2, 2, &cell), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_constraints(f->solver, cell, links, 128, &total), GPHYS_OK);
+    assert_int_equal(total, 6);
+    for (i = 0; i < total; ++i) {
+        const gphys_status status = gphys_solver_break_constraint(f->solver, cell, links[i].id, &made);
+        if (status == GPHYS_ERROR_UNSUPPORTED) continue;
+        assert_int_equal(status, GPHYS_OK);
+        assert_true(made.particle_a + made.particle_b == 3 && made.particle_a * made.particle_b == 0);
+        assert_true(made.torn_particle == GPHYS_NO_PARTICLE && made.new_particle == GPHYS_NO_PARTICLE);
+        ++removed;
+    }
+    assert_int_equal(removed, 1);
+
+    assert_int_equal(gphys_solver_add_cloth(f->solver, &desc, &corner, &u, &v, 3, 3, &sheet), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_constraints(f->solver, sheet, links, 128, &total), GPHYS_OK);
+    for (i = 0; i < total && links[i].particle_a * links[i].particle_b != 4 * 5; ++i) {
+    }
+    assert_int_equal(gphys_solver_break_constraint(f->solver, sheet, links[i].id, &made), GPHYS_OK);
+    assert_true(made.body == sheet && made.constraint == links[i].id && made.load == 0);
+    assert_true((made.torn_particle == 4 || made.torn_particle == 5) && made.new_particle == 9);
+    assert_int_equal(gphys_solver_get_body_info(f->solver, sheet, &info), GPHYS_OK);
+    assert_true(info.particle_count == 10 && info.triangle_count == 8);
+    assert_int_equal(gphys_solver_get_triangles(f->solver, sheet, corners, 24, &total), GPHYS_OK);
+    for (i = 0, removed = 0; i < 24; ++i) removed += corners[i] == 9;
+    assert_true(removed >= 1 && removed <= 4);
+    assert_int_equal(gphys_solver_step(f->solver, f->scene, 0.01f), GPHYS_OK);
+}
+
 static void test_impulses(void** state) {
     fixture* f = *state;
     static const gphys_vec3 places[1] = {{0, 0.01f, 0}};
@@ -1208,6 +1313,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_max_distances_and_damping, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_volumes, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_clusters, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_breaks, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_tearing, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_impulses, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_joints, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_step_and_settings, set_up, tear_down),

@@ -88,6 +88,8 @@ static void test_constraints(void** state) {
     gphys_constraint_id link = 0;
     gphys_joint_id joint = 0;
     gphys_cluster_id cluster = 0;
+    gphys_break made;
+    const float force = 1, negative = -1;
     REFUSED(gphys_solver_remove_constraint(s, f->rope, NONE), STALE);
     REFUSED(gphys_solver_remove_constraint(s, f->sheet, f->cut), STALE);
     REFUSED(gphys_solver_remove_constraint(s, f->removed, f->cut), STALE);
@@ -111,6 +113,12 @@ static void test_constraints(void** state) {
     REFUSED(gphys_solver_add_cluster(s, f->removed, two, 2, &cluster), STALE);
     REFUSED(gphys_solver_remove_cluster(s, f->rope, NONE), STALE);
     REFUSED(gphys_solver_remove_cluster(s, f->removed, NONE), STALE);
+    REFUSED(gphys_solver_break_constraint(s, f->sheet, f->cut, &made), STALE);
+    REFUSED(gphys_solver_break_constraint(s, f->removed, f->cut, &made), STALE);
+    REFUSED(gphys_solver_set_breaking_forces(s, f->sheet, &f->cut, &force, 0, 1), STALE);
+    REFUSED(gphys_solver_set_breaking_forces(s, f->removed, NULL, NULL, 0, 0), STALE);
+    REFUSED(gphys_solver_set_breaking_forces(s, f->sheet, NULL, &force, 0, 1), BAD);
+    REFUSED(gphys_solver_set_breaking_forces(s, f->sheet, NULL, &negative, 3, 0), BAD);
     REFUSED(gphys_solver_join(s, f->rope, 0, f->rope, 1, -1, 0, &joint), BAD);
     REFUSED(gphys_solver_join(s, f->rope, 0, f->sheet, 99, -1, 0, &joint), BAD);
     REFUSED(gphys_solver_join(s, f->rope, 0, f->removed, 0, -1, 0, &joint), STALE);

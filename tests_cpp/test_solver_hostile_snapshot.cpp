@@ -179,6 +179,18 @@ const State states[] = {
          world.pin(bodies[1], 0);
      },
      8},
+    {"breaking forces, and torn cloth",
+     [](World& world) {
+         add_floor(world);
+         gphys_body_desc desc = World::body_desc();
+         desc.breaking_force = 0.3f;
+         const gphys_body_id sheet = world.cloth({0, 0.4f, 0}, {0.4f, 0, 0}, {0, -0.3f, 0.1f}, 4, 4, desc);
+         const gphys_body_id rope = world.rope(line({0, 0.3f, 1}, {0.1f, 0, 0}, 4), 0, desc);
+         world.pin(sheet, 0);
+         world.pin(sheet, 3);
+         world.pin(rope, 0);
+     },
+     8},
     {"sleepers",
      [](World& world) {
          replace_solver(world, with_sleep());

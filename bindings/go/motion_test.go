@@ -305,6 +305,30 @@ func TestAClusterHoldsOutAParticleUntilItEnds(t *testing.T) {
 	refused(t, ErrInvalidID, solver.RemoveCluster(plank, cluster))
 }
 
+func TestARopeBreaksUnderItsWeightAndClothIsCut(t *testing.T) {
+	solver := must(NewSolver(nil))
+	rope := must(solver.AddRope([]Vec3{{}, Vec(0, -1, 0)}, 0, nil))
+	try(t, solver.SetPinned(rope, 0, 1, true))
+	links := []ConstraintID{must(solver.Constraints(rope))[0].ID}
+	try(t, solver.SetBreakingForces(rope, links, []float32{3}))
+	forces := make([]float32, 1)
+	try(t, solver.BreakingForces(rope, links, forces))
+	same(t, forces, []float32{3})
+	same(t, len(must(solver.Breaks())), 0)
+	for i := 0; i < 10 && len(must(solver.Breaks())) == 0; i++ {
+		try(t, solver.Step(nil, 0.01))
+	}
+	breaks := must(solver.Breaks())
+	same(t, len(breaks), 1)
+	same(t, breaks[0].Body == rope && breaks[0].Constraint == links[0] && breaks[0].Load > 3, true)
+	same(t, breaks[0].TornParticle, uint32(NoParticle))
+	_, err := solver.BreakConstraint(rope, links[0])
+	refused(t, ErrInvalidID, err)
+	sheet := must(solver.AddCloth(Vec3{}, Vec(1, 0, 0), Vec(0, 0, 1), 3, 3, nil))
+	cut := must(solver.BreakConstraint(sheet, must(solver.Constraints(sheet))[1].ID))
+	same(t, cut.NewParticle, uint32(9))
+}
+
 func TestOneOfTwoBallsSlidesOverIce(t *testing.T) {
 	solver := must(NewSolver(nil))
 	scene := must(NewScene(nil))

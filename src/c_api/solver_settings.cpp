@@ -14,15 +14,6 @@ gphys_status check_body(const gphys_solver* solver, gphys_body_id body) {
     return unwrap(solver)->check(body);
 }
 
-gphys_status check_ids(const gphys_solver* solver, gphys_body_id body, const gphys_constraint_id* constraints,
-                       uint32_t count) {
-    GPHYS_TRY(check_body(solver, body));
-    if (count != 0) GPHYS_REQUIRE_POINTERS(constraints);
-    for (uint32_t i = 0; i < count; ++i)
-        GPHYS_TRY(check_constraint(unwrap(solver)->body(body).constraints, constraints[i]));
-    return GPHYS_OK;
-}
-
 Defect defect(const gphys_constraint_settings& settings) {
     if (!is_coordinate(settings.rest_length)) return {".rest_length", 0, settings.rest_length, coordinate_range};
     if (!is_amount(settings.compliance)) return {".compliance", 0, settings.compliance, amount_range};
@@ -31,6 +22,15 @@ Defect defect(const gphys_constraint_settings& settings) {
 }
 
 }  // namespace
+
+gphys_status gphys::check_constraints(const gphys_solver* solver, gphys_body_id body,
+                                      const gphys_constraint_id* constraints, uint32_t count) {
+    GPHYS_TRY(check_body(solver, body));
+    if (count != 0) GPHYS_REQUIRE_POINTERS(constraints);
+    for (uint32_t i = 0; i < count; ++i)
+        GPHYS_TRY(check_constraint(unwrap(solver)->body(body).constraints, constraints[i]));
+    return GPHYS_OK;
+}
 
 gphys_status gphys::read_settings(const gphys_solver_settings& from, SolverSettings& to) {
     GPHYS_TRY(check_valid("gravity", from.gravity));
@@ -123,7 +123,7 @@ gphys_status gphys_solver_get_constraint_kinds(const gphys_solver* solver, gphys
                                                const gphys_constraint_id* constraints, uint32_t count,
                                                gphys_constraint_kind* out_kinds, uint32_t out_stride) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_TRY(check_ids(solver, body, constraints, count));
+        GPHYS_TRY(check_constraints(solver, body, constraints, count));
         if (count != 0) GPHYS_REQUIRE_POINTERS(out_kinds);
         GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof *out_kinds));
         const StridedOut<gphys_constraint_kind> to(out_kinds, out_stride);
@@ -140,7 +140,7 @@ gphys_status gphys_solver_get_constraint_settings(const gphys_solver* solver, gp
                                                   const gphys_constraint_id* constraints, uint32_t count,
                                                   gphys_constraint_settings* out_settings, uint32_t out_stride) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_TRY(check_ids(solver, body, constraints, count));
+        GPHYS_TRY(check_constraints(solver, body, constraints, count));
         if (count != 0) GPHYS_REQUIRE_POINTERS(out_settings);
         GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof *out_settings));
         const StridedOut<gphys_constraint_settings> to(out_settings, out_stride);
@@ -156,7 +156,7 @@ gphys_status gphys_solver_set_constraint_settings(gphys_solver* solver, gphys_bo
                                                   const gphys_constraint_settings* settings, uint32_t setting_stride,
                                                   uint32_t count) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_TRY(check_ids(solver, body, constraints, count));
+        GPHYS_TRY(check_constraints(solver, body, constraints, count));
         if (count != 0) GPHYS_REQUIRE_POINTERS(settings);
         GPHYS_TRY(check_stride("setting_stride", setting_stride, sizeof *settings));
         const Strided<gphys_constraint_settings> each(settings, setting_stride);

@@ -29,6 +29,9 @@ inline gphys_status check_origins(const gphys_solver* solver, const gphys_scene*
     return GPHYS_OK;
 }
 
+/// The ids of constraints of a body.
+gphys_status check_constraints(const gphys_solver* solver, gphys_body_id body, const gphys_constraint_id* constraints,
+                               uint32_t count);
 gphys_status read_settings(const gphys_solver_settings& from, SolverSettings& to);
 gphys_status read_settings(const gphys_body_settings& from, BodySettings& to);
 

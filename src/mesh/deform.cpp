@@ -25,18 +25,14 @@ gphys_mesh_report Mesh::report() const {
     return now;
 }
 
-const char* Mesh::set_vertices(const MeshArrays& arrays) {
-    for (uint32_t i = 0; i < arrays.vertex_count; ++i) next_vertices_[i] = arrays.vertex(i);
-    const float* const radii = arrays.radii ? arrays.radii : radii_.data();
-    std::copy_n(radii, radii_.size(), next_radii_.begin());
-    if (same_bits(next_vertices_, vertices_) && same_bits(next_radii_, radii_)) return nullptr;
-    double magnification;
-    const Mesh* magnified = make_magnified(next_vertices_, magnification);
+template <class ExchangeMore>
+const char* Mesh::exchange_vertices(const Mesh* magnified, double magnification, ExchangeMore&& exchange_more) {
     const auto change = [&] {
         vertices_.swap(next_vertices_);
         radii_.swap(next_radii_);
         std::swap(magnified_, magnified);
         std::swap(magnification_, magnification);
+        exchange_more();
         const double area = refit();
         measure();
         return area;
@@ -59,6 +55,36 @@ const char* Mesh::set_vertices(const MeshArrays& arrays) {
         }
     }
     return nullptr;
+}
+
+const char* Mesh::set_vertices(const MeshArrays& arrays) {
+    for (uint32_t i = 0; i < arrays.vertex_count; ++i) next_vertices_[i] = arrays.vertex(i);
+    const float* const radii = arrays.radii ? arrays.radii : radii_.data();
+    std::copy_n(radii, radii_.size(), next_radii_.begin());
+    if (same_bits(next_vertices_, vertices_) && same_bits(next_radii_, radii_)) return nullptr;
+    MeshArrays next = this->arrays();
+    if (!next_vertices_.empty()) next.vertices = &next_vertices_[0].x;
+    double magnification;
+    const Mesh* const magnified = make_magnified(next, report_, magnification);
+    return exchange_vertices(magnified, magnification, [] {});
+}
+
+const char* Mesh::set_surface(const MeshArrays& arrays) {
+    Vector<uint32_t> indices(arrays.indices, arrays.indices + arrays.index_count, &memory);
+    Vector<gphys_vec3> vertices(arrays.vertex_count, &memory), room(arrays.vertex_count, &memory);
+    for (uint32_t i = 0; i < arrays.vertex_count; ++i) vertices[i] = arrays.vertex(i);
+    gphys_mesh_report report = examine(arrays, &memory);
+    WordHash index_hash = hash_of_indices(arrays);
+    double magnification;
+    const Mesh* const magnified = make_magnified(arrays, report, magnification);
+    next_vertices_.swap(vertices);
+    const char* const error = exchange_vertices(magnified, magnification, [&] {
+        indices_.swap(indices);
+        std::swap(report_, report);
+        std::swap(index_hash_, index_hash);
+    });
+    next_vertices_.swap(error ? vertices : room);
+    return error;
 }
 
 double Mesh::refit() noexcept {

@@ -31,19 +31,20 @@ uint64_t hits_of_others(uint64_t found, uint32_t count, gphys_hit* const* out, c
     return found;
 }
 
-double largest_coordinate(const Vector<gphys_vec3>& vertices) {
+double largest_coordinate(const MeshArrays& arrays) {
     double largest = 0;
-    for (const gphys_vec3& vertex : vertices) largest = std::max(largest, max_component(abs(widen(vertex))));
+    for (uint32_t i = 0; i < arrays.vertex_count; ++i)
+        largest = std::max(largest, max_component(abs(widen(arrays.vertex(i)))));
     return largest;
 }
 
-WordHash hash_of_indices(const MeshArrays& arrays) {
+}  // namespace
+
+WordHash Mesh::hash_of_indices(const MeshArrays& arrays) {
     WordHash hash;
     hash.put(arrays.indices, arrays.index_count);
     return hash;
 }
-
-}  // namespace
 
 Mesh::Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_mesh_report& report, WordHash index_hash,
            Isa isa, bool deformable)
@@ -72,7 +73,7 @@ Mesh::Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_m
     pack();
     measure();
     if (is_hull()) hull_.make(vertices_, indices_);
-    magnified_ = make_magnified(vertices_, magnification_);
+    magnified_ = make_magnified(this->arrays(), report_, magnification_);
 }
 
 Mesh::Mesh(const gphys_allocator* hooks, const MeshParts& parts, bool deformable)
@@ -86,7 +87,7 @@ Mesh::Mesh(const gphys_allocator* hooks, const MeshParts& parts, bool deformable
     note_packed_area(boxes);
     measure();
     if (is_hull()) hull_.make(vertices_, indices_);
-    magnified_ = make_magnified(vertices_, magnification_);
+    magnified_ = make_magnified(this->arrays(), report_, magnification_);
 }
 
 MeshArrays Mesh::arrays() const {
@@ -135,17 +136,18 @@ void Mesh::measure() noexcept {
     ball_ = {center, round_up((radius_ + distance(center_, widen(center))) * (1 + 0x1p-50))};
 }
 
-const Mesh* Mesh::make_magnified(const Vector<gphys_vec3>& vertices, double& magnification) const {
+const Mesh* Mesh::make_magnified(const MeshArrays& of, const gphys_mesh_report& report, double& magnification) const {
     magnification = 1;
-    const double largest = largest_coordinate(vertices);
+    const double largest = largest_coordinate(of);
     if (packets_.empty() || is_links() || largest == 0 || largest > smallest_extent) return nullptr;
     magnification = std::scalbn(1.0, -std::ilogb(largest));
-    Vector<gphys_vec3> larger(vertices.get_allocator());
-    larger.reserve(vertices.size());
-    for (const gphys_vec3& vertex : vertices) larger.push_back(narrow(widen(vertex) * magnification));
-    MeshArrays from = arrays();
+    Vector<gphys_vec3> larger(vertices_.get_allocator());
+    larger.reserve(of.vertex_count);
+    for (uint32_t i = 0; i < of.vertex_count; ++i) larger.push_back(narrow(widen(of.vertex(i)) * magnification));
+    MeshArrays from = of;
     from.vertices = &larger[0].x;
-    return create<Mesh>(memory.hooks(), from, report_, isa_);
+    from.vertex_stride = sizeof(gphys_vec3);
+    return create<Mesh>(memory.hooks(), from, report, isa_);
 }
 
 double Mesh::radius(const AxisScale& axes) const {

@@ -54,6 +54,8 @@ public:
     /// is null. Afterwards all queries answer as if the mesh had been created from them. Returns why a model cannot
     /// follow the change, or null. On failure, or if it throws std::bad_alloc, nothing has changed.
     const char* set_vertices(const MeshArrays& arrays);
+    /// The same with other corners of as many triangles, and other vertices: of cloth that has torn.
+    const char* set_surface(const MeshArrays& arrays);
     /// Call after new vertices that are the old ones shifted by `by`: the models of a deformable mesh stay where they
     /// were.
     void shift_models(Vec3 by) const noexcept { users_->mesh_shifted(by); }
@@ -241,8 +243,13 @@ private:
     double refit() noexcept;
     /// Computes what depends on the vertices and the tree: radius, ball, hash.
     void measure() noexcept;
-    /// The magnified mesh for these vertices, or null if they need none.
-    const Mesh* make_magnified(const Vector<gphys_vec3>& vertices, double& magnification) const;
+    static WordHash hash_of_indices(const MeshArrays& arrays);
+    /// The magnified mesh of these arrays, or null if they need none.
+    const Mesh* make_magnified(const MeshArrays& of, const gphys_mesh_report& report, double& magnification) const;
+    /// Exchanges the vertices and radii with the next ones, the magnified mesh with this one, and what exchange_more()
+    /// exchanges. See set_vertices.
+    template <class ExchangeMore>
+    const char* exchange_vertices(const Mesh* magnified, double magnification, ExchangeMore&& exchange_more);
 
     /// Storage for many prepared rays, without initialisation.
     union PreparedRays {

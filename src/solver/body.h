@@ -12,6 +12,7 @@
 #include "solver/settings.h"
 #include "solver/sleep.h"
 #include "solver/substeps.h"
+#include "solver/tearing/breaking.h"
 #include "solver/time_scheme.h"
 #include "solver/wind.h"
 
@@ -27,7 +28,8 @@ struct Body {
           rope(memory),
           cloth(memory),
           air(memory),
-          targets(memory) {}
+          targets(memory),
+          breaking(memory) {}
 
     gphys_body_kind kind = GPHYS_BODY_PARTICLES;
     BodySettings settings;
@@ -41,6 +43,7 @@ struct Body {
     Cloth cloth;
     Air air;
     AnimationTargets targets;
+    Breaking breaking;
     Sleep sleep;
 };
 

@@ -73,6 +73,12 @@ void BodyMeshes::release(const Entry& entry) noexcept {
     Mesh::release(entry.mesh);
 }
 
+void BodyMeshes::reserve(const Body& body) {
+    if (positions_.size() < body.particles.size()) positions_.resize(body.particles.size());
+    if (radii_.size() < link_count(body) + body.particles.size())
+        radii_.resize(link_count(body) + body.particles.size());
+}
+
 /// The present form of the body. Uses reserved memory.
 MeshArrays BodyMeshes::arrays_of(const Body& body) noexcept {
     for (uint32_t p = 0; p < body.particles.size(); ++p) positions_[p] = narrow(body.particles.position[p]);
@@ -88,9 +94,7 @@ MeshArrays BodyMeshes::arrays_of(const Body& body) noexcept {
 
 Mesh* BodyMeshes::make(const gphys_allocator* hooks, gphys_body_id id, const Body& body) {
     std::pmr::memory_resource* const memory = entries_.get_allocator().resource();
-    if (positions_.size() < body.particles.size()) positions_.resize(body.particles.size());
-    if (radii_.size() < link_count(body) + body.particles.size())
-        radii_.resize(link_count(body) + body.particles.size());
+    reserve(body);
     reserve_more(entries_, 1);
     const Vector<uint32_t> indices = indices_of(body, memory);
     MeshArrays arrays = arrays_of(body);
@@ -106,15 +110,22 @@ Mesh* BodyMeshes::make(const gphys_allocator* hooks, gphys_body_id id, const Bod
 
 bool BodyMeshes::fits(const Mesh& mesh, const Body& body) {
     const bool is_cloth = body.kind == GPHYS_BODY_CLOTH;
-    if (is_cloth != (mesh.kind() == MeshKind::body_surface) || mesh.vertices().size() != body.particles.size())
-        return false;
-    if (is_cloth) return mesh.indices() == body.cloth.sheet.triangles;
-    return mesh.triangle_count() == link_count(body) + body.particles.size();
+    if (is_cloth != (mesh.kind() == MeshKind::body_surface)) return false;
+    if (is_cloth) return mesh.indices().size() == body.cloth.sheet.triangles.size();
+    return mesh.vertices().size() == body.particles.size() &&
+           mesh.triangle_count() == link_count(body) + body.particles.size();
 }
 
 void BodyMeshes::bring(const Entry& entry, const Body& body, Vec3 shift) noexcept {
     try {
-        if (entry.mesh->set_vertices(arrays_of(body))) return;
+        reserve(body);
+        MeshArrays arrays = arrays_of(body);
+        const Vector<uint32_t>& triangles = body.cloth.sheet.triangles;
+        arrays.indices = triangles.data();
+        arrays.index_count = static_cast<uint32_t>(triangles.size());
+        const bool has_torn = body.kind == GPHYS_BODY_CLOTH && (entry.mesh->vertices().size() != arrays.vertex_count ||
+                                                                entry.mesh->indices() != triangles);
+        if (has_torn ? entry.mesh->set_surface(arrays) : entry.mesh->set_vertices(arrays)) return;
     } catch (const std::bad_alloc&) {
         return;
     }

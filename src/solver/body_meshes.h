@@ -22,8 +22,9 @@ public:
     /// A new mesh, of which the caller owns a reference. If it throws std::bad_alloc, nothing has changed.
     Mesh* make(const gphys_allocator* hooks, gphys_body_id id, const Body& body);
 
-    // A mesh that cannot follow keeps its form: if a model of it would leave the range of the world, or if there is no
-    // memory. Meshes that nobody else holds are released.
+    // A mesh of cloth that has torn gets its new corners and vertices. A mesh that cannot follow keeps its form: if a
+    // model of it would leave the range of the world, or if there is no memory. Meshes that nobody else holds are
+    // released.
 
     /// Updates the meshes of one body. `shift`: the change of its coordinates by a new origin, without motion.
     void follow(gphys_body_id id, const Body& body, Vec3 shift = {}) noexcept;
@@ -39,6 +40,8 @@ private:
         Mesh* mesh;
     };
 
+    /// Memory for the arrays of a body. Throws std::bad_alloc.
+    void reserve(const Body& body);
     MeshArrays arrays_of(const Body& body) noexcept;
     void bring(const Entry& entry, const Body& body, Vec3 shift) noexcept;
     static bool fits(const Mesh& mesh, const Body& body);

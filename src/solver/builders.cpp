@@ -38,6 +38,11 @@ gphys_status link(Body& body, uint32_t a, uint32_t b, double compliance) {
     return add_constraint(body, {a, b, -1, compliance, 0, 0}, ignored);
 }
 
+/// Call after all constraints were added.
+void set_breaking_force(Body& body, const gphys_body_desc& desc) {
+    if (desc.breaking_force > 0) body.breaking.force.assign(body.constraints.by_slot.size(), desc.breaking_force);
+}
+
 /// The number of edges that link_grid makes in a grid in the direction (du, dv).
 uint64_t grid_edges(uint32_t columns, uint32_t rows, uint32_t du, uint32_t dv) {
     return uint64_t{columns - std::min(columns, du)} * (rows - std::min(rows, dv));
@@ -87,6 +92,7 @@ gphys_status Solver::add_rope(const gphys_body_desc& desc, const gphys_vec3* pos
             add_constraint(body, {p, p + 1, link_length > 0 ? link_length : -1, desc.compliance, 0, 0}, ignored);
         if (status != GPHYS_OK) return status;
     }
+    set_breaking_force(body, desc);
     return insert(std::move(body), out);
 }
 
@@ -139,6 +145,7 @@ gphys_status Solver::add_cloth(const gphys_body_desc& desc, Vec3 corner, Vec3 ed
         const gphys_status status = link_grid(body, columns, rows, d.du, d.dv, d.compliance);
         if (status != GPHYS_OK) return status;
     }
+    set_breaking_force(body, desc);
     return insert(std::move(body), out);
 }
 
@@ -185,6 +192,7 @@ gphys_status Solver::add_cloth_mesh(const gphys_body_desc& desc, const Mesh& mes
             if (status != GPHYS_OK) return status;
         }
     }
+    set_breaking_force(body, desc);
     return insert(std::move(body), out);
 }
 

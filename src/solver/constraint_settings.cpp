@@ -27,21 +27,6 @@ void change_length(Body& body, uint32_t slot, double to) {
     constraint.rest = to;
 }
 
-/// Calls visit(link, its index in ClothBatches::rest), in the order of pack_cloth_chains.
-template <class Visit>
-void each_place(const Plan& plan, const ClothBatches& batches, Visit&& visit) {
-    constexpr uint32_t lanes = 8;
-    for (size_t colour = 0; colour + 1 < plan.colours.size(); ++colour) {
-        for (uint32_t i = plan.colours[colour]; i < plan.colours[colour + 1]; ++i) {
-            const uint32_t nth = i - plan.colours[colour];
-            const ChainBatch& batch = batches.chains[batches.colours[colour] + nth / lanes];
-            for (uint32_t j = 0; j < plan.chains[i].link_count; ++j) {
-                visit(plan.chains[i].first_link + j, lanes * (batch.first_link + j) + nth % lanes);
-            }
-        }
-    }
-}
-
 ChangedLink in_cloth(const ClothBatches& batches, uint32_t place, uint32_t limit) {
     ChangedLink found{place, ChangedLink::none, limit};
     const auto before = [](const DampedInCloth& damped, uint32_t wanted) { return damped.link < wanted; };
@@ -113,7 +98,7 @@ void find_changed_links(Body& body) {
         return;
     }
     uint32_t limits = 0;  // limits so far, in the order in which they are packed
-    each_place(plan, body.cloth.batches, [&](uint32_t link, uint32_t place) {
+    each_link_place(plan, body.cloth.batches, [&](uint32_t link, uint32_t place) {
         const uint32_t limit = plan.limit[link] && plan.compliance[link] == 0 ? limits++ : ChangedLink::none;
         const uint32_t change = change_of[plan.slots[link]];
         if (change != ChangedLink::none)

@@ -88,6 +88,12 @@ gphys_status check_constraint(const Constraints& constraints, gphys_constraint_i
 /// N s/m
 gphys_status set_damping(Body& body, gphys_constraint_id id, double damping);
 gphys_status remove_constraint(Body& body, gphys_constraint_id id);
+/// The same without the checks, in memory that was reserved. These do not wake the body or interrupt its motion.
+/// `in_plan`: whether the plan is edited, else it is out of date. Adding returns the slot.
+uint32_t insert_constraint(Body& body, const DistanceConstraint& constraint, bool in_plan);
+void erase_constraint(Body& body, uint32_t slot, bool in_plan);
+/// Replaces an end of a constraint by another particle. Its id stays. Uses memory that reserve_plan_edits has reserved.
+void replace_end(Body& body, uint32_t slot, uint32_t from, uint32_t to);
 void list_constraints(const Constraints& constraints, Smallest<gphys_constraint_info, ConstraintOrder>& out);
 
 // constraint_settings.cpp: of one constraint, and of some that are there. May throw std::bad_alloc, and then has

@@ -94,7 +94,9 @@ void update_plan(Body& body) {
         Cloth& cloth = body.cloth;
         cloth.reach.limits.clear();
         plan.pins_packed = false;
-        if (plan.method == GPHYS_SOLVE_GRAPH) plan_reach_limits(cloth.reach, cloth.rigid, body.particles, cloth.sheet);
+        // Limits would carry loads past the links.
+        if (plan.method == GPHYS_SOLVE_GRAPH && !body.breaking.possible())
+            plan_reach_limits(cloth.reach, cloth.rigid, body.particles, cloth.sheet);
         plan.reach_current = true;
     }
     if (plan.method != GPHYS_SOLVE_GRAPH) return;

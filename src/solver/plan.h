@@ -14,6 +14,7 @@ namespace gphys {
 
 struct Body;
 struct Constraints;
+struct Links;
 struct Particles;
 struct Rope;
 
@@ -73,6 +74,8 @@ struct Plan {
 gphys_solve_method method_of(const Body& body);
 /// The same for a body with this number of constraints.
 gphys_solve_method method_of(const Body& body, uint32_t constraints);
+/// The same without allocating, if `remaining` has capacity for the particles.
+gphys_solve_method method_of(const Body& body, Vector<Links>& remaining);
 /// Updates what is out of date. Throws std::bad_alloc, and then leaves it out of date.
 void update_plan(Body& body);
 /// Computes what a snapshot does not hold of a valid plan. Throws std::bad_alloc.
@@ -88,6 +91,8 @@ void plan_chain_colours(Plan& plan, const Constraints& constraints, const Partic
 /// again. Call before anything changes, because it reserves memory: the result of an edit must not depend on whether
 /// there is any. Throws std::bad_alloc.
 bool can_add_to_plan(Body& body);
+/// Reserves memory for all edits up to most_edits.
+void reserve_plan_edits(Body& body);
 bool can_remove_from_plan(Body& body, uint32_t slot);
 /// O(links). Call after the constraint was added, or removed.
 void add_to_plan(Body& body, uint32_t slot);

@@ -118,6 +118,7 @@ void Solver::prepare(const Scene* scene, double dt) {
             impulse_count += state_.bodies[slot].contacts.impulses.capacity();
         body_impulses_.reserve(impulse_count);
         impulses_.reserve(impulse_count);
+        reserve_breaks();
     } catch (...) {
         for (Undo& undo : undo_) undo.apply(state_.bodies[undo.slot]);
         throw;
@@ -149,6 +150,7 @@ void Solver::prepare_body(uint32_t slot, const Scene* scene, double dt) {
     body.cloth.relaxation.braces_yield = state_.settings.max_strain == 0;
     if (body.settings.self_collision && (changed || body.contacts.self.linked_begin.empty())) list_linked(body);
     reserve_arrays(body, scene && body.settings.layers != 0);
+    reserve_breaking(body);
     reserve_air(body);
     reserve_targets(body);
     // Falling asleep has set the speeds to 0, so the stored bounds are out of date.
@@ -190,6 +192,7 @@ void Solver::begin_step(const Scene* scene) noexcept {
         body.plan.edits = 0;
         aim_attachments(body.constraints, body.particles, scene);
         begin_targets(body);
+        begin_loads(body);
         each_kept_array(body, scene && body.settings.layers != 0,
                         [](auto& values, size_t size) { values.resize(size); });
     }

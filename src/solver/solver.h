@@ -16,6 +16,7 @@
 //   islands.cpp        bodies that influence each other, moved in one task
 //   sleep.cpp          bodies at rest
 //   wind.cpp           drag and lift
+//   tearing/           links that break, and cloth that tears
 //   animation_targets.cpp  positions from an animation, and how far from there particles may be
 //   state_range.cpp    the range of numbers in which a step ends
 //   error_targets.cpp  the number of substeps of a body
@@ -202,6 +203,12 @@ public:
     void body_contacts(Smallest<gphys_body_contact, BodyContactOrder>& out) const;
     void impulses(Smallest<gphys_impulse, ImpulseOrder>& out) const;
 
+    // tearing/breaks.cpp
+    /// Breaks a constraint, as a load would.
+    gphys_status break_constraint(gphys_body_id body, gphys_constraint_id constraint, gphys_break& out);
+    /// Those of the last step or frame, in their order.
+    const Vector<gphys_break>& breaks() const { return breaks_; }
+
     // snapshot.cpp
     void hash(uint32_t (&out)[2]) const;
     /// Returns GPHYS_INCOMPLETE, and writes nothing, if it does not fit.
@@ -288,7 +295,8 @@ private:
     };
 
     gphys_status insert(Body&& body, gphys_body_id& out);
-    void simulate(const Scene* scene, double dt);
+    /// The first step of a frame clears the list of breaks.
+    void simulate(const Scene* scene, double dt, bool first);
     void update_meshes(Vec3 shift = {}) noexcept;
     void prepare(const Scene* scene, double dt);
     void prepare_body(uint32_t slot, const Scene* scene, double dt);
@@ -326,6 +334,8 @@ private:
     void limit_work(double dt);
     void find_disturbed(const Scene& scene);
     void add_impulses();
+    void reserve_breaks();
+    void break_overloaded(double dt) noexcept;
 
     Workers workers_;
     SolverState state_{&memory};
@@ -352,6 +362,7 @@ private:
     Vector<JointSystem> systems_{&memory};
     Vector<Tether> tethers_{&memory};
     bool joints_current_ = false;
+    Vector<gphys_break> breaks_{&memory};
     ParticleContacts particle_contacts_{&memory};
     /// Boxes around bodies that collide with others, for one step.
     struct SweptBounds {

@@ -13,6 +13,8 @@
 //     measure      Substeps, Sleep                                          error_targets.cpp, sleep.cpp
 //   publish        the sums of all Contacts::impulses by model; of cloth    add_impulses,
 //                  Particles, at the end of its last substep                cloth_state.cpp
+//   break          the constraints and triangles of overloaded links,       tearing/breaks.cpp
+//                  and copies of particles
 //
 // All but `move` runs on the caller's thread. Workers share the scene, the models that have moved and the settings,
 // which they only read. Each worker has a RopeScratch and FlightPlanes of its own. Several workers write to one body in
@@ -230,6 +232,7 @@ void Solver::move_undisturbed(const Task& task, uint32_t worker, const Scene* sc
         Body& body = *ropes[i].body;
         end_air(body);
         if (!ropes[i].stayed) {
+            begin_loads(body);
             move_body(first[i], worker, scene, dt);
             continue;
         }
@@ -255,12 +258,13 @@ void Solver::update_meshes(Vec3 shift) noexcept {
 }
 
 void Solver::step(const Scene* scene, double dt) {
-    simulate(scene, dt);
+    simulate(scene, dt, true);
     update_meshes();
 }
 
-void Solver::simulate(const Scene* scene, double dt) {
+void Solver::simulate(const Scene* scene, double dt, bool first) {
     prepare(scene, dt);
+    if (first) breaks_.clear();
     begin_step(scene);
     const auto each_divided = [&](auto&& visit) {
         for (const ActiveBody& active : active_) {
@@ -297,6 +301,7 @@ void Solver::simulate(const Scene* scene, double dt) {
     state_.near_models.swap(next_near_models_);
     particle_contacts_.end_step(islands_);
     add_impulses();
+    break_overloaded(dt);
 }
 
 /// Sums the impulses of all bodies by model, in the order of the bodies. Uses reserved memory.
@@ -327,7 +332,7 @@ void Solver::advance(const Scene* scene, double frame_time, uint32_t& steps) {
     const uint32_t wanted = static_cast<uint32_t>(std::min<double>(due, state_.settings.max_steps));
     for (steps = 0; steps < wanted; ++steps) {
         try {
-            simulate(scene, length);
+            simulate(scene, length, steps == 0);
         } catch (const std::bad_alloc&) {
             if (steps == 0) throw;
             break;  // the steps made so far cannot be undone, and are reported

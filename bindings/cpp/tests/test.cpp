@@ -736,6 +736,26 @@ TEST_CASE("a cluster holds out a particle until it ends") {
     failure(GPHYS_ERROR_INVALID_ID, [&] { solver.remove_cluster(plank, cluster); });
 }
 
+TEST_CASE("a rope breaks under its weight, and cloth is cut") {
+    Solver solver;
+    const auto rope = solver.add_rope(std::vector<Vec3>{zero, {0, -1, 0}}, 0);
+    solver.set_pinned(rope, 0, 1, true);
+    const std::vector<gphys_constraint_id> links{solver.get_constraints(rope)[0].id};
+    solver.set_breaking_forces(rope, links, std::vector<float>{3});
+    std::vector<float> forces(1);
+    solver.get_breaking_forces(rope, links, forces);
+    CHECK(forces[0] == 3);
+    CHECK(solver.get_breaks().empty());
+    for (int i = 0; i < 10 && solver.get_breaks().empty(); ++i) solver.step(nullptr, 0.01f);
+    const auto breaks = solver.get_breaks();
+    REQUIRE(breaks.size() == 1);
+    CHECK((breaks[0].body == rope && breaks[0].constraint == links[0] && breaks[0].load > 3));
+    CHECK(breaks[0].torn_particle == GPHYS_NO_PARTICLE);
+    failure(GPHYS_ERROR_INVALID_ID, [&] { solver.break_constraint(rope, links[0]); });
+    const auto sheet = solver.add_cloth(zero, {1, 0, 0}, {0, 0, 1}, 3, 3);
+    CHECK(solver.break_constraint(sheet, solver.get_constraints(sheet)[1].id).new_particle == 9);
+}
+
 TEST_CASE("one of two balls slides over ice") {
     auto desc = solver_desc();
     desc.gravity = {0, -10, 0};

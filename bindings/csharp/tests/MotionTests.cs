@@ -305,6 +305,27 @@ public class MotionTests {
     }
 
     [Test]
+    public void ARopeBreaksUnderItsWeightAndClothIsCut() {
+        var solver = new Solver();
+        var rope = solver.AddRope(new Vec3[] { (0, 0, 0), (0, -1, 0) }, 0);
+        solver.SetPinned(rope, 0, 1, true);
+        var links = new[] { solver.GetConstraints(rope)[0].Id };
+        solver.SetBreakingForces(rope, links, new[] { 3f });
+        var forces = new float[1];
+        solver.GetBreakingForces(rope, links, forces);
+        Assert.AreEqual(3f, forces[0]);
+        Assert.AreEqual(0, solver.GetBreaks().Length);
+        for (var i = 0; i < 10 && solver.GetBreaks().Length == 0; ++i) solver.Step(0.01f);
+        var breaks = solver.GetBreaks();
+        Assert.AreEqual(1, breaks.Length);
+        Assert.AreEqual((rope, links[0], uint.MaxValue), (breaks[0].Body, breaks[0].Constraint, breaks[0].TornParticle));
+        Assert.That(breaks[0].Load > 3);
+        Refused(Status.ErrorInvalidId, () => solver.BreakConstraint(rope, links[0]));
+        var sheet = solver.AddCloth((0, 0, 0), (1, 0, 0), (0, 0, 1), 3, 3);
+        Assert.AreEqual(9, solver.BreakConstraint(sheet, solver.GetConstraints(sheet)[1].Id).NewParticle);
+    }
+
+    [Test]
     public void OneOfTwoBallsSlidesOverIce() {
         var solver = new Solver();
         var scene = new Scene();

@@ -652,6 +652,25 @@ public class GamephysTest {
     }
 
     @Test
+    public void aRopeBreaksUnderItsWeightAndClothIsCut() {
+        Solver solver = new Solver();
+        int rope = solver.addRope(points(ZERO, v(0, -1, 0)), 0);
+        solver.setPinned(rope, 0, 1, true);
+        Batch<Integer> links = Batch.ints(solver.getConstraints(rope).get(0).id());
+        solver.setBreakingForces(rope, links, Batch.floats(3));
+        assertEquals(3, solver.getBreakingForces(rope, links).get(0), 0);
+        assertTrue(solver.getBreaks().isEmpty());
+        for (int i = 0; i < 10 && solver.getBreaks().isEmpty(); ++i) solver.step(null, 0.01f);
+        Break broken = solver.getBreaks().get(0);
+        assertEquals(List.of(rope, links.get(0), NO_PARTICLE),
+                List.of(broken.body(), broken.constraint(), broken.tornParticle()));
+        assertTrue(broken.load() > 3);
+        assertFails(ERROR_INVALID_ID, () -> solver.breakConstraint(rope, links.get(0)));
+        int sheet = solver.addCloth(ZERO, v(1, 0, 0), v(0, 0, 1), 3, 3);
+        assertEquals(9, solver.breakConstraint(sheet, solver.getConstraints(sheet).get(1).id()).newParticle());
+    }
+
+    @Test
     public void oneOfTwoBallsSlidesOverIce() {
         Solver solver = new Solver();
         Scene scene = new Scene();

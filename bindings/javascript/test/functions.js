@@ -448,6 +448,24 @@ test('a cluster holds out a particle until it ends', () => {
     assert.throws(() => solver.removeCluster(plank, cluster), { status: gp.ERROR_INVALID_ID });
 });
 
+test('a rope breaks under its weight, and cloth is cut', () => {
+    const solver = new gp.Solver();
+    const rope = solver.addRope(floats(0, 0, 0, 0, -1, 0), 0);
+    solver.setPinned(rope, 0, 1, true);
+    const links = Uint32Array.from(solver.getConstraints(rope), (link) => link.id);
+    solver.setBreakingForces(rope, links, Float32Array.of(3));
+    same([...solver.getBreakingForces(rope, links)], [3]);
+    same([...solver.getBreaks()], []);
+    for (let i = 0; i < 10 && [...solver.getBreaks()].length === 0; ++i) solver.step(null, 0.01);
+    const [broken] = [...solver.getBreaks()];
+    same([broken.body, broken.constraint, broken.torn_particle], [rope, links[0], gp.NO_PARTICLE]);
+    assert(broken.load > 3);
+    assert.throws(() => solver.breakConstraint(rope, links[0]), { status: gp.ERROR_INVALID_ID });
+    const sheet = solver.addCloth([0, 0, 0], [1, 0, 0], [0, 0, 1], 3, 3);
+    const [, second] = Array.from(solver.getConstraints(sheet), (link) => link.id);
+    assert.strictEqual(solver.breakConstraint(sheet, second).new_particle, 9);
+});
+
 test('one of two balls slides over ice', () => {
     const solver = new gp.Solver();
     const scene = new gp.Scene();

@@ -541,6 +541,26 @@ function tests.a_cluster_holds_out_a_particle_until_it_ends()
     fails(gp.ERROR_INVALID_ID, solver.remove_cluster, solver, plank, cluster)
 end
 
+function tests.a_rope_breaks_under_its_weight_and_cloth_is_cut()
+    local solver = gp.Solver()
+    local rope = solver:add_rope(gp.array('vec3', { { 0, 0, 0 }, { 0, -1, 0 } }), 0)
+    solver:set_pinned(rope, 0, 1, true)
+    local links = { solver:get_constraints(rope)[0].id }
+    solver:set_breaking_forces(rope, links, gp.array('float', { 3 }))
+    assert(solver:get_breaking_forces(rope, links)[0] == 3)
+    local breaks, count = solver:get_breaks()
+    assert(count == 0)
+    for _ = 1, 10 do
+        if count == 0 then solver:step(nil, 0.01) end
+        breaks, count = solver:get_breaks()
+    end
+    assert(count == 1 and breaks[0].body == rope and breaks[0].constraint == links[1] and breaks[0].load > 3)
+    assert(breaks[0].torn_particle == gp.NO_PARTICLE)
+    fails(gp.ERROR_INVALID_ID, solver.break_constraint, solver, rope, links[1])
+    local sheet = solver:add_cloth({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 1 }, 3, 3)
+    assert(solver:break_constraint(sheet, solver:get_constraints(sheet)[1].id).new_particle == 9)
+end
+
 function tests.one_of_two_balls_slides_over_ice()
     local solver, scene = gp.Solver(), gp.Scene()
     scene:add(gp.Plane({ 0, 1, 0 }, 0))

@@ -527,6 +527,28 @@ class Functions(unittest.TestCase):
             solver.remove_cluster(plank, cluster)
         self.assertEqual(caught.exception.status, gp.ERROR_INVALID_ID)
 
+    def test_a_rope_breaks_under_its_weight_and_cloth_is_cut(self):
+        solver = gp.Solver()
+        rope = solver.add_rope([(0, 0, 0), (0, -1, 0)], 0)
+        solver.set_pinned(rope, 0, 1, True)
+        links = [link["id"] for link in solver.get_constraints(rope)]
+        solver.set_breaking_forces(rope, links, [3])
+        self.assertEqual(solver.get_breaking_forces(rope, links).tolist(), [3])
+        self.assertEqual(len(solver.get_breaks()), 0)
+        for _ in range(10):
+            if len(solver.get_breaks()) == 0:
+                solver.step(None, 0.01)
+        (broken,) = solver.get_breaks()
+        self.assertEqual((broken["body"], broken["constraint"]), (rope, links[0]))
+        self.assertEqual(broken["torn_particle"], gp.NO_PARTICLE)
+        self.assertGreater(broken["load"], 3)
+        with self.assertRaises(gp.Error) as caught:
+            solver.break_constraint(rope, links[0])
+        self.assertEqual(caught.exception.status, gp.ERROR_INVALID_ID)
+        sheet = solver.add_cloth((0, 0, 0), (1, 0, 0), (0, 0, 1), 3, 3)
+        cut = solver.break_constraint(sheet, int(solver.get_constraints(sheet)[1]["id"]))
+        self.assertEqual(cut.new_particle, 9)
+
     def test_one_of_two_balls_slides_over_ice(self):
         solver = gp.Solver()
         scene = gp.Scene()

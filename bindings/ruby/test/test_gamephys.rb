@@ -537,6 +537,24 @@ class TestGamephys < Minitest::Test
     assert_fails(ERROR_INVALID_ID) { solver.remove_cluster(plank, cluster) }
   end
 
+  def test_a_rope_breaks_under_its_weight_and_cloth_is_cut
+    solver = Solver.new
+    rope = solver.add_rope([[0, 0, 0], [0, -1, 0]])
+    solver.set_pinned(rope, 0, 1, true)
+    links = [solver.get_constraints(rope)[0].id]
+    solver.set_breaking_forces(rope, links, [3])
+    assert_equal [3], solver.get_breaking_forces(rope, links).to_a
+    assert_empty solver.get_breaks.to_a
+    10.times { solver.step(nil, 0.01) if solver.get_breaks.to_a.empty? }
+    broken = solver.get_breaks.to_a
+    assert_equal 1, broken.size
+    assert_equal [rope, links[0], NO_PARTICLE], [broken[0].body, broken[0].constraint, broken[0].torn_particle]
+    assert_operator broken[0].load, :>, 3
+    assert_fails(ERROR_INVALID_ID) { solver.break_constraint(rope, links[0]) }
+    sheet = solver.add_cloth([0, 0, 0], [1, 0, 0], [0, 0, 1], 3, 3)
+    assert_equal 9, solver.break_constraint(sheet, solver.get_constraints(sheet)[1].id).new_particle
+  end
+
   def test_one_of_two_balls_slides_over_ice
     solver = Solver.new
     scene = Scene.new

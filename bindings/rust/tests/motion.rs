@@ -277,6 +277,32 @@ fn a_cluster_holds_out_a_particle_until_it_ends() {
 }
 
 #[test]
+fn a_rope_breaks_under_its_weight_and_cloth_is_cut() {
+    let mut solver = Solver::new(None).unwrap();
+    let rope = solver.add_rope(&[[0.0, 0.0, 0.0], [0.0, -1.0, 0.0]], 0.0, None).unwrap();
+    solver.set_pinned(rope, 0, 1, true).unwrap();
+    let links = [solver.get_constraints(rope).unwrap()[0].id];
+    solver.set_breaking_forces(rope, &links, &[3.0f32]).unwrap();
+    let mut forces = [0.0f32];
+    solver.get_breaking_forces(rope, &links, &mut forces).unwrap();
+    assert_eq!(forces, [3.0]);
+    assert!(solver.get_breaks().unwrap().is_empty());
+    for _ in 0..10 {
+        if solver.get_breaks().unwrap().is_empty() {
+            solver.step(None, 0.01).unwrap();
+        }
+    }
+    let breaks = solver.get_breaks().unwrap();
+    assert_eq!(breaks.len(), 1);
+    assert!(breaks[0].body == rope && breaks[0].constraint == links[0] && breaks[0].load > 3.0);
+    assert_eq!(breaks[0].torn_particle, NO_PARTICLE);
+    assert_eq!(solver.break_constraint(rope, links[0]).unwrap_err().status, Status::ERROR_INVALID_ID);
+    let sheet = solver.add_cloth([0.0; 3], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], 3, 3, None).unwrap();
+    let second = solver.get_constraints(sheet).unwrap()[1].id;
+    assert_eq!(solver.break_constraint(sheet, second).unwrap().new_particle, 9);
+}
+
+#[test]
 fn one_of_two_balls_slides_over_ice() {
     let mut solver = Solver::new(None).unwrap();
     let mut scene = Scene::new(None).unwrap();

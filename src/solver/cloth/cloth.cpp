@@ -123,6 +123,7 @@ void solve_cloth(Body& body) {
                       } else {
                           kernels.solve(at, chains, batch, rows);
                       }
+                      if (body.breaking.possible()) note_pulls(body.breaking, batch, rows);
                   });
     correct_volume();
     if (!cloth.clusters.empty()) solve_clusters(body, pulls_count || body.plan.joined);
@@ -154,7 +155,7 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
     state.velocity.swap(state.velocity_before);
     if (collides) add_contact_impulses(body, around, scheme.next / h);
     TautLimits taut(body.constraints, around, cloth.in_chains, body.contacts.impulses, scheme, damping);
-    const bool has_limit_impact = taut.apply_impacts(cloth.batches.limits, state);
+    const bool has_limit_impact = taut.apply_impacts(cloth.batches.limits, state, body.breaking.impulse);
     if (contacts.penetrating && collides && !state.held)
         limit_energy_in_solid(state, cloth.shares, gain * state.average_mass);
     const bool bounded = body.targets.act();
@@ -198,6 +199,7 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
     }
     balance.current = balance.closed && !collides && (accounted || cloth.relaxation.most_strain == 0);
     body.history.earlier_step = body.contacts.has_contact ? 0 : h;
+    if (body.breaking.possible()) add_cloth_loads(body, scheme);
 }
 
 void end_cloth_substep(Body& body, const CollisionContext& around, Vec3 gravity, double h) {

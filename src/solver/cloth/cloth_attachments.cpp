@@ -61,7 +61,7 @@ void TautLimits::add_to_model(const ClothState& state, uint32_t particle, Vec3 i
     put(pull, {}, 0);
 }
 
-bool TautLimits::apply_impacts(const Vector<LimitInCloth>& limits, ClothState& state) {
+bool TautLimits::apply_impacts(const Vector<LimitInCloth>& limits, ClothState& state, Vector<double>& loads) {
     // Relative to the length: ten times the rounding of positions within about a metre.
     constexpr double slack = 1e-6;
     bool any = false;
@@ -79,6 +79,7 @@ bool TautLimits::apply_impacts(const Vector<LimitInCloth>& limits, ClothState& s
         put(&state.velocity[b], get(&state.velocity[b]) - apart * state.at[b + 3], fastest_in_cloth);
         add_to_model(state, limit.a, apart);
         add_to_model(state, limit.b, -apart);
+        if (!loads.empty()) loads[limit.link] += dot(apart, along) / length * state.average_mass;
     }
     return any;
 }

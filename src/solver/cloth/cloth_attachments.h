@@ -27,8 +27,8 @@ public:
                Vector<ModelImpulse>& impulses, const TimeScheme& scheme, double damping);
 
     /// Makes the ends of limits that have become taut stop separating. Returns whether there were any; then the time
-    /// scheme restarts.
-    bool apply_impacts(const Vector<LimitInCloth>& limits, ClothState& state);
+    /// scheme restarts. Adds their impulses, in N s, to `loads`, by link, unless that is empty.
+    bool apply_impacts(const Vector<LimitInCloth>& limits, ClothState& state, Vector<double>& loads);
 
 private:
     void add_to_model(const ClothState& state, uint32_t particle, Vec3 impulse);

@@ -4,11 +4,11 @@
 #include "foundation/math.h"
 #include "foundation/memory.h"
 #include "solver/cloth/cloth_kernels.h"
+#include "solver/plan.h"
 
 namespace gphys {
 
 struct Constraints;
-struct Plan;
 
 /// A damped link and the particles at its ends.
 struct DampedInCloth {
@@ -18,6 +18,7 @@ struct DampedInCloth {
 };
 /// A rigid link that only pulls.
 struct LimitInCloth {
+    uint32_t link;  // as above
     uint32_t a, b;
     float rest;
 };
@@ -56,6 +57,20 @@ struct ClothBatches {
 
 /// The plan must be current. Throws std::bad_alloc.
 void pack_cloth_chains(ClothBatches& batches, const Plan& plan, uint32_t particles);
+/// Calls visit(link of the plan, its index in ClothBatches::rest).
+template <class Visit>
+void each_link_place(const Plan& plan, const ClothBatches& batches, Visit&& visit) {
+    constexpr uint32_t lanes = 8;
+    for (size_t colour = 0; colour + 1 < plan.colours.size(); ++colour) {
+        for (uint32_t i = plan.colours[colour]; i < plan.colours[colour + 1]; ++i) {
+            const uint32_t nth = i - plan.colours[colour];
+            const ChainBatch& batch = batches.chains[batches.colours[colour] + nth / lanes];
+            for (uint32_t j = 0; j < plan.chains[i].link_count; ++j) {
+                visit(plan.chains[i].first_link + j, lanes * (batch.first_link + j) + nth % lanes);
+            }
+        }
+    }
+}
 /// Marks the batches with particles that are attached to models. Throws std::bad_alloc.
 void mark_attached(ClothBatches& batches, const Constraints& constraints, uint32_t particles);
 

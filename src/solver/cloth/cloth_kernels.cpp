@@ -340,6 +340,17 @@ void solve_pulling(float* at, float* pulls, const ClothChains& chains, const Cha
     solve_either(at, NoSurfacesPulling(pulls), chains, batch, rows);
 }
 
+/// The substitution of solve_batch.
+void find_tensions(float* rows, uint32_t link_count) {
+    Float8 tension = splat(0), coupling = splat(0);
+    for (uint32_t j = link_count; j-- > 0;) {
+        const Row row(rows + cloth_row_floats * j);
+        tension = row.value + coupling * row.inverse_pivot * tension;
+        coupling = row.coupling;
+        store(rows + cloth_row_floats * j, tension);
+    }
+}
+
 uint32_t list_strained(const float* at, const ClothChains& chains, const ChainBatch& batch, float part,
                        uint32_t* places) {
     const uint32_t* particles = chains.particles + 8 * size_t{batch.first_particle};
@@ -483,8 +494,8 @@ void slow(const ClothMotion& motion, const float (&drift)[3], float kept) {
 
 }  // namespace
 
-const ClothKernels cloth_kernels = {predict, solve, solve_with_contacts, solve_pulling, solve_joined, list_strained,
-                                    stored,  limit, limit_pulling,       finish,        gain,         kinetic,
-                                    slow};
+const ClothKernels cloth_kernels = {
+    predict, solve, solve_with_contacts, solve_pulling, solve_joined, find_tensions, list_strained,
+    stored,  limit, limit_pulling,       finish,        gain,         kinetic,       slow};
 
 }  // namespace gphys::GPHYS_ISA

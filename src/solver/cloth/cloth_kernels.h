@@ -78,6 +78,9 @@ struct ClothKernels {
     void (*solve_pulling)(float* at, float* pulls, const ClothChains& chains, const ChainBatch& batch, float* rows);
     void (*solve_joined)(float* at, const ClothTethers& tethers, const ClothChains& chains, const ChainBatch& batch,
                          float* rows);
+    /// Replaces the rows that one of these left in `rows` by the tensions of the links, in units of pulls: the first
+    /// eight floats of the row of link j are those of its eight chains.
+    void (*find_tensions)(float* rows, uint32_t link_count);
     /// Writes the indices in chains.rest of rigid links that are too long or, unless they only pull, too short by at
     /// least this fraction of their length. Returns how many.
     uint32_t (*list_strained)(const float* at, const ClothChains& chains, const ChainBatch& batch, float part,

@@ -4,7 +4,6 @@
 // not move.
 #include "solver/cloth/cloth_batches.h"
 #include "solver/constraints.h"
-#include "solver/plan.h"
 
 namespace gphys {
 namespace {
@@ -19,7 +18,8 @@ void pack_kind(const Plan& plan, uint32_t place, uint32_t link, ClothBatches& ba
                                   plan.compliance[link], plan.damping[link]});
     }
     if (plan.limit[link] && plan.compliance[link] == 0) {
-        batches.limits.push_back({a, b, static_cast<float>(plan.rest[link])});
+        batches.limits.push_back(
+            {static_cast<uint32_t>(batches.rest.size()), a, b, static_cast<float>(plan.rest[link])});
     }
 }
 

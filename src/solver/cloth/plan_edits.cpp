@@ -88,14 +88,25 @@ void note_edit(Body& body, const DistanceConstraint& constraint) {
 
 }  // namespace
 
-bool can_add_to_plan(Body& body) {
+namespace {
+
+void reserve_edits(Body& body, uint32_t count) {
     Plan& plan = body.plan;
+    reserve_more(plan.chains, count);
+    reserve_more(plan.colours, count);
+    reserve_more(plan.particles, 2 * count);
+    reserve_more(plan.slots, count);
+    reserve_more(body.cloth.rigid.changed, 2 * count);
+}
+
+}  // namespace
+
+void reserve_plan_edits(Body& body) { reserve_edits(body, Plan::most_edits); }
+
+bool can_add_to_plan(Body& body) {
+    const Plan& plan = body.plan;
     if (!plan.chains_current || plan.method != GPHYS_SOLVE_GRAPH || plan.edits == Plan::most_edits) return false;
-    reserve_more(plan.chains, 1);
-    reserve_more(plan.colours, 1);
-    reserve_more(plan.particles, 2);
-    reserve_more(plan.slots, 1);
-    reserve_more(body.cloth.rigid.changed, 2);
+    reserve_edits(body, 1);
     return true;
 }
 

@@ -10,8 +10,8 @@ namespace {
 /// along the chain, to another leaf or to a particle with further constraints. Trees are visited as a whole. What
 /// remains of other graphs are their cycles and the paths between them. O(particles).
 template <class Begin, class Visit>
-void peel_chains(const Constraints& constraints, Begin&& begin, Visit&& visit) {
-    Vector<Links> remaining(constraints.links, constraints.links.get_allocator());
+void peel_chains(const Constraints& constraints, Vector<Links>& remaining, Begin&& begin, Visit&& visit) {
+    remaining = constraints.links;
     for (uint32_t leaf = 0; leaf < remaining.size(); ++leaf) {
         if (remaining[leaf].degree != 1) continue;
         begin(leaf);
@@ -37,8 +37,10 @@ uint32_t longest_chain(const Plan& plan) {
 
 }  // namespace
 
+namespace {
+
 /// Forests are solved directly: peeling visits all their constraints.
-gphys_solve_method method_of(const Body& body, uint32_t constraint_count) {
+gphys_solve_method method_of(const Body& body, uint32_t constraint_count, Vector<Links>& remaining) {
     if (body.cloth.volume.held || !body.cloth.clusters.empty()) return GPHYS_SOLVE_GRAPH;
     if (constraint_count == 0) return GPHYS_SOLVE_FREE;
     for (const Links& links : body.constraints.links) {
@@ -46,11 +48,22 @@ gphys_solve_method method_of(const Body& body, uint32_t constraint_count) {
     }
     uint32_t visited = 0;
     peel_chains(
-        body.constraints, [](uint32_t) {}, [&](uint32_t, uint32_t) { ++visited; });
+        body.constraints, remaining, [](uint32_t) {}, [&](uint32_t, uint32_t) { ++visited; });
     return visited == constraint_count ? GPHYS_SOLVE_DIRECT : GPHYS_SOLVE_GRAPH;
 }
 
+}  // namespace
+
+gphys_solve_method method_of(const Body& body, uint32_t constraint_count) {
+    Vector<Links> remaining(body.constraints.links.get_allocator());
+    return method_of(body, constraint_count, remaining);
+}
+
 gphys_solve_method method_of(const Body& body) { return method_of(body, body.constraints.ids.size()); }
+
+gphys_solve_method method_of(const Body& body, Vector<Links>& remaining) {
+    return method_of(body, body.constraints.ids.size(), remaining);
+}
 
 void copy_direct_parameters(Plan& plan, Rope& rope, const Constraints& constraints) {
     plan.copy_parameters(constraints);
@@ -62,8 +75,9 @@ void copy_direct_parameters(Plan& plan, Rope& rope, const Constraints& constrain
 
 void plan_direct_chains(Plan& plan, Rope& rope, const Constraints& constraints) {
     plan.clear_chains();
+    Vector<Links> remaining(constraints.links.get_allocator());
     peel_chains(
-        constraints, [&](uint32_t leaf) { plan.begin_chain(leaf); },
+        constraints, remaining, [&](uint32_t leaf) { plan.begin_chain(leaf); },
         [&](uint32_t slot, uint32_t particle) { plan.add_link(slot, particle); });
     copy_direct_parameters(plan, rope, constraints);
     rope.rows.resize(longest_chain(plan) + 1);

@@ -69,7 +69,7 @@ public:
         if (moved_) gather();
         moved_ = true;
         reset_bounds();
-        for (size_t i = 0; i < chains(); ++i) move_chain(i, in_stages);
+        for (size_t i = 0; i < chains(); ++i) move_chain(i, in_stages, wanted);
         for (uint32_t lane = 0; lane < count_; ++lane) {
             if (!wanted[lane]) continue;
             wanted[lane] = ropes_[lane].stayed = stays_undisturbed(lane);
@@ -123,14 +123,27 @@ private:
         std::fill_n(bounds_.failed, lanes, 0.0);
     }
 
-    void move_chain(size_t chain, bool in_stages) {
+    /// Adds up the loads of the lanes that are wanted and break, of a part in which their tensions act for `seconds`.
+    void add_loads(size_t chain, const double (&seconds)[lanes], const bool (&wanted)[lanes]) const {
+        for (uint32_t lane = 0; lane < lanes; ++lane) {
+            Body& body = *bodies_[lane];
+            if (!wanted[lane] || !body.breaking.possible()) continue;
+            const Chain& links = body.plan.chains[chain];
+            for (uint32_t i = 0; i < links.link_count; ++i)
+                body.breaking.impulse[links.first_link + i] += nodes_of(chain)[i].tension[lane] * seconds[lane];
+        }
+    }
+
+    void move_chain(size_t chain, bool in_stages, const bool (&wanted)[lanes]) {
         for (uint32_t lane = 0; lane < lanes; ++lane) earlier_step_[lane] = bodies_[lane]->history.earlier_step;
         uint32_t nodes = 0;
         for (const Body* body : bodies_) nodes = std::max(nodes, body->plan.chains[chain].link_count + 1);
         const auto move_part = [&](double advance, bool trapezoid) {
             RopeScheme<lanes> part;
             for (uint32_t lane = 0; lane < lanes; ++lane) set_scheme(part, lane, advance, trapezoid);
+            if (trapezoid) add_loads(chain, part.h, wanted);  // its explicit part is as long
             kernels_.move(nodes_of(chain), nodes, part, trapezoid, bounds_);
+            add_loads(chain, part.h, wanted);
         };
         const double h = step_.dt / step_.substeps;
         for (uint32_t i = 0; i < step_.substeps; ++i) {

@@ -80,6 +80,7 @@ struct TautLinks {
             body.particles.velocity[b] -= pull * body.particles.inverse_mass[b];
             // The anchors got the whole force of the link, but drag has left only this fraction of it.
             const double part = scheme.drag(body.settings.damping);
+            if (body.breaking.possible()) body.breaking.impulse[chain.first_link + i] += impulse;
             const Vec3 impulse_on_a = pull - link_impulse(body, a, b, chain.first_link + i, scheme) * (1 - part);
             if (body.particles.pinned(a)) add_anchor_impulse(body, around, a, impulse_on_a);
             if (body.particles.pinned(b)) add_anchor_impulse(body, around, b, -impulse_on_a);

@@ -184,10 +184,11 @@ void collide_with_models(Body& body, RopeContacts* limits, const CollisionContex
     }
 }
 
-/// Decides whether the next substep continues the time scheme or restarts it.
-void set_earlier_step(Body& body, bool has_limit_impact, const TimeScheme& scheme) {
+/// Decides whether the next substep continues the time scheme or restarts it, and adds up the loads of the links.
+void end_substep(Body& body, bool has_limit_impact, const TimeScheme& scheme) {
     body.contacts.has_contact = body.contacts.has_contact || !body.targets.reached.empty();
     body.history.earlier_step = body.contacts.has_contact || has_limit_impact ? 0 : scheme.advance;
+    if (body.breaking.possible()) add_chain_loads(body, scheme);
 }
 
 /// The substep after the links are solved.
@@ -197,7 +198,7 @@ void end_chains(Body& body, const CollisionContext& around, Vec3 gravity, const 
     collide_with_models(body, nullptr, around, gravity, scheme);
     if (!body.constraints.attachments.empty()) add_tension_impulses(body, around, scheme);
     leave_solids(body, around, scheme.step(body.settings.damping));
-    set_earlier_step(body, has_limit_impact, scheme);
+    end_substep(body, has_limit_impact, scheme);
 }
 
 /// The same for a rope whose links were solved together with its contacts.
@@ -212,7 +213,7 @@ void end_with_contacts(Body& body, RopeContacts& contacts, const CollisionContex
     }
     if (!body.constraints.attachments.empty()) add_tension_impulses(body, around, scheme);
     if (!contacts.near_models()) leave_solids(body, around, scheme.step(body.settings.damping));
-    set_earlier_step(body, has_limit_impact, scheme);
+    end_substep(body, has_limit_impact, scheme);
 }
 
 bool began_feasible(const Plan& plan, const History& history, const Rope& rope) {

@@ -21,7 +21,7 @@ constexpr uint32_t format = 8;
 /// Arrays that few bodies have. They come last, in the order of their keys: the key, which is the array and the slot of
 /// the body, and the elements; of clusters their ids come before. A snapshot without them is as it was before there
 /// were any.
-enum class RareArray : uint32_t { targets, friction_factors, clusters };
+enum class RareArray : uint32_t { targets, friction_factors, clusters, breaking_forces };
 constexpr uint32_t slot_bits = 24;
 static_assert(IdTable::capacity < 1u << slot_bits);
 
@@ -162,6 +162,8 @@ void write(Sink& sink, const SolverState& state) {
         archive, state, RareArray::friction_factors,
         [](const Body& body) -> auto& { return body.contacts.friction_factor; });
     write_clusters(archive, state);
+    write_rare(
+        archive, state, RareArray::breaking_forces, [](const Body& body) -> auto& { return body.breaking.force; });
 }
 
 /// Computes what is not in a snapshot, except the plan. Throws std::bad_alloc.
@@ -200,6 +202,10 @@ const char* read_rare(Reader& archive, SolverState& state) {
                 IdTable::visit(archive, body.cloth.clusters.ids);
                 archive.array(body.cloth.clusters.members);
                 wrong = defect_of_clusters(body);
+                break;
+            case RareArray::breaking_forces:
+                archive.array(body.breaking.force);
+                wrong = defect_of_breaking_forces(body);
                 break;
             default:
                 return cut_short;
@@ -284,6 +290,7 @@ gphys_status Solver::restore(const uint32_t* words, uint32_t count) {
     state_ = std::move(restored);
     add_impulses();
     particle_contacts_.clear_list();
+    breaks_.clear();
     joints_current_ = false;
     update_meshes(shift);
     return GPHYS_OK;

@@ -286,6 +286,13 @@ const char* defect_of_friction_factors(const Body& body) {
     return fine ? nullptr : "words: a friction factor is out of range";
 }
 
+const char* defect_of_breaking_forces(const Body& body) {
+    const Vector<double>& forces = body.breaking.force;
+    const auto is_force = [](double force) { return force > 0 && (is_amount(force) || force == infinity); };
+    const bool fine = forces.size() == body.constraints.by_slot.size() && all(forces, is_force);
+    return fine ? nullptr : "words: a breaking force is out of range";
+}
+
 const char* defect_of_clusters(const Body& body) {
     constexpr const char* wrong = "words: a cluster is out of range";
     const Clusters& clusters = body.cloth.clusters;

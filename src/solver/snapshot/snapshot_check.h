@@ -21,5 +21,7 @@ const char* defect_of_targets(const Body& body);
 const char* defect_of_friction_factors(const Body& body);
 /// The same of clusters.
 const char* defect_of_clusters(const Body& body);
+/// The same of breaking forces.
+const char* defect_of_breaking_forces(const Body& body);
 
 }  // namespace gphys
