@@ -177,17 +177,18 @@ func NewMeshFromScene(scene *Scene, model ModelID) (o *Mesh, err error) {
 // t + 1, a capsule of the smaller of their radii, there while a constraint holds them together; n - 1
 // + p is particle p, a sphere, there where no link beside it is as thick. Free particles are spheres,
 // and `triangle` is the particle. Solver.NearestParticle finds the particle of a hit. The mesh has the
-// new form when Solver.Step, Solver.Advance, Solver.Restore or an edit of the body returns. A model
-// that would leave the range of the world, and a mesh of less than 2^-32 m for which there is no
-// memory, keep their form until they can follow. Solver.SetOrigin moves the coordinates of the mesh,
-// and the models back by as much: they stay where they are in the world, exactly if scenes have moved
-// their origin before. Solvers do not collide with models of such meshes, nor wake by them: bodies
-// meet by BodyDesc.body_layers. A restored body is followed if it has the id and the parts of the one
-// that there was. Restore the solver before the scene. A mesh that is loaded from a snapshot, that of
-// a scene included, is a copy that follows nothing; Scene.SetShape gives its model one that does. Mesh
-// and solver are destroyed in any order. When the body is gone the mesh keeps the form that it had
-// last and is deformable by Mesh.SetVertices, which returns ErrUnsupported before. A mesh that neither
-// its handle nor a model holds follows no more.
+// new form when Solver.Step, Solver.Advance, Solver.Restore or an edit of the body returns. Cloth that
+// tears (Break) takes its triangles along, whose numbers stay, and the mesh gets vertices for the new
+// particles. A model that would leave the range of the world, and a torn mesh or one of less than
+// 2^-32 m for which there is no memory, keep their form until they can follow. Solver.SetOrigin moves
+// the coordinates of the mesh, and the models back by as much: they stay where they are in the world,
+// exactly if scenes have moved their origin before. Solvers do not collide with models of such meshes,
+// nor wake by them: bodies meet by BodyDesc.body_layers. A restored body is followed if it has the id
+// and the parts of the one that there was. Restore the solver before the scene. A mesh that is loaded
+// from a snapshot, that of a scene included, is a copy that follows nothing; Scene.SetShape gives its
+// model one that does. Mesh and solver are destroyed in any order. When the body is gone the mesh
+// keeps the form that it had last and is deformable by Mesh.SetVertices, which returns ErrUnsupported
+// before. A mesh that neither its handle nor a model holds follows no more.
 // Threads: the functions above become edits of the mesh and of each scene that has a model of it.
 //   - desc: the mesh is deformable whatever it says
 // Cost: as Mesh, and then that of Mesh.SetVertices for a body that has moved; one that rests is
@@ -3454,7 +3455,8 @@ func (o *Solver) BodyInfo(body BodyID) (info BodyInfo, err error) {
 	return
 }
 
-// Particle numbers of a cloth's triangles, three each, for drawing.
+// Particle numbers of a cloth's triangles, three each, for drawing. Where cloth tears (Break) they
+// change, and their number does not.
 // Cost: O(triangles).
 func (o *Solver) Triangles(body BodyID) (result []uint32, err error) {
 	self, err := o.open()
@@ -4054,7 +4056,8 @@ func (o *Solver) VolumeSettings(body BodyID) (restVolume float32, compliance flo
 	return
 }
 
-// End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
+// End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body. The
+// triangles of cloth stay together: Solver.BreakConstraint tears them apart.
 // The error is ErrInvalidID for a body or constraint that does not exist, or no longer.
 // Cost: as Solver.AddDistance; allocates.
 func (o *Solver) RemoveConstraint(body BodyID, constraint ConstraintID) (err error) {
@@ -4280,6 +4283,85 @@ func (o *Solver) Joints(body BodyID) (result []JointInfo, err error) {
 	}
 	result, err = list[JointInfo](func(out unsafe.Pointer, capacity C.uint32_t) (C.gphys_status, *C.char, C.uint32_t) {
 		r := C.go_gphys_solver_get_joints(self, C.gphys_body_id(body), (*C.gphys_joint_info)(out), capacity)
+		return r.status, r.message, r.out_total
+	})
+	runtime.KeepAlive(o)
+	return
+}
+
+// Breaking forces of constraints. Wakes the body.
+//   - constraints: the ids; one that appears twice gets the last
+//   - forces: newtons, >= 0; 0: never breaks, as all that are added to a body later
+// Cost: O(elements + constraints); of cloth that gets its first or loses its last one also that of a
+// pin. Allocates. Since 1.1.
+func (o *Solver) SetBreakingForces(body BodyID, constraints []ConstraintID, forces []float32) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	count, err := commonLength([]int{len(constraints)}, len(forces))
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_solver_set_breaking_forces(self, C.gphys_body_id(body), (*C.gphys_constraint_id)(data(constraints)), (*C.float)(data(forces)), step(forces), C.uint32_t(count))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
+// What Solver.SetBreakingForces or BodyDesc.breaking_force has set; 0: never breaks.
+//   - constraints: the ids; one may appear twice
+// Result: newtons.
+// Cost: O(elements). Since 1.1.
+func (o *Solver) BreakingForces(body BodyID, constraints []ConstraintID, forces []float32) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	count, err := commonLength([]int{len(constraints)}, 1)
+	if err != nil {
+		return
+	}
+	if err = requireLength(len(forces), count); err != nil {
+		return
+	}
+	r := C.go_gphys_solver_get_breaking_forces(self, C.gphys_body_id(body), (*C.gphys_constraint_id)(data(constraints)), C.uint32_t(count), (*C.float)(data(forces)), size(forces))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
+// Break a constraint as a load would, whatever its breaking force: scissors, claws. Wakes the body.
+// Result: what came of it.
+// The error is ErrUnsupported and nothing has changed, for an edge where the cloth cannot part: of a
+// triangle that hangs together with no other.
+// The error is ErrCapacity beyond 2^24 - 1 particles or constraints.
+// Cost: O(particles + constraints); allocates. Since 1.1.
+func (o *Solver) BreakConstraint(body BodyID, constraint ConstraintID) (result Break, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_solver_break_constraint(self, C.gphys_body_id(body), C.gphys_constraint_id(constraint))
+	runtime.KeepAlive(o)
+	if err = check(r.status, r.message); err != nil {
+		return
+	}
+	result = *(*Break)(unsafe.Pointer(&r.out_result))
+	return
+}
+
+// Constraints that broke in the last Solver.Step or Solver.Advance, in its order: for sounds, dust,
+// and to know that a body has more particles. Not those that the caller broke. They are not part of
+// snapshots: after Solver.Restore there are none.
+// Cost: O(breaks); no allocation. The same bits for any number of workers. Since 1.1.
+func (o *Solver) Breaks() (result []Break, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	result, err = list[Break](func(out unsafe.Pointer, capacity C.uint32_t) (C.gphys_status, *C.char, C.uint32_t) {
+		r := C.go_gphys_solver_get_breaks(self, (*C.gphys_break)(out), capacity)
 		return r.status, r.message, r.out_total
 	})
 	runtime.KeepAlive(o)

@@ -2911,6 +2911,52 @@ static inline go_gphys_solver_get_joints_result go_gphys_solver_get_joints(void*
     return r;
 }
 
+typedef struct go_gphys_solver_set_breaking_forces_result {
+    gphys_status status;
+    char* message;
+} go_gphys_solver_set_breaking_forces_result;
+static inline go_gphys_solver_set_breaking_forces_result go_gphys_solver_set_breaking_forces(void* solver, gphys_body_id body, const gphys_constraint_id * constraints, const float * forces, uint32_t force_stride, uint32_t count) {
+    go_gphys_solver_set_breaking_forces_result r = {0};
+    r.status = gphys_solver_set_breaking_forces(solver, body, constraints, forces, force_stride, count);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_solver_get_breaking_forces_result {
+    gphys_status status;
+    char* message;
+} go_gphys_solver_get_breaking_forces_result;
+static inline go_gphys_solver_get_breaking_forces_result go_gphys_solver_get_breaking_forces(void* solver, gphys_body_id body, const gphys_constraint_id * constraints, uint32_t count, float * out_forces, uint32_t out_stride) {
+    go_gphys_solver_get_breaking_forces_result r = {0};
+    r.status = gphys_solver_get_breaking_forces(solver, body, constraints, count, out_forces, out_stride);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_solver_break_constraint_result {
+    gphys_status status;
+    char* message;
+    gphys_break out_result;
+} go_gphys_solver_break_constraint_result;
+static inline go_gphys_solver_break_constraint_result go_gphys_solver_break_constraint(void* solver, gphys_body_id body, gphys_constraint_id constraint) {
+    go_gphys_solver_break_constraint_result r = {0};
+    r.status = gphys_solver_break_constraint(solver, body, constraint, &r.out_result);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_solver_get_breaks_result {
+    gphys_status status;
+    char* message;
+    uint32_t out_total;
+} go_gphys_solver_get_breaks_result;
+static inline go_gphys_solver_get_breaks_result go_gphys_solver_get_breaks(void* solver, gphys_break * out_breaks, uint32_t capacity) {
+    go_gphys_solver_get_breaks_result r = {0};
+    r.status = gphys_solver_get_breaks(solver, out_breaks, capacity, &r.out_total);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_solver_step_result {
     gphys_status status;
     char* message;

@@ -196,6 +196,7 @@ const (
 	VersionPatch uint32 = 0
 	MaxCoordinate float32 = 1e15
 	NoTriangle uint32 = 0xffffffff
+	NoParticle uint32 = 0xffffffff
 	AllLayers uint32 = 0xffffffff
 )
 
@@ -645,6 +646,8 @@ type BodyDesc struct {
 	BodyLayers uint32
 	// of ClothShear constraints of a grid, m/N, >= 0; 0: as compliance; default 0
 	ShearCompliance float32
+	// of each constraint, newtons, >= 0; 0: none breaks; default 0; see Break
+	BreakingForce float32
 }
 
 // What all particles of a body share and may change later. Fields as in BodyDesc. Frozen.
@@ -744,6 +747,22 @@ type JointInfo struct {
 	// newtons, in the last substep: > 0 pulls them together, < 0 keeps them apart; its
 	// magnitude for a rest length of 0
 	Force float32
+}
+
+// A constraint that broke, or that the caller has broken. Frozen.  Since 1.1.
+type Break struct {
+	Body BodyID
+	Constraint ConstraintID
+	// its particles before
+	ParticleA uint32
+	// its particles before
+	ParticleB uint32
+	// where cloth parted; NoParticle: nowhere, the constraint was removed
+	TornParticle uint32
+	// its copy, the last of the body; NoParticle: none
+	NewParticle uint32
+	// newtons; 0 if the caller broke it
+	Load float32
 }
 
 // Frozen.
@@ -1004,6 +1023,7 @@ var (
 	_ [unsafe.Offsetof(C.gphys_body_desc{}.self_collision)]byte = [unsafe.Offsetof(BodyDesc{}.SelfCollision)]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_desc{}.body_layers)]byte = [unsafe.Offsetof(BodyDesc{}.BodyLayers)]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_desc{}.shear_compliance)]byte = [unsafe.Offsetof(BodyDesc{}.ShearCompliance)]byte{}
+	_ [unsafe.Offsetof(C.gphys_body_desc{}.breaking_force)]byte = [unsafe.Offsetof(BodyDesc{}.BreakingForce)]byte{}
 	_ [C.sizeof_gphys_body_settings]byte = [unsafe.Sizeof(BodySettings{})]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_settings{}.damping)]byte = [unsafe.Offsetof(BodySettings{}.Damping)]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_settings{}.friction)]byte = [unsafe.Offsetof(BodySettings{}.Friction)]byte{}
@@ -1051,6 +1071,14 @@ var (
 	_ [unsafe.Offsetof(C.gphys_joint_info{}.rest_length)]byte = [unsafe.Offsetof(JointInfo{}.RestLength)]byte{}
 	_ [unsafe.Offsetof(C.gphys_joint_info{}.compliance)]byte = [unsafe.Offsetof(JointInfo{}.Compliance)]byte{}
 	_ [unsafe.Offsetof(C.gphys_joint_info{}.force)]byte = [unsafe.Offsetof(JointInfo{}.Force)]byte{}
+	_ [C.sizeof_gphys_break]byte = [unsafe.Sizeof(Break{})]byte{}
+	_ [unsafe.Offsetof(C.gphys_break{}.body)]byte = [unsafe.Offsetof(Break{}.Body)]byte{}
+	_ [unsafe.Offsetof(C.gphys_break{}.constraint)]byte = [unsafe.Offsetof(Break{}.Constraint)]byte{}
+	_ [unsafe.Offsetof(C.gphys_break{}.particle_a)]byte = [unsafe.Offsetof(Break{}.ParticleA)]byte{}
+	_ [unsafe.Offsetof(C.gphys_break{}.particle_b)]byte = [unsafe.Offsetof(Break{}.ParticleB)]byte{}
+	_ [unsafe.Offsetof(C.gphys_break{}.torn_particle)]byte = [unsafe.Offsetof(Break{}.TornParticle)]byte{}
+	_ [unsafe.Offsetof(C.gphys_break{}.new_particle)]byte = [unsafe.Offsetof(Break{}.NewParticle)]byte{}
+	_ [unsafe.Offsetof(C.gphys_break{}.load)]byte = [unsafe.Offsetof(Break{}.Load)]byte{}
 	_ [C.sizeof_gphys_solver_stats]byte = [unsafe.Sizeof(SolverStats{})]byte{}
 	_ [unsafe.Offsetof(C.gphys_solver_stats{}.particle_count)]byte = [unsafe.Offsetof(SolverStats{}.ParticleCount)]byte{}
 	_ [unsafe.Offsetof(C.gphys_solver_stats{}.pinned_count)]byte = [unsafe.Offsetof(SolverStats{}.PinnedCount)]byte{}

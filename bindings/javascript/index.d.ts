@@ -430,6 +430,8 @@ export interface BodyDesc {
     body_layers: number;
     /** of CLOTH_SHEAR constraints of a grid, m/N, >= 0; 0: as compliance; default 0 */
     shear_compliance: number;
+    /** of each constraint, newtons, >= 0; 0: none breaks; default 0; see Break */
+    breaking_force: number;
 }
 /** What all particles of a body share and may change later. Fields as in BodyDesc. Frozen. */
 export interface BodySettings {
@@ -521,6 +523,21 @@ export interface JointInfo {
     /** newtons, in the last substep: > 0 pulls them together, < 0 keeps them apart; its
      * magnitude for a rest length of 0 */
     force: number;
+}
+/** A constraint that broke, or that the caller has broken. Frozen.  Since 1.1. */
+export interface Break {
+    body: number;
+    constraint: number;
+    /** its particles before */
+    particle_a: number;
+    /** its particles before */
+    particle_b: number;
+    /** where cloth parted; NO_PARTICLE: nowhere, the constraint was removed */
+    torn_particle: number;
+    /** its copy, the last of the body; NO_PARTICLE: none */
+    new_particle: number;
+    /** newtons; 0 if the caller broke it */
+    load: number;
 }
 /** Frozen. */
 export interface SolverStats {
@@ -615,6 +632,7 @@ export interface Kinds {
     constraint_info: ConstraintInfo;
     constraint_settings: ConstraintSettings;
     joint_info: JointInfo;
+    break: Break;
     solver_stats: SolverStats;
     contact: Contact;
     body_contact: BodyContact;
@@ -685,16 +703,18 @@ export class Mesh {
      * 1 + p is particle p, a sphere, there where no link beside it is as thick. Free particles are
      * spheres, and `triangle` is the particle. Solver.getNearestParticle finds the particle of a hit. The
      * mesh has the new form when Solver.step, Solver.advance, Solver.restore or an edit of the body
-     * returns. A model that would leave the range of the world, and a mesh of less than 2^-32 m for which
-     * there is no memory, keep their form until they can follow. Solver.setOrigin moves the coordinates of
-     * the mesh, and the models back by as much: they stay where they are in the world, exactly if scenes
-     * have moved their origin before. Solvers do not collide with models of such meshes, nor wake by them:
-     * bodies meet by BodyDesc.body_layers. A restored body is followed if it has the id and the parts of
-     * the one that there was. Restore the solver before the scene. A mesh that is loaded from a snapshot,
-     * that of a scene included, is a copy that follows nothing; Scene.setShape gives its model one that
-     * does. Mesh and solver are destroyed in any order. When the body is gone the mesh keeps the form that
-     * it had last and is deformable by Mesh.setVertices, which returns ERROR_UNSUPPORTED before. A mesh
-     * that neither its handle nor a model holds follows no more.
+     * returns. Cloth that tears (Break) takes its triangles along, whose numbers stay, and the mesh gets
+     * vertices for the new particles. A model that would leave the range of the world, and a torn mesh or
+     * one of less than 2^-32 m for which there is no memory, keep their form until they can follow.
+     * Solver.setOrigin moves the coordinates of the mesh, and the models back by as much: they stay where
+     * they are in the world, exactly if scenes have moved their origin before. Solvers do not collide with
+     * models of such meshes, nor wake by them: bodies meet by BodyDesc.body_layers. A restored body is
+     * followed if it has the id and the parts of the one that there was. Restore the solver before the
+     * scene. A mesh that is loaded from a snapshot, that of a scene included, is a copy that follows
+     * nothing; Scene.setShape gives its model one that does. Mesh and solver are destroyed in any order.
+     * When the body is gone the mesh keeps the form that it had last and is deformable by
+     * Mesh.setVertices, which returns ERROR_UNSUPPORTED before. A mesh that neither its handle nor a model
+     * holds follows no more.
      * Threads: the functions above become edits of the mesh and of each scene that has a model of it.
      *   - desc: the mesh is deformable whatever it says
      * Cost: as Mesh, and then that of Mesh.setVertices for a body that has moved; one that rests is
@@ -1640,7 +1660,8 @@ export class Solver {
     /** What a body is made of and how it is solved.
      * Cost: O(1); after a change of constraints O(particles), and it allocates. */
     getBodyInfo(body: number): BodyInfo;
-    /** Particle numbers of a cloth's triangles, three each, for drawing.
+    /** Particle numbers of a cloth's triangles, three each, for drawing. Where cloth tears (Break) they
+     * change, and their number does not.
      * Cost: O(triangles). */
     getTriangles(body: number): Records<number>;
     /** The particle of a body nearest to a point, as it is to be grabbed: the lowest of those that are as
@@ -1845,7 +1866,8 @@ export class Solver {
      * Cost: O(1). Since 1.1.
      * @throws {GamephysError} ERROR_UNSUPPORTED: if none is held */
     getVolumeSettings(body: number): [number, number];
-    /** End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
+    /** End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body. The
+     * triangles of cloth stay together: Solver.breakConstraint tears them apart.
      * Cost: as Solver.addDistance; allocates.
      * @throws {GamephysError} ERROR_INVALID_ID: for a body or constraint that does not exist, or no longer */
     removeConstraint(body: number, constraint: number): void;
@@ -1922,6 +1944,29 @@ export class Solver {
      * Cost: O(joints of the solver).
      * @param body - 0: of all bodies */
     getJoints(body: number): Records<JointInfo>;
+    /** Breaking forces of constraints. Wakes the body.
+     * Cost: O(elements + constraints); of cloth that gets its first or loses its last one also that of a
+     * pin. Allocates. Since 1.1.
+     * @param constraints - the ids; one that appears twice gets the last
+     * @param forces - newtons, >= 0; 0: never breaks, as all that are added to a body later */
+    setBreakingForces(body: number, constraints: Elements, forces: Elements): void;
+    /** What Solver.setBreakingForces or BodyDesc.breaking_force has set; 0: never breaks.
+     * Cost: O(elements). Since 1.1.
+     * @param constraints - the ids; one may appear twice
+     * @returns newtons. */
+    getBreakingForces(body: number, constraints: Elements, out?: Elements): Records<number>;
+    /** Break a constraint as a load would, whatever its breaking force: scissors, claws. Wakes the body.
+     * Cost: O(particles + constraints); allocates. Since 1.1.
+     * @returns what came of it.
+     * @throws {GamephysError} ERROR_UNSUPPORTED: and nothing has changed, for an edge where the cloth
+     *     cannot part: of a triangle that hangs together with no other
+     * @throws {GamephysError} ERROR_CAPACITY: beyond 2^24 - 1 particles or constraints */
+    breakConstraint(body: number, constraint: number): Break;
+    /** Constraints that broke in the last Solver.step or Solver.advance, in its order: for sounds, dust,
+     * and to know that a body has more particles. Not those that the caller broke. They are not part of
+     * snapshots: after Solver.restore there are none.
+     * Cost: O(breaks); no allocation. The same bits for any number of workers. Since 1.1. */
+    getBreaks(): Records<Break>;
     /** Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
      * takes more where they would be longer than 25 ms.
      * Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
@@ -2245,4 +2290,5 @@ export const VERSION_MINOR: number;
 export const VERSION_PATCH: number;
 export const MAX_COORDINATE: number;
 export const NO_TRIANGLE: number;
+export const NO_PARTICLE: number;
 export const ALL_LAYERS: number;

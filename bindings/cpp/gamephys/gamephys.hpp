@@ -48,6 +48,7 @@ using Attachment = gphys_attachment;
 using ConstraintInfo = gphys_constraint_info;
 using ConstraintSettings = gphys_constraint_settings;
 using JointInfo = gphys_joint_info;
+using Break = gphys_break;
 using SolverStats = gphys_solver_stats;
 using Contact = gphys_contact;
 using BodyContact = gphys_body_contact;
@@ -213,16 +214,18 @@ public:
     // holds them together; n - 1 + p is particle p, a sphere, there where no link beside it is as thick.
     // Free particles are spheres, and `triangle` is the particle. Solver::get_nearest_particle finds the
     // particle of a hit. The mesh has the new form when Solver::step, Solver::advance, Solver::restore or
-    // an edit of the body returns. A model that would leave the range of the world, and a mesh of less
-    // than 2^-32 m for which there is no memory, keep their form until they can follow. Solver::set_origin
-    // moves the coordinates of the mesh, and the models back by as much: they stay where they are in the
-    // world, exactly if scenes have moved their origin before. Solvers do not collide with models of such
-    // meshes, nor wake by them: bodies meet by BodyDesc.body_layers. A restored body is followed if it has
-    // the id and the parts of the one that there was. Restore the solver before the scene. A mesh that is
-    // loaded from a snapshot, that of a scene included, is a copy that follows nothing; Scene::set_shape
-    // gives its model one that does. Mesh and solver are destroyed in any order. When the body is gone the
-    // mesh keeps the form that it had last and is deformable by Mesh::set_vertices, which returns
-    // GPHYS_ERROR_UNSUPPORTED before. A mesh that neither its handle nor a model holds follows no more.
+    // an edit of the body returns. Cloth that tears (Break) takes its triangles along, whose numbers stay,
+    // and the mesh gets vertices for the new particles. A model that would leave the range of the world,
+    // and a torn mesh or one of less than 2^-32 m for which there is no memory, keep their form until they
+    // can follow. Solver::set_origin moves the coordinates of the mesh, and the models back by as much:
+    // they stay where they are in the world, exactly if scenes have moved their origin before. Solvers do
+    // not collide with models of such meshes, nor wake by them: bodies meet by BodyDesc.body_layers. A
+    // restored body is followed if it has the id and the parts of the one that there was. Restore the
+    // solver before the scene. A mesh that is loaded from a snapshot, that of a scene included, is a copy
+    // that follows nothing; Scene::set_shape gives its model one that does. Mesh and solver are destroyed
+    // in any order. When the body is gone the mesh keeps the form that it had last and is deformable by
+    // Mesh::set_vertices, which returns GPHYS_ERROR_UNSUPPORTED before. A mesh that neither its handle nor
+    // a model holds follows no more.
     // Threads: the functions above become edits of the mesh and of each scene that has a model of it.
     //   - desc: the mesh is deformable whatever it says
     // Cost: as Mesh, and then that of Mesh::set_vertices for a body that has moved; one that rests is
@@ -1851,7 +1854,8 @@ public:
         return out_info;
     }
 
-    // Particle numbers of a cloth's triangles, three each, for drawing.
+    // Particle numbers of a cloth's triangles, three each, for drawing. Where cloth tears (Break) they
+    // change, and their number does not.
     // Cost: O(triangles).
     std::vector<uint32_t> get_triangles(gphys_body_id body) const {
         return list<uint32_t>([&](uint32_t* out_indices, uint32_t capacity, uint32_t* total) { return gphys_solver_get_triangles(handle(), body, out_indices, capacity, total); });
@@ -2169,7 +2173,8 @@ public:
         return std::make_tuple(out_rest_volume, out_compliance);
     }
 
-    // End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
+    // End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body. The
+    // triangles of cloth stay together: Solver::break_constraint tears them apart.
     // Throws Error with GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist, or no longer.
     // Cost: as Solver::add_distance; allocates.
     void remove_constraint(gphys_body_id body, gphys_constraint_id constraint) {
@@ -2290,6 +2295,46 @@ public:
     // Cost: O(joints of the solver).
     std::vector<JointInfo> get_joints(gphys_body_id body) const {
         return list<JointInfo>([&](JointInfo* out_joints, uint32_t capacity, uint32_t* total) { return gphys_solver_get_joints(handle(), body, out_joints, capacity, total); });
+    }
+
+    // Breaking forces of constraints. Wakes the body.
+    //   - constraints: the ids; one that appears twice gets the last
+    //   - forces: newtons, >= 0; 0: never breaks, as all that are added to a body later
+    // Cost: O(elements + constraints); of cloth that gets its first or loses its last one also that of a
+    // pin. Allocates. Since 1.1.
+    void set_breaking_forces(gphys_body_id body, Span<const gphys_constraint_id> constraints, Span<const float> forces) {
+        const uint32_t count = common_size({constraints.sizes(), forces.sizes()});
+        check(gphys_solver_set_breaking_forces(handle(), body, constraints.data, forces.data, forces.stride, count));
+    }
+
+    // What Solver::set_breaking_forces or BodyDesc.breaking_force has set; 0: never breaks.
+    //   - constraints: the ids; one may appear twice
+    // Result: newtons.
+    // Cost: O(elements). Since 1.1.
+    void get_breaking_forces(gphys_body_id body, Span<const gphys_constraint_id> constraints, Span<float> out_forces) const {
+        const uint32_t count = common_size({constraints.sizes()});
+        require_size(out_forces.size, count);
+        check(gphys_solver_get_breaking_forces(handle(), body, constraints.data, count, out_forces.data, out_forces.stride));
+    }
+
+    // Break a constraint as a load would, whatever its breaking force: scissors, claws. Wakes the body.
+    // Result: what came of it.
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED and nothing has changed, for an edge where the cloth
+    // cannot part: of a triangle that hangs together with no other.
+    // Throws Error with GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or constraints.
+    // Cost: O(particles + constraints); allocates. Since 1.1.
+    Break break_constraint(gphys_body_id body, gphys_constraint_id constraint) {
+        Break out_result{};
+        check(gphys_solver_break_constraint(handle(), body, constraint, &out_result));
+        return out_result;
+    }
+
+    // Constraints that broke in the last Solver::step or Solver::advance, in its order: for sounds, dust,
+    // and to know that a body has more particles. Not those that the caller broke. They are not part of
+    // snapshots: after Solver::restore there are none.
+    // Cost: O(breaks); no allocation. The same bits for any number of workers. Since 1.1.
+    std::vector<Break> get_breaks() const {
+        return list<Break>([&](Break* out_breaks, uint32_t capacity, uint32_t* total) { return gphys_solver_get_breaks(handle(), out_breaks, capacity, total); });
     }
 
     // Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth

@@ -265,6 +265,10 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_solver_join(SolverHandle solver, uint body_a, uint particle_a, uint body_b, uint particle_b, float rest_length, float compliance, uint* out_joint);
     [DllImport(Library)] internal static extern Status gphys_solver_unjoin(SolverHandle solver, uint joint);
     [DllImport(Library)] internal static extern Status gphys_solver_get_joints(SolverHandle solver, uint body, JointInfo* out_joints, uint capacity, uint* out_total);
+    [DllImport(Library)] internal static extern Status gphys_solver_set_breaking_forces(SolverHandle solver, uint body, uint* constraints, float* forces, uint force_stride, uint count);
+    [DllImport(Library)] internal static extern Status gphys_solver_get_breaking_forces(SolverHandle solver, uint body, uint* constraints, uint count, float* out_forces, uint out_stride);
+    [DllImport(Library)] internal static extern Status gphys_solver_break_constraint(SolverHandle solver, uint body, uint constraint, Break* out_result);
+    [DllImport(Library)] internal static extern Status gphys_solver_get_breaks(SolverHandle solver, Break* out_breaks, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_solver_step(SolverHandle solver, SceneHandle scene, float dt);
     [DllImport(Library)] internal static extern Status gphys_solver_advance(SolverHandle solver, SceneHandle scene, float frame_time, uint* out_steps, float* out_leftover);
     [DllImport(Library)] internal static extern Status gphys_solver_get_leftover(SolverHandle solver, float* out_leftover);

@@ -92,16 +92,18 @@ public sealed partial class Mesh : IDisposable {
     /// holds them together; n - 1 + p is particle p, a sphere, there where no link beside it is as thick.
     /// Free particles are spheres, and `triangle` is the particle. Solver.GetNearestParticle finds the
     /// particle of a hit. The mesh has the new form when Solver.Step, Solver.Advance, Solver.Restore or an
-    /// edit of the body returns. A model that would leave the range of the world, and a mesh of less than
-    /// 2^-32 m for which there is no memory, keep their form until they can follow. Solver.SetOrigin moves
-    /// the coordinates of the mesh, and the models back by as much: they stay where they are in the world,
-    /// exactly if scenes have moved their origin before. Solvers do not collide with models of such meshes,
-    /// nor wake by them: bodies meet by BodyDesc.body_layers. A restored body is followed if it has the id
-    /// and the parts of the one that there was. Restore the solver before the scene. A mesh that is loaded
-    /// from a snapshot, that of a scene included, is a copy that follows nothing; Scene.SetShape gives its
-    /// model one that does. Mesh and solver are destroyed in any order. When the body is gone the mesh
-    /// keeps the form that it had last and is deformable by Mesh.SetVertices, which returns
-    /// Status.ErrorUnsupported before. A mesh that neither its handle nor a model holds follows no more.
+    /// edit of the body returns. Cloth that tears (Break) takes its triangles along, whose numbers stay,
+    /// and the mesh gets vertices for the new particles. A model that would leave the range of the world,
+    /// and a torn mesh or one of less than 2^-32 m for which there is no memory, keep their form until they
+    /// can follow. Solver.SetOrigin moves the coordinates of the mesh, and the models back by as much: they
+    /// stay where they are in the world, exactly if scenes have moved their origin before. Solvers do not
+    /// collide with models of such meshes, nor wake by them: bodies meet by BodyDesc.body_layers. A
+    /// restored body is followed if it has the id and the parts of the one that there was. Restore the
+    /// solver before the scene. A mesh that is loaded from a snapshot, that of a scene included, is a copy
+    /// that follows nothing; Scene.SetShape gives its model one that does. Mesh and solver are destroyed in
+    /// any order. When the body is gone the mesh keeps the form that it had last and is deformable by
+    /// Mesh.SetVertices, which returns Status.ErrorUnsupported before. A mesh that neither its handle nor a
+    /// model holds follows no more.
     /// Threads: the functions above become edits of the mesh and of each scene that has a model of it.
     /// Cost: as Mesh, and then that of Mesh.SetVertices for a body that has moved; one that rests is
     /// compared, O(particles). Since 1.1.</summary>
@@ -2389,7 +2391,8 @@ public sealed partial class Solver : IDisposable {
         return info;
     }
 
-    /// <summary>Particle numbers of a cloth's triangles, three each, for drawing.
+    /// <summary>Particle numbers of a cloth's triangles, three each, for drawing. Where cloth tears (Break) they
+    /// change, and their number does not.
     /// Cost: O(triangles).</summary>
     public unsafe uint[] GetTriangles(uint body) {
         var result = new uint[Guess];
@@ -2767,7 +2770,8 @@ public sealed partial class Solver : IDisposable {
         return (restVolume, compliance);
     }
 
-    /// <summary>End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
+    /// <summary>End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body. The
+    /// triangles of cloth stay together: Solver.BreakConstraint tears them apart.
     /// Cost: as Solver.AddDistance; allocates.</summary>
     /// <exception cref="GamephysException">Status.ErrorInvalidId: for a body or constraint that does not
     /// exist, or no longer</exception>
@@ -2948,6 +2952,64 @@ public sealed partial class Solver : IDisposable {
                 return result;
             }
             result = new JointInfo[total];
+        }
+    }
+
+    /// <summary>Breaking forces of constraints. Wakes the body.
+    /// Cost: O(elements + constraints); of cloth that gets its first or loses its last one also that of a
+    /// pin. Allocates. Since 1.1.</summary>
+    /// <param name="constraints">the ids; one that appears twice gets the last</param>
+    /// <param name="forces">newtons, &gt;= 0; 0: never breaks, as all that are added to a body
+    /// later</param>
+    public unsafe void SetBreakingForces(uint body, ReadOnlySpan<uint> constraints, ReadOnlySpan<float> forces) {
+        var count = CommonLength(constraints.Length, forces.Length);
+        fixed (uint* constraints_ = &MemoryMarshal.GetReference(constraints))
+        fixed (float* forces_ = &MemoryMarshal.GetReference(forces))
+        Check(Low.gphys_solver_set_breaking_forces(Handle, body, constraints_, forces_, StrideOf(forces), count));
+    }
+
+    /// <summary>What Solver.SetBreakingForces or BodyDesc.breaking_force has set; 0: never breaks.
+    /// Cost: O(elements). Since 1.1.</summary>
+    /// <param name="constraints">the ids; one may appear twice</param>
+    /// <returns>newtons.</returns>
+    public unsafe void GetBreakingForces(uint body, ReadOnlySpan<uint> constraints, Span<float> forces) {
+        var count = CommonLength(constraints.Length, 1);
+        RequireLength(forces.Length, count);
+        fixed (uint* constraints_ = &MemoryMarshal.GetReference(constraints))
+        fixed (float* forces_ = &MemoryMarshal.GetReference(forces))
+        Check(Low.gphys_solver_get_breaking_forces(Handle, body, constraints_, count, forces_, (uint)sizeof(float)));
+    }
+
+    /// <summary>Break a constraint as a load would, whatever its breaking force: scissors, claws. Wakes the body.
+    /// Cost: O(particles + constraints); allocates. Since 1.1.</summary>
+    /// <returns>what came of it.</returns>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: and nothing has changed, for an edge
+    /// where the cloth cannot part: of a triangle that hangs together with no other</exception>
+    /// <exception cref="GamephysException">Status.ErrorCapacity: beyond 2^24 - 1 particles or
+    /// constraints</exception>
+    public unsafe Break BreakConstraint(uint body, uint constraint) {
+        var result = default(Break);
+        Check(Low.gphys_solver_break_constraint(Handle, body, constraint, &result));
+        return result;
+    }
+
+    /// <summary>Constraints that broke in the last Solver.Step or Solver.Advance, in its order: for sounds, dust,
+    /// and to know that a body has more particles. Not those that the caller broke. They are not part of
+    /// snapshots: after Solver.Restore there are none.
+    /// Cost: O(breaks); no allocation. The same bits for any number of workers. Since 1.1.</summary>
+    public unsafe Break[] GetBreaks() {
+        var result = new Break[Guess];
+        for (;;) {
+            uint total;
+            Status status;
+            fixed (Break* out_ = result)
+            status = Low.gphys_solver_get_breaks(Handle, out_, (uint)result.Length, &total);
+            Check(status);
+            if (status != Status.Incomplete) {
+                Array.Resize(ref result, (int)total);
+                return result;
+            }
+            result = new Break[total];
         }
     }
 

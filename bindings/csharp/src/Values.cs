@@ -163,6 +163,7 @@ public static class Constants {
     public const uint VersionPatch = 0;
     public const float MaxCoordinate = 1e15f;
     public const uint NoTriangle = 0xffffffffu;
+    public const uint NoParticle = 0xffffffffu;
     public const uint AllLayers = 0xffffffffu;
 }
 
@@ -769,6 +770,8 @@ public partial struct BodyDesc {
     public uint BodyLayers;
     /// <summary>of ClothShear constraints of a grid, m/N, &gt;= 0; 0: as compliance; default 0</summary>
     public float ShearCompliance;
+    /// <summary>of each constraint, newtons, &gt;= 0; 0: none breaks; default 0; see Break</summary>
+    public float BreakingForce;
     /// <summary>The defaults of the loaded library, to be changed.</summary>
     public static unsafe BodyDesc Default {
         get {
@@ -890,6 +893,23 @@ public partial struct JointInfo {
     /// magnitude for a rest length of 0
     /// </summary>
     public float Force;
+}
+
+/// <summary>A constraint that broke, or that the caller has broken. Frozen.  Since 1.1.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public partial struct Break {
+    public uint Body;
+    public uint Constraint;
+    /// <summary>its particles before</summary>
+    public uint ParticleA;
+    /// <summary>its particles before</summary>
+    public uint ParticleB;
+    /// <summary>where cloth parted; NoParticle: nowhere, the constraint was removed</summary>
+    public uint TornParticle;
+    /// <summary>its copy, the last of the body; NoParticle: none</summary>
+    public uint NewParticle;
+    /// <summary>newtons; 0 if the caller broke it</summary>
+    public float Load;
 }
 
 /// <summary>Frozen.</summary>

@@ -64,4 +64,5 @@ export const VERSION_MINOR = 1;
 export const VERSION_PATCH = 0;
 export const MAX_COORDINATE = 1e15;
 export const NO_TRIANGLE = 0xffffffff;
+export const NO_PARTICLE = 0xffffffff;
 export const ALL_LAYERS = 0xffffffff;

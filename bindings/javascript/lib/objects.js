@@ -1,6 +1,6 @@
 // Generated from gamephys_api.json by bindings/generate.py. Not for editing.
 import { ALL_LAYERS, ERROR_INVALID_ID, OK } from './constants.js';
-import { readAabb, readBodyInfo, readBodySettings, readFrustum, readHit, readMat4, readMeshInfo, readMeshReport, readModelInfo, readNearest, readOctreeStats, readOrbit, readOrbitSpeeds, readPenetration, readQuat, readRay, readSolverSettings, readSolverStats, readVec3, readWind, writeBodyDesc, writeBodySettings, writeCameraDesc, writeFrustum, writeMat4, writeMeshDesc, writeModelDesc, writeOrbit, writeOrbitSpeeds, writePlane, writeQuat, writeQueryFilterDesc, writeRay, writeSceneDesc, writeSegment, writeSolverDesc, writeSolverSettings, writeSphere, writeTransform, writeVec3, writeWind } from './structs.js';
+import { readAabb, readBodyInfo, readBodySettings, readBreak, readFrustum, readHit, readMat4, readMeshInfo, readMeshReport, readModelInfo, readNearest, readOctreeStats, readOrbit, readOrbitSpeeds, readPenetration, readQuat, readRay, readSolverSettings, readSolverStats, readVec3, readWind, writeBodyDesc, writeBodySettings, writeCameraDesc, writeFrustum, writeMat4, writeMeshDesc, writeModelDesc, writeOrbit, writeOrbitSpeeds, writePlane, writeQuat, writeQueryFilterDesc, writeRay, writeSceneDesc, writeSegment, writeSolverDesc, writeSolverSettings, writeSphere, writeTransform, writeVec3, writeWind } from './structs.js';
 import { Shape, runtime } from './runtime.js';
 
 /** Everything of the library but constants, over one way to reach its memory and functions. */
@@ -874,33 +874,33 @@ export function objects(memory) {
         }
         addParticles(positions, desc) {
             begin();
-            if (desc != null) { check(native.gphys_body_desc_init(base, 56)); writeBodyDesc(v, 0, desc); }
+            if (desc != null) { check(native.gphys_body_desc_init(base, 60)); writeBodyDesc(v, 0, desc); }
             const positions_ = input(positions, 12, 'positions');
             const count = common(positions_);
-            check(native.gphys_solver_add_particles(this.pointer, desc == null ? 0 : base, pass(positions_), 12, count, base + 56));
-            return v.u32[14];
+            check(native.gphys_solver_add_particles(this.pointer, desc == null ? 0 : base, pass(positions_), 12, count, base + 60));
+            return v.u32[15];
         }
         addRope(positions, link_length, desc) {
             begin();
-            if (desc != null) { check(native.gphys_body_desc_init(base, 56)); writeBodyDesc(v, 0, desc); }
+            if (desc != null) { check(native.gphys_body_desc_init(base, 60)); writeBodyDesc(v, 0, desc); }
             const positions_ = input(positions, 12, 'positions');
             const count = common(positions_);
-            check(native.gphys_solver_add_rope(this.pointer, desc == null ? 0 : base, pass(positions_), 12, count, link_length, base + 56));
-            return v.u32[14];
+            check(native.gphys_solver_add_rope(this.pointer, desc == null ? 0 : base, pass(positions_), 12, count, link_length, base + 60));
+            return v.u32[15];
         }
         addCloth(corner, edge_u, edge_v, columns, rows, desc) {
-            if (desc != null) { check(native.gphys_body_desc_init(base, 56)); writeBodyDesc(v, 0, desc); }
-            writeVec3(v, 14, corner);
-            writeVec3(v, 18, edge_u);
-            writeVec3(v, 22, edge_v);
-            check(native.gphys_solver_add_cloth(this.pointer, desc == null ? 0 : base, base + 56, base + 72, base + 88, columns, rows, base + 100));
-            return v.u32[25];
+            if (desc != null) { check(native.gphys_body_desc_init(base, 60)); writeBodyDesc(v, 0, desc); }
+            writeVec3(v, 16, corner);
+            writeVec3(v, 20, edge_u);
+            writeVec3(v, 24, edge_v);
+            check(native.gphys_solver_add_cloth(this.pointer, desc == null ? 0 : base, base + 64, base + 80, base + 96, columns, rows, base + 108));
+            return v.u32[27];
         }
         addClothMesh(mesh, transform, desc) {
-            if (desc != null) { check(native.gphys_body_desc_init(base, 56)); writeBodyDesc(v, 0, desc); }
-            if (transform != null) { writeTransform(v, 14, transform); }
-            check(native.gphys_solver_add_cloth_mesh(this.pointer, desc == null ? 0 : base, pointer(mesh, Mesh, 'mesh', false), transform == null ? 0 : base + 56, base + 88));
-            return v.u32[22];
+            if (desc != null) { check(native.gphys_body_desc_init(base, 60)); writeBodyDesc(v, 0, desc); }
+            if (transform != null) { writeTransform(v, 16, transform); }
+            check(native.gphys_solver_add_cloth_mesh(this.pointer, desc == null ? 0 : base, pointer(mesh, Mesh, 'mesh', false), transform == null ? 0 : base + 64, base + 96));
+            return v.u32[24];
         }
         removeBody(body) {
             check(native.gphys_solver_remove_body(this.pointer, body));
@@ -1141,6 +1141,29 @@ export function objects(memory) {
         getJoints(body) {
             begin();
             return list('joint_info', 0, (room, capacity) => native.gphys_solver_get_joints(this.pointer, body, room, capacity, base));
+        }
+        setBreakingForces(body, constraints, forces) {
+            begin();
+            const constraints_ = input(constraints, 4, 'constraints');
+            const forces_ = input(forces, 4, 'forces');
+            const count = common(constraints_, forces_);
+            check(native.gphys_solver_set_breaking_forces(this.pointer, body, pass(constraints_), pass(forces_), 4, count));
+        }
+        getBreakingForces(body, constraints, out) {
+            begin();
+            const constraints_ = input(constraints, 4, 'constraints');
+            const count = common(constraints_);
+            const out_forces_ = output(out, 'float', count);
+            check(native.gphys_solver_get_breaking_forces(this.pointer, body, pass(constraints_), count, pass(out_forces_), 4));
+            return finish(out_forces_);
+        }
+        breakConstraint(body, constraint) {
+            check(native.gphys_solver_break_constraint(this.pointer, body, constraint, base));
+            return readBreak(v, 0);
+        }
+        getBreaks() {
+            begin();
+            return list('break', 0, (room, capacity) => native.gphys_solver_get_breaks(this.pointer, room, capacity, base));
         }
         step(scene, dt) {
             check(native.gphys_solver_step(this.pointer, pointer(scene, Scene, 'scene', true), dt));

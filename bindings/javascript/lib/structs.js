@@ -314,6 +314,7 @@ export function writeBodyDesc(v, at, value) {
             case 'self_collision': v.u32[at + 11] = number(value[name], 'self_collision'); break;
             case 'body_layers': v.u32[at + 12] = number(value[name], 'body_layers'); break;
             case 'shear_compliance': v.f32[at + 13] = number(value[name], 'shear_compliance'); break;
+            case 'breaking_force': v.f32[at + 14] = number(value[name], 'breaking_force'); break;
             default: throw new TypeError(`body_desc has no field ${name}`);
         }
     }
@@ -388,6 +389,17 @@ export function writeJointInfo(v, at, value) {
     v.f32[at + 5] = number(rows ? value[5] : value.rest_length, 'rest_length');
     v.f32[at + 6] = number(rows ? value[6] : value.compliance, 'compliance');
     v.f32[at + 7] = number(rows ? value[7] : value.force, 'force');
+}
+export const readBreak = (v, at) => ({ body: v.u32[at], constraint: v.u32[at + 1], particle_a: v.u32[at + 2], particle_b: v.u32[at + 3], torn_particle: v.u32[at + 4], new_particle: v.u32[at + 5], load: v.f32[at + 6] });
+export function writeBreak(v, at, value) {
+    const rows = row(value, 7, 'break');
+    v.u32[at] = number(rows ? value[0] : value.body, 'body');
+    v.u32[at + 1] = number(rows ? value[1] : value.constraint, 'constraint');
+    v.u32[at + 2] = number(rows ? value[2] : value.particle_a, 'particle_a');
+    v.u32[at + 3] = number(rows ? value[3] : value.particle_b, 'particle_b');
+    v.u32[at + 4] = number(rows ? value[4] : value.torn_particle, 'torn_particle');
+    v.u32[at + 5] = number(rows ? value[5] : value.new_particle, 'new_particle');
+    v.f32[at + 6] = number(rows ? value[6] : value.load, 'load');
 }
 export const readSolverStats = (v, at) => ({ particle_count: v.u32[at], pinned_count: v.u32[at + 1], constraint_count: v.u32[at + 2], contact_count: v.u32[at + 3], strain_max: v.f32[at + 4], strain_rms: v.f32[at + 5], kinetic_energy: v.f32[at + 6], potential_energy: v.f32[at + 7] });
 export function writeSolverStats(v, at, value) {
@@ -469,6 +481,7 @@ export const types = {
     constraint_info: { size: 20, read: readConstraintInfo, write: writeConstraintInfo },
     constraint_settings: { size: 12, read: readConstraintSettings, write: writeConstraintSettings },
     joint_info: { size: 32, read: readJointInfo, write: writeJointInfo },
+    break: { size: 28, read: readBreak, write: writeBreak },
     solver_stats: { size: 32, read: readSolverStats, write: writeSolverStats },
     contact: { size: 40, read: readContact, write: writeContact },
     body_contact: { size: 36, read: readBodyContact, write: writeBodyContact },

@@ -55,7 +55,7 @@ typedef struct gphys_orbit { gphys_vec3 target; gphys_vec3 up; float distance; f
 typedef struct gphys_orbit_speeds { float rotate_x; float rotate_y; float zoom; float pan_x; float pan_y; } gphys_orbit_speeds;
 typedef struct gphys_solver_desc { uint32_t struct_size; const gphys_allocator *allocator; gphys_vec3 gravity; uint32_t substeps; float fixed_step; uint32_t max_steps; const gphys_task_runner *task_runner; uint32_t worker_count; float sleep_speed; float sleep_strain; float sleep_time; float max_strain; float tolerance; uint32_t max_substeps; uint32_t max_work; } gphys_solver_desc;
 typedef struct gphys_solver_settings { gphys_vec3 gravity; uint32_t substeps; float fixed_step; uint32_t max_steps; float sleep_speed; float sleep_strain; float sleep_time; float max_strain; float tolerance; uint32_t max_substeps; uint32_t max_work; } gphys_solver_settings;
-typedef struct gphys_body_desc { uint32_t struct_size; float mass; float radius; float damping; float friction; float restitution; float compliance; float bend_compliance; uint32_t cloth_flags; uint32_t layers; float static_friction; uint32_t self_collision; uint32_t body_layers; float shear_compliance; } gphys_body_desc;
+typedef struct gphys_body_desc { uint32_t struct_size; float mass; float radius; float damping; float friction; float restitution; float compliance; float bend_compliance; uint32_t cloth_flags; uint32_t layers; float static_friction; uint32_t self_collision; uint32_t body_layers; float shear_compliance; float breaking_force; } gphys_body_desc;
 typedef struct gphys_body_settings { float damping; float friction; float static_friction; float restitution; uint32_t layers; uint32_t body_layers; uint32_t self_collision; } gphys_body_settings;
 typedef struct gphys_body_info { gphys_body_kind kind; gphys_solve_method method; uint32_t particle_count; uint32_t constraint_count; uint32_t triangle_count; } gphys_body_info;
 typedef struct gphys_wind { gphys_vec3 velocity; float density; float drag; float lift; } gphys_wind;
@@ -64,6 +64,7 @@ typedef struct gphys_attachment { uint32_t particle; gphys_model_id model; gphys
 typedef struct gphys_constraint_info { gphys_constraint_id id; uint32_t particle_a; uint32_t particle_b; float rest_length; float compliance; } gphys_constraint_info;
 typedef struct gphys_constraint_settings { float rest_length; float compliance; float damping; } gphys_constraint_settings;
 typedef struct gphys_joint_info { gphys_joint_id id; gphys_body_id body_a; uint32_t particle_a; gphys_body_id body_b; uint32_t particle_b; float rest_length; float compliance; float force; } gphys_joint_info;
+typedef struct gphys_break { gphys_body_id body; gphys_constraint_id constraint; uint32_t particle_a; uint32_t particle_b; uint32_t torn_particle; uint32_t new_particle; float load; } gphys_break;
 typedef struct gphys_solver_stats { uint32_t particle_count; uint32_t pinned_count; uint32_t constraint_count; uint32_t contact_count; float strain_max; float strain_rms; float kinetic_energy; float potential_energy; } gphys_solver_stats;
 typedef struct gphys_contact { gphys_body_id body; uint32_t particle; gphys_model_id model; uint32_t tag; gphys_vec3 point; gphys_vec3 normal; } gphys_contact;
 typedef struct gphys_body_contact { gphys_body_id body_a; uint32_t particle_a; gphys_body_id body_b; uint32_t particle_b; gphys_vec3 normal; float distance; float impulse; } gphys_body_contact;
@@ -325,6 +326,10 @@ gphys_status gphys_solver_get_cluster_particles(const gphys_solver *solver, gphy
 gphys_status gphys_solver_join(gphys_solver *solver, gphys_body_id body_a, uint32_t particle_a, gphys_body_id body_b, uint32_t particle_b, float rest_length, float compliance, gphys_joint_id *out_joint);
 gphys_status gphys_solver_unjoin(gphys_solver *solver, gphys_joint_id joint);
 gphys_status gphys_solver_get_joints(const gphys_solver *solver, gphys_body_id body, gphys_joint_info *out_joints, uint32_t capacity, uint32_t *out_total);
+gphys_status gphys_solver_set_breaking_forces(gphys_solver *solver, gphys_body_id body, const gphys_constraint_id *constraints, const float *forces, uint32_t force_stride, uint32_t count);
+gphys_status gphys_solver_get_breaking_forces(const gphys_solver *solver, gphys_body_id body, const gphys_constraint_id *constraints, uint32_t count, float *out_forces, uint32_t out_stride);
+gphys_status gphys_solver_break_constraint(gphys_solver *solver, gphys_body_id body, gphys_constraint_id constraint, gphys_break *out_result);
+gphys_status gphys_solver_get_breaks(const gphys_solver *solver, gphys_break *out_breaks, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_solver_step(gphys_solver *solver, const gphys_scene *scene, float dt);
 gphys_status gphys_solver_advance(gphys_solver *solver, const gphys_scene *scene, float frame_time, uint32_t *out_steps, float *out_leftover);
 gphys_status gphys_solver_get_leftover(const gphys_solver *solver, float *out_leftover);
@@ -403,6 +408,7 @@ gphys_status gphys_solver_get_hash(const gphys_solver *solver, uint32_t *out_has
         VERSION_PATCH = 0,
         MAX_COORDINATE = 1000000000000000.0,
         NO_TRIANGLE = 4294967295,
+        NO_PARTICLE = 4294967295,
         ALL_LAYERS = 4294967295,
     },
     structs = {
@@ -439,7 +445,7 @@ gphys_status gphys_solver_get_hash(const gphys_solver *solver, uint32_t *out_has
         { name = "orbit_speeds", fields = { "rotate_x", "rotate_y", "zoom", "pan_x", "pan_y" } },
         { name = "solver_desc", fields = { "struct_size", "allocator", "gravity", "substeps", "fixed_step", "max_steps", "task_runner", "worker_count", "sleep_speed", "sleep_strain", "sleep_time", "max_strain", "tolerance", "max_substeps", "max_work" } },
         { name = "solver_settings", fields = { "gravity", "substeps", "fixed_step", "max_steps", "sleep_speed", "sleep_strain", "sleep_time", "max_strain", "tolerance", "max_substeps", "max_work" } },
-        { name = "body_desc", fields = { "struct_size", "mass", "radius", "damping", "friction", "restitution", "compliance", "bend_compliance", "cloth_flags", "layers", "static_friction", "self_collision", "body_layers", "shear_compliance" } },
+        { name = "body_desc", fields = { "struct_size", "mass", "radius", "damping", "friction", "restitution", "compliance", "bend_compliance", "cloth_flags", "layers", "static_friction", "self_collision", "body_layers", "shear_compliance", "breaking_force" } },
         { name = "body_settings", fields = { "damping", "friction", "static_friction", "restitution", "layers", "body_layers", "self_collision" } },
         { name = "body_info", fields = { "kind", "method", "particle_count", "constraint_count", "triangle_count" } },
         { name = "wind", fields = { "velocity", "density", "drag", "lift" } },
@@ -448,6 +454,7 @@ gphys_status gphys_solver_get_hash(const gphys_solver *solver, uint32_t *out_has
         { name = "constraint_info", fields = { "id", "particle_a", "particle_b", "rest_length", "compliance" } },
         { name = "constraint_settings", fields = { "rest_length", "compliance", "damping" } },
         { name = "joint_info", fields = { "id", "body_a", "particle_a", "body_b", "particle_b", "rest_length", "compliance", "force" } },
+        { name = "break", fields = { "body", "constraint", "particle_a", "particle_b", "torn_particle", "new_particle", "load" } },
         { name = "solver_stats", fields = { "particle_count", "pinned_count", "constraint_count", "contact_count", "strain_max", "strain_rms", "kinetic_energy", "potential_energy" } },
         { name = "contact", fields = { "body", "particle", "model", "tag", "point", "normal" } },
         { name = "body_contact", fields = { "body_a", "particle_a", "body_b", "particle_b", "normal", "distance", "impulse" } },

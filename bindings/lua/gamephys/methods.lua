@@ -49,6 +49,7 @@ local Attachment = runtime.element 'gphys_attachment'
 local ConstraintInfo = runtime.element 'gphys_constraint_info'
 local ConstraintSettings = runtime.element 'gphys_constraint_settings'
 local JointInfo = runtime.element 'gphys_joint_info'
+local Break = runtime.element 'gphys_break'
 local SolverStats = runtime.element 'gphys_solver_stats'
 local Contact = runtime.element 'gphys_contact'
 local BodyContact = runtime.element 'gphys_body_contact'
@@ -130,16 +131,18 @@ end
 --- 1 + p is particle p, a sphere, there where no link beside it is as thick. Free particles are
 --- spheres, and `triangle` is the particle. Solver:get_nearest_particle finds the particle of a hit.
 --- The mesh has the new form when Solver:step, Solver:advance, Solver:restore or an edit of the body
---- returns. A model that would leave the range of the world, and a mesh of less than 2^-32 m for which
---- there is no memory, keep their form until they can follow. Solver:set_origin moves the coordinates
---- of the mesh, and the models back by as much: they stay where they are in the world, exactly if
---- scenes have moved their origin before. Solvers do not collide with models of such meshes, nor wake
---- by them: bodies meet by BodyDesc.body_layers. A restored body is followed if it has the id and the
---- parts of the one that there was. Restore the solver before the scene. A mesh that is loaded from a
---- snapshot, that of a scene included, is a copy that follows nothing; Scene:set_shape gives its model
---- one that does. Mesh and solver are destroyed in any order. When the body is gone the mesh keeps the
---- form that it had last and is deformable by Mesh:set_vertices, which returns ERROR_UNSUPPORTED
---- before. A mesh that neither its handle nor a model holds follows no more.
+--- returns. Cloth that tears (Break) takes its triangles along, whose numbers stay, and the mesh gets
+--- vertices for the new particles. A model that would leave the range of the world, and a torn mesh or
+--- one of less than 2^-32 m for which there is no memory, keep their form until they can follow.
+--- Solver:set_origin moves the coordinates of the mesh, and the models back by as much: they stay where
+--- they are in the world, exactly if scenes have moved their origin before. Solvers do not collide with
+--- models of such meshes, nor wake by them: bodies meet by BodyDesc.body_layers. A restored body is
+--- followed if it has the id and the parts of the one that there was. Restore the solver before the
+--- scene. A mesh that is loaded from a snapshot, that of a scene included, is a copy that follows
+--- nothing; Scene:set_shape gives its model one that does. Mesh and solver are destroyed in any order.
+--- When the body is gone the mesh keeps the form that it had last and is deformable by
+--- Mesh:set_vertices, which returns ERROR_UNSUPPORTED before. A mesh that neither its handle nor a
+--- model holds follows no more.
 --- Threads: the functions above become edits of the mesh and of each scene that has a model of it.
 --- Cost: as Mesh, and then that of Mesh:set_vertices for a body that has moved; one that rests is
 --- compared, O(particles). Since 1.1.
@@ -1930,7 +1933,8 @@ function Solver:get_body_info(body, out_info)
     return out_info
 end
 
---- Particle numbers of a cloth's triangles, three each, for drawing.
+--- Particle numbers of a cloth's triangles, three each, for drawing. Where cloth tears (Break) they
+--- change, and their number does not.
 --- Cost: O(triangles).
 function Solver:get_triangles(body)
     return list(uint32_t, function(out, capacity, total)
@@ -2289,7 +2293,8 @@ do
     end
 end
 
---- End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
+--- End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body. The
+--- triangles of cloth stay together: Solver:break_constraint tears them apart.
 --- Cost: as Solver:add_distance; allocates.
 --- @raise status ERROR_INVALID_ID: for a body or constraint that does not exist, or no longer
 function Solver:remove_constraint(body, constraint)
@@ -2427,6 +2432,52 @@ end
 function Solver:get_joints(body)
     return list(JointInfo, function(out, capacity, total)
         return C.gphys_solver_get_joints(opened(self), body, out, capacity, total)
+    end)
+end
+
+--- Breaking forces of constraints. Wakes the body.
+--- Cost: O(elements + constraints); of cloth that gets its first or loses its last one also that of a
+--- pin. Allocates. Since 1.1.
+--- @param constraints the ids; one that appears twice gets the last
+--- @param forces newtons, >= 0; 0: never breaks, as all that are added to a body later
+function Solver:set_breaking_forces(body, constraints, forces)
+    local constraints, constraints_count, constraints_stride = to_array(uint32_t, constraints)
+    local forces, forces_count, forces_stride = to_array(float, forces)
+    local count = common(constraints_count, forces_count)
+    check(C.gphys_solver_set_breaking_forces(opened(self), body, constraints, forces, forces_stride, count))
+end
+
+--- What Solver:set_breaking_forces or BodyDesc.breaking_force has set; 0: never breaks.
+--- Cost: O(elements). Since 1.1.
+--- @param constraints the ids; one may appear twice
+--- @return newtons.
+function Solver:get_breaking_forces(body, constraints, out)
+    local constraints, constraints_count, constraints_stride = to_array(uint32_t, constraints)
+    local count = common(constraints_count)
+    out = results(float, out, count)
+    check(C.gphys_solver_get_breaking_forces(opened(self), body, constraints, count, out, float.size))
+    return out
+end
+
+--- Break a constraint as a load would, whatever its breaking force: scissors, claws. Wakes the body.
+--- Cost: O(particles + constraints); allocates. Since 1.1.
+--- @return what came of it.
+--- @raise status ERROR_UNSUPPORTED: and nothing has changed, for an edge where the cloth cannot part:
+---     of a triangle that hangs together with no other
+--- @raise status ERROR_CAPACITY: beyond 2^24 - 1 particles or constraints
+function Solver:break_constraint(body, constraint, out_result)
+    out_result = out_result or Break.new()
+    check(C.gphys_solver_break_constraint(opened(self), body, constraint, out_result))
+    return out_result
+end
+
+--- Constraints that broke in the last Solver:step or Solver:advance, in its order: for sounds, dust,
+--- and to know that a body has more particles. Not those that the caller broke. They are not part of
+--- snapshots: after Solver:restore there are none.
+--- Cost: O(breaks); no allocation. The same bits for any number of workers. Since 1.1.
+function Solver:get_breaks()
+    return list(Break, function(out, capacity, total)
+        return C.gphys_solver_get_breaks(opened(self), out, capacity, total)
     end)
 end
 

@@ -88,6 +88,7 @@ VERSION_MINOR = 1
 VERSION_PATCH = 0
 MAX_COORDINATE = 1e15
 NO_TRIANGLE = 0xffffffff
+NO_PARTICLE = 0xffffffff
 ALL_LAYERS = 0xffffffff
 
 needs(VERSION_MAJOR, VERSION_MINOR)
@@ -520,10 +521,11 @@ class BodyDesc(Desc, Structure):
     self_collision: int  # 1: its particles collide with one another, see below; default 0
     body_layers: int  # two bodies collide with each other if their masks share a bit; 0: with none; default 0
     shear_compliance: float  # of CLOTH_SHEAR constraints of a grid, m/N, >= 0; 0: as compliance; default 0
-    _fields_ = [("struct_size", c_uint32), ("mass", c_float), ("radius", c_float), ("damping", c_float), ("friction", c_float), ("restitution", c_float), ("compliance", c_float), ("bend_compliance", c_float), ("cloth_flags", c_uint32), ("layers", c_uint32), ("static_friction", c_float), ("self_collision", c_uint32), ("body_layers", c_uint32), ("shear_compliance", c_float)]
+    breaking_force: float  # of each constraint, newtons, >= 0; 0: none breaks; default 0; see Break
+    _fields_ = [("struct_size", c_uint32), ("mass", c_float), ("radius", c_float), ("damping", c_float), ("friction", c_float), ("restitution", c_float), ("compliance", c_float), ("bend_compliance", c_float), ("cloth_flags", c_uint32), ("layers", c_uint32), ("static_friction", c_float), ("self_collision", c_uint32), ("body_layers", c_uint32), ("shear_compliance", c_float), ("breaking_force", c_float)]
 
 
-body_desc_dtype = dtype([("struct_size", "<u4"), ("mass", "<f4"), ("radius", "<f4"), ("damping", "<f4"), ("friction", "<f4"), ("restitution", "<f4"), ("compliance", "<f4"), ("bend_compliance", "<f4"), ("cloth_flags", "<u4"), ("layers", "<u4"), ("static_friction", "<f4"), ("self_collision", "<u4"), ("body_layers", "<u4"), ("shear_compliance", "<f4")])
+body_desc_dtype = dtype([("struct_size", "<u4"), ("mass", "<f4"), ("radius", "<f4"), ("damping", "<f4"), ("friction", "<f4"), ("restitution", "<f4"), ("compliance", "<f4"), ("bend_compliance", "<f4"), ("cloth_flags", "<u4"), ("layers", "<u4"), ("static_friction", "<f4"), ("self_collision", "<u4"), ("body_layers", "<u4"), ("shear_compliance", "<f4"), ("breaking_force", "<f4")])
 BodyDesc.dtype = body_desc_dtype
 
 
@@ -636,6 +638,22 @@ class JointInfo(Value, Structure):
 
 joint_info_dtype = dtype([("id", "<u4"), ("body_a", "<u4"), ("particle_a", "<u4"), ("body_b", "<u4"), ("particle_b", "<u4"), ("rest_length", "<f4"), ("compliance", "<f4"), ("force", "<f4")])
 JointInfo.dtype = joint_info_dtype
+
+
+class Break(Value, Structure):
+    """A constraint that broke, or that the caller has broken. Frozen.  Since 1.1."""
+    body: int
+    constraint: int
+    particle_a: int  # its particles before
+    particle_b: int  # its particles before
+    torn_particle: int  # where cloth parted; NO_PARTICLE: nowhere, the constraint was removed
+    new_particle: int  # its copy, the last of the body; NO_PARTICLE: none
+    load: float  # newtons; 0 if the caller broke it
+    _fields_ = [("body", c_uint32), ("constraint", c_uint32), ("particle_a", c_uint32), ("particle_b", c_uint32), ("torn_particle", c_uint32), ("new_particle", c_uint32), ("load", c_float)]
+
+
+break_dtype = dtype([("body", "<u4"), ("constraint", "<u4"), ("particle_a", "<u4"), ("particle_b", "<u4"), ("torn_particle", "<u4"), ("new_particle", "<u4"), ("load", "<f4")])
+Break.dtype = break_dtype
 
 
 class SolverStats(Value, Structure):
@@ -956,6 +974,10 @@ gphys_solver_get_cluster_particles = function("gphys_solver_get_cluster_particle
 gphys_solver_join = function("gphys_solver_join", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_uint32, c_float, c_float, c_void_p])
 gphys_solver_unjoin = function("gphys_solver_unjoin", c_int32, [c_void_p, c_uint32])
 gphys_solver_get_joints = function("gphys_solver_get_joints", c_int32, [c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
+gphys_solver_set_breaking_forces = function("gphys_solver_set_breaking_forces", c_int32, [c_void_p, c_uint32, c_void_p, c_void_p, c_uint32, c_uint32])
+gphys_solver_get_breaking_forces = function("gphys_solver_get_breaking_forces", c_int32, [c_void_p, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32])
+gphys_solver_break_constraint = function("gphys_solver_break_constraint", c_int32, [c_void_p, c_uint32, c_uint32, c_void_p])
+gphys_solver_get_breaks = function("gphys_solver_get_breaks", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
 gphys_solver_step = function("gphys_solver_step", c_int32, [c_void_p, c_void_p, c_float])
 gphys_solver_advance = function("gphys_solver_advance", c_int32, [c_void_p, c_void_p, c_float, c_void_p, c_void_p])
 gphys_solver_get_leftover = function("gphys_solver_get_leftover", c_int32, [c_void_p, c_void_p])

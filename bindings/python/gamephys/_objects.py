@@ -116,17 +116,19 @@ class Mesh(Object):
         constraint holds them together; n - 1 + p is particle p, a sphere, there where no link beside it
         is as thick. Free particles are spheres, and `triangle` is the particle.
         Solver.get_nearest_particle finds the particle of a hit. The mesh has the new form when
-        Solver.step, Solver.advance, Solver.restore or an edit of the body returns. A model that would
-        leave the range of the world, and a mesh of less than 2^-32 m for which there is no memory, keep
-        their form until they can follow. Solver.set_origin moves the coordinates of the mesh, and the
-        models back by as much: they stay where they are in the world, exactly if scenes have moved
-        their origin before. Solvers do not collide with models of such meshes, nor wake by them: bodies
-        meet by BodyDesc.body_layers. A restored body is followed if it has the id and the parts of the
-        one that there was. Restore the solver before the scene. A mesh that is loaded from a snapshot,
-        that of a scene included, is a copy that follows nothing; Scene.set_shape gives its model one
-        that does. Mesh and solver are destroyed in any order. When the body is gone the mesh keeps the
-        form that it had last and is deformable by Mesh.set_vertices, which returns ERROR_UNSUPPORTED
-        before. A mesh that neither its handle nor a model holds follows no more.
+        Solver.step, Solver.advance, Solver.restore or an edit of the body returns. Cloth that tears
+        (Break) takes its triangles along, whose numbers stay, and the mesh gets vertices for the new
+        particles. A model that would leave the range of the world, and a torn mesh or one of less than
+        2^-32 m for which there is no memory, keep their form until they can follow. Solver.set_origin
+        moves the coordinates of the mesh, and the models back by as much: they stay where they are in
+        the world, exactly if scenes have moved their origin before. Solvers do not collide with models
+        of such meshes, nor wake by them: bodies meet by BodyDesc.body_layers. A restored body is
+        followed if it has the id and the parts of the one that there was. Restore the solver before the
+        scene. A mesh that is loaded from a snapshot, that of a scene included, is a copy that follows
+        nothing; Scene.set_shape gives its model one that does. Mesh and solver are destroyed in any
+        order. When the body is gone the mesh keeps the form that it had last and is deformable by
+        Mesh.set_vertices, which returns ERROR_UNSUPPORTED before. A mesh that neither its handle nor a
+        model holds follows no more.
         Threads: the functions above become edits of the mesh and of each scene that has a model of it.
         Cost: as Mesh, and then that of Mesh.set_vertices for a body that has moved; one that rests is
         compared, O(particles). Since 1.1.
@@ -2050,7 +2052,8 @@ class Solver(Object):
         return out_info
 
     def get_triangles(self, body: int) -> np.ndarray:
-        """Particle numbers of a cloth's triangles, three each, for drawing.
+        """Particle numbers of a cloth's triangles, three each, for drawing. Where cloth tears (Break) they
+        change, and their number does not.
         Cost: O(triangles)."""
         return list_of(low.gphys_solver_get_triangles, (self._handle, body,), "<u4")
 
@@ -2431,6 +2434,7 @@ class Solver(Object):
 
     def remove_constraint(self, body: int, constraint: int) -> None:
         """End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
+        The triangles of cloth stay together: Solver.break_constraint tears them apart.
         Cost: as Solver.add_distance; allocates.
 
         Raises:
@@ -2572,6 +2576,57 @@ class Solver(Object):
         Args:
             body: 0: of all bodies"""
         return list_of(low.gphys_solver_get_joints, (self._handle, body,), low.joint_info_dtype)
+
+    def set_breaking_forces(self, body: int, constraints: ArrayLike, forces: ArrayLike) -> None:
+        """Breaking forces of constraints. Wakes the body.
+        Cost: O(elements + constraints); of cloth that gets its first or loses its last one also that of
+        a pin. Allocates. Since 1.1.
+
+        Args:
+            constraints: the ids; one that appears twice gets the last
+            forces: newtons, >= 0; 0: never breaks, as all that are added to a body later"""
+        constraints_ = array_of(constraints, "<u4")
+        forces_ = array_of(forces, "<f4")
+        count = common_length(constraints_, forces_)
+        check(low.gphys_solver_set_breaking_forces(self._handle, body, constraints_.address, forces_.address, forces_.stride, count))
+
+    def get_breaking_forces(self, body: int, constraints: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
+        """What Solver.set_breaking_forces or BodyDesc.breaking_force has set; 0: never breaks.
+        Cost: O(elements). Since 1.1.
+
+        Args:
+            constraints: the ids; one may appear twice
+
+        Returns:
+            newtons."""
+        constraints_ = array_of(constraints, "<u4")
+        count = common_length(constraints_)
+        out_ = result_array(out, count, "<f4")
+        check(low.gphys_solver_get_breaking_forces(self._handle, body, constraints_.address, count, out_.address, out_.stride))
+        return out_.array
+
+    def break_constraint(self, body: int, constraint: int) -> low.Break:
+        """Break a constraint as a load would, whatever its breaking force: scissors, claws. Wakes the
+        body.
+        Cost: O(particles + constraints); allocates. Since 1.1.
+
+        Returns:
+            what came of it.
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: and nothing has changed, for an edge where the cloth cannot
+                part: of a triangle that hangs together with no other
+            Error, status ERROR_CAPACITY: beyond 2^24 - 1 particles or constraints"""
+        out_result = low.Break()
+        check(low.gphys_solver_break_constraint(self._handle, body, constraint, ctypes.byref(out_result)))
+        return out_result
+
+    def get_breaks(self) -> np.ndarray:
+        """Constraints that broke in the last Solver.step or Solver.advance, in its order: for sounds,
+        dust, and to know that a body has more particles. Not those that the caller broke. They are not
+        part of snapshots: after Solver.restore there are none.
+        Cost: O(breaks); no allocation. The same bits for any number of workers. Since 1.1."""
+        return list_of(low.gphys_solver_get_breaks, (self._handle,), low.break_dtype)
 
     def step(self, scene: Scene | None, dt: float) -> None:
         """Simulate dt seconds in the set number of substeps, or as many as the error targets ask for;

@@ -270,17 +270,19 @@ impl Mesh {
     /// holds them together; n - 1 + p is particle p, a sphere, there where no link beside it is as thick.
     /// Free particles are spheres, and `triangle` is the particle. `Solver::get_nearest_particle` finds the
     /// particle of a hit. The mesh has the new form when `Solver::step`, `Solver::advance`,
-    /// `Solver::restore` or an edit of the body returns. A model that would leave the range of the world,
-    /// and a mesh of less than 2^-32 m for which there is no memory, keep their form until they can follow.
-    /// `Solver::set_origin` moves the coordinates of the mesh, and the models back by as much: they stay
-    /// where they are in the world, exactly if scenes have moved their origin before. Solvers do not
-    /// collide with models of such meshes, nor wake by them: bodies meet by `BodyDesc`.body_layers. A
-    /// restored body is followed if it has the id and the parts of the one that there was. Restore the
-    /// solver before the scene. A mesh that is loaded from a snapshot, that of a scene included, is a copy
-    /// that follows nothing; `Scene::set_shape` gives its model one that does. Mesh and solver are
-    /// destroyed in any order. When the body is gone the mesh keeps the form that it had last and is
-    /// deformable by `Mesh::set_vertices`, which returns `Status::ERROR_UNSUPPORTED` before. A mesh that
-    /// neither its handle nor a model holds follows no more.
+    /// `Solver::restore` or an edit of the body returns. Cloth that tears (`Break`) takes its triangles
+    /// along, whose numbers stay, and the mesh gets vertices for the new particles. A model that would
+    /// leave the range of the world, and a torn mesh or one of less than 2^-32 m for which there is no
+    /// memory, keep their form until they can follow. `Solver::set_origin` moves the coordinates of the
+    /// mesh, and the models back by as much: they stay where they are in the world, exactly if scenes have
+    /// moved their origin before. Solvers do not collide with models of such meshes, nor wake by them:
+    /// bodies meet by `BodyDesc`.body_layers. A restored body is followed if it has the id and the parts of
+    /// the one that there was. Restore the solver before the scene. A mesh that is loaded from a snapshot,
+    /// that of a scene included, is a copy that follows nothing; `Scene::set_shape` gives its model one
+    /// that does. Mesh and solver are destroyed in any order. When the body is gone the mesh keeps the form
+    /// that it had last and is deformable by `Mesh::set_vertices`, which returns
+    /// `Status::ERROR_UNSUPPORTED` before. A mesh that neither its handle nor a model holds follows no
+    /// more.
     ///
     /// Threads: the functions above become edits of the mesh and of each scene that has a model of it.
     ///
@@ -2393,7 +2395,8 @@ impl Solver {
         Ok(out_info)
     }
 
-    /// Particle numbers of a cloth's triangles, three each, for drawing.
+    /// Particle numbers of a cloth's triangles, three each, for drawing. Where cloth tears (`Break`) they
+    /// change, and their number does not.
     ///
     /// Cost: O(triangles).
     pub fn get_triangles(&self, body: BodyId) -> Result<Vec<u32>> {
@@ -2802,7 +2805,8 @@ impl Solver {
         Ok((out_rest_volume, out_compliance))
     }
 
-    /// End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
+    /// End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body. The
+    /// triangles of cloth stay together: `Solver::break_constraint` tears them apart.
     ///
     /// Cost: as `Solver::add_distance`; allocates.
     ///
@@ -2959,6 +2963,60 @@ impl Solver {
     /// * `body`: 0: of all bodies
     pub fn get_joints(&self, body: BodyId) -> Result<Vec<JointInfo>> {
         list(|out_joints, capacity, total| unsafe { sys::gphys_solver_get_joints(self.handle.as_ptr(), body, out_joints, capacity, total) })
+    }
+
+    /// Breaking forces of constraints. Wakes the body.
+    ///
+    /// Cost: O(elements + constraints); of cloth that gets its first or loses its last one also that of a
+    /// pin. Allocates. Since 1.1.
+    ///
+    /// * `constraints`: the ids; one that appears twice gets the last
+    /// * `forces`: newtons, >= 0; 0: never breaks, as all that are added to a body later
+    pub fn set_breaking_forces<'a>(&mut self, body: BodyId, constraints: &[ConstraintId], forces: impl Into<Batch<'a, f32>>) -> Result<()> {
+        let constraints = Batch::from(constraints);
+        let forces = forces.into();
+        let count = common_length(&[constraints.length, forces.length])?;
+        check(unsafe { sys::gphys_solver_set_breaking_forces(self.handle.as_ptr(), body, constraints.data, forces.data, forces.stride, count) })
+    }
+
+    /// What `Solver::set_breaking_forces` or `BodyDesc`.breaking_force has set; 0: never breaks.
+    ///
+    /// Cost: O(elements). Since 1.1.
+    ///
+    /// * `constraints`: the ids; one may appear twice
+    ///
+    /// Returns newtons.
+    pub fn get_breaking_forces<'a>(&self, body: BodyId, constraints: &[ConstraintId], out_forces: impl Into<BatchMut<'a, f32>>) -> Result<()> {
+        let constraints = Batch::from(constraints);
+        let out_forces = out_forces.into();
+        let count = common_length(&[constraints.length])?;
+        out_forces.require(count.into())?;
+        check(unsafe { sys::gphys_solver_get_breaking_forces(self.handle.as_ptr(), body, constraints.data, count, out_forces.data, out_forces.stride) })
+    }
+
+    /// Break a constraint as a load would, whatever its breaking force: scissors, claws. Wakes the body.
+    ///
+    /// Cost: O(particles + constraints); allocates. Since 1.1.
+    ///
+    /// Returns what came of it.
+    ///
+    /// # Errors
+    /// * `Status::ERROR_UNSUPPORTED`: and nothing has changed, for an edge where the cloth cannot part: of
+    ///   a triangle that hangs together with no other
+    /// * `Status::ERROR_CAPACITY`: beyond 2^24 - 1 particles or constraints
+    pub fn break_constraint(&mut self, body: BodyId, constraint: ConstraintId) -> Result<Break> {
+        let mut out_result = Break::default();
+        check(unsafe { sys::gphys_solver_break_constraint(self.handle.as_ptr(), body, constraint, &mut out_result) })?;
+        Ok(out_result)
+    }
+
+    /// Constraints that broke in the last `Solver::step` or `Solver::advance`, in its order: for sounds,
+    /// dust, and to know that a body has more particles. Not those that the caller broke. They are not part
+    /// of snapshots: after `Solver::restore` there are none.
+    ///
+    /// Cost: O(breaks); no allocation. The same bits for any number of workers. Since 1.1.
+    pub fn get_breaks(&self) -> Result<Vec<Break>> {
+        list(|out_breaks, capacity, total| unsafe { sys::gphys_solver_get_breaks(self.handle.as_ptr(), out_breaks, capacity, total) })
     }
 
     /// Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth

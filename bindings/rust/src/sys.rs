@@ -281,6 +281,10 @@ extern "C" {
     pub fn gphys_solver_join(solver: *mut gphys_solver, body_a: BodyId, particle_a: u32, body_b: BodyId, particle_b: u32, rest_length: f32, compliance: f32, out_joint: *mut JointId) -> Status;
     pub fn gphys_solver_unjoin(solver: *mut gphys_solver, joint: JointId) -> Status;
     pub fn gphys_solver_get_joints(solver: *mut gphys_solver, body: BodyId, out_joints: *mut JointInfo, capacity: u32, out_total: *mut u32) -> Status;
+    pub fn gphys_solver_set_breaking_forces(solver: *mut gphys_solver, body: BodyId, constraints: *const ConstraintId, forces: *const f32, force_stride: u32, count: u32) -> Status;
+    pub fn gphys_solver_get_breaking_forces(solver: *mut gphys_solver, body: BodyId, constraints: *const ConstraintId, count: u32, out_forces: *mut f32, out_stride: u32) -> Status;
+    pub fn gphys_solver_break_constraint(solver: *mut gphys_solver, body: BodyId, constraint: ConstraintId, out_result: *mut Break) -> Status;
+    pub fn gphys_solver_get_breaks(solver: *mut gphys_solver, out_breaks: *mut Break, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_solver_step(solver: *mut gphys_solver, scene: *mut gphys_scene, dt: f32) -> Status;
     pub fn gphys_solver_advance(solver: *mut gphys_solver, scene: *mut gphys_scene, frame_time: f32, out_steps: *mut u32, out_leftover: *mut f32) -> Status;
     pub fn gphys_solver_get_leftover(solver: *mut gphys_solver, out_leftover: *mut f32) -> Status;

@@ -204,6 +204,7 @@ pub const VERSION_MINOR: u32 = 1;
 pub const VERSION_PATCH: u32 = 0;
 pub const MAX_COORDINATE: f32 = 1e15;
 pub const NO_TRIANGLE: u32 = 0xffffffff;
+pub const NO_PARTICLE: u32 = 0xffffffff;
 pub const ALL_LAYERS: u32 = 0xffffffff;
 pub type ModelId = u32;
 pub type BodyId = u32;
@@ -733,6 +734,8 @@ pub struct BodyDesc {
     pub body_layers: u32,
     /// of `CLOTH_SHEAR` constraints of a grid, m/N, >= 0; 0: as compliance; default 0
     pub shear_compliance: f32,
+    /// of each constraint, newtons, >= 0; 0: none breaks; default 0; see `Break`
+    pub breaking_force: f32,
 }
 
 /// What all particles of a body share and may change later. Fields as in `BodyDesc`. Frozen.
@@ -850,6 +853,24 @@ pub struct JointInfo {
     pub force: f32,
 }
 
+/// A constraint that broke, or that the caller has broken. Frozen.  Since 1.1.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Break {
+    pub body: BodyId,
+    pub constraint: ConstraintId,
+    /// its particles before
+    pub particle_a: u32,
+    /// its particles before
+    pub particle_b: u32,
+    /// where cloth parted; `NO_PARTICLE`: nowhere, the constraint was removed
+    pub torn_particle: u32,
+    /// its copy, the last of the body; `NO_PARTICLE`: none
+    pub new_particle: u32,
+    /// newtons; 0 if the caller broke it
+    pub load: f32,
+}
+
 /// Frozen.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
@@ -952,7 +973,7 @@ const _: () = {
     assert!(std::mem::size_of::<OrbitSpeeds>() == 20);
     assert!(std::mem::size_of::<SolverDesc>() == 80);
     assert!(std::mem::size_of::<SolverSettings>() == 52);
-    assert!(std::mem::size_of::<BodyDesc>() == 56);
+    assert!(std::mem::size_of::<BodyDesc>() == 60);
     assert!(std::mem::size_of::<BodySettings>() == 28);
     assert!(std::mem::size_of::<BodyInfo>() == 20);
     assert!(std::mem::size_of::<Wind>() == 24);
@@ -961,6 +982,7 @@ const _: () = {
     assert!(std::mem::size_of::<ConstraintInfo>() == 20);
     assert!(std::mem::size_of::<ConstraintSettings>() == 12);
     assert!(std::mem::size_of::<JointInfo>() == 32);
+    assert!(std::mem::size_of::<Break>() == 28);
     assert!(std::mem::size_of::<SolverStats>() == 32);
     assert!(std::mem::size_of::<Contact>() == 40);
     assert!(std::mem::size_of::<BodyContact>() == 36);
@@ -1001,7 +1023,7 @@ const _: () = {
     assert!(std::mem::size_of::<OrbitSpeeds>() == 20);
     assert!(std::mem::size_of::<SolverDesc>() == 68);
     assert!(std::mem::size_of::<SolverSettings>() == 52);
-    assert!(std::mem::size_of::<BodyDesc>() == 56);
+    assert!(std::mem::size_of::<BodyDesc>() == 60);
     assert!(std::mem::size_of::<BodySettings>() == 28);
     assert!(std::mem::size_of::<BodyInfo>() == 20);
     assert!(std::mem::size_of::<Wind>() == 24);
@@ -1010,6 +1032,7 @@ const _: () = {
     assert!(std::mem::size_of::<ConstraintInfo>() == 20);
     assert!(std::mem::size_of::<ConstraintSettings>() == 12);
     assert!(std::mem::size_of::<JointInfo>() == 32);
+    assert!(std::mem::size_of::<Break>() == 28);
     assert!(std::mem::size_of::<SolverStats>() == 32);
     assert!(std::mem::size_of::<Contact>() == 40);
     assert!(std::mem::size_of::<BodyContact>() == 36);
@@ -1262,6 +1285,7 @@ fn fields_stand_where_c_has_them() {
     assert_eq!(unsafe { std::ptr::addr_of!((*p).self_collision) } as usize - p as usize, 44);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).body_layers) } as usize - p as usize, 48);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).shear_compliance) } as usize - p as usize, 52);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).breaking_force) } as usize - p as usize, 56);
     let s = std::mem::MaybeUninit::<BodySettings>::uninit();
     let p = s.as_ptr();
     assert_eq!(unsafe { std::ptr::addr_of!((*p).damping) } as usize - p as usize, 0);
@@ -1317,6 +1341,15 @@ fn fields_stand_where_c_has_them() {
     assert_eq!(unsafe { std::ptr::addr_of!((*p).rest_length) } as usize - p as usize, 20);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).compliance) } as usize - p as usize, 24);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).force) } as usize - p as usize, 28);
+    let s = std::mem::MaybeUninit::<Break>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).body) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).constraint) } as usize - p as usize, 4);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).particle_a) } as usize - p as usize, 8);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).particle_b) } as usize - p as usize, 12);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).torn_particle) } as usize - p as usize, 16);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).new_particle) } as usize - p as usize, 20);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).load) } as usize - p as usize, 24);
     let s = std::mem::MaybeUninit::<SolverStats>::uninit();
     let p = s.as_ptr();
     assert_eq!(unsafe { std::ptr::addr_of!((*p).particle_count) } as usize - p as usize, 0);

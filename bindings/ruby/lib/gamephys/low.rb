@@ -29,7 +29,7 @@ module Gamephys
     end
 
     class BodyDesc < FFI::Struct
-      layout :struct_size, :uint32, :mass, :float, :radius, :float, :damping, :float, :friction, :float, :restitution, :float, :compliance, :float, :bend_compliance, :float, :cloth_flags, :uint32, :layers, :uint32, :static_friction, :float, :self_collision, :uint32, :body_layers, :uint32, :shear_compliance, :float
+      layout :struct_size, :uint32, :mass, :float, :radius, :float, :damping, :float, :friction, :float, :restitution, :float, :compliance, :float, :bend_compliance, :float, :cloth_flags, :uint32, :layers, :uint32, :static_friction, :float, :self_collision, :uint32, :body_layers, :uint32, :shear_compliance, :float, :breaking_force, :float
     end
 
     attach_function :gphys_version, [], :uint32
@@ -289,6 +289,10 @@ module Gamephys
     attach_function :gphys_solver_join, [:pointer, :uint32, :uint32, :uint32, :uint32, :float, :float, :pointer], :int32
     attach_function :gphys_solver_unjoin, [:pointer, :uint32], :int32
     attach_function :gphys_solver_get_joints, [:pointer, :uint32, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_solver_set_breaking_forces, [:pointer, :uint32, :pointer, :pointer, :uint32, :uint32], :int32
+    attach_function :gphys_solver_get_breaking_forces, [:pointer, :uint32, :pointer, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_solver_break_constraint, [:pointer, :uint32, :uint32, :pointer], :int32
+    attach_function :gphys_solver_get_breaks, [:pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_step, [:pointer, :pointer, :float], :int32
     attach_function :gphys_solver_advance, [:pointer, :pointer, :float, :pointer, :pointer], :int32
     attach_function :gphys_solver_get_leftover, [:pointer, :pointer], :int32

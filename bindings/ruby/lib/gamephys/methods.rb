@@ -82,16 +82,18 @@ module Gamephys
     # 1 + p is particle p, a sphere, there where no link beside it is as thick. Free particles are
     # spheres, and `triangle` is the particle. Solver#get_nearest_particle finds the particle of a hit.
     # The mesh has the new form when Solver#step, Solver#advance, Solver#restore or an edit of the body
-    # returns. A model that would leave the range of the world, and a mesh of less than 2^-32 m for which
-    # there is no memory, keep their form until they can follow. Solver#set_origin moves the coordinates
-    # of the mesh, and the models back by as much: they stay where they are in the world, exactly if
-    # scenes have moved their origin before. Solvers do not collide with models of such meshes, nor wake
-    # by them: bodies meet by BodyDesc.body_layers. A restored body is followed if it has the id and the
-    # parts of the one that there was. Restore the solver before the scene. A mesh that is loaded from a
-    # snapshot, that of a scene included, is a copy that follows nothing; Scene#set_shape gives its model
-    # one that does. Mesh and solver are destroyed in any order. When the body is gone the mesh keeps the
-    # form that it had last and is deformable by Mesh#set_vertices, which returns ERROR_UNSUPPORTED
-    # before. A mesh that neither its handle nor a model holds follows no more.
+    # returns. Cloth that tears (Break) takes its triangles along, whose numbers stay, and the mesh gets
+    # vertices for the new particles. A model that would leave the range of the world, and a torn mesh or
+    # one of less than 2^-32 m for which there is no memory, keep their form until they can follow.
+    # Solver#set_origin moves the coordinates of the mesh, and the models back by as much: they stay where
+    # they are in the world, exactly if scenes have moved their origin before. Solvers do not collide with
+    # models of such meshes, nor wake by them: bodies meet by BodyDesc.body_layers. A restored body is
+    # followed if it has the id and the parts of the one that there was. Restore the solver before the
+    # scene. A mesh that is loaded from a snapshot, that of a scene included, is a copy that follows
+    # nothing; Scene#set_shape gives its model one that does. Mesh and solver are destroyed in any order.
+    # When the body is gone the mesh keeps the form that it had last and is deformable by
+    # Mesh#set_vertices, which returns ERROR_UNSUPPORTED before. A mesh that neither its handle nor a
+    # model holds follows no more.
     # Threads: the functions above become edits of the mesh and of each scene that has a model of it.
     # Cost: as Mesh, and then that of Mesh#set_vertices for a body that has moved; one that rests is
     # compared, O(particles). Since 1.1.
@@ -1828,7 +1830,8 @@ module Gamephys
       BodyInfo.unpack(out_info)
     end
 
-    # Particle numbers of a cloth's triangles, three each, for drawing.
+    # Particle numbers of a cloth's triangles, three each, for drawing. Where cloth tears (Break) they
+    # change, and their number does not.
     # Cost: O(triangles).
     def get_triangles(body)
       Low.list(UInt32) { |out, capacity, total| Low.gphys_solver_get_triangles(opened, body, out, capacity, total) }
@@ -2187,7 +2190,8 @@ module Gamephys
       [Float32.unpack(out_rest_volume), Float32.unpack(out_compliance)]
     end
 
-    # End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
+    # End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body. The
+    # triangles of cloth stay together: Solver#break_constraint tears them apart.
     # Cost: as Solver#add_distance; allocates.
     # @raise [InvalidId] for a body or constraint that does not exist, or no longer
     def remove_constraint(body, constraint)
@@ -2318,6 +2322,51 @@ module Gamephys
     # @param body 0: of all bodies
     def get_joints(body)
       Low.list(JointInfo) { |out, capacity, total| Low.gphys_solver_get_joints(opened, body, out, capacity, total) }
+    end
+
+    # Breaking forces of constraints. Wakes the body.
+    # Cost: O(elements + constraints); of cloth that gets its first or loses its last one also that of a
+    # pin. Allocates. Since 1.1.
+    # @param constraints the ids; one that appears twice gets the last
+    # @param forces newtons, >= 0; 0: never breaks, as all that are added to a body later
+    def set_breaking_forces(body, constraints, forces)
+      constraints = Low.array(UInt32, constraints)
+      forces = Low.array(Float32, forces)
+      count = Low.common(constraints, forces)
+      Low.check(Low.gphys_solver_set_breaking_forces(opened, body, constraints.pointer, forces.pointer, forces.stride, count))
+      nil
+    end
+
+    # What Solver#set_breaking_forces or BodyDesc.breaking_force has set; 0: never breaks.
+    # Cost: O(elements). Since 1.1.
+    # @param constraints the ids; one may appear twice
+    # @return newtons.
+    def get_breaking_forces(body, constraints, out: nil)
+      constraints = Low.array(UInt32, constraints)
+      count = Low.common(constraints)
+      out = Low.results(Float32, out, count)
+      Low.check(Low.gphys_solver_get_breaking_forces(opened, body, constraints.pointer, count, out.pointer, Float32::BYTES))
+      out
+    end
+
+    # Break a constraint as a load would, whatever its breaking force: scissors, claws. Wakes the body.
+    # Cost: O(particles + constraints); allocates. Since 1.1.
+    # @return what came of it.
+    # @raise [Error] and nothing has changed, for an edge where the cloth cannot part: of a triangle that
+    #     hangs together with no other (ERROR_UNSUPPORTED)
+    # @raise [Error] beyond 2^24 - 1 particles or constraints (ERROR_CAPACITY)
+    def break_constraint(body, constraint)
+      out_result = Break.room
+      Low.check(Low.gphys_solver_break_constraint(opened, body, constraint, out_result))
+      Break.unpack(out_result)
+    end
+
+    # Constraints that broke in the last Solver#step or Solver#advance, in its order: for sounds, dust,
+    # and to know that a body has more particles. Not those that the caller broke. They are not part of
+    # snapshots: after Solver#restore there are none.
+    # Cost: O(breaks); no allocation. The same bits for any number of workers. Since 1.1.
+    def get_breaks
+      Low.list(Break) { |out, capacity, total| Low.gphys_solver_get_breaks(opened, out, capacity, total) }
     end
 
     # Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth

@@ -67,6 +67,7 @@ module Gamephys
   VERSION_PATCH = 0
   MAX_COORDINATE = 1000000000000000.0
   NO_TRIANGLE = 4294967295
+  NO_PARTICLE = 4294967295
   ALL_LAYERS = 4294967295
 
   module Float32
@@ -388,6 +389,15 @@ module Gamephys
     def numbers = [id, body_a, particle_a, body_b, particle_b, rest_length, compliance, force]
   end
   JointInfo::FORMAT, JointInfo::COUNT, JointInfo::BYTES = 'L5f3', 8, 32
+
+  # A constraint that broke, or that the caller has broken. Frozen.  Since 1.1.
+  Break = ::Struct.new(:body, :constraint, :particle_a, :particle_b, :torn_particle, :new_particle, :load) do
+    extend Value
+
+    def self.from(n) = new(n[0], n[1], n[2], n[3], n[4], n[5], n[6])
+    def numbers = [body, constraint, particle_a, particle_b, torn_particle, new_particle, load]
+  end
+  Break::FORMAT, Break::COUNT, Break::BYTES = 'L6f', 7, 28
 
   # Frozen.
   SolverStats = ::Struct.new(:particle_count, :pinned_count, :constraint_count, :contact_count, :strain_max, :strain_rms, :kinetic_energy, :potential_energy) do

@@ -10,7 +10,7 @@ import java.nio.ByteBuffer;
  * </pre>
  */
 public final class BodyDesc {
-    private final ByteBuffer memory = Batch.direct(56);
+    private final ByteBuffer memory = Batch.direct(60);
 
     public BodyDesc() {
         Low.check(Low.gphys_body_desc_init(pointer(), memory.capacity()));
@@ -201,5 +201,19 @@ public final class BodyDesc {
 
     public float shearCompliance() {
         return memory.getFloat(52);
+    }
+
+    /**
+     * <pre>
+     * of each constraint, newtons, &gt;= 0; 0: none breaks; default 0; see Break
+     * </pre>
+     */
+    public BodyDesc breakingForce(float value) {
+        memory.putFloat(56, value);
+        return this;
+    }
+
+    public float breakingForce() {
+        return memory.getFloat(56);
     }
 }

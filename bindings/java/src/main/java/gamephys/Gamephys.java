@@ -72,6 +72,7 @@ public final class Gamephys extends GamephysBase {
     public static final int VERSION_PATCH = 0;
     public static final float MAX_COORDINATE = 1000000000000000.0f;
     public static final int NO_TRIANGLE = 0xffffffff;
+    public static final int NO_PARTICLE = 0xffffffff;
     public static final int ALL_LAYERS = 0xffffffff;
 
     /**

@@ -266,6 +266,10 @@ class LowFunctions {
     static native int gphys_solver_join(Pointer solver, int bodyA, int particleA, int bodyB, int particleB, float restLength, float compliance, Pointer outJoint);
     static native int gphys_solver_unjoin(Pointer solver, int joint);
     static native int gphys_solver_get_joints(Pointer solver, int body, Pointer outJoints, int capacity, Pointer outTotal);
+    static native int gphys_solver_set_breaking_forces(Pointer solver, int body, Pointer constraints, Pointer forces, int forceStride, int count);
+    static native int gphys_solver_get_breaking_forces(Pointer solver, int body, Pointer constraints, int count, Pointer outForces, int outStride);
+    static native int gphys_solver_break_constraint(Pointer solver, int body, int constraint, Pointer outResult);
+    static native int gphys_solver_get_breaks(Pointer solver, Pointer outBreaks, int capacity, Pointer outTotal);
     static native int gphys_solver_step(Pointer solver, Pointer scene, float dt);
     static native int gphys_solver_advance(Pointer solver, Pointer scene, float frameTime, Pointer outSteps, Pointer outLeftover);
     static native int gphys_solver_get_leftover(Pointer solver, Pointer outLeftover);

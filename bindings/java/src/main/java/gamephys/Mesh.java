@@ -153,16 +153,18 @@ public final class Mesh extends Owned implements Shape {
      * 1 + p is particle p, a sphere, there where no link beside it is as thick. Free particles are
      * spheres, and `triangle` is the particle. Solver.getNearestParticle finds the particle of a hit. The
      * mesh has the new form when Solver.step, Solver.advance, Solver.restore or an edit of the body
-     * returns. A model that would leave the range of the world, and a mesh of less than 2^-32 m for which
-     * there is no memory, keep their form until they can follow. Solver.setOrigin moves the coordinates of
-     * the mesh, and the models back by as much: they stay where they are in the world, exactly if scenes
-     * have moved their origin before. Solvers do not collide with models of such meshes, nor wake by them:
-     * bodies meet by BodyDesc.body_layers. A restored body is followed if it has the id and the parts of
-     * the one that there was. Restore the solver before the scene. A mesh that is loaded from a snapshot,
-     * that of a scene included, is a copy that follows nothing; Scene.setShape gives its model one that
-     * does. Mesh and solver are destroyed in any order. When the body is gone the mesh keeps the form that
-     * it had last and is deformable by Mesh.setVertices, which returns ERROR_UNSUPPORTED before. A mesh
-     * that neither its handle nor a model holds follows no more.
+     * returns. Cloth that tears (Break) takes its triangles along, whose numbers stay, and the mesh gets
+     * vertices for the new particles. A model that would leave the range of the world, and a torn mesh or
+     * one of less than 2^-32 m for which there is no memory, keep their form until they can follow.
+     * Solver.setOrigin moves the coordinates of the mesh, and the models back by as much: they stay where
+     * they are in the world, exactly if scenes have moved their origin before. Solvers do not collide with
+     * models of such meshes, nor wake by them: bodies meet by BodyDesc.body_layers. A restored body is
+     * followed if it has the id and the parts of the one that there was. Restore the solver before the
+     * scene. A mesh that is loaded from a snapshot, that of a scene included, is a copy that follows
+     * nothing; Scene.setShape gives its model one that does. Mesh and solver are destroyed in any order.
+     * When the body is gone the mesh keeps the form that it had last and is deformable by
+     * Mesh.setVertices, which returns ERROR_UNSUPPORTED before. A mesh that neither its handle nor a model
+     * holds follows no more.
      * Threads: the functions above become edits of the mesh and of each scene that has a model of it.
      *   - desc: the mesh is deformable whatever it says
      * Cost: as Mesh, and then that of Mesh.setVertices for a body that has moved; one that rests is
@@ -184,16 +186,18 @@ public final class Mesh extends Owned implements Shape {
      * 1 + p is particle p, a sphere, there where no link beside it is as thick. Free particles are
      * spheres, and `triangle` is the particle. Solver.getNearestParticle finds the particle of a hit. The
      * mesh has the new form when Solver.step, Solver.advance, Solver.restore or an edit of the body
-     * returns. A model that would leave the range of the world, and a mesh of less than 2^-32 m for which
-     * there is no memory, keep their form until they can follow. Solver.setOrigin moves the coordinates of
-     * the mesh, and the models back by as much: they stay where they are in the world, exactly if scenes
-     * have moved their origin before. Solvers do not collide with models of such meshes, nor wake by them:
-     * bodies meet by BodyDesc.body_layers. A restored body is followed if it has the id and the parts of
-     * the one that there was. Restore the solver before the scene. A mesh that is loaded from a snapshot,
-     * that of a scene included, is a copy that follows nothing; Scene.setShape gives its model one that
-     * does. Mesh and solver are destroyed in any order. When the body is gone the mesh keeps the form that
-     * it had last and is deformable by Mesh.setVertices, which returns ERROR_UNSUPPORTED before. A mesh
-     * that neither its handle nor a model holds follows no more.
+     * returns. Cloth that tears (Break) takes its triangles along, whose numbers stay, and the mesh gets
+     * vertices for the new particles. A model that would leave the range of the world, and a torn mesh or
+     * one of less than 2^-32 m for which there is no memory, keep their form until they can follow.
+     * Solver.setOrigin moves the coordinates of the mesh, and the models back by as much: they stay where
+     * they are in the world, exactly if scenes have moved their origin before. Solvers do not collide with
+     * models of such meshes, nor wake by them: bodies meet by BodyDesc.body_layers. A restored body is
+     * followed if it has the id and the parts of the one that there was. Restore the solver before the
+     * scene. A mesh that is loaded from a snapshot, that of a scene included, is a copy that follows
+     * nothing; Scene.setShape gives its model one that does. Mesh and solver are destroyed in any order.
+     * When the body is gone the mesh keeps the form that it had last and is deformable by
+     * Mesh.setVertices, which returns ERROR_UNSUPPORTED before. A mesh that neither its handle nor a model
+     * holds follows no more.
      * Threads: the functions above become edits of the mesh and of each scene that has a model of it.
      *   - desc: the mesh is deformable whatever it says
      * Cost: as Mesh, and then that of Mesh.setVertices for a body that has moved; one that rests is

@@ -328,7 +328,8 @@ public final class Solver extends Owned {
     }
 
     /**
-     * Particle numbers of a cloth's triangles, three each, for drawing.
+     * Particle numbers of a cloth's triangles, three each, for drawing. Where cloth tears (Break) they
+     * change, and their number does not.
      * Cost: O(triangles).
      */
     public Batch<Integer> getTriangles(int body) {
@@ -866,7 +867,8 @@ public final class Solver extends Owned {
     }
 
     /**
-     * End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
+     * End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body. The
+     * triangles of cloth stay together: Solver.breakConstraint tears them apart.
      * Cost: as Solver.addDistance; allocates.
      * @throws GamephysException with ERROR_INVALID_ID: for a body or constraint that does not exist, or no
      *     longer
@@ -1060,6 +1062,70 @@ public final class Solver extends Owned {
     public Batch<JointInfo> getJoints(int body) {
         return Low.list(JointInfo.LAYOUT, (room, capacity, total) -> {
                 int status = Low.gphys_solver_get_joints(opened(), body, room, capacity, total);
+                Low.keep(this);
+                return status;
+            });
+    }
+
+    /**
+     * Breaking forces of constraints. Wakes the body.
+     * Cost: O(elements + constraints); of cloth that gets its first or loses its last one also that of a
+     * pin. Allocates. Since 1.1.
+     * @param constraints the ids; one that appears twice gets the last
+     * @param forces newtons, &gt;= 0; 0: never breaks, as all that are added to a body later
+     */
+    public void setBreakingForces(int body, Batch<Integer> constraints, Batch<Float> forces) {
+        int count = Low.common(constraints.common(), forces.common());
+        int status = Low.gphys_solver_set_breaking_forces(opened(), body, constraints.pointer(), forces.pointer(), forces.stride(), count);
+        Low.keep(this, constraints, forces);
+        Low.check(status);
+    }
+
+    /**
+     * What Solver.setBreakingForces or BodyDesc.breaking_force has set; 0: never breaks.
+     * Cost: O(elements). Since 1.1.
+     * @param constraints the ids; one may appear twice
+     * @return newtons.
+     */
+    public Batch<Float> getBreakingForces(int body, Batch<Integer> constraints, Batch<Float> out) {
+        int count = Low.common(constraints.common());
+        Batch<Float> room = Batch.room(Layout.FLOAT, count, out);
+        int status = Low.gphys_solver_get_breaking_forces(opened(), body, constraints.pointer(), count, room.pointer(), Layout.FLOAT.bytes());
+        Low.keep(this, constraints, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<Float> getBreakingForces(int body, Batch<Integer> constraints) {
+        return getBreakingForces(body, constraints, (Batch<Float>) null);
+    }
+
+    /**
+     * Break a constraint as a load would, whatever its breaking force: scissors, claws. Wakes the body.
+     * Cost: O(particles + constraints); allocates. Since 1.1.
+     * @return what came of it.
+     * @throws GamephysException with ERROR_UNSUPPORTED: and nothing has changed, for an edge where the
+     *     cloth cannot part: of a triangle that hangs together with no other
+     * @throws GamephysException with ERROR_CAPACITY: beyond 2^24 - 1 particles or constraints
+     */
+    public Break breakConstraint(int body, int constraint) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_solver_break_constraint(opened(), body, constraint, scratch.slot(3));
+        Low.keep(this);
+        Low.check(status);
+        return Break.read(scratch.memory, Scratch.at(3));
+    }
+
+    /**
+     * Constraints that broke in the last Solver.step or Solver.advance, in its order: for sounds, dust,
+     * and to know that a body has more particles. Not those that the caller broke. They are not part of
+     * snapshots: after Solver.restore there are none.
+     * Cost: O(breaks); no allocation. The same bits for any number of workers. Since 1.1.
+     */
+    public Batch<Break> getBreaks() {
+        return Low.list(Break.LAYOUT, (room, capacity, total) -> {
+                int status = Low.gphys_solver_get_breaks(opened(), room, capacity, total);
                 Low.keep(this);
                 return status;
             });
