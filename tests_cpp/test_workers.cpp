@@ -31,14 +31,14 @@ bool each_once(const Workers& workers, uint32_t count) {
     return std::all_of(times.begin(), times.end(), [](const std::atomic<int>& n) { return n == 1; });
 }
 
-/// Two tasks that both run to the end only if they run at the same time.
-template <class WhileBoth>
-void run_two_together(const Workers& workers, WhileBoth&& while_both) {
-    std::atomic<int> here{0};
-    workers.run(2, [&](uint32_t) {
+/// Tasks that run to the end only if all run at the same time.
+template <class WhileAll>
+void run_together(const Workers& workers, uint32_t count, WhileAll&& while_all) {
+    std::atomic<uint32_t> here{0};
+    workers.run(count, [&](uint32_t) {
         ++here;
-        while (here < 2) std::this_thread::yield();
-        while_both();
+        while (here < count) std::this_thread::yield();
+        while_all();
     });
 }
 
@@ -65,7 +65,8 @@ bool thread_count_becomes(size_t count) {
     return thread_count() == count;
 }
 
-/// Runs in a child of fork; true if the child returns true.
+/// Runs in a child of fork; true if the child returns true. All threads must have run before: one that starts may hold
+/// locks of a sanitizer's allocator, which the child would inherit.
 template <class Body>
 bool in_child(Body&& body) {
     const pid_t child = fork();
@@ -137,9 +138,9 @@ TEST_CASE("workers allocate nothing for a run") {
 
 TEST_CASE("two workers work at the same time") {
     const Workers own(2, nullptr, std::pmr::new_delete_resource());
-    for (int i = 0; i < 1000; ++i) run_two_together(own, [] {});
+    for (int i = 0; i < 1000; ++i) run_together(own, 2, [] {});
     const Workers lent(2, &on_threads, std::pmr::new_delete_resource());
-    run_two_together(lent, [] {});
+    run_together(lent, 2, [] {});
 }
 
 TEST_CASE("workers are started with their owner and joined with it, none for a count of one or a runner") {
@@ -169,14 +170,14 @@ TEST_CASE("workers change their number: others are started, and the former ones 
             CHECK(each_once(own, 1000));
             CHECK(each_once(lent, 1000));
             if (threads > 1) {
-                run_two_together(own, [] {});
-                run_two_together(lent, [] {});
+                run_together(own, 2, [] {});
+                run_together(lent, 2, [] {});
             }
         }
         memory.fail_at = memory.allocations;
         CHECK_THROWS_AS(own.set_count(5), std::bad_alloc);
         CHECK(own.count() == 3);
-        run_two_together(own, [] {});
+        run_together(own, 2, [] {});
     }
     CHECK(thread_count_becomes(before));
     CHECK(memory.bytes_in_use == 0);
@@ -195,7 +196,7 @@ TEST_CASE("workers serve one of several callers, and no caller waits for another
     CHECK(wrong == 0);
 
     // While one caller holds the workers, another one gets its answer.
-    run_two_together(workers, [&] {
+    run_together(workers, 2, [&] {
         std::thread other([&] { wrong += !each_once(workers, 20); });
         other.join();
     });
@@ -206,7 +207,7 @@ TEST_CASE("workers leave signals to the host's threads, but not faults") {
     const Workers workers(2, nullptr, std::pmr::new_delete_resource());
     const std::thread::id caller = std::this_thread::get_id();
     bool takes_interrupt = true, takes_fault = false;
-    run_two_together(workers, [&] {
+    run_together(workers, 2, [&] {
         if (std::this_thread::get_id() == caller) return;
         sigset_t blocked;
         pthread_sigmask(SIG_BLOCK, nullptr, &blocked);
@@ -223,7 +224,7 @@ TEST_CASE("workers leave signals to the host's threads, but not faults") {
 TEST_CASE("workers are gone in a child of fork, where the caller works alone and destroying returns") {
     test::WatchedMemory memory;
     auto workers = std::make_unique<Workers>(4, nullptr, &memory);
-    CHECK(each_once(*workers, 100));
+    run_together(*workers, 4, [] {});
     CHECK(in_child([&] {
         const bool right = each_once(*workers, 100);
         workers.reset();
@@ -235,9 +236,10 @@ TEST_CASE("workers are gone in a child of fork, where the caller works alone and
 TEST_CASE("workers are started again in a child of fork when they are set there") {
     test::WatchedMemory memory;
     auto workers = std::make_unique<Workers>(2, nullptr, &memory);
+    run_together(*workers, 2, [] {});
     CHECK(in_child([&] {
         workers->set_count(2);
-        run_two_together(*workers, [] {});
+        run_together(*workers, 2, [] {});
         const bool right = each_once(*workers, 100);
         workers.reset();
         return right && memory.bytes_in_use == 0;
