@@ -18,7 +18,7 @@ constexpr uint8_t touched = 4;           // in the neighbourhood of a break, unt
 constexpr uint8_t beside = 1;
 // A particle parts into masses of at least this, so that snapshots of them are valid.
 constexpr double least_part = 1e-40;
-/// Links that one tear may add: the edges on both ends of a cut through a sheet, and as many along it.
+/// Links that one tear adds at most: those along the cut that both sides have. Others stay with the particle.
 constexpr uint32_t most_new_links = 8;
 
 /// The items of a particle.
@@ -247,16 +247,18 @@ uint8_t Tearing::side_of(uint32_t particle, uint32_t far) const noexcept {
 /// Gives the copy its links.
 void Tearing::share_links(uint32_t particle, uint32_t copy) noexcept {
     Constraints& constraints = body_.constraints;
+    uint32_t added = 0;
     for (const uint32_t slot : listed(space_.link_begin, space_.links, particle)) {
         const uint32_t far = other_end(constraints.by_slot[slot], particle);
         uint8_t side = space_.marks[far] & (keeps | parts);
         if (side == 0) side = side_of(particle, far);
         if (side == parts) replace_end(body_, slot, particle, copy);
-        if (side == (keeps | parts) && constraints.by_slot.size() < constraints.by_slot.capacity()) {
+        if (side == (keeps | parts) && added < most_new_links) {
             DistanceConstraint doubled = constraints.by_slot[slot];
             (doubled.a == particle ? doubled.a : doubled.b) = copy;
-            const uint32_t added = insert_constraint(body_, doubled, can_add_to_plan(body_));
-            if (body_.breaking.possible()) body_.breaking.force[added] = body_.breaking.force[slot];
+            const uint32_t copied = insert_constraint(body_, doubled, can_add_to_plan(body_));
+            if (body_.breaking.possible()) body_.breaking.force[copied] = body_.breaking.force[slot];
+            ++added;
         }
         space_.marks[far] |= touched;
     }
