@@ -31,8 +31,7 @@ grep 'killed worker' "$work/dask_killed.log"
 # MPI ends all processes when one dies; started again, the study goes on where it was.
 echo "== MPI, one of 2 processes killed, then started again"
 "${mpi[@]}" -n 2 build/release/examples/cluster_mpi "$work/mpi_killed" "${study[@]}" >"$work/mpi_killed.log" 2>&1 &
-until [ -s "$work/mpi_killed" ] && victim=$(pgrep -f "cluster_mpi $work/mpi_killed" | tail -n 1) && [ -n "$victim" ]; do sleep 0.1; done
-sleep 1
+until [ -s "$work/mpi_killed" ] && victim=$(pgrep -f "cluster_mpi $work/mpi_killed" | tail -n 1) && [ -n "$victim" ]; do sleep 0.02; done
 kill -9 "$victim" 2>/dev/null || true
 wait $! && echo "it was done before it could be killed" || echo "killed process $victim"
 "${mpi[@]}" -n 2 build/release/examples/cluster_mpi "$work/mpi_killed" "${study[@]}" 2>>"$work/mpi_killed.log"

@@ -46,8 +46,10 @@ void pack_cloth(Body& body) {
     const uint32_t particles = body.particles.size();
     ClothBatches& batches = body.cloth.batches;
     pack_cloth_chains(batches, body.plan, particles);
-    list_kept_links(body.cloth.relaxation.kept, batches, body.cloth.rigid, body.plan, particles,
-                    body.constraints.ids.slots(), body.kind == GPHYS_BODY_CLOTH);
+    RigidLinks& rigid = body.cloth.rigid;
+    if (body.kind == GPHYS_BODY_CLOTH) find_braces(rigid, body.constraints.ids.slots());
+    rigid.changed.clear();
+    list_kept_links(body.cloth.relaxation.kept, batches, rigid, body.plan, particles);
 }
 
 }  // namespace
@@ -88,7 +90,7 @@ void update_plan(Body& body) {
     }
     if (body.cloth.rigid.begin.empty() && plan.method == GPHYS_SOLVE_GRAPH) {
         body.cloth.reach.paths.clear();
-        body.cloth.rigid.list(plan, body.particles.size());
+        body.cloth.rigid.list(body.constraints, body.particles.size());
     }
     if (!plan.reach_current) {
         Cloth& cloth = body.cloth;

@@ -2,149 +2,130 @@
 // so that chains of one colour share no particle and can be solved in any order or at once (line relaxation with graph
 // colouring).
 #include "solver/body.h"
+#include "solver/straight_kernels.h"
 
 namespace gphys {
 namespace {
 
 constexpr uint32_t none = 0xffffffff;
 
-/// Vectors as a structure of arrays, so that the compiler vectorises the loops over them.
+/// Vectors as a structure of arrays, padded to a multiple of eight.
 struct VectorArray {
     explicit VectorArray(std::pmr::memory_resource* memory) : x(memory), y(memory), z(memory) {}
 
-    void resize(size_t size) { x.resize(size), y.resize(size), z.resize(size); }
-    void set(size_t i, Vec3 v) { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
-
-    /// With the same bits as normalized. Zero vectors stay.
-    void normalize() {
-        for (size_t i = 0; i < x.size(); ++i) {
-            const double largest = gphys::largest(gphys::largest(absolute(x[i]), absolute(y[i])), absolute(z[i]));
-            const double scale = largest > 0 ? largest : 1;
-            const double u = x[i] / scale, v = y[i] / scale, w = z[i] / scale;
-            const double length = largest > 0 ? square_root(u * u + v * v + w * w) : 1;
-            x[i] = u / length, y[i] = v / length, z[i] = w / length;
-        }
+    void resize(size_t size) {
+        for (Vector<double>* component : {&x, &y, &z}) component->resize((size + 7) / 8 * 8);
     }
+    void set(size_t i, Vec3 v) { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
 
     Vector<double> x, y, z;
 };
 
 /// For each constraint and each of its ends, the constraint that continues it straight on, or none. At each particle
-/// the candidates are matched greedily, the straightest pair first.
+/// the pairs that straight_kernels.cpp lists are matched greedily, the straightest first.
 class StraightLines {
 public:
     StraightLines(const Constraints& constraints, const Particles& particles, std::pmr::memory_resource* memory)
         : constraints_(constraints),
           particles_(particles),
           next_(2 * size_t{constraints.ids.slots()}, none, memory),
+          ends_(constraints.ids.slots(), memory),
           directions_(memory),
-          around_(memory),
           outward_(memory),
-          cosines_(memory),
-          candidates_(memory) {
+          rest_(memory),
+          compliance_(memory),
+          pairs_(memory) {
         find_directions();
         match(memory);
     }
 
     uint32_t next(uint32_t slot, uint32_t end_particle) const {
-        return next_[half_edge(slot, constraints_.by_slot[slot].b == end_particle)];
+        return next_[half_edge(slot, ends_[slot].b == end_particle)];
+    }
+    uint32_t other_end(uint32_t slot, uint32_t particle) const {
+        return ends_[slot].a == particle ? ends_[slot].b : ends_[slot].a;
     }
 
 private:
-    /// A constraint at one of its particles.
-    struct HalfEdge {
-        uint32_t index;  // in next_
-        bool limit;
-        double rest, compliance;
-    };
-    /// Two constraints with a common particle that may continue each other.
-    struct Candidate {
-        double straightness;     // cosine of the angle between them: -1 is straight on
-        uint32_t first, second;  // in around_, which is in the order of slots
-
-        bool operator<(const Candidate& other) const {
-            if (straightness != other.straightness) return straightness < other.straightness;
-            return first != other.first ? first < other.first : second < other.second;
-        }
+    struct Ends {
+        uint32_t a, b;
     };
 
-    // A line turns by less than 45 degrees at a particle, and joins only constraints of one kind. Bend constraints are
-    // twice as long as the edges beside them; the edges of a mesh vary less than this ratio.
-    static constexpr double least_straight = -0.70710678118654752;
-    static constexpr double most_ratio = 1.75;
-
+    /// A constraint at one of its particles, as an index in next_.
     static uint32_t half_edge(uint32_t slot, bool second_end) { return 2 * slot + second_end; }
-
-    static bool same_kind(const HalfEdge& a, const HalfEdge& b) {
-        if (a.limit || b.limit) return false;  // each one that only pulls is solved alone
-        return a.compliance == b.compliance && a.rest <= most_ratio * b.rest && b.rest <= most_ratio * a.rest;
-    }
 
     void find_directions() {
         directions_.resize(constraints_.ids.slots());
         for (uint32_t slot = 0; slot < constraints_.ids.slots(); ++slot) {
             if (!constraints_.ids.live(slot)) continue;
             const DistanceConstraint& c = constraints_.by_slot[slot];
+            ends_[slot] = {c.a, c.b};
             directions_.set(slot, particles_.position[c.b] - particles_.position[c.a]);
         }
-        directions_.normalize();
+        kernels_.normalize(directions_.x.data(), directions_.y.data(), directions_.z.data(), directions_.x.size());
     }
 
+    /// Constraints that only pull are left out: each is solved alone.
     void match(std::pmr::memory_resource* memory) {
         Vector<uint32_t> begin(particles_.size() + 1, 0, memory);
-        for (uint32_t p = 0; p < particles_.size(); ++p) begin[p + 1] = begin[p] + constraints_.links[p].degree;
-        Vector<uint32_t> half_edges(begin.back(), memory), filled(begin.begin(), begin.end() - 1, memory);
-        for (uint32_t slot = 0; slot < constraints_.ids.slots(); ++slot) {
-            if (!constraints_.ids.live(slot)) continue;
-            half_edges[filled[constraints_.by_slot[slot].a]++] = half_edge(slot, false);
-            half_edges[filled[constraints_.by_slot[slot].b]++] = half_edge(slot, true);
-        }
+        uint32_t most = 0;
         for (uint32_t p = 0; p < particles_.size(); ++p) {
-            match(half_edges.data() + begin[p], begin[p + 1] - begin[p]);
+            begin[p + 1] = begin[p] + constraints_.links[p].degree;
+            most = std::max(most, constraints_.links[p].degree);
         }
+        outward_.resize(most);
+        rest_.resize(outward_.x.size());
+        compliance_.resize(outward_.x.size());
+        pairs_.resize(std::max(most, least_pairs));
+        Vector<uint32_t> half_edges(begin.back(), memory), end(begin.begin(), begin.end() - 1, memory);
+        for (uint32_t slot = 0; slot < constraints_.ids.slots(); ++slot) {
+            if (!constraints_.ids.live(slot) || constraints_.by_slot[slot].limit) continue;
+            half_edges[end[constraints_.by_slot[slot].a]++] = half_edge(slot, false);
+            half_edges[end[constraints_.by_slot[slot].b]++] = half_edge(slot, true);
+        }
+        Vector<StraightPair> candidates(memory);
+        for (uint32_t p = 0; p < particles_.size(); ++p)
+            match(half_edges.data() + begin[p], end[p] - begin[p], candidates);
     }
 
     /// Matches the constraints at one particle.
-    void match(const uint32_t* half_edges, uint32_t count) {
-        around_.resize(count);
-        outward_.resize(count);
-        cosines_.resize(count);
-        candidates_.clear();
+    void match(const uint32_t* half_edges, uint32_t count, Vector<StraightPair>& candidates) {
         for (uint32_t i = 0; i < count; ++i) {
             const uint32_t slot = half_edges[i] / 2;
-            const DistanceConstraint& constraint = constraints_.by_slot[slot];
-            around_[i] = {half_edges[i], constraint.limit != 0, constraint.rest, constraint.compliance};
             const double sign = half_edges[i] % 2 == 0 ? 1 : -1;
             outward_.set(i, Vec3{directions_.x[slot], directions_.y[slot], directions_.z[slot]} * sign);
+            rest_[i] = constraints_.by_slot[slot].rest;
+            compliance_[i] = constraints_.by_slot[slot].compliance;
         }
-        for (uint32_t i = 0; i < count; ++i) {
-            const double x = outward_.x[i], y = outward_.y[i], z = outward_.z[i];
-            for (uint32_t j = i + 1; j < count; ++j)
-                cosines_[j] = x * outward_.x[j] + y * outward_.y[j] + z * outward_.z[j];
-            for (uint32_t j = i + 1; j < count; ++j) {
-                if (cosines_[j] <= least_straight && same_kind(around_[i], around_[j]))
-                    candidates_.push_back({cosines_[j], i, j});
-            }
+        const LinksAround around{outward_.x.data(), outward_.y.data(),  outward_.z.data(),
+                                 rest_.data(),      compliance_.data(), count};
+        candidates.clear();
+        const uint32_t rows = static_cast<uint32_t>(pairs_.size()) / std::max(count, 1u);
+        for (uint32_t first = 0; first < count; first += rows) {
+            const uint32_t found = kernels_.list_pairs(around, first, std::min(first + rows, count), pairs_.data());
+            candidates.insert(candidates.end(), pairs_.begin(), pairs_.begin() + found);
         }
-        std::sort(candidates_.begin(), candidates_.end());
-        for (const Candidate& candidate : candidates_) {
-            uint32_t& after_first = next_[around_[candidate.first].index];
-            uint32_t& after_second = next_[around_[candidate.second].index];
-            if (after_first != none || after_second != none) continue;
-            after_first = around_[candidate.second].index / 2;
-            after_second = around_[candidate.first].index / 2;
+        std::sort(candidates.begin(), candidates.end());
+        for (const StraightPair& pair : candidates) {
+            const uint32_t first = half_edges[pair.first], second = half_edges[pair.second];
+            if (next_[first] != none || next_[second] != none) continue;
+            next_[first] = second / 2;
+            next_[second] = first / 2;
         }
     }
 
+    static constexpr uint32_t least_pairs = 1024;
+
+    const StraightKernels& kernels_ = straight_kernels(chosen_isa());
     const Constraints& constraints_;
     const Particles& particles_;
     Vector<uint32_t> next_;
+    Vector<Ends> ends_;       // by slot: the particles of the constraint, close together for quick traversal
     VectorArray directions_;  // by slot, from the first end to the second
     // Of the particle that is matched:
-    Vector<HalfEdge> around_;
     VectorArray outward_;  // directions from the particle
-    Vector<double> cosines_;
-    Vector<Candidate> candidates_;
+    Vector<double> rest_, compliance_;
+    Vector<StraightPair> pairs_;
 };
 
 /// Covers all constraints by lines, from the lowest slot on. A line ends where it meets itself, because a chain passes
@@ -164,14 +145,14 @@ void collect_lines(const Constraints& constraints, const Particles& particles, P
                 const uint32_t before = straight.next(slot, start);
                 if (before == none || before == seed || used[before]) break;
                 slot = before;
-                start = other_end(constraints.by_slot[slot], start);
+                start = straight.other_end(slot, start);
             }
             // ... and along it.
             const uint32_t line = static_cast<uint32_t>(lines.chains.size());
             lines.begin_chain(start);
             last_line[start] = line;
             for (uint32_t particle = start; slot != none && !used[slot];) {
-                particle = other_end(constraints.by_slot[slot], particle);
+                particle = straight.other_end(slot, particle);
                 if (last_line[particle] == line) break;
                 last_line[particle] = line;
                 used[slot] = 1;

@@ -9,7 +9,7 @@
 //   settings.cpp       settings of the solver and of bodies
 //   constraint_settings.cpp  settings of constraints: winches and muscles
 //   plan.cpp           in which order the constraints of a body are solved
-//   plan_colours.cpp   chains of cloth and their colours
+//   plan_colours.cpp   chains of cloth and their colours; straight_kernels.cpp: which links continue each other
 //   prepare.cpp        before a step: plans, memory, broad phase, tasks
 //   step.cpp           the step: how each body is moved
 //   time_scheme.h      the time integration of constrained bodies
@@ -38,7 +38,7 @@
 //   cloth/             cloth and graphs: colours of chains
 //     plan_cloth.cpp     chains and limits, packed for the kernels
 //     plan_edits.cpp     its chains when a constraint comes or goes
-//     rigid_links.cpp    adjacency lists, for reach limits and for braces
+//     rigid_links.cpp    adjacency lists, for reach limits; braces.cpp: diagonals that may yield
 //     cloth.h            the parts of its state, each with its own header
 //     cloth.cpp          a substep
 //     cloth_state.cpp    positions and velocities in the layout of the kernels; cloth_shares.h: work of several threads

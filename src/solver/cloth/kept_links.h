@@ -27,9 +27,9 @@ struct KeptLinks {
     Vector<uint32_t> begin, at;  // at[begin[p] .. begin[p + 1]]: the links at particle p
 };
 
-/// Call after pack_cloth_chains. Marks in the batches which of them have such links, and in `rigid` which links are
-/// braces; has_braces: whether the body can have any. Throws std::bad_alloc.
-void list_kept_links(KeptLinks& kept, ClothBatches& batches, RigidLinks& rigid, const Plan& plan, uint32_t particles,
-                     uint32_t constraint_slots, bool has_braces);
+/// Call after pack_cloth_chains and find_braces. Marks in the batches which of them have such links. Throws
+/// std::bad_alloc.
+void list_kept_links(KeptLinks& kept, ClothBatches& batches, const RigidLinks& rigid, const Plan& plan,
+                     uint32_t particles);
 
 }  // namespace gphys

@@ -2,16 +2,17 @@
 // braces traverse them.
 #pragma once
 
+#include "foundation/math.h"
 #include "foundation/memory.h"
 
 namespace gphys {
 
-struct Plan;
+struct Constraints;
 
 struct RigidLinks {
     /// A link as one of its particles sees it.
     struct End {
-        uint32_t to;
+        uint32_t to, slot;  // the other particle, and the slot of the constraint
         double rest;
     };
 
@@ -19,17 +20,23 @@ struct RigidLinks {
         : begin(memory), at(memory), changed(memory), braces(memory) {}
 
     Vector<uint32_t> begin;  // at[begin[p] .. begin[p + 1]]: the links of particle p,
-    Vector<End> at;          // sorted by their other end. Both empty: out of date
-    // For the search for braces (kept_links.cpp):
+    Vector<End> at;          // sorted by their other end and by slot. Both empty: out of date
+    // For the search for braces (braces.cpp):
     Vector<uint32_t> changed;  // the ends of links that were added or removed since the last search
-    Vector<uint8_t> braces;    // by slot of a constraint: whether it is a brace, or unknown; unknown beyond the end
+    Vector<uint8_t> braces;    // by slot of a constraint: 1 if it is a brace. Empty: not known
 
-    /// Lists the rigid links of the chains of a plan. O(links). Throws std::bad_alloc.
-    void list(const Plan& plan, uint32_t particles);
+    bool has_brace(uint32_t slot) const { return slot < braces.size() && braces[slot]; }
+
+    /// Lists the rigid constraints. O(constraints). Throws std::bad_alloc.
+    void list(const Constraints& constraints, uint32_t particles);
     /// Call after a link between two particles was added or removed. Uses capacity for two in `changed`.
     void change(uint32_t a, uint32_t b);
     /// Call if any link may have changed.
     void forget();
 };
+
+/// Updates which links are braces. Call after the links were listed. O(links) at first, then O(particles). Throws
+/// std::bad_alloc.
+void find_braces(RigidLinks& rigid, uint32_t constraint_slots);
 
 }  // namespace gphys
