@@ -51,8 +51,8 @@ void check_lists(const World& world, gphys_body_id id) {
     };
     const std::vector<bool> followed = braces();
     body.cloth.rigid.braces.clear();
-    list_kept_links(body.cloth.relaxation.kept, body.cloth.batches, body.cloth.rigid, body.plan, body.particles.size(),
-                    body.constraints.ids.slots(), body.kind == GPHYS_BODY_CLOTH);
+    if (body.kind == GPHYS_BODY_CLOTH) find_braces(body.cloth.rigid, body.constraints.ids.slots());
+    list_kept_links(body.cloth.relaxation.kept, body.cloth.batches, body.cloth.rigid, body.plan, body.particles.size());
     CHECK(braces() == followed);
 }
 

@@ -11,6 +11,7 @@
 #include "solver/rope/rope.h"
 #include "solver/settings.h"
 #include "solver/sleep.h"
+#include "solver/steady.h"
 #include "solver/substeps.h"
 #include "solver/tearing/breaking.h"
 #include "solver/time_scheme.h"
@@ -45,6 +46,7 @@ struct Body {
     AnimationTargets targets;
     Breaking breaking;
     Sleep sleep;
+    Steady steady;
 };
 
 inline bool is_graph(const Body& body) { return body.plan.method == GPHYS_SOLVE_GRAPH; }

@@ -46,7 +46,8 @@ void Solver::unite_near_bodies(DisjointSets& sets, double dt) {
     }
 }
 
-/// Sets of bodies that joints connect or that may come into contact. A set is awake if any of its bodies is.
+/// Sets of bodies that joints connect or that may come into contact. A set is awake if any of its bodies is, and a
+/// steady body is not.
 void Solver::unite_bodies(const Scene* scene, double dt) {
     const uint32_t slots = state_.ids.slots();
     DisjointSets sets(set_of_, slots);
@@ -63,7 +64,9 @@ void Solver::unite_bodies(const Scene* scene, double dt) {
     for (uint32_t slot = 0; slot < slots; ++slot) set_of_[slot] = sets.root(slot);
     awake_.assign(slots, 0);
     for (uint32_t slot = 0; slot < slots; ++slot) {
-        if (state_.ids.live(slot) && !stays_asleep(state_.bodies[slot], scene)) awake_[set_of_[slot]] = 1;
+        if (!state_.ids.live(slot)) continue;
+        const Body& body = state_.bodies[slot];
+        if (!stays_steady(body, scene, dt) && !stays_asleep(body, scene)) awake_[set_of_[slot]] = 1;
     }
 }
 

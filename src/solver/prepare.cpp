@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "solver/contact/collision.h"
+#include "solver/contact/neighbourhood.h"
 #include "solver/joints/joined_motion.h"
 #include "solver/motion.h"
 #include "solver/particles/free_flight.h"
@@ -128,6 +129,7 @@ void Solver::prepare(const Scene* scene, double dt) {
 void Solver::prepare_body(uint32_t slot, const Scene* scene, double dt) {
     Body& body = state_.bodies[slot];
     Plan& plan = body.plan;
+    body.steady.found = false;
     const bool dangling = has_dangling(body.constraints, scene), changed = !plan.chains_current;
     if (dangling || changed || !plan.reach_current) {
         // Complete before it is added to the list, because copying its parts may throw.
@@ -189,6 +191,7 @@ void Solver::begin_step(const Scene* scene) noexcept {
     for (const ActiveBody& active : active_) {
         Body& body = state_.bodies[active.slot];
         if (body.sleep.asleep) wake(body);
+        if (active.in_island) body.steady.place = body.steady.state = 0;  // not compared after this step
         body.plan.edits = 0;
         aim_attachments(body.constraints, body.particles, scene);
         begin_targets(body);
@@ -230,17 +233,17 @@ void Solver::list_near_models(const Scene& scene, double dt) {
             return bounds(Aabb{box.min - Vec3{by, by, by}, box.max + Vec3{by, by, by}});
         };
         active.reachable = enlarged(margin);
-        active.search_box = enlarged(margin + dt * fastest_model);
+        active.search_box = body.steady.search_box = enlarged(margin + dt * fastest_model);
     }
     for (ActiveBody& active : active_) {
         const size_t before = next_near_models_.size();
-        scene.for_each_in_box(active.search_box, state_.bodies[active.slot].settings.layers, [&](gphys_model_id model) {
-            // The box of a terrain or of a rotated slab contains bodies that are far from its surface.
-            if (!scene.overlaps_box(model, active.search_box)) return;
-            next_near_models_.push_back({model, scene.world(model)});
-            // find_disturbed handles models that have moved.
-            if (active.undisturbed && scene.overlaps_box(model, active.reachable)) active.undisturbed = false;
-        });
+        each_near_model(scene, active.search_box, state_.bodies[active.slot].settings.layers,
+                        [&](gphys_model_id model) {
+                            next_near_models_.push_back({model, scene.world(model)});
+                            // find_disturbed handles models that have moved.
+                            if (active.undisturbed && scene.overlaps_box(model, active.reachable))
+                                active.undisturbed = false;
+                        });
         active.near_model_count = static_cast<uint32_t>(next_near_models_.size() - before);
         if (active.near_model_count == 0) continue;
         const uint32_t least =

@@ -10,6 +10,8 @@ void Solver::set_settings(const SolverSettings& settings) {
         settings.sleep_strain != now.sleep_strain || settings.sleep_time != now.sleep_time) {
         wake_all();
     }
+    // What the next step would do depends on all of them.
+    for (Body& body : state_.bodies) body.steady = {};
     state_.settings = settings;
     state_.accumulator = std::min(state_.accumulator, settings.fixed_step);
 }

@@ -56,6 +56,8 @@ uint64_t neighbourhood(const Body& body, const Scene* scene, Visit&& visit) {
     return neighbourhood(*scene, body.sleep.box, body.settings.layers, visit);
 }
 
+}  // namespace
+
 bool attachments_moved(const Constraints& constraints, const Scene* scene) {
     return scene &&
            std::any_of(constraints.attachments.begin(), constraints.attachments.end(), [&](const Attachment& a) {
@@ -63,9 +65,8 @@ bool attachments_moved(const Constraints& constraints, const Scene* scene) {
            });
 }
 
-}  // namespace
-
 void wake(Body& body) {
+    body.steady = {};
     body.sleep.rest_time = 0;
     body.sleep.asleep = false;
     body.particles.extent.reset();
@@ -93,6 +94,7 @@ void fall_asleep(Body& body, const Scene* scene, double dt) {
 
 void rest(Body& body, const Scene* scene, const SolverSettings& settings, double dt) {
     if (is_at_rest(body, settings, dt)) fall_asleep(body, scene, dt);
+    note_steadiness(body, scene, settings, dt);
 }
 
 bool Solver::stays_asleep(const Body& body, const Scene* scene) {

@@ -7,6 +7,7 @@ namespace gphys {
 
 class Scene;
 struct Body;
+struct Constraints;
 struct SolverSettings;
 
 /// The state of a body at rest.
@@ -23,5 +24,8 @@ void fall_asleep(Body& body, const Scene* scene, double dt);
 /// The same, and falls asleep; for a single body.
 void rest(Body& body, const Scene* scene, const SolverSettings& settings, double dt);
 void wake(Body& body);
+
+/// Whether a model that particles are attached to has moved since the last step, or is gone.
+bool attachments_moved(const Constraints& constraints, const Scene* scene);
 
 }  // namespace gphys

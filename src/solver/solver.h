@@ -14,7 +14,7 @@
 //   step.cpp           the step: how each body is moved
 //   time_scheme.h      the time integration of constrained bodies
 //   islands.cpp        bodies that influence each other, moved in one task
-//   sleep.cpp          bodies at rest
+//   sleep.cpp          bodies at rest; steady.cpp: bodies that a step would leave as they are
 //   wind.cpp           drag and lift
 //   tearing/           links that break, and cloth that tears
 //   animation_targets.cpp  positions from an animation, and how far from there particles may be
@@ -136,9 +136,9 @@ public:
     void set_gravity(Vec3 gravity);
     /// For a body, or 0 for all.
     void set_wind(gphys_body_id of, const gphys_wind& wind);
-    void set_substeps(uint32_t substeps) { state_.settings.substeps = substeps; }
     /// settings.cpp
     void set_settings(const SolverSettings& settings);
+    void set_substeps(uint32_t substeps) { state_.settings.substeps = substeps; }
     const SolverSettings& settings() const { return state_.settings; }
     uint32_t worker_count() const { return workers_.count(); }
     void set_worker_count(uint32_t count) { workers_.set_count(count); }
@@ -330,6 +330,8 @@ private:
     void move_island(const Island& island, const Scene* scene, double dt);
     /// Whether the body sleeps and nothing wakes it.
     bool stays_asleep(const Body& body, const Scene* scene);
+    /// steady.cpp: whether a step, from the state after the last one, would change nothing.
+    bool stays_steady(const Body& body, const Scene* scene, double dt);
     void list_near_models(const Scene& scene, double dt);
     void limit_work(double dt);
     void find_disturbed(const Scene& scene);

@@ -176,9 +176,9 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
     }
     if (cloth.relaxation.most_strain > 0) {
         if (collides) save_positions(contacts, state);
-        const double lost = relax_links(body, collides, h);
-        if (collides) stop_undone_motion(body, around, h);
-        if (lost > 0 && balance.closed && !accounted) remove_energy(state, cloth.shares, lost * state.average_mass);
+        const std::optional<double> lost = relax_links(body, collides, h);
+        if (lost && collides) stop_undone_motion(body, around, h);
+        if (lost > 0 && balance.closed && !accounted) remove_energy(state, cloth.shares, *lost * state.average_mass);
     }
     if (accounted) {
         if (balance.closed) balance.stored = stored_energy(cloth);

@@ -143,7 +143,35 @@ void ClothContacts::reserve(uint32_t particles, size_t floats) {
     escaped.resize(particles);
     candidate_of.resize(particles);
     balls.resize(floats);
+    saved.resize(floats);
 }
+
+namespace {
+
+/// Leaves the candidates as if the searches of all particles that have a ball were repeated now, as they are after a
+/// snapshot: sums over candidates depend on their order.
+void put_in_order(ClothContacts& contacts, const Vector<float>& search_balls) {
+    Vector<ClothContact>& all = contacts.candidates;
+    Vector<uint32_t>& candidate_of = contacts.candidate_of;
+    const auto is_found_anew = [&](const ClothContact& n) {
+        return n.plane_count == 0 || search_balls[4 * size_t{n.particle} + 3] < 0;
+    };
+    all.erase(std::remove_if(all.begin(), all.end(), is_found_anew), all.end());
+    std::fill(candidate_of.begin(), candidate_of.end(), ClothContacts::none);
+    for (uint32_t i = 0; i < all.size(); ++i) candidate_of[all[i].particle] = i;
+    uint32_t next = 0;
+    for (uint32_t& place : candidate_of) {
+        if (place == ClothContacts::none) continue;
+        if (place != next) {
+            std::swap(all[place], all[next]);
+            candidate_of[all[place].particle] = place;
+            place = next;
+        }
+        ++next;
+    }
+}
+
+}  // namespace
 
 void search_cloth_contacts(Body& body, const CollisionContext& around, Vec3 gravity) {
     const Particles& particles = body.particles;
@@ -158,6 +186,7 @@ void search_cloth_contacts(Body& body, const CollisionContext& around, Vec3 grav
     if (reuse == Reuse::nothing) search_balls.assign(4 * size_t{particles.size()}, ContactCache::no_ball);
     if (reuse == Reuse::planes) {
         for (ClothContact& n : contacts.candidates) n.rest();
+        put_in_order(contacts, search_balls);
     } else {
         contacts.candidates.clear();
         std::fill(contacts.candidate_of.begin(), contacts.candidate_of.end(), ClothContacts::none);
@@ -283,10 +312,7 @@ void apply_friction(ClothContact& n, Vec3 pull, const Friction& friction, double
 }  // namespace
 
 void save_positions(ClothContacts& contacts, const ClothState& state) {
-    for (const uint32_t number : contacts.active) {
-        ClothContact& n = contacts.candidates[number];
-        n.after_chains = get(&state.at[4 * size_t{n.particle}]);
-    }
+    std::copy(state.at.begin(), state.at.end(), contacts.saved.begin());
 }
 
 void resolve_contacts(Body& body) {
@@ -317,7 +343,7 @@ void resolve_contacts(Body& body) {
         put(&in_chains.normals[i], {});
         contacts.has_moving_model = contacts.has_moving_model || is_on_moving_model(n);
         // In metres: the displacement by chains and limits, or by contact planes.
-        n.moved = before ? get(&in_chains.pulls[i]) * at[3] + (limited - n.after_chains) : limited - get(at);
+        n.moved = before ? get(&in_chains.pulls[i]) * at[3] + (limited - get(&contacts.saved[i])) : limited - get(at);
         n.active_before_chains = before;
     }
 }
@@ -368,7 +394,7 @@ void stop_undone_motion(Body& body, const CollisionContext& around, double h) {
     for (const uint32_t number : contacts.active) {
         ClothContact& n = contacts.candidates[number];
         const size_t i = 4 * size_t{n.particle};
-        const Vec3 back = get(&state.at[i]) - n.after_chains, start = get(&state.start[i]);
+        const Vec3 back = get(&state.at[i]) - get(&contacts.saved[i]), start = get(&state.start[i]);
         const Vec3 velocity = get(&state.velocity[i]);
         const double square = length_squared(back);
         const Vec3 of_plane = (place_on_plane(n, body.cloth.moving_colliders, start) - start) / h;

@@ -42,8 +42,9 @@ struct ContactPlane {
     uint32_t moving_collider;  // index in Cloth::moving_colliders, or unmoved
 };
 
-/// The contact state of a particle that may be in contact in this step. The members that all substeps read come first,
-/// in one or two cache lines.
+/// The contact state of a particle that may be in contact in this step. Loops over many particles in contact are bound
+/// by memory, so members that are used together share cache lines: two lines for the place on one contact plane, two
+/// for velocities and impulses.
 struct alignas(64) ClothContact {
     static constexpr uint32_t most_planes = 4;
 
@@ -51,7 +52,6 @@ struct alignas(64) ClothContact {
     uint32_t plane_count;
     uint32_t active_planes;  // bit i: contact plane i was active in this step
     int32_t active_plane;    // the contact plane that pushed it most in this substep, or -1
-    ContactPlane planes[most_planes];
     // For a particle in contact, in this substep:
     double rest_slip;  // metres: displacement by its own velocity, if that is small enough to count as rest; else -1
     double normal_displacement;  // metres: total displacement by contact planes
@@ -60,18 +60,18 @@ struct alignas(64) ClothContact {
     double approach;  // speed of approach to the contact plane at impact, if it is large enough to bounce; else 0
     bool active_before_chains;  // whether it was active before the chains were solved
     bool held;                  // whether friction holds it at its place on the contact plane
-    Vec3 predicted_velocity;    // if active: the velocity predicted for the end of this substep
-    Vec3 after_chains;          // and its position after the chains, before limits
+    bool is_at_target;          // whether it is at its target, see below
     Vec3 moved;  // metres: displacement by chains and limits; if it became active after them, by planes, reversed
+    ContactPlane planes[most_planes];
+    double depth;             // metres behind the plane that it is deepest behind; 0 if it is in no model
+    Vec3 predicted_velocity;  // if active: the velocity predicted for the end of this substep
     // For the impulses on models:
     gphys_model_id impulse_model;  // the model that gets the next two:
     Vec3 impulse, moment;          // m/s: its impulse on the model per mass, and the moment about the cloth's origin
     // For a particle that is deeper in a model than it can leave at once (leave_solids.cpp):
     uint32_t penetrated_planes;  // bit i: contact plane i is at the particle, not at the surface
     uint32_t deepest_plane;      // index of the plane that it is deepest behind
-    double depth;                // metres behind that plane; 0 if it is in no model
     Vec3 target;                 // where it shall go, or, while it is there, where the links would move it
-    bool is_at_target;           // whether it is at its target
 
     /// Call at the beginning of a step, if the planes of the last step are reused.
     void rest() {
@@ -83,7 +83,7 @@ struct alignas(64) ClothContact {
 
 struct ClothContacts {
     explicit ClothContacts(std::pmr::memory_resource* memory)
-        : candidates(memory), active(memory), candidate_of(memory), balls(memory), escaped(memory) {}
+        : candidates(memory), active(memory), candidate_of(memory), balls(memory), saved(memory), escaped(memory) {}
 
     static constexpr uint32_t none = 0xffffffff;
 
@@ -91,6 +91,7 @@ struct ClothContacts {
     Vector<uint32_t> active;          // indices of the candidates that are in contact in this substep
     Vector<uint32_t> candidate_of;    // by particle: its index in candidates, or none
     Vector<float> balls;              // four floats for each particle: centre, squared radius
+    Vector<float> saved;              // positions, by save_positions
     Vector<uint32_t> escaped;         // particles outside their balls; when searching, those that search
     Vec3 impulse, moment;             // sums of those of the candidates in this substep, times their relative masses
     bool has_moving_model = false;    // whether any active one is in contact with a moving model

@@ -191,7 +191,7 @@ double ContactSearch::push_out(float* ball, ClothContact& found) const {
     for (uint32_t i = 0; i < found.plane_count; ++i) {
         ContactPlane& plane = found.planes[i];
         const double depth = plane.offset - dot(plane.normal, get(ball));
-        if (depth > most_push_) {
+        if (depth > most_push) {
             found.penetrated_planes |= 1u << i;
             if (depth > found.depth) found.depth = depth, found.deepest_plane = i;
         } else if (depth > 0) {

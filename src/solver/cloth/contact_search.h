@@ -22,8 +22,7 @@ public:
           contacts_(body.cloth.contacts),
           search_balls_(body.cloth.cache.search_balls),
           gravity_(gravity),
-          time_(time),
-          most_push_(leaving_speed * seconds(around)) {}
+          time_(time) {}
 
     /// Finds the balls and the contact planes of particles, and moves the particles out of models. Records the contacts
     /// that they had before.
@@ -38,13 +37,10 @@ private:
     // Near more parts the radius is reduced: contact planes are infinite, and the plane of a distant part would exclude
     // free space.
     static constexpr uint32_t most_parts = 64;
+    // Metres out of a model at once: what a particle may leave in a short substep. The same in all searches, so that
+    // one that is repeated after a snapshot finds the same.
+    static constexpr double most_push = leaving_speed * 0.002;
 
-    /// Length of the substep; at the beginning of a step, of a short one.
-    static double seconds(const CollisionContext& around) {
-        constexpr double short_substep = 0.002;
-        return around.end > around.begin ? around.step_time * (around.end - around.begin)
-                                         : std::min(around.step_time, short_substep);
-    }
     void search_from_balls(const uint32_t* particles, uint32_t count);
     Vec3 place_of(uint32_t p) const { return get(&search_balls_[4 * size_t{p}]); }
     double clearance(uint32_t p, Vec3 at) const;
@@ -72,7 +68,6 @@ private:
     Vector<float>& search_balls_;
     const Vec3 gravity_;
     const double time_;
-    const double most_push_;  // out of a model
     bool repeats_ = false;
     uint32_t near_colliders_[most_colliders];  // indices in the body's list
     uint32_t collider_count_ = 0;

@@ -157,7 +157,7 @@ void Relaxer::relax_listed(uint32_t& count, double& lost) {
 
 }  // namespace
 
-double relax_links(Body& body, bool collides, double h) {
+std::optional<double> relax_links(Body& body, bool collides, double h) {
     Relaxation& relaxation = body.cloth.relaxation;
     Relaxer relaxer(body, collides, h);
     double lost = 0;
@@ -174,8 +174,8 @@ double relax_links(Body& body, bool collides, double h) {
         }
     }
     // The remaining error grows with the square of the substep, and so does the number of passes.
-    if (passes > 0)
-        relaxation.wanted_substep = std::min(relaxation.wanted_substep, h * std::sqrt(aimed_passes / passes));
+    if (passes == 0) return std::nullopt;
+    relaxation.wanted_substep = std::min(relaxation.wanted_substep, h * std::sqrt(aimed_passes / passes));
     return lost;
 }
 

@@ -1,6 +1,8 @@
 // Relaxation of links of cloth that chains have left strained.
 #pragma once
 
+#include <optional>
+
 #include "foundation/math.h"
 #include "foundation/memory.h"
 #include "solver/cloth/kept_links.h"
@@ -29,7 +31,7 @@ struct Relaxation {
 };
 
 /// Call after a substep of h seconds. Relaxes links that are strained beyond the target. Returns the energy that forces
-/// have lost by it, per average mass.
-double relax_links(Body& body, bool collides, double h);
+/// have lost by it, per average mass, or nothing if no particle was moved.
+std::optional<double> relax_links(Body& body, bool collides, double h);
 
 }  // namespace gphys

@@ -1,5 +1,5 @@
-// A hash of a body's surroundings. While it stays the same, a body at rest keeps sleeping, and cloth keeps its contact
-// cache.
+// The models near a body, and a hash of them. While it stays the same, a body at rest keeps sleeping, and cloth keeps
+// its contact cache.
 #pragma once
 
 #include "scene/scene.h"
@@ -20,6 +20,15 @@ uint64_t neighbourhood(const Scene& scene, const Box& box, uint32_t layers, Visi
         visit(model);
     });
     return sum;
+}
+
+/// Calls visit(model) for the models in some of the layers that overlap a box: the bounding box of a terrain or of a
+/// rotated slab contains boxes that are far from its surface.
+template <class Visit>
+void each_near_model(const Scene& scene, const Box& box, uint32_t layers, Visit&& visit) {
+    scene.for_each_in_box(box, layers, [&](gphys_model_id model) {
+        if (scene.overlaps_box(model, box)) visit(model);
+    });
 }
 
 }  // namespace gphys

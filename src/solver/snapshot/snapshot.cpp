@@ -249,6 +249,13 @@ uint64_t hash_of(const uint32_t* words, size_t count) {
 
 }  // namespace
 
+uint64_t hash_of_state(const Body& body) {
+    WordHash hash;
+    Writer<WordHash> archive(hash);
+    visit_body(archive, body);
+    return hash.value();
+}
+
 void Solver::hash(uint32_t (&out)[2]) const {
     WordHash hash;
     write(hash, state_);

@@ -1,0 +1,31 @@
+// Steady bodies: a step has left the whole state of the body as it was, bit by bit. The next step with the same input
+// would do the same, so it is left out. Results do not depend on this, but bodies that lie still cost next to nothing.
+#pragma once
+
+#include "shapes/shapes.h"
+
+namespace gphys {
+
+class Scene;
+struct Body;
+struct SolverSettings;
+
+/// Not in snapshots: a restored body is moved until it is found to be steady again.
+struct Steady {
+    bool found = false;
+    double step_time = 0;       // seconds: the last step,
+    uint32_t substeps = 0;      // and the solver's setting in it
+    uint64_t place = 0;         // after the last step: hash of the positions, or 0 if some particle moves;
+    uint64_t state = 0;         // hash of the whole state, or 0 if it is not known;
+    uint64_t surroundings = 0;  // and hash of the models near the body
+    Box search_box;             // where models may influence the body in a step
+};
+
+/// Call after a step of a body that was moved alone. Costs a test of the velocities; while these are almost 0, up to
+/// about a tenth of the step, until the body is steady.
+void note_steadiness(Body& body, const Scene* scene, const SolverSettings& settings, double dt);
+
+/// Hash of all that a snapshot holds of the body. Defined in snapshot.cpp.
+uint64_t hash_of_state(const Body& body);
+
+}  // namespace gphys
