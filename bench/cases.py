@@ -53,9 +53,11 @@ SOLVER = {
     "cloth_100": "cloth of 100 x 100 on two corners", "cloth_100_bend": "cloth of 100 x 100, stiff against bending",
     "ropes_threads": "1000 ropes of 30 links", "cloth_300_threads": "cloth of 300 x 300 on two corners",
     "free_1M_flying": "1,000,000 particles in the air", "free_1M_landing": "1,000,000 particles landing on boxes",
-    "free_1M_lying": "1,000,000 particles at rest on boxes", "free_1M_all": "1,000,000 particles, mean of three seconds",
+    "free_1M_lying": "1,000,000 particles at rest on boxes", "free_1M_steady": "1,000,000 particles at rest, steps of equal length",
+    "free_1M_all": "1,000,000 particles, mean of three seconds",
     "free_100k_flying": "100,000 particles in the air", "free_100k_landing": "100,000 particles landing on boxes",
-    "free_100k_lying": "100,000 particles at rest on boxes", "free_100k_all": "100,000 particles, mean of three seconds",
+    "free_100k_lying": "100,000 particles at rest on boxes", "free_100k_steady": "100,000 particles at rest, steps of equal length",
+    "free_100k_all": "100,000 particles, mean of three seconds",
     "drape_over_mesh": "cloth over a mesh", "drape_within_2_percent_mean": "cloth over a mesh within 2 % strain, mean frame",
     "drape_within_2_percent_longest": "cloth over a mesh within 2 % strain, longest frame",
 }

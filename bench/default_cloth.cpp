@@ -21,8 +21,6 @@
 
 namespace {
 
-constexpr float frame = 1.0f / 60;
-
 struct Options {
     std::string only, mesh;
     uint32_t varied = 0;
@@ -159,7 +157,7 @@ void measure(const char* name, World& world, const Options& options) {
     for (int i = 0; i < frames; ++i) {
         world.act((i + 1) * double{frame});
         const double start = now();
-        check(gphys_solver_step(world.solver, world.scene, frame));
+        check(gphys_solver_step(world.solver, world.scene, frame_time(i)));
         times.push_back(1e3 * (now() - start));
         const std::vector<gphys_vec3> at = world.positions();
         const Strain strain = strain_of(world, at);

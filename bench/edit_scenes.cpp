@@ -20,7 +20,6 @@
 
 namespace {
 
-constexpr float frame = 1.0f / 60;
 constexpr float spacing = 0.02f;
 
 /// A body that hangs or flies, a rope of ten links beside it, and a model that nothing touches.
@@ -74,7 +73,7 @@ struct World {
     }
     double step() {
         const double begin = now();
-        check(gphys_solver_step(solver, scene, frame));
+        check(gphys_solver_step(solver, scene, frame_time(steps++)));
         return 1e3 * (now() - begin);
     }
 
@@ -82,6 +81,7 @@ struct World {
     gphys_scene* scene = nullptr;
     gphys_model_id model = 0;
     gphys_body_id body = 0, beside = 0;
+    long steps = 0;
 };
 
 void require_distinct(const World& world) {

@@ -3,6 +3,7 @@
 
 #include <time.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "gamephys_c.h"
@@ -17,3 +18,9 @@ inline double now() {
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
+
+constexpr float frame = 1.0f / 60;  // s
+
+/// The time of frame i of 60 a second. Frames differ by a rounding error, so that the solver computes each: it leaves
+/// out a step of the same length as the last one that would change nothing (docs/solver.md).
+inline float frame_time(long i) { return i % 2 == 0 ? frame : std::nextafter(frame, 1.0f); }

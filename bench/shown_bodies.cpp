@@ -56,7 +56,7 @@ struct Sheet {
 
     double step() {
         const double start = now();
-        check(gphys_solver_step(solver, scene, 1.0f / 60));
+        check(gphys_solver_step(solver, scene, frame_time(steps++)));
         return 1e9 * (now() - start);
     }
     /// A mesh of what it is now, in place of the one before.
@@ -96,6 +96,7 @@ struct Sheet {
     gphys_model_id model = 0;
     std::vector<gphys_vec3> positions;
     std::vector<uint32_t> indices;
+    long steps = 0;
 };
 
 void measure_sheet(uint32_t side, int frames) {
@@ -113,7 +114,7 @@ void measure_sheet(uint32_t side, int frames) {
         rays.push_back({from, {to.x - from.x, to.y - from.y, to.z - from.z}, 10});
     }
     std::vector<gphys_hit> hits(rays.size());
-    for (int frame = 0; frame < frames; ++frame) {
+    for (int i = 0; i < frames; ++i) {
         step.push_back(plain.step());
         step_shown.push_back(shown.step());
         follow.push_back(step_shown.back() - step.back());

@@ -30,15 +30,11 @@ public:
         for (size_t first = 0; first < system.positions.size(); first += system.body_size) add(system, first);
     }
     ~Gamephys() override { gphys_solver_destroy(solver_); }
-    void step() override { check(gphys_solver_step(solver_, nullptr, static_cast<float>(frame))); }
+    void step(float seconds) override { check(gphys_solver_step(solver_, nullptr, seconds)); }
     std::vector<gphys_vec3> positions() const override { return read(gphys_solver_get_positions); }
     std::vector<gphys_vec3> velocities() const override { return read(gphys_solver_get_velocities); }
 
 private:
-    static void check(gphys_status status) {
-        if (status != GPHYS_OK) throw std::runtime_error(gphys_last_error());
-    }
-
     void add(const System& system, size_t first) {
         gphys_body_desc desc;
         check(gphys_body_desc_init(&desc, sizeof desc));
@@ -226,9 +222,9 @@ struct Contender {
 };
 
 double seconds_on_the_wall() {
-    timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+    timespec time;
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
 }
 
 double median(std::vector<double>& times) {
@@ -245,7 +241,7 @@ double milliseconds_apart(const System& system, double seconds, uint32_t substep
         std::vector<double> times;
         for (int i = 0; i < std::lround(seconds / frame); ++i) {
             const double start = seconds_on_the_wall();
-            solver.step();
+            solver.step(frame_time(i));
             times.push_back(seconds_on_the_wall() - start);
         }
         rate = 1e-3 / median(times);
@@ -371,15 +367,15 @@ private:
 
     Row measure(const System& system, double seconds, const Contender& contender, uint32_t effort,
                 const std::vector<gphys_vec3>& truth) {
-        const auto now = contender.several_threads ? seconds_on_the_wall : seconds_of_thread;
+        const auto clock = contender.several_threads ? seconds_on_the_wall : now;
         const std::unique_ptr<Method> method = contender.make(system, effort);
         const double before = energy(system, *method);
         std::vector<double> times;
         Strain strain;
         for (int i = 0; i < std::lround(seconds / frame); ++i) {
-            const double start = now();
-            method->step();
-            times.push_back(now() - start);
+            const double start = clock();
+            method->step(frame_time(i));
+            times.push_back(clock() - start);
             strain.widen(strain_of(system, method->positions()));
         }
         // What there is to gain or lose: all masses falling as far as the system is long.
@@ -421,12 +417,6 @@ private:
 };
 
 }  // namespace
-
-double seconds_of_thread() {
-    timespec now;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
-}
 
 std::unique_ptr<Method> make_gamephys_solver(const System& system, uint32_t substeps) {
     return std::make_unique<Gamephys>(system, substeps, 1);

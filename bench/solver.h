@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gamephys_c.h"
+#include "measure.h"
 
 namespace bench {
 
@@ -28,13 +29,12 @@ struct System {
 };
 
 constexpr double gravity = 9.81;
-constexpr double frame = 1.0 / 60;
 
 /// A way to move a system.
 class Method {
 public:
     virtual ~Method() = default;
-    virtual void step() = 0;  // one frame
+    virtual void step(float seconds) = 0;  // one frame
     virtual std::vector<gphys_vec3> positions() const = 0;
     virtual std::vector<gphys_vec3> velocities() const = 0;
 };
@@ -48,9 +48,6 @@ std::unique_ptr<Method> make_xpbd(const System& system, uint32_t substeps);
 #ifdef GAMEPHYS_BENCH_PEERS
 std::unique_ptr<Method> make_bullet_soft(const System& system, uint32_t iterations);
 #endif
-
-/// Processor time of this thread.
-double seconds_of_thread();
 
 // Bodies among models.
 
@@ -82,7 +79,8 @@ struct RainResult {
     const char* when;
     double seconds;  // of a frame
 };
-/// Three seconds, after which all lie; `depth` gets how deep the deepest centre is in a box or the ground, metres.
+/// Three seconds, after which all lie, and half a second of equal steps; `depth` gets how deep the deepest centre is in
+/// a box or the ground, metres.
 std::vector<RainResult> measure_rain(const Rain& rain, Method& method, double& depth);
 /// Seconds of a frame: the median.
 double measure_drape(Method& method, double seconds);

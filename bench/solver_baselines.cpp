@@ -52,8 +52,8 @@ private:
 class Jakobsen final : public Projection {
 public:
     Jakobsen(const System& system, uint32_t iterations) : Projection(system), iterations_(iterations), before_(at_) {}
-    void step() override {
-        const float h = static_cast<float>(frame), keep = std::exp(-system_.damping * h);
+    void step(float h) override {
+        const float keep = std::exp(-system_.damping * h);
         for (size_t i = 0; i < at_.size(); ++i) {
             if (inverse_mass_[i] == 0) continue;
             const Vec now = at_[i];
@@ -72,8 +72,8 @@ private:
 class Xpbd final : public Projection {
 public:
     Xpbd(const System& system, uint32_t substeps) : Projection(system), substeps_(substeps) {}
-    void step() override {
-        const float h = static_cast<float>(frame / substeps_), keep = std::exp(-system_.damping * h);
+    void step(float seconds) override {
+        const float h = seconds / static_cast<float>(substeps_), keep = std::exp(-system_.damping * h);
         for (uint32_t substep = 0; substep < substeps_; ++substep) {
             const std::vector<Vec>& before = before_ = at_;
             for (size_t i = 0; i < at_.size(); ++i) {

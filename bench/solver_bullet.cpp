@@ -35,9 +35,9 @@ public:
         world_.addSoftBody(body_.get());
     }
     ~BulletSoft() override { world_.removeSoftBody(body_.get()); }
-    void step() override {
-        body_->m_cfg.kDP = static_cast<btScalar>(1 - std::exp(-damping_ * frame));
-        world_.stepSimulation(static_cast<btScalar>(frame), 0);
+    void step(float seconds) override {
+        body_->m_cfg.kDP = static_cast<btScalar>(1 - std::exp(-damping_ * seconds));
+        world_.stepSimulation(seconds, 0);
     }
     std::vector<gphys_vec3> positions() const override { return read(&btSoftBody::Node::m_x); }
     std::vector<gphys_vec3> velocities() const override { return read(&btSoftBody::Node::m_v); }

@@ -23,7 +23,7 @@ public:
         for (const auto& body : bodies_) world_.removeSoftBody(body.get());
         for (const auto& object : objects_) world_.removeCollisionObject(object.get());
     }
-    void step() override { world_.stepSimulation(static_cast<btScalar>(frame), 0); }
+    void step(float seconds) override { world_.stepSimulation(seconds, 0); }
     std::vector<gphys_vec3> positions() const override { return read(&btSoftBody::Node::m_x); }
     std::vector<gphys_vec3> velocities() const override { return read(&btSoftBody::Node::m_v); }
 

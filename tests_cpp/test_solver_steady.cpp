@@ -245,3 +245,31 @@ TEST_CASE("a step of bodies that lie still costs next to nothing, and nothing sa
     REQUIRE(gphys_solver_get_sleeping(room.solver, nullptr, 0, &sleeping) == GPHYS_OK);
     CHECK(sleeping == 0);
 }
+
+TEST_CASE("a body whose steps differ in length is not compared, and is steady soon after they are equal") {
+    Room room;
+    const float longer = std::nextafter(frame, 1.0f);
+    for (int i = 0; i < 600; ++i) {
+        room.step(i % 2 == 0 ? frame : longer);
+        REQUIRE(gphys::unwrap(room.solver)->body(room.particle_body).steady.place == 0);
+    }
+    REQUIRE_FALSE(room.is_steady(room.particle_body));
+    room.run(5);
+    for (const gphys_body_id body : room.bodies()) CHECK(room.is_steady(body));
+}
+
+TEST_CASE("comparisons of a body that creeps become rare") {
+    // 1e-7 m/s is counted as still, and its position changes in every step.
+    World world;
+    const gphys_body_id dust = world.particles({{0, 0, 0}});
+    const gphys_vec3 none{0, 0, 0};
+    REQUIRE(gphys_solver_set_gravity(world.solver, &none) == GPHYS_OK);
+    world.set_velocity(dust, 0, {1e-7f, 0, 0});
+    uint32_t compared = 0;
+    for (int i = 0; i < 640; ++i) {
+        world.step(frame);
+        compared += gphys::unwrap(world.solver)->body(dust).steady.place != 0;
+    }
+    CHECK(compared > 10);
+    CHECK(compared < 60);
+}

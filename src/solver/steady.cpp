@@ -44,6 +44,13 @@ uint64_t hash_of_surroundings(const Body& body, const Scene* scene, Visit&& visi
     return sum;
 }
 
+/// After a comparison that has failed; the next ones wait longer and longer.
+void put_off(Steady& steady) {
+    constexpr uint32_t longest = 31;
+    steady.pause = std::min(2 * steady.pause + 1, longest);
+    steady.left_out = steady.pause;
+}
+
 }  // namespace
 
 void note_steadiness(Body& body, const Scene* scene, const SolverSettings& settings, double dt) {
@@ -51,14 +58,29 @@ void note_steadiness(Body& body, const Scene* scene, const SolverSettings& setti
     const Steady before = now;
     now.found = false;
     now.place = now.state = 0;
-    if (body.sleep.asleep || !may_be_steady(body, settings)) return;
     now.step_time = dt;
     now.substeps = settings.substeps;
+    if (dt != before.step_time || settings.substeps != before.substeps) return;
+    if (body.sleep.asleep || !may_be_steady(body, settings)) return;
+    if (now.left_out > 0) {
+        --now.left_out;
+        return;
+    }
     now.place = hash_of_places(body.particles);
-    if (now.place != before.place) return;
+    if (before.place == 0) return;
+    if (now.place != before.place) {
+        put_off(now);
+        return;
+    }
     now.state = hash_of_state(body);
     now.surroundings = hash_of_surroundings(body, scene, [](gphys_model_id) {});
+    if (before.state == 0) return;
     now.found = now.state == before.state && now.surroundings == before.surroundings;
+    if (now.found) {
+        now.pause = 0;
+    } else {
+        put_off(now);
+    }
 }
 
 bool Solver::stays_steady(const Body& body, const Scene* scene, double dt) {
