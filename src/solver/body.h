@@ -6,6 +6,7 @@
 #include "solver/constraints.h"
 #include "solver/contact/contacts.h"
 #include "solver/history.h"
+#include "solver/particles/flight_balls.h"
 #include "solver/particles/particles.h"
 #include "solver/plan.h"
 #include "solver/rope/rope.h"
@@ -22,6 +23,7 @@ namespace gphys {
 struct Body {
     explicit Body(std::pmr::memory_resource* memory)
         : particles(memory),
+          flight(memory),
           constraints(memory),
           plan(memory),
           history(memory),
@@ -35,6 +37,7 @@ struct Body {
     gphys_body_kind kind = GPHYS_BODY_PARTICLES;
     BodySettings settings;
     Particles particles;
+    FlightBalls flight;  // of free particles
     Constraints constraints;
     Plan plan;
     History history;

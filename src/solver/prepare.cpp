@@ -202,6 +202,18 @@ void Solver::begin_step(const Scene* scene) noexcept {
     particle_contacts_.begin_step(state_.ids, state_.bodies, islands_);
 }
 
+/// Memory for what free particles find near meshes, and the hash of the models near them.
+static void reserve_balls(Body& body, const Scene& scene, const Box& search_box, bool meshes) {
+    if (body.plan.method != GPHYS_SOLVE_FREE || !meshes) {
+        body.flight.all.clear();
+        return;
+    }
+    if (body.flight.all.size() != body.particles.size()) body.flight.forget();
+    body.flight.all.resize(body.particles.size());
+    body.flight.surroundings =
+        neighbourhood(scene, search_box, body.settings.layers, [](gphys_model_id) {}) | 1;  // 0: not known
+}
+
 /// The broad phase: lists the models near the bodies with their transforms, and those that have moved since the last
 /// step.
 void Solver::list_near_models(const Scene& scene, double dt) {
@@ -236,18 +248,19 @@ void Solver::list_near_models(const Scene& scene, double dt) {
         active.search_box = body.steady.search_box = enlarged(margin + dt * fastest_model);
     }
     for (ActiveBody& active : active_) {
+        Body& body = state_.bodies[active.slot];
         const size_t before = next_near_models_.size();
-        each_near_model(scene, active.search_box, state_.bodies[active.slot].settings.layers,
-                        [&](gphys_model_id model) {
-                            next_near_models_.push_back({model, scene.world(model)});
-                            // find_disturbed handles models that have moved.
-                            if (active.undisturbed && scene.overlaps_box(model, active.reachable))
-                                active.undisturbed = false;
-                        });
+        bool meshes = false;
+        each_near_model(scene, active.search_box, body.settings.layers, [&](gphys_model_id model) {
+            next_near_models_.push_back({model, scene.world(model)});
+            meshes = meshes || scene.mesh(model);
+            // find_disturbed handles models that have moved.
+            if (active.undisturbed && scene.overlaps_box(model, active.reachable)) active.undisturbed = false;
+        });
+        reserve_balls(body, scene, active.search_box, meshes);
         active.near_model_count = static_cast<uint32_t>(next_near_models_.size() - before);
         if (active.near_model_count == 0) continue;
-        const uint32_t least =
-            substeps_near_models(state_.bodies[active.slot].cloth, state_.settings, active.fastest, dt);
+        const uint32_t least = substeps_near_models(body.cloth, state_.settings, active.fastest, dt);
         active.substeps = std::max(active.substeps, least);
     }
     std::sort(next_near_models_.begin(), next_near_models_.end());

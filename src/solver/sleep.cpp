@@ -67,6 +67,7 @@ bool attachments_moved(const Constraints& constraints, const Scene* scene) {
 
 void wake(Body& body) {
     body.steady = {};
+    body.flight.forget();
     body.sleep.rest_time = 0;
     body.sleep.asleep = false;
     body.particles.extent.reset();

@@ -114,6 +114,7 @@ void Solver::end_body_step(Body& body, const Scene* scene, double dt, uint32_t s
         if (!body.particles.extent) body.particles.extent.emplace();
         body.particles.extent->add(part.extent);
     }
+    body.flight.last_surroundings = body.flight.surroundings;
     body.constraints.length_changes.clear();
     end_targets(body);
     stay_in_range(body);

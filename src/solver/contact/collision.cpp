@@ -13,13 +13,14 @@ constexpr int most_contacts = 6;
 }  // namespace
 
 Collider::Collider(const CollisionContext& around, const Body& body, const Box& paths,
-                   const ImpulseAccumulator& accumulator)
+                   const ImpulseAccumulator& accumulator, FlightPlanes* planes)
     : around_(around),
       body_(body),
       accumulator_(accumulator),
       most_push_(body.plan.method == GPHYS_SOLVE_FREE && !body.plan.joined
                      ? infinity
-                     : leaving_speed * around.step_time * (around.end - around.begin)) {
+                     : leaving_speed * around.step_time * (around.end - around.begin)),
+      planes_(planes) {
     Box box = paths;
     list_moving(box);
     if (moving_count_ > 0) {
@@ -42,8 +43,16 @@ Collider::Collider(const CollisionContext& around, const Body& body, const Box& 
 void Collider::sweep_model(gphys_model_id model, const Sphere& moving, Vec3 displacement, Impact& first) const {
     Hit hit;
     if (!around_.scene->sweep_model(model, moving, displacement, hit)) return;
-    keep_first(first, {hit.t, model, (hit.flags & GPHYS_HIT_INSIDE) != 0, false, 0,
-                       moving.center + displacement * hit.t, hit.point, hit.normal, Vec3{}});
+    keep_first(first, {hit.t,
+                       model,
+                       (hit.flags & GPHYS_HIT_INSIDE) != 0,
+                       false,
+                       0,
+                       {},
+                       moving.center + displacement * hit.t,
+                       hit.point,
+                       hit.normal,
+                       Vec3{}});
 }
 
 void Collider::sweep_listed(const Near& near, const Sphere& moving, Vec3 displacement, Impact& first) const {
@@ -52,8 +61,16 @@ void Collider::sweep_listed(const Near& near, const Sphere& moving, Vec3 displac
         const TriState result = near.flat.sweep(moving, displacement, hit);
         if (result == TriState::no) return;
         if (result == TriState::yes) {
-            keep_first(first, {hit.t, near.model, false, false, 0, moving.center + displacement * hit.t, hit.point,
-                               hit.normal, Vec3{}});
+            keep_first(first, {hit.t,
+                               near.model,
+                               false,
+                               false,
+                               0,
+                               {},
+                               moving.center + displacement * hit.t,
+                               hit.point,
+                               hit.normal,
+                               Vec3{}});
             return;
         }
     } else if (near.bounded && !overlaps(near.box, path_box(moving, displacement))) {
@@ -83,7 +100,7 @@ void Collider::sweep_unmoved(uint32_t particle, Vec3 from, Vec3 displacement, gp
 bool Collider::sweep_others(uint32_t particle, Vec3 from, Vec3 displacement, double time, gphys_model_id ignored,
                             Impact& first) const {
     sweep_unmoved(particle, from, displacement, ignored, first);
-    sweep_moving({from, body_.particles.radius[particle]}, displacement, time, ignored, first);
+    sweep_moving(particle, from, displacement, time, ignored, first);
     return first.model != 0;
 }
 
@@ -96,13 +113,14 @@ Vec3 Collider::minimum_translation(const Body& body, uint32_t particle, gphys_mo
     impact.model = model;
     impact.moves = has_moved(around_, model);
     impact.time = around_.end;
+    if (impact.moves) impact.place = place_at_end(model);
     return minimum_translation(body, particle, body.particles.position[particle], impact);
 }
 
 Vec3 Collider::minimum_translation(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const {
     // For the scene, a moving model is at its place at the end of the step.
     const Transform now = widen(around_.scene->world(impact.model));
-    const Transform then = impact.moves ? place_of(impact.model, impact.time) : now;
+    const Transform then = impact.moves ? impact.place : now;
     const Vec3 relative = impact.moves ? now.apply(then.inverse_apply(at)) : at;
     Vec3 point, normal;
     double distance = 0;
@@ -240,17 +258,22 @@ void Collider::bounce(Body& body, uint32_t particle, const Impact& impact, doubl
 bool Collider::try_hold(Body& body, uint32_t particle, uint32_t obstacle, Vec3 displacement, Vec3 velocity) const {
     if (obstacle >= count_ || !near_[obstacle].is_flat) return false;
     const Near& near = near_[obstacle];
-    const Vec3 at = body.particles.position[particle];
-    const double radius = body.particles.radius[particle];
+    const Sphere moving{body.particles.position[particle], body.particles.radius[particle]};
     Hit hit;
-    if (near.flat.sweep({at, radius}, displacement, hit) != TriState::yes) return false;
-    const double into = -dot(displacement, hit.normal);
-    if (into * hit.t > largest_gap(skin(radius, at))) return false;
+    if (near.flat.sweep(moving, displacement, hit) != TriState::yes) return false;
+    const Impact impact{hit.t, near.model, false, false, 0, {}, {}, hit.point, hit.normal, {}};
+    return try_hold(body, particle, impact, displacement, velocity);
+}
+
+bool Collider::try_hold(Body& body, uint32_t particle, const Impact& impact, Vec3 displacement, Vec3 velocity) const {
+    const double into = -dot(displacement, impact.normal);
+    const double gap = largest_gap(skin(body.particles.radius[particle], body.particles.position[particle]));
+    if (into * impact.t > gap) return false;
     const double hold = friction_of(body, particle) * into;
-    if (length_squared(displacement + hit.normal * into) > hold * hold) return false;
-    record(body, particle, near.model, hit.point, hit.normal);
+    if (length_squared(displacement + impact.normal * into) > hold * hold) return false;
+    record(body, particle, impact.model, impact.point, impact.normal);
     if (body.settings.sticks()) body.contacts.stuck[particle] = 1;
-    add_impulse(accumulator_.impulses, around_, near.model, hit.point, velocity * body.particles.mass[particle]);
+    add_impulse(accumulator_.impulses, around_, impact.model, impact.point, velocity * body.particles.mass[particle]);
     return true;
 }
 

@@ -13,6 +13,8 @@
 
 namespace gphys {
 
+class FlightPlanes;
+
 struct PlacedModel {
     gphys_model_id model;
     gphys_transform world;
@@ -38,6 +40,9 @@ inline bool has_moved(const CollisionContext& around, gphys_model_id model) {
 /// A transform between two others: positions and scales linearly, rotations along the shorter arc.
 Transform interpolate(const gphys_transform& from, const gphys_transform& to, double fraction);
 
+/// tan(angle / 4) of the angle between two rotations.
+double quarter_tangent(const Mat3& a, const Mat3& b);
+
 /// The contact margin: a particle stays this far off a surface. It is 1e-4 of the radius, which is invisible, and at
 /// least 2^-40 of the coordinates, which is 2^12 times their rounding; for points at the origin, a nanometre.
 inline double skin(double radius, Vec3 at) { return 1e-4 * radius + 0x1p-40 * max_component(abs(at)) + 1e-9; }
@@ -54,7 +59,8 @@ struct Impact {
     gphys_model_id model = 0;
     bool inside = false;    // overlapping at the start
     bool moves = false;     // whether the model moves
-    double time = 0;        // fraction of the step, if it does
+    double time = 0;        // fraction of the step, if it does,
+    Transform place;        // and where the model is then
     Vec3 center;            // of the particle
     Vec3 point;             // on the model
     Vec3 normal;            // unit, from the model to the particle
@@ -78,8 +84,9 @@ public:
     /// `paths` must contain every path that will be swept, except those of particles that moving models push.
     Collider(const CollisionContext& around, Body& body, const Box& paths)
         : Collider(around, body, paths, {body.contacts.impulses, body.contacts.has_contact}) {}
-    /// The accumulator replaces that of the body.
-    Collider(const CollisionContext& around, const Body& body, const Box& paths, const ImpulseAccumulator& accumulator);
+    /// The accumulator replaces that of the body. `planes`: what particles know of models, or null.
+    Collider(const CollisionContext& around, const Body& body, const Box& paths, const ImpulseAccumulator& accumulator,
+             FlightPlanes* planes = nullptr);
 
     /// Whether there are no models at all.
     bool idle() const { return listed_ && count_ == 0 && moving_count_ == 0; }
@@ -96,6 +103,8 @@ public:
     /// contact and gives the model the impulse. Without friction the particle would move by `displacement` and get
     /// `velocity`.
     bool try_hold(Body& body, uint32_t particle, uint32_t obstacle, Vec3 displacement, Vec3 velocity) const;
+    /// The same if the first impact on that path is known.
+    bool try_hold(Body& body, uint32_t particle, const Impact& impact, Vec3 displacement, Vec3 velocity) const;
     /// The same for consecutive particles, all of which are in FlatModel::resting_region of the obstacle.
     void hold(Body& body, uint32_t first, uint32_t count, uint32_t obstacle, Vec3 displacement, Vec3 velocity) const;
     /// Moves the particle along the displacement as far as possible, sliding along surfaces with friction, and changes
@@ -122,7 +131,7 @@ public:
     void slide_along_contacts(Body& body, uint32_t particle, Vec3 displacement) const;
 
 private:
-    static constexpr uint32_t most_listed = 32;
+    static constexpr uint32_t most_listed = 32, most_moving = 16;
 
     struct Near {
         gphys_model_id model;
@@ -132,23 +141,35 @@ private:
     };
 
     void record(Body& body, uint32_t particle, gphys_model_id model, Vec3 point, Vec3 normal) const;
+    /// A model that moves, in this substep.
+    struct Moving {
+        gphys_model_id model;
+        Transform begin, end, now;  // at the ends of the substep, and in the scene: at the end of the step
+        gphys_transform before;     // at the beginning of the step
+        double tangent;             // of a quarter of the angle by which it turns in the substep
+        bool bounded;
+        Box box;  // in the scene
+
+        Transform at(double time, const CollisionContext& around) const;
+    };
+    Moving moving(const PlacedModel& before) const;
     void list_moving(const Box& box);
-    /// Calls visit(former place of the model) for the nearby moving models, or for all if too many are near.
+    /// Calls visit(moving) for the nearby moving models, or for all if too many are near.
     template <class Visit>
     void for_each_moving(Visit&& visit) const;
     Box bounds_of_pushed(const Box& paths) const;
     void sweep_model(gphys_model_id model, const Sphere& moving, Vec3 displacement, Impact& first) const;
     void sweep_listed(const Near& near, const Sphere& moving, Vec3 displacement, Impact& first) const;
-    void sweep_moving(const Sphere& moving, Vec3 displacement, double time, gphys_model_id ignored,
+    void sweep_moving(uint32_t particle, Vec3 from, Vec3 displacement, double time, gphys_model_id ignored,
                       Impact& first) const;
-    void sweep_moved(const PlacedModel& before, const Sphere& moving, Vec3 displacement, double time,
+    void sweep_moved(const Moving& model, uint32_t particle, const Sphere& moving, Vec3 displacement, double time,
                      Impact& first) const;
     /// Sweeps against models that have not moved.
     void sweep_unmoved(uint32_t particle, Vec3 from, Vec3 displacement, gphys_model_id ignored, Impact& first) const;
     /// Sweeps against all but one that the particle is in.
     bool sweep_others(uint32_t particle, Vec3 from, Vec3 displacement, double time, gphys_model_id ignored,
                       Impact& first) const;
-    Transform place_of(gphys_model_id moved, double time) const;
+    Transform place_at_end(gphys_model_id moved) const;
     /// The impact at the end of the substep, if the particle moves with the model.
     Impact at_substep_end(const Impact& impact) const;
 
@@ -160,7 +181,8 @@ private:
     uint32_t count_ = 0;
     Near near_[most_listed];
     uint32_t moving_count_ = 0;  // models that have moved and are near; the first of them are listed
-    uint32_t moving_[most_listed];
+    Moving moving_[most_moving];
+    FlightPlanes* const planes_;
 };
 
 /// The bounds of a model during its motion to its present place. Returns false if it is unbounded.
@@ -172,7 +194,7 @@ inline Aabb widen(const Box& box) {
 
 template <class Visit>
 bool Collider::for_each_obstacle(double radius, const Aabb& region, Visit&& visit) const {
-    if (!listed_ || moving_count_ > most_listed) return false;
+    if (!listed_ || moving_count_ > most_moving) return false;
     const Vec3 room{radius, radius, radius};
     const auto offer = [&](const Aabb& part, const FlatModel* flat) {
         visit(Aabb{part.min - room, part.max + room}, flat);
@@ -185,7 +207,7 @@ bool Collider::for_each_obstacle(double radius, const Aabb& region, Visit&& visi
     }
     for (uint32_t i = 0; i < moving_count_; ++i) {
         Box swept;
-        if (!swept_bounds(*around_.scene, (*around_.moved)[moving_[i]], swept)) return false;
+        if (!swept_bounds(*around_.scene, {moving_[i].model, moving_[i].before}, swept)) return false;
         offer(widen(swept), nullptr);
     }
     return true;

@@ -4,6 +4,7 @@
 // the time at which the previous path ended. So the relative paths have no gaps, and no particle passes through a
 // model.
 #include "solver/contact/collision.h"
+#include "solver/particles/flight_planes.h"
 
 namespace gphys {
 
@@ -36,14 +37,35 @@ bool swept_bounds(const Scene& scene, const PlacedModel& before, Box& out) {
     return true;
 }
 
+Collider::Moving Collider::moving(const PlacedModel& before) const {
+    const gphys_transform& after = around_.scene->world(before.model);
+    Moving result{before.model,
+                  interpolate(before.world, after, around_.begin),
+                  interpolate(before.world, after, around_.end),
+                  widen(after),
+                  before.world,
+                  0,
+                  false,
+                  {}};
+    result.tangent = quarter_tangent(result.begin.rotation, result.end.rotation);
+    result.bounded = around_.scene->bounds(before.model, result.box);
+    return result;
+}
+
+/// At a fraction of the step.
+Transform Collider::Moving::at(double time, const CollisionContext& around) const {
+    if (time == around.begin) return begin;
+    return time == around.end ? end : interpolate(before, around.scene->world(model), time);
+}
+
 template <class Visit>
 void Collider::for_each_moving(Visit&& visit) const {
-    if (moving_count_ <= most_listed) {
-        for (uint32_t i = 0; i < moving_count_; ++i) visit((*around_.moved)[moving_[i]]);
+    if (moving_count_ <= most_moving) {
+        for (uint32_t i = 0; i < moving_count_; ++i) visit(moving_[i]);
         return;
     }
     for (const PlacedModel& before : *around_.moved) {
-        if (around_.scene->layers(before.model) & body_.settings.layers) visit(before);
+        if (around_.scene->layers(before.model) & body_.settings.layers) visit(moving(before));
     }
 }
 
@@ -51,16 +73,13 @@ void Collider::for_each_moving(Visit&& visit) const {
 Box Collider::bounds_of_pushed(const Box& paths) const {
     const Aabb all = widen(paths);
     double furthest = 0;
-    for_each_moving([&](const PlacedModel& before) {
-        const gphys_transform& after = around_.scene->world(before.model);
-        const Transform begin = interpolate(before.world, after, around_.begin);
+    for_each_moving([&](const Moving& moving) {
         for (const double part : {0.5, 1.0}) {
-            const Transform then =
-                interpolate(before.world, after, around_.begin + (around_.end - around_.begin) * part);
+            const Transform then = moving.at(around_.begin + (around_.end - around_.begin) * part, around_);
             for (int corner = 0; corner < 8; ++corner) {  // corners move farther than the points between them
                 const Vec3 at{corner & 1 ? all.min.x : all.max.x, corner & 2 ? all.min.y : all.max.y,
                               corner & 4 ? all.min.z : all.max.z};
-                furthest = std::max(furthest, distance(at, then.apply(begin.inverse_apply(at))));
+                furthest = std::max(furthest, distance(at, then.apply(moving.begin.inverse_apply(at))));
             }
         }
     });
@@ -75,7 +94,7 @@ void Collider::list_moving(const Box& box) {
         Box swept;
         if (!(around_.scene->layers(before.model) & body_.settings.layers)) continue;
         if (swept_bounds(*around_.scene, before, swept) && !overlaps(swept, box)) continue;
-        if (moving_count_ < most_listed) moving_[moving_count_] = i;
+        if (moving_count_ < most_moving) moving_[moving_count_] = moving(before);
         ++moving_count_;
     }
 }
@@ -101,7 +120,9 @@ uint32_t parts_of_path(const Transform& begin, const Transform& end, Vec3 from, 
     return bulge < most * most * most_bulge ? static_cast<uint32_t>(std::sqrt(bulge / most_bulge)) + 1 : most;
 }
 
-/// tan(angle / 4) of the angle between two rotations: sin(angle / 2) / (1 + cos(angle / 2)).
+}  // namespace
+
+/// sin(angle / 2) / (1 + cos(angle / 2)).
 double quarter_tangent(const Mat3& a, const Mat3& b) {
     // a.x - b.x|^2 + ... = 4 (1 - cos). Added to 1, the rounding of equal rotations vanishes.
     const double square = length_squared(a.x - b.x) + length_squared(a.y - b.y) + length_squared(a.z - b.z);
@@ -109,48 +130,54 @@ double quarter_tangent(const Mat3& a, const Mat3& b) {
     return std::sqrt((1 - cosine) / 2) / (1 + std::sqrt((1 + cosine) / 2));
 }
 
-}  // namespace
-
-Transform Collider::place_of(gphys_model_id moved, double time) const {
-    const auto before = std::lower_bound(around_.moved->begin(), around_.moved->end(), PlacedModel{moved, {}});
-    return interpolate(before->world, around_.scene->world(moved), time);
+Transform Collider::place_at_end(gphys_model_id moved) const {
+    const Moving *const listed = moving_, *const end = listed + std::min(moving_count_, most_moving);
+    const Moving* const found = std::find_if(listed, end, [&](const Moving& m) { return m.model == moved; });
+    if (found != end) return found->end;
+    return interpolate(find_moved(around_, moved)->world, around_.scene->world(moved), around_.end);
 }
 
 /// Relative to the model, which also moves during the substep: the points of the path are transformed into the model's
 /// coordinates, each at its own time, and from there to the model's present place in the scene.
-void Collider::sweep_moved(const PlacedModel& before, const Sphere& moving, Vec3 displacement, double time,
+void Collider::sweep_moved(const Moving& model, uint32_t particle, const Sphere& moving, Vec3 displacement, double time,
                            Impact& first) const {
-    const gphys_transform& after = around_.scene->world(before.model);
-    const Transform now = widen(after);
-    const Transform at_begin = interpolate(before.world, after, time);
-    const Transform at_end = interpolate(before.world, after, around_.end);
-    const Vec3 last = now.apply(at_end.inverse_apply(moving.center + displacement));
+    const Transform& now = model.now;
+    const Transform at_begin = model.at(time, around_);
+    const Vec3 last = now.apply(model.end.inverse_apply(moving.center + displacement));
     Vec3 from = now.apply(at_begin.inverse_apply(moving.center));
     double bulge = 0;
-    const uint32_t parts = parts_of_path(at_begin, at_end, moving.center, displacement,
-                                         quarter_tangent(at_begin.rotation, at_end.rotation), moving.radius, bulge);
-    Box box;
-    const bool bounded = around_.scene->bounds(before.model, box);
-    const Sphere widest{from, moving.radius + bulge * now.scale};
-    if (bounded && !overlaps(box, path_box(widest, last - from))) return;
+    const double tangent =
+        time == around_.begin ? model.tangent : quarter_tangent(at_begin.rotation, model.end.rotation);
+    const uint32_t parts =
+        parts_of_path(at_begin, model.end, moving.center, displacement, tangent, moving.radius, bulge);
+    const auto may_hit = [&](const Sphere& relative, Vec3 path) {
+        return !model.bounded || overlaps(model.box, path_box(relative, path));
+    };
+    const bool searched = planes_ && planes_->has_searched(particle, model.model);
+    if (!searched && !may_hit({from, moving.radius + bulge * now.scale}, last - from)) return;
+    const auto hits = [&](const Sphere& relative, Vec3 path, Hit& hit) {
+        if (planes_) {
+            const TriState known = planes_->sweep_moving(body_, particle, model.model, relative.center, path, hit);
+            if (known != TriState::undecided) return known == TriState::yes;
+        }
+        return may_hit(relative, path) && around_.scene->sweep_model(model.model, relative, path, hit);
+    };
     for (uint32_t i = 1; i <= parts; ++i) {
         const double part = static_cast<double>(i) / parts;
-        const Transform then = interpolate(before.world, after, time + (around_.end - time) * part);
-        const Vec3 to = i == parts ? last : now.apply(then.inverse_apply(moving.center + displacement * part));
-        const Sphere relative{from, moving.radius};
+        const Vec3 to = i == parts ? last
+                                   : now.apply(model.at(time + (around_.end - time) * part, around_)
+                                                   .inverse_apply(moving.center + displacement * part));
         const Vec3 path = to - from;
         Hit hit;
-        if ((!bounded || overlaps(box, path_box(relative, path))) &&
-            around_.scene->sweep_model(before.model, relative, path, hit)) {
+        if (hits({from, moving.radius}, path, hit)) {
             hit.t = (i - 1 + hit.t) / parts;
             const double when = time + (around_.end - time) * hit.t;
-            const Transform there = interpolate(before.world, after, when);
+            const Transform there = model.at(when, around_);
             const auto placed = [&](Vec3 p) { return there.apply(now.inverse_apply(p)); };
             const Vec3 on_model = now.inverse_apply(hit.point);
-            const Vec3 moved_by =
-                at_end.apply(on_model) - interpolate(before.world, after, around_.begin).apply(on_model);
+            const Vec3 moved_by = model.end.apply(on_model) - model.begin.apply(on_model);
             const double seconds = around_.step_time * (around_.end - around_.begin);
-            keep_first(first, {hit.t, before.model, i == 1 && (hit.flags & GPHYS_HIT_INSIDE) != 0, true, when,
+            keep_first(first, {hit.t, model.model, i == 1 && (hit.flags & GPHYS_HIT_INSIDE) != 0, true, when, there,
                                placed(from + path * (hit.t * parts - (i - 1))), placed(hit.point),
                                there.rotation * transpose_times(now.rotation, hit.normal), moved_by / seconds});
             return;
@@ -160,19 +187,23 @@ void Collider::sweep_moved(const PlacedModel& before, const Sphere& moving, Vec3
 }
 
 Impact Collider::at_substep_end(const Impact& impact) const {
-    const Transform then = place_of(impact.model, impact.time), end = place_of(impact.model, around_.end);
+    if (impact.time == around_.end) return impact;
+    const Transform& then = impact.place;
+    const Transform end = place_at_end(impact.model);
     Impact later = impact;
     later.time = around_.end;
+    later.place = end;
     later.center = end.apply(then.inverse_apply(impact.center));
     later.point = end.apply(then.inverse_apply(impact.point));
     later.normal = end.rotation * transpose_times(then.rotation, impact.normal);
     return later;
 }
 
-void Collider::sweep_moving(const Sphere& moving, Vec3 displacement, double time, gphys_model_id ignored,
+void Collider::sweep_moving(uint32_t particle, Vec3 from, Vec3 displacement, double time, gphys_model_id ignored,
                             Impact& first) const {
-    for_each_moving([&](const PlacedModel& before) {
-        if (before.model != ignored) sweep_moved(before, moving, displacement, time, first);
+    const Sphere moving{from, body_.particles.radius[particle]};
+    for_each_moving([&](const Moving& model) {
+        if (model.model != ignored) sweep_moved(model, particle, moving, displacement, time, first);
     });
 }
 

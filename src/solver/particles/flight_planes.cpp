@@ -3,24 +3,92 @@
 
 namespace gphys {
 
-void FlightPlanes::begin(const Body& body, const CollisionContext& step, uint32_t first, uint32_t count) {
+namespace {
+
+/// The box of particles with their centres in another one, enlarged by more than the rounding of positions.
+Box around(const Aabb& centers, double radius) {
+    const double by = radius + skin(radius, max(abs(centers.min), abs(centers.max)));
+    return bounds(Aabb{centers.min - Vec3{by, by, by}, centers.max + Vec3{by, by, by}});
+}
+
+}  // namespace
+
+void FlightPlanes::begin(Body& body, const CollisionContext& step, Vec3 gravity, uint32_t first, uint32_t count) {
     scene_ = step.scene;
+    moved_ = step.moved;
     first_ = first;
     count_ = count;
-    usable_ = scene_ != nullptr;
+    layers_ = body.settings.layers;
+    still_ = scene_ != nullptr;
+    resting_ = moving_count_ = 0;
+    std::fill_n(ways_, count, Sight::not_searched);
+    std::fill_n(rests_, count, false);
+    std::fill_n(moving_of_, count, gphys_model_id{0});
+    const bool kept = !body.flight.all.empty(), current = kept && body.flight.current();
+    balls_ = kept ? &body.flight.all[first] : own_balls_;
     Aabb all{body.particles.position[first], body.particles.position[first]};
+    double fastest = 0;
     for (uint32_t i = 0; i < count; ++i) {
-        balls_[i] = {body.particles.position[first + i], not_searched, 0};
-        all = {min(all.min, body.particles.position[first + i]), max(all.max, body.particles.position[first + i])};
+        const Vec3 at = body.particles.position[first + i];
+        if (!current || balls_[i].center != at) {
+            balls_[i].center = at;
+            balls_[i].sight = Sight::not_searched;
+        }
+        all = {min(all.min, at), max(all.max, at)};
+        fastest = std::max(fastest, length_squared(body.particles.velocity[first + i]));
     }
-    // Particles that search move by at most their radius, and their surface reaches as far again, twice.
-    const double room = 3 * body.particles.largest_radius;
-    const Box box = bounds(Aabb{all.min - Vec3{room, room, room}, all.max + Vec3{room, room, room}});
-    for (const PlacedModel& before : *step.moved) {
-        Box way;
-        if (!scene_ || !(scene_->layers(before.model) & body.settings.layers)) continue;
-        if (!swept_bounds(*scene_, before, way) || overlaps(way, box)) usable_ = false;
+    if (!scene_ || step.moved->empty()) return;
+    // Slow particles move by at most their radius, and their surface reaches as far again, twice.
+    const Box near_balls = around(all, 3 * body.particles.largest_radius);
+    const double way = step.step_time * (std::sqrt(fastest) + step.step_time * length(gravity));
+    const Box near_ways = around(all, body.particles.largest_radius + way);
+    for (uint32_t i = 0; i < step.moved->size(); ++i) {
+        const PlacedModel& before = (*step.moved)[i];
+        Box swept;
+        if (!(scene_->layers(before.model) & layers_)) continue;
+        const bool bounded = swept_bounds(*scene_, before, swept);
+        if (!bounded || overlaps(swept, near_balls)) still_ = false;
+        if (bounded && !overlaps(swept, near_ways)) continue;
+        if (moving_count_ < most_moving) moving_[moving_count_] = i;
+        ++moving_count_;
     }
+}
+
+bool FlightPlanes::is_moved(gphys_model_id model) const {
+    return std::binary_search(moved_->begin(), moved_->end(), PlacedModel{model, {}});
+}
+
+Sight FlightPlanes::search_way(double radius, const FlightWay& way) const {
+    if (!scene_ || moving_count_ > most_moving) return Sight::blocked;
+    const Box box = around(way.box, radius);
+    bool clear = true;
+    // Models that move are in the scene at their places at the end of the step.
+    for (uint32_t i = 0; i < moving_count_; ++i) {
+        if (crosses((*moved_)[moving_[i]], radius, way)) return Sight::blocked;
+    }
+    scene_->for_each_in_box(box, layers_, [&](gphys_model_id model) {
+        clear = clear && (is_moved(model) || !scene_->overlaps_box(model, box));
+    });
+    return clear ? Sight::clear : Sight::blocked;
+}
+
+/// Relative to a model that turns, a path is curved. In units of the rest of the step its second derivative is at most
+/// |x - c| (w^2 + w') + 2 |x' - c'| w + |x''|, with the angular velocity w and the place c of the model; it is no
+/// farther from its chord than an eighth of that.
+bool FlightPlanes::crosses(const PlacedModel& before, double radius, const FlightWay& way) const {
+    Box swept;
+    if (swept_bounds(*scene_, before, swept) && !overlaps(swept, around(way.box, radius))) return false;
+    const gphys_transform& after = scene_->world(before.model);
+    if (before.world.scale != after.scale) return true;
+    const Transform now = widen(after), then = interpolate(before.world, after, way.begin);
+    const double tangent = quarter_tangent(then.rotation, now.rotation);
+    const double turn = 4 * tangent, change = 16 * tangent * tangent * tangent;
+    const double relative = way.speed * way.seconds + distance(then.position, now.position);
+    const double away = distance(way.from, then.position) + relative;
+    const double bulge =
+        (away * (turn * turn + change) + 2 * relative * turn + way.curvature * way.seconds * way.seconds) / 8;
+    const Vec3 from = now.apply(then.inverse_apply(way.from));
+    return scene_->overlaps_box(before.model, around({min(from, way.to), max(from, way.to)}, radius + bulge));
 }
 
 /// Searches together with the particles that follow in memory and are nearby.
@@ -28,14 +96,14 @@ void FlightPlanes::search(const Body& body, uint32_t particle) {
     Aabb places{ball(particle).center, ball(particle).center};
     uint32_t together = 1;
     for (; together < ClosestFeatures::most_points && particle + together < first_ + count_; ++together) {
-        const Ball& next = ball(particle + together);
+        const FlightBall& next = ball(particle + together);
         places = {min(places.min, next.center), max(places.max, next.center)};
         const double size = 16 * body.particles.largest_radius;
-        if (next.sight != not_searched || max_component(places.max - places.min) > size) break;
+        if (next.sight != Sight::not_searched || max_component(places.max - places.min) > size) break;
     }
     if (search_together(body, particle, together)) return;
     for (uint32_t p = particle; p < particle + together; ++p) {
-        if (!search_together(body, p, 1)) ball(p).sight = blocked;
+        if (!search_together(body, p, 1)) ball(p).sight = Sight::blocked;
     }
 }
 
@@ -52,52 +120,86 @@ bool FlightPlanes::search_together(const Body& body, uint32_t particle, uint32_t
     const Vec3 room{farthest, farthest, farthest};
     parts_.clear(count);
     bool complete = true;
-    scene_->for_each_in_box(
-        bounds(Aabb{places.min - room, places.max + room}), body.settings.layers,
-        [&](gphys_model_id model) { complete = parts_.add(*scene_, model, 0, probes_) && complete; });
-    for (uint32_t i = 0; i < count && complete; ++i) settle(body, particle + i, i);
+    scene_->for_each_in_box(bounds(Aabb{places.min - room, places.max + room}), layers_, [&](gphys_model_id model) {
+        complete = parts_.add(*scene_, model, 0, probes_) && complete;
+    });
+    for (uint32_t i = 0; i < count && complete; ++i) settle(body.particles.radius[particle + i], i, ball(particle + i));
     return complete;
 }
 
-void FlightPlanes::settle(const Body& body, uint32_t p, uint32_t point) {
-    Ball& ball = this->ball(p);
-    const double radius = body.particles.radius[p], gap = skin(radius, ball.center);
+void FlightPlanes::settle(double radius, uint32_t point, FlightBall& ball) {
+    const double gap = skin(radius, ball.center);
     ball.count = 0;
-    ball.sight = clear;
+    ball.sight = Sight::clear;
     parts_.select_point(point);
     for (ClosestFeature part; parts_.pop_nearest(part); ++ball.count) {
         // Too many parts; or the particle overlaps one, and has to be pushed out.
-        if (ball.count == most_planes || part.distance <= radius) {
-            ball.sight = blocked;
+        if (ball.count == FlightBall::most_planes || part.distance <= radius) {
+            ball.sight = Sight::blocked;
             return;
         }
         const double height = dot(part.normal, part.closest) + radius;
-        planes_[p - first_][ball.count] = {part.normal, height, part.model};
+        ball.planes[ball.count] = {part.normal, height, part.model};
         // Coplanar triangles share a plane.
         if (part.is_triangle) parts_.cull_behind(part.normal, height - radius + gap / 2, 0);
     }
 }
 
-bool FlightPlanes::sweep(const Body& body, uint32_t p, Vec3 from, Vec3 displacement, double reach, Impact& impact) {
-    if (!usable_ || reach > body.particles.radius[p]) return false;
-    if (ball(p).sight == not_searched) search(body, p);
-    const Ball& ball = this->ball(p);
-    const auto in_ball = [&](Vec3 at) {
-        return length_squared(at - ball.center) < body.particles.radius[p] * body.particles.radius[p];
-    };
-    if (ball.sight == blocked || !in_ball(from) || !in_ball(from + displacement)) return false;
-    impact = {};
-    for (uint32_t i = 0; i < ball.count; ++i) {
-        const Plane& plane = planes_[p - first_][i];
-        const double gap = dot(plane.normal, from) - plane.height, approach = -dot(plane.normal, displacement);
+bool FlightBall::sweep(Vec3 from, Vec3 displacement, double radius, const Plane*& first, double& t) const {
+    first = nullptr;
+    t = infinity;
+    if (sight != Sight::clear || !contains(from, radius) || !contains(from + displacement, radius)) return false;
+    for (const Plane* plane = planes; plane != planes + count; ++plane) {
+        const double gap = dot(plane->normal, from) - plane->height, approach = -dot(plane->normal, displacement);
         if (gap < 0) return false;
         if (approach <= gap) continue;
-        const double t = gap / approach;
-        const Vec3 center = from + displacement * t;
-        keep_first(impact, {t, plane.model, false, false, 0, center, center - plane.normal * body.particles.radius[p],
-                            plane.normal, Vec3{}});
+        const double there = gap / approach;
+        if (there < t || (there == t && plane->model < first->model)) t = there, first = plane;
     }
     return true;
+}
+
+bool FlightPlanes::sweep(const Body& body, uint32_t p, Vec3 from, Vec3 displacement, double reach, Impact& impact) {
+    const double radius = body.particles.radius[p];
+    if (!still_ || reach > radius) return false;
+    if (ball(p).sight == Sight::not_searched) search(body, p);
+    const FlightBall::Plane* plane;
+    double t;
+    if (!ball(p).sweep(from, displacement, radius, plane, t)) return false;
+    impact = {};
+    if (!plane) return true;
+    impact.t = t;
+    impact.model = plane->model;
+    impact.center = from + displacement * t;
+    impact.point = impact.center - plane->normal * radius;
+    impact.normal = plane->normal;
+    return true;
+}
+
+TriState FlightPlanes::sweep_moving(const Body& body, uint32_t p, gphys_model_id model, Vec3 from, Vec3 displacement,
+                                    Hit& hit) {
+    const double radius = body.particles.radius[p];
+    FlightBall& ball = moving_balls_[p - first_];
+    gphys_model_id& of = moving_of_[p - first_];
+    if (of != model || !ball.contains(from, radius) || !ball.contains(from + displacement, radius)) {
+        // A search takes as long as the sweeps of a few substeps.
+        if ((of != 0 && of != model) || 4 * length(displacement) > radius) return TriState::undecided;
+        of = model;
+        ball.center = from;
+        ball.sight = Sight::blocked;
+        probes_[0] = {from, 2 * radius};
+        parts_.clear(1);
+        if (parts_.add(*scene_, model, 0, probes_)) settle(radius, 0, ball);
+    }
+    const FlightBall::Plane* plane;
+    double t;
+    if (!ball.sweep(from, displacement, radius, plane, t)) return TriState::undecided;
+    if (!plane) return TriState::no;
+    hit.t = t;
+    hit.normal = plane->normal;
+    hit.point = from + displacement * t - plane->normal * radius;
+    hit.flags = 0;
+    return TriState::yes;
 }
 
 }  // namespace gphys

@@ -51,10 +51,10 @@ public:
 
     /// Call before the substeps of a block.
     void begin_block(const CollisionContext& step, uint32_t first, uint32_t count) {
-        if (planes_) planes_->begin(body_, step, first, count);
+        if (planes_) planes_->begin(body_, step, gravity_, first, count);
     }
-    /// Runs one substep.
-    void fly_block(const CollisionContext& around, uint32_t first, uint32_t count);
+    /// Runs one substep; `left` is the number of those that the block has still to run, with this one.
+    void fly_block(const CollisionContext& around, uint32_t first, uint32_t count, uint32_t left);
 
 private:
     Flight flight_of(uint32_t p) const {
@@ -69,16 +69,26 @@ private:
     void fly_among(const Collider& collider, uint32_t p);
     /// The first hit on the whole path of the substep.
     bool hits(const Collider& collider, uint32_t p, Vec3 displacement, Impact& impact);
-    bool stays_at_rest(const Collider& collider, uint32_t p, uint32_t obstacle) const {
-        const Vec3 acceleration = flight_of(p).acceleration;
-        return collider.try_hold(body_, p, obstacle, acceleration * whole_.fall, acceleration * whole_.reach);
+    bool stays_at_rest(const Collider& collider, uint32_t p, uint32_t obstacle);
+    bool any_rests(uint32_t first, uint32_t end) const {
+        while (first < end && !(planes_ && planes_->rests(first))) ++first;
+        return first < end;
     }
+    /// Whether a particle that a static model holds in this substep is held in all that follow. Otherwise others may
+    /// act on it, or friction depends on what it has done.
+    bool holds_till_end() const {
+        return planes_ && planes_->still() && !body_.particles.forced && !body_.settings.sticks() &&
+               body_.targets.empty();
+    }
+    /// In the rest of the step.
+    FlightWay way_of(uint32_t p) const;
     /// Bounds of the whole block; those of complete groups come from the kernel.
     FlightBounds bound(const FlightGroups& groups, uint32_t first, uint32_t count) const;
 
     Body& body_;
     const ImpulseAccumulator accumulator_;
     CollisionContext around_;  // of the substep under way
+    uint32_t substeps_left_ = 1;
     Vec3 gravity_;
     double h_;
     FlightTime whole_;  // the whole substep
@@ -99,13 +109,47 @@ void FreeFlight::fly_freely(uint32_t p) {
     keep_in_range(body_.particles.position[p], body_.particles.velocity[p]);
 }
 
+/// The impulse of a particle that is held till the end of the step is that of all its substeps.
+bool FreeFlight::stays_at_rest(const Collider& collider, uint32_t p, uint32_t obstacle) {
+    const bool till_end = holds_till_end();
+    const Vec3 acceleration = flight_of(p).acceleration, displacement = acceleration * whole_.fall;
+    const Vec3 gained = acceleration * (till_end ? whole_.reach * substeps_left_ : whole_.reach);
+    bool held = collider.try_hold(body_, p, obstacle, displacement, gained);
+    if (!held && planes_) {
+        Impact impact;
+        held = planes_->sweep(body_, p, body_.particles.position[p], displacement, length(displacement), impact) &&
+               impact.model != 0 && collider.try_hold(body_, p, impact, displacement, gained);
+    }
+    if (held && till_end) planes_->set_rests(p);
+    return held;
+}
+
+FlightWay FreeFlight::way_of(uint32_t p) const {
+    const Flight flight = flight_of(p);
+    const double rest = around_.step_time * (1 - around_.begin);
+    const Vec3 from = body_.particles.position[p], velocity = body_.particles.velocity[p];
+    // With drag it goes less far on both accounts, at every time.
+    const Vec3 ahead = velocity * rest, fall = flight.acceleration * (rest * rest / 2);
+    const double acceleration = length(flight.acceleration), speed = length(velocity) + acceleration * rest;
+    return {around_.begin,
+            rest,
+            from,
+            from + flight.displacement(velocity, FlightTime(flight.damping, rest)),
+            {from + min(Vec3{}, ahead) + min(Vec3{}, fall), from + max(Vec3{}, ahead) + max(Vec3{}, fall)},
+            speed,
+            acceleration + flight.damping * speed};
+}
+
 bool FreeFlight::hits(const Collider& collider, uint32_t p, Vec3 displacement, Impact& impact) {
     // The distance that it can go in the rest of the step, and half as much again.
     const double rest = around_.step_time * (1 - around_.begin);
     const double reach = 1.5 * rest * (length(body_.particles.velocity[p]) + rest * length(flight_of(p).acceleration));
-    if (planes_ && planes_->sweep(body_, p, body_.particles.position[p], displacement, reach, impact))
-        return impact.model != 0;
-    return collider.sweep(p, body_.particles.position[p], displacement, around_.begin, impact);
+    const Vec3 at = body_.particles.position[p];
+    if (planes_) {
+        if (planes_->sweep(body_, p, at, displacement, reach, impact)) return impact.model != 0;
+        if (!body_.particles.forced && body_.targets.empty() && planes_->flies(body_, p, way_of(p))) return false;
+    }
+    return collider.sweep(p, at, displacement, around_.begin, impact);
 }
 
 void FreeFlight::fly_among(const Collider& collider, uint32_t p) {
@@ -205,8 +249,9 @@ void FreeFlight::list_obstacles(const Collider& collider, const Aabb& region, ui
 }
 
 void FreeFlight::fly_one(const Collider* collider, uint32_t p, uint32_t obstacle) {
-    if (body_.particles.pinned(p)) return;
+    if (body_.particles.pinned(p) || (planes_ && planes_->rests(p))) return;
     if (!collider) return fly_freely(p);
+    if (planes_ && planes_->flies(p)) return fly_freely(p);
     if (body_.particles.velocity[p] == Vec3{} && stays_at_rest(*collider, p, obstacle)) return;
     fly_among(*collider, p);
     keep_in_range(body_.particles.position[p], body_.particles.velocity[p]);
@@ -247,8 +292,10 @@ void FreeFlight::keep_to_targets(uint32_t first, uint32_t count) {
     });
 }
 
-void FreeFlight::fly_block(const CollisionContext& around, uint32_t first, uint32_t count) {
+void FreeFlight::fly_block(const CollisionContext& around, uint32_t first, uint32_t count, uint32_t left) {
+    if (planes_ && planes_->all_rest()) return;
     around_ = around;
+    substeps_left_ = left;
     follow_models(body_, around.end, h_, first, first + count);
     begin_friction(body_, gravity_, first, first + count);
     if (body_.particles.forced) {
@@ -272,7 +319,8 @@ void FreeFlight::fly_block(const CollisionContext& around, uint32_t first, uint3
         const double room =
             2 * body_.particles.largest_radius + length(get(bounds.furthest)) + length(get(bounds.fastest)) * h_;
         const Vec3 reach{room, room, room};
-        collider.emplace(around_, body_, gphys::bounds(Aabb{region.min - reach, region.max + reach}), accumulator_);
+        collider.emplace(around_, body_, gphys::bounds(Aabb{region.min - reach, region.max + reach}), accumulator_,
+                         planes_);
         if (collider->idle()) {
             collider.reset();
         } else if (known_) {
@@ -287,13 +335,15 @@ void FreeFlight::fly_block(const CollisionContext& around, uint32_t first, uint3
     }
     std::fill_n(obstacle_of_, count, several_obstacles);
     kernels_.fly(groups, obstacles_, known_ ? obstacle_count_ : 0, {overlapping_, obstacle_of_, resting_on_});
-    const Vec3 way = gravity_ * whole_.fall, gained = gravity_ * whole_.reach;
+    const bool till_end = holds_till_end();
+    const Vec3 way = gravity_ * whole_.fall, gained = gravity_ * (till_end ? whole_.reach * left : whole_.reach);
     for (uint32_t group = 0; group <= groups.count; ++group) {
         const uint32_t begin = group * flight_group, end = std::min(count, begin + flight_group);
         const uint32_t overlapping = group < groups.count ? overlapping_[group] : 0xff;
         if (overlapping == 0) continue;
-        if (group < groups.count && resting_on_[group] != no_obstacle) {
+        if (group < groups.count && resting_on_[group] != no_obstacle && !any_rests(first + begin, first + end)) {
             collider->hold(body_, first + begin, end - begin, resting_on_[group], way, gained);
+            for (uint32_t i = begin; i < end && till_end; ++i) planes_->set_rests(first + i);
             continue;
         }
         for (uint32_t i = begin; i < end; ++i) {
@@ -312,7 +362,7 @@ void fly(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     for (uint32_t first = 0; first < body.particles.size(); first += block_size) {
         const uint32_t count = std::min(block_size, body.particles.size() - first);
         flight.begin_block(around, first, count);
-        flight.fly_block(around, first, count);
+        flight.fly_block(around, first, count, 1);
     }
 }
 
@@ -344,7 +394,8 @@ Extent fly_through(Body& body, uint32_t first, uint32_t end, const ImpulseAccumu
         const uint32_t count = std::min(block_size, end - first);
         begin_contact_points(body, first, first + count);
         flight.begin_block(step, first, count);
-        for (uint32_t i = 0; i < substeps; ++i) flight.fly_block(part_of_step(step, i, substeps), first, count);
+        for (uint32_t i = 0; i < substeps; ++i)
+            flight.fly_block(part_of_step(step, i, substeps), first, count, substeps - i);
         end_contact_points(body, first, first + count);
         extent.add(extent_of(body, first, first + count));
     }
