@@ -2705,7 +2705,8 @@ GPHYS_API gphys_status gphys_solver_get_breaks(const gphys_solver* solver, gphys
  *  @param dt     seconds, 1e-6 .. 0.5
  *  Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
  *  through particles. Allocates when what it steps has changed.
- *  Cost: O(particles + constraints) a substep, and a scene query for particles near models. */
+ *  Cost: O(particles + constraints) a substep, and a scene query for particles near models; O(1) and a scene query for
+ *  a body that the last step, of the same dt, left exactly as it was. */
 GPHYS_API gphys_status gphys_solver_step(gphys_solver* solver, const gphys_scene* scene, float dt);
 /** Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next
  *  frame, so the motion does not depend on the frame rate.
