@@ -2343,7 +2343,8 @@ public:
     // through particles. Allocates when what it steps has changed.
     //   - scene: to collide with and to follow attachments; nullptr: none. Not modified.
     //   - dt: seconds, 1e-6 .. 0.5
-    // Cost: O(particles + constraints) a substep, and a scene query for particles near models.
+    // Cost: O(particles + constraints) a substep, and a scene query for particles near models; O(1) and a
+    // scene query for a body that the last step, of the same dt, left exactly as it was.
     void step(const Scene* scene, float dt) {
         check(gphys_solver_step(handle(), scene ? scene->handle() : nullptr, dt));
     }

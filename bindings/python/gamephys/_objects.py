@@ -2633,7 +2633,8 @@ class Solver(Object):
         cloth takes more where they would be longer than 25 ms.
         Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
         through particles. Allocates when what it steps has changed.
-        Cost: O(particles + constraints) a substep, and a scene query for particles near models.
+        Cost: O(particles + constraints) a substep, and a scene query for particles near models; O(1)
+        and a scene query for a body that the last step, of the same dt, left exactly as it was.
 
         Args:
             scene: to collide with and to follow attachments; None: none. Not modified.
