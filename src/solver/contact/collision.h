@@ -131,7 +131,7 @@ public:
     void slide_along_contacts(Body& body, uint32_t particle, Vec3 displacement) const;
 
 private:
-    static constexpr uint32_t most_listed = 32, most_moving = 16;
+    static constexpr uint32_t most_listed = 32, most_placed = 8;
 
     struct Near {
         gphys_model_id model;
@@ -181,7 +181,8 @@ private:
     uint32_t count_ = 0;
     Near near_[most_listed];
     uint32_t moving_count_ = 0;  // models that have moved and are near; the first of them are listed
-    Moving moving_[most_moving];
+    uint32_t moving_[most_listed];
+    Moving placed_[most_placed];  // the first of them
     FlightPlanes* const planes_;
 };
 
@@ -194,7 +195,7 @@ inline Aabb widen(const Box& box) {
 
 template <class Visit>
 bool Collider::for_each_obstacle(double radius, const Aabb& region, Visit&& visit) const {
-    if (!listed_ || moving_count_ > most_moving) return false;
+    if (!listed_ || moving_count_ > most_listed) return false;
     const Vec3 room{radius, radius, radius};
     const auto offer = [&](const Aabb& part, const FlatModel* flat) {
         visit(Aabb{part.min - room, part.max + room}, flat);
@@ -207,7 +208,7 @@ bool Collider::for_each_obstacle(double radius, const Aabb& region, Visit&& visi
     }
     for (uint32_t i = 0; i < moving_count_; ++i) {
         Box swept;
-        if (!swept_bounds(*around_.scene, {moving_[i].model, moving_[i].before}, swept)) return false;
+        if (!swept_bounds(*around_.scene, (*around_.moved)[moving_[i]], swept)) return false;
         offer(widen(swept), nullptr);
     }
     return true;

@@ -60,8 +60,10 @@ Transform Collider::Moving::at(double time, const CollisionContext& around) cons
 
 template <class Visit>
 void Collider::for_each_moving(Visit&& visit) const {
-    if (moving_count_ <= most_moving) {
-        for (uint32_t i = 0; i < moving_count_; ++i) visit(moving_[i]);
+    if (moving_count_ <= most_listed) {
+        for (uint32_t i = 0; i < moving_count_; ++i) {
+            i < most_placed ? visit(placed_[i]) : visit(moving((*around_.moved)[moving_[i]]));
+        }
         return;
     }
     for (const PlacedModel& before : *around_.moved) {
@@ -94,7 +96,8 @@ void Collider::list_moving(const Box& box) {
         Box swept;
         if (!(around_.scene->layers(before.model) & body_.settings.layers)) continue;
         if (swept_bounds(*around_.scene, before, swept) && !overlaps(swept, box)) continue;
-        if (moving_count_ < most_moving) moving_[moving_count_] = moving(before);
+        if (moving_count_ < most_placed) placed_[moving_count_] = moving(before);
+        if (moving_count_ < most_listed) moving_[moving_count_] = i;
         ++moving_count_;
     }
 }
@@ -131,7 +134,7 @@ double quarter_tangent(const Mat3& a, const Mat3& b) {
 }
 
 Transform Collider::place_at_end(gphys_model_id moved) const {
-    const Moving *const listed = moving_, *const end = listed + std::min(moving_count_, most_moving);
+    const Moving *const listed = placed_, *const end = listed + std::min(moving_count_, most_placed);
     const Moving* const found = std::find_if(listed, end, [&](const Moving& m) { return m.model == moved; });
     if (found != end) return found->end;
     return interpolate(find_moved(around_, moved)->world, around_.scene->world(moved), around_.end);
