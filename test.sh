@@ -72,6 +72,8 @@ install_packages "${packages[@]}" || {
     failed=1
     finish
 }
+# A script in front of python that looks for the one to run, as pyenv has, takes longer than most checks do.
+if python=$(python3 -c 'import sys; print(sys.executable)'); then export PATH=${python%/*}:$PATH; fi
 
 if [ "${1:-}" = --bindings ]; then
     fetch=(npm install --no-package-lock --no-audit --no-fund)

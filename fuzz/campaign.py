@@ -32,11 +32,10 @@ operations = {"optimised": 0, "sanitized": 0}
 def instruction_sets():
     """Those that this processor has; the programs take an unknown name for the best."""
     flags = pathlib.Path("/proc/cpuinfo").read_text() if os.path.exists("/proc/cpuinfo") else ""
-    have = ["scalar"]
-    have += [name for name in ("sse2", "avx2") if re.search(rf"\b{name}\b", flags)]
+    have = [name for name in ("sse2", "avx2") if re.search(rf"\b{name}\b", flags)]
     if all(re.search(rf"\bavx512{part}\b", flags) for part in ("f", "vl", "dq", "bw")):
         have.append("avx512")
-    return have
+    return have or ["default"]
 
 
 def report(name, good, text):

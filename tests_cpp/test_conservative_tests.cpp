@@ -99,10 +99,10 @@ TEST_CASE("of eight rays at once each is told the truth about its model, or noth
     Tallies spheres, aabbs, obbs;
     compare_many_eights(74, spheres, aabbs, obbs, [](const auto& eight, Tallies& tallies) {
         RayQuads quads[8], same_quads[8];
-        scene_kernels(Isa::scalar).ray_quads(eight.rays, 8, quads);
+        scene_kernels(base_isa).ray_quads(eight.rays, 8, quads);
         const auto pairs = eight.pairs(quads);
         const AskEight ask = kernel_for(eight);
-        const TriStates8 verdicts = (scene_kernels(Isa::scalar).*ask)(pairs);
+        const TriStates8 verdicts = (scene_kernels(base_isa).*ask)(pairs);
         for (const Isa isa : test::isas()) {
             scene_kernels(isa).ray_quads(eight.rays, 8, same_quads);
             REQUIRE(std::memcmp(quads, same_quads, sizeof quads) == 0);
@@ -198,7 +198,7 @@ public:
     template <class Ask>
     void check(const Shape& query, bool coarse, const Ask& ask, Told& told) const {
         const float* quads = &stored_[0].world.position.x;
-        const TriStates8 verdicts = ask(scene_kernels(Isa::scalar), quads, first_quad_);
+        const TriStates8 verdicts = ask(scene_kernels(base_isa), quads, first_quad_);
         for (const Isa isa : test::isas()) {
             const TriStates8 same = ask(scene_kernels(isa), quads, first_quad_);
             REQUIRE((same.no == verdicts.no && same.yes == verdicts.yes));

@@ -17,8 +17,9 @@ extensions() { grep -nE '__builtin_|__attribute__|__extension__|__int128|__restr
 if found=$(extensions -r src --exclude=compiler.h --exclude=simd_plain.h); then fail "extensions outside of src/foundation/compiler.h and simd_plain.h: $found"; fi
 
 flags=(-std=c++17 -fms-extensions -pedantic-errors -Wgnu -Werror -Wno-microsoft -Wno-language-extension-token
-    -fsyntax-only -Isrc -Iinclude -DGAMEPHYS_STATIC -isystem tests_package/microsoft
-    -include tests_package/microsoft/prelude.h)
+    -Isrc -Iinclude -DGAMEPHYS_STATIC -isystem tests_package/microsoft)
+clang++ "${flags[@]}" -x c++-header tests_package/microsoft/prelude.h -o "$WORK/prelude.pch"
+flags+=(-fsyntax-only -include-pch "$WORK/prelude.pch")
 check() { clang++ "${flags[@]}" "$@"; }
 # The narrowest and the widest registers, or all if the argument is "all": float4.h has those of SSE2 anyway.
 sets=(scalar avx512)

@@ -9,7 +9,7 @@
 #if defined(_MSC_VER) && !defined(__clang__)
 #include <intrin.h>
 #elif defined(__x86_64__) || defined(__i386__)
-#include <immintrin.h>
+#include <emmintrin.h>  // not all of <immintrin.h>, which takes half a second to compile
 #endif
 
 #if defined(__x86_64__) || defined(__i386__) || defined(_M_X64) || defined(_M_IX86)

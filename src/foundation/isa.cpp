@@ -18,7 +18,7 @@ constexpr Isa all_sets[] = {
 
 Isa look_up() {
     const char* wanted = std::getenv("GAMEPHYS_ISA");
-    Isa best = Isa::scalar;
+    Isa best = base_isa;
     for (const Isa isa : all_sets) {
         if (!has(isa)) continue;
         if (wanted && !std::strcmp(wanted, name_of(isa))) return isa;

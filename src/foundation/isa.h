@@ -7,20 +7,36 @@
 //
 // Some kernels exist for the wide sets only, whose registers hold four doubles or more (GAMEPHYS_WIDE_KERNELS in
 // cmake/gamephys_targets.cmake): with narrower registers they are slower than scalar code.
+//
+// `scalar`, without SIMD instructions, is built where a processor of the target may have nothing else, and as a
+// reference for the other sets where the build defines GPHYS_SCALAR_KERNELS.
 #pragma once
 
+// The sets of a target, narrowest first, and the first of them that each of its processors has.
 #if defined(__x86_64__) || defined(__i386__) || defined(_M_X64) || defined(_M_IX86)
 #define GPHYS_FOR_EACH_WIDE_ISA(X, ...) X(avx2, __VA_ARGS__) X(avx512, __VA_ARGS__)
-#define GPHYS_FOR_EACH_ISA(X, ...) X(scalar, __VA_ARGS__) X(sse2, __VA_ARGS__) GPHYS_FOR_EACH_WIDE_ISA(X, __VA_ARGS__)
+#define GPHYS_FOR_EACH_SIMD_ISA(X, ...) X(sse2, __VA_ARGS__) GPHYS_FOR_EACH_WIDE_ISA(X, __VA_ARGS__)
+#if defined(__x86_64__) || defined(_M_X64)
+#define GPHYS_BASE_ISA sse2
+#endif
 #elif defined(__aarch64__) || defined(_M_ARM64)
-#define GPHYS_FOR_EACH_ISA(X, ...) X(scalar, __VA_ARGS__) X(neon, __VA_ARGS__)
+#define GPHYS_FOR_EACH_SIMD_ISA(X, ...) X(neon, __VA_ARGS__)
+#define GPHYS_BASE_ISA neon
 #elif defined(__wasm_simd128__)
-#define GPHYS_FOR_EACH_ISA(X, ...) X(scalar, __VA_ARGS__) X(wasm, __VA_ARGS__)
+#define GPHYS_FOR_EACH_SIMD_ISA(X, ...) X(wasm, __VA_ARGS__)
+#define GPHYS_BASE_ISA wasm
 #else
-#define GPHYS_FOR_EACH_ISA(X, ...) X(scalar, __VA_ARGS__)
+#define GPHYS_FOR_EACH_SIMD_ISA(X, ...)
 #endif
 #ifndef GPHYS_FOR_EACH_WIDE_ISA
 #define GPHYS_FOR_EACH_WIDE_ISA(X, ...)
+#endif
+#if defined(GPHYS_SCALAR_KERNELS) || !defined(GPHYS_BASE_ISA)
+#undef GPHYS_BASE_ISA
+#define GPHYS_BASE_ISA scalar
+#define GPHYS_FOR_EACH_ISA(X, ...) X(scalar, __VA_ARGS__) GPHYS_FOR_EACH_SIMD_ISA(X, __VA_ARGS__)
+#else
+#define GPHYS_FOR_EACH_ISA(X, ...) GPHYS_FOR_EACH_SIMD_ISA(X, __VA_ARGS__)
 #endif
 
 namespace gphys {
@@ -30,6 +46,7 @@ enum class Isa {
     GPHYS_FOR_EACH_ISA(GPHYS_ISA_NAME, )
 #undef GPHYS_ISA_NAME
 };
+constexpr Isa base_isa = Isa::GPHYS_BASE_ISA;
 
 /// Whether this processor supports the set.
 bool has(Isa isa);
@@ -43,7 +60,7 @@ const char* name_of(Isa isa);
     GPHYS_FOR_EACH_ISA(GPHYS_DECLARE_TABLE, Table, table)       \
     inline const Table& table(Isa isa) {                        \
         GPHYS_FOR_EACH_ISA(GPHYS_RETURN_TABLE_IF, Table, table) \
-        return scalar::table;                                   \
+        return GPHYS_BASE_ISA::table;                           \
     }
 #define GPHYS_DECLARE_TABLE(set, Table, table) \
     namespace set {                            \

@@ -4,6 +4,9 @@
 #include <cstring>
 
 #include "foundation/compiler.h"
+#if !defined(_MSC_VER) || defined(__clang__)
+#include <immintrin.h>
+#endif
 
 namespace gphys::GPHYS_ISA {
 
