@@ -67,6 +67,21 @@ size_t check_limits(const Body& body) {
     return body.cloth.reach.limits.size();
 }
 
+void check_lists(const RigidLinks& a, const RigidLinks& b) {
+    REQUIRE(a.begin == b.begin);
+    const auto same = [](const RigidLinks::End& l, const RigidLinks::End& r) {
+        return l.to == r.to && l.slot == r.slot && l.rest == r.rest;
+    };
+    REQUIRE(std::equal(a.at.begin(), a.at.end(), b.at.begin(), b.at.end(), same));
+}
+
+bool same_paths(const Vector<PinPath>& a, const Vector<PinPath>& b) {
+    const auto same = [](const PinPath& l, const PinPath& r) {
+        return l.length == r.length && l.particle == r.particle && l.anchor == r.anchor;
+    };
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
+}
+
 bool same_limits(const Vector<ReachLimit>& a, const Vector<ReachLimit>& b) {
     const auto same = [](const ReachLimit& l, const ReachLimit& r) {
         return l.particle == r.particle && l.anchor == r.anchor && l.distance == r.distance;
@@ -101,4 +116,53 @@ TEST_CASE(
         }
     }
     CHECK(count > 5000);
+}
+
+TEST_CASE("after edits of links the shortest ways from pins are those of a search of all, bit by bit") {
+    test::Random random(27);
+    size_t repaired = 0, unreachable = 0;
+    for (int round = 0; round < 400; ++round) {
+        uint32_t size = 5 + random.index(60);
+        Body body = random_graph(random, size, size + random.index(size), 1 + random.index(6));
+        // Sums of other lengths are rounded, and ends of links without length are equally far away.
+        for (DistanceConstraint& link : body.constraints.by_slot) {
+            if (round % 2 == 1) link.rest = round % 4 == 3 && random.index(4) == 0 ? 0 : random.uniform(0.1, 0.3);
+        }
+        update_plan(body);
+        for (int step = 0; step < 6; ++step) {
+            for (uint32_t edit = random.index(4); edit-- > 0;) {
+                const uint32_t slot = random.index(body.constraints.ids.slots());
+                if (random.index(2) == 0 && body.constraints.ids.live(slot)) {
+                    REQUIRE(remove_constraint(body, body.constraints.ids.id(slot)) == GPHYS_OK);
+                    continue;
+                }
+                if (random.index(8) == 0) {  // as tearing does
+                    body.particles.position.emplace_back();
+                    body.particles.inverse_mass.push_back(1);
+                    body.constraints.links.emplace_back();
+                    ++size;
+                }
+                const uint32_t a = random.index(size), b = random.index(8) == 0 ? size - 1 : random.index(size);
+                gphys_constraint_id ignored;
+                if (a != b) REQUIRE(add_constraint(body, {a, b, 1.0 + random.index(4), 0, 0, 0}, ignored) == GPHYS_OK);
+            }
+            if (random.index(3) == 0) {
+                body.particles.inverse_mass[random.index(size)] = random.index(2);
+                body.plan.reach_current = false;
+            }
+            const bool known = !body.cloth.reach.paths.empty();
+            update_plan(body);
+            if (body.plan.method != GPHYS_SOLVE_GRAPH) break;
+            RigidLinks lists(std::pmr::get_default_resource());
+            lists.list(body.constraints, size);
+            check_lists(body.cloth.rigid, lists);
+            Vector<PinPath> paths;
+            update_pin_paths(paths, lists, body.particles);
+            REQUIRE(same_paths(body.cloth.reach.paths, paths));
+            repaired += known;
+            unreachable += paths.size() < size;
+        }
+    }
+    CHECK(repaired > 500);
+    CHECK(unreachable > 50);
 }

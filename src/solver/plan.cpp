@@ -48,8 +48,26 @@ void pack_cloth(Body& body) {
     pack_cloth_chains(batches, body.plan, particles);
     RigidLinks& rigid = body.cloth.rigid;
     if (body.kind == GPHYS_BODY_CLOTH) find_braces(rigid, body.constraints.ids.slots());
-    rigid.changed.clear();
+    rigid.edits.clear();
+    rigid.listed_edits = 0;
     list_kept_links(body.cloth.relaxation.kept, batches, rigid, body.plan, particles);
+}
+
+/// Brings the lists of rigid links up to date, and the paths along them if they are known.
+void update_rigid_links(Body& body) {
+    RigidLinks& rigid = body.cloth.rigid;
+    Vector<PinPath> paths = std::move(body.cloth.reach.paths);
+    body.cloth.reach.paths.clear();  // not known, should this throw
+    if (rigid.begin.empty()) return rigid.list(body.constraints, body.particles.size());
+    const size_t first = rigid.listed_edits, last = rigid.edits.size();
+    if (first < last || rigid.begin.size() != body.particles.size() + size_t{1}) {
+        rigid.list_edits(body.particles.size());
+        // No limits come from them while links can break.
+        if (body.breaking.possible()) paths.clear();
+        if (first < last && !paths.empty())
+            repair_pin_paths(paths, rigid, rigid.edits.data() + first, rigid.edits.data() + last);
+    }
+    body.cloth.reach.paths = std::move(paths);
 }
 
 }  // namespace
@@ -88,10 +106,7 @@ void update_plan(Body& body) {
         plan.chains_packed = false;
         plan.described = true;
     }
-    if (body.cloth.rigid.begin.empty() && plan.method == GPHYS_SOLVE_GRAPH) {
-        body.cloth.reach.paths.clear();
-        body.cloth.rigid.list(body.constraints, body.particles.size());
-    }
+    if (plan.method == GPHYS_SOLVE_GRAPH) update_rigid_links(body);
     if (!plan.reach_current) {
         Cloth& cloth = body.cloth;
         cloth.reach.limits.clear();

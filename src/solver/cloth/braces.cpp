@@ -28,13 +28,15 @@ public:
     void test_all() {
         for (uint32_t a = 0; a < particles_; ++a) test(a, [](uint32_t) { return true; });
     }
-    /// Tests the links whose ends are both among the ends of changed links and their neighbours: only these can be
+    /// Tests the links whose ends are both among the ends of edited links and their neighbours: only these can be
     /// braces now and not before, or the reverse.
     void test_near_changes() {
         Vector<uint8_t> near(particles_, 0, rigid_.at.get_allocator());
-        for (const uint32_t p : rigid_.changed) {
-            near[p] = 1;
-            for (uint32_t i = rigid_.begin[p]; i < rigid_.begin[p + 1]; ++i) near[rigid_.at[i].to] = 1;
+        for (const RigidLinks::Edit& edit : rigid_.edits) {
+            for (const uint32_t p : {edit.a, edit.b}) {
+                near[p] = 1;
+                for (uint32_t i = rigid_.begin[p]; i < rigid_.begin[p + 1]; ++i) near[rigid_.at[i].to] = 1;
+            }
         }
         for (uint32_t a = 0; a < particles_; ++a) {
             if (near[a]) test(a, [&](uint32_t b) { return near[b] != 0; });

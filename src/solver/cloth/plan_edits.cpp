@@ -78,10 +78,14 @@ size_t colour_for(const Body& body, Plan& plan, const DistanceConstraint& constr
     return colour;
 }
 
-/// Marks what was computed from the chains and from this constraint as out of date.
-void note_edit(Body& body, const DistanceConstraint& constraint) {
+/// Marks what was computed from the chains and from this constraint as out of date. Uses reserved memory.
+void note_edit(Body& body, uint32_t slot, bool added) {
+    const DistanceConstraint& constraint = body.constraints.by_slot[slot];
     body.plan.described = false;
-    if (constraint.compliance == 0) body.plan.reach_current = false;
+    if (constraint.compliance == 0) {
+        body.cloth.rigid.edits.push_back({constraint.a, constraint.b, slot, constraint.rest, added});
+        body.plan.reach_current = false;
+    }
     body.contacts.self.linked_begin.clear();
     ++body.plan.edits;
 }
@@ -96,7 +100,7 @@ void reserve_edits(Body& body, uint32_t count) {
     reserve_more(plan.colours, count);
     reserve_more(plan.particles, 2 * count);
     reserve_more(plan.slots, count);
-    reserve_more(body.cloth.rigid.changed, 2 * count);
+    reserve_more(body.cloth.rigid.edits, count);
 }
 
 }  // namespace
@@ -115,7 +119,6 @@ bool can_remove_from_plan(Body& body, uint32_t slot) { return can_add_to_plan(bo
 void add_to_plan(Body& body, uint32_t slot) {
     Plan& plan = body.plan;
     const DistanceConstraint& constraint = body.constraints.by_slot[slot];
-    if (constraint.compliance == 0) body.cloth.rigid.change(constraint.a, constraint.b);
     const size_t colour = colour_for(body, plan, constraint);
     const uint32_t chain = plan.colours[colour + 1];
     const uint32_t particle = colour_begin(plan, colour + 1);
@@ -125,13 +128,11 @@ void add_to_plan(Body& body, uint32_t slot) {
     plan.chains.insert(at(plan.chains, chain), {particle, link, 1});
     number_chains(plan, chain);
     for (size_t i = colour + 1; i < plan.colours.size(); ++i) ++plan.colours[i];
-    note_edit(body, constraint);
+    note_edit(body, slot, true);
 }
 
 void remove_from_plan(Body& body, uint32_t slot) {
     Plan& plan = body.plan;
-    const DistanceConstraint& constraint = body.constraints.by_slot[slot];
-    if (constraint.compliance == 0) body.cloth.rigid.change(constraint.a, constraint.b);
     const uint32_t link =
         static_cast<uint32_t>(std::find(plan.slots.begin(), plan.slots.end(), slot) - plan.slots.begin());
     const auto after = std::upper_bound(plan.chains.begin(), plan.chains.end(), link,
@@ -153,7 +154,7 @@ void remove_from_plan(Body& body, uint32_t slot) {
     const size_t end = *colour;
     for (uint32_t part = parts; part-- > 0;) move_behind_longer(plan, i + part, end);
     if (*colour == *(colour - 1)) plan.colours.erase(colour);
-    note_edit(body, constraint);
+    note_edit(body, slot, false);
 }
 
 }  // namespace gphys

@@ -4,6 +4,7 @@
 #include "foundation/math.h"
 #include "foundation/memory.h"
 #include "foundation/team.h"
+#include "solver/cloth/pin_paths.h"
 
 namespace gphys {
 
@@ -11,18 +12,6 @@ struct ClothSheet;
 struct ClothState;
 struct Particles;
 struct RigidLinks;
-
-/// A path of known length from a pinned particle, along rigid links.
-struct PinPath {
-    double length;
-    uint32_t particle, anchor;
-
-    /// The shortest first; equal ones in an order that is always the same.
-    bool operator<(const PinPath& other) const {
-        if (length != other.length) return length < other.length;
-        return particle != other.particle ? particle < other.particle : anchor < other.anchor;
-    }
-};
 
 /// The largest distance of a particle from a pinned one.
 struct ReachLimit {

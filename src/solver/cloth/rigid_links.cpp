@@ -35,16 +35,64 @@ void RigidLinks::list(const Constraints& constraints, uint32_t particles) {
             at[next[unordered[i].to]++] = {p, unordered[i].slot, unordered[i].rest};
     }
     begin = std::move(first);
+    listed_edits = edits.size();
 }
 
-void RigidLinks::change(uint32_t a, uint32_t b) {
-    changed.insert(changed.end(), {a, b});
-    begin.clear();
-    at.clear();
+/// Copies the lists, with those of the ends of edits changed.
+void RigidLinks::list_edits(uint32_t particles) {
+    struct Change {
+        uint32_t particle;
+        const Edit* edit;
+
+        bool operator<(const Change& other) const {
+            return particle != other.particle ? particle < other.particle : edit < other.edit;
+        }
+    };
+    std::pmr::memory_resource* const memory = at.get_allocator().resource();
+    Vector<Change> changes(memory);
+    for (size_t i = listed_edits; i < edits.size(); ++i) {
+        changes.push_back({edits[i].a, &edits[i]});
+        changes.push_back({edits[i].b, &edits[i]});
+    }
+    std::sort(changes.begin(), changes.end());
+    Vector<End> links(memory);
+    links.reserve(at.size() + changes.size());
+    Vector<uint32_t> first(particles + size_t{1}, memory);
+    // Particles that are new have no links yet.
+    const auto begin_of = [&](uint32_t p) { return begin[std::min<size_t>(p, begin.size() - 1)]; };
+    uint32_t next = 0;
+    const auto copy_until = [&](uint32_t end) {
+        const auto moved = static_cast<uint32_t>(links.size()) - begin_of(next);  // modulo 2^32
+        links.insert(links.end(), at.data() + begin_of(next), at.data() + begin_of(end));
+        for (; next < end; ++next) first[next] = begin_of(next) + moved;
+    };
+    for (auto change = changes.begin(); change != changes.end();) {
+        const uint32_t p = change->particle;
+        copy_until(p);
+        const auto own = static_cast<std::ptrdiff_t>(links.size());
+        copy_until(p + 1);
+        for (; change != changes.end() && change->particle == p; ++change) {
+            const Edit& edit = *change->edit;
+            if (edit.added) {
+                links.push_back({edit.a == p ? edit.b : edit.a, edit.slot, edit.rest});
+            } else {
+                links.erase(std::find_if(links.begin() + own, links.end(),
+                                         [&](const End& link) { return link.slot == edit.slot; }));
+            }
+        }
+        std::sort(links.begin() + own, links.end(),
+                  [](const End& a, const End& b) { return a.to != b.to ? a.to < b.to : a.slot < b.slot; });
+    }
+    copy_until(particles);
+    first[particles] = static_cast<uint32_t>(links.size());
+    begin.swap(first);
+    at.swap(links);
+    listed_edits = edits.size();
 }
 
 void RigidLinks::forget() {
-    changed.clear();
+    edits.clear();
+    listed_edits = 0;
     braces.clear();
     begin.clear();
     at.clear();

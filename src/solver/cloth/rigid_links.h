@@ -16,21 +16,28 @@ struct RigidLinks {
         double rest;
     };
 
-    explicit RigidLinks(std::pmr::memory_resource* memory)
-        : begin(memory), at(memory), changed(memory), braces(memory) {}
+    /// A link that came or went.
+    struct Edit {
+        uint32_t a, b, slot;
+        double rest;
+        bool added;
+    };
 
-    Vector<uint32_t> begin;  // at[begin[p] .. begin[p + 1]]: the links of particle p,
-    Vector<End> at;          // sorted by their other end and by slot. Both empty: out of date
-    // For the search for braces (braces.cpp):
-    Vector<uint32_t> changed;  // the ends of links that were added or removed since the last search
-    Vector<uint8_t> braces;    // by slot of a constraint: 1 if it is a brace. Empty: not known
+    explicit RigidLinks(std::pmr::memory_resource* memory) : begin(memory), at(memory), edits(memory), braces(memory) {}
+
+    Vector<uint32_t> begin;   // at[begin[p] .. begin[p + 1]]: the links of particle p,
+    Vector<End> at;           // sorted by their other end and by slot. Both empty: out of date
+    Vector<Edit> edits;       // since the last search for braces (braces.cpp)
+    size_t listed_edits = 0;  // of them, those that the lists have
+    Vector<uint8_t> braces;   // by slot of a constraint: 1 if it is a brace. Empty: not known
 
     bool has_brace(uint32_t slot) const { return slot < braces.size() && braces[slot]; }
 
     /// Lists the rigid constraints. O(constraints). Throws std::bad_alloc.
     void list(const Constraints& constraints, uint32_t particles);
-    /// Call after a link between two particles was added or removed. Uses capacity for two in `changed`.
-    void change(uint32_t a, uint32_t b);
+    /// Brings the lists, which must not be empty, up to date with the edits. O(links). Throws std::bad_alloc, and then
+    /// changes nothing.
+    void list_edits(uint32_t particles);
     /// Call if any link may have changed.
     void forget();
 };

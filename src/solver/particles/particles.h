@@ -9,6 +9,7 @@
 #include "foundation/math.h"
 #include "foundation/memory.h"
 #include "gamephys_c.h"
+#include "shapes/shapes.h"
 
 namespace gphys {
 
