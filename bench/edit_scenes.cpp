@@ -2,6 +2,7 @@
 // body. Each edit is made in its own step. A row is the shortest of some repetitions of a step, in milliseconds of
 // processor time:
 //   gamephys_bench_edits [--only NAME] [--repeat N]
+// "first_removal" is the step after the first link of a sheet was removed, of "remove_link" it is one of many.
 // "tear" includes the call that breaks the link. "breakable" is a usual step of a body whose links could break, beside
 // one whose links cannot.
 // "usual" is the shortest of the steps that follow the edit: what is pinned or joined may itself be moved in more time,
@@ -230,6 +231,22 @@ std::vector<gphys_constraint_id> links_of(const World& world) {
     return ids;
 }
 
+/// The first removal from a flat sheet: from then on the paths between its particles have to be known.
+void run_first_removal(const BodyScene& scene, int repeat) {
+    double after = 1e9, usual = 1e9;
+    for (int i = 0; i < repeat; ++i) {
+        World world;
+        scene.make(world);
+        const std::vector<gphys_constraint_id> links = links_of(world);
+        for (int k = 0; k < 10; ++k) world.step();
+        check(gphys_solver_remove_constraint(world.solver, world.body, links[scene.particles / 2]));
+        if (world.stats().constraint_count + 1 != scene.links) throw std::runtime_error("no link was removed");
+        after = std::min(after, world.step());
+        for (int k = 0; k < 4; ++k) usual = std::min(usual, world.step());
+    }
+    print_row(scene, "first_removal", after, usual);
+}
+
 /// Cloth tears at particles far from each other, in the middle.
 void run_tear(const BodyScene& scene, int repeat) {
     World world;
@@ -294,6 +311,7 @@ int main(int count, char** arguments) {
             for (const Edit& edit : edits_of(scene)) {
                 if (wants(edit.name)) run_edit(scene, edit, repeat);
             }
+            if (scene.links > scene.particles && wants("first_removal")) run_first_removal(scene, repeat);
             if (scene.links > 0 && wants("breakable")) run_breakable(scene, repeat);
             if (scene.links > scene.particles && wants("tear")) run_tear(scene, repeat);
         }

@@ -61,7 +61,7 @@ void update_rigid_links(Body& body) {
     if (rigid.begin.empty()) return rigid.list(body.constraints, body.particles.size());
     const size_t first = rigid.listed_edits, last = rigid.edits.size();
     if (first < last || rigid.begin.size() != body.particles.size() + size_t{1}) {
-        rigid.list_edits(body.particles.size());
+        rigid.list_edits(body.constraints, body.particles.size());
         // No limits come from them while links can break.
         if (body.breaking.possible()) paths.clear();
         if (first < last && !paths.empty())

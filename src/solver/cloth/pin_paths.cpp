@@ -14,9 +14,6 @@
 namespace gphys {
 namespace {
 
-// A pinned edge would give each particle dozens of limits. More than the nearest few hardly reduce the stretch.
-constexpr uint32_t most_anchors = 4;
-
 /// The lengths of the shortest known paths from the nearest anchors to one particle. A longer path, or one as long from
 /// the same anchor, is pruned.
 class NearestAnchors {

@@ -9,6 +9,9 @@ namespace gphys {
 
 struct Particles;
 
+// A pinned edge would give each particle dozens of limits. More than the nearest few hardly reduce the stretch.
+constexpr uint32_t most_anchors = 4;
+
 /// A path of known length from a pinned particle, along rigid links.
 struct PinPath {
     double length;

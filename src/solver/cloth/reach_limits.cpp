@@ -1,6 +1,8 @@
 // Long-range attachments (Kim, Chentanez, Mueller-Fischer 2012): a particle stays within the length of the shortest
 // path of rigid links from each of its nearest pins. Applied after all else, these limits remove at once the stretch
 // for which sweeps over the links would need many substeps.
+//
+// In a flat sheet that nobody has cut, straight lines take the place of the paths: no path is shorter.
 #include "solver/cloth/reach_limits.h"
 
 #include "solver/cloth/cloth_sheet.h"
@@ -14,6 +16,35 @@ namespace {
 // Limits leave this fraction of slack, so that they act on stretch and not on rounding.
 constexpr double slack = 1e-6;
 
+/// Whether no rigid link is shorter than the distance of its ends in the flat sheet.
+bool is_flat(const ClothSheet& sheet, const RigidLinks& rigid) {
+    constexpr double rounding = 1e-9;
+    const Vector<Vec3>& place = sheet.rest_position;
+    for (uint32_t p = 0; p < place.size(); ++p) {
+        for (uint32_t i = rigid.begin[p]; i < rigid.begin[p + 1]; ++i) {
+            const RigidLinks::End& link = rigid.at[i];
+            if (link.rest * link.rest < (1 - rounding) * length_squared(place[link.to] - place[p])) return false;
+        }
+    }
+    return !place.empty();
+}
+
+/// The limits of all particles of a flat sheet, which is connected. Of each the nearest anchor first.
+void add_straight_limits(Vector<ReachLimit>& limits, const Vector<uint32_t>& anchors, const Particles& particles,
+                         const Vector<Vec3>& place) {
+    limits.reserve(anchors.size() * particles.size());
+    for (uint32_t p = 0; p < particles.size(); ++p) {
+        if (particles.pinned(p)) continue;
+        const size_t first = limits.size();
+        for (const uint32_t anchor : anchors) {
+            const double limit = distance(place[p], place[anchor]) * (1 + slack);
+            limits.push_back({p, anchor, limit});
+            for (size_t i = limits.size() - 1; i > first && limits[i - 1].distance > limit; --i)
+                std::swap(limits[i - 1], limits[i]);
+        }
+    }
+}
+
 ClothLimits packed(const ReachLimits& reach) {
     return {reach.limited.data(), reach.anchors.data(), reach.distances.data()};
 }
@@ -23,9 +54,17 @@ ClothLimits packed(const ReachLimits& reach) {
 void plan_reach_limits(ReachLimits& reach, const RigidLinks& rigid, const Particles& particles,
                        const ClothSheet& sheet) {
     reach.limits.clear();
+    const bool flat = !sheet.rest_position.empty();
+    if (flat) {
+        Vector<uint32_t> pinned(reach.limits.get_allocator());
+        for (uint32_t p = 0; p < particles.size() && pinned.size() <= most_anchors; ++p) {
+            if (particles.pinned(p)) pinned.push_back(p);
+        }
+        if (pinned.size() <= most_anchors && is_flat(sheet, rigid))
+            return add_straight_limits(reach.limits, pinned, particles, sheet.rest_position);
+    }
     update_pin_paths(reach.paths, rigid, particles);
     reach.limits.reserve(reach.paths.size());
-    const bool flat = !sheet.rest_position.empty();
     for (const PinPath& path : reach.paths) {
         if (particles.pinned(path.particle)) continue;
         const double straight =

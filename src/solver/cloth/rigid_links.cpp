@@ -2,6 +2,7 @@
 #include "solver/cloth/rigid_links.h"
 
 #include "solver/constraints.h"
+#include "solver/plan.h"
 
 namespace gphys {
 namespace {
@@ -28,6 +29,7 @@ void RigidLinks::list(const Constraints& constraints, uint32_t particles) {
         unordered[next[c.a]++] = {c.b, slot, c.rest};
         unordered[next[c.b]++] = {c.a, slot, c.rest};
     });
+    at.reserve(first.back() + 2 * Plan::most_edits);
     at.resize(first.back());
     next.assign(first.begin(), first.end() - 1);
     for (uint32_t p = 0; p < particles; ++p) {
@@ -38,56 +40,26 @@ void RigidLinks::list(const Constraints& constraints, uint32_t particles) {
     listed_edits = edits.size();
 }
 
-/// Copies the lists, with those of the ends of edits changed.
-void RigidLinks::list_edits(uint32_t particles) {
-    struct Change {
-        uint32_t particle;
-        const Edit* edit;
-
-        bool operator<(const Change& other) const {
-            return particle != other.particle ? particle < other.particle : edit < other.edit;
-        }
-    };
-    std::pmr::memory_resource* const memory = at.get_allocator().resource();
-    Vector<Change> changes(memory);
-    for (size_t i = listed_edits; i < edits.size(); ++i) {
-        changes.push_back({edits[i].a, &edits[i]});
-        changes.push_back({edits[i].b, &edits[i]});
-    }
-    std::sort(changes.begin(), changes.end());
-    Vector<End> links(memory);
-    links.reserve(at.size() + changes.size());
-    Vector<uint32_t> first(particles + size_t{1}, memory);
-    // Particles that are new have no links yet.
-    const auto begin_of = [&](uint32_t p) { return begin[std::min<size_t>(p, begin.size() - 1)]; };
-    uint32_t next = 0;
-    const auto copy_until = [&](uint32_t end) {
-        const auto moved = static_cast<uint32_t>(links.size()) - begin_of(next);  // modulo 2^32
-        links.insert(links.end(), at.data() + begin_of(next), at.data() + begin_of(end));
-        for (; next < end; ++next) first[next] = begin_of(next) + moved;
-    };
-    for (auto change = changes.begin(); change != changes.end();) {
-        const uint32_t p = change->particle;
-        copy_until(p);
-        const auto own = static_cast<std::ptrdiff_t>(links.size());
-        copy_until(p + 1);
-        for (; change != changes.end() && change->particle == p; ++change) {
-            const Edit& edit = *change->edit;
+/// Each edit moves the lists behind it, so many take longer than to list all again.
+void RigidLinks::list_edits(const Constraints& constraints, uint32_t particles) {
+    constexpr size_t few = 4;
+    const size_t count = edits.size() - listed_edits;
+    if (count > few) return list(constraints, particles);
+    at.reserve(at.size() + 2 * count);
+    begin.resize(particles + size_t{1}, begin.back());  // new particles have no links yet
+    for (; listed_edits < edits.size(); ++listed_edits) {
+        const Edit& edit = edits[listed_edits];
+        for (const auto& [particle, to] : {std::pair(edit.a, edit.b), std::pair(edit.b, edit.a)}) {
+            const auto first = at.begin() + begin[particle], last = at.begin() + begin[particle + 1];
             if (edit.added) {
-                links.push_back({edit.a == p ? edit.b : edit.a, edit.slot, edit.rest});
+                const End link{to, edit.slot, edit.rest};
+                at.insert(std::upper_bound(first, last, link), link);
             } else {
-                links.erase(std::find_if(links.begin() + own, links.end(),
-                                         [&](const End& link) { return link.slot == edit.slot; }));
+                at.erase(std::find_if(first, last, [&](const End& link) { return link.slot == edit.slot; }));
             }
+            for (uint32_t p = particle + 1; p <= particles; ++p) begin[p] += edit.added ? 1u : ~0u;
         }
-        std::sort(links.begin() + own, links.end(),
-                  [](const End& a, const End& b) { return a.to != b.to ? a.to < b.to : a.slot < b.slot; });
     }
-    copy_until(particles);
-    first[particles] = static_cast<uint32_t>(links.size());
-    begin.swap(first);
-    at.swap(links);
-    listed_edits = edits.size();
 }
 
 void RigidLinks::forget() {

@@ -14,6 +14,8 @@ struct RigidLinks {
     struct End {
         uint32_t to, slot;  // the other particle, and the slot of the constraint
         double rest;
+
+        bool operator<(const End& other) const { return to != other.to ? to < other.to : slot < other.slot; }
     };
 
     /// A link that came or went.
@@ -37,7 +39,7 @@ struct RigidLinks {
     void list(const Constraints& constraints, uint32_t particles);
     /// Brings the lists, which must not be empty, up to date with the edits. O(links). Throws std::bad_alloc, and then
     /// changes nothing.
-    void list_edits(uint32_t particles);
+    void list_edits(const Constraints& constraints, uint32_t particles);
     /// Call if any link may have changed.
     void forget();
 };
