@@ -17,7 +17,7 @@ static const struct golden {
     /* clang-format off */
     {"particles", 0x56bb686b, 0xa5aab549},
     {"ropes", 0xcedd54ba, 0xea579697},
-    {"cloth", 0x2b638e2f, 0x040ebed1},
+    {"cloth", 0x34f631ee, 0x764a7ada},
     {"joints", 0xb804d317, 0x402cbf73},
     {"moving_models", 0x526502c1, 0x3808344b},
     {"cameras", 0xf3b8b092, 0x13040e63},
