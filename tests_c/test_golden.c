@@ -15,9 +15,9 @@ static const struct golden {
     uint32_t high, low;
 } recorded[GROUPS] = {
     /* clang-format off */
-    {"particles", 0x56bb686b, 0xa5aab549},
-    {"ropes", 0xcedd54ba, 0xea579697},
-    {"cloth", 0x34f631ee, 0x764a7ada},
+    {"particles", 0x488856db, 0x214b1b33},
+    {"ropes", 0xd734d53e, 0xea38dfea},
+    {"cloth", 0x11090fc0, 0x4f36b689},
     {"joints", 0xb804d317, 0x402cbf73},
     {"moving_models", 0x526502c1, 0x3808344b},
     {"cameras", 0xf3b8b092, 0x13040e63},
@@ -26,7 +26,7 @@ static const struct golden {
     {"shapes", 0x67a709b4, 0x62fe01be},
     {"targets", 0x825e139b, 0x1521c3a2},
     {"clusters", 0x2fa2132f, 0x27e414f9},
-    {"tears", 0xaebdbfef, 0xaa11c0c9},
+    {"tears", 0x0e334d59, 0x0adaeed1},
 };
 
 /* FNV-1a of 64 bits over 32-bit words. */

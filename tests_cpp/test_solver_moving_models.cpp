@@ -1,4 +1,6 @@
 // Cloth on models that move: carried by friction, lifted, pushed.
+#include "c_api/handles.h"
+#include "solver/contact/collision.h"
 #include "solver_world.h"
 
 using namespace gphys;
@@ -174,4 +176,59 @@ TEST_CASE("Cloth stays outside a ball that jumps, turns or grows") {
         }
         CHECK(all_finite(draped.world.positions(draped.sheet)));
     }
+}
+
+TEST_CASE("the bounds of a motion contain the model at each time of it, and hardly more") {
+    test::Random random(11);
+    const auto unit = [](gphys_quat q) {
+        const float factor = 1 / std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
+        return gphys_quat{q.x * factor, q.y * factor, q.z * factor, q.w * factor};
+    };
+    const auto some_quaternion = [&] {
+        return unit({random.uniform_float(-1, 1), random.uniform_float(-1, 1), random.uniform_float(-1, 1),
+                     random.uniform_float(-1, 1)});
+    };
+    World world;
+    double largest = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const float away = i % 3 == 0 ? 20.0f : 1.0f;
+        const gphys_vec3 low{random.uniform_float(-away, away), random.uniform_float(-away, away),
+                             random.uniform_float(-away, away)};
+        const gphys_aabb box{low,
+                             {low.x + random.uniform_float(0, 2), low.y + random.uniform_float(0, 2),
+                              low.z + random.uniform_float(0, 2)}};
+        const auto some_position = [&] {
+            return gphys_vec3{random.uniform_float(-5, 5), random.uniform_float(-5, 5), random.uniform_float(-5, 5)};
+        };
+        gphys_transform first{some_position(), some_quaternion(), 1}, second{some_position(), some_quaternion(), 1};
+        const bool turns = i % 4 != 0, grows = i % 4 == 3;
+        if (!turns) second.rotation = first.rotation = {0, 0, 0, 1};
+        if (i % 4 == 2) {  // by a small angle
+            second.rotation = first.rotation;
+            second.rotation.x += 0.01f;
+            second.rotation = unit(second.rotation);
+        }
+        if (grows) second.scale = random.uniform_float(0.5f, 2);
+        const gphys_model_id model = world.model(GPHYS_SHAPE_AABB, &box, &second);
+        const Scene& scene = *unwrap(world.scene);
+        const MovedModel moved(scene, {model, first});
+        REQUIRE(moved.bounded);
+        Aabb all = widen(moved.swept), seen{all.max, all.min};
+        for (int k = 0; k <= 40; ++k) {
+            const Transform then = interpolate(first, second, k / 40.0);
+            for (int corner = 0; corner < 8; ++corner) {
+                const Vec3 p = then.apply({corner & 1 ? box.min.x : box.max.x, corner & 2 ? box.min.y : box.max.y,
+                                           corner & 4 ? box.min.z : box.max.z});
+                seen = {min(seen.min, p), max(seen.max, p)};
+                for (int axis = 0; axis < 3; ++axis) {
+                    REQUIRE(p[axis] >= all.min[axis]);
+                    REQUIRE(p[axis] <= all.max[axis]);
+                }
+            }
+        }
+        if (!turns) largest = std::max(largest, length((all.max - all.min) - (seen.max - seen.min)));
+        REQUIRE(gphys_scene_remove(world.scene, model) == GPHYS_OK);
+    }
+    // Without rotation, up to the rounding of float32.
+    CHECK(largest < 1e-4);
 }

@@ -35,6 +35,10 @@ GPHYS_INLINE constexpr Vec<N> transpose_times(const Matrix<N>& m, const Vec<N>& 
     return {dot(m.x, v), dot(m.y, v), dot(m.z, v)};
 }
 template <class N>
+GPHYS_INLINE constexpr Matrix<N> transposed(const Matrix<N>& m) {
+    return {{m.x.x, m.y.x, m.z.x}, {m.x.y, m.y.y, m.z.y}, {m.x.z, m.y.z, m.z.z}};
+}
+template <class N>
 GPHYS_INLINE Matrix<N> abs(const Matrix<N>& m) {
     return {abs(m.x), abs(m.y), abs(m.z)};
 }

@@ -202,16 +202,20 @@ void Solver::begin_step(const Scene* scene) noexcept {
     particle_contacts_.begin_step(state_.ids, state_.bodies, islands_);
 }
 
-/// Memory for what free particles find near meshes, and the hash of the models near them.
-static void reserve_balls(Body& body, const Scene& scene, const Box& search_box, bool meshes) {
+/// Memory for what free particles find near meshes, and the hash of the models near them that do not move.
+static void reserve_balls(Body& body, const Scene& scene, const Vector<MovedModel>& moved, const Box& search_box,
+                          bool meshes) {
     if (body.plan.method != GPHYS_SOLVE_FREE || !meshes) {
         body.flight.all.clear();
         return;
     }
     if (body.flight.all.size() != body.particles.size()) body.flight.forget();
     body.flight.all.resize(body.particles.size());
-    body.flight.surroundings =
-        neighbourhood(scene, search_box, body.settings.layers, [](gphys_model_id) {}) | 1;  // 0: not known
+    uint64_t sum = 0;
+    scene.for_each_in_box(search_box, body.settings.layers, [&](gphys_model_id model) {
+        if (!find_moved(moved, model)) sum += hash_of(scene, model);
+    });
+    body.flight.surroundings = sum | 1;  // 0: not known
 }
 
 /// The broad phase: lists the models near the bodies with their transforms, and those that have moved since the last
@@ -247,6 +251,11 @@ void Solver::list_near_models(const Scene& scene, double dt) {
         active.reachable = enlarged(margin);
         active.search_box = body.steady.search_box = enlarged(margin + dt * fastest_model);
     }
+    for (const PlacedModel& before : state_.near_models) {
+        if (!scene.has(before.model)) continue;
+        const gphys_transform& now = scene.world(before.model);
+        if (std::memcmp(&now, &before.world, sizeof now) != 0) moved_models_.emplace_back(scene, before);
+    }
     for (ActiveBody& active : active_) {
         Body& body = state_.bodies[active.slot];
         const size_t before = next_near_models_.size();
@@ -257,7 +266,7 @@ void Solver::list_near_models(const Scene& scene, double dt) {
             // find_disturbed handles models that have moved.
             if (active.undisturbed && scene.overlaps_box(model, active.reachable)) active.undisturbed = false;
         });
-        reserve_balls(body, scene, active.search_box, meshes);
+        reserve_balls(body, scene, moved_models_, active.search_box, meshes);
         active.near_model_count = static_cast<uint32_t>(next_near_models_.size() - before);
         if (active.near_model_count == 0) continue;
         const uint32_t least = substeps_near_models(body.cloth, state_.settings, active.fastest, dt);
@@ -267,11 +276,6 @@ void Solver::list_near_models(const Scene& scene, double dt) {
     const auto same = [](const PlacedModel& a, const PlacedModel& b) { return a.model == b.model; };
     next_near_models_.erase(std::unique(next_near_models_.begin(), next_near_models_.end(), same),
                             next_near_models_.end());
-    for (const PlacedModel& before : state_.near_models) {
-        if (!scene.has(before.model)) continue;
-        const gphys_transform& now = scene.world(before.model);
-        if (std::memcmp(&now, &before.world, sizeof now) != 0) moved_models_.push_back(before);
-    }
     for (const ActiveBody& active : active_) {
         Body& body = state_.bodies[active.slot];
         reserve_impulses(body, active.near_model_count + moved_models_.size());
@@ -311,12 +315,10 @@ void Solver::limit_work(double dt) {
 
 /// Marks the bodies near the path of a model that has moved.
 void Solver::find_disturbed(const Scene& scene) {
-    for (const PlacedModel& before : moved_models_) {
-        Box path;
-        const bool bounded = swept_bounds(scene, before, path);
+    for (const MovedModel& before : moved_models_) {
         for (ActiveBody& active : active_) {
             const uint32_t layers = scene.layers(before.model) & state_.bodies[active.slot].settings.layers;
-            if (layers != 0 && (!bounded || overlaps(path, active.search_box))) {
+            if (layers != 0 && (!before.bounded || overlaps(before.swept, active.search_box))) {
                 active.undisturbed = false;
                 active.models_move = true;
             }

@@ -342,7 +342,8 @@ private:
     Workers workers_;
     SolverState state_{&memory};
     /// The next state_.near_models, with the present places; and those of state_.near_models that have moved since.
-    Vector<PlacedModel> next_near_models_{&memory}, moved_models_{&memory};
+    Vector<PlacedModel> next_near_models_{&memory};
+    Vector<MovedModel> moved_models_{&memory};
     Vector<ActiveBody> active_{&memory};
     Vector<Undo> undo_{&memory};
     Vector<Task> tasks_{&memory};

@@ -10,7 +10,7 @@ namespace gphys {
 void follow_models(const Constraints& constraints, const CollisionContext& around, ClothState& state,
                    ChainContacts& contacts) {
     gphys_model_id model = 0;
-    const PlacedModel* moved = nullptr;
+    const MovedModel* moved = nullptr;
     Transform now;
     for (const Attachment& attachment : constraints.attachments) {
         if (attachment.begin == attachment.end) continue;

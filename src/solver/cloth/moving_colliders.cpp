@@ -6,8 +6,6 @@
 namespace gphys {
 namespace {
 
-Mat3 transposed(const Mat3& m) { return {{m.x.x, m.y.x, m.z.x}, {m.x.y, m.y.y, m.z.y}, {m.x.z, m.y.z, m.z.z}}; }
-
 RigidMotion rigid_motion(const Transform& from, const Transform& to, Vec3 origin) {
     return {to.rotation * transposed(from.rotation), to.apply(from.inverse_apply(origin)) - origin};
 }
@@ -19,13 +17,14 @@ void find_moving_colliders(Vector<MovingCollider>& moving_colliders, Vec3 origin
     // Half a radian: search ranges are then less than three times those for a model that does not rotate.
     constexpr double most_turn = 0.5;
     moving_colliders.clear();
-    for (const PlacedModel& before : *around.moved) {
+    for (const MovedModel& before : *around.moved) {
         if (!(around.scene->layers(before.model) & layers)) continue;
         const gphys_transform& after = around.scene->world(before.model);
         MovingCollider moving_collider{};
         moving_collider.model = before.model;
         moving_collider.before = before.world;
-        moving_collider.bounded = swept_bounds(*around.scene, before, moving_collider.swept_bounds);
+        moving_collider.bounded = before.bounded;
+        moving_collider.swept_bounds = before.swept;
         // For unit quaternions, up to rounding: |q - p| = 2 sin(angle / 4), and their dot product is the cosine of half
         // the angle.
         const Quat p = normalized(widen(before.world.rotation)), q = normalized(widen(after.rotation));

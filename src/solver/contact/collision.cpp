@@ -3,6 +3,7 @@
 #include "solver/contact/collision.h"
 
 #include "solver/contact/friction.h"
+#include "solver/particles/flight_planes.h"
 
 namespace gphys {
 namespace {
@@ -81,8 +82,9 @@ void Collider::sweep_listed(const Near& near, const Sphere& moving, Vec3 displac
 
 void Collider::sweep_unmoved(uint32_t particle, Vec3 from, Vec3 displacement, gphys_model_id ignored,
                              Impact& first) const {
-    const Sphere moving{from, body_.particles.radius[particle]};
     first = {};
+    if (planes_ && ignored == 0 && planes_->sweep_known(body_, particle, from, displacement, first)) return;
+    const Sphere moving{from, body_.particles.radius[particle]};
     if (listed_) {
         for (uint32_t i = 0; i < count_; ++i) {
             if (near_[i].model != ignored) sweep_listed(near_[i], moving, displacement, first);
@@ -314,7 +316,11 @@ void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement
             const Vec3 out = minimum_translation(body, particle, at, impact);
             const double depth = length(out);
             if (depth <= most_push_) {
-                at += out;
+                // Not through another model: a mesh has no inside from which the particle would come back.
+                Impact wall;
+                sweep_unmoved(particle, at, out, impact.model, wall);
+                const bool free = wall.model == 0 || wall.inside;
+                at += free ? out : out * stop_short(body, particle, at, out, wall);
             } else {
                 ignored = impact.model;
                 body.contacts.penetrating = true;

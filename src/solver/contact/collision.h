@@ -22,17 +22,28 @@ struct PlacedModel {
     bool operator<(const PlacedModel& other) const { return model < other.model; }
 };
 
-/// What a body collides with in a substep: the scene, the former transforms of models that have moved since the last
-/// step, and the part of the step that the substep covers.
-struct CollisionContext {
-    const Scene* scene = nullptr;
-    const Vector<PlacedModel>* moved = nullptr;  // sorted by model
-    double step_time = 0;                        // seconds in which the models moved
-    double begin = 0, end = 1;                   // fractions of the step
+/// A model that has moved since the last step, and where it was then.
+struct MovedModel : PlacedModel {
+    bool bounded;
+    Box swept;  // bounds of the model during its motion to its present place
+
+    MovedModel(const Scene& scene, const PlacedModel& before);
 };
 
-/// Where the model was before the last step, if it has moved since; else null.
-const PlacedModel* find_moved(const CollisionContext& around, gphys_model_id model);
+/// What a body collides with in a substep: the scene, the models that have moved since the last step, and the part of
+/// the step that the substep covers.
+struct CollisionContext {
+    const Scene* scene = nullptr;
+    const Vector<MovedModel>* moved = nullptr;  // sorted by model
+    double step_time = 0;                       // seconds in which the models moved
+    double begin = 0, end = 1;                  // fractions of the step
+};
+
+/// Null if the model has not moved.
+const MovedModel* find_moved(const Vector<MovedModel>& moved, gphys_model_id model);
+inline const MovedModel* find_moved(const CollisionContext& around, gphys_model_id model) {
+    return find_moved(*around.moved, model);
+}
 inline bool has_moved(const CollisionContext& around, gphys_model_id model) {
     return find_moved(around, model) != nullptr;
 }
@@ -99,13 +110,20 @@ public:
     /// The first model that the particle hits; of simultaneous ones, the lower id. The particle starts at `time`, a
     /// fraction of the step, and arrives at the end of the substep. Models that move do so meanwhile.
     bool sweep(uint32_t particle, Vec3 from, Vec3 displacement, double time, Impact& impact) const;
+    /// Those that move, except for one: keeps the first of them and of the impact that is known.
+    void sweep_moving(uint32_t particle, Vec3 from, Vec3 displacement, double time, gphys_model_id ignored,
+                      Impact& first) const;
     /// Returns whether static friction holds a particle on the only obstacle that it can reach; then records the
     /// contact and gives the model the impulse. Without friction the particle would move by `displacement` and get
     /// `velocity`.
     bool try_hold(Body& body, uint32_t particle, uint32_t obstacle, Vec3 displacement, Vec3 velocity) const;
     /// The same if the first impact on that path is known.
     bool try_hold(Body& body, uint32_t particle, const Impact& impact, Vec3 displacement, Vec3 velocity) const;
-    /// The same for consecutive particles, all of which are in FlatModel::resting_region of the obstacle.
+    /// Moves a particle that touches one model that moves, and stays in contact with it: friction keeps it at its place
+    /// on the model, or it slides. `displacement`, `velocity`: of the substep, and at its end, without contacts.
+    /// Returns false, without effect, if the particle is not known to do so.
+    bool try_slide_on_moving(Body& body, uint32_t particle, Vec3 displacement, Vec3 velocity) const;
+    /// The same as try_hold for consecutive particles, all of which are in FlatModel::resting_region of the obstacle.
     void hold(Body& body, uint32_t first, uint32_t count, uint32_t obstacle, Vec3 displacement, Vec3 velocity) const;
     /// Moves the particle along the displacement as far as possible, sliding along surfaces with friction, and changes
     /// its velocity accordingly. Approach speeds below `bounce_threshold` do not bounce. Records contacts. `time`: as
@@ -141,12 +159,26 @@ private:
     };
 
     void record(Body& body, uint32_t particle, gphys_model_id model, Vec3 point, Vec3 normal) const;
+    /// From the place of a model at one time to that at another, if its size is the same.
+    struct Motion {
+        Mat3 rotation;
+        Vec3 from, to;  // places of the model
+
+        Motion() = default;
+        Motion(const Transform& first, const Transform& second)
+            : rotation(second.rotation * transposed(first.rotation)), from(first.position), to(second.position) {}
+        Vec3 apply(Vec3 p) const { return to + rotation * (p - from); }
+        Vec3 inverse_apply(Vec3 p) const { return from + transpose_times(rotation, p - to); }
+        Vec3 inverse_turn(Vec3 v) const { return transpose_times(rotation, v); }
+    };
     /// A model that moves, in this substep.
     struct Moving {
         gphys_model_id model;
-        Transform begin, end, now;  // at the ends of the substep, and in the scene: at the end of the step
-        gphys_transform before;     // at the beginning of the step
-        double tangent;             // of a quarter of the angle by which it turns in the substep
+        Transform begin, end, now;    // at the ends of the substep, and in the scene: at the end of the step
+        Motion from_begin, from_end;  // to the place in the scene
+        gphys_transform before;       // at the beginning of the step
+        Vec3 spin;       // angular velocity, rad/s, up to a sixth of the square of the angle of the substep
+        double tangent;  // of a quarter of the angle by which it turns in the substep
         bool bounded;
         Box box;  // in the scene
 
@@ -154,14 +186,12 @@ private:
     };
     Moving moving(const PlacedModel& before) const;
     void list_moving(const Box& box);
-    /// Calls visit(moving) for the nearby moving models, or for all if too many are near.
+    /// Calls visit(moving) for the nearby moving models, or for all if too many are near, that come into the box.
     template <class Visit>
-    void for_each_moving(Visit&& visit) const;
+    void for_each_moving(const Box& box, Visit&& visit) const;
     Box bounds_of_pushed(const Box& paths) const;
     void sweep_model(gphys_model_id model, const Sphere& moving, Vec3 displacement, Impact& first) const;
     void sweep_listed(const Near& near, const Sphere& moving, Vec3 displacement, Impact& first) const;
-    void sweep_moving(uint32_t particle, Vec3 from, Vec3 displacement, double time, gphys_model_id ignored,
-                      Impact& first) const;
     void sweep_moved(const Moving& model, uint32_t particle, const Sphere& moving, Vec3 displacement, double time,
                      Impact& first) const;
     /// Sweeps against models that have not moved.
@@ -169,6 +199,7 @@ private:
     /// Sweeps against all but one that the particle is in.
     bool sweep_others(uint32_t particle, Vec3 from, Vec3 displacement, double time, gphys_model_id ignored,
                       Impact& first) const;
+    bool try_slide_on(const Moving& model, Body& body, uint32_t particle, Vec3 displacement, Vec3 velocity) const;
     Transform place_at_end(gphys_model_id moved) const;
     /// The impact at the end of the substep, if the particle moves with the model.
     Impact at_substep_end(const Impact& impact) const;
@@ -185,9 +216,6 @@ private:
     Moving placed_[most_placed];  // the first of them
     FlightPlanes* const planes_;
 };
-
-/// The bounds of a model during its motion to its present place. Returns false if it is unbounded.
-bool swept_bounds(const Scene& scene, const PlacedModel& before, Box& out);
 
 inline Aabb widen(const Box& box) {
     return {{box.min[0], box.min[1], box.min[2]}, {box.max[0], box.max[1], box.max[2]}};
@@ -207,9 +235,9 @@ bool Collider::for_each_obstacle(double radius, const Aabb& region, Visit&& visi
               near.is_flat ? &near.flat : nullptr);
     }
     for (uint32_t i = 0; i < moving_count_; ++i) {
-        Box swept;
-        if (!swept_bounds(*around_.scene, (*around_.moved)[moving_[i]], swept)) return false;
-        offer(widen(swept), nullptr);
+        const MovedModel& moved = (*around_.moved)[moving_[i]];
+        if (!moved.bounded) return false;
+        offer(widen(moved.swept), nullptr);
     }
     return true;
 }

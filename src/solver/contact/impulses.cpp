@@ -18,8 +18,8 @@ ModelImpulse* sum_for(Vector<ModelImpulse>& sums, gphys_model_id model, uint32_t
 
 Vec3 place_of(const CollisionContext& around, gphys_model_id model) {
     const gphys_transform& now = around.scene->world(model);
-    const auto moved = std::lower_bound(around.moved->begin(), around.moved->end(), PlacedModel{model, {}});
-    if (moved == around.moved->end() || moved->model != model) return widen(now.position);
+    const MovedModel* const moved = find_moved(around, model);
+    if (!moved) return widen(now.position);
     return widen(moved->world.position) * (1 - around.end) + widen(now.position) * around.end;
 }
 

@@ -1,16 +1,19 @@
-// Sweeps of particles against models that move during a step (collision.h).
+// Particles and models that move during a step (collision.h): the bounds of such a motion, sweeps, and contact that
+// lasts, with friction.
 //
 // A sweep uses the motion of the particle relative to the model, with a common time. A path starts at the place and at
 // the time at which the previous path ended. So the relative paths have no gaps, and no particle passes through a
 // model.
 #include "solver/contact/collision.h"
+#include "solver/contact/friction.h"
 #include "solver/particles/flight_planes.h"
 
 namespace gphys {
 
-const PlacedModel* find_moved(const CollisionContext& around, gphys_model_id model) {
-    const auto at = std::lower_bound(around.moved->begin(), around.moved->end(), PlacedModel{model, {}});
-    return at != around.moved->end() && at->model == model ? &*at : nullptr;
+const MovedModel* find_moved(const Vector<MovedModel>& moved, gphys_model_id model) {
+    const auto at = std::lower_bound(moved.begin(), moved.end(), model,
+                                     [](const MovedModel& one, gphys_model_id id) { return one.model < id; });
+    return at != moved.end() && at->model == model ? &*at : nullptr;
 }
 
 Transform interpolate(const gphys_transform& from, const gphys_transform& to, double fraction) {
@@ -23,27 +26,43 @@ Transform interpolate(const gphys_transform& from, const gphys_transform& to, do
             from.scale * rest + to.scale * fraction};
 }
 
-bool swept_bounds(const Scene& scene, const PlacedModel& before, Box& out) {
+/// A point of the model is at c + k R q, where q is its place relative to that of the model in the scene. The position
+/// c goes along a segment, R q along an arc, which is no farther from its chord than 1 - cos(angle / 2) times |q|, and
+/// the factor k goes to 1.
+MovedModel::MovedModel(const Scene& scene, const PlacedModel& before) : PlacedModel(before) {
     Box now;
-    if (!scene.bounds(before.model, now)) return false;
-    // No part of the model was farther from its position than now, except for the change of scale.
-    const gphys_transform& after = scene.world(before.model);
-    const Vec3 at = widen(after.position), was = widen(before.world.position);
-    double reach = 0;
-    for (int k = 0; k < 3; ++k) reach += std::max(now.max[k] - at[k], at[k] - now.min[k]);
-    reach *= std::max(1.0, static_cast<double>(before.world.scale) / after.scale);
-    const Vec3 room{reach, reach, reach};
-    out = bounds(Aabb{min(at, was) - room, max(at, was) + room});
-    return true;
+    bounded = scene.bounds(model, now);
+    if (!bounded) return;
+    const Transform from = widen(world), to = widen(scene.world(model));
+    const double factor = from.scale / to.scale;
+    const Vec3 low = widen(now).min - to.position, high = widen(now).max - to.position;
+    const Mat3 turn = from.rotation * transposed(to.rotation);
+    const Vec3 middle = turn * ((low + high) / 2), extents = (high - low) / 2;
+    const Vec3 half = abs(turn) * extents;
+    const Vec3 least = min(low, middle - half), most = max(high, middle + half);
+    const double tangent = quarter_tangent(from.rotation, to.rotation), squared = tangent * tangent;
+    const double reach = length(max(abs(low), abs(high))) * std::max(1.0, factor);
+    // The rounding of all this is some 1e-15 of the coordinates.
+    const double rounding = 1e-12 * (reach + max_component(max(abs(from.position), abs(to.position))));
+    const double room = 2 * squared / (1 + squared) * reach + rounding;
+    swept = bounds(Aabb{min(from.position, to.position) + min(least, least * factor) - Vec3{room, room, room},
+                        max(from.position, to.position) + max(most, most * factor) + Vec3{room, room, room}});
 }
 
 Collider::Moving Collider::moving(const PlacedModel& before) const {
     const gphys_transform& after = around_.scene->world(before.model);
+    const Transform begin = interpolate(before.world, after, around_.begin);
+    const Transform end = interpolate(before.world, after, around_.end), now = widen(after);
+    const Mat3 turn = end.rotation * transposed(begin.rotation);
+    const Vec3 axial{turn.y.z - turn.z.y, turn.z.x - turn.x.z, turn.x.y - turn.y.x};
     Moving result{before.model,
-                  interpolate(before.world, after, around_.begin),
-                  interpolate(before.world, after, around_.end),
-                  widen(after),
+                  begin,
+                  end,
+                  now,
+                  {begin, now},
+                  {end, now},
                   before.world,
+                  axial / (2 * around_.step_time * (around_.end - around_.begin)),
                   0,
                   false,
                   {}};
@@ -59,15 +78,17 @@ Transform Collider::Moving::at(double time, const CollisionContext& around) cons
 }
 
 template <class Visit>
-void Collider::for_each_moving(Visit&& visit) const {
+void Collider::for_each_moving(const Box& box, Visit&& visit) const {
+    const auto may_meet = [&](const MovedModel& model) { return !model.bounded || overlaps(model.swept, box); };
     if (moving_count_ <= most_listed) {
         for (uint32_t i = 0; i < moving_count_; ++i) {
-            i < most_placed ? visit(placed_[i]) : visit(moving((*around_.moved)[moving_[i]]));
+            const MovedModel& model = (*around_.moved)[moving_[i]];
+            if (may_meet(model)) i < most_placed ? visit(placed_[i]) : visit(moving(model));
         }
         return;
     }
-    for (const PlacedModel& before : *around_.moved) {
-        if (around_.scene->layers(before.model) & body_.settings.layers) visit(moving(before));
+    for (const MovedModel& model : *around_.moved) {
+        if (may_meet(model) && (around_.scene->layers(model.model) & body_.settings.layers)) visit(moving(model));
     }
 }
 
@@ -75,7 +96,7 @@ void Collider::for_each_moving(Visit&& visit) const {
 Box Collider::bounds_of_pushed(const Box& paths) const {
     const Aabb all = widen(paths);
     double furthest = 0;
-    for_each_moving([&](const Moving& moving) {
+    for_each_moving(paths, [&](const Moving& moving) {
         for (const double part : {0.5, 1.0}) {
             const Transform then = moving.at(around_.begin + (around_.end - around_.begin) * part, around_);
             for (int corner = 0; corner < 8; ++corner) {  // corners move farther than the points between them
@@ -92,10 +113,9 @@ Box Collider::bounds_of_pushed(const Box& paths) const {
 void Collider::list_moving(const Box& box) {
     moving_count_ = 0;
     for (uint32_t i = 0; i < around_.moved->size(); ++i) {
-        const PlacedModel& before = (*around_.moved)[i];
-        Box swept;
+        const MovedModel& before = (*around_.moved)[i];
         if (!(around_.scene->layers(before.model) & body_.settings.layers)) continue;
-        if (swept_bounds(*around_.scene, before, swept) && !overlaps(swept, box)) continue;
+        if (before.bounded && !overlaps(before.swept, box)) continue;
         if (moving_count_ < most_placed) placed_[moving_count_] = moving(before);
         if (moving_count_ < most_listed) moving_[moving_count_] = i;
         ++moving_count_;
@@ -205,9 +225,82 @@ Impact Collider::at_substep_end(const Impact& impact) const {
 void Collider::sweep_moving(uint32_t particle, Vec3 from, Vec3 displacement, double time, gphys_model_id ignored,
                             Impact& first) const {
     const Sphere moving{from, body_.particles.radius[particle]};
-    for_each_moving([&](const Moving& model) {
+    for_each_moving(path_box(moving, displacement), [&](const Moving& model) {
         if (model.model != ignored) sweep_moved(model, particle, moving, displacement, time, first);
     });
+}
+
+bool Collider::try_slide_on_moving(Body& body, uint32_t particle, Vec3 displacement, Vec3 velocity) const {
+    if (!planes_) return false;
+    const double radius = body.particles.radius[particle];
+    const Vec3 at = body.particles.position[particle];
+    bool slides = false;
+    for_each_moving(path_box({at, radius + largest_gap(skin(radius, at))}, displacement), [&](const Moving& model) {
+        slides = slides || try_slide_on(model, body, particle, displacement, velocity);
+    });
+    return slides;
+}
+
+/// Coulomb's law in terms of impulses (Moreau's time stepping), relative to the place that the particle has on the
+/// model. A model that speeds up has one speed in each step, so it starts each with a jump. What friction can give to a
+/// particle in contact is therefore that of the rest of the step: it follows the model as one that speeds up evenly.
+bool Collider::try_slide_on(const Moving& model, Body& body, uint32_t particle, Vec3 displacement,
+                            Vec3 velocity) const {
+    if (model.begin.scale != model.end.scale) return false;
+    const Vec3 at = body.particles.position[particle], velocity_before = body.particles.velocity[particle];
+    const double radius = body.particles.radius[particle], room = skin(radius, at);
+    const double seconds = around_.step_time * (around_.end - around_.begin);
+    const Vec3 from = model.from_begin.apply(at), path = model.from_end.apply(at + displacement) - from;
+    if (!planes_->has_searched(particle, model.model) && model.bounded &&
+        !overlaps(model.box, path_box({from, radius + room}, path))) {
+        return false;
+    }
+    const FlightBall* const ball = planes_->moving_ball(body, particle, model.model, from, path);
+    const FlightBall::Plane* const plane = ball ? ball->find_contact(from, path, radius, largest_gap(room)) : nullptr;
+    if (!plane) return false;
+    const double gap = dot(plane->normal, from) - plane->height;
+    const bool touches = gap <= largest_gap(room);
+    const Vec3 normal = model.from_end.inverse_turn(plane->normal), carried = model.from_end.inverse_apply(from);
+    const Vec3 surface_velocity = (carried - at) * (1 / seconds);
+
+    // The change of velocity that keeps the particle at its place, in this substep and in the rest of the step.
+    const Vec3 gained = velocity - velocity_before, change = surface_velocity - velocity;
+    const double later = touches ? around_.step_time * (1 - around_.end) : 0;
+    const Vec3 centripetal = cross(model.spin, cross(model.spin, at - model.begin.position));
+    const Vec3 whole_change = change + centripetal * later - gained * (later / seconds);
+    const double pressing = dot(change, normal), whole_pressing = dot(whole_change, normal);
+    const double approach = dot(surface_velocity - velocity_before, normal);
+    // One that arrives at speed, or bounces, is moved from one impact to the next.
+    if (body.settings.restitution * approach > std::max(0.0, whole_pressing - approach)) return false;
+    if (!touches && gap > pressing * seconds) return false;
+
+    const bool stays = whole_pressing >= 0 &&
+                       length(whole_change - normal * whole_pressing) <= friction_of(body, particle) * whole_pressing;
+    Vec3 end = carried + normal * (room - gap), end_velocity = surface_velocity;
+    if (!stays) {
+        if (pressing < 0) return false;
+        const double friction = friction_coefficients(body, particle).kinetic;
+        const Vec3 way = at + displacement - carried, tangential = change - normal * pressing;
+        const double into = -dot(way, normal), sliding = length(tangential);
+        const Vec3 along = way + normal * into;
+        const double longest = length(along);
+        if (longest > friction * into) end += along * (1 - friction * into / longest);
+        if (sliding > friction * pressing) end_velocity -= tangential * (1 - friction * pressing / sliding);
+    }
+    if (!ball->clear_of_others(*plane, model.from_end.apply(end), radius)) return false;
+    Impact other;
+    sweep_unmoved(particle, at, end - at, 0, other);
+    sweep_moving(particle, at, end - at, around_.begin, model.model, other);
+    if (other.model != 0) return false;
+
+    const Vec3 point = end - normal * radius;
+    record(body, particle, model.model, point, normal);
+    if (body.settings.sticks()) body.contacts.stuck[particle] = stays;
+    add_impulse(accumulator_.impulses, around_, model.model, point,
+                (velocity - end_velocity) * body.particles.mass[particle]);
+    body.particles.position[particle] = end;
+    body.particles.velocity[particle] = end_velocity;
+    return true;
 }
 
 Vec3 Collider::place_off_model(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const {

@@ -1,5 +1,5 @@
 // What free particles have found around them (flight_planes.h). A particle at rest finds the same in the next step, so
-// its ball is kept until a model near the body changes.
+// its ball is kept until a model near the body begins or ceases to move, or changes otherwise.
 #pragma once
 
 #include "foundation/math.h"
@@ -23,6 +23,11 @@ struct FlightBall {
     /// The first plane that a path meets, at `t` of it, and null if it meets none; of simultaneous ones that of the
     /// lower id. Returns false if it is not known: the path leaves the ball, or begins behind a plane.
     bool sweep(Vec3 from, Vec3 displacement, double radius, const Plane*& first, double& t) const;
+    /// The plane that a path meets first, or if none that a particle touches at its beginning, with a gap of at most
+    /// `gap`. Null if there is none, or it is not known.
+    const Plane* find_contact(Vec3 from, Vec3 displacement, double radius, double gap) const;
+    /// Whether a particle there is in the ball, and behind none of its planes but that one.
+    bool clear_of_others(const Plane& plane, Vec3 at, double radius) const;
 
     Vec3 center;
     Plane planes[most_planes];
@@ -38,7 +43,8 @@ struct FlightBalls {
     void forget() { last_surroundings = 0; }
 
     Vector<FlightBall> all;
-    uint64_t surroundings = 0, last_surroundings = 0;  // hash of the models near, in this step and the last one
+    // Hash of the models near that do not move, in this step and the last one.
+    uint64_t surroundings = 0, last_surroundings = 0;
 };
 
 }  // namespace gphys

@@ -19,10 +19,11 @@ void FlightPlanes::begin(Body& body, const CollisionContext& step, Vec3 gravity,
     first_ = first;
     count_ = count;
     layers_ = body.settings.layers;
-    still_ = scene_ != nullptr;
     resting_ = moving_count_ = 0;
     std::fill_n(ways_, count, Sight::not_searched);
     std::fill_n(rests_, count, false);
+    std::fill_n(slow_, count, false);
+    std::fill_n(still_, count, scene_ != nullptr);
     std::fill_n(moving_of_, count, gphys_model_id{0});
     const bool kept = !body.flight.all.empty(), current = kept && body.flight.current();
     balls_ = kept ? &body.flight.all[first] : own_balls_;
@@ -39,24 +40,34 @@ void FlightPlanes::begin(Body& body, const CollisionContext& step, Vec3 gravity,
     }
     if (!scene_ || step.moved->empty()) return;
     // Slow particles move by at most their radius, and their surface reaches as far again, twice.
-    const Box near_balls = around(all, 3 * body.particles.largest_radius);
+    constexpr double ball_reach = 3;
+    const Box near_balls = around(all, ball_reach * body.particles.largest_radius);
+    uint32_t near_count = 0;
     const double way = step.step_time * (std::sqrt(fastest) + step.step_time * length(gravity));
     const Box near_ways = around(all, body.particles.largest_radius + way);
     for (uint32_t i = 0; i < step.moved->size(); ++i) {
-        const PlacedModel& before = (*step.moved)[i];
-        Box swept;
+        const MovedModel& before = (*step.moved)[i];
         if (!(scene_->layers(before.model) & layers_)) continue;
-        const bool bounded = swept_bounds(*scene_, before, swept);
-        if (!bounded || overlaps(swept, near_balls)) still_ = false;
-        if (bounded && !overlaps(swept, near_ways)) continue;
+        if (!before.bounded || overlaps(before.swept, near_balls)) {
+            if (near_count < most_near) near_[near_count] = i;
+            ++near_count;
+        }
+        if (before.bounded && !overlaps(before.swept, near_ways)) continue;
         if (moving_count_ < most_moving) moving_[moving_count_] = i;
         ++moving_count_;
     }
+    if (near_count == 0) return;
+    for (uint32_t i = 0; i < count; ++i) {
+        const Vec3 at = body.particles.position[first + i];
+        const Box near_ball = around({at, at}, ball_reach * body.particles.radius[first + i]);
+        still_[i] = near_count <= most_near && std::none_of(near_, near_ + near_count, [&](uint32_t k) {
+                        const MovedModel& model = (*step.moved)[k];
+                        return !model.bounded || overlaps(model.swept, near_ball);
+                    });
+    }
 }
 
-bool FlightPlanes::is_moved(gphys_model_id model) const {
-    return std::binary_search(moved_->begin(), moved_->end(), PlacedModel{model, {}});
-}
+bool FlightPlanes::is_moved(gphys_model_id model) const { return find_moved(*moved_, model) != nullptr; }
 
 Sight FlightPlanes::search_way(double radius, const FlightWay& way) const {
     if (!scene_ || moving_count_ > most_moving) return Sight::blocked;
@@ -75,9 +86,8 @@ Sight FlightPlanes::search_way(double radius, const FlightWay& way) const {
 /// Relative to a model that turns, a path is curved. In units of the rest of the step its second derivative is at most
 /// |x - c| (w^2 + w') + 2 |x' - c'| w + |x''|, with the angular velocity w and the place c of the model; it is no
 /// farther from its chord than an eighth of that.
-bool FlightPlanes::crosses(const PlacedModel& before, double radius, const FlightWay& way) const {
-    Box swept;
-    if (swept_bounds(*scene_, before, swept) && !overlaps(swept, around(way.box, radius))) return false;
+bool FlightPlanes::crosses(const MovedModel& before, double radius, const FlightWay& way) const {
+    if (before.bounded && !overlaps(before.swept, around(way.box, radius))) return false;
     const gphys_transform& after = scene_->world(before.model);
     if (before.world.scale != after.scale) return true;
     const Transform now = widen(after), then = interpolate(before.world, after, way.begin);
@@ -121,7 +131,7 @@ bool FlightPlanes::search_together(const Body& body, uint32_t particle, uint32_t
     parts_.clear(count);
     bool complete = true;
     scene_->for_each_in_box(bounds(Aabb{places.min - room, places.max + room}), layers_, [&](gphys_model_id model) {
-        complete = parts_.add(*scene_, model, 0, probes_) && complete;
+        if (!is_moved(model)) complete = parts_.add(*scene_, model, 0, probes_) && complete;
     });
     for (uint32_t i = 0; i < count && complete; ++i) settle(body.particles.radius[particle + i], i, ball(particle + i));
     return complete;
@@ -159,10 +169,34 @@ bool FlightBall::sweep(Vec3 from, Vec3 displacement, double radius, const Plane*
     return true;
 }
 
+const FlightBall::Plane* FlightBall::find_contact(Vec3 from, Vec3 displacement, double radius, double gap) const {
+    const Plane* found;
+    double t;
+    if (!sweep(from, displacement, radius, found, t)) return nullptr;
+    if (found) return found;
+    for (const Plane* plane = planes; plane != planes + count; ++plane) {
+        const double distance = dot(plane->normal, from) - plane->height;
+        if (distance <= gap) found = plane, gap = distance;
+    }
+    return found;
+}
+
+bool FlightBall::clear_of_others(const Plane& plane, Vec3 at, double radius) const {
+    if (!contains(at, radius)) return false;
+    return std::all_of(planes, planes + count,
+                       [&](const Plane& other) { return &other == &plane || dot(other.normal, at) >= other.height; });
+}
+
 bool FlightPlanes::sweep(const Body& body, uint32_t p, Vec3 from, Vec3 displacement, double reach, Impact& impact) {
-    const double radius = body.particles.radius[p];
-    if (!still_ || reach > radius) return false;
+    if (!scene_ || reach > body.particles.radius[p]) return false;
     if (ball(p).sight == Sight::not_searched) search(body, p);
+    slow_[p - first_] = true;
+    return sweep_known(body, p, from, displacement, impact);
+}
+
+bool FlightPlanes::sweep_known(const Body& body, uint32_t p, Vec3 from, Vec3 displacement, Impact& impact) const {
+    if (!slow_[p - first_]) return false;
+    const double radius = body.particles.radius[p];
     const FlightBall::Plane* plane;
     double t;
     if (!ball(p).sweep(from, displacement, radius, plane, t)) return false;
@@ -176,14 +210,14 @@ bool FlightPlanes::sweep(const Body& body, uint32_t p, Vec3 from, Vec3 displacem
     return true;
 }
 
-TriState FlightPlanes::sweep_moving(const Body& body, uint32_t p, gphys_model_id model, Vec3 from, Vec3 displacement,
-                                    Hit& hit) {
+const FlightBall* FlightPlanes::moving_ball(const Body& body, uint32_t p, gphys_model_id model, Vec3 from,
+                                            Vec3 displacement) {
     const double radius = body.particles.radius[p];
     FlightBall& ball = moving_balls_[p - first_];
     gphys_model_id& of = moving_of_[p - first_];
     if (of != model || !ball.contains(from, radius) || !ball.contains(from + displacement, radius)) {
         // A search takes as long as the sweeps of a few substeps.
-        if ((of != 0 && of != model) || 4 * length(displacement) > radius) return TriState::undecided;
+        if ((of != 0 && of != model) || 4 * length(displacement) > radius) return nullptr;
         of = model;
         ball.center = from;
         ball.sight = Sight::blocked;
@@ -191,9 +225,16 @@ TriState FlightPlanes::sweep_moving(const Body& body, uint32_t p, gphys_model_id
         parts_.clear(1);
         if (parts_.add(*scene_, model, 0, probes_)) settle(radius, 0, ball);
     }
+    return ball.sight == Sight::clear ? &ball : nullptr;
+}
+
+TriState FlightPlanes::sweep_moving(const Body& body, uint32_t p, gphys_model_id model, Vec3 from, Vec3 displacement,
+                                    Hit& hit) {
+    const double radius = body.particles.radius[p];
+    const FlightBall* const ball = moving_ball(body, p, model, from, displacement);
     const FlightBall::Plane* plane;
     double t;
-    if (!ball.sweep(from, displacement, radius, plane, t)) return TriState::undecided;
+    if (!ball || !ball->sweep(from, displacement, radius, plane, t)) return TriState::undecided;
     if (!plane) return TriState::no;
     hit.t = t;
     hit.normal = plane->normal;

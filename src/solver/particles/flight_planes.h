@@ -4,12 +4,14 @@
 // A slow particle, such as one that lies on a mesh, gets a ball, and the planes of the convex parts of models that it
 // could reach in it (speculative contacts; Catto 2013). The first hit of a path within the ball then takes one division
 // per plane. The ball has the radius of the particle, and only slow particles use it, because the planes are those of
-// the place of the search, and edges are round. Near a model that moves, the ball is one in the space of the model.
+// the place of the search, and edges are round. Beside a model that moves the particle has a second ball, in the space
+// of that model.
 //
 // A fast particle searches the box around its way to the end of the step. If no model overlaps it, nothing is tested
 // before the step ends. For a model that moves, that is the way relative to the model.
 //
-// A particle that friction holds on a static model in one substep is held in the others too.
+// A particle that friction holds on a static model in one substep is held in the others too, unless a model that moves
+// may reach it.
 //
 // The result of a particle does not depend on others: it searches from its own positions, and has its own memory.
 #pragma once
@@ -40,9 +42,14 @@ public:
     /// The first hit of a slow particle on a path; `reach` is the distance that it can go in the rest of the step.
     /// Returns false if it is not known.
     bool sweep(const Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double reach, Impact& impact);
+    /// The same for a particle that has been slow in this step, whatever it may do later.
+    bool sweep_known(const Body& body, uint32_t particle, Vec3 from, Vec3 displacement, Impact& impact) const;
     /// The same relative to a model that moves, at its place in the scene.
     TriState sweep_moving(const Body& body, uint32_t particle, gphys_model_id model, Vec3 from, Vec3 displacement,
                           Hit& hit);
+    /// What the particle knows of that model, if the path is in the ball; searches if it pays. Else null.
+    const FlightBall* moving_ball(const Body& body, uint32_t particle, gphys_model_id model, Vec3 from,
+                                  Vec3 displacement);
     /// Whether the particle knows that model.
     bool has_searched(uint32_t particle, gphys_model_id model) const { return moving_of_[particle - first_] == model; }
     /// Whether the particle hits nothing in the rest of the step; searches once.
@@ -60,30 +67,33 @@ public:
     }
     bool rests(uint32_t particle) const { return rests_[particle - first_]; }
     bool all_rest() const { return resting_ == count_; }
-    /// Whether no model that moves comes near slow particles of the block.
-    bool still() const { return still_; }
+    /// Whether no model that moves comes near the ball of the particle.
+    bool still(uint32_t particle) const { return still_[particle - first_]; }
 
 private:
     bool is_moved(gphys_model_id model) const;
     Sight search_way(double radius, const FlightWay& way) const;
-    bool crosses(const PlacedModel& before, double radius, const FlightWay& way) const;
+    bool crosses(const MovedModel& before, double radius, const FlightWay& way) const;
     void search(const Body& body, uint32_t particle);
     bool search_together(const Body& body, uint32_t particle, uint32_t count);
     void settle(double radius, uint32_t point, FlightBall& ball);
     FlightBall& ball(uint32_t particle) { return balls_[particle - first_]; }
+    const FlightBall& ball(uint32_t particle) const { return balls_[particle - first_]; }
 
-    static constexpr uint32_t most_moving = 16;
+    static constexpr uint32_t most_moving = 16, most_near = 1024;
 
     const Scene* scene_ = nullptr;
     uint32_t first_ = 0, count_ = 0;
     uint32_t layers_ = 0;
-    bool still_ = false;  // whether no moving model is near the balls
-    const Vector<PlacedModel>* moved_ = nullptr;
+    const Vector<MovedModel>* moved_ = nullptr;
     uint32_t moving_count_ = 0, moving_[most_moving];  // those of `moved` that may come near
+    uint32_t near_[most_near];                         // and those that may come near the balls
     FlightBall* balls_ = nullptr;                      // those of the body, or own_balls_
     FlightBall own_balls_[most_particles];
     FlightBall moving_balls_[most_particles];   // relative to one model that moves,
     gphys_model_id moving_of_[most_particles];  // this one, or 0
+    bool slow_[most_particles];                 // whether `sweep` has used the ball in this step
+    bool still_[most_particles];
     bool rests_[most_particles];
     uint32_t resting_ = 0;
     Sight ways_[most_particles];

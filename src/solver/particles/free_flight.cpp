@@ -74,11 +74,12 @@ private:
         while (first < end && !(planes_ && planes_->rests(first))) ++first;
         return first < end;
     }
-    /// Whether a particle that a static model holds in this substep is held in all that follow. Otherwise others may
-    /// act on it, or friction depends on what it has done.
-    bool holds_till_end() const {
-        return planes_ && planes_->still() && !body_.particles.forced && !body_.settings.sticks() &&
-               body_.targets.empty();
+    /// Whether particles that a static model holds in this substep are held in all that follow. Otherwise others may
+    /// act on them, or friction depends on what they have done.
+    bool holds_till_end(uint32_t first, uint32_t end) const {
+        if (!planes_ || body_.particles.forced || body_.settings.sticks() || !body_.targets.empty()) return false;
+        while (first < end && planes_->still(first)) ++first;
+        return first == end;
     }
     /// In the rest of the step.
     FlightWay way_of(uint32_t p) const;
@@ -111,14 +112,16 @@ void FreeFlight::fly_freely(uint32_t p) {
 
 /// The impulse of a particle that is held till the end of the step is that of all its substeps.
 bool FreeFlight::stays_at_rest(const Collider& collider, uint32_t p, uint32_t obstacle) {
-    const bool till_end = holds_till_end();
+    const bool till_end = holds_till_end(p, p + 1);
     const Vec3 acceleration = flight_of(p).acceleration, displacement = acceleration * whole_.fall;
     const Vec3 gained = acceleration * (till_end ? whole_.reach * substeps_left_ : whole_.reach);
     bool held = collider.try_hold(body_, p, obstacle, displacement, gained);
     if (!held && planes_) {
-        Impact impact;
-        held = planes_->sweep(body_, p, body_.particles.position[p], displacement, length(displacement), impact) &&
-               impact.model != 0 && collider.try_hold(body_, p, impact, displacement, gained);
+        Impact impact, of_moving;
+        const Vec3 at = body_.particles.position[p];
+        held = planes_->sweep(body_, p, at, displacement, length(displacement), impact) && impact.model != 0;
+        if (held && !planes_->still(p)) collider.sweep_moving(p, at, displacement, around_.begin, 0, of_moving);
+        held = held && of_moving.model == 0 && collider.try_hold(body_, p, impact, displacement, gained);
     }
     if (held && till_end) planes_->set_rests(p);
     return held;
@@ -146,7 +149,10 @@ bool FreeFlight::hits(const Collider& collider, uint32_t p, Vec3 displacement, I
     const double reach = 1.5 * rest * (length(body_.particles.velocity[p]) + rest * length(flight_of(p).acceleration));
     const Vec3 at = body_.particles.position[p];
     if (planes_) {
-        if (planes_->sweep(body_, p, at, displacement, reach, impact)) return impact.model != 0;
+        if (planes_->sweep(body_, p, at, displacement, reach, impact)) {
+            if (!planes_->still(p)) collider.sweep_moving(p, at, displacement, around_.begin, 0, impact);
+            return impact.model != 0;
+        }
         if (!body_.particles.forced && body_.targets.empty() && planes_->flies(body_, p, way_of(p))) return false;
     }
     return collider.sweep(p, at, displacement, around_.begin, impact);
@@ -253,7 +259,13 @@ void FreeFlight::fly_one(const Collider* collider, uint32_t p, uint32_t obstacle
     if (!collider) return fly_freely(p);
     if (planes_ && planes_->flies(p)) return fly_freely(p);
     if (body_.particles.velocity[p] == Vec3{} && stays_at_rest(*collider, p, obstacle)) return;
-    fly_among(*collider, p);
+    const Flight flight = flight_of(p);
+    const Vec3 velocity = body_.particles.velocity[p];
+    if (!planes_ || planes_->still(p) ||
+        !collider->try_slide_on_moving(body_, p, flight.displacement(velocity, whole_),
+                                       flight.velocity(velocity, whole_))) {
+        fly_among(*collider, p);
+    }
     keep_in_range(body_.particles.position[p], body_.particles.velocity[p]);
 }
 
@@ -335,13 +347,14 @@ void FreeFlight::fly_block(const CollisionContext& around, uint32_t first, uint3
     }
     std::fill_n(obstacle_of_, count, several_obstacles);
     kernels_.fly(groups, obstacles_, known_ ? obstacle_count_ : 0, {overlapping_, obstacle_of_, resting_on_});
-    const bool till_end = holds_till_end();
-    const Vec3 way = gravity_ * whole_.fall, gained = gravity_ * (till_end ? whole_.reach * left : whole_.reach);
+    const Vec3 way = gravity_ * whole_.fall;
     for (uint32_t group = 0; group <= groups.count; ++group) {
         const uint32_t begin = group * flight_group, end = std::min(count, begin + flight_group);
         const uint32_t overlapping = group < groups.count ? overlapping_[group] : 0xff;
         if (overlapping == 0) continue;
         if (group < groups.count && resting_on_[group] != no_obstacle && !any_rests(first + begin, first + end)) {
+            const bool till_end = holds_till_end(first + begin, first + end);
+            const Vec3 gained = gravity_ * (till_end ? whole_.reach * left : whole_.reach);
             collider->hold(body_, first + begin, end - begin, resting_on_[group], way, gained);
             for (uint32_t i = begin; i < end && till_end; ++i) planes_->set_rests(first + i);
             continue;
