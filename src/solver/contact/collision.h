@@ -159,7 +159,8 @@ private:
     };
 
     void record(Body& body, uint32_t particle, gphys_model_id model, Vec3 point, Vec3 normal) const;
-    /// From the place of a model at one time to that at another, if its size is the same.
+    /// From the place of a model at one time to that at another, if its size is the same. Both places are kept, so that
+    /// nothing cancels far from the origin, as it would in one shift.
     struct Motion {
         Mat3 rotation;
         Vec3 from, to;  // places of the model
