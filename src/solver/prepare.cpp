@@ -218,6 +218,16 @@ static void reserve_balls(Body& body, const Scene& scene, const Vector<MovedMode
     body.flight.surroundings = sum | 1;  // 0: not known
 }
 
+/// How far models take the particles attached to them in the step.
+static double way_to_models(const Body& body, const Scene& scene) {
+    double longest = 0;
+    for (const Attachment& attachment : body.constraints.attachments) {
+        const Vec3 there = scene.world_transform(attachment.model).apply(attachment.local);
+        longest = std::max(longest, distance(body.particles.position[attachment.particle], there));
+    }
+    return longest;
+}
+
 /// The broad phase: lists the models near the bodies with their transforms, and those that have moved since the last
 /// step.
 void Solver::list_near_models(const Scene& scene, double dt) {
@@ -244,7 +254,8 @@ void Solver::list_near_models(const Scene& scene, double dt) {
         body.particles.extent.reset();
         // Metres: twice what a particle can move in this step. `search_box` adds what a model can move.
         const double margin = 2 * body.particles.largest_radius +
-                              2 * dt * (fastest + dt * length(state_.settings.gravity)) + way_to_targets(body);
+                              2 * dt * (fastest + dt * length(state_.settings.gravity)) + way_to_targets(body) +
+                              way_to_models(body, scene);
         const auto enlarged = [&](double by) {
             return bounds(Aabb{box.min - Vec3{by, by, by}, box.max + Vec3{by, by, by}});
         };
@@ -318,7 +329,7 @@ void Solver::find_disturbed(const Scene& scene) {
     for (const MovedModel& before : moved_models_) {
         for (ActiveBody& active : active_) {
             const uint32_t layers = scene.layers(before.model) & state_.bodies[active.slot].settings.layers;
-            if (layers != 0 && (!before.bounded || overlaps(before.swept, active.search_box))) {
+            if (layers != 0 && (!before.bounded || overlaps(before.swept, active.reachable))) {
                 active.undisturbed = false;
                 active.models_move = true;
             }
@@ -383,7 +394,7 @@ void Solver::make_tasks() {
         alone = std::max<size_t>(alone, first.size);
         if (next - i > 1) in_lanes = std::max<size_t>(in_lanes, first.size);
     }
-    for (RopeScratch& scratch : rope_scratch_) scratch.reserve(alone, in_lanes, in_contact_lanes);
+    for (RopeScratch& scratch : rope_scratch_) scratch.reserve(alone, in_lanes, in_contact_lanes, moved_models_.size());
 }
 
 }  // namespace gphys

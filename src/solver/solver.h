@@ -231,8 +231,9 @@ private:
         bool models_move = false;       // whether some of them move
         bool in_island = false;         // moved by the task of an island
 
+        bool near_models() const { return near_model_count > 0 || models_move; }
         /// Whether its equations are solved in the kernels, together with contacts (RopeContactLanes).
-        bool has_contact_lane() const { return plain && chains == 1 && near_model_count > 0 && !models_move; }
+        bool has_contact_lane() const { return plain && chains == 1 && near_models(); }
         /// Whether other ropes take the lanes beside it.
         bool shares_contact_lanes() const {
             return has_contact_lane() && !undisturbed && size <= longest_rope_in_lanes;

@@ -150,12 +150,12 @@ RopeStepper Solver::begin_rope_step(const ActiveBody& active, RopeContacts& cont
     begin_body_step(active, scene, dt);
     begin_contact_points(body);
     choose_stages(body, scratch, {gravity, dt, active.substeps, false});
-    const bool near_models = active.near_model_count > 0 && !active.models_move;
-    const bool has_contacts = near_models || !body.targets.empty();
-    if (has_contacts) contacts.begin_step(body, near_models, scratch.parts);
+    const CollisionContext whole{scene, &moved_models_, dt, 0, 1};
+    const bool has_contacts = active.near_models() || !body.targets.empty();
+    if (has_contacts) contacts.begin_step(body, whole, active.near_models(), active.models_move, scratch.parts);
     return {body,
             has_contacts ? &contacts : nullptr,
-            {scene, &moved_models_, dt, 0, 1},
+            whole,
             gravity,
             active.substeps,
             dt / active.substeps};

@@ -10,7 +10,7 @@
 #include "solver/cloth/cloth_state.h"
 #include "solver/cloth/clusters.h"
 #include "solver/cloth/contact_cache.h"
-#include "solver/cloth/moving_colliders.h"
+#include "solver/contact/moving_colliders.h"
 #include "solver/cloth/reach_limits.h"
 #include "solver/cloth/relax_links.h"
 #include "solver/cloth/rigid_links.h"

@@ -180,7 +180,8 @@ void search_cloth_contacts(Body& body, const CollisionContext& around, Vec3 grav
     Vector<float>& search_balls = body.cloth.cache.search_balls;
     std::fill(body.cloth.in_chains.normals.begin(), body.cloth.in_chains.normals.end(), 0.0f);
     contacts.penetrating = false;
-    find_moving_colliders(body.cloth.moving_colliders, state.origin, body.settings.layers, around);
+    find_moving_colliders(body.cloth.moving_colliders, state.origin, body.steady.search_box, body.settings.layers,
+                          around);
     ContactSearch search(around, body, gravity, around.step_time);
     const Reuse reuse = reusable_contacts(body, around);
     if (reuse == Reuse::nothing) search_balls.assign(4 * size_t{particles.size()}, ContactCache::no_ball);

@@ -21,7 +21,7 @@
 #include "foundation/memory.h"
 #include "solver/cloth/chain_contacts.h"
 #include "solver/cloth/cloth_state.h"
-#include "solver/cloth/moving_colliders.h"
+#include "solver/contact/moving_colliders.h"
 
 namespace gphys {
 
@@ -34,7 +34,7 @@ struct TimeScheme;
 /// A particle in front of it satisfies dot(normal, position) >= offset; relative to the cloth's origin, at the end of
 /// the substep.
 struct ContactPlane {
-    static constexpr uint32_t unmoved = 0xffffffff;
+    static constexpr uint32_t unmoved = MovingCollider::unmoved;
 
     Vec3 normal;
     double offset;

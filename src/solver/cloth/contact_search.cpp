@@ -85,29 +85,17 @@ void ContactSearch::search_alone(uint32_t p) {
     set_contacts(p, 0);
 }
 
-/// Returns false if there are too many, or if some rotate too fast to follow.
+/// As NearColliders::find.
 bool ContactSearch::find_colliders_near(const Aabb& places, double range) {
-    collider_count_ = 0;
-    bool all = true;
-    if (moving_colliders_.empty()) return true;
-    const Box box = around(places, range, state_.origin);
-    for (uint32_t i = 0; i < moving_colliders_.size(); ++i) {
-        if (moving_colliders_[i].bounded && !overlaps(moving_colliders_[i].swept_bounds, box)) continue;
-        if (collider_count_ == most_colliders || !moving_colliders_[i].is_rigid) {
-            all = false;
-        } else {
-            near_colliders_[collider_count_++] = i;
-        }
-    }
-    return all;
+    return near_.find(moving_colliders_, around(places, range, state_.origin));
 }
 
 /// 1.5 times the distance that the particle may move until the next search, by its velocity, gravity and moving models.
 double ContactSearch::wanted_reach(uint32_t p) const {
     const Vec3 at = place_of(p), velocity = get(&state_.velocity[4 * size_t{p}]);
     double pushed = 0;
-    for (uint32_t i = 0; i < collider_count_; ++i) {
-        pushed = std::max(pushed, moving_colliders_[near_colliders_[i]].travel(at));
+    for (uint32_t i = 0; i < near_.count; ++i) {
+        pushed = std::max(pushed, moving_colliders_[near_.indices[i]].travel(at));
     }
     return std::min(1.5 * (time_ * (length(velocity) + time_ * length(gravity_)) + pushed), farthest(p));
 }
@@ -123,8 +111,8 @@ void ContactSearch::place_balls(uint32_t p, uint32_t point) {
     const Vec3 origin = state_.origin, at = place_of(p);
     const double range = particles_.radius[p] + reach_[point];
     balls_[point] = {origin + at, range};
-    for (uint32_t m = 0; m < collider_count_; ++m) {
-        const MovingCollider& moving_collider = moving_colliders_[near_colliders_[m]];
+    for (uint32_t m = 0; m < near_.count; ++m) {
+        const MovingCollider& moving_collider = moving_colliders_[near_.indices[m]];
         moving_balls_[m][point] = {origin + moving_collider.from_end.inverse_apply(at),
                                    moving_collider.range(range, at)};
     }
@@ -146,8 +134,8 @@ bool ContactSearch::collect(const uint32_t* particles, uint32_t count) {
     around_.scene->for_each_in_box(around(places, farthest, origin), body_.settings.layers, [&](gphys_model_id model) {
         if (!has_moved(around_, model)) complete &= parts_.add(*around_.scene, model, ContactPlane::unmoved, balls_);
     });
-    for (uint32_t m = 0; m < collider_count_; ++m) {
-        const uint32_t number = near_colliders_[m];
+    for (uint32_t m = 0; m < near_.count; ++m) {
+        const uint32_t number = near_.indices[m];
         complete &= parts_.add(*around_.scene, moving_colliders_[number].model, number, moving_balls_[m]);
     }
     return complete;
@@ -229,16 +217,11 @@ void ContactSearch::choose_planes(uint32_t p, Vec3 at, double& reach, ClothConta
         plane.moving_collider = part.tag;
     }
     if (found.plane_count < ClothContact::most_planes) return;
-    parts_.for_each_remaining([&](uint32_t moving_collider, double distance) {
-        reach = std::max(0.0, std::min(reach, nearest_in_step(moving_collider, distance, at) - off));
+    parts_.for_each_remaining([&](uint32_t tag, double distance) {
+        const double nearest =
+            tag == ContactPlane::unmoved ? distance : moving_colliders_[tag].nearest_in_step(distance, at);
+        reach = std::max(0.0, std::min(reach, nearest - off));
     });
-}
-
-/// A lower bound for the distance between the position and a part, now at `distance`, until the end of the step.
-double ContactSearch::nearest_in_step(uint32_t moving_collider, double distance, Vec3 at) const {
-    if (moving_collider == ContactPlane::unmoved) return distance;
-    const MovingCollider& moving = moving_colliders_[moving_collider];
-    return distance - moving.travel(at) - (moving.turn + moving.bulge) * std::fabs(distance);
 }
 
 }  // namespace gphys

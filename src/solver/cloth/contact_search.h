@@ -32,8 +32,6 @@ public:
 
 private:
     static constexpr uint32_t most_points = ClosestFeatures::most_points;
-    // Moving models near a particle; if there are more, it gets no ball.
-    static constexpr uint32_t most_colliders = 8;
     // Near more parts the radius is reduced: contact planes are infinite, and the plane of a distant part would exclude
     // free space.
     static constexpr uint32_t most_parts = 64;
@@ -56,7 +54,6 @@ private:
     void set_contacts(uint32_t p, uint32_t point);
     double push_out(float* ball, ClothContact& found) const;
     void choose_planes(uint32_t p, Vec3 at, double& reach, ClothContact& found);
-    double nearest_in_step(uint32_t moving_collider, double distance, Vec3 at) const;
 
     const CollisionContext& around_;
     Body& body_;  // records contact points and impulses
@@ -69,11 +66,10 @@ private:
     const Vec3 gravity_;
     const double time_;
     bool repeats_ = false;
-    uint32_t near_colliders_[most_colliders];  // indices in the body's list
-    uint32_t collider_count_ = 0;
+    NearColliders near_;         // moving models near the particles; if not all fit, a particle gets no ball
     double reach_[most_points];  // metres beyond the particle's radius
     // By point; for moving models in the frame of the scene, at the end of the step:
-    Sphere balls_[most_points], moving_balls_[most_colliders][most_points];
+    Sphere balls_[most_points], moving_balls_[NearColliders::most][most_points];
     ClosestFeatures parts_;
 };
 

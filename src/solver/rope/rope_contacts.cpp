@@ -20,8 +20,9 @@ constexpr double normal_force_tolerance = 1e-2;
 // The ball of a particle near more features than this is halved, at most three times.
 constexpr uint32_t many_features = 64;
 
-/// The displacement along the plane.
-Vec3 tangential(const RopeContact& contact, Vec3 displacement) {
+/// The displacement of a particle along the plane, relative to the model, since the start of the substep.
+Vec3 slip_of(const RopeContact& contact, const Body& body, uint32_t p) {
+    const Vec3 displacement = body.particles.position[p] - body.history.start[p] - contact.carried;
     return displacement - contact.normal * dot(displacement, contact.normal);
 }
 
@@ -51,17 +52,24 @@ void place_ball(RopeContact& contact, const AnimationTargets& targets, uint32_t 
 
 }  // namespace
 
-void RopeContacts::reserve(uint32_t particles) {
+void RopeContacts::reserve(uint32_t particles, size_t moving_models) {
+    moving_colliders_.reserve(moving_models);
     contacts_.reserve(size_t{most_planes + bounds_per_particle} * particles);
     if (first_.size() < particles + 1) first_.resize(particles + 1);
     if (balls_.size() < particles) balls_.resize(particles);
 }
 
-void RopeContacts::begin_step(const Body& body, bool near_models, ClosestFeatures& features) {
+void RopeContacts::begin_step(const Body& body, const CollisionContext& around, bool near_models, bool moving_models,
+                              ClosestFeatures& features) {
     features_ = &features;
     near_models_ = near_models;
     searched_ = !near_models;
     has_targets_ = !body.targets.empty();
+    moving_colliders_.clear();
+    if (moving_models) {
+        origin_ = body.particles.position[0];
+        find_moving_colliders(moving_colliders_, origin_, body.steady.search_box, body.settings.layers, around);
+    }
     if (near_models) return;
     contacts_.clear();
     for (uint32_t p = 0; p < body.particles.size(); ++p) begin_particle(p);
@@ -73,6 +81,21 @@ void RopeContacts::begin_particle(uint32_t p) {
     if (has_targets_) contacts_.resize(contacts_.size() + bounds_per_particle);
 }
 
+bool RopeContacts::is_followed(gphys_model_id model) const {
+    return std::any_of(moving_colliders_.begin(), moving_colliders_.end(),
+                       [&](const MovingCollider& moving) { return moving.model == model; });
+}
+
+/// Places the query balls; for moving models, balls that cover their approach in the rest of the step.
+void RopeContacts::place_probes(double particle_radius, Vec3 at, double ball_radius, uint32_t point) {
+    probes_[point] = {at, clearance(particle_radius, at) + ball_radius};
+    for (uint32_t m = 0; m < near_.count; ++m) {
+        const MovingCollider& moving = moving_colliders_[near_.indices[m]];
+        moving_probes_[m][point] = {origin_ + moving.from_end.inverse_apply(at - origin_),
+                                    moving.range(probes_[point].radius, at - origin_)};
+    }
+}
+
 /// Finds the features of models in the balls of some particles, and makes their contacts. Returns false if there are
 /// too many.
 bool RopeContacts::find_features(const Body& body, uint32_t first, uint32_t count) {
@@ -80,8 +103,7 @@ bool RopeContacts::find_features(const Body& body, uint32_t first, uint32_t coun
     double farthest = 0;
     for (uint32_t i = 0; i < count; ++i) {
         const uint32_t p = first + i;
-        probes_[i] = {body.history.start[p],
-                      clearance(body.particles.radius[p], body.history.start[p]) + balls_[p].radius};
+        place_probes(body.particles.radius[p], body.history.start[p], balls_[p].radius, i);
         places = {min(places.min, body.history.start[p]), max(places.max, body.history.start[p])};
         farthest = std::max(farthest, probes_[i].radius);
     }
@@ -90,9 +112,15 @@ bool RopeContacts::find_features(const Body& body, uint32_t first, uint32_t coun
     bool complete = true, any = false;
     scene_->for_each_in_box(bounds(Aabb{places.min - margin, places.max + margin}), body.settings.layers,
                             [&](gphys_model_id model) {
+                                if (is_followed(model)) return;
                                 any = true;
-                                complete &= features_->add(*scene_, model, 0, probes_);
+                                complete &= features_->add(*scene_, model, MovingCollider::unmoved, probes_);
                             });
+    for (uint32_t m = 0; m < near_.count; ++m) {
+        const uint32_t number = near_.indices[m];
+        any = true;
+        complete &= features_->add(*scene_, moving_colliders_[number].model, number, moving_probes_[m]);
+    }
     if (complete && !any) {
         for (uint32_t i = 0; i < count; ++i) begin_particle(first + i);
         return true;
@@ -111,7 +139,7 @@ void RopeContacts::make_contacts(uint32_t p, Vec3 at, double particle_radius, ui
     double& radius = balls_[p].radius;
     for (int halvings = 0; features_->select_point(point) > many_features && halvings < 3; ++halvings) {
         radius /= 2;
-        probes_[point].radius = off + radius;
+        place_probes(particle_radius, at, radius, point);
     }
     uint32_t count = 0;
     for (ClosestFeature feature; count < most_planes && features_->pop_nearest(feature); ++count) {
@@ -120,29 +148,70 @@ void RopeContacts::make_contacts(uint32_t p, Vec3 at, double particle_radius, ui
         contact.normal = feature.normal;
         contact.outside = dot(feature.normal, feature.closest) + off;
         contact.is_fixed = feature.is_triangle || scene_->type(feature.model) == GPHYS_SHAPE_PLANE;
-        contacts_.push_back(contact);
+        contact.moving_collider = feature.tag;
         // Coplanar triangles share a plane.
         if (feature.is_triangle) {
             features_->cull_behind(feature.normal, contact.outside - particle_radius - skin(particle_radius, at) / 2,
-                                   0);
+                                   feature.tag);
         }
+        if (feature.tag != MovingCollider::unmoved) {
+            // From the end of the step back to the present time.
+            const RigidMotion& back = moving_colliders_[feature.tag].from_end;
+            contact.normal = back.rotation * feature.normal;
+            contact.outside = dot(contact.normal, origin_ + back.apply(feature.closest - origin_)) + off;
+        }
+        contacts_.push_back(contact);
     }
     if (count < most_planes) return;
-    features_->for_each_remaining(
-        [&](uint32_t, double distance) { radius = std::max(0.0, std::min(radius, distance - off)); });
+    features_->for_each_remaining([&](uint32_t tag, double distance) {
+        const double nearest =
+            tag == MovingCollider::unmoved ? distance : moving_colliders_[tag].nearest_in_step(distance, at - origin_);
+        radius = std::max(0.0, std::min(radius, nearest - off));
+    });
 }
 
-/// Makes balls and contacts of all particles, from the start of the substep. The radius of a ball is 1.5 times the
-/// distance that its particle can move in the rest of the step.
-void RopeContacts::search(const Body& body, const CollisionContext& around, Vec3 gravity, double h) {
+/// Sets the balls of some particles, and finds the moving models near them. A ball's radius is 1.5 times the distance
+/// that its particle can move in the rest of the step by its velocity, gravity and moving models. Returns false if not
+/// all models can be followed.
+bool RopeContacts::choose_balls(const Body& body, uint32_t first, uint32_t count, double rest, double fall) {
+    Aabb places{body.history.start[first], body.history.start[first]};
+    double range = 0, most_pushed = 0;
+    for (uint32_t p = first; p < first + count; ++p) {
+        const Vec3 at = body.history.start[p];
+        balls_[p] = {at, 1.5 * rest * (length(body.history.start_velocity[p]) + fall)};
+        places = {min(places.min, at), max(places.max, at)};
+        range = std::max(range, clearance(body.particles.radius[p], at) + balls_[p].radius);
+    }
+    near_.count = 0;
+    if (moving_colliders_.empty()) return true;
+    const auto find = [&](double room) {
+        const Vec3 margin{room, room, room};
+        return near_.find(moving_colliders_, bounds(Aabb{places.min - margin, places.max + margin}));
+    };
+    const bool follows_all = find(range);
+    if (near_.count == 0) return follows_all;
+    for (uint32_t p = first; p < first + count; ++p) {
+        double pushed = 0;
+        for (uint32_t m = 0; m < near_.count; ++m) {
+            pushed = std::max(pushed, moving_colliders_[near_.indices[m]].travel(balls_[p].center - origin_));
+        }
+        balls_[p].radius += 1.5 * pushed;
+        most_pushed = std::max(most_pushed, pushed);
+    }
+    return find(range + 1.5 * most_pushed);
+}
+
+/// Makes balls and contacts of all particles, from the start of the substep. Returns false if a model near one cannot
+/// be followed.
+bool RopeContacts::search(const Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     contacts_.clear();
     scene_ = around.scene;
+    planes_at_ = around.begin;
+    move_planes(around, around.begin);
     const double rest = std::max(h, around.step_time * (1 - around.begin)), fall = rest * length(gravity);
-    for (uint32_t p = 0; p < body.particles.size(); ++p) {
-        balls_[p] = {body.history.start[p], 1.5 * rest * (length(body.history.start_velocity[p]) + fall)};
-    }
     for (uint32_t first = 0, count; first < body.particles.size(); first += count) {
         Aabb places{body.history.start[first], body.history.start[first]};
+        choose_balls(body, first, 1, rest, fall);
         const double size =
             8 * (clearance(body.particles.radius[first], body.history.start[first]) + balls_[first].radius);
         for (count = 1; count < ClosestFeatures::most_points && first + count < body.particles.size(); ++count) {
@@ -151,10 +220,11 @@ void RopeContacts::search(const Body& body, const CollisionContext& around, Vec3
             if (max_component(places.max - places.min) > size) break;
         }
         const size_t before = contacts_.size();
-        if (find_features(body, first, count)) continue;
+        if (choose_balls(body, first, count, rest, fall) && find_features(body, first, count)) continue;
         for (uint32_t p = first; p < first + count; ++p) {
             contacts_.resize(p == first ? before : contacts_.size());
             const size_t of_this = contacts_.size();
+            if (!choose_balls(body, p, 1, rest, fall)) return false;
             bool complete = find_features(body, p, 1);
             for (int halvings = 0; !complete && halvings < 3; ++halvings) {
                 balls_[p].radius /= 2;
@@ -169,14 +239,40 @@ void RopeContacts::search(const Body& body, const CollisionContext& around, Vec3
         }
     }
     first_[body.particles.size()] = static_cast<uint32_t>(contacts_.size());
-    searched_ = true;
+    return true;
+}
+
+/// Moves the planes of moving models to their places at a time, a fraction of the step.
+void RopeContacts::move_planes(const CollisionContext& around, double to) {
+    if (moving_colliders_.empty()) return;
+    CollisionContext motion = around;
+    motion.begin = planes_at_;
+    motion.end = planes_at_ = to;
+    advance_moving_colliders(moving_colliders_, origin_, motion);
+    for (RopeContact& contact : contacts_) {
+        if (contact.moving_collider == MovingCollider::unmoved) continue;
+        const RigidMotion& step = moving_colliders_[contact.moving_collider].substep_motion;
+        const double height = contact.outside - dot(contact.normal, origin_);
+        contact.normal = step.rotation * contact.normal;
+        contact.outside = height + dot(contact.normal, step.shift) + dot(contact.normal, origin_);
+        contact.placed_at = origin_ + step.apply(contact.placed_at - origin_);
+        contact.slip_direction = step.rotation * contact.slip_direction;
+    }
 }
 
 void RopeContacts::place_plane(RopeContact& contact, double radius, Vec3 at) const {
     Vec3 closest, normal;
     double distance;
     contact.placed_at = at;
-    if (!scene_->closest_point_model(contact.model, at, closest, normal, distance)) return;
+    if (contact.moving_collider == MovingCollider::unmoved) {
+        if (!scene_->closest_point_model(contact.model, at, closest, normal, distance)) return;
+    } else {
+        const RigidMotion& back = moving_colliders_[contact.moving_collider].from_end;
+        const Vec3 in_scene = origin_ + back.inverse_apply(at - origin_);
+        if (!scene_->closest_point_model(contact.model, in_scene, closest, normal, distance)) return;
+        closest = origin_ + back.apply(closest - origin_);
+        normal = back.rotation * normal;
+    }
     contact.normal = normal;
     contact.outside = dot(normal, closest) + clearance(radius, at);
 }
@@ -198,10 +294,11 @@ void RopeContacts::place_bounds(const AnimationTargets& targets, const Vector<Ve
 }
 
 /// Places the plane for the beginning of the substep.
-void RopeContacts::begin_contact(RopeContact& contact, const Particles& particles, uint32_t p, Vec3 start) const {
-    if (!contact.is_fixed) place_plane(contact, particles.radius[p], start);
-    allow_within_skin(contact, particles.radius[p], start);
-    contact.approach = -dot(contact.normal, particles.velocity[p]);
+void RopeContacts::begin_contact(RopeContact& contact, const Body& body, uint32_t p) const {
+    const Vec3 start = body.history.start[p] + contact.carried;
+    if (!contact.is_fixed) place_plane(contact, body.particles.radius[p], start);
+    allow_within_skin(contact, body.particles.radius[p], start);
+    contact.approach = -dot(contact.normal, body.particles.velocity[p] - surface_velocity(contact));
     contact.is_updated = true;
 }
 
@@ -213,7 +310,11 @@ bool RopeContacts::begin(Body& body, const CollisionContext& around, Vec3 gravit
         }
         return true;
     };
-    if (!searched_ || !stays()) search(body, around, gravity, h);
+    seconds_ = h;
+    if (!searched_ || !stays()) searched_ = search(body, around, gravity, h);
+    if (!searched_) return false;
+    move_planes(around, around.begin);  // where they are not after a substep that was taken back
+    move_planes(around, around.end);
     active_ = !contacts_.empty();
     if (has_targets_) place_bounds(body.targets, body.particles.position);
     const double most_push = leaving_speed * around.step_time * (around.end - around.begin);
@@ -221,14 +322,18 @@ bool RopeContacts::begin(Body& body, const CollisionContext& around, Vec3 gravit
         if (body.particles.pinned(p)) continue;
         bool penetrating = false;
         each_of_models(p, [&](RopeContact& contact) {
+            if (contact.moving_collider != MovingCollider::unmoved) {
+                const Vec3 start = body.history.start[p] - origin_;
+                contact.carried = moving_colliders_[contact.moving_collider].substep_motion.apply(start) - start;
+            }
             // As long as the particle is in front of an earlier plane, that separates it from the model, too.
-            const bool in_front = dot(contact.normal, body.history.start[p]) >= contact.outside;
+            const bool in_front = dot(contact.normal, body.history.start[p] + contact.carried) >= contact.outside;
             contact.is_updated = contact.is_fixed || contact.state != RopeContact::open || !in_front;
             contact.iterations = 0;
             contact.force = {};
             contact.offset = contact.outside;
             contact.depth = 0;
-            if (contact.is_updated) begin_contact(contact, body.particles, p, body.history.start[p]);
+            if (contact.is_updated) begin_contact(contact, body, p);
             penetrating = penetrating || contact.depth > most_push;
         });
         if (!penetrating) continue;
@@ -248,7 +353,7 @@ ContactTerm RopeContacts::term(const Body& body, uint32_t p, double mass) {
         term.force += n * (k * (contact.offset - dot(n, body.particles.position[p])));
         const double friction_limit = contact.model != 0 ? friction_of(body, p) * contact.normal_force : 0;
         if (friction_limit == 0) return term.add_stiffness(n, k, 0);
-        const Vec3 slip = tangential(contact, body.particles.position[p] - body.history.start[p]);
+        const Vec3 slip = slip_of(contact, body, p);
         const double length = gphys::length(slip);
         // Perpendicular to the direction of slip, because the friction force turns with it.
         const double lateral_stiffness = length * k > friction_limit ? friction_limit / length : k;
@@ -272,7 +377,7 @@ bool RopeContacts::update(RopeContact& contact, const Body& body, uint32_t p, in
     double gap = dot(contact.normal, at) - contact.offset;
     if (contact.state == RopeContact::open && gap >= 0) return true;
     if (gap < 0 && !contact.is_updated && contact.model != 0) {
-        begin_contact(contact, body.particles, p, body.history.start[p]);
+        begin_contact(contact, body, p);
         gap = dot(contact.normal, at) - contact.offset;
     }
     const double friction = contact.model != 0 ? friction_of(body, p) : 0;
@@ -285,7 +390,7 @@ bool RopeContacts::update(RopeContact& contact, const Body& body, uint32_t p, in
         converged = false;
     } else {
         const double normal_force = -contact.stiffness * gap, before = contact.normal_force;
-        const Vec3 slip = tangential(contact, body.particles.position[p] - body.history.start[p]);
+        const Vec3 slip = slip_of(contact, body, p);
         const double length = gphys::length(slip), friction_limit = friction * before;
         contact.normal_force = std::max(0.0, normal_force);
         contact.force +=
@@ -295,8 +400,8 @@ bool RopeContacts::update(RopeContact& contact, const Body& body, uint32_t p, in
             converged = false;
         } else if (before == 0) {
             // The initial guess is slip for a fast particle: to stop it would take a larger normal force than there is.
-            const Vec3 velocity = body.history.start_velocity[p];
-            const Vec3 tangential_velocity = velocity - contact.normal * dot(velocity, contact.normal);
+            const Vec3 velocity = body.history.start_velocity[p], slipping = velocity - surface_velocity(contact);
+            const Vec3 tangential_velocity = slipping - contact.normal * dot(slipping, contact.normal);
             const bool slow =
                 length_squared(tangential_velocity) <= 4 * length_squared(body.particles.velocity[p] - velocity);
             contact.state = slow || length == 0 ? RopeContact::stick : RopeContact::slip;
@@ -430,10 +535,12 @@ void RopeContacts::finish(Body& body, const CollisionContext& around, double bou
             // Moving out of a model adds no velocity, and the remaining approach speed ends here.
             velocity -= contact.normal * (std::max(0.0, contact.depth) * rate);
             const double wanted = contact.approach > bounce_threshold ? settings.restitution * contact.approach : 0;
-            const double added = wanted - dot(velocity, contact.normal);
+            const Vec3 of_surface = surface_velocity(contact);
+            const double added = wanted - dot(velocity - of_surface, contact.normal);
             if (added > 0) {
                 velocity += contact.normal * added;
-                const Vec3 tangential_velocity = velocity - contact.normal * dot(velocity, contact.normal);
+                const Vec3 relative = velocity - of_surface;
+                const Vec3 tangential_velocity = relative - contact.normal * dot(relative, contact.normal);
                 const double speed = length(tangential_velocity), most_taken = friction_of(body, p) * added;
                 velocity -= speed > most_taken ? tangential_velocity * (most_taken / speed) : tangential_velocity;
             }

@@ -1,4 +1,4 @@
-// Contacts of ropes with static models, solved together with the links.
+// Contacts of ropes with models, solved together with the links.
 //
 // Search. When a step begins, and when a particle is about to leave its ball, particles search. Each gets a ball, and
 // the convex features of models that it can reach in it: primitives and triangles. Each feature becomes a contact plane
@@ -7,6 +7,9 @@
 // iteration. Before that it stays, and separates particle and primitive as long as the particle is in front of it. The
 // plane of a triangle is fixed. A particle that is in its ball and in front of all its planes overlaps nothing, so its
 // path need not be swept.
+//
+// The planes of a model that moves move with it, from substep to substep. A particle searches as far as the model can
+// approach in the rest of the step. Slip and speed of approach are relative to the model.
 //
 // Normal force. In each of Newton's iterations, a plane is active if its normal force is positive or the particle is
 // behind it. Then it is a stiff spring along its normal; the others are absent (primal-dual active set; Hintermueller,
@@ -22,6 +25,7 @@
 #include "scene/closest_features.h"
 #include "solver/body.h"
 #include "solver/contact/collision.h"
+#include "solver/contact/moving_colliders.h"
 #include "solver/time_scheme.h"
 
 namespace gphys {
@@ -34,12 +38,14 @@ struct RopeContact {
     bool is_fixed = false;    // whether the plane does not follow the particle
     bool is_updated = false;  // whether the plane is that for the place of the particle in this substep
     uint8_t iterations = 0;   // of this substep in which it was active
+    uint32_t moving_collider = MovingCollider::unmoved;
     Vec3 normal;
+    Vec3 carried;         // metres: by which the model carries the particle in the substep
     Vec3 placed_at;       // the place of the particle for which the plane was computed
     double outside;       // dot(normal, position) at a skin's distance
     double offset;        // that at which the contact holds the particle; smaller, if it was within the skin already
     double depth = 0;     // metres behind the offset at the beginning of the substep
-    double approach = 0;  // m/s, of a particle without links
+    double approach = 0;  // m/s towards the model, of a particle without links
     // Forces are times the square of the step, kg m:
     double normal_force = 0;        // in the previous iteration
     Vec3 force;                     // all that has acted on the particle
@@ -63,17 +69,20 @@ struct ContactTerm {
 
 class RopeContacts {
 public:
-    explicit RopeContacts(std::pmr::memory_resource* memory) : contacts_(memory), first_(memory), balls_(memory) {}
+    explicit RopeContacts(std::pmr::memory_resource* memory)
+        : moving_colliders_(memory), contacts_(memory), first_(memory), balls_(memory) {}
 
     /// Allocates memory for a rope. Throws std::bad_alloc.
-    void reserve(uint32_t particles);
-    /// Call before the substeps of a step. Without models near the body, only targets count. `features`: memory for
-    /// searches.
-    void begin_step(const Body& body, bool near_models, ClosestFeatures& features);
+    void reserve(uint32_t particles, size_t moving_models);
+    /// Call before the substeps of a step. Without models near the body, only targets count. `moving_models`: whether
+    /// some models near it move. `features`: memory for searches.
+    void begin_step(const Body& body, const CollisionContext& around, bool near_models, bool moving_models,
+                    ClosestFeatures& features);
     /// The positions have changed, so the next substep searches.
     void search_again() { searched_ = !near_models_; }
     bool near_models() const { return near_models_; }
-    /// Call after the prediction. Returns false if a particle is deeper in a solid than it can leave at once.
+    /// Call after the prediction. Returns false if a particle is deeper in a solid than it can leave at once, or near a
+    /// model that changes its size or turns too fast to be followed.
     bool begin(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 
     bool has_contacts(uint32_t particle) const { return first_[particle] < first_[particle + 1]; }
@@ -116,11 +125,16 @@ private:
         const Ball& ball = balls_[particle];
         return length_squared(at - ball.center) < ball.radius * ball.radius;
     }
-    void search(const Body& body, const CollisionContext& around, Vec3 gravity, double h);
+    bool search(const Body& body, const CollisionContext& around, Vec3 gravity, double h);
+    bool choose_balls(const Body& body, uint32_t first, uint32_t count, double rest, double fall);
     bool find_features(const Body& body, uint32_t first, uint32_t count);
+    void place_probes(double particle_radius, Vec3 at, double ball_radius, uint32_t point);
     void make_contacts(uint32_t particle, Vec3 at, double particle_radius, uint32_t point);
+    void move_planes(const CollisionContext& around, double to);
+    bool is_followed(gphys_model_id model) const;
     void begin_particle(uint32_t particle);
-    void begin_contact(RopeContact& contact, const Particles& particles, uint32_t particle, Vec3 start) const;
+    void begin_contact(RopeContact& contact, const Body& body, uint32_t particle) const;
+    Vec3 surface_velocity(const RopeContact& contact) const { return contact.carried / seconds_; }
     void place_plane(RopeContact& contact, double radius, Vec3 at) const;
     void place_bounds(const AnimationTargets& targets, const Vector<Vec3>& positions);
     bool update(RopeContact& contact, const Body& body, uint32_t particle, int iteration) const;
@@ -131,11 +145,17 @@ private:
     bool searched_ = false;  // whether balls and contacts are valid
     bool active_ = false;    // whether there are contacts
     bool has_targets_ = false;
+    Vector<MovingCollider> moving_colliders_;
+    Vec3 origin_;                   // of these
+    double planes_at_ = 0;          // fraction of the step for which the planes are placed
+    double seconds_ = 0;            // of the substep
     Vector<RopeContact> contacts_;  // by particle, including the bounds of targets
     Vector<uint32_t> first_;        // index of each particle's first contact, and the end
     Vector<Ball> balls_;
     ClosestFeatures* features_ = nullptr;
-    Sphere probes_[ClosestFeatures::most_points];
+    NearColliders near_;  // moving models near the particles that search
+    // By point; for moving models at the end of the step:
+    Sphere probes_[ClosestFeatures::most_points], moving_probes_[NearColliders::most][ClosestFeatures::most_points];
 };
 
 }  // namespace gphys

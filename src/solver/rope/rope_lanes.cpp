@@ -218,7 +218,7 @@ void move_lanes(const RopeKernelsOf<lanes>& kernels, RopeNode<lanes>* nodes, Und
 
 }  // namespace
 
-void RopeScratch::reserve(size_t alone, size_t in_lanes, size_t in_contact_lanes) {
+void RopeScratch::reserve(size_t alone, size_t in_lanes, size_t in_contact_lanes, size_t moving_models) {
     const auto enlarge = [](auto& nodes, size_t count) {
         if (nodes.size() < count) nodes.resize(count);
     };
@@ -229,7 +229,7 @@ void RopeScratch::reserve(size_t alone, size_t in_lanes, size_t in_contact_lanes
     const size_t contact_lanes = in_contact_lanes > 0 ? rope_lanes : alone > 0 ? 1 : 0;
     while (contacts.size() < contact_lanes) contacts.emplace_back(contacts.get_allocator().resource());
     for (size_t lane = 0; lane < contact_lanes; ++lane)
-        contacts[lane].reserve(static_cast<uint32_t>(lane == 0 ? alone : in_contact_lanes));
+        contacts[lane].reserve(static_cast<uint32_t>(lane == 0 ? alone : in_contact_lanes), moving_models);
 }
 
 bool is_plain_rope(const Body& body) {

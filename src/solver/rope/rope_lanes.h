@@ -14,9 +14,9 @@ struct RopeScratch {
     explicit RopeScratch(std::pmr::memory_resource* memory)
         : one(memory), eight(memory), one_terms(memory), eight_terms(memory), contacts(memory) {}
 
-    /// By particles of the longest rope that is moved alone, in lanes, and in lanes with contacts. Throws
-    /// std::bad_alloc.
-    void reserve(size_t alone, size_t in_lanes, size_t in_contact_lanes);
+    /// By particles of the longest rope that is moved alone, in lanes, and in lanes with contacts, and by the number of
+    /// models that move. Throws std::bad_alloc.
+    void reserve(size_t alone, size_t in_lanes, size_t in_contact_lanes, size_t moving_models);
 
     Vector<RopeNode<1>> one;
     Vector<RopeNode<8>> eight;

@@ -1,8 +1,10 @@
-// Models that move during a step, for cloth.
+// Models that move during a step, for bodies whose contact planes move with them: ropes and cloth.
 //
 // In the scene such a model is at its place at the end of the step; during the step it moves to that place. All
-// positions here except boxes are relative to the cloth's origin.
+// positions here except boxes are relative to an origin near the body.
 #pragma once
+
+#include <cmath>
 
 #include "foundation/memory.h"
 #include "shapes/shapes.h"
@@ -21,6 +23,8 @@ struct RigidMotion {
 };
 
 struct MovingCollider {
+    static constexpr uint32_t unmoved = 0xffffffff;  // in place of an index: a model that does not move
+
     gphys_model_id model;
     gphys_transform before;
     Box swept_bounds;            // bounds during the step, in the world
@@ -37,11 +41,27 @@ struct MovingCollider {
     /// A point farther than this away does not come within `reach` in the rest of the step: a point at distance d that
     /// does satisfies d <= reach + travel(at) + (turn + bulge) d.
     double range(double reach, Vec3 at) const { return (reach + travel(at)) / (1 - turn - bulge); }
+    /// A lower bound for the distance between the point and a part of the model, now at `distance`, until the end of
+    /// the step.
+    double nearest_in_step(double distance, Vec3 at) const {
+        return distance - travel(at) - (turn + bulge) * std::fabs(distance);
+    }
 };
 
-/// Finds the moving models on these layers at the beginning of a step; advance: their motion in the next substep.
-/// `origin`: of the cloth.
-void find_moving_colliders(Vector<MovingCollider>& moving_colliders, Vec3 origin, uint32_t layers,
+/// Some of a list of moving models.
+struct NearColliders {
+    static constexpr uint32_t most = 8;
+
+    uint32_t count = 0;
+    uint32_t indices[most];
+
+    /// Finds those that come into the box. Returns false if there are too many, or if some rotate too fast to follow.
+    bool find(const Vector<MovingCollider>& moving_colliders, const Box& box);
+};
+
+/// Finds the moving models on these layers that come into the box, at the beginning of a step; advance: their motion in
+/// the next substep.
+void find_moving_colliders(Vector<MovingCollider>& moving_colliders, Vec3 origin, const Box& box, uint32_t layers,
                            const CollisionContext& around);
 void advance_moving_colliders(Vector<MovingCollider>& moving_colliders, Vec3 origin, const CollisionContext& around);
 

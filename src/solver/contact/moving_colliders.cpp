@@ -1,5 +1,5 @@
-// Moving models near cloth: their bounds in a step, and their rigid motion (moving_colliders.h).
-#include "solver/cloth/moving_colliders.h"
+// Moving models near a body: their bounds in a step, and their rigid motion (moving_colliders.h).
+#include "solver/contact/moving_colliders.h"
 
 #include "solver/contact/collision.h"
 
@@ -12,13 +12,28 @@ RigidMotion rigid_motion(const Transform& from, const Transform& to, Vec3 origin
 
 }  // namespace
 
-void find_moving_colliders(Vector<MovingCollider>& moving_colliders, Vec3 origin, uint32_t layers,
+bool NearColliders::find(const Vector<MovingCollider>& moving_colliders, const Box& box) {
+    bool all = true;
+    count = 0;
+    for (uint32_t i = 0; i < moving_colliders.size(); ++i) {
+        if (moving_colliders[i].bounded && !overlaps(moving_colliders[i].swept_bounds, box)) continue;
+        if (count == most || !moving_colliders[i].is_rigid) {
+            all = false;
+        } else {
+            indices[count++] = i;
+        }
+    }
+    return all;
+}
+
+void find_moving_colliders(Vector<MovingCollider>& moving_colliders, Vec3 origin, const Box& box, uint32_t layers,
                            const CollisionContext& around) {
     // Half a radian: search ranges are then less than three times those for a model that does not rotate.
     constexpr double most_turn = 0.5;
     moving_colliders.clear();
     for (const MovedModel& before : *around.moved) {
         if (!(around.scene->layers(before.model) & layers)) continue;
+        if (before.bounded && !overlaps(before.swept, box)) continue;
         const gphys_transform& after = around.scene->world(before.model);
         MovingCollider moving_collider{};
         moving_collider.model = before.model;
