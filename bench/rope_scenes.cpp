@@ -104,14 +104,90 @@ void run_ropes(const RopeScene& scene, const Options& options) {
                 100 * stretch, 100 * compression, world.contacts());
 }
 
-// A rope of 0.5 kg over a fixed post, 1 kg at one end and another weight at the other (Atwood's machine).
+// Capsules as wide as a person that walk in circles at 1 m/s among ropes: hanging ones, as in a forest of vines, or
+// short ones at rest on the ground.
 
-void run_post(const char* shape, double friction, double heavy, uint32_t substeps) {
+struct WalkScene {
+    const char* name;
+    bool hanging;
+    uint32_t walkers;
+    std::function<void(World&)> ground;
+};
+
+void add_slab(World& world) {
+    const gphys_aabb slab{{-30, -1, -30}, {30, 0, 30}};
+    world.add(GPHYS_SHAPE_AABB, &slab);
+}
+
+const WalkScene walk_scenes[] = {
+    {"hanging", true, 0, [](World& world) { add_ground(world, 0); }},
+    {"hanging_walk", true, 40, [](World& world) { add_ground(world, 0); }},
+    {"hanging_mesh", true, 40, [](World& world) { world.add_valley(60, 60, -2.2f); }},
+    {"lying", false, 0, add_slab},
+    {"lying_walk_1", false, 1, add_slab},
+    {"lying_walk", false, 40, add_slab},
+};
+
+void run_walkers(const WalkScene& scene, const Options& options) {
+    World world(options.substeps);
+    world.body.radius = 0.02f;
+    scene.ground(world);
+    const uint32_t links = scene.hanging ? 20 : 10, across = scene.hanging ? 20 : 32,
+                   ropes = scene.hanging ? 400 : 1000;
+    const float length = scene.hanging ? 0.1f : 0.05f, apart = scene.hanging ? 1.0f : 0.6f;
+    for (uint32_t r = 0; r < ropes; ++r) {
+        const float x = static_cast<float>(r % across) * apart - 9.6f,
+                    z = static_cast<float>(r / across) * apart - 9.6f;
+        std::vector<gphys_vec3> points;
+        for (uint32_t i = 0; i <= links; ++i) {
+            const float way = length * static_cast<float>(i);
+            points.push_back(scene.hanging ? gphys_vec3{x, 2.5f - way, z} : gphys_vec3{x + way, 0.03f, z});
+        }
+        const gphys_body_id rope = world.add_rope(points);
+        if (scene.hanging) check(gphys_solver_set_pinned(world.solver, rope, 0, 1, 1));
+    }
+    const gphys_capsule person{{0, 0.2f, 0}, {0, 1.7f, 0}, 0.2f};
+    std::vector<gphys_model_id> walkers;
+    for (uint32_t i = 0; i < scene.walkers; ++i) walkers.push_back(world.add(GPHYS_SHAPE_CAPSULE, &person));
+    const auto walk = [&](int frame) {
+        for (size_t k = 0; k < walkers.size(); ++k) {
+            const double share = (static_cast<double>(k) + 1) / static_cast<double>(walkers.size());
+            const double away = 9 * (0.1 + 0.9 * share), angle = frame / (60.0 * away) + 14 * pi * share;
+            const gphys_transform at{
+                {static_cast<float>(away * std::cos(angle)), 0, static_cast<float>(away * std::sin(angle))},
+                {0, 0, 0, 1},
+                1};
+            check(gphys_scene_set_transform(world.scene, walkers[k], &at));
+        }
+    };
+    walk(0);
+    for (int i = 0; i < 60; ++i) check(gphys_solver_step(world.solver, world.scene, frame_time(i)));
+    const uint32_t still = world.contacts();
+    uint32_t most = still;
+    double strain = 0;
+    const Times times = summary(step_frames(world, options.frames > 0 ? options.frames : 400, [&](int i) {
+        walk(i + 1);
+        if (i % 10 > 0) return;
+        gphys_solver_stats stats;
+        check(gphys_solver_get_stats(world.solver, 0, &stats));
+        strain = std::max(strain, double{stats.strain_max});
+        most = std::max(most, world.contacts());
+    }));
+    if (scene.walkers > 0 && scene.hanging && most == 0) throw std::runtime_error("walkers touched no rope");
+    if (!scene.hanging && still < ropes * links) throw std::runtime_error("ropes do not lie on the ground");
+    std::printf("%-14s %7.2f %7.2f %7.2f | %8.4f | %u to %u\n", scene.name, times.mean, times.p99, times.worst,
+                100 * strain, still, most);
+}
+
+// A rope of 0.5 kg over a post, 1 kg at one end and another weight at the other (Atwood's machine). The post is fixed,
+// or is raised with half the acceleration of gravity.
+
+void run_post(bool raised, double friction, double heavy, uint32_t substeps) {
     World world(substeps);
     const float radius = 0.03f, length = 0.03f;
     const double bend = 0.3 + radius;
     gphys_capsule post{{0, 0, -2}, {0, 0, 2}, 0.3f};
-    world.add(GPHYS_SHAPE_CAPSULE, &post);
+    const gphys_model_id model = world.add(GPHYS_SHAPE_CAPSULE, &post);
     world.body.mass = 0.5f;
     world.body.radius = radius;
     world.body.friction = static_cast<float>(friction);
@@ -127,6 +203,15 @@ void run_post(const char* shape, double friction, double heavy, uint32_t substep
     const float masses[] = {1, static_cast<float>(heavy)};
     check(gphys_solver_set_masses(world.solver, rope, 0, 1, &masses[0], sizeof(float)));
     check(gphys_solver_set_masses(world.solver, rope, links, 1, &masses[1], sizeof(float)));
+    // The first step is of a model at rest, so the ends are held in it.
+    const auto hold = [&](uint8_t held) {
+        for (const uint32_t end : {0u, static_cast<uint32_t>(links)}) {
+            check(gphys_solver_set_pinned(world.solver, rope, end, 1, held));
+        }
+    };
+    hold(1);
+    check(gphys_solver_step(world.solver, world.scene, frame_time(0)));
+    hold(0);
     const auto energy = [&] {
         gphys_solver_stats stats;
         check(gphys_solver_get_stats(world.solver, rope, &stats));
@@ -134,15 +219,25 @@ void run_post(const char* shape, double friction, double heavy, uint32_t substep
     };
     const double before = energy();
     double most = before;
-    const double top = world.positions(rope, links + 1)[links].y;
-    step_frames(world, 36, [&](int) { most = std::max(most, energy()); });
+    const double top = world.positions(rope, links + 1)[links].y, lift = raised ? gravity / 2 : 0;
+    double height = 0;
+    step_frames(world, 36, [&](int i) {
+        if (!raised) most = std::max(most, energy());
+        const double t = (i + 1) / 60.0;
+        height = lift * t * t / 2;
+        const gphys_transform at{{0, static_cast<float>(height), 0}, {0, 0, 0, 1}, 1};
+        check(gphys_scene_set_transform(world.scene, model, &at));
+    });
     const std::vector<gphys_vec3> at = world.positions(rope, links + 1);
     const double grip = std::exp(friction * pi);
-    // Without friction the rope's own mass counts, with it that of the weights alone is a bound.
-    const double mass = 1 + heavy + (friction == 0 ? 0.5 : 0);
-    const double exact = -std::max(0.0, gravity * (heavy - grip) / (friction == 0 ? mass : heavy + grip) * 0.18);
-    std::printf("%-9s %4.1f %5.2f %3u | %8.3f %8.3f | %7.3f\n", shape, friction, heavy, substeps,
-                double{at[links].y} - top, exact, most - before);
+    // Without friction the rope's own mass counts, and what has come over the post adds its weight. With friction the
+    // weights alone are a bound.
+    const double pull = gravity + lift, mass = 1.5 + heavy, by_metre = 0.5 / (links * double{length});
+    const double rate = std::sqrt(2 * by_metre * pull / mass);
+    const double exact = friction == 0 ? -(heavy - 1) / (2 * by_metre) * (std::cosh(rate * 0.6) - 1)
+                                       : -std::max(0.0, pull * (heavy - grip) / (heavy + grip) * 0.18);
+    std::printf("%-9s %4.1f %5.2f %3u | %8.3f %8.3f | %7.3f\n", raised ? "raised" : "fixed", friction, heavy, substeps,
+                double{at[links].y} - top - height, exact, most - before);
 }
 
 // Weights at the ends of a bridge of ropes and planks would be rigid bodies; here it is a chain of heavy links.
@@ -207,14 +302,19 @@ int main(int count, char** arguments) {
         for (const RopeScene& scene : rope_scenes) {
             if (options.wants(scene.name)) run_ropes(scene, options);
         }
+        std::printf("walkers        ms mean     p99   worst | strain %% | contacts\n");
+        for (const WalkScene& scene : walk_scenes) {
+            if (options.wants(scene.name)) run_walkers(scene, options);
+        }
         std::printf("post  friction  kg substeps | heavy end, exact | energy gained, J\n");
         for (const uint32_t substeps : {8u, 16u, 32u}) {
             if (!options.wants("post")) break;
-            run_post("capsule", 0, 3, substeps);
-            run_post("capsule", 0, 1, substeps);
+            run_post(false, 0, 3, substeps);
+            run_post(true, 0, 3, substeps);
+            run_post(false, 0, 1, substeps);
             for (const double friction : {0.1, 0.3}) {
                 const double grip = std::exp(friction * pi);
-                for (const double part : {0.96, 1.04, 2.0}) run_post("capsule", friction, grip * part, substeps);
+                for (const double part : {0.96, 1.04, 2.0}) run_post(false, friction, grip * part, substeps);
             }
         }
         if (options.wants("bridge")) run_bridge(options);
