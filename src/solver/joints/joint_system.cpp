@@ -13,6 +13,7 @@
 #include "solver/joints/elimination_order.h"
 #include "solver/joints/joints.h"
 #include "solver/rope/rope.h"
+#include "solver/rope/stretched_ropes.h"
 #include "solver/rope/rope_kernels.h"
 #include "solver/state_range.h"
 #include "solver/time_scheme.h"

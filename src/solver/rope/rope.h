@@ -41,6 +41,7 @@ struct Rope {
     Vector<double> target;                          // metres, the length to reach (set_targets)
     Vector<double> tension;                         // newtons, of the last substep
     Vector<double> earlier_tension;                 // of the substep before
+    bool yields = false;  // whether links between pins share a stretch that they cannot correct in this substep
 
     Vector<DirectRow> rows;  // for the longest chain
     // By particle:
@@ -51,16 +52,8 @@ struct Rope {
 /// Whether the time scheme restarts after an interruption that is no contact: the first substep is made in parts.
 bool restarts(const History& history, const Contacts& contacts);
 
-/// Sets the target lengths of a chain's links. If two pins are farther apart than the rigid links between them are
-/// long, these share the unavoidable stretch in proportion to their lengths.
-void set_targets(Rope& rope, const Plan& plan, const Particles& particles, const Chain& chain);
-
 /// The same as solve_directly, together with contacts unless they are null.
 bool solve_with_contacts(Body& body, double step, RopeContacts* contacts);
-
-/// A substep begins feasible if each rigid link is wrong by at most this fraction of its length. A larger error would
-/// be corrected within the substep, at a speed that grows as the substep gets shorter.
-constexpr double most_initial_strain = 0.05;
 
 // The parts of a substep for chains (rope_substep.cpp):
 /// Predicts: free particles move as without constraints, attached ones with their models.

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "solver/rope/rope.h"
+#include "solver/rope/stretched_ropes.h"
 #include "solver/state_range.h"
 
 namespace gphys {
@@ -42,6 +43,16 @@ void clear(RopeContactTerm<lanes>& term, uint32_t lane) {
     if (term.stiffness[0][lane] + term.stiffness[3][lane] + term.stiffness[5][lane] == 0) return;
     for (double(&value)[lanes] : term.stiffness) value[lane] = 0;
     set3(term.force, lane, {});
+}
+
+/// Call after `present` is set.
+template <int lanes>
+void set_target(RopeNode<lanes>& node, uint32_t lane, double target) {
+    const bool present = node.present[lane] != 0;
+    node.target[lane] = target;
+    node.inverse_target[lane] = present ? 1 / std::max(target, rope_shortest) : 1;
+    node.lateral_tolerance[lane] =
+        present ? 2 * rope_tolerance * target * target : std::numeric_limits<double>::infinity();
 }
 
 /// The particles of the only chain, in order, and the number of its links.
@@ -83,7 +94,7 @@ template <int lanes>
 void RopeContactLanes<lanes>::gather_constants(uint32_t lane, Body& body) {
     const Chain& chain = body.plan.chains[0];
     const uint32_t* const particles = particles_of(body.plan);
-    set_targets(body.rope, body.plan, body.particles, chain);
+    set_targets(body, chain);
     double inverse_mass_before = 0;
     for (uint32_t i = 0; i < longest_; ++i) {
         const bool is_there = i <= chain.link_count;
@@ -100,14 +111,10 @@ void RopeContactLanes<lanes>::gather_constants(uint32_t lane, Body& body) {
             RopeNode<lanes>& before = nodes_[i - 1];
             const double inverse_masses = inverse_mass_before + inverse_mass;
             const bool present = is_there && inverse_masses > 0;
-            const double target = present ? body.rope.target[chain.first_link + i - 1] : 0;
             before.present[lane] = present ? 1 : 0;
-            before.target[lane] = target;
-            before.inverse_target[lane] = present ? 1 / std::max(target, rope_shortest) : 1;
+            set_target(before, lane, present ? body.rope.target[chain.first_link + i - 1] : 0);
             before.compliance[lane] = present ? body.plan.compliance[chain.first_link + i - 1] : 0;
             before.regularisation[lane] = present ? rope_regularisation * inverse_masses : 1;
-            before.lateral_tolerance[lane] =
-                present ? 2 * rope_tolerance * target * target : std::numeric_limits<double>::infinity();
         }
         inverse_mass_before = inverse_mass;
     }
@@ -140,6 +147,8 @@ void RopeContactLanes<lanes>::gather_prediction(uint32_t lane) {
         farthest = std::max(farthest, length_squared(at - history.predicted[p]));
         mass += node.mass[lane];
         if (i == links_of(body.plan)) continue;
+        const double target = body.rope.target[body.plan.chains[0].first_link + i];
+        if (node.present[lane] != 0 && node.target[lane] != target) set_target(node, lane, target);  // if it yields
         longest = std::max(longest, node.target[lane]);
         node.tension[lane] = body.rope.tension[body.plan.chains[0].first_link + i];
     }

@@ -24,12 +24,14 @@
 // Why not the kernels alone. rope_kernels.cpp solves the same equations for one or eight ropes, with blocks of 3 x 3,
 // which is less work: a step of a free rope of 30 links takes 1.1 million instructions here, 0.26 there with one lane,
 // 0.08 with eight. This file is for what those kernels do not support: links that only pull or are damped, several
-// chains, animation targets, and moving models. It also repeats what Newton's method has not solved there. Its sums
+// chains, animation targets, and ropes pulled around something between two pins. It also repeats what Newton's method
+// has not solved there. Its sums
 // differ, so to replace one file by the other would change the last bits.
 #include "solver/body.h"
 #include "solver/rope/rope.h"
 #include "solver/rope/rope_contacts.h"
 #include "solver/rope/rope_kernels.h"
+#include "solver/rope/stretched_ropes.h"
 #include "solver/state_range.h"
 
 namespace gphys {
@@ -243,7 +245,7 @@ bool is_solved(const ChainView& view) {
 bool solve_chain(Body& body, const Chain& chain, double step, RopeContacts* contacts) {
     const ChainView view{body, chain, 1 / (step * step)};
     DirectRow* rows = body.rope.rows.data();
-    set_targets(body.rope, body.plan, body.particles, chain);
+    set_targets(body, chain);
     const int iterations = body.plan.limited ? most_limited_iterations
                            : contacts        ? most_contact_iterations
                                              : most_iterations;
@@ -264,32 +266,6 @@ bool solve_chain(Body& body, const Chain& chain, double step, RopeContacts* cont
 }
 
 }  // namespace
-
-void set_targets(Rope& rope, const Plan& plan, const Particles& particles, const Chain& chain) {
-    const double* const rest = rope.damped_rest.data() + chain.first_link;
-    double* const target = rope.target.data() + chain.first_link;
-    const auto at = [&](uint32_t i) { return particles.position[plan.particles[chain.first_particle + i]]; };
-    uint32_t pin = chain.link_count + 1;  // the last pin; none yet
-    double total = 0;                     // metres: the rest lengths since then
-    bool rigid = true;                    // whether all these links are rigid
-    for (uint32_t i = 0; i <= chain.link_count; ++i) {
-        if (i > 0) {
-            target[i - 1] = rest[i - 1];
-            total += rest[i - 1];
-            rigid = rigid && plan.compliance[chain.first_link + i - 1] == 0;
-        }
-        if (!particles.pinned(plan.particles[chain.first_particle + i])) continue;
-        if (pin < i && rigid) {
-            const double span = distance(at(pin), at(i));
-            for (uint32_t j = pin; j < i && span > total; ++j) {
-                target[j] = total > 0 ? rest[j] * (span / total) : span / (i - pin);
-            }
-        }
-        pin = i;
-        total = 0;
-        rigid = true;
-    }
-}
 
 bool solve_directly(Body& body, double step) { return solve_with_contacts(body, step, nullptr); }
 

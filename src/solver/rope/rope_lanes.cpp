@@ -2,6 +2,7 @@
 #include "solver/rope/rope_lanes.h"
 
 #include "solver/rope/rope.h"
+#include "solver/rope/stretched_ropes.h"
 #include "solver/time_scheme.h"
 
 namespace gphys {
@@ -103,7 +104,7 @@ private:
             Plan& plan = bodies_[lane]->plan;
             const Chain& chain = plan.chains[i];
             if (is_between_pins(bodies_[lane]->particles)) {
-                set_targets(bodies_[lane]->rope, plan, bodies_[lane]->particles, chain);
+                set_targets(*bodies_[lane], chain);
             } else {
                 ropes[lane].target = plan.rest.data() + chain.first_link;
             }

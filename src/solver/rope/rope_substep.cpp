@@ -19,6 +19,7 @@
 #include "solver/rope/rope_contacts.h"
 #include "solver/rope/rope_limits.h"
 #include "solver/rope/rope_stepper.h"
+#include "solver/rope/stretched_ropes.h"
 
 namespace gphys {
 
@@ -216,40 +217,6 @@ void end_with_contacts(Body& body, RopeContacts& contacts, const CollisionContex
     end_substep(body, has_limit_impact, scheme);
 }
 
-bool began_feasible(const Plan& plan, const History& history, const Rope& rope) {
-    for (const Chain& chain : plan.chains) {
-        const uint32_t* const particle = &plan.particles[chain.first_particle];
-        for (uint32_t i = 0; i < chain.link_count; ++i) {
-            const uint32_t link = chain.first_link + i;
-            if (plan.compliance[link] > 0) continue;
-            const double excess =
-                distance(history.start[particle[i]], history.start[particle[i + 1]]) - rope.target[link];
-            if ((plan.limit[link] ? excess : std::fabs(excess)) > most_initial_strain * rope.target[link]) return false;
-        }
-    }
-    return true;
-}
-
-/// Call after the prediction. Corrects the lengths of links that the caller has placed far from them, before the rope
-/// moves. Within the substep, the correction would become a high velocity.
-void restore_lengths(Body& body, RopeContacts& contacts, double step) {
-    body.rope.solved = body.history.predicted;
-    body.history.predicted = body.particles.position = body.history.start;
-    constexpr int most_solutions = 8;
-    for (int i = 0; i < most_solutions && !solve_with_contacts(body, step, &contacts); ++i) {
-    }
-    contacts.push_out(body.particles);
-    std::fill(body.rope.tension.begin(), body.rope.tension.end(), 0.0);
-    for (uint32_t p = 0; p < body.particles.size(); ++p) {
-        if (body.particles.pinned(p)) continue;
-        const Vec3 correction = body.particles.position[p] - body.history.start[p];
-        body.history.start[p] += correction;
-        body.history.earlier[p] += correction;
-        body.particles.position[p] = body.history.predicted[p] = body.rope.solved[p] + correction;
-    }
-    contacts.search_again();  // from the new positions
-}
-
 }  // namespace
 
 bool restarts(const History& history, const Contacts& contacts) {
@@ -261,23 +228,29 @@ void RopeMotion::begin(const CollisionContext& around, double h) {
     begin_chains(body, around, gravity, scheme);
     const auto begin_contacts = [&] { return contacts && contacts->begin(body, around, gravity, scheme.advance); };
     with_contacts = begin_contacts();
-    if (!with_contacts || gphys::began_feasible(body.plan, body.history, body.rope)) return;
-    restore_lengths(body, *contacts, scheme.step(body.settings.damping));
-    with_contacts = begin_contacts();
+    stop_yielding(body);
+    if (contacts && begin_stretched(body, with_contacts ? contacts : nullptr, around, scheme)) {
+        with_contacts = begin_contacts();
+    }
 }
 
 bool RopeMotion::solve() {
     return solve_with_contacts(body, scheme.step(body.settings.damping), with_contacts ? contacts : nullptr);
 }
 
-bool RopeMotion::began_feasible() const { return gphys::began_feasible(body.plan, body.history, body.rope); }
+bool RopeMotion::began_feasible() const { return largest_strain(body, body.history.start) <= most_initial_strain; }
 
 void RopeMotion::finish(const CollisionContext& around, double) {
+    if (stay_if_torn(body) && with_contacts) {
+        contacts->search_again();
+        with_contacts = contacts->begin(body, around, gravity, scheme.advance);
+    }
     if (with_contacts) {
         end_with_contacts(body, *contacts, around, gravity, scheme);
     } else {
         end_chains(body, around, gravity, scheme);
     }
+    stop_yielding(body);
 }
 
 void RopeMotion::roll_back() {
