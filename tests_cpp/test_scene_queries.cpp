@@ -182,7 +182,7 @@ bool sweep_agrees(RandomScene& world) {
         Hit hit;
         if (!seen(model, layers) || !sweep(model, widen(sphere), widen(displacement), hit)) continue;
         if (expected.model != 0 && reported(hit.t) >= expected.t) continue;
-        expected = to_hit(hit, model.id, model.tag);
+        expected = to_contact(hit, widen(displacement), model.id, model.tag);
     }
     const gphys_status status = gphys_scene_sweep_sphere(world.scene, &sphere, &displacement, layers, &found);
     return status == (expected.model ? GPHYS_OK : GPHYS_NO_HIT) && same_bits(expected, found);
