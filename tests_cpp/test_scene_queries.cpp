@@ -253,14 +253,14 @@ bool ways_out_agree(RandomScene& world) {
                       [](const auto& a, const auto& b) { return std::memcmp(&a, &b, sizeof a) == 0; });
 }
 
-/// How far the corner of the box that is furthest in is behind a plane, in units of the sum of
-/// magnitudes that float arithmetic rounds.
+/// How far the corner of the box that is furthest in is behind a plane, in units of the sum of magnitudes that float
+/// arithmetic rounds: of the middle of the box, relative to the frustum, and of its extents.
 double relative_depth_outside(const Aabb& box, const Frustum& frustum, const Plane& plane) {
     double sum = -plane.distance, magnitude = std::fabs(plane.distance);
     for (int k = 0; k < 3; ++k) {
-        const double offset = (plane.normal[k] >= 0 ? box.max[k] : box.min[k]) - frustum.origin[k];
-        sum += plane.normal[k] * offset;
-        magnitude += std::fabs(plane.normal[k] * offset);
+        const double middle = (box.min[k] + box.max[k]) / 2 - frustum.origin[k], extent = (box.max[k] - box.min[k]) / 2;
+        sum += plane.normal[k] * middle + std::fabs(plane.normal[k]) * extent;
+        magnitude += std::fabs(plane.normal[k]) * (std::fabs(middle) + extent);
     }
     return -sum / magnitude;
 }
