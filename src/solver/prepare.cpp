@@ -287,12 +287,12 @@ void Solver::list_near_models(const Scene& scene, double dt) {
     const auto same = [](const PlacedModel& a, const PlacedModel& b) { return a.model == b.model; };
     next_near_models_.erase(std::unique(next_near_models_.begin(), next_near_models_.end(), same),
                             next_near_models_.end());
+    find_disturbed(scene);
     for (const ActiveBody& active : active_) {
         Body& body = state_.bodies[active.slot];
-        reserve_impulses(body, active.near_model_count + moved_models_.size());
-        if (body.plan.method == GPHYS_SOLVE_GRAPH) body.cloth.moving_colliders.reserve(moved_models_.size());
+        reserve_impulses(body, active.near_model_count + active.moved_model_count);
+        if (body.plan.method == GPHYS_SOLVE_GRAPH) body.cloth.moving_colliders.reserve(active.moved_model_count);
     }
-    find_disturbed(scene);
 }
 
 /// Keeps the sum of substeps times particles below max_work: if it is larger, all bodies get fewer substeps in
@@ -329,10 +329,11 @@ void Solver::find_disturbed(const Scene& scene) {
     for (const MovedModel& before : moved_models_) {
         for (ActiveBody& active : active_) {
             const uint32_t layers = scene.layers(before.model) & state_.bodies[active.slot].settings.layers;
-            if (layers != 0 && (!before.bounded || overlaps(before.swept, active.reachable))) {
-                active.undisturbed = false;
-                active.models_move = true;
-            }
+            if (layers == 0 || (before.bounded && !overlaps(before.swept, active.search_box))) continue;
+            ++active.moved_model_count;
+            if (before.bounded && !overlaps(before.swept, active.reachable)) continue;
+            active.undisturbed = false;
+            active.models_move = true;
         }
     }
 }
@@ -369,8 +370,11 @@ void Solver::make_tasks() {
     // end of the step.
     const uint32_t in_group =
         std::clamp(static_cast<uint32_t>(sharing) / (4 * workers_.count()), rope_lanes, 8 * rope_lanes);
-    size_t particles = 0;
-    for (const ActiveBody& active : active_) particles += active.size;
+    size_t particles = 0, moved_models = 0;
+    for (const ActiveBody& active : active_) {
+        particles += active.size;
+        moved_models = std::max<size_t>(moved_models, active.moved_model_count);
+    }
     for (uint32_t i = 0, next; i < active_.size(); i = next) {
         const ActiveBody& first = active_[i];
         next = i + 1;
@@ -394,7 +398,7 @@ void Solver::make_tasks() {
         alone = std::max<size_t>(alone, first.size);
         if (next - i > 1) in_lanes = std::max<size_t>(in_lanes, first.size);
     }
-    for (RopeScratch& scratch : rope_scratch_) scratch.reserve(alone, in_lanes, in_contact_lanes, moved_models_.size());
+    for (RopeScratch& scratch : rope_scratch_) scratch.reserve(alone, in_lanes, in_contact_lanes, moved_models);
 }
 
 }  // namespace gphys

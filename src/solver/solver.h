@@ -220,16 +220,17 @@ private:
     /// A body of the step under way.
     struct ActiveBody {
         uint32_t size, slot, substeps;
-        uint32_t chains;                // of its constraints
-        bool plain = false;             // a rope that the kernels support
-        bool undisturbed = false;       // a plain rope that hits nothing while it stays in `reachable`
-        bool restarts = false;          // of undisturbed ropes: the time scheme does, after an interruption
-        double fastest = 0;             // m/s, bound of the particles' speeds
-        Box reachable{};                // what it can reach in this step
-        Box search_box{};               // the same, enlarged for models that move
-        uint32_t near_model_count = 0;  // models in search_box
-        bool models_move = false;       // whether some of them move
-        bool in_island = false;         // moved by the task of an island
+        uint32_t chains;                 // of its constraints
+        bool plain = false;              // a rope that the kernels support
+        bool undisturbed = false;        // a plain rope that hits nothing while it stays in `reachable`
+        bool restarts = false;           // of undisturbed ropes: the time scheme does, after an interruption
+        double fastest = 0;              // m/s, bound of the particles' speeds
+        Box reachable{};                 // what it can reach in this step
+        Box search_box{};                // the same, enlarged for models that move
+        uint32_t near_model_count = 0;   // models in search_box
+        uint32_t moved_model_count = 0;  // models that have moved and come into search_box
+        bool models_move = false;        // whether some of them come into `reachable`
+        bool in_island = false;          // moved by the task of an island
 
         bool near_models() const { return near_model_count > 0 || models_move; }
         /// Whether its equations are solved in the kernels, together with contacts (RopeContactLanes).

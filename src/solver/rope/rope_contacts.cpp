@@ -313,7 +313,7 @@ bool RopeContacts::begin(Body& body, const CollisionContext& around, Vec3 gravit
     seconds_ = h;
     if (!searched_ || !stays()) searched_ = search(body, around, gravity, h);
     if (!searched_) return false;
-    move_planes(around, around.begin);  // where they are not after a substep that was taken back
+    if (planes_at_ != around.begin) move_planes(around, around.begin);  // after a substep that was taken back
     move_planes(around, around.end);
     active_ = !contacts_.empty();
     if (has_targets_) place_bounds(body.targets, body.particles.position);
