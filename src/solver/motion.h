@@ -50,7 +50,7 @@ bool end_in_halves(Motion& motion, const CollisionContext& around, double h, boo
     constexpr double halves[] = {0.5, 0.5};
     const bool is_solvable = solved || motion.began_feasible();
     for (int i = 1; is_solvable && !solved && i < most_solutions; ++i) solved = motion.solve();
-    if (solved || !is_solvable || halvings == 0) {
+    if (solved || !is_solvable || halvings <= motion.unused_halvings()) {
         motion.finish(around, h);
         return solved;
     }
@@ -64,8 +64,8 @@ bool end_in_halves(Motion& motion, const CollisionContext& around, double h, boo
 
 /// If Newton's method does not converge, the substep is too long for it. Then it is divided into halves, recursively:
 /// half a second becomes parts of 4 ms, in which a link of 1 mm that swings under gravity turns by 0.4 radians. In the
-/// shortest parts the last iterate is accepted. `motion` has begin(around, h), solve() and began_feasible(), and then
-/// either finish(around, h) or roll_back(). Returns whether all parts were solved.
+/// shortest parts the last iterate is accepted. `motion` has begin(around, h), solve(), began_feasible() and
+/// unused_halvings(), and then either finish(around, h) or roll_back(). Returns whether all parts were solved.
 template <class Motion>
 bool move_in_halves(Motion& motion, const CollisionContext& around, double h, int halvings) {
     motion.begin(around, h);

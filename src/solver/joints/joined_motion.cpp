@@ -191,6 +191,7 @@ struct JoinedMotion {
     }
     bool solve() { return solve_systems(joined); }
     /// Cloth cannot be rolled back, so with cloth the substep is never divided.
+    int unused_halvings() const { return 0; }
     bool began_feasible() const {
         bool all = true;
         each_body(joined, [&](const Body& body, uint32_t) { all = all && !is_graph(body); });
