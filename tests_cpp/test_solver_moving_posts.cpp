@@ -2,6 +2,7 @@
 #include <cmath>
 #include <functional>
 
+#include "post.h"
 #include "solver_world.h"
 
 using namespace gphys;
@@ -46,14 +47,7 @@ struct MovingPost : World {
         desc.mass = mass;
         desc.radius = thick;
         desc.friction = friction;
-        const double bend = double{post} + thick, half = pi * bend / 2;
-        std::vector<gphys_vec3> points;
-        for (uint32_t i = 0; i <= links; ++i) {
-            const double way = (i - links / 2.0) * link;
-            const bool on = std::fabs(way) < half;
-            points.push_back({static_cast<float>(on ? bend * std::sin(way / bend) : std::copysign(bend, way)),
-                              static_cast<float>(on ? bend * std::cos(way / bend) : half - std::fabs(way)), 0});
-        }
+        const std::vector<gphys_vec3> points = test::points_over_post(links, link, double{post} + thick);
         hung = rope(points, 0, desc);
         REQUIRE(gphys_solver_set_masses(solver, hung, 0, 1, &left, 4) == GPHYS_OK);
         REQUIRE(gphys_solver_set_masses(solver, hung, links, 1, &right, 4) == GPHYS_OK);

@@ -2,6 +2,7 @@
 // rope, past the post, less what friction holds.
 #include <cmath>
 
+#include "post.h"
 #include "solver_world.h"
 
 using test::World;
@@ -25,14 +26,7 @@ struct Post {
         desc.radius = thick;
         desc.friction = friction;
         desc.static_friction = static_friction;
-        const double bend = double{post} + thick, half = pi * bend / 2;
-        std::vector<gphys_vec3> points;
-        for (uint32_t i = 0; i <= links; ++i) {
-            const double way = (i - links / 2.0) * link;
-            const bool on = std::fabs(way) < half;
-            points.push_back({static_cast<float>(on ? bend * std::sin(way / bend) : std::copysign(bend, way)),
-                              static_cast<float>(on ? bend * std::cos(way / bend) : half - std::fabs(way)), 0});
-        }
+        const std::vector<gphys_vec3> points = test::points_over_post(links, link, double{post} + thick);
         rope = world.rope(points, 0, desc);
         const float weights[] = {1, static_cast<float>(heavy)};
         REQUIRE(gphys_solver_set_masses(world.solver, rope, 0, 1, &weights[0], 4) == GPHYS_OK);
@@ -114,13 +108,7 @@ struct Pulled {
         desc.mass = 0.5f;
         desc.radius = thick;
         desc.friction = friction;
-        const double bend = double{post} + thick, half = pi * bend / 2;
-        for (uint32_t i = 0; i <= links; ++i) {
-            const double way = (i - links / 2.0) * double{length};
-            const bool on = std::fabs(way) < half;
-            placed.push_back({static_cast<float>(on ? bend * std::sin(way / bend) : std::copysign(bend, way)),
-                              static_cast<float>(on ? bend * std::cos(way / bend) : half - std::fabs(way)), 0});
-        }
+        placed = test::points_over_post(links, length, double{post} + thick);
         rope = world.rope(placed, 0, desc);
         world.pin(rope, 0);
         world.pin(rope, links);
