@@ -249,6 +249,26 @@ void fall_on_mesh(World& world, const Options& options) {
     world.add_sheet({-1, 1.3f, -1}, {2, 0, 0}, {0, 0, 2});
 }
 
+/// A flag at a pole, and the ground below: only some of its particles can touch anything.
+void fly_flag(World& world) {
+    static const gphys_plane ground{{0, 1, 0}, -4};
+    static const gphys_capsule pole{{-0.06f, -4, 0}, {-0.06f, 0.2f, 0}, 0.05f};
+    world.add(GPHYS_SHAPE_PLANE, &ground);
+    world.add(GPHYS_SHAPE_CAPSULE, &pole);
+    world.add_sheet({0, 0, 0}, {2, 0, 0}, {0, -1.5f, 0});
+    for (uint32_t p = 0; p < world.size(); p += world.columns) world.pin(p);
+}
+
+/// A curtain hangs from its upper edge in front of a wall that it does not touch.
+void hang_at_wall(World& world) {
+    static const gphys_plane ground{{0, 1, 0}, -2.5f};
+    static const gphys_aabb wall{{-2, -2.5f, -0.6f}, {2, 0.5f, -0.3f}};
+    world.add(GPHYS_SHAPE_PLANE, &ground);
+    world.add(GPHYS_SHAPE_AABB, &wall);
+    world.add_sheet({-1, 0, 0}, {2, 0, 0}, {0, -2, 0});
+    for (uint32_t p = 0; p < world.columns; ++p) world.pin(p);
+}
+
 /// A curtain hangs from its upper edge, and somebody walks through it at 5 m/s.
 void walk_through(World& world) {
     static const gphys_capsule body{{0, -0.5f, 0}, {0, 0.5f, 0}, 0.3f};
@@ -352,6 +372,8 @@ int main(int count, char** arguments) {
         }
     }
     std::vector<Scene> scenes{{"hanging", 100, 100, hang},
+                              {"flag", 60, 60, fly_flag},
+                              {"wall", 60, 60, hang_at_wall},
                               {"sphere", 100, 100, fall_on_sphere},
                               {"box", 30, 30, fall_on_box},
                               {"curtain", 60, 60, walk_through},

@@ -15,7 +15,7 @@
 
 struct Options {
     std::string only;
-    uint32_t substeps = 0;
+    uint32_t substeps = 0, workers = 2;
     int frames = 0;
 
     Options(int count, char** arguments) {
@@ -28,6 +28,8 @@ struct Options {
                 frames = std::atoi(value());
             } else if (word == "--substeps") {
                 substeps = static_cast<uint32_t>(std::atoi(value()));
+            } else if (word == "--workers") {
+                workers = static_cast<uint32_t>(std::max(1, std::atoi(value())));
             }
         }
     }

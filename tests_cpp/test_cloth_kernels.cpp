@@ -281,3 +281,39 @@ TEST_CASE("a rigid motion is added to the velocities of cloth, and to no others"
         }
     });
 }
+
+TEST_CASE("free particles that may leave their balls are listed, and those that have left them") {
+    constexpr float h = 0.125f, fall = 0.25f;
+    Cloth cloth;
+    test::Random random(8);
+    std::vector<float> balls;
+    for (const float at : cloth.at) balls.push_back(at + random.uniform_float(-0.2f, 0.2f));
+    for (size_t i = 3; i < balls.size(); i += 4) balls[i] = random.uniform_float(0, 0.2f);
+    for (const uint32_t count : {1u, 7u, 8u, 9u, 23u, Cloth::particles}) {
+        std::vector<uint32_t> leaving, outside;
+        for (uint32_t p = 0; p < count; ++p) {
+            const auto vector = [&](const std::vector<float>& of) {
+                return Vec3{double{of[4 * p]}, double{of[4 * p + 1]}, double{of[4 * p + 2]}};
+            };
+            const double off = length(vector(cloth.at) - vector(balls)), radius = std::sqrt(double{balls[4 * p + 3]});
+            const double travel = double{h} * (length(vector(cloth.velocity)) + double{fall});
+            // Not near enough to be decided by rounding.
+            REQUIRE(std::fabs(off - radius) > 1e-6);
+            REQUIRE(std::fabs(off + travel - radius) > 1e-6);
+            if (cloth.at[4 * p + 3] == 0) continue;
+            if (off + travel > radius) leaving.push_back(p);
+            if (off > radius) outside.push_back(p);
+        }
+        on_each_set([&](Isa isa) {
+            CAPTURE(count);
+            std::vector<uint32_t> listed(count);
+            const ClothKernels& kernels = cloth_kernels(isa);
+            listed.resize(kernels.list_leaving(cloth.at.data(), cloth.velocity.data(), balls.data(), count, h, fall,
+                                               listed.data()));
+            CHECK(listed == leaving);
+            listed.assign(count, 0);
+            listed.resize(kernels.list_outside(cloth.at.data(), balls.data(), count, listed.data()));
+            CHECK(listed == outside);
+        });
+    }
+}

@@ -1,11 +1,14 @@
-// A team of workers for work in many short phases, each too short to wake threads for (fork-join with spinning). The
-// first thread to arrive is the leader. Later ones help, and spin between phases. The leader never waits for a thread
-// that has not arrived, so a team of one does all the work itself.
+// A team of workers for work in many short phases, each too short to wake threads for (fork-join with spinning and work
+// stealing). The first thread to arrive is the leader. Later ones help, and spin between phases. The leader never waits
+// for a thread that has not arrived, so a team of one does all the work itself.
 //
-// Members take tasks alternately from both ends. So two members mostly get the same tasks in each phase, whose data are
-// in their caches.
+// In each phase every member has a contiguous range of the tasks, mostly that of the phase before, whose data are in
+// its cache, and takes them from its own cache line. One counter for all of them would cost each task two transfers of
+// a cache line between cores (half a microsecond between distant ones). A member without tasks takes them from the ends
+// of other members' ranges.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <thread>
 #include <type_traits>
@@ -18,12 +21,15 @@ class Team {
 public:
     /// The largest number of tasks in a phase.
     static constexpr uint32_t most_tasks = (1u << 20) - 1;
+    /// Threads that arrive later do not help: barriers would take longer than their share of a phase.
+    static constexpr uint32_t most_members = 16;
 
     /// Called by each member. The first one runs the work, which calls share(); the others help and return when the
     /// work is done.
     template <class Work>
     void join(Work&& work) noexcept {
-        const uint32_t member = members_.fetch_add(1, std::memory_order_relaxed);
+        const uint32_t member = arrived_.fetch_add(1, std::memory_order_relaxed);
+        if (member >= most_members) return;
         if (member > 0) return help(member);
         work();
         done_.store(true, std::memory_order_release);
@@ -37,14 +43,27 @@ public:
             (*static_cast<std::remove_reference_t<Task>*>(context))(i, member);
         };
         context_ = const_cast<void*>(static_cast<const void*>(&task));
-        finished_.store(0, std::memory_order_relaxed);
-        ticket_.store(++phase_ << 40 | uint64_t{count} << end_shift, std::memory_order_release);
+        ++phase_;
+        issued_ += count;
+        const uint32_t sharers = members();
+        for (uint32_t member = sharers; member-- > 0;) {
+            const uint32_t first = part(count, member, sharers), end = part(count, member + 1, sharers);
+            members_[member].ticket.store(phase_ << 40 | uint64_t{end} << end_shift | first, std::memory_order_release);
+        }
         take_all(0);
-        for (SpinBackoff patience; finished_.load(std::memory_order_acquire) < count;) patience.wait();
+        for (SpinBackoff patience; finished() < issued_;) patience.wait();
     }
 
 private:
     static constexpr int end_shift = 20;
+    static constexpr size_t cache_line = 64;
+
+    /// A ticket holds the number of the phase and the range of the remaining tasks, so that no task of another phase is
+    /// taken. It is read by members that take tasks, `finished` by the leader that waits.
+    struct Member {
+        alignas(cache_line) std::atomic<uint64_t> ticket{0};
+        alignas(cache_line) std::atomic<uint64_t> finished{0};  // in all phases, when the member last ran out of tasks
+    };
 
     /// Spins with pause instructions first, then yields to the system.
     class SpinBackoff {
@@ -61,31 +80,57 @@ private:
         uint32_t turns_ = 0;
     };
 
-    /// Runs the remaining tasks of the current phase. The ticket holds the number of the phase and the range of its
-    /// remaining tasks, so that no member takes a task of another phase.
+    static uint32_t part(uint32_t count, uint32_t member, uint32_t sharers) {
+        return static_cast<uint32_t>(uint64_t{count} * member / sharers);
+    }
+
+    uint32_t members() const { return std::min(arrived_.load(std::memory_order_relaxed), most_members); }
+
+    uint64_t finished() const {
+        uint64_t sum = 0;
+        for (uint32_t member = 0; member < members(); ++member)
+            sum += members_[member].finished.load(std::memory_order_acquire);
+        return sum;
+    }
+
+    /// Runs tasks of the current phase until none is left: its own from the front, those of others from the end.
     void take_all(uint32_t member) {
-        const bool from_end = member % 2 == 1;
-        uint64_t ticket = ticket_.load(std::memory_order_acquire);
-        for (;;) {
-            const uint32_t first = ticket & most_tasks, end = ticket >> end_shift & most_tasks;
-            if (first >= end) return;
-            const uint64_t next = from_end ? ticket - (uint64_t{1} << end_shift) : ticket + 1;
-            if (!ticket_.compare_exchange_weak(ticket, next, std::memory_order_acq_rel)) continue;
-            call_(context_, from_end ? end - 1 : first, member);
-            finished_.fetch_add(1, std::memory_order_release);
-            ticket = ticket_.load(std::memory_order_acquire);
+        uint64_t run = 0;
+        for (uint32_t i = 0, sharers = members(); i < sharers; ++i) {
+            const uint32_t owner = (member + i) % sharers;
+            const auto take = [&](uint64_t ticket) {
+                return owner == member ? ticket + 1 : ticket - (uint64_t{1} << end_shift);
+            };
+            std::atomic<uint64_t>& tickets = members_[owner].ticket;
+            uint64_t ticket = tickets.load(std::memory_order_acquire);
+            for (;;) {
+                const uint32_t first = ticket & most_tasks, end = ticket >> end_shift & most_tasks;
+                if (first >= end) break;
+                if (!tickets.compare_exchange_weak(ticket, take(ticket), std::memory_order_acq_rel)) continue;
+                call_(context_, owner == member ? first : end - 1, member);
+                ++run;
+                ticket = tickets.load(std::memory_order_acquire);
+            }
         }
+        if (run == 0) return;
+        std::atomic<uint64_t>& finished = members_[member].finished;
+        finished.store(finished.load(std::memory_order_relaxed) + run, std::memory_order_release);
     }
 
     void help(uint32_t member) {
-        for (SpinBackoff patience; !done_.load(std::memory_order_acquire); patience.wait()) take_all(member);
+        take_all(member);
+        const std::atomic<uint64_t>& ticket = members_[member].ticket;
+        for (SpinBackoff patience; !done_.load(std::memory_order_acquire); patience.wait()) {
+            const uint64_t range = ticket.load(std::memory_order_relaxed);
+            if ((range & most_tasks) < (range >> end_shift & most_tasks)) take_all(member);
+        }
     }
 
-    std::atomic<uint32_t> members_{0}, finished_{0};
-    std::atomic<uint64_t> ticket_{0};
+    Member members_[most_members];
+    std::atomic<uint32_t> arrived_{0};
     std::atomic<bool> done_{false};
-    uint64_t phase_ = 0;
-    // Of the current phase; written between phases.
+    // Written by the leader between phases.
+    uint64_t phase_ = 0, issued_ = 0;
     void (*call_)(void*, uint32_t, uint32_t) = nullptr;
     void* context_ = nullptr;
 };

@@ -81,28 +81,12 @@ uint32_t deepest(const ClothContact& n, Vec3 at, double& depth) {
     return best;
 }
 
-/// Squared distance from the centre of its ball.
-float squared_from_ball(const ClothContacts& contacts, const ClothState& state, uint32_t p) {
-    const float *ball = &contacts.balls[4 * size_t{p}], *at = &state.at[4 * size_t{p}];
-    const float x = at[0] - ball[0], y = at[1] - ball[1], z = at[2] - ball[2];
-    return x * x + y * y + z * z;
-}
-
-/// Lists in `escaped` the free particles with is(p); returns how many.
-template <class Is>
-uint32_t list_free(const Particles& particles, Vector<uint32_t>& escaped, Is&& is) {
-    uint32_t count = 0;
-    for (uint32_t p = 0; p < particles.size(); ++p) {
-        if (is(p) && !particles.pinned(p)) escaped[count++] = p;
-    }
-    return count;
-}
-
-/// Whether a particle may leave its ball within h seconds. `fall`: the speed that gravity adds meanwhile.
-bool may_leave_ball(const ClothContacts& contacts, const ClothState& state, uint32_t p, double h, double fall) {
-    const double travel = h * (length(get(&state.velocity[4 * size_t{p}])) + fall);
-    return std::sqrt(double{squared_from_ball(contacts, state, p)}) + travel >=
-           std::sqrt(double{contacts.balls[4 * size_t{p} + 3]});
+/// Lists in `escaped` the particles that may leave their balls within h seconds; returns how many. `fall`: the speed
+/// that gravity adds meanwhile.
+uint32_t list_leaving(ClothContacts& contacts, const ClothState& state, double h, double fall) {
+    return cloth_kernels(chosen_isa())
+        .list_leaving(state.at.data(), state.velocity.data(), contacts.balls.data(), state.particles,
+                      static_cast<float>(h), static_cast<float>(fall), contacts.escaped.data());
 }
 
 /// Projects the particle out of its contact planes, and marks the active ones. Returns the first of them, or -1.
@@ -192,22 +176,21 @@ void search_cloth_contacts(Body& body, const CollisionContext& around, Vec3 grav
         contacts.candidates.clear();
         std::fill(contacts.candidate_of.begin(), contacts.candidate_of.end(), ClothContacts::none);
         std::fill(contacts.balls.begin(), contacts.balls.end(), 0.0f);
-        const auto has_ball = [&](uint32_t p) { return search_balls[4 * size_t{p} + 3] >= 0; };
-        if (reuse == Reuse::balls)
-            search.repeat(contacts.escaped.data(), list_free(particles, contacts.escaped, has_ball));
+        uint32_t count = 0;
+        for (uint32_t p = 0; p < particles.size() && reuse == Reuse::balls; ++p) {
+            if (search_balls[4 * size_t{p} + 3] >= 0 && !particles.pinned(p)) contacts.escaped[count++] = p;
+        }
+        search.repeat(contacts.escaped.data(), count);
     }
     const double fall = around.step_time / 2 * length(gravity);
-    search.run(contacts.escaped.data(), list_free(particles, contacts.escaped, [&](uint32_t p) {
-                   return may_leave_ball(contacts, state, p, around.step_time, fall);
-               }));
+    const uint32_t count = list_leaving(contacts, state, around.step_time, fall);
+    search.run(contacts.escaped.data(), count);
 }
 
 void search_ahead(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     ClothContacts& contacts = body.cloth.contacts;
-    const double fall = h * length(gravity);
-    const uint32_t count = list_free(body.particles, contacts.escaped, [&](uint32_t p) {
-        return may_leave_ball(contacts, body.cloth.state, p, h, fall);
-    });
+    const uint32_t count = list_leaving(contacts, body.cloth.state, h, h * length(gravity));
+    if (count == 0) return;
     ContactSearch(around, body, gravity, around.step_time * (1 - around.begin)).run(contacts.escaped.data(), count);
 }
 
@@ -450,9 +433,9 @@ void sweep_escaped(Body& body, const CollisionContext& around, Vec3 gravity, dou
     ClothState& state = body.cloth.state;
     ClothContacts& contacts = body.cloth.contacts;
     contacts.penetrating = false;
-    const uint32_t count = list_free(body.particles, contacts.escaped, [&](uint32_t p) {
-        return squared_from_ball(contacts, state, p) >= contacts.balls[4 * size_t{p} + 3];
-    });
+    const uint32_t count =
+        cloth_kernels(chosen_isa())
+            .list_outside(state.at.data(), contacts.balls.data(), state.particles, contacts.escaped.data());
     if (count == 0) return;
     Aabb all{body.particles.position[contacts.escaped[0]], body.particles.position[contacts.escaped[0]]};
     double longest = 0, radius = 0;

@@ -2,6 +2,8 @@
 // and joined bodies; limits; prediction; velocities; energies (cloth_kernels.h).
 #include "solver/cloth/cloth_kernels.h"
 
+#include <algorithm>
+
 #include "foundation/simd.h"
 #include "foundation/vec.h"
 
@@ -371,6 +373,43 @@ uint32_t list_strained(const float* at, const ClothChains& chains, const ChainBa
     return count;
 }
 
+/// Writes the indices of particles that are not pinned and for which is(their eight positions, balls, indices).
+template <class Is>
+uint32_t list_by_ball(const float* at, const float* balls, uint32_t particles, uint32_t* listed, Is&& is) {
+    uint32_t count = 0;
+    for (uint32_t first = 0; first < particles; first += 8) {
+        uint32_t index[8];
+        for (uint32_t lane = 0; lane < 8; ++lane) index[lane] = std::min(first + lane, particles - 1);
+        const Quads8 p = load_quads(at, index), ball = load_quads(balls, index);
+        uint32_t lanes = bits(is(p, ball, index)) & ~bits(p.w <= splat(0));
+        if (particles - first < 8) lanes &= (1u << (particles - first)) - 1;
+        for (uint32_t lane = 0; lanes >> lane != 0; ++lane) {
+            if (lanes >> lane & 1) listed[count++] = first + lane;
+        }
+    }
+    return count;
+}
+
+inline Float8 squared_distance(const Quads8& a, const Quads8& b) {
+    const Float8 x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
+    return x * x + y * y + z * z;
+}
+
+uint32_t list_leaving(const float* at, const float* velocity, const float* balls, uint32_t particles, float h,
+                      float fall, uint32_t* leaving) {
+    return list_by_ball(at, balls, particles, leaving, [&](const Quads8& p, const Quads8& ball, const uint32_t* index) {
+        const Quads8 v = load_quads(velocity, index);
+        const Float8 travel = splat(h) * (sqrt(v.x * v.x + v.y * v.y + v.z * v.z) + splat(fall));
+        return sqrt(ball.w) <= sqrt(squared_distance(p, ball)) + travel;
+    });
+}
+
+uint32_t list_outside(const float* at, const float* balls, uint32_t particles, uint32_t* outside) {
+    return list_by_ball(at, balls, particles, outside, [](const Quads8& p, const Quads8& ball, const uint32_t*) {
+        return ball.w <= squared_distance(p, ball);
+    });
+}
+
 double stored(const float* at, const ClothChains& chains, const ChainBatch& batch) {
     const uint32_t* particles = chains.particles + 8 * size_t{batch.first_particle};
     Quads8 a = load_quads(at, particles);
@@ -494,8 +533,11 @@ void slow(const ClothMotion& motion, const float (&drift)[3], float kept) {
 
 }  // namespace
 
-const ClothKernels cloth_kernels = {
-    predict, solve, solve_with_contacts, solve_pulling, solve_joined, find_tensions, list_strained,
-    stored,  limit, limit_pulling,       finish,        gain,         kinetic,       slow};
+const ClothKernels cloth_kernels = {predict,       solve,        solve_with_contacts,
+                                    solve_pulling, solve_joined, find_tensions,
+                                    list_strained, list_leaving, list_outside,
+                                    stored,        limit,        limit_pulling,
+                                    finish,        gain,         kinetic,
+                                    slow};
 
 }  // namespace gphys::GPHYS_ISA

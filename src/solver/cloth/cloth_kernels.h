@@ -85,6 +85,12 @@ struct ClothKernels {
     /// least this fraction of their length. Returns how many.
     uint32_t (*list_strained)(const float* at, const ClothChains& chains, const ChainBatch& batch, float part,
                               uint32_t* places);
+    /// Writes the indices of particles that may leave their balls within h seconds, or that are outside, except those
+    /// that are pinned. `balls`: centre and squared radius of each particle. `fall`: the speed that gravity adds
+    /// meanwhile. Returns how many.
+    uint32_t (*list_leaving)(const float* at, const float* velocity, const float* balls, uint32_t particles, float h,
+                             float fall, uint32_t* leaving);
+    uint32_t (*list_outside)(const float* at, const float* balls, uint32_t particles, uint32_t* outside);
     /// The energy of elastic links, per average mass.
     double (*stored)(const float* at, const ClothChains& chains, const ChainBatch& batch);
     void (*limit)(float* at, const ClothLimits& limits, uint32_t count);

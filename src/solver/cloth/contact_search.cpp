@@ -2,6 +2,8 @@
 // (contact_search.h).
 #include "solver/cloth/contact_search.h"
 
+#include "solver/contact/neighbourhood.h"
+
 namespace gphys {
 namespace {
 
@@ -32,15 +34,57 @@ void ContactSearch::repeat(const uint32_t* particles, uint32_t count) {
 }
 
 void ContactSearch::search_from_balls(const uint32_t* particles, uint32_t count) {
-    for (uint32_t first = 0, together; first < count; first += together) {
-        together = count_together(particles + first, count - first);
-        if (search_together(particles + first, together)) continue;
-        for (uint32_t i = 0; i < together; ++i) search_alone(particles[first + i]);
+    constexpr uint32_t most_free = 64;
+    for (uint32_t first = 0; first < count; first += most_free) {
+        const uint32_t end = std::min(count, first + most_free);
+        if (set_free(particles + first, end - first)) continue;
+        for (uint32_t i = first, together; i < end; i += together) {
+            together = count_together(particles + i, end - i);
+            if (search_together(particles + i, together)) continue;
+            for (uint32_t k = 0; k < together; ++k) search_alone(particles[i + k]);
+        }
     }
+}
+
+/// Particles without models as near as they search at most get balls of that size. Returns false, without effect, if
+/// models are near.
+bool ContactSearch::set_free(const uint32_t* particles, uint32_t count) {
+    Aabb places{place_of(particles[0]), place_of(particles[0])};
+    double range = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+        const uint32_t p = particles[i];
+        places = {min(places.min, place_of(p)), max(places.max, place_of(p))};
+        range = std::max(range, particles_.radius[p] + farthest_or_known(p));
+    }
+    if (!find_colliders_near(places, range) || near_.count > 0) return false;
+    bool free = true;
+    each_near_model(*around_.scene, around(places, range, state_.origin), body_.settings.layers,
+                    [&](gphys_model_id) { free = false; });
+    if (!free) return false;
+    for (uint32_t i = 0; i < count; ++i) {
+        const uint32_t p = particles[i];
+        float* const search_ball = &search_balls_[4 * size_t{p}];
+        search_ball[3] = farthest_or_known(p);
+        float* const ball = &contacts_.balls[4 * size_t{p}];
+        put(ball, place_of(p));
+        ball[3] = search_ball[3] * search_ball[3];
+        const uint32_t place = contacts_.candidate_of[p];
+        if (place == ClothContacts::none) continue;
+        finish_contact(contacts_.candidates[place], body_, around_);
+        contacts_.candidates[place] = ClothContact{};
+        contacts_.candidates[place].particle = p;
+        contacts_.candidates[place].active_plane = -1;
+    }
+    return true;
 }
 
 /// A particle searches no farther than to its neighbours. That keeps the parts few, and a step seldom moves it farther.
 double ContactSearch::farthest(uint32_t p) const { return std::max(link_length_, particles_.radius[p]); }
+
+/// In a search that is repeated, as far as it searched before.
+float ContactSearch::farthest_or_known(uint32_t p) const {
+    return repeats_ ? search_balls_[4 * size_t{p} + 3] : static_cast<float>(farthest(p));
+}
 
 /// The number of particles from the first one on that are within a box of eight times the size of its search range.
 uint32_t ContactSearch::count_together(const uint32_t* particles, uint32_t count) const {

@@ -43,6 +43,8 @@ private:
     Vec3 place_of(uint32_t p) const { return get(&search_balls_[4 * size_t{p}]); }
     double clearance(uint32_t p, Vec3 at) const;
     double farthest(uint32_t p) const;
+    float farthest_or_known(uint32_t p) const;
+    bool set_free(const uint32_t* particles, uint32_t count);
     uint32_t count_together(const uint32_t* particles, uint32_t count) const;
     bool search_together(const uint32_t* particles, uint32_t count);
     void search_alone(uint32_t p);
