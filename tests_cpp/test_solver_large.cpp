@@ -81,6 +81,81 @@ Hash rain(uint32_t workers, const gphys_task_runner* runner = nullptr) {
     return hash;
 }
 
+/// 2500 balls of two bodies, whose contacts are in groups: they fall into a pit, or fly through each other's places
+/// without gravity. Returns the hash at the end.
+Hash balls(uint32_t workers, bool fall, const gphys_task_runner* runner = nullptr) {
+    gphys_solver_desc settings = World::desc();
+    settings.worker_count = workers;
+    settings.task_runner = runner;
+    if (!fall) settings.gravity = {0, 0, 0};
+    World world(settings);
+    constexpr float wide = 0.75f, radius = 0.05f;
+    if (fall) {
+        for (const gphys_plane& plane :
+             {gphys_plane{{0, 1, 0}, 0}, gphys_plane{{1, 0, 0}, -wide}, gphys_plane{{-1, 0, 0}, -wide},
+              gphys_plane{{0, 0, 1}, -wide}, gphys_plane{{0, 0, -1}, -wide}}) {
+            world.model(GPHYS_SHAPE_PLANE, &plane);
+        }
+    }
+    gphys_body_desc desc = World::body_desc();
+    desc.radius = radius;
+    desc.friction = 0.3f;
+    desc.self_collision = 1;
+    desc.body_layers = 1;
+    test::Random random(4);
+    std::vector<gphys_vec3> points[2];
+    for (uint32_t i = 0; i < 2500; ++i) {
+        const auto at = [&](uint32_t cell) {
+            return (static_cast<float>(cell) - 4.5f) * 0.14f + random.uniform_float(-0.01f, 0.01f);
+        };
+        const float x = at(i % 10), z = at(i / 10 % 10);
+        points[i % 5 < 3].push_back({x, 0.1f + 0.14f * static_cast<float>(i / 100), z});
+    }
+    const gphys_body_id bodies[2]{world.particles(points[0], desc), world.particles(points[1], desc)};
+    const auto momentum = [&] {
+        Vec3 sum;
+        for (int b = 0; b < 2; ++b) {
+            for (const gphys_vec3& v : world.velocities(bodies[b]))
+                sum += widen(v) * (desc.mass / static_cast<double>(points[b].size()));
+        }
+        return sum;
+    };
+    if (!fall) {
+        for (int b = 0; b < 2; ++b) {
+            std::vector<gphys_vec3> velocities;
+            for (const gphys_vec3& at : points[b]) {
+                velocities.push_back({-3 * at.x + random.uniform_float(-1, 1), 3 * (1.75f - at.y), -3 * at.z});
+            }
+            REQUIRE(gphys_solver_set_velocities(world.solver, bodies[b], 0, static_cast<uint32_t>(points[b].size()),
+                                                velocities.data(), sizeof velocities[0]) == GPHYS_OK);
+        }
+    }
+    const Vec3 before = momentum();
+    double nearest = 1;
+    uint32_t outside = 0;
+    for (int i = 0; i < 60; ++i) {
+        world.step(1.0f / 60);
+        if (i % 10 != 9) continue;
+        std::vector<gphys_vec3> all = world.positions(bodies[0]);
+        const std::vector<gphys_vec3> others = world.positions(bodies[1]);
+        all.insert(all.end(), others.begin(), others.end());
+        std::sort(all.begin(), all.end(), [](const gphys_vec3& a, const gphys_vec3& b) { return a.x < b.x; });
+        for (size_t a = 0; a < all.size(); ++a) {
+            for (size_t b = a + 1; b < all.size() && all[b].x - all[a].x < 2 * radius; ++b)
+                nearest = std::min(nearest, distance(widen(all[a]), widen(all[b])) / double{2 * radius});
+            if (fall) outside += all[a].y < 0 || std::max(std::fabs(all[a].x), std::fabs(all[a].z)) > wide;
+        }
+    }
+    test::figure(fall ? "nearest balls of a pile" : "nearest balls in the air", nearest, "diameters");
+    CHECK(nearest > 0.85);
+    CHECK(outside == 0);
+    // Rounding to float32 of 2500 velocities of at most 16 m/s, with masses that add up to 2 kg.
+    if (!fall) CHECK(length(momentum() - before) < 2 * 16 * 0x1p-24);
+    Hash hash{};
+    REQUIRE(gphys_solver_get_hash(world.solver, hash.data()) == GPHYS_OK);
+    return hash;
+}
+
 }  // namespace
 
 TEST_CASE("a large cloth has the same bits whoever shares its work") {
@@ -96,6 +171,14 @@ TEST_CASE("free particles of a large body have the same bits, and press as much,
     CHECK(rain(2) == alone);
     CHECK(rain(5) == alone);
     CHECK(rain(3, &backwards) == alone);
+}
+
+TEST_CASE("many balls have the same bits whoever shares the work on their contacts") {
+    const bool fall = GENERATE(true, false);
+    const Hash alone = balls(1, fall);
+    CHECK(balls(2, fall) == alone);
+    CHECK(balls(5, fall) == alone);
+    CHECK(balls(3, fall, &backwards) == alone);
 }
 
 TEST_CASE("a team does each task of each phase once, and one phase after the other") {

@@ -168,3 +168,19 @@ TEST_CASE("what the caller has put elsewhere meets what moves there") {
     world.step(frame);
     CHECK(world.position(body, 3).x > 100.1 + 0.01);
 }
+
+TEST_CASE("cloth is pushed by a ball that is far before it and behind it at the ends of a step") {
+    World world(8, {0, 0, 0});
+    const gphys_sphere ball{{0, 0, 0}, 0.15f};
+    gphys_transform place{{0, 0, -0.55f}, {0, 0, 0, 1}, 1};
+    const gphys_model_id model = world.model(GPHYS_SHAPE_SPHERE, &ball, &place);
+    const gphys_body_id sheet = world.cloth({-0.5f, -0.5f, 0}, {1, 0, 0}, {0, 1, 0}, 20, 20, World::body_desc());
+    world.step(1.0f / 60);
+    place.position.z = 0.25f;
+    REQUIRE(gphys_scene_set_transform(world.scene, model, &place) == GPHYS_OK);
+    world.step(1.0f / 60);
+    CHECK(world.stats(sheet).contact_count > 0);
+    for (const gphys_vec3& at : world.positions(sheet)) {
+        if (std::hypot(at.x, at.y) < 0.05f) CHECK(at.z > 0.25f);
+    }
+}

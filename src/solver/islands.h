@@ -3,6 +3,7 @@
 #pragma once
 
 #include "foundation/memory.h"
+#include "foundation/team.h"
 
 namespace gphys {
 
@@ -34,6 +35,9 @@ struct Island {
     uint32_t first_joined = 0, joined_count = 0;
     uint32_t first_system = 0, system_count = 0;
     uint32_t first_particle = 0, colliding_count = 0;  // those that collide with others
+    uint32_t first_group = 0;                          // of their pairs
+    bool shared = false;                               // whether all workers move it at once
+    Team* team = nullptr;                              // of these workers, during the step; shares the contacts
 
     /// The largest first, so that no worker begins a large one when the others are done.
     bool operator<(const Island& other) const {

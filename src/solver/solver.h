@@ -307,6 +307,7 @@ private:
     void reserve_flight_planes();
     bool is_worth_sharing(const ActiveBody& active, size_t particles) const;
     void move_shared(const ActiveBody& active, const Scene* scene, double dt);
+    void move_shared(Island& island, const Scene* scene, double dt);
     void begin_body_step(const ActiveBody& active, const Scene* scene, double dt);
     void end_body_step(Body& body, const Scene* scene, double dt, uint32_t substeps);
     uint32_t move_in_substeps(Body& body, uint32_t count, const CollisionContext& step);

@@ -18,11 +18,12 @@
 //
 // All but `move` runs on the caller's thread. Workers share the scene, the models that have moved and the settings,
 // which they only read. Each worker has a RopeScratch and FlightPlanes of its own. Several workers write to one body in
-// two cases only:
+// these cases only:
 //
 //   A large body of free particles is divided (move_part). The parts are disjoint ranges of its particles, with
 //   impulses of their own, which end_body_step adds in order. All workers move a large cloth as one team (move_shared),
-//   with a barrier between colours (foundation/team.h).
+//   with a barrier between colours (foundation/team.h). So they do with the contacts between particles of a large
+//   island.
 //
 // Bodies that may influence each other are an island, and one task moves all of them, substep by substep (islands.cpp,
 // joints/joined_motion.cpp). Most bodies are alone. A body alone moves like this:
@@ -153,12 +154,7 @@ RopeStepper Solver::begin_rope_step(const ActiveBody& active, RopeContacts& cont
     const CollisionContext whole{scene, &moved_models_, dt, 0, 1};
     const bool has_contacts = active.near_models() || !body.targets.empty();
     if (has_contacts) contacts.begin_step(body, whole, active.near_models(), active.models_move, scratch.parts);
-    return {body,
-            has_contacts ? &contacts : nullptr,
-            whole,
-            gravity,
-            active.substeps,
-            dt / active.substeps};
+    return {body, has_contacts ? &contacts : nullptr, whole, gravity, active.substeps, dt / active.substeps};
 }
 
 void Solver::end_rope_step(const RopeStepper& rope, const Scene* scene, double dt) {
@@ -254,6 +250,13 @@ void Solver::move_shared(const ActiveBody& active, const Scene* scene, double dt
     cloth.shares.team = nullptr;
 }
 
+void Solver::move_shared(Island& island, const Scene* scene, double dt) {
+    Team team;
+    island.team = &team;
+    workers_.run(workers_.count(), [&](uint32_t) { team.join([&] { move_island(island, scene, dt); }); });
+    island.team = nullptr;
+}
+
 void Solver::update_meshes(Vec3 shift) noexcept {
     meshes_.follow_all([&](gphys_body_id id) { return state_.ids.has(id) ? &body(id) : nullptr; }, shift);
 }
@@ -276,12 +279,15 @@ void Solver::simulate(const Scene* scene, double dt, bool first) {
     for (const Task& task : tasks_) {
         if (task.shared) move_shared(active_[task.first], scene, dt);
     }
+    for (Island& island : islands_) {
+        if (island.shared) move_shared(island, scene, dt);
+    }
     // Each worker keeps its work space from task to task.
     std::atomic<size_t> next{0};
     workers_.run(workers_.count(), [&](uint32_t worker) {
         for (size_t i; (i = next.fetch_add(1, std::memory_order_relaxed)) < islands_.size() + tasks_.size();) {
             if (i < islands_.size()) {
-                move_island(islands_[i], scene, dt);
+                if (!islands_[i].shared) move_island(islands_[i], scene, dt);
                 continue;
             }
             const Task& task = tasks_[i - islands_.size()];

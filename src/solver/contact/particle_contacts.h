@@ -7,13 +7,21 @@
 // Gauss-Seidel sweeps over the contacts correct positions, with friction. The velocities follow from the positions;
 // further sweeps apply restitution to them.
 //
+// The pairs of a large island are in groups, by the cell of a coarse grid that one of their particles is in. A cell has
+// one of eight colours, by the parity of its coordinates, and two cells of one colour are so far apart that no particle
+// is in pairs of both (graph colouring of a grid). So the groups of a colour are solved side by side by a team. Groups
+// depend on positions only, and results do not depend on the number of workers.
+//
 // Where many pairs overlap deeply, such as particles at one point, each particle takes a bounded number of pairs, and
 // the correction changes positions only. So a pile spreads at low speed.
 //
 // The arrays are enlarged before the step, never during it. Each island has its own ranges of them.
 #pragma once
 
+#include <numeric>
+
 #include "foundation/math.h"
+#include "foundation/team.h"
 #include "solver/body.h"
 #include "solver/contact/body_contacts.h"
 #include "solver/islands.h"
@@ -30,9 +38,9 @@ public:
           contacts_(memory),
           buckets_(memory),
           sorted_(memory),
-          pair_counts_(memory),
-          contact_counts_(memory),
           keys_(memory),
+          order_(memory),
+          groups_(memory),
           listed_(memory) {}
 
     /// Call before a step, for all islands. Sets their ranges. Throws std::bad_alloc.
@@ -40,6 +48,9 @@ public:
     /// Call when nothing can fail any more, and after the step.
     void begin_step(const IdTable& ids, const Vector<Body>& bodies, const Vector<Island>& islands) noexcept;
     void end_step(const Vector<Island>& islands) { listed_.end_step(islands); }
+
+    /// Whether a team can share the work on the contacts of so many particles.
+    static bool has_groups(uint32_t particles) { return group_count(particles) > 1; }
 
     /// Contacts between different bodies in the last step.
     const BodyContacts& listed() const { return listed_; }
@@ -58,17 +69,25 @@ public:
                                const CollisionContext& around, Vec3 gravity, double h);
 
 private:
-    struct Particle {
+    /// The first cache line is what most corrections of positions need, the second what the others need.
+    struct alignas(64) Particle {
+        Vec3 at, before;  // before: at the beginning of the substep
+        double inverse_mass;
+        const ContactPoint* blocking;  // contact_points_per_particle of this step, or null if it touches no model
+        Vec3 velocity, uncorrected, uncorrected_velocity;  // uncorrected: at the end of the substep, without contacts
+        double radius, margin;
+        Vec3 list_position;  // position at which the list was made
         uint32_t body, number;
         gphys_body_id id;
-        double radius, inverse_mass, margin;
-        Vec3 list_position;        // position at which the list was made
-        Vec3 before, uncorrected;  // at the beginning of the substep, and at its end without contacts
-        Vec3 at, velocity;
-        Vec3 uncorrected_velocity;
-        const ContactPoint* contact_points;  // contact_points_per_particle of this step, or null
 
         double reach() const { return radius + margin; }
+    };
+    /// A particle in the order of the cells of the grid.
+    struct Near {
+        Vec3 at;
+        double reach;
+        uint64_t key;  // of its cell
+        uint32_t particle;
     };
     struct Pair {
         uint32_t a, b;
@@ -76,7 +95,9 @@ private:
     };
     struct Contact {
         uint32_t a, b;
-        Vec3 normal;  // unit, from a to b
+        Vec3 normal;                  // unit, from a to b
+        double radii;                 // their sum
+        double part_of_a, part_of_b;  // of a correction, by their inverse masses
         double friction;
         double target_speed;           // m/s: separating speed by restitution
         double separation;             // metres: accumulated correction along the normal in this substep
@@ -85,27 +106,61 @@ private:
         double normal_change;          // m/s: accumulated change of the relative velocity along the normal
         double friction_change;        // m/s: the same along the tangent
     };
+    /// Items of a group, in the array of the island.
+    struct Items {
+        uint32_t begin, count;
+    };
+    /// Pairs that are found by some particles, and their contacts.
+    struct Group {
+        uint32_t first, size;  // of the particles, in `order`
+        Items pairs, contacts;
+        uint32_t deep;  // pairs, or contacts, that overlap deeply
+    };
     /// The ranges of an island in the arrays.
     struct Range {
         Particle* particles;
         uint32_t count;
         Pair* pairs;
-        uint32_t most_pairs;
-        uint32_t *pair_count, *contact_count;
         Contact* contacts;
-        uint32_t most_contacts;
         uint32_t* buckets;  // table_size + 1
         uint32_t table_size;
-        uint32_t* sorted;
+        Near* sorted;
         uint64_t* keys;
+        uint32_t* order;  // of the particles, by group
+        Group* groups;
+        uint32_t group_count;  // colour by colour, as many of each
+        Team* team;            // of all workers, or null
         IslandContacts listed;
+
+        uint32_t most_pairs() const { return count * pairs_per_particle; }
+        uint32_t most_contacts() const { return count * contacts_per_particle; }
     };
     struct Found {
         bool any, deep;  // whether there are contacts; whether many pairs overlap deeply
     };
+    class PairSearch;
+
+    // Capacity of the list and of the contacts, for each particle. In the densest packing of equal spheres each touches
+    // 12 others and has 18 within 1.4 diameters; a pair counts once. Contacts beyond the capacity are dropped, those of
+    // the highest indices in their group first.
+    static constexpr uint32_t pairs_per_particle = 12;
+    static constexpr uint32_t contacts_per_particle = 6;
+    // Groups of an island of at least `least_grouped` particles. In a smaller one, synchronisation takes most of the
+    // gain.
+    static constexpr uint32_t colours = 8, groups_per_colour = 64, least_grouped = 2048;
+
+    static uint32_t group_count(uint32_t particles) {
+        return particles < least_grouped ? 1 : colours * groups_per_colour;
+    }
     Range range(const Island& island);
     template <class Visit>
     void each_body(const Island& island, Vector<Body>& bodies, const uint32_t* slots, Visit&& visit);
+    template <class Visit>
+    static void share_particles(const Range& range, Visit&& visit);
+    template <class Emit>
+    static bool fill_groups(const Range& range, Items Group::*items, uint32_t per_particle, Emit&& emit);
+    template <class Solve>
+    static void sweep(const Range& range, Solve&& solve);
     void gather(const Range& range, const Vector<Body>& bodies) const;
     bool list_is_valid(const Range& range) const;
     void find_pairs(const Range& range, const Vector<Body>& bodies) const;
@@ -116,10 +171,54 @@ private:
     Vector<Particle> particles_;
     Vector<Pair> pairs_;
     Vector<Contact> contacts_;
-    Vector<uint32_t> buckets_, sorted_, pair_counts_, contact_counts_;
+    Vector<uint32_t> buckets_;
+    Vector<Near> sorted_;
     Vector<uint64_t> keys_;
+    Vector<uint32_t> order_;
+    Vector<Group> groups_;
     BodyContacts listed_;
 };
+
+/// Calls visit(first, end) for ranges of particles, on all members of the team.
+template <class Visit>
+void ParticleContacts::share_particles(const Range& range, Visit&& visit) {
+    constexpr uint32_t together = 512;
+    share(range.team, (range.count + together - 1) / together,
+          [&](uint32_t i, uint32_t) { visit(i * together, std::min(range.count, (i + 1) * together)); });
+}
+
+/// Fills the items of all groups. emit(group, first item, room for items) returns how many there are, of which it has
+/// written as many as there is room for. Returns whether there was room for all.
+template <class Emit>
+bool ParticleContacts::fill_groups(const Range& range, Items Group::*items, uint32_t per_particle, Emit&& emit) {
+    const auto room = [&](const Group& group) { return per_particle * group.size; };
+    share(range.team, range.group_count, [&](uint32_t i, uint32_t) {
+        Group& group = range.groups[i];
+        const uint32_t begin = per_particle * group.first;
+        group.*items = {begin, group.size == 0 ? 0 : emit(group, begin, room(group))};
+    });
+    Group *const first = range.groups, *const end = first + range.group_count;
+    if (std::all_of(first, end, [&](const Group& group) { return (group.*items).count <= room(group); })) return true;
+    const uint64_t all = std::accumulate(first, end, uint64_t{0},
+                                         [&](uint64_t sum, const Group& group) { return sum + (group.*items).count; });
+    if (all > uint64_t{per_particle} * range.count) {
+        for (Group* group = first; group != end; ++group)
+            (group->*items).count = std::min((group->*items).count, room(*group));
+        return false;
+    }
+    // Groups with many get the room of those with few.
+    uint32_t next = 0;
+    for (Group* group = first; group != end; ++group) {
+        (group->*items).begin = next;
+        next += (group->*items).count;
+    }
+    share(range.team, range.group_count, [&](uint32_t i, uint32_t) {
+        Group& group = range.groups[i];
+        const Items kept = group.*items;
+        if (group.size > 0) emit(group, kept.begin, kept.count);
+    });
+    return true;
+}
 
 /// Finds which particles of a body are linked directly, and where they are at rest; for bodies that collide with
 /// themselves. Throws std::bad_alloc.
