@@ -36,6 +36,7 @@ OTHERS = {
     "ray_at_moved_skin": "random rays at it after 1000 changes",
     "build_cloth": "building a waving sheet, per triangle", "refit_cloth": "giving it new vertices, per triangle",
     "ray_at_moved_cloth": "random rays at it after 1000 changes",
+    "ray_at_simulated_cloth": "random rays at simulated cloth", "single_at_simulated_cloth": "the same, one call each",
     "overlap_sphere": "which boxes a sphere overlaps", "overlap_box": "which boxes a box overlaps",
     "nearest_box": "the nearest box to a point", "nearest_point": "the nearest point to a point", "segment": "a segment at boxes",
     "sweep_sphere": "a sphere swept at boxes", "sweep_capsule": "a capsule swept at boxes", "sweep_box": "a box swept at boxes",

@@ -32,6 +32,7 @@ ORDINARY = [
     ("A ray at spheres", [("sphere_ray_random", "batch")]),
     ("A ray at copies of a mesh", [("instance_ray_random", "batch")]),
     ("A random ray at a mesh", [("mesh_ray_random", "batch"), ("mesh_single_random", "")]),
+    ("A ray of a camera at a mesh", [("mesh_ray_rows", "batch"), ("mesh_single_rows", "")]),
     ("The nearest box to a point", [("nearest_box", "batch")]),
     ("A segment at boxes", [("segment", "batch")]),
 ]
@@ -252,7 +253,7 @@ PAGE = """# Report: speed against error
 {machine}
 Measured in: {minutes:.0f} minutes; load average of other programs up to {load:.1f}{busy}
 
-Written by `./bench.sh --report{quick}`: all numbers and figures on this page are from one run, in which the libraries did the same work, interleaved. Run it on your machine to replace the page.
+Written by `./bench.sh --report{quick}`: in each part of the run the libraries did the same work, interleaved. Run it on your machine to replace the page.
 
 ## How to read the figures
 

@@ -3,6 +3,7 @@
 
 #include "foundation/team.h"
 #include "foundation/workers.h"
+#include "solver/cloth/cloth_shares.h"
 #include "solver_world.h"
 
 using namespace gphys;
@@ -133,7 +134,7 @@ Hash balls(uint32_t workers, bool fall, const gphys_task_runner* runner = nullpt
     const Vec3 before = momentum();
     double nearest = 1;
     uint32_t outside = 0;
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < 40; ++i) {
         world.step(1.0f / 60);
         if (i % 10 != 9) continue;
         std::vector<gphys_vec3> all = world.positions(bodies[0]);
@@ -159,7 +160,7 @@ Hash balls(uint32_t workers, bool fall, const gphys_task_runner* runner = nullpt
 }  // namespace
 
 TEST_CASE("a large cloth has the same bits whoever shares its work") {
-    constexpr uint32_t n = 85;  // 42 500 links, of which 40 000 are enough to be shared
+    constexpr uint32_t n = 85;  // 42 500 links, of which 20 000 are enough to be shared
     const Hash alone = drape(1, n);
     CHECK(drape(2, n) == alone);
     CHECK(drape(5, n) == alone);
@@ -179,6 +180,26 @@ TEST_CASE("many balls have the same bits whoever shares the work on their contac
     CHECK(balls(2, fall) == alone);
     CHECK(balls(5, fall) == alone);
     CHECK(balls(3, fall, &backwards) == alone);
+}
+
+TEST_CASE("cloth is shared while that takes less time") {
+    SharingTrial trial;
+    uint32_t shared_steps = 0;
+    const auto run = [&](uint32_t steps, double alone, double shared) {
+        shared_steps = 0;
+        for (uint32_t i = 0; i < steps; ++i) {
+            const bool is_shared = trial.is_shared();
+            shared_steps += is_shared;
+            trial.add(is_shared, is_shared ? shared : alone);
+        }
+    };
+    run(1, 1e-3, 1);  // the first step counts for nothing
+    run(200, 1e-3, 0.6e-3);
+    CHECK(shared_steps == 198);
+    run(200, 1e-3, 1.2e-3);
+    CHECK(shared_steps < 10);
+    run(200, 3e-3, 1.2e-3);
+    CHECK(shared_steps > 190);
 }
 
 TEST_CASE("a team does each task of each phase once, and one phase after the other") {

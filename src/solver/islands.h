@@ -3,9 +3,10 @@
 #pragma once
 
 #include "foundation/memory.h"
-#include "foundation/team.h"
 
 namespace gphys {
+
+class Team;
 
 /// Union-find with path halving; the root of a set is its lowest member.
 class DisjointSets {

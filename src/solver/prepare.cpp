@@ -338,11 +338,10 @@ void Solver::find_disturbed(const Scene& scene) {
     }
 }
 
-/// Whether all workers should move a cloth together: if it has more than a worker's share of all particles. With fewer
-/// links, synchronisation between colours takes most of the gain. Two workers took 0.64 of the time of one for 59 000
-/// links, and 0.75 for 21 000; on cores with a latency of 200 ns instead of 50, 1.2 for 59 000.
+/// Whether all workers could move a cloth together in less time than one: if it has more than a worker's share of all
+/// particles, and so many links that synchronisation between colours does not take most of the gain.
 bool Solver::is_worth_sharing(const ActiveBody& active, size_t particles) const {
-    constexpr size_t least_links = 40000;
+    constexpr size_t least_links = 20000;
     const Plan& plan = state_.bodies[active.slot].plan;
     return plan.method == GPHYS_SOLVE_GRAPH && plan.rest.size() >= least_links &&
            size_t{active.size} * workers_.count() > particles;
@@ -390,11 +389,10 @@ void Solver::make_tasks() {
             while (next < active_.size() && next - i < in_group && joins(active_[next])) ++next;
             if (next - i > 1) in_contact_lanes = std::max<size_t>(in_contact_lanes, first.size);
         }
-        const bool shared = workers_.count() > 1 && is_worth_sharing(first, particles);
-        if (shared) {
-            ClothBatches& batches = state_.bodies[first.slot].cloth.batches;
-            batches.rows.resize(size_t{cloth_row_floats} * batches.longest * workers_.count());
-        }
+        Cloth& cloth = state_.bodies[first.slot].cloth;
+        cloth.shares.on_trial = workers_.count() > 1 && is_worth_sharing(first, particles);
+        const bool shared = cloth.shares.on_trial && cloth.shares.trial.is_shared();
+        if (shared) cloth.batches.rows.resize(size_t{cloth_row_floats} * cloth.batches.longest * workers_.count());
         const uint32_t parts = static_cast<uint32_t>(state_.bodies[first.slot].contacts.parts.size());
         for (uint32_t part = 0; part < parts; ++part) tasks_.push_back({i, 1, false, part});
         if (parts == 0) tasks_.push_back({i, next - i, shared, 0});

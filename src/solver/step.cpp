@@ -22,8 +22,8 @@
 //
 //   A large body of free particles is divided (move_part). The parts are disjoint ranges of its particles, with
 //   impulses of their own, which end_body_step adds in order. All workers move a large cloth as one team (move_shared),
-//   with a barrier between colours (foundation/team.h). So they do with the contacts between particles of a large
-//   island.
+//   with a barrier between colours (foundation/team.h), if that is faster (SharingTrial). So they do with the contacts
+//   between particles of a large island.
 //
 // Bodies that may influence each other are an island, and one task moves all of them, substep by substep (islands.cpp,
 // joints/joined_motion.cpp). Most bodies are alone. A body alone moves like this:
@@ -33,6 +33,8 @@
 //                solve again with contacts                                   rope_substep.cpp
 //                the same of chains that branch                              joined_motion.cpp
 //   graph        predict, chain colours, reach limits, velocities, collide  cloth.cpp
+#include <chrono>
+
 #include "solver/contact/collision.h"
 #include "solver/motion.h"
 #include "solver/particles/free_flight.h"
@@ -195,11 +197,18 @@ void Solver::move_body(const ActiveBody& active, uint32_t worker, const Scene* s
             fly_through(body, 0, body.particles.size(), {body.contacts.impulses, body.contacts.has_contact}, whole,
                         gravity, substeps, flight_planes(worker, scene));
     } else {
+        ClothShares& shares = body.cloth.shares;
+        std::chrono::steady_clock::time_point begin;
+        if (shares.on_trial) begin = std::chrono::steady_clock::now();
         begin_contact_points(body);
         begin_cloth(body, beginning, gravity);
         substeps = move_in_substeps(body, substeps, whole);
         end_cloth(body, whole);
         end_contact_points(body);
+        if (shares.on_trial) {
+            const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+            shares.trial.add(shares.team != nullptr, taken.count() / substeps);
+        }
     }
     end_body_step(body, scene, dt, substeps);
 }

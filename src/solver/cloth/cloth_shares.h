@@ -30,11 +30,37 @@ struct ClothTravel {
     void add(double square) { sum += square, longest = std::max(longest, square); }
 };
 
+/// Whether workers take less time together than one of them alone: what they have to transfer between their caches
+/// takes 50 ns on some machines and 300 on others, and on virtual ones that changes from minute to minute. So both are
+/// measured, the one that was slower again after some steps. The choice changes no result.
+class SharingTrial {
+public:
+    /// What the next step shall do.
+    bool is_shared() const {
+        if (of_substep_[1] == 0 || of_substep_[0] == 0) return of_substep_[1] == 0;
+        return (of_substep_[1] <= of_substep_[0]) != (steps_ % steps_between_trials == 0);
+    }
+    /// What a substep took, in seconds. The first step is not counted, because it touches new memory.
+    void add(bool shared, double seconds) {
+        if (steps_++ == 0) return;
+        double& mean = of_substep_[shared ? 1 : 0];
+        mean = mean == 0 ? seconds : mean + (seconds - mean) / 4;
+    }
+
+private:
+    static constexpr uint32_t steps_between_trials = 128;
+
+    double of_substep_[2] = {0, 0};  // alone, and shared; 0: not known
+    uint32_t steps_ = 0;
+};
+
 struct ClothShares {
     explicit ClothShares(std::pmr::memory_resource* memory)
         : block_sums(memory), batch_sums(memory), extents(memory), travels(memory) {}
 
     Team* team = nullptr;         // shares the work of the step under way; null: nobody
+    bool on_trial = false;        // whether a team could share it
+    SharingTrial trial;           // then
     Vector<double> block_sums;    // of energy, by block of particles
     Vector<double> batch_sums;    // of energy, by batch of chains
     Vector<ClothExtent> extents;  // by share of particles

@@ -133,7 +133,6 @@ private:
         IslandContacts listed;
 
         uint32_t most_pairs() const { return count * pairs_per_particle; }
-        uint32_t most_contacts() const { return count * contacts_per_particle; }
     };
     struct Found {
         bool any, deep;  // whether there are contacts; whether many pairs overlap deeply

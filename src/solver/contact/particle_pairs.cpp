@@ -29,9 +29,12 @@ bool collide_within(const Body& body, uint32_t a, uint32_t b) {
            !linked(body, a, b);
 }
 
-/// Different cells may share a key, which costs time but changes no result.
 struct Grid {
     double size;
+    // If there are few cells in the box around all particles, they are numbered: the numbers of a row along z follow
+    // each other. Else cells are hashed, and different ones may share a key, which costs time but changes no result.
+    bool numbered = false;
+    int64_t first[3] = {}, last[3] = {};  // of the numbered cells
 
     // Beyond this, and for NaN, all are in one cell, because the cast would trap.
     static constexpr double most = 1e15;
@@ -39,7 +42,27 @@ struct Grid {
         const double cell = std::floor(x / size);
         return static_cast<int64_t>(cell > -most ? std::min(cell, most) : -most);
     }
-    uint64_t key(Vec3 at) const { return mixed(mixed(mixed(0, along(at.x)), along(at.y)), along(at.z)); }
+    void number(const Aabb& box, double most_cells) {
+        double cells = 1;
+        for (int k = 0; k < 3; ++k) {
+            first[k] = along(box.min[k]);
+            last[k] = along(box.max[k]);
+            cells *= static_cast<double>(last[k] - first[k] + 1);
+        }
+        numbered = cells <= most_cells;
+    }
+    uint64_t count(int k) const { return static_cast<uint64_t>(last[k] - first[k] + 1); }
+    uint64_t next_key(uint64_t key, int64_t cell, int k) const {
+        return numbered ? key * count(k) + static_cast<uint64_t>(cell - first[k]) : mixed(key, cell);
+    }
+    uint64_t key(Vec3 at) const {
+        uint64_t key = 0;
+        for (int k = 0; k < 3; ++k) {
+            const int64_t cell = along(at[k]);
+            key = next_key(key, numbered ? std::clamp(cell, first[k], last[k]) : cell, k);  // for NaN
+        }
+        return key;
+    }
 };
 
 }  // namespace
@@ -69,8 +92,15 @@ private:
     void use_one_group();
     bool fill();
     void fill_crowded();
+    bool cells_around(const Particle& p, int64_t (&low)[3], int64_t (&high)[3]) const;
     template <class Visit>
     bool each_cell(const Particle& p, Visit&& visit) const;
+    template <class Visit>
+    bool each_row(const Particle& p, Visit&& visit) const;
+    uint32_t begin_of(uint64_t bucket) const { return range_.buckets[bucket + 1]; }
+    uint32_t end_of(uint64_t bucket) const {
+        return bucket + 1 < range_.table_size ? range_.buckets[bucket + 2] : range_.count;
+    }
     bool finds(uint32_t i, const Particle& p, const Near& q) const;
 
     Near near(uint32_t i) const { return {range_.particles[i].at, range_.particles[i].reach(), 0, i}; }
@@ -88,8 +118,8 @@ private:
     bool grouped_ = false;
 };
 
-/// Sorts the particles by the hash of their cell (counting sort). Cells are as wide as two particles of average reach,
-/// so that such a particle visits 27 cells.
+/// Sorts the particles by the number or the hash of their cell (counting sort). Cells are as wide as two particles of
+/// average reach, so that such a particle visits 27 cells.
 void ParticleContacts::PairSearch::sort_by_cell() {
     share_particles(range_, [&](uint32_t first, uint32_t end) {
         for (uint32_t i = first; i < end; ++i) range_.keys[i] = grid_.key(range_.particles[i].at);
@@ -168,30 +198,53 @@ void ParticleContacts::PairSearch::sort_by_group() {
     grouped_ = true;
 }
 
-/// Calls visit(key, first, end) for the ranges of `sorted` that a particle has to test. Returns false if these are more
-/// than all particles.
-template <class Visit>
-bool ParticleContacts::PairSearch::each_cell(const Particle& p, Visit&& visit) const {
+/// The cells that a particle has to search. Returns false if these are more than all particles.
+bool ParticleContacts::PairSearch::cells_around(const Particle& p, int64_t (&low)[3], int64_t (&high)[3]) const {
     const double reach = 2 * p.reach();
-    int64_t low[3], high[3];
     double cells = 1;
     for (int k = 0; k < 3; ++k) {
         low[k] = grid_.along(p.at[k] - reach);
         high[k] = grid_.along(p.at[k] + reach);
         cells *= static_cast<double>(high[k] - low[k] + 1);
+        if (!grid_.numbered) continue;
+        low[k] = std::max(low[k], grid_.first[k]);
+        high[k] = std::min(high[k], grid_.last[k]);
     }
-    if (cells > range_.count) return false;
+    return cells <= range_.count;
+}
+
+/// Calls visit(key, first, end) for the ranges of `sorted` that a particle has to search for those of a key. Returns
+/// false if these are more than all particles.
+template <class Visit>
+bool ParticleContacts::PairSearch::each_cell(const Particle& p, Visit&& visit) const {
+    int64_t low[3], high[3];
+    if (!cells_around(p, low, high)) return false;
     const uint64_t mask = range_.table_size - 1;
     for (int64_t x = low[0]; x <= high[0]; ++x) {
-        const uint64_t key_x = mixed(0, x);
+        const uint64_t key_x = grid_.next_key(0, x, 0);
         for (int64_t y = low[1]; y <= high[1]; ++y) {
-            const uint64_t key_xy = mixed(key_x, y);
+            const uint64_t key_xy = grid_.next_key(key_x, y, 1);
             for (int64_t z = low[2]; z <= high[2]; ++z) {
-                const uint64_t key = mixed(key_xy, z), bucket = key & mask;
-                const uint32_t first = range_.buckets[bucket + 1],
-                               end = bucket < mask ? range_.buckets[bucket + 2] : range_.count;
+                const uint64_t key = grid_.next_key(key_xy, z, 2), bucket = key & mask;
+                const uint32_t first = begin_of(bucket), end = end_of(bucket);
                 if (first < end) visit(key, first, end);
             }
+        }
+    }
+    return true;
+}
+
+/// The same by rows of numbered cells: visit(first, end).
+template <class Visit>
+bool ParticleContacts::PairSearch::each_row(const Particle& p, Visit&& visit) const {
+    int64_t low[3], high[3];
+    if (!cells_around(p, low, high)) return false;
+    if (low[2] > high[2]) return true;  // for NaN
+    for (int64_t x = low[0]; x <= high[0]; ++x) {
+        const uint64_t key_x = grid_.next_key(0, x, 0);
+        for (int64_t y = low[1]; y <= high[1]; ++y) {
+            const uint64_t key_xy = grid_.next_key(key_x, y, 1);
+            visit(begin_of(grid_.next_key(key_xy, low[2], 2)), end_of(grid_.next_key(key_xy, high[2], 2)));
         }
     }
     return true;
@@ -228,11 +281,15 @@ bool ParticleContacts::PairSearch::fill() {
                 if (is_deep(i, q.particle)) ++group.deep;
                 range_.pairs[begin + found - 1] = {std::min(i, q.particle), std::max(i, q.particle)};
             };
-            const bool few = each_cell(p, [&](uint64_t key, uint32_t first, uint32_t end) {
+            const auto test_all = [&](uint32_t first, uint32_t end) {
+                for (; first < end && fits(); ++first) test(range_.sorted[first]);
+            };
+            const auto test_of_key = [&](uint64_t key, uint32_t first, uint32_t end) {
                 for (; first < end && fits(); ++first) {
                     if (range_.sorted[first].key == key) test(range_.sorted[first]);
                 }
-            });
+            };
+            const bool few = grid_.numbered ? each_row(p, test_all) : each_cell(p, test_of_key);
             for (uint32_t j = 0; j < range_.count && !few && fits(); ++j) test(near(j));
             const uint32_t more = found - before;
             if (all.fetch_add(more, std::memory_order_relaxed) + more > 2 * range_.most_pairs() || !fits()) break;
@@ -292,7 +349,8 @@ void ParticleContacts::PairSearch::run() {
         std::fill(range_.groups, range_.groups + range_.group_count, Group{});
         return;
     }
-    grid_ = {2 * sum / range_.count};
+    grid_.size = 2 * sum / range_.count;
+    grid_.number(box_, range_.table_size);
     sort_by_cell();
     if (range_.group_count > 1) {
         sort_by_group();
