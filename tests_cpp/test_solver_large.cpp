@@ -182,24 +182,22 @@ TEST_CASE("many balls have the same bits whoever shares the work on their contac
     CHECK(balls(3, fall, &backwards) == alone);
 }
 
-TEST_CASE("cloth is shared while that takes less time") {
+TEST_CASE("work is shared while that takes less time, also while it grows") {
     SharingTrial trial;
-    uint32_t shared_steps = 0;
-    const auto run = [&](uint32_t steps, double alone, double shared) {
-        shared_steps = 0;
-        for (uint32_t i = 0; i < steps; ++i) {
+    double alone = 1e-3;
+    const auto shared_steps_of = [&](uint32_t steps, double part, double growth) {
+        uint32_t shared_steps = 0;
+        for (uint32_t i = 0; i < steps; ++i, alone *= growth) {
             const bool is_shared = trial.is_shared();
             shared_steps += is_shared;
-            trial.add(is_shared, is_shared ? shared : alone);
+            trial.add(is_shared, is_shared ? part * alone : alone);
         }
+        return shared_steps;
     };
-    run(1, 1e-3, 1);  // the first step counts for nothing
-    run(200, 1e-3, 0.6e-3);
-    CHECK(shared_steps == 198);
-    run(200, 1e-3, 1.2e-3);
-    CHECK(shared_steps < 10);
-    run(200, 3e-3, 1.2e-3);
-    CHECK(shared_steps > 190);
+    CHECK(shared_steps_of(1, 1000, 1) == 1);  // the first step counts for nothing
+    CHECK(shared_steps_of(640, 0.6, 1) == 620);
+    CHECK(shared_steps_of(640, 1.3, 1.01) == 20);
+    CHECK(shared_steps_of(640, 0.8, 1 / 1.01) == 620);
 }
 
 TEST_CASE("a team does each task of each phase once, and one phase after the other") {

@@ -1,6 +1,8 @@
 // Islands: which bodies may influence each other (union-find), and how they are moved together, substep by substep.
 #include "solver/islands.h"
 
+#include <chrono>
+
 #include "solver/contact/collision.h"
 #include "solver/contact/impulses.h"
 #include "solver/joints/joined_motion.h"
@@ -179,6 +181,8 @@ void Solver::move_island(const Island& island, const Scene* scene, double dt) {
     const Vec3 gravity = state_.settings.gravity;
     const CollisionContext whole{scene, &moved_models_, dt, 0, 1}, beginning{scene, &moved_models_, dt, 0, 0};
     uint32_t substeps = 1;
+    std::chrono::steady_clock::time_point start;
+    if (island.on_trial) start = std::chrono::steady_clock::now();
     each_body([&](Body& body) {
         clear_contact_points(body);
         body.contacts.impulses.clear();
@@ -203,6 +207,10 @@ void Solver::move_island(const Island& island, const Scene* scene, double dt) {
     }
     if (island.colliding_count > 0)
         particle_contacts_.solve_final_positions(island, state_.bodies, slots, whole, gravity, dt / substeps);
+    if (island.on_trial) {
+        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+        sharing_trial(island).add(island.team != nullptr, taken.count() / substeps);
+    }
     bool at_rest = state_.settings.sleep_speed > 0;
     each_body([&](Body& body) {
         if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body, whole);

@@ -37,7 +37,8 @@ struct Island {
     uint32_t first_system = 0, system_count = 0;
     uint32_t first_particle = 0, colliding_count = 0;  // those that collide with others
     uint32_t first_group = 0;                          // of their pairs
-    bool shared = false;                               // whether all workers move it at once
+    bool on_trial = false;                             // whether all workers could move it at once
+    bool shared = false;                               // whether they do (SharingTrial)
     Team* team = nullptr;                              // of these workers, during the step; shares the contacts
 
     /// The largest first, so that no worker begins a large one when the others are done.

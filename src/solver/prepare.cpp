@@ -375,8 +375,9 @@ void Solver::make_tasks() {
         moved_models = std::max<size_t>(moved_models, active.moved_model_count);
     }
     for (Island& island : islands_) {
-        island.shared = workers_.count() > 1 && ParticleContacts::has_groups(island.colliding_count) &&
-                        size_t{island.size} * workers_.count() > particles;
+        island.on_trial = workers_.count() > 1 && ParticleContacts::has_groups(island.colliding_count) &&
+                          size_t{island.size} * workers_.count() > particles;
+        island.shared = island.on_trial && sharing_trial(island).is_shared();
     }
     for (uint32_t i = 0, next; i < active_.size(); i = next) {
         const ActiveBody& first = active_[i];

@@ -308,6 +308,9 @@ private:
     bool is_worth_sharing(const ActiveBody& active, size_t particles) const;
     void move_shared(const ActiveBody& active, const Scene* scene, double dt);
     void move_shared(Island& island, const Scene* scene, double dt);
+    SharingTrial& sharing_trial(const Island& island) {
+        return state_.bodies[island_bodies_[island.first_body]].cloth.shares.trial;
+    }
     void begin_body_step(const ActiveBody& active, const Scene* scene, double dt);
     void end_body_step(Body& body, const Scene* scene, double dt, uint32_t substeps);
     uint32_t move_in_substeps(Body& body, uint32_t count, const CollisionContext& step);

@@ -32,26 +32,28 @@ struct ClothTravel {
 
 /// Whether workers take less time together than one of them alone: what they have to transfer between their caches
 /// takes 50 ns on some machines and 300 on others, and on virtual ones that changes from minute to minute. So both are
-/// measured, the one that was slower again after some steps. The choice changes no result.
+/// measured from time to time, by turns, because what a step takes changes as well. The choice changes no result.
 class SharingTrial {
 public:
     /// What the next step shall do.
-    bool is_shared() const {
-        if (of_substep_[1] == 0 || of_substep_[0] == 0) return of_substep_[1] == 0;
-        return (of_substep_[1] <= of_substep_[0]) != (steps_ % steps_between_trials == 0);
-    }
-    /// What a substep took, in seconds. The first step is not counted, because it touches new memory.
+    bool is_shared() const { return place() < steps_of_trial ? place() % 2 == 0 : pays_; }
+    /// What a substep took, in seconds.
     void add(bool shared, double seconds) {
-        if (steps_++ == 0) return;
-        double& mean = of_substep_[shared ? 1 : 0];
-        mean = mean == 0 ? seconds : mean + (seconds - mean) / 4;
+        if (place() < steps_of_trial) taken_[shared ? 1 : 0] += seconds;
+        if (++steps_ % period == steps_of_trial) {
+            pays_ = taken_[1] <= taken_[0];
+            taken_[0] = taken_[1] = 0;
+        }
     }
 
 private:
-    static constexpr uint32_t steps_between_trials = 128;
+    static constexpr uint32_t period = 64, steps_of_trial = 4;
 
-    double of_substep_[2] = {0, 0};  // alone, and shared; 0: not known
-    uint32_t steps_ = 0;
+    uint32_t place() const { return steps_ % period; }
+
+    double taken_[2] = {0, 0};     // alone, and shared, in the trial under way
+    uint32_t steps_ = period - 1;  // the first step is in no trial, because it touches new memory
+    bool pays_ = true;
 };
 
 struct ClothShares {

@@ -49,13 +49,8 @@ void ContactSearch::search_from_balls(const uint32_t* particles, uint32_t count)
 /// Particles without models as near as they search at most get balls of that size. Returns false, without effect, if
 /// models are near.
 bool ContactSearch::set_free(const uint32_t* particles, uint32_t count) {
-    Aabb places{place_of(particles[0]), place_of(particles[0])};
-    double range = 0;
-    for (uint32_t i = 0; i < count; ++i) {
-        const uint32_t p = particles[i];
-        places = {min(places.min, place_of(p)), max(places.max, place_of(p))};
-        range = std::max(range, particles_.radius[p] + farthest_or_known(p));
-    }
+    double range;
+    const Aabb places = places_of(particles, count, range);
     if (!find_colliders_near(places, range) || near_.count > 0) return false;
     bool free = true;
     each_near_model(*around_.scene, around(places, range, state_.origin), body_.settings.layers,
@@ -86,6 +81,18 @@ float ContactSearch::farthest_or_known(uint32_t p) const {
     return repeats_ ? search_balls_[4 * size_t{p} + 3] : static_cast<float>(farthest(p));
 }
 
+/// The box around some particles, and how far they search at most.
+Aabb ContactSearch::places_of(const uint32_t* particles, uint32_t count, double& range) const {
+    Aabb places{place_of(particles[0]), place_of(particles[0])};
+    range = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+        const uint32_t p = particles[i];
+        places = {min(places.min, place_of(p)), max(places.max, place_of(p))};
+        range = std::max(range, particles_.radius[p] + farthest_or_known(p));
+    }
+    return places;
+}
+
 /// The number of particles from the first one on that are within a box of eight times the size of its search range.
 uint32_t ContactSearch::count_together(const uint32_t* particles, uint32_t count) const {
     const double size = 16 * (particles_.radius[particles[0]] + farthest(particles[0]));
@@ -101,13 +108,8 @@ uint32_t ContactSearch::count_together(const uint32_t* particles, uint32_t count
 
 /// Returns false, without effect, if too much is near.
 bool ContactSearch::search_together(const uint32_t* particles, uint32_t count) {
-    Aabb places{place_of(particles[0]), place_of(particles[0])};
-    double range = 0;
-    for (uint32_t i = 0; i < count; ++i) {
-        const uint32_t p = particles[i];
-        places = {min(places.min, place_of(p)), max(places.max, place_of(p))};
-        range = std::max(range, particles_.radius[p] + farthest(p));
-    }
+    double range;
+    const Aabb places = places_of(particles, count, range);
     if (!find_colliders_near(places, range)) return false;
     for (uint32_t i = 0; i < count; ++i) reach_[i] = reach(particles[i]);
     if (!collect(particles, count)) return false;

@@ -44,6 +44,7 @@ private:
     double clearance(uint32_t p, Vec3 at) const;
     double farthest(uint32_t p) const;
     float farthest_or_known(uint32_t p) const;
+    Aabb places_of(const uint32_t* particles, uint32_t count, double& range) const;
     bool set_free(const uint32_t* particles, uint32_t count);
     uint32_t count_together(const uint32_t* particles, uint32_t count) const;
     bool search_together(const uint32_t* particles, uint32_t count);
