@@ -179,6 +179,74 @@ void run_walkers(const WalkScene& scene, const Options& options) {
                 100 * strain, still, most);
 }
 
+// Ropes that hang on models. "hair": 2000 strands of 12 particles on a head that sways and turns, "hair_collides" with
+// the head as an obstacle, "pinned" with their roots pinned beside a still head. "lamps": 400 cords of 16 under a
+// ceiling, with the ceiling as an obstacle.
+
+struct HangScene {
+    const char* name;
+    bool attached, collides, moves, lamps;
+};
+const HangScene hang_scenes[] = {
+    {"hair_pinned", false, false, false, false}, {"hair_still", true, false, false, false},
+    {"hair", true, false, true, false},          {"hair_collides", true, true, true, false},
+    {"lamps", true, true, false, true},
+};
+
+void run_hanging(const HangScene& scene, const Options& options) {
+    World world(options.substeps);
+    if (!scene.collides) world.body.layers = 0;
+    world.body.mass = scene.lamps ? 0.5f : 0.001f;
+    world.body.radius = scene.lamps ? 0.01f : 0.002f;
+    const gphys_sphere head{{0, 0, 0}, 0.12f};
+    const gphys_aabb ceiling{{-10, 0.01f, -10}, {10, 0.5f, 10}};
+    const gphys_model_id model =
+        scene.lamps ? world.add(GPHYS_SHAPE_AABB, &ceiling) : world.add(GPHYS_SHAPE_SPHERE, &head);
+    const uint32_t particles = scene.lamps ? 16 : 12;
+    Numbers numbers(4);
+    for (int i = 0; i < (scene.lamps ? 400 : 2000); ++i) {
+        gphys_vec3 root{static_cast<float>(i % 20) - 10, 0, static_cast<float>(i / 20) - 10}, link{0.06f, -0.05f, 0};
+        if (!scene.lamps) {
+            const double up = numbers.between(-0.2f, 1), turn = numbers.between(0, static_cast<float>(2 * pi));
+            const double side = std::sqrt(1 - up * up), x = side * std::cos(turn), z = side * std::sin(turn);
+            const auto out = [&](double length) {
+                return gphys_vec3{static_cast<float>(length * x), static_cast<float>(length * up),
+                                  static_cast<float>(length * z)};
+            };
+            root = out(0.123), link = out(0.025);
+        }
+        std::vector<gphys_vec3> points;
+        for (uint32_t k = 0; k < particles; ++k) {
+            const float n = static_cast<float>(k);
+            points.push_back({root.x + n * link.x, root.y + n * link.y, root.z + n * link.z});
+        }
+        const gphys_body_id rope = world.add_rope(points);
+        if (scene.attached) {
+            check(gphys_solver_attach(world.solver, world.scene, rope, 0, model, nullptr));
+        } else {
+            check(gphys_solver_set_pinned(world.solver, rope, 0, 1, 1));
+        }
+    }
+    double strain = 0;
+    uint32_t most = 0;
+    const Times times = summary(step_frames(world, options.frames > 0 ? options.frames : 240, [&](int i) {
+        const double time = i / 60.0, half = std::sin(2 * time) / 2;
+        const gphys_transform at{
+            {static_cast<float>(0.5 * std::sin(3 * time)), static_cast<float>(0.05 * std::sin(11 * time)), 0},
+            {0, static_cast<float>(std::sin(half)), 0, static_cast<float>(std::cos(half))},
+            1};
+        if (scene.moves) check(gphys_scene_set_transform(world.scene, model, &at));
+        if (i % 10 > 0) return;
+        gphys_solver_stats stats;
+        check(gphys_solver_get_stats(world.solver, 0, &stats));
+        strain = std::max(strain, double{stats.strain_max});
+        most = std::max(most, world.contacts());
+    }));
+    if (scene.collides && scene.moves && most == 0) throw std::runtime_error("no strand touched the head");
+    std::printf("%-14s %7.2f %7.2f %7.2f | %8.4f | at most %u\n", scene.name, times.mean, times.p99, times.worst,
+                100 * strain, most);
+}
+
 // A rope of 0.5 kg over a post, 1 kg at one end and another weight at the other (Atwood's machine). The post is fixed,
 // or is raised with half the acceleration of gravity.
 
@@ -305,6 +373,10 @@ int main(int count, char** arguments) {
         std::printf("walkers        ms mean     p99   worst | strain %% | contacts\n");
         for (const WalkScene& scene : walk_scenes) {
             if (options.wants(scene.name)) run_walkers(scene, options);
+        }
+        std::printf("on models      ms mean     p99   worst | strain %% | contacts\n");
+        for (const HangScene& scene : hang_scenes) {
+            if (options.wants(scene.name)) run_hanging(scene, options);
         }
         std::printf("post  friction  kg substeps | heavy end, exact | energy gained, J\n");
         for (const uint32_t substeps : {8u, 16u, 32u}) {

@@ -152,8 +152,8 @@ RopeStepper Solver::begin_rope_step(const ActiveBody& active, RopeContacts& cont
     const Vec3 gravity = state_.settings.gravity;
     begin_body_step(active, scene, dt);
     begin_contact_points(body);
-    choose_stages(body, scratch, {gravity, dt, active.substeps, false});
     const CollisionContext whole{scene, &moved_models_, dt, 0, 1};
+    choose_stages(body, scratch, {gravity, whole, active.substeps, false});
     const bool has_contacts = active.near_models() || !body.targets.empty();
     if (has_contacts) contacts.begin_step(body, whole, active.near_models(), active.models_move, scratch.parts);
     return {body, has_contacts ? &contacts : nullptr, whole, gravity, active.substeps, dt / active.substeps};
@@ -230,21 +230,25 @@ void Solver::move_undisturbed(const Task& task, uint32_t worker, const Scene* sc
     for (uint32_t i = 0; i < task.count; ++i) {
         Body& body = state_.bodies[first[i].slot];
         ropes[i] = {&body, scene && body.settings.layers != 0 ? &first[i].reachable : nullptr, false};
+        body.contacts.impulses.clear();
+        add_attached_impulses(body, {scene, &moved_models_, dt, 0, 0}, 1, {}, 0);
         begin_air(body, state_.settings.gravity, dt);
     }
+    const CollisionContext whole{scene, &moved_models_, dt, 0, 1};
     move_ropes(ropes, task.count, scratch,
-               {state_.settings.gravity, dt, first->substeps, state_.settings.tolerance > 0});
+               {state_.settings.gravity, whole, first->substeps, state_.settings.tolerance > 0});
     for (uint32_t i = 0; i < task.count; ++i) {
         Body& body = *ropes[i].body;
-        end_air(body);
         if (!ropes[i].stayed) {
+            end_air(body);
             begin_loads(body);
             move_body(first[i], worker, scene, dt);
             continue;
         }
+        add_attached_impulses(body, whole, -1, state_.settings.gravity, dt);
+        end_air(body);
         clear_contact_points(body);
         std::fill(body.contacts.stuck.begin(), body.contacts.stuck.end(), 0u);
-        body.contacts.impulses.clear();
         stay_in_range(body);
         adapt_substep(body, state_.settings, dt, first->substeps);
         rest(body, scene, state_.settings, dt);

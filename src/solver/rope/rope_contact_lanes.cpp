@@ -29,15 +29,6 @@ struct LaneMemory<8> {
 };
 
 template <int lanes>
-void set3(double (&to)[3][lanes], uint32_t lane, Vec3 v) {
-    to[0][lane] = v.x, to[1][lane] = v.y, to[2][lane] = v.z;
-}
-template <int lanes>
-Vec3 get3(const double (&from)[3][lanes], uint32_t lane) {
-    return {from[0][lane], from[1][lane], from[2][lane]};
-}
-
-template <int lanes>
 void clear(RopeContactTerm<lanes>& term, uint32_t lane) {
     // A term that is not 0 has a stiffness.
     if (term.stiffness[0][lane] + term.stiffness[3][lane] + term.stiffness[5][lane] == 0) return;
@@ -136,7 +127,7 @@ void RopeContactLanes<lanes>::gather_prediction(uint32_t lane) {
     for (uint32_t i = 0; i <= links_of(body.plan); ++i) {
         RopeNode<lanes>& node = nodes_[i];
         const uint32_t p = particles[i];
-        Vec3 at = history.predicted[p];
+        Vec3 at = body.particles.pinned(p) ? body.particles.position[p] : history.predicted[p];
         set3(node.predicted, lane, at);
         clear(terms_[i], lane);
         if (has_history && !body.particles.pinned(p)) {
@@ -144,7 +135,7 @@ void RopeContactLanes<lanes>::gather_prediction(uint32_t lane) {
             at = history.start[p] + velocity * h + (velocity - history.earlier_velocity[p]) * extrapolation;
         }
         set3(node.position, lane, at);
-        farthest = std::max(farthest, length_squared(at - history.predicted[p]));
+        farthest = std::max(farthest, length_squared(at - get3(node.predicted, lane)));
         mass += node.mass[lane];
         if (i == links_of(body.plan)) continue;
         const double target = body.rope.target[body.plan.chains[0].first_link + i];
@@ -166,6 +157,7 @@ void RopeContactLanes<lanes>::gather_prediction(uint32_t lane) {
 template <int lanes>
 void RopeContactLanes<lanes>::gather_contacts(uint32_t lane) {
     const RopeStepper& rope = *lanes_[lane].rope;
+    if (!rope.contacts()) return;
     RopeContacts& contacts = *rope.contacts();
     Body& body = rope.body();
     const uint32_t* const particles = particles_of(body.plan);
@@ -190,20 +182,15 @@ void RopeContactLanes<lanes>::gather_contacts(uint32_t lane) {
     }
 }
 
-/// Advances the lane's rope to its next part with contacts. Returns false at the end of its step.
+/// Advances the lane's rope to its next part. Returns false at the end of its step.
 template <int lanes>
 bool RopeContactLanes<lanes>::begin_part(uint32_t lane) {
     RopeStepper& rope = *lanes_[lane].rope;
-    while (rope.begin_part()) {
-        if (rope.contacts()) {
-            gather_prediction(lane);
-            lanes_[lane].solving = true;
-            lanes_[lane].iteration = 0;
-            return true;
-        }
-        rope.end_part(rope.solve());
-    }
-    return false;
+    if (!rope.begin_part()) return false;
+    gather_prediction(lane);
+    lanes_[lane].solving = true;
+    lanes_[lane].iteration = 0;
+    return true;
 }
 
 template <int lanes>
@@ -244,6 +231,7 @@ void RopeContactLanes<lanes>::iterate() {
 template <int lanes>
 bool RopeContactLanes<lanes>::update_contacts(uint32_t lane) {
     const RopeStepper& rope = *lanes_[lane].rope;
+    if (!rope.contacts()) return true;
     RopeContacts& contacts = *rope.contacts();
     Body& body = rope.body();
     const uint32_t* const particles = particles_of(body.plan);

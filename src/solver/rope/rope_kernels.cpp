@@ -83,22 +83,24 @@ Prediction<Doubles<lanes>> predict_trapezoid(const RopeNode<lanes>& node, const 
     return {history, history + falling * h, at + (velocity + rate * h) * (h + h)};
 }
 
+/// `seconds`: of the part. Pinned nodes move at their velocity.
 template <int lanes>
-void begin(RopeNode<lanes>& node, const Prediction<Doubles<lanes>>& prediction) {
-    const Vec<Doubles<lanes>> at = load3(node.position);
+void begin(RopeNode<lanes>& node, const Prediction<Doubles<lanes>>& prediction, const Doubles<lanes>& seconds) {
+    const Vec<Doubles<lanes>> at = load3(node.position), carried = at + load3(node.velocity) * seconds;
     const auto is_free = all_of<lanes>(0) < load(node.free);
     store3(node.earlier_velocity, load3(node.start_velocity));
     store3(node.start, at);
     store3(node.start_velocity, load3(node.velocity));
     store3(node.history, prediction.history);
-    store3(node.predicted, select(is_free, prediction.predicted, at));
-    store3(node.position, select(is_free, prediction.initial_guess, at));
+    store3(node.predicted, select(is_free, prediction.predicted, carried));
+    store3(node.position, select(is_free, prediction.initial_guess, carried));
 }
 
 template <int lanes>
 void begin_trapezoid(RopeNode<lanes>* nodes, uint32_t count, const RopeScheme<lanes>& step) {
     using Value = Doubles<lanes>;
     const Value zero = all_of<lanes>(0), one = all_of<lanes>(1), tiny = all_of<lanes>(tiny_length);
+    const Value h = load(step.h);
     Vec<Value> arriving{zero, zero, zero}, at = load3(nodes[0].position);
     for (uint32_t i = 0; i < count; ++i) {
         Vec<Value> leaving{zero, zero, zero}, next = at;
@@ -108,7 +110,7 @@ void begin_trapezoid(RopeNode<lanes>* nodes, uint32_t count, const RopeScheme<la
             const Value length = square_root(dot(along, along) + tiny * tiny);
             leaving = Vec<Value>{along.x + tiny, along.y, along.z} * (load(nodes[i].tension) * (one / length));
         }
-        begin(nodes[i], predict_trapezoid(nodes[i], step, leaving - arriving));
+        begin(nodes[i], predict_trapezoid(nodes[i], step, leaving - arriving), h + h);
         arriving = leaving;
         at = next;
     }
@@ -295,7 +297,7 @@ GPHYS_FLATTEN void begin_all(RopeNode<lanes>* nodes, uint32_t count, const RopeS
     if (trapezoid) {
         begin_trapezoid(nodes, count, step);
     } else {
-        for (uint32_t i = 0; i < count; ++i) begin(nodes[i], predict_backward(nodes[i], step));
+        for (uint32_t i = 0; i < count; ++i) begin(nodes[i], predict_backward(nodes[i], step), load(step.h));
     }
 }
 

@@ -90,12 +90,13 @@ struct RopeBounds {
 template <int lanes>
 struct RopeKernelsOf {
     /// Loads nodes, as many as the longest rope has particles. The nodes beyond the end of a shorter rope stay at its
-    /// first particle.
+    /// first particle. Pinned nodes get a velocity of 0.
     void (*gather)(RopeNode<lanes>* nodes, uint32_t count, const RopeArrays (&ropes)[lanes],
                    const double (&gravity)[3]);
     /// Call after gather. The square of each rope's largest angular frequency, 1/s^2 (stages_kernels.cpp).
     void (*find_largest_frequency)(const RopeNode<lanes>* nodes, uint32_t count, double (&frequency_squared)[lanes]);
-    /// Runs one part of a substep, by the trapezoid rule or the backward formula in all lanes.
+    /// Runs one part of a substep, by the trapezoid rule or the backward formula in all lanes. Pinned nodes move at
+    /// their velocity.
     void (*move)(RopeNode<lanes>* nodes, uint32_t count, const RopeScheme<lanes>& step, bool trapezoid,
                  RopeBounds<lanes>& bounds);
     /// Stores the wanted lanes.

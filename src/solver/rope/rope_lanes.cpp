@@ -55,7 +55,7 @@ public:
     void choose_stages() {
         for (uint32_t lane = 0; lane < count_; ++lane) {
             constexpr double most = trapezoid_most_angle * trapezoid_most_angle;
-            const double h = step_.dt / step_.substeps;
+            const double h = step_.whole.step_time / step_.substeps;
             bodies_[lane]->history.in_stages =
                 bodies_[lane]->history.earlier_step > 0 && frequency_squared_[lane] * h * h <= most;
         }
@@ -111,9 +111,50 @@ private:
         }
         double frequency_squared[lanes];
         kernels_.gather(nodes_of(i), nodes, ropes, {step_.gravity.x, step_.gravity.y, step_.gravity.z});
+        for (uint32_t lane = 0; lane < count_; ++lane) carry_attached(i, lane);
         kernels_.find_largest_frequency(nodes_of(i), nodes, frequency_squared);
         for (int lane = 0; lane < lanes; ++lane)
             frequency_squared_[lane] = std::max(frequency_squared_[lane], frequency_squared[lane]);
+    }
+
+    /// Calls visit(node, attachment) for the nodes of a chain that are attached.
+    template <class Visit>
+    void each_attached(size_t chain, uint32_t lane, Visit&& visit) const {
+        const Body& body = *bodies_[lane];
+        if (body.constraints.attachments.empty()) return;
+        const Chain& links = body.plan.chains[chain];
+        for (uint32_t i = 0; i <= links.link_count; ++i) {
+            if (nodes_of(chain)[i].free[lane] != 0) continue;
+            const uint32_t particle = body.plan.particles[links.first_particle + i];
+            if (const Attachment* attachment = find_attachment(body.constraints, particle)) visit(i, *attachment);
+        }
+    }
+
+    /// Gives attached nodes the velocity at which their models take them along.
+    void carry_attached(size_t chain, uint32_t lane) const {
+        each_attached(chain, lane, [&](uint32_t i, const Attachment& attachment) {
+            set3(nodes_of(chain)[i].velocity, lane, (attachment.end - attachment.begin) / step_.whole.step_time);
+        });
+    }
+
+    /// Adds the impulses of the links at attached nodes on their models, of a part in which their tensions act for
+    /// `seconds`. `end`: the fraction of the step at the end of the part.
+    void add_attached_impulses(size_t chain, uint32_t lane, double seconds, double end) const {
+        if (!step_.whole.scene) return;
+        const RopeNode<lanes>* const nodes = nodes_of(chain);
+        const uint32_t link_count = bodies_[lane]->plan.chains[chain].link_count;
+        CollisionContext around = step_.whole;
+        around.end = end;
+        each_attached(chain, lane, [&](uint32_t i, const Attachment& attachment) {
+            const Vec3 at = get3(nodes[i].position, lane);
+            const auto pull = [&](uint32_t link, uint32_t other) {
+                const Vec3 along = get3(nodes[other].position, lane) - at;
+                const double length = gphys::length(along);
+                return length > 0 ? along * (nodes[link].tension[lane] * seconds / length) : Vec3{};
+            };
+            const Vec3 impulse = (i > 0 ? pull(i - 1, i - 1) : Vec3{}) + (i < link_count ? pull(i, i + 1) : Vec3{});
+            add_impulse(*bodies_[lane], around, attachment.model, at, impulse);
+        });
     }
 
     void reset_bounds() {
@@ -124,11 +165,14 @@ private:
         std::fill_n(bounds_.failed, lanes, 0.0);
     }
 
-    /// Adds up the loads of the lanes that are wanted and break, of a part in which their tensions act for `seconds`.
-    void add_loads(size_t chain, const double (&seconds)[lanes], const bool (&wanted)[lanes]) const {
+    /// Adds up the loads of the lanes that are wanted, on models and on links that break, of a part in which their
+    /// tensions act for `seconds`. `end`: the fraction of the step at the end of the part.
+    void add_loads(size_t chain, const double (&seconds)[lanes], const bool (&wanted)[lanes], double end) const {
         for (uint32_t lane = 0; lane < lanes; ++lane) {
             Body& body = *bodies_[lane];
-            if (!wanted[lane] || !body.breaking.possible()) continue;
+            if (!wanted[lane]) continue;
+            add_attached_impulses(chain, lane, seconds[lane], end);
+            if (!body.breaking.possible()) continue;
             const Chain& links = body.plan.chains[chain];
             for (uint32_t i = 0; i < links.link_count; ++i)
                 body.breaking.impulse[links.first_link + i] += nodes_of(chain)[i].tension[lane] * seconds[lane];
@@ -139,14 +183,18 @@ private:
         for (uint32_t lane = 0; lane < lanes; ++lane) earlier_step_[lane] = bodies_[lane]->history.earlier_step;
         uint32_t nodes = 0;
         for (const Body* body : bodies_) nodes = std::max(nodes, body->plan.chains[chain].link_count + 1);
+        double fraction = 0;
         const auto move_part = [&](double advance, bool trapezoid) {
+            const double begin = fraction;
+            fraction += advance / step_.whole.step_time;
+
             RopeScheme<lanes> part;
             for (uint32_t lane = 0; lane < lanes; ++lane) set_scheme(part, lane, advance, trapezoid);
-            if (trapezoid) add_loads(chain, part.h, wanted);  // its explicit part is as long
+            if (trapezoid) add_loads(chain, part.h, wanted, begin);  // its explicit part is as long
             kernels_.move(nodes_of(chain), nodes, part, trapezoid, bounds_);
-            add_loads(chain, part.h, wanted);
+            add_loads(chain, part.h, wanted, fraction);
         };
-        const double h = step_.dt / step_.substeps;
+        const double h = step_.whole.step_time / step_.substeps;
         for (uint32_t i = 0; i < step_.substeps; ++i) {
             if (i == 0 && restarts(bodies_[0]->history, bodies_[0]->contacts)) {
                 for (const double part : starting_parts) move_part(h * part, false);
@@ -195,6 +243,12 @@ private:
         RopeArrays ropes[lanes];
         const uint32_t nodes = list_arrays(i, ropes);
         kernels_.scatter(nodes_of(i), nodes, ropes, wanted);
+        for (uint32_t lane = 0; lane < count_; ++lane) {
+            if (!wanted[lane]) continue;
+            each_attached(i, lane, [&](uint32_t, const Attachment& attachment) {
+                bodies_[lane]->particles.position[attachment.particle] = attachment.end;
+            });
+        }
     }
 
     const RopeKernelsOf<lanes>& kernels_;
@@ -236,8 +290,7 @@ void RopeScratch::reserve(size_t alone, size_t in_lanes, size_t in_contact_lanes
 bool is_plain_rope(const Body& body) {
     const Plan& plan = body.plan;
     return plan.method == GPHYS_SOLVE_DIRECT && plan.particles.size() == body.particles.size() && !plan.limited &&
-           !plan.damped && body.constraints.attachments.empty() && body.constraints.length_changes.empty() &&
-           body.targets.empty();
+           !plan.damped && body.constraints.length_changes.empty() && body.targets.empty();
 }
 
 void move_ropes(UndisturbedRope* ropes, uint32_t count, RopeScratch& scratch, const RopeStepSettings& step) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "solver/body.h"
+#include "solver/contact/collision.h"
 #include "solver/rope/rope_contacts.h"
 #include "solver/rope/rope_kernels.h"
 
@@ -30,7 +31,7 @@ struct RopeScratch {
 /// What ropes in lanes have in common.
 struct RopeStepSettings {
     Vec3 gravity;
-    double dt;  // seconds of the step
+    CollisionContext whole;  // of the step
     uint32_t substeps;
     bool estimated;  // whether error targets need the earlier velocities
 };
@@ -42,11 +43,21 @@ struct UndisturbedRope {
     bool stayed;        // result: whether it has stayed there; if not, the body is unchanged
 };
 
+/// A vector in one lane.
+template <int lanes>
+void set3(double (&to)[3][lanes], uint32_t lane, Vec3 v) {
+    to[0][lane] = v.x, to[1][lane] = v.y, to[2][lane] = v.z;
+}
+template <int lanes>
+Vec3 get3(const double (&from)[3][lanes], uint32_t lane) {
+    return {from[0][lane], from[1][lane], from[2][lane]};
+}
+
 constexpr uint32_t rope_lanes = 8;
 /// Particles. Longer ropes are moved alone: eight of them would not fit into the caches.
 constexpr uint32_t longest_rope_in_lanes = 320;
 
-/// Whether the kernels support the body: its links are neither limits nor damped, and attached to no model.
+/// Whether the kernels support the body: its links are neither limits nor damped, and it has no animation targets.
 bool is_plain_rope(const Body& body);
 /// Moves at most rope_lanes ropes. Several ropes must have one chain each, and either all or none restart after an
 /// interruption. `scratch` must have memory for the longest.

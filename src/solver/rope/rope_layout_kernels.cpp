@@ -81,7 +81,9 @@ GPHYS_FLATTEN void gather_ropes(RopeNode<lanes>* nodes, uint32_t count, const Ro
         gather_into(ropes, &RopeArrays::tension, link, node.tension);
         const Value inverse_mass = select(is_there, load(node.inverse_mass), zero);
         store(node.inverse_mass, inverse_mass);
-        store(node.free, select(zero < inverse_mass, one, zero));
+        const auto is_free = zero < inverse_mass;
+        store(node.free, select(is_free, one, zero));
+        for (double(&velocity)[lanes] : node.velocity) store(velocity, select(is_free, load(velocity), zero));
         Value force[3] = {zero, zero, zero};
         if (forced) gather(ropes, &RopeArrays::force, particle, force);
         for (int k = 0; k < 3; ++k) {
