@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 #include <cstring>
+#include <string_view>
 
 #include "foundation/compiler.h"
 
@@ -31,9 +32,10 @@ Isa look_up() {
 
 bool has([[maybe_unused]] Isa isa) {
 #if GPHYS_X86
-    if (isa == Isa::sse2) return processor_has_sse2();
-    if (isa == Isa::avx2) return processor_has_avx2();
-    if (isa == Isa::avx512) return processor_has_avx512();
+    const std::string_view name = name_of(isa);
+    if (name == "sse2") return processor_has_sse2();
+    if (name == "avx2") return processor_has_avx2();
+    if (name == "avx512") return processor_has_avx512();
 #endif
     return true;
 }

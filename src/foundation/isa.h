@@ -9,13 +9,23 @@
 // cmake/gamephys_targets.cmake): with narrower registers they are slower than scalar code.
 //
 // `scalar`, without SIMD instructions, is built where a processor of the target may have nothing else, and as a
-// reference for the other sets where the build defines GPHYS_SCALAR_KERNELS.
+// reference for the other sets where the build defines GPHYS_SCALAR_KERNELS. With GPHYS_ONLY_AVX512 or GPHYS_ONLY_AVX2,
+// that is the only other set of x86, for builds that take long to compile.
 #pragma once
 
 // The sets of a target, narrowest first, and the first of them that each of its processors has.
 #if defined(__x86_64__) || defined(__i386__) || defined(_M_X64) || defined(_M_IX86)
+#if defined(GPHYS_ONLY_AVX512) || defined(GPHYS_ONLY_AVX2)
+#ifdef GPHYS_ONLY_AVX512
+#define GPHYS_FOR_EACH_WIDE_ISA(X, ...) X(avx512, __VA_ARGS__)
+#else
+#define GPHYS_FOR_EACH_WIDE_ISA(X, ...) X(avx2, __VA_ARGS__)
+#endif
+#define GPHYS_FOR_EACH_SIMD_ISA GPHYS_FOR_EACH_WIDE_ISA
+#else
 #define GPHYS_FOR_EACH_WIDE_ISA(X, ...) X(avx2, __VA_ARGS__) X(avx512, __VA_ARGS__)
 #define GPHYS_FOR_EACH_SIMD_ISA(X, ...) X(sse2, __VA_ARGS__) GPHYS_FOR_EACH_WIDE_ISA(X, __VA_ARGS__)
+#endif
 #if defined(__x86_64__) || defined(_M_X64)
 #define GPHYS_BASE_ISA sse2
 #endif
