@@ -200,6 +200,7 @@ GPHYS_INLINE uint32_t bits(Mask8 mask) {
 
 // The function names of other numbers (numbers.h).
 inline Float8 absolute(Float8 a) { return abs(a); }
+inline Float8 square_root(Float8 a) { return sqrt(a); }
 inline Float8 least(Float8 a, Float8 b) { return min(a, b); }
 inline Float8 largest(Float8 a, Float8 b) { return max(b, a); }
 inline Float8 select(Mask8 mask, Float8 a, Float8 b) { return choose(mask, a, b); }

@@ -1,13 +1,20 @@
 // Aerodynamic forces: drag and lift of triangles, links and particles (wind.h).
 #include "solver/wind.h"
+
+#include <limits>
+
 #include "foundation/strided.h"
 #include "solver/body.h"
 #include "solver/contact/collision.h"
+#include "solver/triangle_drag.h"
+#include "solver/wind_kernels.h"
 
 namespace gphys {
 namespace {
 
 constexpr double pi = 3.14159265358979324;
+// Metres a second, and square metres: its square is a double.
+constexpr double least_length = 1e-150;
 
 /// Sums the forces of triangles and links by particle. `Relative` gives velocities relative to the air, `Place`
 /// positions, by particle.
@@ -54,17 +61,10 @@ private:
     void add_triangle(const uint32_t* corners) {
         const uint32_t a = corners[0], b = corners[1], c = corners[2];
         const Vec3 twice = cross(place_(b) - place_(a), place_(c) - place_(a));  // twice the area, along the normal
-        const double area = length(twice);
         const Vec3 u = (relative_(a) + relative_(b) + relative_(c)) * (1.0 / 3);
-        const double speed = length(u);
-        if (area == 0 || speed == 0) return;
-        const Vec3 n = twice / area;
-        const double across = dot(u, n), cosine = std::fabs(across) / speed;
-        const double pressure = 0.25 * air_.wind.density * area * speed;
-        const double along = std::max(0.0, (air_.wind.drag - air_.wind.lift * cosine) * cosine);
-        const Vec3 third = (u * along + n * (across * air_.wind.lift)) * (pressure * (-1.0 / 3));
-        const double growth = pressure * (along + air_.wind.lift) * (1.0 / 3);
-        for (const uint32_t p : {a, b, c}) add(p, third, growth);
+        const double unit = air_.wind.density / 12.0;
+        const TriangleDrag<double> all = triangle_drag<double>(twice, u, air_.wind.drag, air_.wind.lift, least_length);
+        for (const uint32_t p : {a, b, c}) add(p, all.force * unit, all.growth * unit);
     }
 
     void add_link(const DistanceConstraint& link) {
@@ -122,7 +122,9 @@ void reserve_air(Body& body) {
     if (!body.air.blows()) return;
     body.air.force.resize(body.particles.size());
     body.air.rate.resize(body.particles.size());
-    if (is_graph(body)) body.air.steady.resize(body.cloth.state.acceleration.size());
+    if (!is_graph(body)) return;
+    for (Vector<float>* const values : {&body.air.steady, &body.air.relative, &body.air.cloth_forces})
+        values->resize(body.cloth.state.acceleration.size());
 }
 
 void begin_air(Body& body, Vec3 gravity, double dt) {
@@ -146,33 +148,73 @@ void end_air(Body& body) {
     body.particles.forced = body.air.forced;
 }
 
-/// Uses the velocities that the time scheme would give to particles without other forces.
-void blow_cloth(Body& body, const CollisionContext& around, double h) {
-    Cloth& cloth = body.cloth;
-    if (around.begin == 0)
-        std::copy(cloth.state.acceleration.begin(), cloth.state.acceleration.end(), body.air.steady.begin());
-    const TimeScheme scheme(h, body.history.earlier_step);
-    const double drag = scheme.drag(body.settings.damping);
-    const auto at = [](const Vector<float>& values, uint32_t p) {
-        const float* value = &values[4 * size_t{p}];
-        return Vec3{value[0], value[1], value[2]};
-    };
-    const auto place = [&](uint32_t p) { return at(cloth.state.at, p); };
-    const auto relative = [&](uint32_t p) {
-        const Vec3 now = at(cloth.state.velocity, p), air = velocity_at(body.air, p);
-        if (body.particles.pinned(p) || scheme.earlier == 0) return now - air;
-        return scheme.from_history(now, at(cloth.state.velocity_before, p)) / scheme.next - air;
-    };
-    add_up(body, place, relative, 1 / (drag * h));
+namespace {
+
+Vec3 vector_at(const Vector<float>& values, uint32_t p) {
+    const float* const value = &values[4 * size_t{p}];
+    return {value[0], value[1], value[2]};
+}
+
+/// Newtons for each unit of AirOnCloth::forces.
+double newtons_per_unit(const gphys_wind& wind) { return double{std::max(wind.drag, wind.lift)} * wind.density / 12; }
+
+/// What the kernels need for a substep of `h` seconds.
+AirOnCloth air_on_cloth(Body& body, const TimeScheme& scheme, double h) {
+    const ClothState& state = body.cloth.state;
+    const gphys_wind& wind = body.air.wind;
+    AirOnCloth on{};
+    on.floats = static_cast<uint32_t>(state.at.size());
+    on.at = state.at.data(), on.velocity = state.velocity.data(), on.velocity_before = state.velocity_before.data();
+    on.steady = body.air.steady.data(), on.relative = body.air.relative.data();
+    on.forces = body.air.cloth_forces.data(), on.acceleration = body.cloth.state.acceleration.data();
+    on.triangles = body.cloth.sheet.triangles.data(), on.triangle_count = body.cloth.sheet.triangles.size() / 3;
+    for (int half = 0; half < 8; half += 4)
+        on.wind[half] = wind.velocity.x, on.wind[half + 1] = wind.velocity.y, on.wind[half + 2] = wind.velocity.z;
+    on.by_particle = !body.air.velocity.empty();
+    on.before = to_float(scheme.earlier / scheme.next, 1);
+    const float larger = std::max(wind.drag, wind.lift);
+    on.drag = larger > 0 ? wind.drag / larger : 0, on.lift = larger > 0 ? wind.lift / larger : 0;
+    constexpr double most = std::numeric_limits<float>::max();
+    on.unit = to_float(newtons_per_unit(wind) / state.average_mass, most);
+    on.most_rate = to_float(1 / (scheme.drag(body.settings.damping) * h), most);
+    return on;
+}
+
+/// The forces on links and particles of a body that is solved as cloth is.
+void blow_links(Body& body, const AirOnCloth& on) {
+    const auto place = [&](uint32_t p) { return vector_at(body.cloth.state.at, p); };
+    const auto relative = [&](uint32_t p) { return vector_at(body.air.relative, p); };
+    add_up(body, place, relative, on.most_rate);
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (body.particles.pinned(p)) continue;
-        put(&cloth.state.acceleration[4 * size_t{p}],
-            at(body.air.steady, p) + body.air.force[p] * body.particles.inverse_mass[p]);
+        put(&body.cloth.state.acceleration[4 * size_t{p}],
+            vector_at(body.air.steady, p) + body.air.force[p] * body.particles.inverse_mass[p]);
+    }
+}
+
+}  // namespace
+
+void blow_cloth(Body& body, const CollisionContext& around, double h) {
+    const ClothState& state = body.cloth.state;
+    Air& air = body.air;
+    if (around.begin == 0) std::copy(state.acceleration.begin(), state.acceleration.end(), air.steady.begin());
+    const WindKernels& kernels = wind_kernels(chosen_isa());
+    const AirOnCloth on = air_on_cloth(body, TimeScheme(h, body.history.earlier_step), h);
+    for (uint32_t p = 0; on.by_particle && p < body.particles.size(); ++p)
+        put(&air.relative[4 * size_t{p}], velocity_at(air, p));
+    kernels.find_relative(on);
+    const bool sheet = body.kind == GPHYS_BODY_CLOTH;
+    if (sheet) {
+        kernels.add_forces(on);
+        kernels.accelerate(on);
+    } else {
+        blow_links(body, on);
     }
     if (!around.scene) return;
     for (const Attachment& attachment : body.constraints.attachments) {
         const uint32_t p = attachment.particle;
-        add_impulse(body, around, attachment.model, cloth.state.origin + at(cloth.state.at, p), body.air.force[p] * h);
+        const Vec3 force = sheet ? vector_at(air.cloth_forces, p) * newtons_per_unit(air.wind) : air.force[p];
+        add_impulse(body, around, attachment.model, state.origin + vector_at(state.at, p), force * h);
     }
 }
 

@@ -16,7 +16,8 @@ struct Body;
 struct CollisionContext;
 
 struct Air {
-    explicit Air(std::pmr::memory_resource* memory) : velocity(memory), force(memory), rate(memory), steady(memory) {}
+    explicit Air(std::pmr::memory_resource* memory)
+        : velocity(memory), force(memory), rate(memory), steady(memory), relative(memory), cloth_forces(memory) {}
 
     bool blows() const { return wind.density > 0; }
 
@@ -24,10 +25,11 @@ struct Air {
     Vector<Vec3> velocity;  // by particle, added to the wind's; empty: 0
 
     // Of the step under way, by particle:
-    Vector<Vec3> force;    // newtons; except for cloth, it replaces Particles::force during a step, and includes it
-    Vector<double> rate;   // 1/s, of all forces on the particle: a bound for how fast they change its velocity
-    Vector<float> steady;  // for cloth: accelerations without air, see Cloth
-    bool forced = false;   // the value of Particles::forced before
+    Vector<Vec3> force;   // newtons; except for cloth, it replaces Particles::force during a step, and includes it
+    Vector<double> rate;  // 1/s, of all forces on the particle: a bound for how fast they change its velocity
+    // The same of cloth, see AirOnCloth: four floats each.
+    Vector<float> steady, relative, cloth_forces;
+    bool forced = false;  // the value of Particles::forced before
 };
 
 /// Allocates memory. Throws std::bad_alloc.
