@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 from links import without_code, FENCE, LINK, INNER
-from reference import Reference
+from reference import MACROS, Reference
 
 GUIDE = ["first_scene", "queries", "camera", "batches", "large_worlds", "threads", "solver", "saving", "engine", "web",
          "robot", "cluster"]
@@ -119,11 +119,10 @@ def main():
     (tree / "reference").mkdir()
     for name, text in reference.pages().items():
         (tree / "reference" / f"{name}.rst").write_text(text + "\n")
-    for calls in reference.callers.values():
-        for _, path, _, _ in calls:
-            if not path.endswith(".md"):
-                (tree / path).parent.mkdir(parents=True, exist_ok=True)
-                shutil.copyfile(source / path, tree / path)
+    for path in {MACROS}.union(*reference.programs.values()):
+        if not path.endswith(".md"):
+            (tree / path).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(source / path, tree / path)
     (tree / "index.rst").write_text(index())
     from sphinx.cmd.build import build_main
     version = reference.api["version"]

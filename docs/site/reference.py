@@ -1,17 +1,25 @@
 """The reference as pages of reStructuredText, from the header and what cmake/interface/record.sh keeps of it.
 
 The header gives the sections, their order and the conventions at its top; bindings/gamephys_api.json, which a test
-holds equal to the header, gives functions, parameters, fields and comments. Each function shows a call from a
-program of this repository, and lists the programs with it.
+holds equal to the header, gives functions, parameters, fields and comments. Each function shows an example from a
+program of docs/examples, without which there is no reference, and lists the programs that call it.
+
+reference.py SOURCE: checks that each function has an example.
 """
 import json
 import re
+import sys
+from pathlib import Path
 
 TITLES = {"Status and version": "status", "Values": "values", "Shapes": "shapes", "Mesh": "mesh", "Scene": "scene",
           "Camera": "camera", "Solver": "solver"}
 BANNER = re.compile(r"^/\* -{20,}\n((?: \* .*\n| \*\n)+?) \* -{20,} \*/$", re.M)
 PREFIXES = ["GPHYS_API"]  # a macro of the header itself
-EXAMPLES = ["docs/guide/*.md", "examples/*.c", "examples/viewer/*.c", "tests_c/test_*.c"]
+PROGRAMS = ["docs/examples/*.c", "docs/guide/*.md", "examples/*.c", "examples/viewer/*.c"]
+# An example: a function that returns nothing, and the comment before it.
+EXAMPLE = re.compile(r"^/\*(?:(?!\*/)[\s\S])*\*/\nstatic void \w+\((?:.*\n)+?}\n", re.M)
+MACROS = "examples/check.h"  # of the examples
+LONGEST = 20  # lines of an example
 
 
 def sections(header):
@@ -34,68 +42,8 @@ def conventions(header):
     return lines
 
 
-# A declaration of a variable of that name, initialisers left out.
-DECLARATION = r"^\s*(?:static |const )*(?:gphys_\w+|u?int32_t|float|double|int|any_shape)\b[ *]+(?:.*, *\**)?{}\b *[\[=,;]"
-
-
-def indent(line):
-    return len(line) - len(line.lstrip())
-
-
-def statement(lines, at):
-    """(first, last) of the lines of the statement around a line."""
-    first, last = at, at
-    while first > 0 and indent(lines[first]) > 0 and not re.search(r"[;{}]$|^#|\*/$|^$|:$", lines[first - 1]):
-        first -= 1
-    while last + 1 < len(lines) and not re.search(r"[;{}]( *//.*| */\*.*)?$", lines[last]):
-        last += 1
-    return first, last
-
-
-def excerpt(lines, at, name, in_test):
-    """The statement of a call and what is before it. Of a test the declarations of the arguments, and the call without
-    the check around it."""
-    first, last = statement(lines, at)
-    chosen = lines[first:last + 1]
-    if in_test:
-        call = called(" ".join(line.strip() for line in chosen), name)
-        declared = []
-        for argument in dict.fromkeys(re.findall(r"(?<![.>\w])(?!gphys_|GPHYS_)[A-Za-z_]\w*\b", call)):
-            for above in range(first - 1, -1, -1):
-                bare = re.sub(r"\{.*\}", "", lines[above])
-                if re.search(DECLARATION.format(argument), bare) and bare.endswith(";"):
-                    declared.append(above)
-                if not lines[above].startswith((" ", "}")) and lines[above]:
-                    break  # the function begins
-        return [lines[above].strip() for above in sorted(set(declared))] + folded(call)
-    start = first
-    while start > 0 and first - start < 5 and lines[start - 1].strip() and indent(lines[start - 1]) >= indent(lines[first]):
-        start -= 1
-    least = min(indent(line) for line in lines[start:last + 1] if line.strip())
-    return [line[least:] for line in lines[start:last + 1]]
-
-
-def called(text, name):
-    """The call of a function in a statement, up to its closing parenthesis, with what its result goes to."""
-    start = text.index(name + "(")
-    depth, end = 0, start + len(name)
-    while True:
-        depth += (text[end] == "(") - (text[end] == ")")
-        end += 1
-        if depth == 0:
-            break
-    target = re.match(r"[\w.>\[\]-]+ = $", text[:start])
-    return (target.group() if target else "") + text[start:end] + ";"
-
-
-def folded(call, width=110):
-    """A call on lines of at most so many columns, broken after commas."""
-    lines = [""]
-    for part in re.split(r"(?<=, )", call):
-        if len(lines[-1]) + len(part) > width:
-            lines.append("    ")
-        lines[-1] += part
-    return [line.rstrip() for line in lines]
+def calls(text):
+    return re.findall(r"\bgphys_\w+(?=\()", text)
 
 
 class Reference:
@@ -111,26 +59,35 @@ class Reference:
         self.handles = {h if isinstance(h, str) else h["name"] for h in api["handles"]}
         self.values = {v["name"]: v for e in api["enums"] for v in e["values"]}
         self.first_of = {e["values"][0]["name"]: e for e in api["enums"]}
-        self.callers = self.find_callers()
+        self.examples = self.find_examples()
+        self.programs = self.find_programs()
 
-    def find_callers(self):
-        """{function: [(how little it shows, path, line of the call, lines)]}, sorted. A program of the guide shows more
-        than a test, and a call that succeeds more than one that has to fail."""
-        callers = {}
-        for rank, pattern in enumerate(EXAMPLES):
+    def find_examples(self):
+        """{function: lines} of the example that shows it with the fewest others."""
+        found = {}
+        for path in sorted(self.source.glob(PROGRAMS[0])):
+            for text in EXAMPLE.findall(path.read_text()):
+                names, lines = set(calls(text)), text.splitlines()
+                if len(lines) > LONGEST:
+                    raise SystemExit(f"{path}: an example has {len(lines)} lines, more than {LONGEST}: {lines[0]}")
+                for name in names:
+                    found.setdefault(name, []).append((len(names), len(lines), lines))
+        missing = [name for name in self.functions if name not in found]
+        if missing:
+            raise SystemExit(f"no example of docs/examples calls {' '.join(missing)}")
+        return {name: min(several)[2] for name, several in found.items()}
+
+    def find_programs(self):
+        """{function: paths of the programs that call it}, examples first."""
+        programs = {}
+        for pattern in PROGRAMS:
             for path in sorted(self.source.glob(pattern)):
                 text = path.read_text()
-                blocks = re.findall(r"^```c\n(.*?)^```", text, re.M | re.S) if path.suffix == ".md" else [text]
-                for lines in (block.splitlines() for block in blocks):
-                    for at, line in enumerate(lines):
-                        for name in re.findall(r"\bgphys_\w+(?=\()", line):
-                            first, last = statement(lines, at)
-                            call = " ".join(lines[first:last + 1])
-                            fails = rank == len(EXAMPLES) - 1 and not re.match(r"\s*(DO\(|assert_int_equal\(.*GPHYS_OK)", call)
-                            poor = fails or "? " in call or name + "(NULL" in call
-                            penalty = (poor, rank, call.count("NULL"))
-                            callers.setdefault(name, []).append((penalty, path.relative_to(self.source).as_posix(), at, lines))
-        return {name: sorted(found, key=lambda one: one[0]) for name, found in callers.items()}
+                if path.suffix == ".md":
+                    text = "".join(re.findall(r"^```c\n(.*?)^```", text, re.M | re.S))
+                for name in dict.fromkeys(calls(text)):
+                    programs.setdefault(name, []).append(path.relative_to(self.source).as_posix())
+        return programs
 
     def prose(self, text):
         """A comment as reStructuredText: names become links, what looks like markup is kept as it is."""
@@ -196,14 +153,10 @@ class Reference:
         for title, body in sorted(fields, key=lambda field: field[0] in ("Cost", "Threads", "Error")):
             body = self.prose(" ".join(part.strip() for part in body))
             lines.append(f"   :{title.replace('param', 'Parameters', 1) if ',' in title else title}: {body}")
-        callers = self.callers.get(name, [])
-        if not callers:
-            raise SystemExit(f"no program calls {name}: the reference needs an example")
-        programs = list(dict.fromkeys(path for _, path, _, _ in callers))[:4]
+        programs = self.programs[name][:4]
         shown = [f":download:`{path} </{path}>`" if not path.endswith(".md") else f":doc:`/{path[:-3]}`" for path in programs]
         lines += [f"   :Programs: {', '.join(shown)}", "", "   .. code-block:: c", ""]
-        (_, rank, _), _, at, of = callers[0]
-        lines += [f"      {line}" for line in excerpt(of, at, name, rank == len(EXAMPLES) - 1)]
+        lines += [f"      {line}" for line in self.examples[name]]
         return lines + [""]
 
     def struct(self, name):
@@ -267,7 +220,14 @@ class Reference:
         if missing:
             raise SystemExit(f"the reference leaves out {' '.join(missing)}")
         index = ["Reference", "=========", "", "The C interface, from ``include/gamephys_c.h``. Conventions first.", "",
+                 "Each function has an example, a part of a program that the tests compile and run. ``MUST(call)`` stops the",
+                 "program with the library's explanation if a call does not return ``GPHYS_OK``, and ``EXPECT(condition)``",
+                 f"stops it if an answer is not what the example says: :download:`{MACROS} </{MACROS}>`.", "",
                  ".. toctree::", "", *(f"   {name}" for name in listed), "", "Conventions", "-----------", "",
                  *self.prose("\n".join(conventions(self.header))).splitlines()]
         pages["index"] = "\n".join(index)
         return pages
+
+
+if __name__ == "__main__":
+    print(f"{len(Reference(Path(sys.argv[1])).functions)} functions, each with an example")
