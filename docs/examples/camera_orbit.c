@@ -3,7 +3,8 @@
 
 #include "check.h"
 
-/* A camera 8 m from a statue's middle, which turns by a radian for 500 pixels of the mouse. */
+/* A camera 8 m from a statue's middle, which turns by a radian for 500 pixels of the
+ * mouse. */
 static void start(gphys_camera* camera) {
     gphys_orbit orbit, now;
     gphys_vec3 position;
@@ -15,10 +16,12 @@ static void start(gphys_camera* camera) {
     MUST(gphys_camera_set_orbit(camera, &orbit));
     MUST(gphys_camera_get_orbit(camera, &now));
     MUST(gphys_camera_get_transform(camera, &position, &rotation));
-    EXPECT(now.distance == 8 && position.y == 1 && position.z == -8); /* it looks along z */
+    /* It looks along z, from 8 m before the target. */
+    EXPECT(now.distance == 8 && position.y == 1 && position.z == -8);
 }
 
-/* The mouse goes 250 pixels to the right with its button held. Input adds up until the frame's update. */
+/* The mouse goes 250 pixels to the right with its button held. Input adds up until the
+ * frame's update. */
 static void rotate(gphys_camera* camera) {
     gphys_orbit now;
     MUST(gphys_camera_orbit_rotate(camera, 100, 0));
@@ -47,7 +50,8 @@ static void pan(gphys_camera* camera) {
     EXPECT(fabsf(after.target.y - before.target.y - 0.5f) < 1e-6f);
 }
 
-/* A setting of the user's: the mouse turned round from top to bottom, and the wheel twice as fast. */
+/* A setting of the user's: the mouse turned round from top to bottom, and the wheel
+ * twice as fast. */
 static void speeds(gphys_camera* camera) {
     gphys_orbit_speeds speeds;
     gphys_orbit before, after;

@@ -14,7 +14,8 @@ static void create(void) {
     gphys_scene_destroy(scene);
 }
 
-/* A crate of 1 m, 5 m along x. The tag comes back with every hit, and queries with bit 2 in their mask see it. */
+/* A crate of 1 m, 5 m along x. The tag comes back with every hit, and queries
+ * see it whose mask has the bit 2. */
 static void add(gphys_scene* scene) {
     const gphys_aabb box = {{-0.5f, 0, -0.5f}, {0.5f, 1, 0.5f}};
     const gphys_transform place = {{5, 0, 0}, {0, 0, 0, 1}, 1};
@@ -33,16 +34,20 @@ static void add_batch(gphys_scene* scene) {
     gphys_transform places[50];
     gphys_model_id posts[50];
     uint32_t total;
-    for (int i = 0; i < 50; ++i) places[i] = (gphys_transform){{2.0f * (float)i, 0, 0}, {0, 0, 0, 1}, 1};
-    MUST(gphys_scene_add_batch(scene, GPHYS_SHAPE_CAPSULE, &post, 0, places, sizeof places[0], 50, NULL, posts));
-    EXPECT(gphys_scene_get_models(scene, NULL, 0, &total) == GPHYS_INCOMPLETE && total == 50);
+    for (int i = 0; i < 50; ++i)
+        places[i] = (gphys_transform){{2.0f * (float)i, 0, 0}, {0, 0, 0, 1}, 1};
+    MUST(gphys_scene_add_batch(scene, GPHYS_SHAPE_CAPSULE, &post, 0, places,
+                               sizeof places[0], 50, NULL, posts));
+    EXPECT(gphys_scene_get_models(scene, NULL, 0, &total) == GPHYS_INCOMPLETE &&
+           total == 50);
 }
 
 /* Three coins of one shape, each with a number of its own. */
 static void add_described_batch(gphys_scene* scene) {
     const gphys_sphere coin = {{0, 0, 0}, 0.02f};
-    const gphys_transform places[3] = {
-        {{0, 1, 0}, {0, 0, 0, 1}, 1}, {{1, 1, 0}, {0, 0, 0, 1}, 1}, {{2, 1, 0}, {0, 0, 0, 1}, 1}};
+    const gphys_transform places[3] = {{{0, 1, 0}, {0, 0, 0, 1}, 1},
+                                       {{1, 1, 0}, {0, 0, 0, 1}, 1},
+                                       {{2, 1, 0}, {0, 0, 0, 1}, 1}};
     gphys_model_desc descs[3];
     gphys_model_id coins[3];
     gphys_model_info info;
@@ -50,8 +55,9 @@ static void add_described_batch(gphys_scene* scene) {
         MUST(gphys_model_desc_init(&descs[i], sizeof descs[i]));
         descs[i].tag = 100 + i;
     }
-    MUST(gphys_scene_add_described_batch(scene, GPHYS_SHAPE_SPHERE, &coin, 0, places, sizeof places[0], descs,
-                                         sizeof descs[0], 3, coins));
+    MUST(gphys_scene_add_described_batch(scene, GPHYS_SHAPE_SPHERE, &coin, 0, places,
+                                         sizeof places[0], descs, sizeof descs[0], 3,
+                                         coins));
     MUST(gphys_scene_get_info(scene, coins[2], &info));
     EXPECT(info.tag == 102);
 }
@@ -65,7 +71,8 @@ static void remove_one(gphys_scene* scene, gphys_model_id coin) {
 /* A wave of enemies is over. All of them go in one call, or none if an id is wrong. */
 static void remove_many(gphys_scene* scene, const gphys_model_id enemies[3]) {
     MUST(gphys_scene_remove_batch(scene, enemies, 3));
-    EXPECT(gphys_scene_remove_batch(scene, enemies, 3) == GPHYS_ERROR_INVALID_ID); /* they are gone */
+    /* Once more is an error, as they are gone. */
+    EXPECT(gphys_scene_remove_batch(scene, enemies, 3) == GPHYS_ERROR_INVALID_ID);
 }
 
 /* The next level begins with an empty scene. */
@@ -76,7 +83,8 @@ static void clear(gphys_scene* scene) {
     EXPECT(total == 0);
 }
 
-/* A walk over all models of a scene with two crates: first how many there are, then their ids. */
+/* A walk over all models of a scene with two crates: first how many there are, then
+ * their ids. */
 static void list(const gphys_scene* scene) {
     uint32_t total;
     gphys_scene_get_models(scene, NULL, 0, &total);
@@ -107,7 +115,8 @@ static void mesh_of(const gphys_scene* scene, gphys_model_id rock) {
     gphys_mesh_destroy(mesh);
 }
 
-/* The boxes in the world of a crate of 1 m at x = 5, and of all models: the other crate is at x = 9. */
+/* The boxes in the world of a crate of 1 m at x = 5, and of all models: the other crate
+ * is at x = 9. */
 static void bounds(const gphys_scene* scene, gphys_model_id crate) {
     gphys_aabb box, all;
     MUST(gphys_scene_get_bounds(scene, crate, &box));
@@ -116,7 +125,8 @@ static void bounds(const gphys_scene* scene, gphys_model_id crate) {
     EXPECT(all.min.x <= box.min.x && fabsf(all.max.x - 9.5f) < 1e-4f);
 }
 
-/* A character crouches: another shape for the same model, whose id, place and tag stay. */
+/* A character crouches: another shape for the same model, whose id, place and tag stay.
+ */
 static void set_shape(gphys_scene* scene, gphys_model_id character) {
     const gphys_capsule crouching = {{0, 0.25f, 0}, {0, 0.75f, 0}, 0.25f};
     gphys_aabb box;
@@ -136,7 +146,8 @@ static void set_scale(gphys_scene* scene, gphys_model_id crate) {
     EXPECT(now.x == 6 && fabsf(box.max.y - box.min.y - 3) < 1e-4f);
 }
 
-/* A ghost: a ray with the mask 1 goes through, one with the mask 4 meets it. The crate is 4.5 m ahead. */
+/* A ghost: a ray with the mask 1 goes through, one with the mask 4 meets it. The crate
+ * is 4.5 m ahead. */
 static void set_layers(gphys_scene* scene, gphys_model_id crate) {
     const gphys_ray ray = {{0, 0.5f, 0}, {1, 0, 0}, 4.75f};
     gphys_hit hit;
@@ -146,7 +157,8 @@ static void set_layers(gphys_scene* scene, gphys_model_id crate) {
     EXPECT(hit.model == crate && hit.t == 4.5f);
 }
 
-/* The tag says what a model is to the program: an index into its own table, changed when the entry moves. */
+/* The tag says what a model is to the program: an index into its own table, changed
+ * when the entry moves. */
 static void set_tag(gphys_scene* scene, gphys_model_id crate) {
     gphys_model_info info;
     MUST(gphys_scene_set_tag(scene, crate, 17));
@@ -154,7 +166,8 @@ static void set_tag(gphys_scene* scene, gphys_model_id crate) {
     EXPECT(info.tag == 17);
 }
 
-/* A door turns by a quarter about its hinge, the y axis. The next query sees it there. */
+/* A door turns by a quarter about its hinge, the y axis. The next query sees it there.
+ */
 static void set_transform(gphys_scene* scene, gphys_model_id door) {
     const float half = sqrtf(0.5f);
     const gphys_transform open = {{5, 0, 0}, {0, half, 0, half}, 1};
@@ -166,7 +179,8 @@ static void set_transform(gphys_scene* scene, gphys_model_id door) {
 
 /* All that moved in a frame is placed in one call. */
 static void set_transforms(gphys_scene* scene, const gphys_model_id cars[2]) {
-    const gphys_transform places[2] = {{{10, 0, 0}, {0, 0, 0, 1}, 1}, {{10, 0, 3}, {0, 0, 0, 1}, 1}};
+    const gphys_transform places[2] = {{{10, 0, 0}, {0, 0, 0, 1}, 1},
+                                       {{10, 0, 3}, {0, 0, 0, 1}, 1}};
     gphys_transform now[2];
     MUST(gphys_scene_set_transforms(scene, cars, places, sizeof places[0], 2));
     MUST(gphys_scene_get_world_transforms(scene, cars, 2, now, sizeof now[0]));
@@ -217,7 +231,8 @@ int main(void) {
     mesh_of(scene, rock);
 
     remove_one(scene, rock);
-    const gphys_model_id enemies[3] = {crate_at(scene, 1), crate_at(scene, 2), crate_at(scene, 3)};
+    const gphys_model_id enemies[3] = {crate_at(scene, 1), crate_at(scene, 2),
+                                       crate_at(scene, 3)};
     remove_many(scene, enemies);
     gphys_scene_destroy(scene);
     return 0;

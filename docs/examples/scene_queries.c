@@ -1,10 +1,12 @@
-/* Questions to a scene. It is a yard: ground at y = 0, a wall from x = 10 to 11, 3 m high and 20 m long, and a barrel
- * with a radius of 0.5 m at x = 5, upright and 1.5 m high with its round ends. */
+/* Questions to a scene. The scene is a yard: ground at y = 0; a wall from x = 10 to 11,
+ * 3 m high and 20 m long; and a barrel with a radius of 0.5 m at x = 5, upright and 1.5
+ * m high with its round ends. */
 #include <math.h>
 
 #include "check.h"
 
-static gphys_model_id place(gphys_scene* scene, gphys_shape_type type, const void* shape) {
+static gphys_model_id place(gphys_scene* scene, gphys_shape_type type,
+                            const void* shape) {
     gphys_model_id model;
     MUST(gphys_scene_add(scene, type, shape, NULL, NULL, &model));
     return model;
@@ -18,7 +20,8 @@ static void raycast(const gphys_scene* scene, gphys_model_id barrel) {
     EXPECT(hit.model == barrel && hit.t == 4.5f && hit.normal.x == -1);
 }
 
-/* Is a place in the shade, with the sun straight above? Whether is cheaper to know than what. */
+/* Is a place in the shade, with the sun straight above? Whether is cheaper to know than
+ * what. */
 static void raycast_any(const gphys_scene* scene) {
     const gphys_ray beside_wall = {{9, 0.1f, 0}, {0, 1, 0}, INFINITY},
                     under_wall = {{10.5f, 0.1f, 0}, {0, 1, 0}, INFINITY};
@@ -30,7 +33,8 @@ static void raycast_any(const gphys_scene* scene) {
 }
 
 /* A bullet that goes through all it meets: the barrel first, then the wall. */
-static void raycast_all(const gphys_scene* scene, gphys_model_id barrel, gphys_model_id wall) {
+static void raycast_all(const gphys_scene* scene, gphys_model_id barrel,
+                        gphys_model_id wall) {
     const gphys_ray bullet = {{0, 1, 0}, {1, 0, 0}, 100};
     gphys_hit hits[8];
     uint32_t total;
@@ -39,25 +43,33 @@ static void raycast_all(const gphys_scene* scene, gphys_model_id barrel, gphys_m
     EXPECT(hits[1].t == 10);
 }
 
-/* A line of sight between two people, 8 m apart, with a barrel between them. t is the share of the way. */
+/* A line of sight between two people, 8 m apart, with a barrel between them. t is the
+ * share of the way. */
 static void segment_test(const gphys_scene* scene, gphys_model_id barrel) {
-    const gphys_segment low = {{1, 1, 0}, {9, 1, 0}}, high = {{1, 1.75f, 0}, {9, 1.75f, 0}};
+    const gphys_segment low = {{1, 1, 0}, {9, 1, 0}},
+                        high = {{1, 1.75f, 0}, {9, 1.75f, 0}};
     gphys_hit hit;
     MUST(gphys_scene_segment_test(scene, &low, GPHYS_ALL_LAYERS, &hit));
     EXPECT(hit.model == barrel && hit.t == 3.5f / 8);
-    EXPECT(gphys_scene_segment_test(scene, &high, GPHYS_ALL_LAYERS, &hit) == GPHYS_NO_HIT); /* over it */
+    /* From higher up the view goes over it. */
+    EXPECT(gphys_scene_segment_test(scene, &high, GPHYS_ALL_LAYERS, &hit) ==
+           GPHYS_NO_HIT);
 }
 
-/* What a blast with a radius of 2 m at x = 7 reaches: the barrel and the ground. The wall is 3 m away. */
-static void overlap(const gphys_scene* scene, gphys_model_id ground, gphys_model_id barrel) {
+/* What a blast with a radius of 2 m at x = 7 reaches: the barrel and the ground. The
+ * wall is 3 m away. */
+static void overlap(const gphys_scene* scene, gphys_model_id ground,
+                    gphys_model_id barrel) {
     const gphys_sphere blast = {{7, 1, 0}, 2};
     gphys_model_id models[8];
     uint32_t total;
-    MUST(gphys_scene_overlap(scene, GPHYS_SHAPE_SPHERE, &blast, GPHYS_ALL_LAYERS, models, 8, &total));
+    MUST(gphys_scene_overlap(scene, GPHYS_SHAPE_SPHERE, &blast, GPHYS_ALL_LAYERS,
+                             models, 8, &total));
     EXPECT(total == 2 && models[0] == ground && models[1] == barrel); /* by id */
 }
 
-/* What is nearest to a lamp, within 5 m: the wall, 2 m away. The ground is 4 m below. */
+/* What is nearest to a lamp, within 5 m: the wall, 2 m away. The ground is 4 m below.
+ */
 static void nearest(const gphys_scene* scene, gphys_model_id wall) {
     const gphys_vec3 lamp = {10.5f, 5, 0};
     gphys_nearest found;
@@ -65,7 +77,8 @@ static void nearest(const gphys_scene* scene, gphys_model_id wall) {
     EXPECT(found.model == wall && found.distance == 2 && found.point.y == 3);
 }
 
-/* A camera is a ball of 25 cm that goes back from x = 9 by 8 m: it stops at the barrel, after 3.25 m. */
+/* A camera is a ball of 25 cm that goes back from x = 9 by 8 m: it stops at the barrel,
+ * after 3.25 m. */
 static void sweep_sphere(const gphys_scene* scene, gphys_model_id barrel) {
     const gphys_sphere camera = {{9, 1, 0}, 0.25f};
     const gphys_vec3 back = {-8, 0, 0};
@@ -74,32 +87,42 @@ static void sweep_sphere(const gphys_scene* scene, gphys_model_id barrel) {
     EXPECT(hit.model == barrel && hit.t * 8 == 3.25f);
 }
 
-/* A character, 1.5 m tall and 1 m wide, walks 4 m towards the wall: it gets 1.5 m far. It floats a little, as a capsule
- * that touches the ground has met it already. */
+/* A character, 1.5 m tall and 1 m wide, walks 4 m towards the wall: it gets 1.5 m far.
+ * It floats a little, as a capsule that touches the ground has met it already. */
 static void sweep(const gphys_scene* scene, gphys_model_id wall) {
     const gphys_capsule character = {{8, 0.75f, 5}, {8, 1.25f, 5}, 0.5f};
     const gphys_vec3 way = {4, 0, 0};
     gphys_hit hit;
-    MUST(gphys_scene_sweep(scene, GPHYS_SHAPE_CAPSULE, &character, &way, GPHYS_ALL_LAYERS, &hit));
+    MUST(gphys_scene_sweep(scene, GPHYS_SHAPE_CAPSULE, &character, &way,
+                           GPHYS_ALL_LAYERS, &hit));
     EXPECT(hit.model == wall && hit.t * 4 == 1.5f && hit.normal.x == -1);
 }
 
-/* A ball that is 0.25 m deep in the wall and 0.1 m in the ground: the deepest comes first. */
-static void penetration(const gphys_scene* scene, gphys_model_id ground, gphys_model_id wall) {
+/* A ball that is 0.25 m deep in the wall and 0.1 m in the ground: the deepest comes
+ * first. */
+static void penetration(const gphys_scene* scene, gphys_model_id ground,
+                        gphys_model_id wall) {
     const gphys_sphere ball = {{9.75f, 0.4f, 0}, 0.5f};
     gphys_penetration ways[4];
     uint32_t total;
-    MUST(gphys_scene_penetration(scene, GPHYS_SHAPE_SPHERE, &ball, GPHYS_ALL_LAYERS, ways, 4, &total));
+    MUST(gphys_scene_penetration(scene, GPHYS_SHAPE_SPHERE, &ball, GPHYS_ALL_LAYERS,
+                                 ways, 4, &total));
     EXPECT(total == 2 && ways[0].model == wall && ways[1].model == ground);
     EXPECT(ways[0].depth == 0.25f && ways[0].normal.x == -1);
     EXPECT(fabsf(ways[1].depth - 0.1f) < 1e-6f && ways[1].normal.y == 1);
 }
 
-/* What a view holds, for drawing: here a box of 4 m about the barrel as a frustum. The wall is not in it. */
-static void cull(const gphys_scene* scene, gphys_model_id ground, gphys_model_id barrel) {
-    const gphys_frustum view = {
-        {5, 1, 0},
-        {{{0, 0, 1}, -2}, {{0, 0, -1}, -2}, {{1, 0, 0}, -2}, {{-1, 0, 0}, -2}, {{0, 1, 0}, -2}, {{0, -1, 0}, -2}}};
+/* What a view holds, for drawing: here a box of 4 m about the barrel as a frustum. The
+ * wall is not in it. */
+static void cull(const gphys_scene* scene, gphys_model_id ground,
+                 gphys_model_id barrel) {
+    const gphys_frustum view = {{5, 1, 0},
+                                {{{0, 0, 1}, -2},
+                                 {{0, 0, -1}, -2},
+                                 {{1, 0, 0}, -2},
+                                 {{-1, 0, 0}, -2},
+                                 {{0, 1, 0}, -2},
+                                 {{0, -1, 0}, -2}}};
     gphys_model_id models[8];
     uint32_t total;
     MUST(gphys_scene_cull(scene, &view, GPHYS_ALL_LAYERS, models, 8, &total));

@@ -1,12 +1,14 @@
 /* Whole states as words: to save, to undo, to compare. */
 #include "check.h"
 
-/* A saved game: the snapshot is complete with its meshes, and another scene is restored from it. Ids stay. */
+/* A saved game: the snapshot is complete with its meshes, and another scene is restored
+ * from it. Ids stay. */
 static void save(const gphys_scene* scene, gphys_model_id crate) {
     uint32_t count;
     gphys_scene_get_snapshot(scene, 1, NULL, 0, &count);
     uint32_t* words = malloc(count * sizeof *words);
-    MUST(gphys_scene_get_snapshot(scene, 1, words, count, &count)); /* fwrite(words, 4, count, file) */
+    /* The words may go to a file: fwrite(words, sizeof *words, count, file). */
+    MUST(gphys_scene_get_snapshot(scene, 1, words, count, &count));
 
     gphys_scene* loaded = NULL;
     MUST(gphys_scene_create(NULL, &loaded));
@@ -16,7 +18,8 @@ static void save(const gphys_scene* scene, gphys_model_id crate) {
     free(words);
 }
 
-/* Undo in an editor: a snapshot before the change, without the meshes, and back to it. */
+/* Undo in an editor: a snapshot before the change, without the meshes, and back to it.
+ */
 static void undo(gphys_scene* scene, gphys_model_id crate) {
     uint32_t words[256], count;
     MUST(gphys_scene_get_snapshot(scene, 0, words, 256, &count));
@@ -25,7 +28,8 @@ static void undo(gphys_scene* scene, gphys_model_id crate) {
     MUST(gphys_scene_has(scene, crate));
 }
 
-/* Two players' machines compare their scenes by 64 bits. Another tag is another state. */
+/* Two players' machines compare their scenes by 64 bits. Another tag is another state.
+ */
 static void compare(gphys_scene* scene, gphys_model_id crate) {
     uint32_t before[2], after[2];
     MUST(gphys_scene_get_hash(scene, before));
@@ -34,7 +38,8 @@ static void compare(gphys_scene* scene, gphys_model_id crate) {
     EXPECT(before[0] != after[0] || before[1] != after[1]);
 }
 
-/* Rollback: the state before a step, the step, and the same step again with the same bits. */
+/* Rollback: the state before a step, the step, and the same step again with the same
+ * bits. */
 static void roll_back(gphys_solver* solver) {
     uint32_t count, first[2], second[2];
     gphys_solver_get_snapshot(solver, NULL, 0, &count);

@@ -15,7 +15,8 @@ static void create(void) {
     gphys_solver_destroy(solver);
 }
 
-/* Two sparks of a gram each, 5 m above the ground, and where they are a second later: 4.9 m further down. */
+/* Two sparks of a gram each, 5 m above the ground, and where they are a second
+ * later: 4.9 m further down. */
 static void add_particles(gphys_solver* solver) {
     const gphys_vec3 sparks[2] = {{0, 5, 0}, {1, 5, 0}};
     gphys_body_desc desc;
@@ -29,7 +30,8 @@ static void add_particles(gphys_solver* solver) {
     EXPECT(fabsf(now[0].y - (5 - 9.81f / 2)) < 1e-3f);
 }
 
-/* A rope of 2 m and 1 kg that hangs from its first particle. At rest its end is 2 m below that. */
+/* A rope of 2 m and 1 kg that hangs from its first particle. At rest its end is 2 m
+ * below that. */
 static void add_rope(gphys_solver* solver) {
     gphys_vec3 points[21];
     gphys_body_desc desc;
@@ -59,14 +61,16 @@ static void add_cloth(gphys_solver* solver) {
     EXPECT(info.particle_count == 11 * 21 && info.triangle_count == 2 * 10 * 20);
 }
 
-/* A tent in the form of a mesh, a pyramid without a floor. A particle is at each of its five vertices. */
+/* A tent in the form of a mesh, a pyramid without a floor. A particle is at each of its
+ * five vertices. */
 static void add_cloth_mesh(gphys_solver* solver, const gphys_mesh* pyramid) {
     const gphys_transform place = {{10, 0, 0}, {0, 0, 0, 1}, 1};
     gphys_body_id tent;
     gphys_body_info info;
     MUST(gphys_solver_add_cloth_mesh(solver, NULL, pyramid, &place, &tent));
     MUST(gphys_solver_get_body_info(solver, tent, &info));
-    EXPECT(info.kind == GPHYS_BODY_CLOTH && info.particle_count == 5 && info.triangle_count == 4);
+    EXPECT(info.kind == GPHYS_BODY_CLOTH && info.particle_count == 5 &&
+           info.triangle_count == 4);
 }
 
 /* All bodies of a solver with two ropes, then one less. */
@@ -88,7 +92,8 @@ static void info(gphys_solver* solver, gphys_body_id rope) {
     EXPECT(info.particle_count == 21 && info.constraint_count == 20);
 }
 
-/* The triangles of a piece of cloth of 2 by 2 particles, to draw it: three particles each. */
+/* The triangles of a piece of cloth of 2 by 2 particles, to draw it: three particles
+ * each. */
 static void triangles(const gphys_solver* solver, gphys_body_id cloth) {
     uint32_t indices[6], total;
     MUST(gphys_solver_get_triangles(solver, cloth, indices, 6, &total));
@@ -96,7 +101,8 @@ static void triangles(const gphys_solver* solver, gphys_body_id cloth) {
     for (uint32_t i = 0; i < total; ++i) EXPECT(indices[i] < 4);
 }
 
-/* Friction for a slippery floor and the masks of what a body collides with, changed while it moves. */
+/* Friction for a slippery floor and the masks of what a body collides with, changed
+ * while it moves. */
 static void body_settings(gphys_solver* solver, gphys_body_id rope) {
     gphys_body_settings settings;
     MUST(gphys_solver_get_body_settings(solver, rope, &settings));
@@ -107,9 +113,11 @@ static void body_settings(gphys_solver* solver, gphys_body_id rope) {
     EXPECT(settings.friction == 0.05f && settings.layers == 1);
 }
 
-/* A rope as a model of a scene: rays meet it, and the particle at the place that was hit is found, to grab it. */
+/* A rope from x = 0 to 2 m at y = 5, with a particle every 10 cm, as a model of a
+ * scene: rays meet it, and the particle at the place that was hit is found, to grab it.
+ */
 static void pick_rope(gphys_solver* solver, gphys_scene* scene, gphys_body_id rope) {
-    const gphys_ray ray = {{1.02f, 5, -10}, {0, 0, 1}, 100}; /* at a rope from x = 0 to 2 in steps of 0.1, y = 5 */
+    const gphys_ray ray = {{1.02f, 5, -10}, {0, 0, 1}, 100};
     gphys_mesh* mesh = NULL;
     gphys_model_id model;
     gphys_hit hit;
@@ -118,7 +126,8 @@ static void pick_rope(gphys_solver* solver, gphys_scene* scene, gphys_body_id ro
     MUST(gphys_scene_add(scene, GPHYS_SHAPE_MESH, mesh, NULL, NULL, &model));
     gphys_mesh_destroy(mesh); /* the model keeps it */
     MUST(gphys_scene_raycast(scene, &ray, GPHYS_ALL_LAYERS, &hit));
-    MUST(gphys_solver_get_nearest_particle(solver, rope, hit.triangle, &hit.point, &particle));
+    MUST(gphys_solver_get_nearest_particle(solver, rope, hit.triangle, &hit.point,
+                                           &particle));
     EXPECT(hit.model == model && particle == 10);
 }
 
@@ -137,14 +146,16 @@ static gphys_body_id level_rope(gphys_solver* solver) {
 }
 
 int main(void) {
-    static const float vertices[5][3] = {{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}, {0, 2, 0}};
+    static const float vertices[5][3] = {
+        {-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}, {0, 2, 0}};
     static const uint32_t sides[12] = {1, 0, 4, 2, 1, 4, 3, 2, 4, 0, 3, 4};
     const gphys_vec3 corner = {0, 2, 0}, along = {1, 0, 0}, across = {0, 0, 1};
     gphys_solver* solver = empty();
     gphys_scene* scene = NULL;
     gphys_mesh* pyramid = NULL;
     gphys_body_id cloth;
-    MUST(gphys_mesh_create(NULL, vertices[0], sizeof vertices[0], 5, sides, 12, &pyramid));
+    MUST(gphys_mesh_create(NULL, vertices[0], sizeof vertices[0], 5, sides, 12,
+                           &pyramid));
     MUST(gphys_scene_create(NULL, &scene));
     create();
     add_particles(solver);

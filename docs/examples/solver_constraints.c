@@ -1,21 +1,26 @@
-/* What holds particles together: distances, volumes, clusters and joints, and what breaks. */
+/* What holds particles together: distances, volumes, clusters and joints, and what
+ * breaks. */
 #include <math.h>
 
 #include "check.h"
 
-/* Three particles become a pendulum's rod with a spring: a rigid link, and one that yields 1 mm for a newton. */
+/* Three particles, 1 m from one to the next, get a rod and a spring: a rigid link, and
+ * one that yields 1 mm for a newton. */
 static void add_distance(gphys_solver* solver, gphys_body_id particles) {
     gphys_constraint_id rod, spring;
     gphys_constraint_info all[4];
     uint32_t total;
-    MUST(gphys_solver_add_distance(solver, particles, 0, 1, -1, 0, &rod)); /* -1: as far apart as they are */
+    /* -1: as far apart as they are. */
+    MUST(gphys_solver_add_distance(solver, particles, 0, 1, -1, 0, &rod));
     MUST(gphys_solver_add_distance(solver, particles, 1, 2, -1, 0.001f, &spring));
     MUST(gphys_solver_get_constraints(solver, particles, all, 4, &total));
-    EXPECT(total == 2 && all[0].id == rod && all[0].rest_length == 1 && all[0].compliance == 0);
+    EXPECT(total == 2 && all[0].id == rod && all[0].rest_length == 1 &&
+           all[0].compliance == 0);
     EXPECT(all[1].id == spring && all[1].particle_a == 1 && all[1].particle_b == 2);
 }
 
-/* A dog on a lead of 3 m: nothing holds it while it is nearer. The two particles are 1 m apart. */
+/* A dog on a lead of 3 m: nothing holds it while it is nearer. The two particles are 1
+ * m apart. */
 static void add_max_distance(gphys_solver* solver, gphys_body_id body) {
     gphys_constraint_id lead;
     gphys_constraint_kind kind;
@@ -24,23 +29,29 @@ static void add_max_distance(gphys_solver* solver, gphys_body_id body) {
     EXPECT(kind == GPHYS_CONSTRAINT_MAX_DISTANCE);
 }
 
-/* A shock absorber: a spring of 1 mm for a newton that takes the speed of its ends, 40 N for each m/s. */
+/* A shock absorber: a spring of 1 mm for a newton that takes the speed of its ends, 40
+ * N for each m/s. */
 static void damping(gphys_solver* solver, gphys_body_id body) {
     gphys_constraint_id spring;
     gphys_constraint_settings settings;
     MUST(gphys_solver_add_distance(solver, body, 0, 1, -1, 0.001f, &spring));
     MUST(gphys_solver_set_constraint_damping(solver, body, spring, 40));
-    MUST(gphys_solver_get_constraint_settings(solver, body, &spring, 1, &settings, sizeof settings));
-    EXPECT(settings.damping == 40 && settings.compliance == 0.001f && settings.rest_length == 1);
+    MUST(gphys_solver_get_constraint_settings(solver, body, &spring, 1, &settings,
+                                              sizeof settings));
+    EXPECT(settings.damping == 40 && settings.compliance == 0.001f &&
+           settings.rest_length == 1);
 }
 
-/* A winch reels in at 0.6 m/s: before each step of 1/60 s its link becomes 1 cm shorter. It is 1 m long at first. */
+/* A winch reels in at 0.6 m/s: before each step of 1/60 s its link becomes 1 cm
+ * shorter. It is 1 m long at first. */
 static void winch(gphys_solver* solver, gphys_body_id rope, gphys_constraint_id link) {
     gphys_constraint_settings settings;
     for (int i = 0; i < 30; ++i) {
-        MUST(gphys_solver_get_constraint_settings(solver, rope, &link, 1, &settings, sizeof settings));
+        MUST(gphys_solver_get_constraint_settings(solver, rope, &link, 1, &settings,
+                                                  sizeof settings));
         settings.rest_length -= 0.6f / 60;
-        MUST(gphys_solver_set_constraint_settings(solver, rope, &link, &settings, sizeof settings, 1));
+        MUST(gphys_solver_set_constraint_settings(solver, rope, &link, &settings,
+                                                  sizeof settings, 1));
         MUST(gphys_solver_step(solver, NULL, 1.0f / 60));
     }
     EXPECT(fabsf(settings.rest_length - 0.7f) < 1e-5f);
@@ -56,20 +67,24 @@ static void cut(gphys_solver* solver, gphys_body_id rope) {
     EXPECT(total == 1);
 }
 
-/* A closed cube of cloth with sides of 1 m, filled with air at its volume of 1 m^3. A compliance of 7e-6 m^3/Pa is that
- * of a cubic metre of air: its volume divided by 1.4 times its pressure of 101325 Pa. */
+/* A closed cube of cloth with sides of 1 m, filled with air at its volume of 1 m^3. A
+ * compliance of 7e-6 m^3/Pa is that of a cubic metre of air: its volume divided by 1.4
+ * times its pressure of 101325 Pa. */
 static void volume(gphys_solver* solver, gphys_body_id cube) {
     float volume, pressure, rest_volume, compliance;
     MUST(gphys_solver_set_volume(solver, cube, -1, 7e-6f)); /* -1: as it is now */
     MUST(gphys_solver_get_volume(solver, cube, &volume, &pressure));
     MUST(gphys_solver_get_volume_settings(solver, cube, &rest_volume, &compliance));
-    EXPECT(fabsf(volume - 1) < 1e-5f && pressure == 0 && fabsf(rest_volume - 1) < 1e-5f);
-    MUST(gphys_solver_set_volume(solver, cube, 1.2f, 7e-6f)); /* a fifth more is pumped in */
+    EXPECT(fabsf(volume - 1) < 1e-5f && pressure == 0 &&
+           fabsf(rest_volume - 1) < 1e-5f);
+    /* A fifth more is pumped in. */
+    MUST(gphys_solver_set_volume(solver, cube, 1.2f, 7e-6f));
     MUST(gphys_solver_get_volume_settings(solver, cube, &rest_volume, &compliance));
     EXPECT(rest_volume == 1.2f && compliance == 7e-6f);
 }
 
-/* Four free particles become a plank that keeps its shape, and are free again in the end. */
+/* Four free particles become a plank that keeps its shape, and are free again in the
+ * end. */
 static void clusters(gphys_solver* solver, gphys_body_id body) {
     const uint32_t plank[4] = {0, 1, 2, 3};
     gphys_cluster_id cluster, clusters[4];
@@ -77,25 +92,31 @@ static void clusters(gphys_solver* solver, gphys_body_id body) {
     MUST(gphys_solver_add_cluster(solver, body, plank, 4, &cluster));
     MUST(gphys_solver_get_clusters(solver, body, clusters, 4, &cluster_count));
     EXPECT(cluster_count == 1 && clusters[0] == cluster);
-    MUST(gphys_solver_get_cluster_particles(solver, body, cluster, particles, 4, &particle_count));
+    MUST(gphys_solver_get_cluster_particles(solver, body, cluster, particles, 4,
+                                            &particle_count));
     EXPECT(particle_count == 4 && particles[3] == 3);
     MUST(gphys_solver_remove_cluster(solver, body, cluster));
 }
 
-/* The ends of two ropes of three particles, 2 m apart, are tied together by a joint as long as that, then untied. */
+/* The ends of two ropes of three particles, 2 m apart, are tied together by a joint as
+ * long as that, then untied. */
 static void joints(gphys_solver* solver, gphys_body_id rope, gphys_body_id other) {
     gphys_joint_id knot;
     gphys_joint_info all[4];
     uint32_t total;
-    MUST(gphys_solver_join(solver, rope, 2, other, 2, -1, 0, &knot)); /* -1: as far apart as they are */
+    /* -1: as far apart as they are. */
+    MUST(gphys_solver_join(solver, rope, 2, other, 2, -1, 0, &knot));
     MUST(gphys_solver_get_joints(solver, rope, all, 4, &total));
-    EXPECT(total == 1 && all[0].id == knot && all[0].body_b == other && all[0].particle_b == 2);
+    EXPECT(total == 1 && all[0].id == knot && all[0].body_b == other &&
+           all[0].particle_b == 2);
     EXPECT(all[0].rest_length == 2);
     MUST(gphys_solver_unjoin(solver, knot));
 }
 
-/* The first link of a rope, which is 10 kg and hangs from its first particle, breaks beyond 50 N. It does in a step. */
-static void breaking(gphys_solver* solver, gphys_body_id rope, gphys_constraint_id link) {
+/* The first link of a rope, which is 10 kg and hangs from its first particle, breaks
+ * beyond 50 N. It does in a step. */
+static void breaking(gphys_solver* solver, gphys_body_id rope,
+                     gphys_constraint_id link) {
     const float most = 50;
     float now;
     gphys_break breaks[4];
@@ -111,14 +132,16 @@ static void breaking(gphys_solver* solver, gphys_body_id rope, gphys_constraint_
 }
 
 /* Scissors cut cloth at one of its links. Where it parts, a particle becomes two. */
-static void scissors(gphys_solver* solver, gphys_body_id cloth, gphys_constraint_id link) {
+static void scissors(gphys_solver* solver, gphys_body_id cloth,
+                     gphys_constraint_id link) {
     gphys_body_info before, after;
     gphys_break result;
     MUST(gphys_solver_get_body_info(solver, cloth, &before));
     MUST(gphys_solver_break_constraint(solver, cloth, link, &result));
     MUST(gphys_solver_get_body_info(solver, cloth, &after));
     EXPECT(result.constraint == link && result.load == 0); /* no load broke it */
-    EXPECT(result.new_particle == before.particle_count && after.particle_count == before.particle_count + 1);
+    EXPECT(result.new_particle == before.particle_count &&
+           after.particle_count == before.particle_count + 1);
 }
 
 static gphys_solver* create(void) {
@@ -182,7 +205,8 @@ int main(void) {
     gphys_solver_destroy(solver);
 
     solver = create();
-    const gphys_body_id left = hanging_rope(solver, 0, 10), right = hanging_rope(solver, 2, 1);
+    const gphys_body_id left = hanging_rope(solver, 0, 10),
+                        right = hanging_rope(solver, 2, 1);
     joints(solver, left, right);
     cut(solver, right);
     breaking(solver, left, first_link(solver, left));

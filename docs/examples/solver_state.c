@@ -1,16 +1,19 @@
-/* Reading and writing the state of particles. The rope of these examples has five particles, from x = 0 to 2 m in steps
- * of half a metre, at a height of 3 m. */
+/* Reading and writing the state of particles. The rope of these examples has five
+ * particles and a mass of 1 kg. It reaches from x = 0 to 2 m in steps of half a metre,
+ * at a height of 3 m. */
 #include <math.h>
 
 #include "check.h"
 
-/* Where the particles are, into vertices of a program's own: a position at the start of each. */
+/* Where the particles are, into vertices of a program's own: a position at the start of
+ * each. */
 static void get_positions(const gphys_solver* solver, gphys_body_id rope) {
     struct {
         gphys_vec3 position;
         float colour[4];
     } vertices[5];
-    MUST(gphys_solver_get_positions(solver, rope, 0, 5, &vertices[0].position, sizeof vertices[0]));
+    MUST(gphys_solver_get_positions(solver, rope, 0, 5, &vertices[0].position,
+                                    sizeof vertices[0]));
     EXPECT(vertices[4].position.x == 2 && vertices[4].position.y == 3);
 }
 
@@ -41,7 +44,8 @@ static void masses(gphys_solver* solver, gphys_body_id rope) {
     EXPECT(now[3] == 0.2f && now[4] == 20);
 }
 
-/* A knot at the end of the rope, which is thicker there than the centimetre of the others. */
+/* A knot at the end of the rope, which is thicker there than the centimetre of the
+ * others. */
 static void radii(gphys_solver* solver, gphys_body_id rope) {
     const float knot = 0.05f;
     float now[5];
@@ -50,7 +54,8 @@ static void radii(gphys_solver* solver, gphys_body_id rope) {
     EXPECT(now[3] == 0.01f && now[4] == 0.05f);
 }
 
-/* The last half metre of the rope is wet: it has a fifth of the friction of the body. */
+/* The last half metre of the rope is wet: it has a fifth of the friction of the body.
+ */
 static void friction_factors(gphys_solver* solver, gphys_body_id rope) {
     const float wet = 0.2f;
     float now[5];
@@ -77,7 +82,8 @@ static void pinned(gphys_solver* solver, gphys_body_id rope) {
 }
 
 int main(void) {
-    const gphys_vec3 points[5] = {{0, 3, 0}, {0.5f, 3, 0}, {1, 3, 0}, {1.5f, 3, 0}, {2, 3, 0}};
+    const gphys_vec3 points[5] = {
+        {0, 3, 0}, {0.5f, 3, 0}, {1, 3, 0}, {1.5f, 3, 0}, {2, 3, 0}};
     gphys_solver* solver = NULL;
     gphys_body_id rope;
     MUST(gphys_solver_create(NULL, &solver));

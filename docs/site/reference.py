@@ -63,30 +63,35 @@ class Reference:
         self.programs = self.find_programs()
 
     def find_examples(self):
-        """{function: lines} of the example that shows it with the fewest others."""
+        """{function: (path, lines)} of the example that shows it with the fewest others, and of these before others."""
         found = {}
         for path in sorted(self.source.glob(PROGRAMS[0])):
             for text in EXAMPLE.findall(path.read_text()):
-                names, lines = set(calls(text)), text.splitlines()
+                names, lines = list(dict.fromkeys(calls(text))), text.splitlines()
                 if len(lines) > LONGEST:
                     raise SystemExit(f"{path}: an example has {len(lines)} lines, more than {LONGEST}: {lines[0]}")
-                for name in names:
-                    found.setdefault(name, []).append((len(names), len(lines), lines))
+                for place, name in enumerate(names):
+                    found.setdefault(name, []).append((len(names), place, len(lines), path.relative_to(self.source), lines))
         missing = [name for name in self.functions if name not in found]
         if missing:
             raise SystemExit(f"no example of docs/examples calls {' '.join(missing)}")
-        return {name: min(several)[2] for name, several in found.items()}
+        return {name: min(several)[-2:] for name, several in found.items()}
+
+    def setting(self, path):
+        """What the comment at the top of a program says of its examples, behind its first sentence."""
+        comment = re.match(r"/\*((?:(?!\*/)[\s\S])*)\*/", (self.source / path).read_text()).group(1)
+        return " ".join(re.sub(r"\n \* ?", " ", comment).split()).partition(". ")[2]
 
     def find_programs(self):
-        """{function: paths of the programs that call it}, examples first."""
-        programs = {}
-        for pattern in PROGRAMS:
+        """{function: paths of the programs that call it}, that of its example first."""
+        programs = {name: [path.as_posix()] for name, (path, _) in self.examples.items()}
+        for pattern in PROGRAMS[1:]:
             for path in sorted(self.source.glob(pattern)):
                 text = path.read_text()
                 if path.suffix == ".md":
                     text = "".join(re.findall(r"^```c\n(.*?)^```", text, re.M | re.S))
                 for name in dict.fromkeys(calls(text)):
-                    programs.setdefault(name, []).append(path.relative_to(self.source).as_posix())
+                    programs[name].append(path.relative_to(self.source).as_posix())
         return programs
 
     def prose(self, text):
@@ -155,8 +160,9 @@ class Reference:
             lines.append(f"   :{title.replace('param', 'Parameters', 1) if ',' in title else title}: {body}")
         programs = self.programs[name][:4]
         shown = [f":download:`{path} </{path}>`" if not path.endswith(".md") else f":doc:`/{path[:-3]}`" for path in programs]
-        lines += [f"   :Programs: {', '.join(shown)}", "", "   .. code-block:: c", ""]
-        lines += [f"      {line}" for line in self.examples[name]]
+        path, example = self.examples[name]
+        lines += [f"   :Programs: {', '.join(shown)}", "", *self.paragraphs(self.setting(path), "   ")]
+        lines += ["   .. code-block:: c", "", *(f"      {line}" for line in example)]
         return lines + [""]
 
     def struct(self, name):
