@@ -293,8 +293,7 @@ static void sweep(const gphys_scene* scene, gphys_model_id guard, gphys_model_id
     EXPECT(hit.model == wall && hit.t * 8 == 4.5f);
 }
 
-/* The player and the guard want to walk 8 m towards each other. Each gets 4 m far, to
- * where the other is now. */
+/* Both walk 8 m towards each other, and get 4 m far, to where the other is now. */
 static void sweep_batch(const gphys_scene* scene, gphys_model_id player,
                         gphys_model_id guard) {
     const gphys_capsule bodies[2] = {{{0, 0.5f, 0}, {0, 1.5f, 0}, 0.5f},

@@ -113,8 +113,8 @@ static void joints(gphys_solver* solver, gphys_body_id rope, gphys_body_id other
     MUST(gphys_solver_unjoin(solver, knot));
 }
 
-/* The first link of a rope, which is 10 kg and hangs from its first particle, breaks
- * beyond 50 N. It does in a step. */
+/* A rope of 10 kg hangs from its first particle. Its first link, which carries more
+ * than 50 N, breaks beyond that. */
 static void breaking(gphys_solver* solver, gphys_body_id rope,
                      gphys_constraint_id link) {
     const float most = 50;
