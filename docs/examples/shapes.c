@@ -1,4 +1,4 @@
-/* Questions about single shapes. They need no scene. */
+/* Questions about single shapes, without a scene. */
 #include <math.h>
 #include <string.h>
 
