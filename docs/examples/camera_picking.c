@@ -37,8 +37,8 @@ static void pick_behind(const gphys_camera* camera, const gphys_scene* scene,
     EXPECT(hit.model == behind);
 }
 
-/* The same for two pixels of the near ball: its middle, and one near its edge, behind
- * which there is nothing. */
+/* What lies behind a ball that is selected, under two pixels of it: its middle, and one
+ * near its edge, behind which there is nothing. */
 static void pick_behind_batch(const gphys_camera* camera, const gphys_scene* scene,
                               gphys_model_id selected, gphys_model_id behind) {
     const float pixels[2][2] = {{400, 300}, {445, 300}};

@@ -31,7 +31,8 @@ static void raycast(const gphys_scene* scene, gphys_model_id player,
     EXPECT(hit.model == guard && hit.t == 4.5f);
 }
 
-/* Both shoot at each other in one call, each with a filter that leaves out himself. */
+/* The player and the guard shoot at each other in one call, each with a filter of his
+ * own. */
 static void raycast_batch(const gphys_scene* scene, gphys_model_id player,
                           gphys_model_id guard) {
     const gphys_ray shots[2] = {{{0, 1, 0}, {1, 0, 0}, 100},
@@ -67,8 +68,8 @@ static void lidar(const gphys_scene* scene, gphys_model_id player,
            found[2].t == INFINITY);
 }
 
-/* Does the guard see the player? The line between their middles meets both, so both are
- * left out. */
+/* Does the guard see the player? The line between their middles meets both, and the
+ * lamp, so these three are left out. */
 static void line_of_sight(const gphys_scene* scene, gphys_model_id player,
                           gphys_model_id lamp, gphys_model_id guard) {
     const gphys_model_id ignored[3] = {player, lamp, guard};
@@ -234,7 +235,8 @@ static void nearest(const gphys_scene* scene, gphys_model_id player,
     EXPECT(found.model == player && found.distance == 4.5f);
 }
 
-/* The same for both of them in one call, within 4.75 m. */
+/* Who is nearest to the player and to the guard, besides each himself, within 4.75 m?
+ */
 static void nearest_batch(const gphys_scene* scene, gphys_model_id player,
                           gphys_model_id guard) {
     const gphys_vec3 middles[2] = {{0, 1, 0}, {5, 1, 0}};

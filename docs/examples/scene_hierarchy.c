@@ -55,8 +55,8 @@ static void grasp(gphys_scene* scene, gphys_model_id hand, gphys_model_id cup) {
     MUST(gphys_scene_set_parent(scene, cup, 0, 1));
 }
 
-/* The robot leaves with all its parts, as gphys_scene_remove would not have it: that
- * leaves the arm behind. */
+/* The robot leaves with all its parts. gphys_scene_remove would leave the arm behind.
+ */
 static void leave(gphys_scene* scene, gphys_model_id robot, gphys_model_id hand) {
     MUST(gphys_scene_remove_subtree(scene, robot));
     EXPECT(gphys_scene_has(scene, robot) == GPHYS_ERROR_INVALID_ID);

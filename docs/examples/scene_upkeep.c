@@ -13,8 +13,8 @@ static void rebuild(gphys_scene* scene) {
     EXPECT(stats.item_count == 1000);
 }
 
-/* The same while frames go on: a part in each frame, of about 200 models' work, until
- * nothing is left. */
+/* A level of 1000 crates was streamed in one by one. While frames go on, each rebuilds
+ * a part, of about 200 models' work, until nothing is left to do. */
 static void maintain(gphys_scene* scene) {
     int32_t done = 0;
     for (int frame = 0; frame < 1000 && !done; ++frame) {
@@ -57,8 +57,7 @@ static void origin(gphys_scene* scene, gphys_model_id crate) {
 }
 
 /* In a test of your own: is the scene's structure sound after all that was done to it?
- * If not, the library has a defect, and the sentence that MUST prints belongs into the
- * report. */
+ * If not, the library has a defect, and what MUST prints belongs into the report. */
 static void validate(const gphys_scene* scene) {
     uint32_t total;
     MUST(gphys_scene_validate(scene));
