@@ -1,3 +1,6 @@
+/* SPDX-FileCopyrightText: 2026 The gamephys authors
+ * SPDX-License-Identifier: MIT */
+
 /* gamephys: a 3D scene library behind a stable C interface.
  *
  * Shapes and meshes in a scene, rays and overlaps asked of it, a camera that culls and picks,

@@ -5,7 +5,9 @@ from ._calls import arguments, batch_arrays, comment
 from ._docs import Language, as_text, translated
 from ._names import ANSWERS, SHAPES, base_type, calls, camel, creations, element, other_creations
 
-HEADER = """// Generated from gamephys_api.json by bindings/generate.py. Not for editing.
+HEADER = """// SPDX-FileCopyrightText: 2026 The gamephys authors
+// SPDX-License-Identifier: MIT
+// Generated from gamephys_api.json by bindings/generate.py. Not for editing.
 """
 TEMPLATES = {
     "self": "handle()", "handle": "{n}.handle()", "handle?": "{n} ? {n}->handle() : nullptr",

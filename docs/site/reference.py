@@ -34,8 +34,8 @@ def sections(header):
 
 def conventions(header):
     """The table at the top of the header, as a definition list."""
-    text = re.sub(r"^ \* ?", "", header[:header.index("*/")], flags=re.M)
-    text = text[text.index("CONVENTIONS"):]
+    start = header.index("CONVENTIONS")
+    text = re.sub(r"^ \* ?", "", header[start:header.index("*/", start)], flags=re.M)
     lines = ["The rules below hold for every function unless its own comment says otherwise.", ""]
     for term, body in re.findall(r"^([A-Z][a-z]+) {2,}(.*(?:\n +.*)*)", text, re.M):
         lines += [term, *("   " + line.strip() for line in body.splitlines()), ""]

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: 2026 The gamephys authors
+// SPDX-License-Identifier: MIT
 // Generated from gamephys_api.json by bindings/generate.py. Not for editing.
 #ifndef GAMEPHYS_HPP
 #define GAMEPHYS_HPP

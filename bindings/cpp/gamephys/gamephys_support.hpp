@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: 2026 The gamephys authors
+// SPDX-License-Identifier: MIT
 // What gamephys.hpp stands on: errors, ownership, spans.
 #ifndef GAMEPHYS_SUPPORT_HPP
 #define GAMEPHYS_SUPPORT_HPP
