@@ -14,6 +14,19 @@ from pathlib import Path
 
 HERE = Path(__file__).parent
 SOURCE = HERE.parent.parent
+METADATA = """Metadata-Version: 2.4
+Name: gamephys
+Version: {version}
+Summary: A 3D scene library: ray casts, overlap and nearest queries, culling, picking, ropes and cloth
+Description-Content-Type: text/markdown
+Keywords: physics,3d,raycast,bvh,cloth,rope,verlet
+Author: The gamephys authors
+License-Expression: MIT
+License-File: LICENSE
+Requires-Python: >=3.9
+Requires-Dist: numpy
+
+{readme}"""
 
 
 def _version():
@@ -54,8 +67,9 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
         name = {".dll": "gamephys.dll", ".dylib": "libgamephys.1.dylib"}.get(library.suffix, "libgamephys.so.1")
         files[f"gamephys/{name}"] = library.read_bytes()
     tag = _tag(files[f"gamephys/{name}"])
-    files[f"{info}/METADATA"] = (f"Metadata-Version: 2.1\nName: gamephys\nVersion: {version}\n"
-                                 "Requires-Python: >=3.9\nRequires-Dist: numpy\n").encode()
+    readme = (HERE / "README.md").read_text(encoding="utf-8")
+    files[f"{info}/METADATA"] = METADATA.format(version=version, readme=readme).encode()
+    files[f"{info}/licenses/LICENSE"] = (SOURCE / "LICENSE").read_bytes()
     files[f"{info}/WHEEL"] = f"Wheel-Version: 1.0\nGenerator: gamephys\nRoot-Is-Purelib: false\nTag: {tag}\n".encode()
     record = io.StringIO()
     rows = csv.writer(record, lineterminator="\n")

@@ -18,4 +18,11 @@ assert os.path.dirname(gamephys.__file__) == os.path.join(os.getcwd(), "installe
 scene = gamephys.Scene()
 scene.add(gamephys.Sphere((0, 0, 5), 1))
 assert scene.raycast(((0, 0, 0), (0, 0, 1), 100)).t == 4
+
+from importlib.metadata import distribution
+installed = distribution("gamephys")
+about = installed.metadata
+assert about["Summary"] and about["Keywords"] and about["License-Expression"] == "MIT", about.items()
+assert about.get_payload().startswith("# gamephys for Python\n"), about.get_payload()
+assert installed.read_text("licenses/LICENSE").startswith("MIT License"), installed.files
 '
