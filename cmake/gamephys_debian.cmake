@@ -53,7 +53,7 @@ file(
   OUTPUT ${generated}/changelog.Debian
   CONTENT "gamephys (@PROJECT_VERSION@-@revision@) unstable; urgency=medium
 
-  * Release @PROJECT_VERSION@; what is new in it stands in CHANGELOG.md.
+  * Release @PROJECT_VERSION@; CHANGELOG.md lists the changes.
 
  -- @maintainer@  @date@
 "

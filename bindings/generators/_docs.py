@@ -14,7 +14,7 @@ from ._names import ANSWERS, calls, creations, other_creations, plain
 
 # What only a caller of C has to know: bindings make room for results, and know the sizes of arrays.
 OF_C_ONLY = re.compile(r"\bstride\b|\bcapacity\b|\bout_total\b|\bKept when\b|\bcount elements\b|\bcount \+ 1 numbers\b"
-                       r"|\bmay (?:each )?be NULL\b|\bout_size\b|\bas scratch memory\b|\bRoom for all\b|\bWhat stands in out_"
+                       r"|\bmay (?:each )?be NULL\b|\bout_size\b|\bas scratch memory\b|\bRoom for all\b"
                        r"|\bno byte beyond\b|\bso that a second call\b|\bWhere a ray's range crosses\b|\bwidth \* height elements\b")
 # The kind of a shape is told by the shape itself.
 OF_A_SHAPE = {"type": "shape"}

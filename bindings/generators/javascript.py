@@ -131,7 +131,7 @@ function row(value, count, name) {
         elif structs.is_data(name):
             out += [reader(structs, struct), writer(structs, struct)]
             types.append(f"    {plain(name)}: {{ size: {struct['size'][0]}, read: read{camel(name)}, write: write{camel(name)} }},\n")
-    out.append("/** What can stand in arrays. */\nexport const types = {\n" + "".join(types) + "};\n")
+    out.append("/** What arrays can contain. */\nexport const types = {\n" + "".join(types) + "};\n")
     return "".join(out)
 
 

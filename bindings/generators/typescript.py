@@ -141,7 +141,7 @@ def typescript(api):
         fields = "".join(doc(f["doc"], "    ") + f"    {f['name']}: {value(f['type'], f['count'])};\n" for f in s["fields"]
                          if "*" not in base_type(api, f["type"]) and f["name"] not in OF_THE_DESC)
         out.append(doc(s["doc"], "") + f"export interface {camel(s['name'])} {{\n{fields}}}")
-    out.append("/** What stands in Records, by the name of its kind. */\nexport interface Kinds {\n"
+    out.append("/** The elements of Records, by the name of their kind. */\nexport interface Kinds {\n"
                + "".join(f"    {k}: {v};\n" for k, v in kinds.items()) + "}\nexport type Kind = keyof Kinds;")
     for s in PRIMITIVES:
         words = ", ".join(f"{f['name']}: Given<{value(f['type'], f['count'])}>" for f in structs[f"gphys_{s}"]["fields"])

@@ -593,7 +593,7 @@ export interface Impulse {
     /** N m s, about the model's position in the world: the same for its spin */
     angular: number[];
 }
-/** What stands in Records, by the name of its kind. */
+/** The elements of Records, by the name of their kind. */
 export interface Kinds {
     float: number;
     double: number;

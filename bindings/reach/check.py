@@ -2,7 +2,7 @@
 """Whether the tests of a language called every C function: check.py API.json LANGUAGE CALLS
 
 CALLS is the folder with what recorded.sh wrote, LANGUAGE/TEST. A function that a language leaves out
-on purpose stands in left_out.json beside this file, with the reason.
+on purpose is listed in left_out.json beside this file, with the reason.
 """
 import json
 import sys

@@ -61,10 +61,10 @@ def wrong_in_map(path, header, released):
         inherited = name
         visible, _, hidden = body.partition("local:")
         if (hidden.strip() == "*;") != (name == nodes[0][0]):
-            yield f"{name}: `local: *;` stands in the first node, and only there"
+            yield f"{name}: `local: *;` is in the first node, and only there"
         for function in re.findall(r"([\w*?]+);", visible):
             if function in listed:
-                yield f"{function} stands in {listed[function]} and in {name}"
+                yield f"{function} is in {listed[function]} and in {name}"
             listed[function] = name
     for function, version in since.items():
         if function not in listed:

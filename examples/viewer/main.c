@@ -176,7 +176,7 @@ static gphys_model_id pick(const world* w, const gphys_camera* camera, float pix
     return kind == KIND_GROUND ? 0 : hit.model;
 }
 
-/* Which copies stand in a rectangle of the picture. */
+/* Which copies are in a rectangle of the picture. */
 static void select_rectangle(const world* w, const gphys_camera* camera, const options* o, gphys_model_id* selected,
                              uint32_t capacity, highlight* marks) {
     const float width = (float)o->width, height = (float)o->height;

@@ -22,7 +22,7 @@ void free_mesh(triangle_mesh* mesh);
 
 /* --- world.c: what is in the picture and how it moves ----------------------------------- */
 
-/* The kind of a model stands in the high byte of its tag, its number in the rest. */
+/* The high byte of a tag is the kind of the model, the rest its number. */
 enum { KIND_GROUND = 1, KIND_STATUE, KIND_COPY, KIND_STONE, KIND_POST, KIND_CLOTH, KIND_ROPE };
 #define TAG(kind, number) ((uint32_t)(kind) << 24 | (uint32_t)(number))
 #define TAG_KIND(tag) ((tag) >> 24)

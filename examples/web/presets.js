@@ -115,7 +115,7 @@ function ballPit(world) {
     world.view = { target: [0, 0.8, 0], distance: 8, yaw: 0.6, pitch: 0.35 };
 }
 
-/** A sensor above a walker's head looks around in rings; it does not see the walker. */
+/** A sensor above a walker's head scans its surroundings in rings and ignores the walker. */
 function lidarSweep(world) {
     const random = uniform(11), rings = 48, columns = 360;
     for (let i = 0; i < 400; ++i) {

@@ -357,7 +357,7 @@ int main(int argc, char** argv) {
     p.window = SDL_CreateWindow("gamephys", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width, height,
                                 SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE);
     if (!p.window || !SDL_GL_CreateContext(p.window)) {
-        fprintf(stderr, "window: OpenGL 3.3 is not to be had: %s\n", SDL_GetError());
+        fprintf(stderr, "window: OpenGL 3.3 is not available: %s\n", SDL_GetError());
         return 1;
     }
     SDL_GL_SetSwapInterval(1);

@@ -379,8 +379,8 @@ static void walk(stage* s) {
     check(gphys_scene_set_transform(s->scene, s->walker, &where), "walk");
 }
 
-/* A sensor above the walker's head looks around in rings, between 25 degrees down and 5 up; it does not see the walker.
- */
+/* A sensor above the walker's head scans its surroundings in rings, from 25 degrees down to 5 up. It ignores
+ * the walker. */
 static void sweep(stage* s) {
     static gphys_ray rays[LIDAR_RINGS * LIDAR_COLUMNS];
     gphys_transform where;

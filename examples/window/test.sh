@@ -24,7 +24,7 @@ export DISPLAY=:$(<"$work/number") LIBGL_ALWAYS_SOFTWARE=1
 # No OpenGL 3.3 in this display: nothing can be tested.
 status=0
 "$program" --frames 1 --size 320x240 >"$work/log" 2>&1 || status=$?
-! grep -q 'not to be had' "$work/log" || exit 77
+! grep -q 'OpenGL 3.3 is not available' "$work/log" || exit 77
 [ $status -eq 0 ] || fail "the window ends with $status"
 
 # wait_for PATTERN: until the program has printed it.

@@ -70,7 +70,7 @@ gphys_triangle scaled(const gphys_triangle& triangle, const gphys_vec3& scale) {
 ScaleError check_scale(const Mesh& mesh, const gphys_vec3& scale) {
     if (is_one(scale)) return {};
     if (mesh.kind() == MeshKind::body_links) {
-        return {GPHYS_ERROR_UNSUPPORTED, "scale: the form of a rope or of particles has none but 1 1 1"};
+        return {GPHYS_ERROR_UNSUPPORTED, "scale: must be 1 1 1 for a mesh of a rope or of particles"};
     }
     if (mesh.triangle_count() == 0) return {};
     const Aabb box = AxisScale(widen(scale))(mesh.bounds());

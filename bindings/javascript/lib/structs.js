@@ -442,7 +442,7 @@ export function writeImpulse(v, at, value) {
     writeVec3(v, at + 2, rows ? value[2] : value.linear);
     writeVec3(v, at + 5, rows ? value[3] : value.angular);
 }
-/** What can stand in arrays. */
+/** What arrays can contain. */
 export const types = {
     float: { size: 4, read: (v, at) => v.f32[at] },
     double: { size: 8, read: (v, at) => v.f64[at >> 1] },

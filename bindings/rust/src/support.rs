@@ -179,7 +179,7 @@ fn narrow(stride: usize) -> u32 {
     u32::try_from(stride).expect("elements of less than 4 GiB")
 }
 
-/// Where the field stands in all elements. Looking at each keeps references safe that are chosen by
+/// The offset of the field in all elements. Looking at each keeps references safe that are chosen by
 /// value, such as those into an enum.
 fn common_offset(places: impl Iterator<Item = (usize, usize)>, size: usize, field_size: usize) -> usize {
     let mut common = None;

@@ -1,5 +1,5 @@
 // Package ration is a gphys_allocator for tests: it gives out so many bytes and no more, and counts
-// what is held. cgo is not to be had in the files of a test itself.
+// what is held. Test files cannot use cgo themselves.
 package ration
 
 /*

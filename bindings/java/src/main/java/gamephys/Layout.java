@@ -2,7 +2,7 @@ package gamephys;
 
 import java.nio.ByteBuffer;
 
-/** How a value stands in memory: Ray.LAYOUT, Layout.FLOAT. */
+/** The layout of a value in memory: Ray.LAYOUT, Layout.FLOAT. */
 public record Layout<T>(int bytes, int kind, Reader<T> reader, Writer<T> writer) {
     /** Reads the value that starts at a byte. */
     public interface Reader<T> {
