@@ -1,6 +1,7 @@
 /* viewer MESH [options]: drops a cloth and ropes over a statue of the mesh among hundreds of
  * copies, culls and picks through a camera, and writes pictures cast ray by ray. */
 #define _POSIX_C_SOURCE 200809L
+#define _DARWIN_C_SOURCE /* _SC_NPROCESSORS_ONLN */
 
 #include <getopt.h>
 #include <math.h>
@@ -30,6 +31,11 @@ double seconds(void) {
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+uint32_t worker_count(void) {
+    const long processors = sysconf(_SC_NPROCESSORS_ONLN);
+    return processors < 1 ? 1 : processors > MAX_WORKERS ? MAX_WORKERS : (uint32_t)processors;
 }
 
 void progress(const char* what, uint32_t done, uint32_t total) {
@@ -123,8 +129,9 @@ static void simulate(world* w, gphys_camera* camera, float duration) {
     gphys_solver_stats stats, cloth;
     check(gphys_solver_get_stats(w->solver, 0, &stats), "stats");
     check(gphys_solver_get_stats(w->solver, w->cloth_body, &cloth), "stats");
-    printf("simulated   %u frames: %.2f ms per step of %u particles, %u constraints, %u contacts\n", frames,
-           1e3 * stepping / frames, stats.particle_count, stats.constraint_count, stats.contact_count);
+    printf("simulated   %u frames: %.2f ms per step of %u particles, %u constraints, %u contacts; threads: %u\n",
+           frames, 1e3 * stepping / frames, stats.particle_count, stats.constraint_count, stats.contact_count,
+           worker_count());
     printf("strain      cloth max %.3f %%, rms %.4f %%; with the ropes max %.3f %%, peak over the run %.3f %%\n",
            100 * cloth.strain_max, 100 * cloth.strain_rms, 100 * stats.strain_max, 100 * peak);
     printf("culling     %u of %u models visible, %.1f us\n", visible, w->model_count, 1e6 * culling / frames);
@@ -167,7 +174,8 @@ static gphys_model_id pick(const world* w, const gphys_camera* camera, float pix
     if (kind == KIND_CLOTH || kind == KIND_ROPE) {
         const gphys_body_id body = kind == KIND_CLOTH ? w->cloth_body : w->ropes[TAG_NUMBER(hit.tag)];
         uint32_t particle;
-        check(gphys_solver_get_nearest_particle(w->solver, body, hit.triangle, &hit.point, &particle), "particle");
+        const uint32_t triangle = kind == KIND_CLOTH ? w->cloth_triangles[hit.triangle] : hit.triangle;
+        check(gphys_solver_get_nearest_particle(w->solver, body, triangle, &hit.point, &particle), "particle");
         printf(", particle %u", particle);
     } else if (hit.triangle != GPHYS_NO_TRIANGLE) {
         printf(", triangle %u", hit.triangle);
@@ -209,7 +217,7 @@ int main(int argc, char** argv) {
     place_camera(camera, (gphys_vec3){0, 1.1f, 0}, 13, 0.5f, 0.42f);
 
     simulate(&w, camera, o.simulated);
-    world_smooth(&w);
+    world_thicken(&w);
 
     const highlight none = {0};
     photograph(&w, camera, &o, &none, "scene.png");

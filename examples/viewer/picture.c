@@ -69,7 +69,7 @@ static colour ground_pattern(vec3 p) {
     return checker ? (colour){0.44f, 0.50f, 0.40f} : (colour){0.50f, 0.56f, 0.45f};
 }
 
-static colour surface(const gphys_hit* hit, const highlight* marks) {
+static colour surface(const world* w, const gphys_hit* hit, const highlight* marks) {
     const colour glow = {1.6f, 0.75f, 0.1f}, tint = {0.15f, 0.45f, 1.0f};
     if (hit->model == marks->picked) return glow;
     for (uint32_t i = 0; i < marks->selected_count; ++i) {
@@ -87,7 +87,7 @@ static colour surface(const gphys_hit* hit, const highlight* marks) {
         case KIND_POST:
             return (colour){0.42f, 0.27f, 0.16f};
         case KIND_CLOTH:
-            return cloth_pattern(hit->triangle);
+            return cloth_pattern(w->cloth_triangles[hit->triangle]);
         default: /* a rope, of which triangles beyond the links are particles: weights */
             return hit->triangle < ROPE_LINKS ? (colour){0.85f, 0.72f, 0.42f} : (colour){0.20f, 0.21f, 0.24f};
     }
@@ -98,6 +98,7 @@ static vec3 smooth_normal(const world* w, const gphys_hit* hit, vec3 direction) 
     const uint32_t kind = TAG_KIND(hit->tag);
     if (kind != KIND_STATUE && kind != KIND_COPY && kind != KIND_CLOTH) return hit->normal;
     const triangle_mesh* mesh = kind == KIND_CLOTH ? &w->cloth : &w->source;
+    if (kind == KIND_CLOTH && hit->triangle >= 2 * CLOTH_TRIANGLES) return hit->normal; /* the rim is flat */
     const uint32_t* corner = &mesh->indices[3 * hit->triangle];
     vec3 n = plus(times(mesh->normals[corner[0]], 1 - hit->u - hit->v),
                   plus(times(mesh->normals[corner[1]], hit->u), times(mesh->normals[corner[2]], hit->v)));
@@ -141,11 +142,11 @@ static void shade_band(const world* w, const band* b, uint32_t samples, uint32_t
           "ambient batch");
 }
 
-static colour sample_colour(const band* b, uint32_t i, const highlight* marks) {
+static colour sample_colour(const world* w, const band* b, uint32_t i, const highlight* marks) {
     const gphys_hit* hit = &b->hits[i];
     const colour behind = sky(b->eye[i].direction);
     if (!hit->model) return behind;
-    const colour base = surface(hit, marks);
+    const colour base = surface(w, hit, marks);
     const float lit = b->in_shadow[i] ? 0 : fmaxf(dot(b->normals[i], sun), 0);
     float open = 1;
     for (int k = 0; k < AMBIENT; ++k) open -= 0.8f / AMBIENT * (float)b->closed_in[AMBIENT * i + k];
@@ -201,7 +202,7 @@ uint64_t take_picture(const world* w, const gphys_camera* camera, uint32_t width
                 const uint32_t first = 2 * row * across + 2 * x;
                 const uint32_t quad[4] = {first, first + 1, first + across, first + across + 1};
                 colour sum = {0, 0, 0};
-                for (int k = 0; k < 4; ++k) sum = plus(sum, times(sample_colour(&b, quad[k], marks), 0.25f));
+                for (int k = 0; k < 4; ++k) sum = plus(sum, times(sample_colour(w, &b, quad[k], marks), 0.25f));
                 unsigned char* out = &pixels[3 * ((size_t)(y + row) * width + x)];
                 out[0] = to_byte(sum.x), out[1] = to_byte(sum.y), out[2] = to_byte(sum.z);
             }

@@ -28,23 +28,25 @@ enum { KIND_GROUND = 1, KIND_STATUE, KIND_COPY, KIND_STONE, KIND_POST, KIND_CLOT
 #define TAG_KIND(tag) ((tag) >> 24)
 #define TAG_NUMBER(tag) ((tag)&0xffffffu)
 
-enum { ROPE_COUNT = 16, ROPE_LINKS = 48, CLOTH_SIDE = 72, CLOTH_INDICES = 6 * (CLOTH_SIDE - 1) * (CLOTH_SIDE - 1) };
+enum { ROPE_COUNT = 16, ROPE_LINKS = 48, CLOTH_SIDE = 72, CLOTH_TRIANGLES = 2 * (CLOTH_SIDE - 1) * (CLOTH_SIDE - 1) };
 
 typedef struct world {
-    triangle_mesh source; /* the file's triangles, for smooth shading */
-    triangle_mesh cloth;  /* the same of the cloth */
+    triangle_mesh source;      /* the file's triangles, for smooth shading */
+    triangle_mesh cloth;       /* the same of the cloth as it is drawn (world_thicken) */
+    uint32_t* cloth_triangles; /* for each of its triangles the one of the body */
     gphys_mesh* mesh;
     gphys_scene* scene;
     gphys_solver* solver;
     gphys_body_id cloth_body;
+    gphys_model_id cloth_model;
     gphys_body_id ropes[ROPE_COUNT];
     uint32_t model_count;
 } world;
 
 void world_create(world* w, const char* path, uint32_t copies);
 void world_step(world* w, float frame_time);
-/* Find the normals of the cloth as it lies, for smooth shading. */
-void world_smooth(world* w);
+/* Give the cloth, as it lies, a thickness for the pictures: two faces with smooth normals, and a rim. */
+void world_thicken(world* w);
 void world_destroy(world* w);
 
 /* --- picture.c: one ray for each sample, in batches -------------------------------------- */
@@ -67,6 +69,9 @@ uint64_t take_picture(const world* w, const gphys_camera* camera, uint32_t width
 void check(gphys_status status, const char* what);
 /* A bar on a terminal; nothing in a log. */
 void progress(const char* what, uint32_t done, uint32_t total);
+/* Threads for scenes and solvers: one for each processor of the machine, and no more than the library takes. */
+enum { MAX_WORKERS = 1024 };
+uint32_t worker_count(void);
 double seconds(void);
 
 #endif

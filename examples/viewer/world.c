@@ -1,6 +1,7 @@
 /* The world: a statue made of the mesh on a stone, copies of it in a spiral around, posts with
  * ropes between them and weights on ropes, and a cloth that falls over the statue. */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "viewer.h"
@@ -29,11 +30,12 @@ static gphys_model_id add(world* w, gphys_shape_type type, const void* shape, co
 }
 
 /* Show a body: its model is where the body is, from now on. */
-static void show(world* w, gphys_body_id body, uint32_t tag) {
+static gphys_model_id show(world* w, gphys_body_id body, uint32_t tag) {
     gphys_mesh* mesh;
     check(gphys_mesh_create_from_body(NULL, w->solver, body, &mesh), "mesh of a body");
-    add(w, GPHYS_SHAPE_MESH, mesh, NULL, tag);
+    const gphys_model_id model = add(w, GPHYS_SHAPE_MESH, mesh, NULL, tag);
     gphys_mesh_destroy(mesh); /* the model keeps it */
+    return model;
 }
 
 static gphys_vec3 post_top(int i, float height) {
@@ -107,17 +109,7 @@ static void add_cloth(world* w) {
     /* Woven: cells yield in their plane, and so lie on what is round both ways. Springs of 30 rad/s a particle. */
     desc.shear_compliance = CLOTH_SIDE * CLOTH_SIDE / (desc.mass * 30 * 30);
     check(gphys_solver_add_cloth(w->solver, &desc, &corner, &u, &v, CLOTH_SIDE, CLOTH_SIDE, &w->cloth_body), "cloth");
-    show(w, w->cloth_body, TAG(KIND_CLOTH, 0));
-
-    triangle_mesh* cloth = &w->cloth;
-    cloth->vertex_count = CLOTH_SIDE * CLOTH_SIDE;
-    cloth->index_count = CLOTH_INDICES;
-    cloth->vertices = calloc(cloth->vertex_count, sizeof *cloth->vertices);
-    cloth->normals = calloc(cloth->vertex_count, sizeof *cloth->normals);
-    cloth->indices = calloc(cloth->index_count, sizeof *cloth->indices);
-    if (!cloth->vertices || !cloth->normals || !cloth->indices) exit(1);
-    uint32_t total;
-    check(gphys_solver_get_triangles(w->solver, w->cloth_body, cloth->indices, CLOTH_INDICES, &total), "triangles");
+    w->cloth_model = show(w, w->cloth_body, TAG(KIND_CLOTH, 0));
 }
 
 void world_create(world* w, const char* path, uint32_t copies) {
@@ -126,9 +118,13 @@ void world_create(world* w, const char* path, uint32_t copies) {
     check(gphys_mesh_create(NULL, &w->source.vertices[0].x, sizeof w->source.vertices[0], w->source.vertex_count,
                             w->source.indices, w->source.index_count, &w->mesh),
           "create mesh");
-    check(gphys_scene_create(NULL, &w->scene), "create scene");
+    gphys_scene_desc scene;
+    check(gphys_scene_desc_init(&scene, sizeof scene), "scene desc");
+    scene.worker_count = worker_count();
+    check(gphys_scene_create(&scene, &w->scene), "create scene");
     gphys_solver_desc desc;
     check(gphys_solver_desc_init(&desc, sizeof desc), "solver desc");
+    desc.worker_count = worker_count();
     desc.max_strain = 0.02f; /* as many substeps as that takes */
     check(gphys_solver_create(&desc, &w->solver), "create solver");
     add_models(w, copies);
@@ -140,12 +136,66 @@ void world_step(world* w, float frame_time) {
     check(gphys_solver_advance(w->solver, w->scene, frame_time, NULL, NULL), "advance");
 }
 
-void world_smooth(world* w) {
+/* Whether two particles of the cloth are on one of its four sides. */
+static int on_one_side(uint32_t a, uint32_t b) {
+    const uint32_t row = a / CLOTH_SIDE, column = a % CLOTH_SIDE;
+    return (row == b / CLOTH_SIDE && row % (CLOTH_SIDE - 1) == 0) ||
+           (column == b % CLOTH_SIDE && column % (CLOTH_SIDE - 1) == 0);
+}
+
+static void put_triangle(world* w, uint32_t a, uint32_t b, uint32_t c, uint32_t triangle) {
     triangle_mesh* cloth = &w->cloth;
-    check(gphys_solver_get_positions(w->solver, w->cloth_body, 0, cloth->vertex_count, cloth->vertices,
-                                     sizeof cloth->vertices[0]),
+    w->cloth_triangles[cloth->index_count / 3] = triangle;
+    cloth->indices[cloth->index_count++] = a;
+    cloth->indices[cloth->index_count++] = b;
+    cloth->indices[cloth->index_count++] = c;
+}
+
+void world_thicken(world* w) {
+    enum { COUNT = CLOTH_SIDE * CLOTH_SIDE, TRIANGLES = 2 * CLOTH_TRIANGLES + 8 * (CLOTH_SIDE - 1) };
+    triangle_mesh* cloth = &w->cloth;
+    cloth->vertices = calloc(2 * COUNT, sizeof *cloth->vertices);
+    cloth->normals = calloc(2 * COUNT, sizeof *cloth->normals);
+    cloth->indices = calloc(3 * TRIANGLES, sizeof *cloth->indices);
+    w->cloth_triangles = calloc(TRIANGLES, sizeof *w->cloth_triangles);
+    if (!cloth->vertices || !cloth->normals || !cloth->indices || !w->cloth_triangles) exit(1);
+    uint32_t middle[3 * CLOTH_TRIANGLES], total;
+    check(gphys_solver_get_triangles(w->solver, w->cloth_body, middle, 3 * CLOTH_TRIANGLES, &total), "triangles");
+    check(gphys_solver_get_positions(w->solver, w->cloth_body, 0, COUNT, cloth->vertices, sizeof cloth->vertices[0]),
           "cloth positions");
-    compute_normals(cloth);
+    compute_normals(&(triangle_mesh){cloth->vertices, cloth->normals, middle, COUNT, 3 * CLOTH_TRIANGLES});
+
+    cloth->vertex_count = 2 * COUNT; /* particle p is vertex p of one face and COUNT + p of the other */
+    for (uint32_t i = 0; i < COUNT; ++i) {
+        const gphys_vec3 p = cloth->vertices[i], n = cloth->normals[i];
+        const float half = cloth_radius / 2;
+        cloth->vertices[i] = (gphys_vec3){p.x + half * n.x, p.y + half * n.y, p.z + half * n.z};
+        cloth->vertices[COUNT + i] = (gphys_vec3){p.x - half * n.x, p.y - half * n.y, p.z - half * n.z};
+        cloth->normals[COUNT + i] = (gphys_vec3){-n.x, -n.y, -n.z};
+    }
+    for (uint32_t t = 0; t < CLOTH_TRIANGLES; ++t)
+        put_triangle(w, middle[3 * t], middle[3 * t + 1], middle[3 * t + 2], t);
+    for (uint32_t t = 0; t < CLOTH_TRIANGLES; ++t) {
+        put_triangle(w, COUNT + middle[3 * t], COUNT + middle[3 * t + 2], COUNT + middle[3 * t + 1], t);
+    }
+    for (uint32_t i = 0; i < 3 * CLOTH_TRIANGLES; ++i) {
+        const uint32_t t = i / 3, from = middle[i], to = middle[3 * t + (i + 1) % 3];
+        if (!on_one_side(from, to)) continue;
+        put_triangle(w, from, COUNT + from, to, t);
+        put_triangle(w, to, COUNT + from, COUNT + to, t);
+    }
+    gphys_mesh* shell;
+    check(gphys_mesh_create(NULL, &cloth->vertices[0].x, sizeof cloth->vertices[0], cloth->vertex_count, cloth->indices,
+                            cloth->index_count, &shell),
+          "create shell");
+    gphys_mesh_report report;
+    check(gphys_mesh_get_report(shell, &report), "report");
+    if (report.open_edge_count > 0) {
+        fprintf(stderr, "the cloth's faces and rim leave %u edges open\n", report.open_edge_count);
+        exit(1);
+    }
+    check(gphys_scene_set_shape(w->scene, w->cloth_model, GPHYS_SHAPE_MESH, shell), "shape of the cloth");
+    gphys_mesh_destroy(shell); /* the model keeps it */
 }
 
 void world_destroy(world* w) {
@@ -154,4 +204,5 @@ void world_destroy(world* w) {
     gphys_mesh_destroy(w->mesh);
     free_mesh(&w->source);
     free_mesh(&w->cloth);
+    free(w->cloth_triangles);
 }

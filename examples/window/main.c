@@ -49,6 +49,11 @@ double seconds(void) {
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
+uint32_t worker_count(void) {
+    const int processors = SDL_GetCPUCount();
+    return processors > MAX_WORKERS ? MAX_WORKERS : (uint32_t)processors;
+}
+
 /* What tests look at. */
 static void say(const program* p, const char* what, double a, double b) {
     if (!p->log) return;

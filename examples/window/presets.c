@@ -356,9 +356,13 @@ int stage_create(stage* s, uint32_t preset, const char* path) {
     check(gphys_mesh_create(NULL, &s->source.vertices[0].x, sizeof s->source.vertices[0], s->source.vertex_count,
                             s->source.indices, s->source.index_count, &s->mesh),
           "create mesh");
-    check(gphys_scene_create(NULL, &s->scene), "create scene");
+    gphys_scene_desc scene;
+    check(gphys_scene_desc_init(&scene, sizeof scene), "scene desc");
+    scene.worker_count = worker_count();
+    check(gphys_scene_create(&scene, &s->scene), "create scene");
     gphys_solver_desc desc;
     check(gphys_solver_desc_init(&desc, sizeof desc), "solver desc");
+    desc.worker_count = worker_count();
     desc.max_strain = 0.02f; /* as many substeps as that takes */
     check(gphys_solver_create(&desc, &s->solver), "create solver");
     check(gphys_orbit_init(&s->view), "orbit");
