@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # ./demo.sh [mesh file]: builds the viewer and lets it draw build/demo/scene.png, pick.png and
-# cloth.png; examples/04_character.c draws its path, character.svg. Without a file the viewer takes a mesh from a
+# cloth.png; examples/04_character.c draws its path, character.svg. Without a file the viewer takes a duck from a
 # distribution package. Installs what is missing.
 # ./demo.sh --window [mesh file]: opens the viewer in a window instead.
 set -euo pipefail

@@ -175,9 +175,8 @@ void world_thicken(world* w) {
     }
     for (uint32_t t = 0; t < CLOTH_TRIANGLES; ++t)
         put_triangle(w, middle[3 * t], middle[3 * t + 1], middle[3 * t + 2], t);
-    for (uint32_t t = 0; t < CLOTH_TRIANGLES; ++t) {
+    for (uint32_t t = 0; t < CLOTH_TRIANGLES; ++t)
         put_triangle(w, COUNT + middle[3 * t], COUNT + middle[3 * t + 2], COUNT + middle[3 * t + 1], t);
-    }
     for (uint32_t i = 0; i < 3 * CLOTH_TRIANGLES; ++i) {
         const uint32_t t = i / 3, from = middle[i], to = middle[3 * t + (i + 1) % 3];
         if (!on_one_side(from, to)) continue;
