@@ -222,7 +222,7 @@ static void handle(program* p, const SDL_Event* event) {
             break;
         }
         case SDL_DROPFILE:
-            show(p, 0, event->drop.file);
+            show(p, p->stage.shows_mesh ? p->preset : 0, event->drop.file);
             break;
         default:
             break;

@@ -65,6 +65,7 @@ static gphys_model_id add_capsule(stage* s, gphys_vec3 a, gphys_vec3 b, float ra
 
 static gphys_model_id add_statue(stage* s, gphys_vec3 at, float angle, float scale, colour c) {
     const look shown = {GPHYS_SHAPE_MESH, {.plane = {{0, 0, 0}, 0}}, c};
+    s->shows_mesh = 1;
     const gphys_transform where = {at, {0, sinf(angle / 2), 0, cosf(angle / 2)}, scale};
     return add(s, &shown, &where);
 }

@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
-# The window, on a display in memory, with mouse and keys as a user moves them: test.sh PROGRAM
-# It looks at what --log prints and at the recorded pictures.
+# The window, on a display in memory, with mouse and keys as a user moves them: test.sh PROGRAM DROP
+# It looks at what --log prints and at the recorded pictures. DROP is the library that drop.c makes.
 set -euo pipefail
 program=$1
+drop=$2
+here=$(cd "$(dirname "$0")" && pwd)
 work=$(mktemp -d)
 cleanup() {
     kill ${window:-} ${display:-} 2>/dev/null || true
@@ -79,6 +81,21 @@ window=
 grep -qE 'frames of far from the origin: ' "$work/log" || fail "it does not say what it did"
 [ -s "$work/pictures/frame00000.png" ] || fail "no picture was recorded"
 file "$work/pictures/frame00000.png" | grep -q 'PNG image data, 640 x 480' || fail "the picture is of another size"
+
+# Every preset is drawn: its picture has more colours than ground and shadows.
+for number in 1 2 3 4 5 6 7 8; do
+    mkdir "$work/$number"
+    "$program" --preset $number --size 480x360 --frames 2 --record "$work/$number" >"$work/log" 2>&1 || fail "preset $number"
+done
+"$here/variance.py" 23 "$work"/[1-8]/frame00001.png || fail "a preset is not drawn"
+
+# A mesh that is dropped on the window is shown in the preset that is there, if that has a mesh; else in the first.
+dropped_on() {
+    LD_PRELOAD=$drop DROP=$here/../viewer/octahedron.obj "$program" --preset "$1" --size 320x240 --frames 6 --log >"$work/log" 2>&1
+    [ "$(grep -o '^preset [0-9]*' "$work/log" | paste -sd' ')" = "preset $(($1 - 1)) preset $2" ] || fail "a mesh dropped on preset $1"
+}
+dropped_on 6 5
+dropped_on 5 0
 
 # What is no mesh is said, and nothing is shown.
 if "$program" "$0" --frames 1 >"$work/log" 2>&1; then fail "a script was taken for a mesh"; fi

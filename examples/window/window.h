@@ -45,6 +45,7 @@ typedef struct stage {
     double time; /* simulated, s */
     gphys_orbit view;
     double origin[3];
+    int shows_mesh; /* a model of the mesh is in it */
 } stage;
 
 enum { PRESET_COUNT = 8 };
