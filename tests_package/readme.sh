@@ -24,4 +24,4 @@ bash -e commands.sh >client.txt
 "$CMAKE" -S . -B build -DCMAKE_PREFIX_PATH="$INSTALLED" >/dev/null
 "$CMAKE" --build build
 build/client >>client.txt
-[ "$(sort -u client.txt)" = "hit after 4 m" ] || fail "the first program says: $(cat client.txt)"
+[ "$(sort -u client.txt)" = "hit at 4" ] || fail "the first program says: $(cat client.txt)"

@@ -64,7 +64,7 @@ says_hit() {
         echo "cmake -S . -B build && cmake --build build && build/client"
     } >"$name.sh"
     in_layer "${built[@]}" bash -e "$name.sh" >"$name.txt" 2>&1 || fail "$name: $(cat "$name.txt")"
-    [ "$(grep -cx 'hit after 4 m' "$name.txt")" = 2 ] || fail "$name: $(cat "$name.txt")"
+    [ "$(grep -cx 'hit at 4' "$name.txt")" = 2 ] || fail "$name: $(cat "$name.txt")"
 }
 says_hit installed from_source.sh
 says_hit packaged without_install.sh packages.sh
