@@ -27,7 +27,7 @@ CASES = {
 # The page from this heading on; what is above is written by hand.
 MEASURED = """## Scores
 
-The sums of the scores of all runs of the exact suite (`bench/scores.py`). `./test.sh --long` runs all cases: 10 million of each function that returns yes or no, a million of closest points, sweeps, penetrations and cameras, and 120 million rays out of closed meshes. That takes some hours of a processor. It also has a brief run for gcc and clang, unoptimised and for Haswell, on each instruction set. The scores are in `build/*/exact_scores.csv`.
+The sums of the scores of all runs of the exact suite (`bench/scores.py`). `./test.sh --long` runs all cases: 10 million for each function that returns yes or no, a million for each closest point, sweep, penetration and camera function, and 120 million rays out of closed meshes. That takes several hours of processor time. There is also a short run with gcc and clang, unoptimised and for Haswell, on each instruction set. The scores are in `build/*/exact_scores.csv`.
 
 {scores}
 The worst errors came from these inputs (`%a`):
@@ -36,14 +36,14 @@ The worst errors came from these inputs (`%a`):
 {builds}
 ## The price of exactness
 
-The same queries of the same trees with plain float tests in place of the exact ones (`bench/gamephys_float.cpp`).
+The same queries on the same trees, with plain float tests in place of the exact ones (`bench/gamephys_float.cpp`).
 
 {price}
 ## Beside others
 
 {machine}
 
-Written by `./bench.sh --report`: time of one operation and share of false answers on the same hard cases. The truth is known from whole numbers, or because no ray leaves a closed surface.
+Written by `./bench.sh --report`: time of one operation and share of false answers on the same hard cases. The correct answer is known because the input consists of whole numbers, or because no ray leaves a closed surface.
 
 {table}
 [The report](report.md#hard-cases) draws these cases.

@@ -3,8 +3,8 @@
 
 /* gamephys: a 3D scene library behind a stable C interface.
  *
- * Shapes and meshes in a scene, rays and overlaps asked of it, a camera that culls and picks,
- * and particles, ropes and cloth that move through it.
+ * Shapes and meshes in a scene; rays, overlaps and other queries on it; a camera that culls and
+ * picks; and particles, ropes and cloth that collide with it.
  *
  * CONVENTIONS, true of every function below unless its own comment says otherwise
  *
@@ -16,8 +16,8 @@
  * Axes       The scene is neither left- nor right-handed and knows no "up"; gravity and a
  *            camera's handedness are settings.
  * Origin     Float coordinates count from the origin of their scene, camera or solver: a point of the
- *            world in double precision, (0, 0, 0) until gphys_scene_set_origin and its likes move
- *            it. A float k metres from it resolves 6e-8 k metres, wherever it is.
+ *            world in double precision, (0, 0, 0) until gphys_scene_set_origin and the like move it.
+ *            At k metres from it a float resolves 6e-8 k metres, wherever the origin is.
  * Matrices   16 floats; element (row, column) is m[4 * column + row] for column vectors. This is
  *            the memory order of OpenGL's column-major and DirectX's row-major, so both take it.
  * Pixels     (0, 0) is the top-left corner of the viewport; the centre of the first pixel is
@@ -28,9 +28,9 @@
  * Rays       The direction may have any non-zero length; t counts in multiples of it, and a hit
  *            has 0 <= t <= t_max. A ray that starts inside a solid hits at t = 0 with
  *            GPHYS_HIT_INSIDE set and the normal opposite to the direction.
- * Ties       Equal reported t or distance, that is equal floats in gphys_hit.t or
- *            gphys_nearest.distance: the lower id (as an unsigned number), then the lower
- *            triangle index wins. Lists are in the order that their function states. The same
+ * Ties       Where the reported t or distance is equal, that is, equal floats in gphys_hit.t or
+ *            gphys_nearest.distance, the lower id (as an unsigned number) wins, then the lower
+ *            triangle index. Lists are in the order that their function states. The same
  *            inputs give the same bits.
  *
  * Status     A function that can fail returns gphys_status: GPHYS_OK is 0, an outcome that is not
@@ -48,17 +48,17 @@
  * Handles    gphys_mesh, gphys_scene, gphys_camera and gphys_solver belong to the caller:
  *            create / destroy; destroying NULL does nothing.
  * Ids        uint32_t, 0 is none. A removed id stays invalid for at least 260 000 additions: a
- *            slot is reused only while 1024 or more are free, last-removed-last and with another
- *            generation. Only an object with almost 2^24 - 1 ids in use reuses slots sooner.
+ *            slot is reused only while 1024 or more are free, in the order of removal and with
+ *            another generation. Only an object with almost 2^24 - 1 ids in use reuses slots sooner.
  * Descs      Structs named *_desc start with struct_size. Fill one with its *_desc_init function,
- *            passing sizeof; then change fields, but those named reserved. They grow at the end in
- *            later releases, old clients keep working. All other structs never change.
- * Lists      (out, capacity, out_total): writes at most capacity elements and the full number to
- *            *out_total. capacity 0 with out NULL only counts. GPHYS_INCOMPLETE when
+ *            passing sizeof; then change any fields except those named reserved. They grow at the end
+ *            in later releases; old clients keep working. All other structs never change.
+ * Lists      (out, capacity, out_total): writes at most capacity elements to out, and the number of
+ *            all results to *out_total. capacity 0 with out NULL only counts. GPHYS_INCOMPLETE when
  *            *out_total > capacity; which elements are kept is stated, never arbitrary.
  * Batches    (array, stride, ..., count): stride is the distance between elements in bytes; 0
- *            stands for one element used throughout, but not for the positions of several
- *            particles. An input stride must be 0 or at least the element's size, an output
+ *            means that one element is used throughout; it is not allowed for the positions of
+ *            several particles. An input stride must be 0 or at least the element's size, an output
  *            stride at least the element's size, both multiples of 4.
  *            All elements are checked before any output is written. Item i of a batch is bit for
  *            bit what the single call would give.
@@ -66,9 +66,9 @@
  *            handles. Arrays are copied in and copied out, never kept.
  * Threads    Different objects: any threads. One object: functions that take it as const may run
  *            at the same time; all others need external synchronisation. No thread is started unless a
- *            desc asks for it (gphys_scene_create and gphys_solver_create say which calls its workers
- *            share). Callbacks come on the thread that called the library, never on a worker. A call
- *            takes at most 96 KiB of stack on each thread at work, besides its callbacks.
+ *            worker_count asks for it (gphys_scene_create and gphys_solver_create say which calls
+ *            share the threads). Callbacks come on the thread that called the library, never on a worker. A call
+ *            takes at most 96 KiB of stack on each thread that works on it, besides its callbacks.
  * Host       Each call computes in the standard floating-point modes, whatever the thread has set, and
  *            leaves the thread in its own: rounding to nearest, denormal numbers kept (on x86 neither
  *            FTZ nor DAZ). So does each task of a task_runner. Callbacks run in the standard modes.
@@ -138,7 +138,7 @@ GPHYS_API const char* gphys_status_name(gphys_status status);
 GPHYS_API const char* gphys_last_error(void);
 
 /** Memory functions for one object and everything in it. Both are called on the thread that calls
- *  the library, possibly from several threads if the objects that share it are used so.
+ *  the library, from several threads if the objects that share it are used from several threads.
  *  allocate returns NULL on failure (reported as GPHYS_ERROR_OUT_OF_MEMORY, nothing changed);
  *  release gets the same size and alignment again. The struct is copied at creation. Functions in
  *  C++ may throw: allocate has then failed, and what release throws is ignored. */
@@ -154,8 +154,8 @@ typedef void (*gphys_task)(void* context, uint32_t index);
 
 /** The caller's own threads (a job system). run calls task(context, 0) .. task(context, count - 1),
  *  each once, in any order, on any threads, several at a time or not, and returns when all have
- *  returned. It is called on the thread that called the library, by several at the same time if
- *  several ask. The struct is copied at creation. A function in C++ may throw, if no call of task
+ *  returned. It is called on the thread that called the library, and by several threads at the same time
+ *  if several call the library. The struct is copied at creation. A function in C++ may throw, if no call of task
  *  begins after that; the thread that called the library waits for those under way and does what is
  *  left, and the results are the same. */
 typedef struct gphys_task_runner {
@@ -265,7 +265,7 @@ typedef struct gphys_hit {
     uint32_t tag;      /* the model's tag, 0 likewise */
     float t;           /* 0 .. t_max; along a segment or sweep 0 .. 1 */
     gphys_vec3 point;  /* where the surfaces meet */
-    gphys_vec3 normal; /* unit, against the motion: dot(normal, direction) <= 0, of rays but for its rounding */
+    gphys_vec3 normal; /* unit, against the motion: dot(normal, direction) <= 0, for rays up to rounding */
     uint32_t triangle; /* index within a mesh, else GPHYS_NO_TRIANGLE */
     float u, v;        /* barycentric weights of b and c of a triangle, else 0 */
     uint32_t flags;    /* GPHYS_HIT_... */
@@ -280,7 +280,7 @@ typedef struct gphys_nearest {
     uint32_t triangle; /* index within a mesh, else GPHYS_NO_TRIANGLE */
 } gphys_nearest;
 
-/** How far a ray comes: those fields of a gphys_hit. Frozen.  Since 1.1. */
+/** How far a ray goes and what it hits: fields of a gphys_hit. Frozen.  Since 1.1. */
 typedef struct gphys_distance {
     float t;        /* in multiples of the direction, so metres where its length is 1; INFINITY: nothing is hit */
     uint32_t model; /* as in gphys_hit */
@@ -324,7 +324,7 @@ typedef struct gphys_solver gphys_solver;
  * expected for meshes of n triangles. No allocation. Threads: any, everything is const.
  * ------------------------------------------------------------------------------------------ */
 
-/** Whether the shape fulfils the ranges beside its struct.
+/** Whether the fields of the shape are in the ranges stated beside its struct.
  *  @return GPHYS_OK, or GPHYS_ERROR_INVALID_ARGUMENT and gphys_last_error() names the field.
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_shape_validate(gphys_shape_type type, const void* shape);
@@ -433,8 +433,8 @@ GPHYS_API gphys_status gphys_shape_classify_frustum(gphys_shape_type type, const
  *  Triangles and meshes are hit from both sides, and meshes are watertight: a ray through a
  *  shared edge or vertex always meets one of the triangles there.
  *  Error: t within 1 ulp. No false miss and no false hit at all for spheres, triangles, meshes, AABBs
- *  and planes; for capsules none but within 2^-48 of the distance. An OBB is met where one larger or
- *  smaller by 2^-40 of the distance would be. docs/accuracy.md has the bounds of all functions.
+ *  and planes; for capsules only within 2^-48 of the distance. An OBB is hit as if it were larger or
+ *  smaller by up to 2^-40 of the distance. docs/accuracy.md has the bounds of all functions.
  *  @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
  *  Cost: O(1); O(log n) expected for a mesh. */
 GPHYS_API gphys_status gphys_shape_raycast(gphys_shape_type type, const void* shape, const gphys_ray* ray,
@@ -444,14 +444,14 @@ GPHYS_API gphys_status gphys_shape_raycast(gphys_shape_type type, const void* sh
  *  @param rays      a stride of 0 casts one ray count times
  *  @param out_hits  count elements
  *  @return GPHYS_OK, whether rays hit or not; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
- *  Cost: that of count single calls; less for rays at a mesh whose neighbours go much the same way. */
+ *  Cost: that of count single calls; less for rays at a mesh if neighbouring rays are similar. */
 GPHYS_API gphys_status gphys_shape_raycast_batch(gphys_shape_type type, const void* shape, const gphys_ray* rays,
                                                  uint32_t ray_stride, uint32_t count, gphys_hit* out_hits,
                                                  uint32_t out_stride);
 
 /** First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly.
- *  A segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which
- *  then is met from no direction, the normal is zero.
+ *  A segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid,
+ *  for lack of a direction, the normal is zero.
  *  @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
  *  Cost: as gphys_shape_raycast. */
 GPHYS_API gphys_status gphys_shape_segment_test(gphys_shape_type type, const void* shape, const gphys_segment* segment,
@@ -465,7 +465,7 @@ GPHYS_API gphys_status gphys_shape_segment_test(gphys_shape_type type, const voi
  *                  displacement is never above 0. Already overlapping: t = 0, GPHYS_HIT_INSIDE,
  *                  and the normal may be along the displacement too; where the centre itself is in
  *                  a solid, it is opposite to the displacement (zero if that is zero). A sphere
- *                  without radius gets the hit of the ray along its way.
+ *                  of radius 0 gets the hit of the ray along its path.
  *  @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
  *  Error: as if the radius were off by 2^-40 of the largest coordinate difference, and 1 ulp of t.
  *  Cost: O(1), about 10 us for a frustum, which is approached step by step; O(log n + k) expected for a mesh. */
@@ -477,10 +477,10 @@ GPHYS_API gphys_status gphys_shape_sweep_sphere(gphys_shape_type type, const voi
  *  the hull of its corners (gphys_frustum_corners).
  *  @param moving_type   sphere, capsule, AABB or OBB
  *  @param displacement  metres; may be zero
- *  @param out_hit  t, point and normal as in gphys_shape_sweep_sphere, whose answers a sphere gets. The
- *                  point is one of those where the two touch, always the same. Already overlapping, but
- *                  for a sphere: t = 0, GPHYS_HIT_INSIDE, and point and normal of gphys_shape_penetration;
- *                  of a mesh that is no hull, those of its first triangle.
+ *  @param out_hit  t, point and normal as in gphys_shape_sweep_sphere, which gives the answer for a sphere.
+ *                  The point is one of those where the two touch, always the same. Already overlapping,
+ *                  except for a sphere: t = 0, GPHYS_HIT_INSIDE, and point and normal of
+ *                  gphys_shape_penetration; for a mesh that is not a hull, those of its first triangle.
  *  @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape, for a
  *          frustum that is not the hull of its corners, unless a sphere moves, and for other types that move
  *  Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1 ulp of t. Point
@@ -508,17 +508,17 @@ GPHYS_API gphys_status gphys_shape_sweep_batch(gphys_shape_type type, const void
  *  hull: out of all of it, and triangle is GPHYS_NO_TRIANGLE. A frustum must be the hull of its corners
  *  (gphys_frustum_corners).
  *  @param moving_type      sphere, capsule, AABB or OBB
- *  @param out_penetration  depth and normal of the translation, which is their product; of several that are
- *                          as short one, always the same. The point of the solid that gets furthest in
- *                          is point - depth * normal.
+ *  @param out_penetration  depth and normal of the translation, which is their product; of several equally
+ *                          short ones always the same one. The deepest point of the solid is
+ *                          point - depth * normal.
  *  @return GPHYS_OK if gphys_shape_overlaps says that they overlap, else GPHYS_NO_HIT;
  *          GPHYS_ERROR_UNSUPPORTED for rays, segments, frusta that are not the hull of their corners, and for
  *          other types that move
  *  Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1 ulp of
- *  depth; by 2^-32 where the centre or axis of what is round is less than that away from the other shape.
- *  Added to float positions, the translation may leave an overlap of the spacing of floats there.
+ *  depth; by 2^-32 where the centre or axis of a round solid is closer than that to the other shape.
+ *  Added to float positions, the translation may leave an overlap as large as the spacing of floats there.
  *  Cost: O(1), 0.1 to 1 us, 3 to 20 us for a frustum; O(log n + k) expected for a mesh. Boxes by separating axes
- *  (Gottschalk 1996), what is round by the distance of its core (Gilbert, Johnson, Keerthi 1988). */
+ *  (Gottschalk 1996), round solids by the distance of their core (Gilbert, Johnson, Keerthi 1988). */
 GPHYS_API gphys_status gphys_shape_penetration(gphys_shape_type type, const void* shape, gphys_shape_type moving_type,
                                                const void* moving, gphys_penetration* out_penetration);
 
@@ -539,7 +539,7 @@ GPHYS_API gphys_status gphys_shape_penetration_batch(gphys_shape_type type, cons
  *  left-bottom, right-bottom, right-top, left-top.
  *  A frustum is the convex hull of its corners (the intersections themselves, not rounded to floats) if each
  *  is within GPHYS_MAX_COORDINATE and in front of the three planes that do not meet there, by more than 2^-39
- *  of its distance from origin: so unless it is empty, flat, unbounded or ends in a tip. Solids are swept
+ *  of its distance from origin; that is, unless it is empty, flat, unbounded or ends in a tip. Solids are swept
  *  against such a frustum and pushed out of it; for the bounds of their errors, origin counts as a corner.
  *  @return GPHYS_UNBOUNDED if three planes do not meet in a point (infinite far plane), or meet
  *          beyond the largest float
@@ -562,7 +562,7 @@ GPHYS_API gphys_status gphys_planes_intersection_batch(const gphys_plane* a, uin
 
 /** How far the axes of a matrix (its first three columns without the last row) are from orthonormal: the largest
  *  |a_i . a_j - d_ij|, where d_ij is 1 for i = j, else 0. 0 for the identity, below 2^-22 for the matrices that a
- *  camera gives, about 2e for axes that are too long by a share of e.
+ *  camera gives, about 2e for axes that are too long by a fraction e.
  *  @param matrix  elements within GPHYS_MAX_COORDINATE
  *  Cost: O(1).  Since 1.1. */
 GPHYS_API gphys_status gphys_mat4_orthonormality(const gphys_mat4* matrix, float* out_deviation);
@@ -575,7 +575,7 @@ enum {
 };
 
 /** The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
- *  origin (0, 0, 0). A camera knows its frustum better: gphys_camera_get_frustum.
+ *  origin (0, 0, 0). For a camera, gphys_camera_get_frustum is more precise.
  *  @param reverse_z  0: near has the low depth; 1: near has the high depth
  *  @return GPHYS_ERROR_SINGULAR if the matrix has no inverse, or what it shows has no volume: its four near
  *          corners are not all finite points in front of the viewer
@@ -624,8 +624,8 @@ typedef struct gphys_mesh_desc {
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_mesh_desc_init(gphys_mesh_desc* desc, uint32_t size);
 
-/** Build a mesh from copies of the arrays. Triangles of zero area are kept: they are met like the
- *  segments or points that they are, and counted in the report. 0 triangles are allowed.
+/** Build a mesh from copies of the arrays. Triangles of zero area are kept: queries treat them
+ *  as the segments or points that they are, and the report counts them. 0 triangles are allowed.
  *  @param desc  may be NULL
  *  @return GPHYS_ERROR_INVALID_ARGUMENT for an index out of range, an index_count that is no
  *          multiple of 3 or a bad vertex; gphys_mesh_check tells which.
@@ -634,13 +634,13 @@ GPHYS_API gphys_status gphys_mesh_create(const gphys_mesh_desc* desc, const floa
                                          uint32_t vertex_count, const uint32_t* indices, uint32_t index_count,
                                          gphys_mesh** out_mesh);
 
-/** Make the convex hull of points: a mesh that is solid, as spheres and boxes are. All that takes a mesh takes it:
+/** Make the convex hull of points: a mesh that is solid, as spheres and boxes are. It can be used wherever a mesh can:
  *  gphys_shape_* functions, models of scenes, snapshots, and solvers, whose particles stay outside and are pushed out.
  *  A ray that starts inside hits at t = 0 with GPHYS_HIT_INSIDE; one from outside hits the face through which it
  * enters, `triangle` says where. Whether a ray hits and whether a point is inside is exact with respect to the points.
  * Inside, the closest point is the point itself and triangle GPHYS_NO_TRIANGLE. gphys_mesh_overlap lists the triangles
- * of the surface; gphys_mesh_raycast_all gives the first hit alone. The vertices are those points that are corners of
- * the hull, in the order of the points, of equal ones the first. The triangles come face by face, all that lie in one
+ * of the surface; gphys_mesh_raycast_all gives only the first hit. The vertices are the points that are corners of
+ * the hull, in their original order; of equal points the first. The triangles come face by face, all that lie in one
  * plane being one face; seen from outside their corners go counterclockwise where axes are right-handed, and the normal
  * cross(b - a, c - a) points out.
  *  @param desc          may be NULL; deformable must be 0
@@ -649,7 +649,7 @@ GPHYS_API gphys_status gphys_mesh_create(const gphys_mesh_desc* desc, const floa
  *  @return GPHYS_ERROR_INVALID_ARGUMENT if a point is out of range or if all lie in a plane, which is decided exactly;
  *          GPHYS_ERROR_CAPACITY if the hull has more than 256 faces; GPHYS_ERROR_UNSUPPORTED if desc asks for a
  *          deformable mesh
- *  Cost: O(point_count * faces); allocates. Rays take O(log faces), the other questions up to O(faces).
+ *  Cost: O(point_count * faces); allocates. Rays take O(log faces), other queries up to O(faces).
  *  Source: quickhull (Barber, Dobkin, Huhdanpaa 1996) with exact predicates.  Since 1.1. */
 GPHYS_API gphys_status gphys_mesh_create_hull(const gphys_mesh_desc* desc, const float* points, uint32_t point_stride,
                                               uint32_t point_count, gphys_mesh** out_mesh);
@@ -659,31 +659,31 @@ GPHYS_API gphys_status gphys_mesh_create_hull(const gphys_mesh_desc* desc, const
  *  Cost: O(faces).  Since 1.1. */
 GPHYS_API gphys_status gphys_mesh_get_hull_planes(const gphys_mesh* mesh, gphys_plane* out_planes, uint32_t capacity,
                                                   uint32_t* out_total);
-/** For each triangle of a hull the number of its face, by which gphys_mesh_get_hull_planes lists the planes: ascending,
+/** For each triangle of a hull the index of its face in the list of gphys_mesh_get_hull_planes, ascending
  *  from 0. Kept when too many: the first.
  *  @return GPHYS_ERROR_UNSUPPORTED for a mesh that is no hull
  *  Cost: O(triangles).  Since 1.1. */
 GPHYS_API gphys_status gphys_mesh_get_hull_faces(const gphys_mesh* mesh, uint32_t* out_faces, uint32_t capacity,
                                                  uint32_t* out_total);
 
-/** Put other vertices in place of those of a deformable mesh: of a skinned character, or of cloth as
- *  gphys_solver_get_positions writes it. All models of the mesh have the new form from then on, in every scene, and all
- *  answers have the bits of those of a mesh created of the new vertices. What fails leaves the mesh and the scenes as
- *  they were. A solver sees the new form at its next step, as a surface that stands still.
+/** Replace the vertices of a deformable mesh, such as a skinned character, or cloth as gphys_solver_get_positions
+ *  writes it. All models of the mesh take the new form at once, in every scene, and all answers have the same bits as
+ *  those of a mesh created from the new vertices. A call that fails leaves the mesh and the scenes as they
+ *  were. A solver sees the new form at its next step, as a surface that stands still.
  *  @param vertices       vertex_count elements of 3 floats, metres; copied
  *  @param vertex_stride  bytes between vertices, at least 12
  *  @param vertex_count   as at creation
  *  @return GPHYS_ERROR_UNSUPPORTED if the mesh is not deformable; GPHYS_ERROR_INVALID_ARGUMENT for a vertex that is not
  *          finite or too large, or if a model of the mesh would reach beyond the range of coordinates
  *  Threads: an edit of the mesh and of every scene that has a model of it: not beside other calls on these.
- *  Cost: O(vertices + triangles + log n for each model), some percent of a creation: the tree is refitted, and built
- *  again by parts where it has degraded. If the triangles have come apart so that their groups of eight have boxes of
- *  twice the area, once that of a creation. Allocates.  Since 1.1. */
+ *  Cost: O(vertices + triangles + log n for each model), a few per cent of creating it: the tree is refitted, and parts
+ *  that have degraded are rebuilt. If the triangles have moved apart so far that the boxes of their groups of eight
+ *  have twice the area, once as much as creating it. Allocates.  Since 1.1. */
 GPHYS_API gphys_status gphys_mesh_set_vertices(gphys_mesh* mesh, const float* vertices, uint32_t vertex_stride,
                                                uint32_t vertex_count);
 
-/** Release a reference to a mesh; NULL does nothing. The handle is invalid once as many have been released as there
- *  were: one of the function that created the mesh, and one of each gphys_scene_get_mesh. Models that use the mesh
+/** Release a reference to a mesh; NULL does nothing. The handle is invalid once all have been released: one from the
+ *  function that created the mesh, and one from each gphys_scene_get_mesh. Models that use the mesh
  *  keep it alive as long as they exist.
  *  Cost: O(1); O(n) to free a mesh that no model uses. */
 GPHYS_API void gphys_mesh_destroy(gphys_mesh* mesh);
@@ -703,7 +703,7 @@ typedef struct gphys_mesh_info {
     uint32_t vertex_count;
     uint32_t triangle_count;
     int32_t deformable;   /* 1: as gphys_mesh_desc.deformable, or in the form of a body */
-    int32_t follows_body; /* 1: a body gives it its form, and gphys_mesh_set_vertices does not */
+    int32_t follows_body; /* 1: its form comes from a body, not from gphys_mesh_set_vertices */
 } gphys_mesh_info;
 
 /** Kind and size of a mesh, and whether its vertices change. Cost: O(1).  Since 1.1. */
@@ -728,11 +728,11 @@ GPHYS_API gphys_status gphys_mesh_get_indices(const gphys_mesh* mesh, uint32_t* 
  *  Threads: any. Cost: O(n), some 24 bytes and 5 ns for each triangle; no allocation. */
 GPHYS_API gphys_status gphys_mesh_get_snapshot(const gphys_mesh* mesh, uint32_t* out_words, uint32_t capacity,
                                                uint32_t* out_total);
-/** Make a mesh of a snapshot: all its answers have the bits of the mesh that the snapshot was taken of.
- *  Any words are safe, also those of a stranger: vertices, indices and the tree are checked, and what follows from
- *  them is computed. Made-up words are refused, or taken as a mesh like any other; only what its report counts
- *  (triangles of zero area, open edges) is taken as it stands there.
- *  @param desc  may be NULL; with `deformable` the mesh takes new vertices, whatever the one in the snapshot did
+/** Make a mesh from a snapshot: all its answers have the same bits as those of the mesh in the snapshot.
+ *  Any words are safe, also from an untrusted source: vertices, indices and the tree are checked, and what follows
+ *  from them is computed. Forged words are refused, or taken as a mesh like any other; only the counts of its report
+ *  (triangles of zero area, open edges) are taken from the words as they are.
+ *  @param desc  may be NULL; with `deformable` the mesh takes new vertices, even if the one in the snapshot did not
  *  @return GPHYS_ERROR_INVALID_ARGUMENT for words that are no snapshot of a mesh, damaged, of a later format or of
  *          another byte order; GPHYS_ERROR_UNSUPPORTED for a deformable hull
  *  Cost: O(n), a small part of gphys_mesh_create's; allocates. */
@@ -753,11 +753,11 @@ GPHYS_API gphys_status gphys_mesh_raycast_any(const gphys_mesh* mesh, const gphy
 /** Whether each of count rays hits anything, as gphys_mesh_raycast_any.
  *  @param rays      a stride of 0 casts one ray count times
  *  @param out_hits  count elements, each 0 or 1
- *  Cost: that of count single calls; less for rays whose neighbours go much the same way.  Since 1.1. */
+ *  Cost: that of count single calls; less if neighbouring rays are similar.  Since 1.1. */
 GPHYS_API gphys_status gphys_mesh_raycast_any_batch(const gphys_mesh* mesh, const gphys_ray* rays, uint32_t ray_stride,
                                                     uint32_t count, int32_t* out_hits, uint32_t out_stride);
-/** How far count rays come, and which triangles they hit: t and triangle of gphys_shape_raycast_batch for the mesh,
- *  with the same bits, without the rest of a hit; model is 0.
+/** How far each of count rays goes, and which triangle it hits: t and triangle of gphys_shape_raycast_batch for the
+ *  mesh, with the same bits, without the rest of a hit; model is 0.
  *  @param rays           a stride of 0 casts one ray count times
  *  @param out_distances  count elements; a ray that hits nothing gets t = INFINITY and
  *                        triangle = GPHYS_NO_TRIANGLE
@@ -818,8 +818,8 @@ typedef struct gphys_scene_desc {
     uint32_t struct_size;
     const gphys_allocator* allocator;     /* NULL: the C++ runtime's */
     uint32_t reserve_models;              /* models to make room for at once; 0 */
-    const gphys_task_runner* task_runner; /* whose threads worker_count counts; NULL: the scene's own */
-    uint32_t worker_count; /* threads for one call, its own included, at most 1024; 0 and 1: that alone */
+    const gphys_task_runner* task_runner; /* provides the worker_count threads; NULL: the scene's own */
+    uint32_t worker_count; /* threads for one call, including the caller's, at most 1024; 0 and 1: that alone */
     uint32_t reserved;     /* must be 0 */
 } gphys_scene_desc;
 
@@ -832,9 +832,9 @@ GPHYS_API gphys_status gphys_scene_desc_init(gphys_scene_desc* desc, uint32_t si
  *  With a worker_count of n, all batch queries of the scene (gphys_camera_pick_batch too), and
  *  adding and moving many models, share their work among n threads; the results have the same bits
  *  for every n. Without a task_runner n - 1 threads are started here and joined when
- *  the scene is destroyed. They serve one call at a time: calls made meanwhile do their own
- *  work. They take no signals but faults, and the floating-point settings of the thread that
- *  created them. In a child of fork they are gone: calls there run on one thread, as they do on a
+ *  the scene is destroyed. They serve one call at a time: calls made meanwhile run on their
+ *  own thread alone. They take no signals but faults, and have the standard floating-point settings.
+ *  In a child of fork they are gone: calls there run on one thread, as they do on a
  *  platform without threads (WebAssembly, unless built for shared memory), whatever is asked for.
  *  @param desc  NULL: the defaults
  *  @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started; GPHYS_ERROR_CAPACITY if
@@ -846,8 +846,9 @@ GPHYS_API gphys_status gphys_scene_create(const gphys_scene_desc* desc, gphys_sc
  *  Cost: O(n). */
 GPHYS_API void gphys_scene_destroy(gphys_scene* scene);
 
-/** Change the number of threads that share the calls of a scene, such as by a setting of the user's. They are those of
- *  its task_runner if it was created with one. In a child of fork they are started again. Answers keep their bits.
+/** Change the number of threads that share the calls of a scene, for example when the user changes a setting. They are
+ *  those of its task_runner if it was created with one. In a child of fork they are started again. Answers keep their
+ *  bits.
  *  @param workers  as gphys_scene_desc.worker_count
  *  @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started; the former ones are kept
  *  Cost: that of joining the former threads and starting others; allocates.  Since 1.1. */
@@ -856,7 +857,7 @@ GPHYS_API gphys_status gphys_scene_set_worker_count(gphys_scene* scene, uint32_t
  *  Cost: O(1).  Since 1.1. */
 GPHYS_API gphys_status gphys_scene_get_worker_count(const gphys_scene* scene, uint32_t* out_workers);
 
-/** Move the point of the world that all coordinates of the scene count from, those that it is given
+/** Move the point of the world that all coordinates of the scene are relative to, those passed to it
  *  and those that it returns. Models stay where they are in the world: the positions of those without
  *  a parent become what they are from there, kept in double precision and rounded to float32 once,
  *  however often the origin moves. For worlds beyond some kilometres: keep the origin near the camera,
@@ -955,7 +956,7 @@ typedef struct gphys_model_info {
 /** Ids of all models without a parent, ascending. Kept when too many: the lowest. Cost: O(n). */
 GPHYS_API gphys_status gphys_scene_get_roots(const gphys_scene* scene, gphys_model_id* out_models, uint32_t capacity,
                                              uint32_t* out_total);
-/** Ids of the models that hang directly below one, ascending. Kept when too many: the lowest.
+/** Ids of the direct children of a model, ascending. Kept when too many: the lowest.
  *  Cost: O(k log k). */
 GPHYS_API gphys_status gphys_scene_get_children(const gphys_scene* scene, gphys_model_id model,
                                                 gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total);
@@ -975,8 +976,8 @@ GPHYS_API gphys_status gphys_scene_get_shape(const gphys_scene* scene, gphys_mod
  *  @return GPHYS_ERROR_UNSUPPORTED if the model's shape is no mesh
  *  Cost: O(1).  Since 1.1. */
 GPHYS_API gphys_status gphys_scene_get_mesh(const gphys_scene* scene, gphys_model_id model, gphys_mesh** out_mesh);
-/** World box of a model, by which queries find it: holds it, and is at most 3 ulps and 2^-19 of the sum
- *  of its sizes wider. That of an empty mesh is its position.
+/** World box of a model, by which queries find it: contains the model, and is wider by at most 3 ulps and
+ *  2^-19 of the sum of its sizes. That of an empty mesh is its position.
  *  @return GPHYS_UNBOUNDED for a plane
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_scene_get_bounds(const gphys_scene* scene, gphys_model_id model, gphys_aabb* out_bounds);
@@ -1000,8 +1001,8 @@ GPHYS_API gphys_status gphys_scene_set_shape(gphys_scene* scene, gphys_model_id 
 
 /** Scale a model's own shape along the three axes of the model, before its transform: a tree grows, a unit box
  *  becomes a wall, a rock is stretched. Every query, and solvers, see the scaled shape; normals are those of
- *  its surface. Children are not affected: they follow the transform, whose scale is one number. What is set
- *  replaces what was set before.
+ *  its surface. Children are not affected: they follow the transform, whose scale is one number. A new
+ *  scale replaces the old one.
  *    A mesh or a hull is scaled exactly, without a copy: answers are those of a mesh of the scaled vertices.
  *  Of a box or a triangle each number is multiplied and rounded to float32. A sphere, capsule or plane, and an
  *  OBB whose own rotation is not the identity, take three equal numbers only.
@@ -1029,7 +1030,7 @@ GPHYS_API gphys_status gphys_scene_set_layers(gphys_scene* scene, gphys_model_id
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_scene_set_tag(gphys_scene* scene, gphys_model_id model, uint32_t tag);
 
-/** Hang a model below another one, or below none (0).
+/** Make a model the child of another one, or of none (0).
  *  @param keep_world  0: the local transform is kept, the model jumps; 1: the local transform is
  *                     changed so that the world transform stays (within float32 rounding)
  *  @return GPHYS_ERROR_CYCLE if parent is the model or one of its descendants
@@ -1059,8 +1060,8 @@ GPHYS_API gphys_status gphys_scene_set_transforms(gphys_scene* scene, const gphy
  *  Cost: O(count). */
 GPHYS_API gphys_status gphys_scene_get_transforms(const gphys_scene* scene, const gphys_model_id* models,
                                                   uint32_t count, gphys_transform* out_transforms, uint32_t out_stride);
-/** World transforms of count models: those of all ancestors applied, rounded to float32. What queries
- *  answer is exact with respect to these.
+/** World transforms of count models: with those of all ancestors applied, rounded to float32. Answers of
+ *  queries are exact with respect to these.
  *  @param models          count ids; an id may appear twice
  *  @param out_transforms  count elements
  *  Cost: O(count). */
@@ -1071,9 +1072,9 @@ GPHYS_API gphys_status gphys_scene_get_world_transforms(const gphys_scene* scene
 /* Queries. `layers` is a mask, GPHYS_ALL_LAYERS sees everything. All of them are const, allocate
  * nothing and take O(log n + k) expected. The batch forms answer item i as the single call does;
  * where that would return GPHYS_NO_HIT the element gets model = 0, t or distance = INFINITY,
- * triangle = GPHYS_NO_TRIANGLE and zeros, and the batch returns GPHYS_OK. Rays of a batch that go
- * much the same way take a fraction of the time if they are neighbours in it, or lie row by row as in
- * an image. */
+ * triangle = GPHYS_NO_TRIANGLE and zeros, and the batch returns GPHYS_OK. Similar rays of a
+ * batch take a fraction of the time if they are neighbours in the array, or are in rows as in an
+ * image. */
 
 /** Closest model on a ray; the fields are exact as in gphys_shape_raycast.
  *  @return GPHYS_OK or GPHYS_NO_HIT
@@ -1088,8 +1089,8 @@ GPHYS_API gphys_status gphys_scene_raycast(const gphys_scene* scene, const gphys
 GPHYS_API gphys_status gphys_scene_raycast_batch(const gphys_scene* scene, const gphys_ray* rays, uint32_t ray_stride,
                                                  uint32_t count, uint32_t layers, gphys_hit* out_hits,
                                                  uint32_t out_stride);
-/** How far count rays come, and what they meet: t, model and triangle of gphys_scene_raycast_batch, with the same
- *  bits, without the rest of a hit. For lidars and images of depth.
+/** How far each of count rays goes, and what it hits: t, model and triangle of gphys_scene_raycast_batch, with the
+ *  same bits, without the rest of a hit. For lidars and depth images.
  *  @param rays           a stride of 0 casts one ray count times
  *  @param out_distances  count elements; a ray that hits nothing gets t = INFINITY, model = 0 and
  *                        triangle = GPHYS_NO_TRIANGLE
@@ -1159,11 +1160,12 @@ GPHYS_API gphys_status gphys_scene_overlap_batch(const gphys_scene* scene, gphys
                                                  uint32_t shape_stride, uint32_t count, uint32_t layers,
                                                  gphys_model_id* out_models, uint32_t capacity, uint32_t* out_offsets);
 
-/** Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its
- *  own box, ascending: for drawing. None that is seen is missed. More are listed near the frustum's
- *  edges: some per cent of models that are compact or not turned; of long or flat ones that are
- *  turned, whose world boxes are mostly empty, about a third, and as many again as are seen where
- *  they are as long as the view is wide. gphys_scene_overlap sorts these out by testing the shapes.
+/** Ids of all models whose world box is not wholly outside any of a frustum's six planes or its own
+ *  box, ascending: for drawing. No visible model is missed. Some invisible ones near the frustum's
+ *  edges are listed, too: a few per cent more where models are compact or not rotated; about a third
+ *  more where they are long or flat and rotated, so that their world boxes are mostly empty, and as
+ *  many again as are visible where they are as long as the view is wide. gphys_scene_overlap leaves
+ *  these out by testing the shapes.
  *  Kept when too many: the lowest. Room for all models is best: what out_models has beyond the ids is used
  *  as scratch memory to order them. Cost: O(log n + k) expected. */
 GPHYS_API gphys_status gphys_scene_cull(const gphys_scene* scene, const gphys_frustum* frustum, uint32_t layers,
@@ -1234,7 +1236,7 @@ GPHYS_API gphys_status gphys_scene_sweep_batch(const gphys_scene* scene, gphys_s
                                                gphys_hit* out_hits, uint32_t out_stride);
 
 /** What a sphere, capsule, AABB or OBB overlaps, and how it gets out: an element for each model, and of
- *  a mesh one for each triangle, as gphys_shape_penetration. Deepest first; those that are as deep by
+ *  a mesh one for each triangle, as gphys_shape_penetration. Deepest first; equal depths by
  *  model, then triangle. Each is the way out of that one alone. The models are those of gphys_scene_overlap. Kept when
  *  the array is too small: the deepest.
  *  @return GPHYS_ERROR_UNSUPPORTED for other types
@@ -1256,26 +1258,26 @@ GPHYS_API gphys_status gphys_scene_penetration_batch(const gphys_scene* scene, g
                                                      uint32_t layers, gphys_penetration* out_penetrations,
                                                      uint32_t capacity, uint32_t* out_offsets);
 
-/* The same queries with a filter: a mask of layers and, besides, models to leave out, such as the one that
- * asks, or what is selected. They answer as if the models that are left out were not there, with the same
- * bits and ties as their plain forms would then; nothing in the scene is changed by asking, so that any
- * number of threads may ask at once with filters of their own.
+/* The same queries with a filter: a mask of layers, and models to leave out, such as the one that asks or
+ * those that are selected. They answer as if the models that are left out were not in the scene, with the
+ * bits and ties that the unfiltered forms would then have. A filter changes nothing in the scene, so any
+ * number of threads may query at the same time with filters of their own.
  *
- * The batch forms take one filter for all elements with a stride of 0, else one for each. Like other input
- * strides, that is at least the element's size, here the struct_size of the filters, all of which need the
- * same; NULL for filters stands for one that leaves out nothing. */
+ * The batch forms take one filter for all elements with a stride of 0, else one for each. A stride other
+ * than 0 is at least the struct_size of the filters, which must be the same for all. NULL for filters
+ * leaves out nothing. */
 
 /* Flags of gphys_query_filter_desc. */
 enum {
     GPHYS_FILTER_SUBTREE = 1,       /* ignored_model stands for its descendants, too */
-    GPHYS_FILTER_NO_BACK_FACES = 2, /* planes, triangles and meshes that are no solids are not met from behind, by
-                                       rays with GPHYS_HIT_BACK, nor by sweeps along their normal; other queries,
-                                       which come from no side, take this flag and the next without effect */
+    GPHYS_FILTER_NO_BACK_FACES = 2, /* planes, triangles and meshes that are not solid are not hit from behind: by
+                                       rays with GPHYS_HIT_BACK, or by sweeps along their normal; other queries
+                                       have no direction and ignore this flag and the next */
     GPHYS_FILTER_NO_FRONT_FACES = 4 /* they are met from behind only: the inside of a closed mesh */
 };
 
-/** Which models a query sees. Ids of models that are gone, or never were, leave out nothing and are no
- *  error: what asked may have been removed since. */
+/** Which models a query sees. Ids that name no model leave out nothing and are not an error: the
+ *  model that asked may have been removed since. */
 typedef struct gphys_query_filter_desc {
     uint32_t struct_size;
     uint32_t layers;                      /* a model is seen if its own mask shares a bit; default GPHYS_ALL_LAYERS */
@@ -1299,7 +1301,7 @@ GPHYS_API gphys_status gphys_query_filter_desc_init(gphys_query_filter_desc* des
  *  Cost: that of gphys_scene_raycast for one ignored model. For each model that is met within the ray's
  *  reach, besides: O(its depth below its root) with GPHYS_FILTER_SUBTREE if ignored_model has children; of
  *  m ignored_models O(log m) if they are ascending, as all lists of the library are, else O(m). Whether
- *  they are takes O(m) a call. Where faces are left out, rays of a batch meet a mesh one by one. */
+ *  they are takes O(m) a call. Where faces are left out, a batch tests a mesh one ray at a time. */
 GPHYS_API gphys_status gphys_scene_raycast_filtered(const gphys_scene* scene, const gphys_ray* ray,
                                                     const gphys_query_filter_desc* filter, gphys_hit* out_hit);
 /** Closest models on count rays that the filters see, as gphys_scene_raycast_batch.
@@ -1312,8 +1314,8 @@ GPHYS_API gphys_status gphys_scene_raycast_filtered_batch(const gphys_scene* sce
                                                           const gphys_query_filter_desc* filters,
                                                           uint32_t filter_stride, gphys_hit* out_hits,
                                                           uint32_t out_stride);
-/** How far count rays come among the models that the filters see, as gphys_scene_raycast_distance_batch: a lidar
- *  leaves out the robot that carries it.
+/** How far each of count rays goes among the models that its filter sees, as gphys_scene_raycast_distance_batch: a
+ *  lidar leaves out the robot that carries it.
  *  @param rays           a stride of 0 casts one ray count times
  *  @param filters        a stride of 0 takes one for all; NULL: the defaults
  *  @param out_distances  count elements
@@ -1440,7 +1442,7 @@ GPHYS_API gphys_status gphys_scene_nearest_filtered_batch(const gphys_scene* sce
                                                           uint32_t out_stride);
 
 /** First model that a moving sphere touches and the filter sees, as gphys_scene_sweep_sphere: the sphere may
- *  be the bound of the ignored model itself.
+ *  be the bounding sphere of the ignored model.
  *  @param displacement  metres; may be zero
  *  @param filter        NULL: the defaults
  *  @return GPHYS_OK or GPHYS_NO_HIT
@@ -1461,7 +1463,7 @@ GPHYS_API gphys_status gphys_scene_sweep_sphere_filtered_batch(const gphys_scene
                                                                uint32_t filter_stride, gphys_hit* out_hits,
                                                                uint32_t out_stride);
 
-/** First model that a sphere, capsule, AABB or OBB that moves touches and the filter sees, as
+/** First model that a moving sphere, capsule, AABB or OBB touches and the filter sees, as
  *  gphys_scene_sweep: a character leaves out its own model.
  *  @param displacement  metres; may be zero
  *  @param filter        NULL: the defaults
@@ -1509,8 +1511,8 @@ GPHYS_API gphys_status gphys_scene_penetration_filtered_batch(const gphys_scene*
                                                               gphys_penetration* out_penetrations, uint32_t capacity,
                                                               uint32_t* out_offsets);
 
-/** Build the scene's octree anew, as good as that of one gphys_scene_add_batch. Never needed: ids, answers and their
- *  bits stay as they are. Where many models were added one by one, such as a level that was streamed in, rays then take
+/** Rebuild the scene's octree, as good as that of one gphys_scene_add_batch. Never required: ids, answers and their
+ *  bits do not change. Where many models were added one by one, such as a level that was streamed in, rays then take
  *  0.5 to 0.9 of the time.
  *  @return GPHYS_ERROR_OUT_OF_MEMORY, with nothing changed
  *  Cost: O(n log n), 0.15 to 0.45 us a model, less with workers; allocates.  Since 1.1. */
@@ -1518,7 +1520,7 @@ GPHYS_API gphys_status gphys_scene_rebuild_octree(gphys_scene* scene);
 /** Rebuild the octree in parts, one in each call, until it is as good as after gphys_scene_rebuild_octree: for levels
  *  that are streamed in while frames go on. Each gphys_scene_add and gphys_scene_remove does a part by itself; these
  *  calls do the rest. Never needed: ids, answers and their bits stay as they are. Models may be added, moved and
- * removed between the calls. An update of an eighth of them or more by one call starts again.
+ * removed between the calls. A call that updates an eighth of them or more restarts it.
  *  @param budget    how much work to do, as a number of models, of 0.3 to 1 us each. The work is the same on every
  *                   machine and does not depend on time.
  *  @param out_done  1: nothing is left to do, since fewer than one in 64 models were added one by one; 0: call again
@@ -1538,10 +1540,10 @@ GPHYS_API gphys_status gphys_scene_get_octree_boxes(const gphys_scene* scene, gp
  *  Cost: O(n). */
 GPHYS_API gphys_status gphys_scene_validate(const gphys_scene* scene);
 
-/** Copy the whole state out: the origin, models with their ids, parents, tags, layers, transforms and shapes, ids to
- *  come, and the octree. Workers and allocator are not in it.
- *  @param embed_meshes  1: meshes are in the snapshot, each once, which is then complete in itself: for saved games and
- *                       for other machines. 0: they are named by what they hold, and gphys_scene_restore looks for
+/** Copy the whole state out: the origin, models with their ids, parents, tags, layers, transforms and shapes, the
+ *  order of future ids, and the octree. Workers and allocator are not in it.
+ *  @param embed_meshes  1: meshes are in the snapshot, each once, so it is complete in itself: for saved games and for
+ *                       other machines. 0: they are identified by their content, and gphys_scene_restore looks for
  *                       them: for undo, and rollback each frame.
  *  @param out_words     the snapshot; written as a whole, or not at all when capacity is too small. Words are in the
  *                       machine's byte order. Every later release of the same major version reads it.
@@ -1551,21 +1553,21 @@ GPHYS_API gphys_status gphys_scene_validate(const gphys_scene* scene);
 GPHYS_API gphys_status gphys_scene_get_snapshot(const gphys_scene* scene, int32_t embed_meshes, uint32_t* out_words,
                                                 uint32_t capacity, uint32_t* out_total);
 /** Replace the whole state by that of a snapshot, of this or of another scene. Ids are those of the time of the
- *  snapshot, those to come included. All answers have the bits that they had then; a solver that was restored with its
- *  scene steps on with the same bits. On an error the scene is as before.
- *  Any words are safe, also those of a stranger: all that is used as a number or an index is checked first. Made-up
+ *  snapshot, and so are future ones. All answers have the bits that they had then; a solver that is restored with its
+ *  scene continues with the same bits. On an error the scene is as before.
+ *  Any words are safe, also from an untrusted source: all that is used as a number or an index is checked first. Forged
  *  words are refused, or taken as a scene like any other.
- *  @param library  meshes that are not embedded are looked for among those that models of this scene use, by what they
- *                  hold: vertices and indices, so one that has been deformed since is to be put back first. NULL:
+ *  @param library  meshes that are not embedded are looked for among those that models of this scene use, by their
+ *                  content: vertices and indices. A mesh deformed since must get its old form back first. NULL:
  *                  among those that models of `scene` itself use, before it is restored.
  *  @return GPHYS_ERROR_INVALID_ARGUMENT for words that are no snapshot of a scene, damaged, of a later format or of
  *          another byte order, and if a mesh is missing; GPHYS_ERROR_OUT_OF_MEMORY if there is no room for it
  *  Cost: O(n), 150 to 700 ns for each model, besides embedded meshes (gphys_mesh_create_from_snapshot). Allocates. */
 GPHYS_API gphys_status gphys_scene_restore(gphys_scene* scene, const gphys_scene* library, const uint32_t* words,
                                            uint32_t count);
-/** A hash of the whole state but the octree, the low half first; of a mesh it is what it holds that counts. Equal
- * states have equal hashes on every machine; different ones differ with near certainty (not against an adversary).
- * Compare it between machines that simulate the same, to see when they part. Cost: O(n), some 50 ns for each model. */
+/** A hash of the whole state except the octree, the low half first; meshes count by their content. Equal states have
+ * equal hashes on every machine; different ones differ with near certainty (not against an adversary). Compare it
+ * between machines that run the same simulation, to detect when they diverge. Cost: O(n), some 50 ns for each model. */
 GPHYS_API gphys_status gphys_scene_get_hash(const gphys_scene* scene, uint32_t out_hash[2]);
 
 /* ------------------------------------------------------------------------------------------
@@ -1589,7 +1591,7 @@ enum {
 /** Where the rays of a perspective camera begin. */
 typedef int32_t gphys_pick_start;
 enum {
-    GPHYS_PICK_FROM_NEAR_PLANE = 0, /* what is drawn can be picked, and nothing before it */
+    GPHYS_PICK_FROM_NEAR_PLANE = 0, /* what is drawn can be picked; nothing between camera and near plane */
     GPHYS_PICK_FROM_CENTRE = 1      /* at the camera's position: what is between it and the near plane, too */
 };
 
@@ -1625,29 +1627,29 @@ GPHYS_API gphys_status gphys_camera_set_origin(gphys_camera* camera, const doubl
 /** Where in the world the camera's coordinates count from, metres. Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_get_origin(const gphys_camera* camera, double out_origin[3]);
 
-/** See with a perspective projection; what is further away is smaller.
+/** Use a perspective projection: distant objects appear smaller.
  *  @param fov_y  full vertical angle in radians, 1e-6 <= fov_y < pi
  *  @param near_distance  metres, > 0
  *  @param far_distance   metres, > near_distance; INFINITY allowed
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_set_perspective(gphys_camera* camera, float fov_y, float near_distance,
                                                     float far_distance);
-/** See with an orthographic projection; the distance changes no size.
+/** Use an orthographic projection: the distance does not change apparent size.
  *  @param height  metres seen from top to bottom, >= 1e-6; the width follows from the viewport and
  *                 is at most twice GPHYS_MAX_COORDINATE
  *  @param near_distance, far_distance  metres; far at least 1e-6 above near, which may be negative
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_set_orthographic(gphys_camera* camera, float height, float near_distance,
                                                      float far_distance);
-/** See with any projection matrix of the camera's depth range and direction (off-centre, oblique,
+/** Use any projection matrix of the camera's depth range and direction (off-centre, oblique,
  *  another library's). It is not changed by gphys_camera_set_viewport.
  *  @return GPHYS_ERROR_SINGULAR if it has no inverse, or is too close to such a matrix to tell;
  *          GPHYS_ERROR_INVALID_ARGUMENT if a plane other than far lies at infinity, as it does when
  *          the matrix is for another depth range, or one lies beyond GPHYS_MAX_COORDINATE
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_set_projection(gphys_camera* camera, const gphys_mat4* projection);
-/** As gphys_camera_set_perspective, with an aspect of its own: the viewport stretches the image, as one of
- *  pixels that are not square, and does not change what is seen.
+/** As gphys_camera_set_perspective, with a fixed aspect ratio: the image is stretched to the viewport, as with
+ *  pixels that are not square, and the viewport does not change what is seen.
  *  @param fov_y   full vertical angle in radians, 1e-6 <= fov_y < pi
  *  @param aspect  width over height of what is seen, 1e-6 .. 1e6
  *  @param near_distance  metres, > 0
@@ -1661,8 +1663,8 @@ GPHYS_API gphys_status gphys_camera_set_perspective_aspect(gphys_camera* camera,
  *  Cost: O(1).  Since 1.1. */
 GPHYS_API gphys_status gphys_camera_set_orthographic_size(gphys_camera* camera, float width, float height,
                                                           float near_distance, float far_distance);
-/** The viewport was resized. Perspective keeps fov_y, orthographic its height; it is refused if that
- *  makes the width more than twice GPHYS_MAX_COORDINATE.
+/** Set the size of the viewport. A perspective keeps fov_y, an orthographic projection its height; the call is
+ *  refused if that makes the width more than twice GPHYS_MAX_COORDINATE.
  *  @param width, height  pixels, 1e-3 .. 1e6
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_set_viewport(gphys_camera* camera, float width, float height);
@@ -1691,7 +1693,7 @@ GPHYS_API gphys_status gphys_camera_get_projection(const gphys_camera* camera, g
 GPHYS_API gphys_status gphys_camera_get_viewport(const gphys_camera* camera, float* out_width, float* out_height);
 /** Where the viewport is in its window, in pixels, as it was set. Cost: O(1).  Since 1.1. */
 GPHYS_API gphys_status gphys_camera_get_viewport_origin(const gphys_camera* camera, float* out_x, float* out_y);
-/** Width over height of what is seen, as it was set or, with a matrix too, as the viewport has it.
+/** Width over height of what is seen: as it was set, or else, and always with a matrix, that of the viewport.
  *  @param out_is_fixed  1 if gphys_camera_set_perspective_aspect or gphys_camera_set_orthographic_size was the last
  *                    to set the projection; 0 if it follows the viewport
  *  Cost: O(1).  Since 1.1. */
@@ -1742,7 +1744,7 @@ GPHYS_API gphys_status gphys_camera_get_transform(const gphys_camera* camera, gp
 /** The matrix from camera to world. Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_get_world_matrix(const gphys_camera* camera, gphys_mat4* out_world);
 /** The matrix from world to camera: the transpose of the orthonormal world axes, and the position
- *  through them. Cost: O(1). */
+ *  transformed by it. Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_get_view_matrix(const gphys_camera* camera, gphys_mat4* out_view);
 /** The matrix from camera to clip space. Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_get_projection_matrix(const gphys_camera* camera, gphys_mat4* out_projection);
@@ -1775,7 +1777,7 @@ GPHYS_API gphys_status gphys_camera_set_orbit(gphys_camera* camera, const gphys_
  *  @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_get_orbit(const gphys_camera* camera, gphys_orbit* out_orbit);
-/** What a unit of each input moves an orbit by; negative to turn one round. Frozen.  Since 1.1. */
+/** What a unit of each input moves an orbit by; negative to invert one. Frozen.  Since 1.1. */
 typedef struct gphys_orbit_speeds {
     float rotate_x, rotate_y; /* radians a unit, of yaw and pitch */
     float zoom;               /* metres a unit */
@@ -1783,7 +1785,7 @@ typedef struct gphys_orbit_speeds {
 } gphys_orbit_speeds;
 
 /** Set a speed for each input of the orbit, in place of the two of gphys_orbit, which gphys_camera_set_orbit
- *  starts from. Input since the last update counts by the new ones.
+ *  starts from. Input since the last update uses the new speeds.
  *  @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
  *  Cost: O(1).  Since 1.1. */
 GPHYS_API gphys_status gphys_camera_set_orbit_speeds(gphys_camera* camera, const gphys_orbit_speeds* speeds);
@@ -1813,12 +1815,12 @@ GPHYS_API gphys_status gphys_camera_orbit_pan(gphys_camera* camera, float units_
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_orbit_update(gphys_camera* camera);
 
-/** The seen volume, with origin at the camera's position and planes from its parameters: each
- *  number within 2 ulp; all functions of shapes take it. A user projection gives its planes by
+/** The view frustum, with origin at the camera's position and planes from its parameters: each
+ *  number within 2 ulp. All functions of shapes accept it. A user projection gives its planes by
  *  Gribb-Hartmann in double precision.
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_get_frustum(const gphys_camera* camera, gphys_frustum* out_frustum);
-/** World positions of the corners of the seen volume, in the order of gphys_frustum_corners.
+/** World positions of the corners of the view frustum, in the order of gphys_frustum_corners.
  *  @return GPHYS_UNBOUNDED with an infinite far plane, or a corner beyond the largest float
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_get_corners(const gphys_camera* camera, gphys_vec3 out_corners[8]);
@@ -1867,10 +1869,10 @@ GPHYS_API gphys_status gphys_camera_unproject_batch(const gphys_camera* camera, 
 
 /** The ray through a pixel, of unit direction, from the near plane on; t_max ends on the far plane (INFINITY
  *  without one). With GPHYS_PICK_FROM_CENTRE that of a perspective starts at the camera's position.
- *  Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
- *  near as half an ulp of a direction can be. Where it starts is rounded to float32 besides, which moves it by
- *  half an ulp of the coordinates (not from the camera's position, which is one of floats);
- *  gphys_camera_pick is not so limited.
+ *  Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, within half
+ *  an ulp of its direction. Its start is rounded to float32, too, which moves the ray by half an ulp of the
+ *  coordinates (but not from the camera's position, which has float coordinates); gphys_camera_pick is not
+ *  limited in this way.
  *  @param pixel_x, pixel_y  pixels; may lie outside the viewport
  *  @return GPHYS_UNBOUNDED if the line of sight does not meet the near plane (user projections), or would
  *          begin beyond GPHYS_MAX_COORDINATE
@@ -1900,8 +1902,8 @@ GPHYS_API gphys_status gphys_camera_pick(const gphys_camera* camera, const gphys
 GPHYS_API gphys_status gphys_camera_pick_batch(const gphys_camera* camera, const gphys_scene* scene,
                                                const float* pixels, uint32_t pixel_stride, uint32_t count,
                                                uint32_t layers, gphys_hit* out_hits, uint32_t out_stride);
-/** Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
- *  rectangle, between near and far plane; exact shapes, ascending. Kept when too many: the lowest.
+/** Marquee: ids of all models in the pixel rectangle, hidden ones included, between near and far plane;
+ *  tested by their exact shapes, ascending. Kept when too many: the lowest.
  *  @param x0, y0, x1, y1  pixels, opposite corners in any order; may lie outside the viewport
  *  @return GPHYS_ERROR_INVALID_ARGUMENT if the rectangle has no area
  *  Cost: O(log n + k) expected. */
@@ -1963,15 +1965,15 @@ typedef struct gphys_solver_desc {
     uint32_t struct_size;
     const gphys_allocator* allocator;     /* NULL: the C++ runtime's */
     gphys_vec3 gravity;                   /* m/s^2; default (0, -9.81, 0) */
-    uint32_t substeps;                    /* of one step, 1 .. 1000; default 8; with targets: of the first */
+    uint32_t substeps;                    /* of one step, 1 .. 1000; default 8; with error targets: of the first step */
     float fixed_step;                     /* seconds simulated by each step of gphys_solver_advance; 1/60 */
     uint32_t max_steps;                   /* most steps of one advance; time beyond is dropped; 8 */
-    const gphys_task_runner* task_runner; /* whose threads worker_count counts; NULL: the solver's own */
-    uint32_t worker_count; /* threads for one step, its own included, at most 1024; 0 and 1: that alone */
+    const gphys_task_runner* task_runner; /* provides the worker_count threads; NULL: the solver's own */
+    uint32_t worker_count; /* threads for one step, including the caller's, at most 1024; 0 and 1: that alone */
     float sleep_speed;     /* m/s, see gphys_solver_get_sleeping; 0: bodies never sleep; default 0 */
     float sleep_strain;    /* of rigid constraints, |length / rest length - 1|; default 0.01 */
     float sleep_time;      /* seconds; default 0.5 */
-    float max_strain;      /* of rigid constraints, see gphys_solver_get_substeps; 0: none, of cloth 0.02; default 0 */
+    float max_strain;      /* of rigid constraints, see gphys_solver_get_substeps; 0: none, for cloth 0.02; default 0 */
     float tolerance;       /* target of positions: metres of error that a second of motion adds; 0: none; default 0 */
     uint32_t max_substeps; /* the most that a target may ask for, 1 .. 1000; default 64 */
     uint32_t max_work;     /* see gphys_solver_settings; 0: no bound; default 0 */
@@ -2038,9 +2040,9 @@ typedef struct gphys_solver_settings {
     float max_strain;      /* >= 0 */
     float tolerance;       /* m/s, >= 0 */
     uint32_t max_substeps; /* 1 .. 1000 */
-    uint32_t max_work;     /* most particles times substeps of a step; 0: no bound. Where bodies would take more, all
-                              take fewer substeps in proportion, but one at least, cloth one for each 25 ms. It bounds
-                              the time of a step on every machine alike: the same bits everywhere */
+    uint32_t max_work;     /* most particles times substeps of a step; 0: no bound. If bodies need more, all take fewer
+                              substeps in proportion, at least one, and cloth at least one for each 25 ms. It bounds
+                              work, not time, so the bits are the same on every machine */
 } gphys_solver_settings;
 
 /** The settings of a solver as they are. Cost: O(1). */
@@ -2068,24 +2070,24 @@ typedef struct gphys_body_desc {
     float bend_compliance;   /* of GPHYS_CLOTH_BEND constraints, m/N; default 0.001 */
     uint32_t cloth_flags;    /* GPHYS_CLOTH_...; default SHEAR | BEND */
     uint32_t layers;         /* mask of the models it collides with; 0: none; default all */
-    float static_friction;   /* of what rests on a model, slower than a fall of 4e-4 radii; at least friction, or 0:
-                                as friction; default 0 */
+    float static_friction;   /* of particles at rest on a model, slower than after a fall of 4e-4 radii; at least
+                                friction, or 0: as friction; default 0 */
     uint32_t self_collision; /* 1: its particles collide with one another, see below; default 0 */
     uint32_t body_layers;   /* two bodies collide with each other if their masks share a bit; 0: with none; default 0 */
     float shear_compliance; /* of GPHYS_CLOTH_SHEAR constraints of a grid, m/N, >= 0; 0: as compliance; default 0 */
     float breaking_force;   /* of each constraint, newtons, >= 0; 0: none breaks; default 0; see gphys_break */
 } gphys_body_desc;
 /* Woven cloth drapes because it shears and bends easily, and by default sheets do neither: on round or sharp models
- * their rigid constraints contradict each other, and a sheet never stops moving by millimetres a second. One that
- * nearly comes to rest there has shear_compliance and bend_compliance of about 1 / (m w^2), with m = mass / (columns *
- * rows) and w = 30 rad/s, and a damping of 1 or 2 per second. It hangs with more strain beside its pins; curtains and
+ * their rigid constraints cannot all hold, and a sheet keeps moving by millimetres a second. A sheet nearly comes to
+ * rest there with shear_compliance and bend_compliance of about 1 / (m w^2), where m = mass / (columns * rows) and
+ * w = 30 rad/s, and a damping of 1 or 2 per second. It hangs with more strain beside its pins; curtains and
  * capes do better with damping alone. docs/solver.md has measured both. */
 /* Particles that collide with particles are spheres that do not pass through each other whatever their speed;
  * friction and restitution of a pair are the geometric means of its particles' (sqrt(a b)). Within a body with
  * constraints, those collide that were placed further apart than their radii reach and are not linked
- * directly; without constraints, all. Links and triangles have no thickness of their own: cloth lets no cloth
- * of its own spacing through if the radius is 0.45 spacings at least (0.36 closes a square cell), and no rope
- * whose particles are as near to one another; and not above 0.5, or neighbours touch. Bodies that may meet in a
+ * directly; without constraints, all. Links and triangles have no thickness of their own: cloth stops cloth
+ * of the same spacing, and ropes whose particles are as close together, if the radius is at least 0.45 spacings
+ * (0.36 closes a square cell). It should not be above 0.5, or neighbours touch. Bodies that may meet in a
  * step are moved by one thread, and fall asleep and wake together. Cost: some 2 microseconds for each
  * particle and substep, and 1 kB for each particle. */
 
@@ -2150,9 +2152,10 @@ GPHYS_API gphys_status gphys_solver_get_bodies(const gphys_solver* solver, gphys
  *  A body falls asleep at the end of a step when for sleep_time seconds no particle was faster than sleep_speed and no
  *  rigid constraint strained by more than sleep_strain; cloth, when its root mean square speed from step to step was no
  *  higher, no particle ten times as fast, and strain, without a max_strain, at most 3 %. Its speed is then 0, it keeps
- *  its contacts, and a step costs it a look for models nearby. It wakes in the step before which a model came, went or
- *  moved as near as it could come in a step at 50 m/s, or one that it is attached to did, or the scene was exchanged;
- *  and at once by any change of its state, of gravity or of the origin. Cost: O(bodies). */
+ *  its contacts, and a step costs it one query for models nearby. It wakes in the next step after a model within
+ *  reach (as far as one could move in a step at 50 m/s) was added, removed or moved, or a model that it is attached to,
+ *  or after the scene was replaced; and at once by any change of its state, of gravity or of the origin.
+ *  Cost: O(bodies). */
 GPHYS_API gphys_status gphys_solver_get_sleeping(const gphys_solver* solver, gphys_body_id* out_bodies,
                                                  uint32_t capacity, uint32_t* out_total);
 /** Wake a body; its time of rest begins again.
@@ -2168,10 +2171,10 @@ typedef struct gphys_body_settings {
     float restitution;       /* 0 .. 1 */
     uint32_t layers;         /* of models */
     uint32_t body_layers;    /* of bodies */
-    uint32_t self_collision; /* 0 or 1; what is nearer than its radii reach when it is set does not collide */
+    uint32_t self_collision; /* 0 or 1; particles nearer than their radii reach when it is set do not collide */
 } gphys_body_settings;
 
-/** The settings of a body as they are; static_friction as it acts, friction at least.
+/** The present settings of a body; static_friction as it acts, at least friction.
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_solver_get_body_settings(const gphys_solver* solver, gphys_body_id body,
                                                       gphys_body_settings* out_settings);
@@ -2189,7 +2192,7 @@ typedef int32_t gphys_solve_method;
 enum {
     GPHYS_SOLVE_FREE = 0,   /* no constraints: exact flight */
     GPHYS_SOLVE_DIRECT = 1, /* chains and trees: Newton on the whole body at once */
-    GPHYS_SOLVE_GRAPH = 2   /* what has rings, volume, clusters, or a particle with more than 64 constraints:
+    GPHYS_SOLVE_GRAPH = 2   /* cycles of constraints, volume, clusters, or a particle with more than 64 constraints:
                                coloured batches of chains, then the rest, then reach limits */
 };
 
@@ -2213,22 +2216,22 @@ GPHYS_API gphys_status gphys_solver_get_body_info(const gphys_solver* solver, gp
 GPHYS_API gphys_status gphys_solver_get_triangles(const gphys_solver* solver, gphys_body_id body, uint32_t* out_indices,
                                                   uint32_t capacity, uint32_t* out_total);
 
-/** Make a mesh that has the form of a body and follows it by itself: cloth, ropes and particles can be met by rays,
+/** Make a mesh that has the form of a body and follows it automatically: cloth, ropes and particles can be hit by rays,
  *  picked, overlapped and culled as models of scenes (gphys_scene_add with GPHYS_SHAPE_MESH; without a transform the
- *  model is where the body is) or asked by gphys_shape_* and gphys_mesh_* functions.
- *  Vertex p is particle p. Of cloth the mesh is the surface of its triangles, in the order of
- *  gphys_solver_get_triangles. A rope is solid. Of its n particles, `triangle` t below n - 1 of a hit is the link from
- *  particle t to t + 1, a capsule of the smaller of their radii, there while a constraint holds them together;
- *  n - 1 + p is particle p, a sphere, there where no link beside it is as thick. Free particles are spheres, and
+ *  model is where the body is) or queried by gphys_shape_* and gphys_mesh_* functions.
+ *  Vertex p is particle p. For cloth the mesh is the surface of its triangles, in the order of
+ *  gphys_solver_get_triangles. A rope of n particles is solid. In a hit, `triangle` t below n - 1 is the link from
+ *  particle t to t + 1, a capsule with the smaller of their radii, present while a constraint holds them together;
+ *  n - 1 + p is particle p, a sphere, present where no link beside it is as thick. Free particles are spheres, and
  *  `triangle` is the particle. gphys_solver_get_nearest_particle finds the particle of a hit.
  *  The mesh has the new form when gphys_solver_step, gphys_solver_advance, gphys_solver_restore or an edit of the
- *  body returns. Cloth that tears (gphys_break) takes its triangles along, whose numbers stay, and the mesh gets
+ *  body returns. When cloth tears (gphys_break), its triangles keep their numbers, and the mesh gets
  *  vertices for the new particles. A model that would leave the range of the world, and a torn mesh or one of less than
  *  2^-32 m for which there is no memory, keep their form until they can follow.
  *  gphys_solver_set_origin moves the coordinates of the mesh, and the models back by as much: they stay where they are
  *  in the world, exactly if scenes have moved their origin before.
- *  Solvers do not collide with models of such meshes, nor wake by them: bodies meet by gphys_body_desc.body_layers.
- *  A restored body is followed if it has the id and the parts of the one that there was. Restore the solver before the
+ *  Bodies neither collide with models of such meshes nor wake because of them: gphys_body_desc.body_layers sets which
+ *  bodies collide. A restored body is followed if it has the same id and parts as before. Restore the solver before the
  *  scene. A mesh that is loaded from a snapshot, that of a scene included, is a copy that follows nothing;
  *  gphys_scene_set_shape gives its model one that does.
  *  Mesh and solver are destroyed in any order. When the body is gone the mesh keeps the form that it had last and is
@@ -2240,7 +2243,7 @@ GPHYS_API gphys_status gphys_solver_get_triangles(const gphys_solver* solver, gp
  *  is compared, O(particles).  Since 1.1. */
 GPHYS_API gphys_status gphys_mesh_create_from_body(const gphys_mesh_desc* desc, gphys_solver* solver,
                                                    gphys_body_id body, gphys_mesh** out_mesh);
-/** The particle of a body nearest to a point, as it is to be grabbed: the lowest of those that are as near.
+/** The particle of a body nearest to a point, for example to grab it; of equally near ones the lowest.
  *  @param triangle  as in a hit, nearest or penetration of the body's mesh: its corners are compared, of a rope the
  *                   ends of the link, or the particle; GPHYS_NO_TRIANGLE: all particles
  *  @param point     metres, in the solver's coordinates: that of the hit
@@ -2363,7 +2366,7 @@ typedef struct gphys_wind {
  *    on a link of a rope      -rho/2 C_D 2 r l |u'| u', u' the part of u across it, r the radius (the cross-flow
  *                             principle: Hoerner 1965, "Fluid-dynamic drag");
  *    on a free particle       -rho/2 C_D pi r^2 |u| u.
- *  Strong wind takes bodies along and never beyond: whatever the density, a substep does not reverse u.
+ *  Strong wind carries bodies along but never overshoots: whatever the density, a substep does not reverse u.
  *  @param body  0: all bodies there are
  *  @param wind  of density 0: no air
  *  Cost: O(1) a body; in each substep of cloth some 370 instructions a triangle, in each step of others as many
@@ -2399,9 +2402,9 @@ typedef struct gphys_animation_target {
  *  to its character stays within max_distance of the skinned vertices and does not sink into the body behind them.
  *  In the next step position and normal go evenly from the old target to the new one, substep by substep; distances
  *  act at once. A target that is not set again stands still. A first target, and that of a particle which
- *  gphys_solver_set_positions has moved since the last step, is at once where it is set: a teleport is that call and
- *  this one. A model that is teleported too sweeps through what is on its way: in that step the body collides with no
- *  layers (gphys_solver_set_body_settings).
+ *  gphys_solver_set_positions has moved since the last step, takes effect at its new place at once: to teleport, make
+ *  that call and this one. A model that is teleported too sweeps through what is on its way: set the body's layers to
+ *  0 for that step (gphys_solver_set_body_settings).
  *  max_distance 0 carries a particle: it is at its target, as if attached there, and moves links with infinite mass;
  *  this also moves a pinned particle, which stays pinned, at constant speed during a step. Otherwise particles that are
  *  pinned or attached are not moved. A particle that is out of its bounds at the end of a substep is put on the nearest
@@ -2410,7 +2413,7 @@ typedef struct gphys_animation_target {
  *  Bounds act after constraints and before models: where a target is inside a model, or behind one, the particle stays
  *  outside. Links yield to bounds that contradict them. What hangs from a particle at its bounds is carried, in cloth
  *  and in ropes that are moved alone; ropes and free particles that are joined, or collide with bodies, are put back
- *  particle by particle, and links beside these may be strained by the way of a substep.
+ *  particle by particle, and links beside these may be strained by the motion of a substep.
  *  Wakes the body if a target changes.
  *  @param first, count  as in gphys_solver_get_positions
  *  @param targets       max_distance and backstop INFINITY: no target any more; a stride of 0 gives all the same
@@ -2465,7 +2468,7 @@ GPHYS_API gphys_status gphys_solver_add_distance(gphys_solver* solver, gphys_bod
                                                  gphys_constraint_id* out_constraint);
 /** Keep two different particles of a body from being further apart than a length, like a string between
  *  them: it pulls and never pushes. While it is slack it does nothing; when it becomes taut, and is
- *  rigid, the speed at which the particles part is lost and no other.
+ *  rigid, only the speed at which the particles separate is lost.
  *  @param max_length  metres, >= 0; negative: the present distance
  *  @param compliance  metres per newton, >= 0, of what it yields beyond that; 0 is rigid
  *  @return as gphys_solver_add_distance
@@ -2474,8 +2477,8 @@ GPHYS_API gphys_status gphys_solver_add_distance(gphys_solver* solver, gphys_bod
 GPHYS_API gphys_status gphys_solver_add_max_distance(gphys_solver* solver, gphys_body_id body, uint32_t particle_a,
                                                      uint32_t particle_b, float max_length, float compliance,
                                                      gphys_constraint_id* out_constraint);
-/** Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
- *  its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
+/** Damp a constraint that has compliance: when its ends separate at speed v, it pulls with damping * v in
+ *  addition to its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
  *  on steps. Rigid constraints have nothing to damp.
  *  @param damping  N s/m, >= 0; 0, which every constraint begins with: none
  *  @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist
@@ -2488,7 +2491,7 @@ GPHYS_API gphys_status gphys_solver_set_constraint_damping(gphys_solver* solver,
  *  @param compliance   m^3 per pascal, >= 0: the volume that a pressure of one pascal takes; 0: as water,
  *                      which keeps its volume; INFINITY: none, which ends the constraint
  *  @return GPHYS_ERROR_UNSUPPORTED if the triangles do not close (each side is that of two triangles), are
- *          not all turned the same way, or face inward when the present volume is asked for
+ *          not oriented consistently, or face inward when the present volume is asked for
  *  Cost: O(triangles) in each substep, twice. Allocates. */
 GPHYS_API gphys_status gphys_solver_set_volume(gphys_solver* solver, gphys_body_id body, float rest_volume,
                                                float compliance);
@@ -2499,13 +2502,13 @@ GPHYS_API gphys_status gphys_solver_set_volume(gphys_solver* solver, gphys_body_
  *  Cost: O(triangles). */
 GPHYS_API gphys_status gphys_solver_get_volume(const gphys_solver* solver, gphys_body_id body, float* out_volume,
                                                float* out_pressure);
-/** What was given to gphys_solver_set_volume: m^3, of a negative volume that which there was, and m^3 per pascal.
+/** What was given to gphys_solver_set_volume: m^3 (for a negative volume the one at that time), and m^3 per pascal.
  *  @param out_rest_volume, out_compliance  may be NULL
  *  @return GPHYS_ERROR_UNSUPPORTED if none is held
  *  Cost: O(1).  Since 1.1. */
 GPHYS_API gphys_status gphys_solver_get_volume_settings(const gphys_solver* solver, gphys_body_id body,
                                                         float* out_rest_volume, float* out_compliance);
-/** End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body. The triangles of
+/** Remove a constraint of a body, even one created with it. Its id stays invalid. Wakes the body. The triangles of
  *  cloth stay together: gphys_solver_break_constraint tears them apart.
  *  @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist, or no longer
  *  Cost: as gphys_solver_add_distance; allocates. */
@@ -2520,7 +2523,7 @@ typedef struct gphys_constraint_info {
     float compliance;  /* metres per newton */
 } gphys_constraint_info;
 
-/** All constraints of a body, those of its builder included, by id. Kept when too many: the lowest.
+/** All constraints of a body, including those created with the body, by id. Kept when too many: the lowest.
  *  Cost: O(constraints). */
 GPHYS_API gphys_status gphys_solver_get_constraints(const gphys_solver* solver, gphys_body_id body,
                                                     gphys_constraint_info* out_constraints, uint32_t capacity,
@@ -2529,7 +2532,7 @@ GPHYS_API gphys_status gphys_solver_get_constraints(const gphys_solver* solver, 
 /** What a constraint holds. */
 typedef int32_t gphys_constraint_kind;
 enum {
-    GPHYS_CONSTRAINT_DISTANCE = 0,    /* its length: gphys_solver_add_distance, and those of builders */
+    GPHYS_CONSTRAINT_DISTANCE = 0,    /* its length: gphys_solver_add_distance, and those created with a body */
     GPHYS_CONSTRAINT_MAX_DISTANCE = 1 /* at most its length; it may go slack: gphys_solver_add_max_distance */
 };
 
@@ -2541,14 +2544,14 @@ GPHYS_API gphys_status gphys_solver_get_constraint_kinds(const gphys_solver* sol
                                                          const gphys_constraint_id* constraints, uint32_t count,
                                                          gphys_constraint_kind* out_kinds, uint32_t out_stride);
 
-/** What a constraint is like and may become. Frozen. */
+/** The settings of a constraint. Frozen. */
 typedef struct gphys_constraint_settings {
     float rest_length; /* metres, >= 0; negative, when it is set: the present distance */
     float compliance;  /* metres per newton, >= 0; 0 is rigid */
     float damping;     /* N s/m, >= 0, of what has compliance; see gphys_solver_set_constraint_damping */
 } gphys_constraint_settings;
 
-/** What constraints are like.
+/** The present settings of constraints.
  *  @param constraints   count ids; one may appear twice
  *  @param out_settings  count elements
  *  Cost: O(count). */
@@ -2571,14 +2574,14 @@ GPHYS_API gphys_status gphys_solver_set_constraint_settings(gphys_solver* solver
 typedef uint32_t gphys_cluster_id;
 
 /** Make particles of a body a rigid cluster: they keep the shape in which they are now, and move and turn as one stiff
- *  part, such as a plank of a bridge, a crate or a plate of armour. Links between them are not needed. A particle may be
- *  in several clusters: planks with two particles in common are hinged there, with one they are jointed.
+ *  part, such as a plank of a bridge, a crate or a plate of armour. Links between them are not needed. A particle may
+ *  be in several clusters: planks with two particles in common are hinged there, with one they are jointed.
  *  The mass of a cluster is that of its particles; hollow shapes are light in the middle. Particles that are pinned or
  *  attached stay where they are held: with one the cluster swings about it, with two about the line through them, and
  *  with three that are not on a line it does not move. Models that particles are attached to get the impulses. Contacts
- *  with models move the cluster as a whole, with friction; particles touch, not the faces between them, so these should
- *  be no further apart than the smallest thing that a cluster meets is thick. Of restitution a cluster shows only the
- *  share of the mass of the particles that touched.
+ *  with models move the cluster as a whole, with friction; only particles touch, not the faces between them, so they
+ *  should be no further apart than the thickness of the thinnest thing that a cluster meets. Of its restitution a
+ *  cluster shows only the share of the mass of the particles that touched.
  *  A shape is matched once in each substep, after the links: then what hangs from it may be strained a little, and
  *  clusters that share particles approach their shapes in eight passes. Bodies with clusters are solved as cloth
  *  (GPHYS_SOLVE_GRAPH), ropes and free particles too. The rest positions of cloth are not changed by a cluster.
@@ -2609,11 +2612,11 @@ typedef uint32_t gphys_joint_id;
 
 /** Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that are
  *  equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved as one
- *  system, as stiff as one rope; a joined particle of cloth has all that hangs on it for inertia. Free
- *  particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined bodies are moved by
- *  one thread and fall asleep and wake together. A joint goes with either body.
+ *  system, as stiff as one rope; a joined particle of cloth has the inertia of all that hangs on it. Free
+ *  particles of a joined body are moved by the time scheme of ropes, no longer exactly. Joined bodies are moved by
+ *  one thread and fall asleep and wake together. A joint is removed with either body.
  *  @param rest_length  metres; 0: at the same place, as below 1e-9; negative: the present distance. Particles
- *                      that are not as far apart are drawn there within a step, and get the speed of that.
+ *                      at another distance are moved to it within a step, and get the speed of that motion.
  *  @param compliance   metres per newton, >= 0; 0 is rigid
  *  @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same body (see
  *          gphys_solver_add_distance); GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints
@@ -2661,16 +2664,17 @@ typedef struct gphys_break {
  *
  * Ropes lose the constraint. Cloth tears: its triangles around an end of the constraint part at the plane through that
  * particle across the constraint. Those on the side of the constraint get a copy of the particle, with their share of
- * its mass, the same velocity, and the constraints of that side; both sides have those along the cut. Numbers of
- * triangles stay. Of two ends a free one is preferred, and one at an edge of the cloth, so that tears go on where they
- * began. A constraint that is no edge of a triangle is removed where the cloth cannot part; one that is an edge holds
- * there. The copy is not pinned, attached, joined, or in a cluster; gas escapes: gphys_solver_set_volume ends.
+ * its mass, the same velocity, and the constraints of that side; both sides have those along the cut. Triangles
+ * keep their numbers. Of two ends a free one is preferred, and one at an edge of the cloth, so that tears continue
+ * where they began. A constraint that is no edge of a triangle is removed where the cloth cannot part; one that is an
+ * edge holds there. The copy is not pinned, attached, joined, or in a cluster; the gas escapes: a volume that
+ * gphys_solver_set_volume holds ends.
  *
- * After each break the loads are others, so a step breaks at most one constraint for each 128 particles of a body or
- * part of 128, the most overloaded first, and none beside another. A body with breaking forces has no long range
+ * Each break changes the loads, so a step breaks at most one constraint for each 128 particles of a body or part of
+ * 128, the most overloaded first, and no two adjacent ones. A body with breaking forces has no long range
  * attachments to its pins, which would carry loads past its constraints: where it is pinned it hangs with more strain.
- * docs/solver.md has measured all this. Sources: Mueller et al. 2007, "Position based dynamics"; Souza et al. 2014, "Fast
- * simulation of cloth tearing". */
+ * docs/solver.md has measured all this. Sources: Mueller et al. 2007, "Position based dynamics"; Souza et al. 2014,
+ * "Fast simulation of cloth tearing". */
 
 /** Breaking forces of constraints. Wakes the body.
  *  @param constraints  count ids; one that appears twice gets the last
@@ -2690,8 +2694,8 @@ GPHYS_API gphys_status gphys_solver_get_breaking_forces(const gphys_solver* solv
                                                         float* out_forces, uint32_t out_stride);
 /** Break a constraint as a load would, whatever its breaking force: scissors, claws. Wakes the body.
  *  @param out_result  what came of it; may be NULL
- *  @return GPHYS_ERROR_UNSUPPORTED, and nothing has changed, for an edge where the cloth cannot part: of a triangle that
- *          hangs together with no other; GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or constraints
+ *  @return GPHYS_ERROR_UNSUPPORTED, and nothing has changed, for an edge where the cloth cannot part: of a triangle
+ *          that is connected to no other; GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or constraints
  *  Cost: O(particles + constraints); allocates.  Since 1.1. */
 GPHYS_API gphys_status gphys_solver_break_constraint(gphys_solver* solver, gphys_body_id body,
                                                      gphys_constraint_id constraint, gphys_break* out_result);
@@ -2715,7 +2719,7 @@ GPHYS_API gphys_status gphys_solver_step(gphys_solver* solver, const gphys_scene
  *  frame, so the motion does not depend on the frame rate.
  *  @param frame_time    seconds, >= 0
  *  @param out_steps     steps made; may be NULL
- *  @param out_leftover  0 <= fraction of a step still owed < 1, to blend drawings; may be NULL
+ *  @param out_leftover  0 <= fraction of a step still owed < 1, to interpolate when drawing; may be NULL
  *  @return GPHYS_ERROR_OUT_OF_MEMORY if there is none for the first step: nothing has changed. If there
  *          is none for a later one, GPHYS_OK with the steps made; the others are left out, as those beyond
  *          max_steps are
@@ -2732,10 +2736,10 @@ GPHYS_API gphys_status gphys_solver_get_leftover(const gphys_solver* solver, flo
 /** The substeps that a body took in the last step; 0 before its first.
  *  With gphys_solver_desc.max_strain or tolerance set, each body takes as many as its own motion needs:
  *  their length follows from what the last step measured, the largest strain of its rigid constraints
- *  and the local error of the time scheme, both of which go with its square. It is at
- *  most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
- *  target for a few steps, one of strain only where links of cloth cannot be relaxed below it. What cannot be
- *  met takes max_substeps. Where positions jump, by contacts, the error is that of the jump.
+ *  and the local error of the time scheme, both proportional to the square of that length. It is at
+ *  most quartered and grows by at most an eighth from one step to the next, so a sudden impact exceeds a
+ *  target for a few steps; one of strain only where links of cloth cannot be relaxed below it. A target that
+ *  cannot be met takes max_substeps. Where positions jump, by contacts, the error is that of the jump.
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_solver_get_substeps(const gphys_solver* solver, gphys_body_id body,
                                                  uint32_t* out_substeps);
@@ -2781,8 +2785,8 @@ typedef struct gphys_body_contact {
     uint32_t particle_b;
     gphys_vec3 normal; /* unit, from a to b, when they touched last */
     float distance;    /* metres between their surfaces as they are now; below 0: they overlap */
-    float impulse;     /* N s along normal, of the whole step: b got it, and a its opposite. What links and models
-                          answered is not in it */
+    float impulse;     /* N s along normal, of the whole step: b got it, and a its opposite. The reactions of links and
+                          models are not in it */
 } gphys_body_contact;
 
 /** Contacts between bodies in the last step, of any substep, by body_a, particle_a, body_b, particle_b: for sounds,
@@ -2799,13 +2803,13 @@ typedef struct gphys_impulse {
     gphys_model_id model;
     uint32_t tag;       /* the model's */
     gphys_vec3 linear;  /* N s: what to add to the momentum of the model if it is a body of yours */
-    gphys_vec3 angular; /* N m s, about the model's position in the world: the same for its spin */
+    gphys_vec3 angular; /* N m s, about the model's position in the world: likewise for its angular momentum */
 } gphys_impulse;
 
 /** Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in
  *  which they fell asleep. Kept when too many: the lowest models.
- *  Divided by dt they are mean forces: what lies on a model presses it with its weight. A particle of
- *  cloth that touches several models at once gives to the one that it touches most. Models have no mass
+ *  Divided by dt they are mean forces: what lies on a model presses on it with its weight. A particle
+ *  of cloth that touches several models at once gives its impulse to the one that it touches most. Models have no mass
  *  here; a body of yours much lighter than what hangs from it should be moved in small steps.
  *  Cost: O(models touched); no allocation. The same bits for any number of workers. */
 GPHYS_API gphys_status gphys_solver_get_impulses(const gphys_solver* solver, gphys_impulse* out_impulses,
@@ -2821,17 +2825,17 @@ GPHYS_API gphys_status gphys_solver_get_impulses(const gphys_solver* solver, gph
 GPHYS_API gphys_status gphys_solver_get_snapshot(const gphys_solver* solver, uint32_t* out_words, uint32_t capacity,
                                                  uint32_t* out_total);
 /** Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
- *  time of the snapshot. Steps go on with the same bits as they did then, provided that the scene,
+ *  time of the snapshot. Steps continue with the same bits as they did then, provided that the scene,
  *  too, is as it was. On an error the solver is as before.
- *  Any words are safe, also those of a stranger: all that is used as a number or an index is checked
- *  first. Made-up words are refused, or taken as a state whose numbers are in range.
+ *  Any words are safe, also from an untrusted source: all that is used as a number or an index is
+ *  checked first. Forged words are refused, or taken as a state whose numbers are in range.
  *  @return GPHYS_ERROR_INVALID_ARGUMENT for words that are no snapshot, damaged, of another version or
  *          byte order; GPHYS_ERROR_OUT_OF_MEMORY if there is no room for it
  *  Cost: as gphys_solver_get_snapshot; allocates. */
 GPHYS_API gphys_status gphys_solver_restore(gphys_solver* solver, const uint32_t* words, uint32_t count);
 /** A hash of the whole state, the low half first. Equal states have equal hashes on every machine;
  *  different ones differ with near certainty (not against an adversary). Compare it between machines
- *  that simulate the same, to see when they part. Cost: O(particles + constraints). */
+ *  that run the same simulation, to detect when they diverge. Cost: O(particles + constraints). */
 GPHYS_API gphys_status gphys_solver_get_hash(const gphys_solver* solver, uint32_t out_hash[2]);
 
 #ifdef __cplusplus

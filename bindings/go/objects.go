@@ -57,8 +57,8 @@ type Mesh struct {
 	handle unsafe.Pointer
 }
 
-// Build a mesh from copies of the arrays. Triangles of zero area are kept: they are met like the
-// segments or points that they are, and counted in the report. 0 triangles are allowed.
+// Build a mesh from copies of the arrays. Triangles of zero area are kept: queries treat them as the
+// segments or points that they are, and the report counts them. 0 triangles are allowed.
 // The error is ErrInvalidArgument for an index out of range, an indexCount that is no multiple of 3 or
 // a bad vertex; MeshCheck tells which.
 // Cost: O(n log n), about 1 us per triangle.
@@ -95,23 +95,23 @@ func (o *Mesh) open() (unsafe.Pointer, error) {
 	return o.handle, nil
 }
 
-// Make the convex hull of points: a mesh that is solid, as spheres and boxes are. All that takes a
-// mesh takes it: functions of shapes, models of scenes, snapshots, and solvers, whose particles stay
-// outside and are pushed out. A ray that starts inside hits at t = 0 with HitInside; one from outside
-// hits the face through which it enters, `triangle` says where. Whether a ray hits and whether a point
-// is inside is exact with respect to the points. Inside, the closest point is the point itself and
-// triangle NoTriangle. Mesh.Overlap lists the triangles of the surface; Mesh.RaycastAll gives the
-// first hit alone. The vertices are those points that are corners of the hull, in the order of the
-// points, of equal ones the first. The triangles come face by face, all that lie in one plane being
-// one face; seen from outside their corners go counterclockwise where axes are right-handed, and the
-// normal cross(b - a, c - a) points out.
+// Make the convex hull of points: a mesh that is solid, as spheres and boxes are. It can be used
+// wherever a mesh can: functions of shapes, models of scenes, snapshots, and solvers, whose particles
+// stay outside and are pushed out. A ray that starts inside hits at t = 0 with HitInside; one from
+// outside hits the face through which it enters, `triangle` says where. Whether a ray hits and whether
+// a point is inside is exact with respect to the points. Inside, the closest point is the point itself
+// and triangle NoTriangle. Mesh.Overlap lists the triangles of the surface; Mesh.RaycastAll gives only
+// the first hit. The vertices are the points that are corners of the hull, in their original order; of
+// equal points the first. The triangles come face by face, all that lie in one plane being one face;
+// seen from outside their corners go counterclockwise where axes are right-handed, and the normal
+// cross(b - a, c - a) points out.
 //   - desc: deformable must be 0
 //   - points: elements of 3 floats, metres; copied
 // The error is ErrInvalidArgument if a point is out of range or if all lie in a plane, which is
 // decided exactly.
 // The error is ErrCapacity if the hull has more than 256 faces.
 // The error is ErrUnsupported if desc asks for a deformable mesh.
-// Cost: O(pointCount * faces); allocates. Rays take O(log faces), the other questions up to O(faces).
+// Cost: O(pointCount * faces); allocates. Rays take O(log faces), other queries up to O(faces).
 // Source: quickhull (Barber, Dobkin, Huhdanpaa 1996) with exact predicates. Since 1.1.
 func NewMeshHull(points []Vec3, desc *MeshDesc) (o *Mesh, err error) {
 	if err = checkLength(len(points)); err != nil {
@@ -126,11 +126,12 @@ func NewMeshHull(points []Vec3, desc *MeshDesc) (o *Mesh, err error) {
 	return
 }
 
-// Make a mesh of a snapshot: all its answers have the bits of the mesh that the snapshot was taken of.
-// Any words are safe, also those of a stranger: vertices, indices and the tree are checked, and what
-// follows from them is computed. Made-up words are refused, or taken as a mesh like any other; only
-// what its report counts (triangles of zero area, open edges) is taken as it stands there.
-//   - desc: with `deformable` the mesh takes new vertices, whatever the one in the snapshot did
+// Make a mesh from a snapshot: all its answers have the same bits as those of the mesh in the
+// snapshot. Any words are safe, also from an untrusted source: vertices, indices and the tree are
+// checked, and what follows from them is computed. Forged words are refused, or taken as a mesh like
+// any other; only the counts of its report (triangles of zero area, open edges) are taken from the
+// words as they are.
+//   - desc: with `deformable` the mesh takes new vertices, even if the one in the snapshot did not
 // The error is ErrInvalidArgument for words that are no snapshot of a mesh, damaged, of a later format
 // or of another byte order.
 // The error is ErrUnsupported for a deformable hull.
@@ -169,26 +170,26 @@ func NewMeshFromScene(scene *Scene, model ModelID) (o *Mesh, err error) {
 	return
 }
 
-// Make a mesh that has the form of a body and follows it by itself: cloth, ropes and particles can be
-// met by rays, picked, overlapped and culled as models of scenes (Scene.Add with ShapeMesh; without a
-// transform the model is where the body is) or asked by shape_* and mesh_* functions. Vertex p is
-// particle p. Of cloth the mesh is the surface of its triangles, in the order of Solver.Triangles. A
-// rope is solid. Of its n particles, `triangle` t below n - 1 of a hit is the link from particle t to
-// t + 1, a capsule of the smaller of their radii, there while a constraint holds them together; n - 1
-// + p is particle p, a sphere, there where no link beside it is as thick. Free particles are spheres,
-// and `triangle` is the particle. Solver.NearestParticle finds the particle of a hit. The mesh has the
-// new form when Solver.Step, Solver.Advance, Solver.Restore or an edit of the body returns. Cloth that
-// tears (Break) takes its triangles along, whose numbers stay, and the mesh gets vertices for the new
-// particles. A model that would leave the range of the world, and a torn mesh or one of less than
-// 2^-32 m for which there is no memory, keep their form until they can follow. Solver.SetOrigin moves
-// the coordinates of the mesh, and the models back by as much: they stay where they are in the world,
-// exactly if scenes have moved their origin before. Solvers do not collide with models of such meshes,
-// nor wake by them: bodies meet by BodyDesc.body_layers. A restored body is followed if it has the id
-// and the parts of the one that there was. Restore the solver before the scene. A mesh that is loaded
-// from a snapshot, that of a scene included, is a copy that follows nothing; Scene.SetShape gives its
-// model one that does. Mesh and solver are destroyed in any order. When the body is gone the mesh
-// keeps the form that it had last and is deformable by Mesh.SetVertices, which returns ErrUnsupported
-// before. A mesh that neither its handle nor a model holds follows no more.
+// Make a mesh that has the form of a body and follows it automatically: cloth, ropes and particles can
+// be hit by rays, picked, overlapped and culled as models of scenes (Scene.Add with ShapeMesh; without
+// a transform the model is where the body is) or queried by shape_* and mesh_* functions. Vertex p is
+// particle p. For cloth the mesh is the surface of its triangles, in the order of Solver.Triangles. A
+// rope of n particles is solid. In a hit, `triangle` t below n - 1 is the link from particle t to t +
+// 1, a capsule with the smaller of their radii, present while a constraint holds them together; n - 1
+// + p is particle p, a sphere, present where no link beside it is as thick. Free particles are
+// spheres, and `triangle` is the particle. Solver.NearestParticle finds the particle of a hit. The
+// mesh has the new form when Solver.Step, Solver.Advance, Solver.Restore or an edit of the body
+// returns. When cloth tears (Break), its triangles keep their numbers, and the mesh gets vertices for
+// the new particles. A model that would leave the range of the world, and a torn mesh or one of less
+// than 2^-32 m for which there is no memory, keep their form until they can follow. Solver.SetOrigin
+// moves the coordinates of the mesh, and the models back by as much: they stay where they are in the
+// world, exactly if scenes have moved their origin before. Bodies neither collide with models of such
+// meshes nor wake because of them: BodyDesc.body_layers sets which bodies collide. A restored body is
+// followed if it has the same id and parts as before. Restore the solver before the scene. A mesh that
+// is loaded from a snapshot, that of a scene included, is a copy that follows nothing; Scene.SetShape
+// gives its model one that does. Mesh and solver are destroyed in any order. When the body is gone the
+// mesh keeps the form that it had last and is deformable by Mesh.SetVertices, which returns
+// ErrUnsupported before. A mesh that neither its handle nor a model holds follows no more.
 // Threads: the functions above become edits of the mesh and of each scene that has a model of it.
 //   - desc: the mesh is deformable whatever it says
 // Cost: as Mesh, and then that of Mesh.SetVertices for a body that has moved; one that rests is
@@ -224,8 +225,7 @@ func (o *Mesh) HullPlanes() (result []Plane, err error) {
 	return
 }
 
-// For each triangle of a hull the number of its face, by which Mesh.HullPlanes lists the planes:
-// ascending, from 0.
+// For each triangle of a hull the index of its face in the list of Mesh.HullPlanes, ascending from 0.
 // The error is ErrUnsupported for a mesh that is no hull.
 // Cost: O(triangles). Since 1.1.
 func (o *Mesh) HullFaces() (result []uint32, err error) {
@@ -241,20 +241,21 @@ func (o *Mesh) HullFaces() (result []uint32, err error) {
 	return
 }
 
-// Put other vertices in place of those of a deformable mesh: of a skinned character, or of cloth as
-// Solver.Positions writes it. All models of the mesh have the new form from then on, in every scene,
-// and all answers have the bits of those of a mesh created of the new vertices. What fails leaves the
-// mesh and the scenes as they were. A solver sees the new form at its next step, as a surface that
-// stands still.
+// Replace the vertices of a deformable mesh, such as a skinned character, or cloth as Solver.Positions
+// writes it. All models of the mesh take the new form at once, in every scene, and all answers have
+// the same bits as those of a mesh created from the new vertices. A call that fails leaves the mesh
+// and the scenes as they were. A solver sees the new form at its next step, as a surface that stands
+// still.
 // Threads: an edit of the mesh and of every scene that has a model of it: not beside other calls on
 // these.
 //   - vertices: elements of 3 floats, metres; copied
 // The error is ErrUnsupported if the mesh is not deformable.
 // The error is ErrInvalidArgument for a vertex that is not finite or too large, or if a model of the
 // mesh would reach beyond the range of coordinates.
-// Cost: O(vertices + triangles + log n for each model), some percent of a creation: the tree is
-// refitted, and built again by parts where it has degraded. If the triangles have come apart so that
-// their groups of eight have boxes of twice the area, once that of a creation. Allocates. Since 1.1.
+// Cost: O(vertices + triangles + log n for each model), a few per cent of creating it: the tree is
+// refitted, and parts that have degraded are rebuilt. If the triangles have moved apart so far that
+// the boxes of their groups of eight have twice the area, once as much as creating it. Allocates.
+// Since 1.1.
 func (o *Mesh) SetVertices(vertices []Vec3) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -382,7 +383,7 @@ func (o *Mesh) RaycastAny(ray Ray) (hit bool, err error) {
 }
 
 // Whether each of the rays hits anything, as Mesh.RaycastAny.
-// Cost: that of as many single calls; less for rays whose neighbours go much the same way. Since 1.1.
+// Cost: that of as many single calls; less if neighbouring rays are similar. Since 1.1.
 func (o *Mesh) RaycastAnyBatch(rays []Ray, hits []int32) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -401,8 +402,8 @@ func (o *Mesh) RaycastAnyBatch(rays []Ray, hits []int32) (err error) {
 	return
 }
 
-// How far the rays come, and which triangles they hit: t and triangle of RaycastBatch for the mesh,
-// with the same bits, without the rest of a hit; model is 0.
+// How far each of the rays goes, and which triangle it hits: t and triangle of RaycastBatch for the
+// mesh, with the same bits, without the rest of a hit; model is 0.
 // Result: a ray that hits nothing gets t = INFINITY and triangle = NoTriangle.
 // Cost: less than that of RaycastBatch. Since 1.1.
 func (o *Mesh) RaycastDistanceBatch(rays []Ray, distances []Distance) (err error) {
@@ -484,10 +485,10 @@ type Scene struct {
 // Create a scene without models. With a worker_count of n, all batch queries of the scene
 // (Camera.PickBatch too), and adding and moving many models, share their work among n threads; the
 // results have the same bits for every n. Without a task_runner n - 1 threads are started here and
-// joined when the scene is destroyed. They serve one call at a time: calls made meanwhile do their own
-// work. They take no signals but faults, and the floating-point settings of the thread that created
-// them. In a child of fork they are gone: calls there run on one thread, as they do on a platform
-// without threads (WebAssembly, unless built for shared memory), whatever is asked for.
+// joined when the scene is destroyed. They serve one call at a time: calls made meanwhile run on their
+// own thread alone. They take no signals but faults, and have the standard floating-point settings. In
+// a child of fork they are gone: calls there run on one thread, as they do on a platform without
+// threads (WebAssembly, unless built for shared memory), whatever is asked for.
 //   - desc: nil: the defaults
 // The error is ErrOutOfMemory also if the threads cannot be started.
 // The error is ErrCapacity if reserve_models is above 2^24 - 1.
@@ -519,9 +520,9 @@ func (o *Scene) open() (unsafe.Pointer, error) {
 	return o.handle, nil
 }
 
-// Change the number of threads that share the calls of a scene, such as by a setting of the user's.
-// They are those of its task_runner if it was created with one. In a child of fork they are started
-// again. Answers keep their bits.
+// Change the number of threads that share the calls of a scene, for example when the user changes a
+// setting. They are those of its task_runner if it was created with one. In a child of fork they are
+// started again. Answers keep their bits.
 //   - workers: as SceneDesc.worker_count
 // The error is ErrOutOfMemory also if the threads cannot be started; the former ones are kept.
 // Cost: that of joining the former threads and starting others; allocates. Since 1.1.
@@ -552,8 +553,8 @@ func (o *Scene) WorkerCount() (workers uint32, err error) {
 	return
 }
 
-// Move the point of the world that all coordinates of the scene count from, those that it is given and
-// those that it returns. Models stay where they are in the world: the positions of those without a
+// Move the point of the world that all coordinates of the scene are relative to, those passed to it
+// and those that it returns. Models stay where they are in the world: the positions of those without a
 // parent become what they are from there, kept in double precision and rounded to float32 once,
 // however often the origin moves. For worlds beyond some kilometres: keep the origin near the camera,
 // and when the camera has gone a few kilometres, move it together with that of cameras and solvers.
@@ -764,7 +765,7 @@ func (o *Scene) Roots() (result []ModelID, err error) {
 	return
 }
 
-// Ids of the models that hang directly below one, ascending.
+// Ids of the direct children of a model, ascending.
 // Cost: O(k log k).
 func (o *Scene) Children(model ModelID) (result []ModelID, err error) {
 	self, err := o.open()
@@ -795,8 +796,8 @@ func (o *Scene) Info(model ModelID) (info ModelInfo, err error) {
 	return
 }
 
-// World box of a model, by which queries find it: holds it, and is at most 3 ulps and 2^-19 of the sum
-// of its sizes wider. That of an empty mesh is its position.
+// World box of a model, by which queries find it: contains the model, and is wider by at most 3 ulps
+// and 2^-19 of the sum of its sizes. That of an empty mesh is its position.
 // Result: found is false for a plane.
 // Cost: O(1).
 func (o *Scene) Bounds(model ModelID) (bounds AABB, found bool, err error) {
@@ -862,10 +863,10 @@ func (o *Scene) SetShape(model ModelID, shape Shape) (err error) {
 // Scale a model's own shape along the three axes of the model, before its transform: a tree grows, a
 // unit box becomes a wall, a rock is stretched. Every query, and solvers, see the scaled shape;
 // normals are those of its surface. Children are not affected: they follow the transform, whose scale
-// is one number. What is set replaces what was set before. A mesh or a hull is scaled exactly, without
-// a copy: answers are those of a mesh of the scaled vertices. Of a box or a triangle each number is
-// multiplied and rounded to float32. A sphere, capsule or plane, and an OBB whose own rotation is not
-// the identity, take three equal numbers only.
+// is one number. A new scale replaces the old one. A mesh or a hull is scaled exactly, without a copy:
+// answers are those of a mesh of the scaled vertices. Of a box or a triangle each number is multiplied
+// and rounded to float32. A sphere, capsule or plane, and an OBB whose own rotation is not the
+// identity, take three equal numbers only.
 //   - scale: x, y, z, each from 1e-15 to 1e15
 // The error is ErrUnsupported for numbers that are not equal where they have to be, and for the mesh
 // of a rope or of particles (Mesh) unless it is 1 1 1.
@@ -933,7 +934,7 @@ func (o *Scene) SetTag(model ModelID, tag uint32) (err error) {
 	return
 }
 
-// Hang a model below another one, or below none (0).
+// Make a model the child of another one, or of none (0).
 //   - keepWorld: false: the local transform is kept, the model jumps; true: the local transform is
 //     changed so that the world transform stays (within float32 rounding)
 // The error is ErrCycle if parent is the model or one of its descendants.
@@ -1007,8 +1008,8 @@ func (o *Scene) Transforms(models []ModelID, transforms []Transform) (err error)
 	return
 }
 
-// World transforms of the models: those of all ancestors applied, rounded to float32. What queries
-// answer is exact with respect to these.
+// World transforms of the models: with those of all ancestors applied, rounded to float32. Answers of
+// queries are exact with respect to these.
 //   - models: the ids; an id may appear twice
 // Cost: O(elements).
 func (o *Scene) WorldTransforms(models []ModelID, transforms []Transform) (err error) {
@@ -1068,8 +1069,8 @@ func (o *Scene) RaycastBatch(rays []Ray, layers uint32, hits []Hit) (err error) 
 	return
 }
 
-// How far the rays come, and what they meet: t, model and triangle of Scene.RaycastBatch, with the
-// same bits, without the rest of a hit. For lidars and images of depth.
+// How far each of the rays goes, and what it hits: t, model and triangle of Scene.RaycastBatch, with
+// the same bits, without the rest of a hit. For lidars and depth images.
 // Result: a ray that hits nothing gets t = INFINITY, model = 0 and triangle = NoTriangle.
 // Cost: less than that of Scene.RaycastBatch; shared among workers. Since 1.1.
 func (o *Scene) RaycastDistanceBatch(rays []Ray, layers uint32, distances []Distance) (err error) {
@@ -1249,11 +1250,12 @@ func (o *Scene) OverlapBatch(shapes Shapes, layers uint32) (result Ragged[ModelI
 	return
 }
 
-// Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its own
-// box, ascending: for drawing. None that is seen is missed. More are listed near the frustum's edges:
-// some per cent of models that are compact or not turned; of long or flat ones that are turned, whose
-// world boxes are mostly empty, about a third, and as many again as are seen where they are as long as
-// the view is wide. Scene.Overlap sorts these out by testing the shapes.
+// Ids of all models whose world box is not wholly outside any of a frustum's six planes or its own
+// box, ascending: for drawing. No visible model is missed. Some invisible ones near the frustum's
+// edges are listed, too: a few per cent more where models are compact or not rotated; about a third
+// more where they are long or flat and rotated, so that their world boxes are mostly empty, and as
+// many again as are visible where they are as long as the view is wide. Scene.Overlap leaves these out
+// by testing the shapes.
 // Cost: O(log n + k) expected.
 func (o *Scene) Cull(frustum Frustum, layers uint32) (result []ModelID, err error) {
 	self, err := o.open()
@@ -1427,8 +1429,8 @@ func (o *Scene) SweepBatch(shapes Shapes, displacements []Vec3, layers uint32, h
 }
 
 // What a sphere, capsule, AABB or OBB overlaps, and how it gets out: an element for each model, and of
-// a mesh one for each triangle, as Penetration. Deepest first; those that are as deep by model, then
-// triangle. Each is the way out of that one alone. The models are those of Scene.Overlap.
+// a mesh one for each triangle, as Penetration. Deepest first; equal depths by model, then triangle.
+// Each is the way out of that one alone. The models are those of Scene.Overlap.
 // The error is ErrUnsupported for other types.
 // Cost: O(log n + k log k) expected.
 func (o *Scene) Penetration(shape Shape, layers uint32) (result []Penetration, err error) {
@@ -1484,7 +1486,7 @@ func (o *Scene) PenetrationBatch(shapes Shapes, layers uint32) (result Ragged[Pe
 // Cost: that of Scene.Raycast for one ignored model. For each model that is met within the ray's
 // reach, besides: O(its depth below its root) with FilterSubtree if ignored_model has children; of m
 // ignored_models O(log m) if they are ascending, as all lists of the library are, else O(m). Whether
-// they are takes O(m) a call. Where faces are left out, rays of a batch meet a mesh one by one.
+// they are takes O(m) a call. Where faces are left out, a batch tests a mesh one ray at a time.
 func (o *Scene) RaycastFiltered(ray Ray, filter *QueryFilterDesc) (hit Hit, found bool, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1521,8 +1523,8 @@ func (o *Scene) RaycastFilteredBatch(rays []Ray, filters *QueryFilterDesc, hits 
 	return
 }
 
-// How far the rays come among the models that the filters see, as Scene.RaycastDistanceBatch: a lidar
-// leaves out the robot that carries it.
+// How far each of the rays goes among the models that its filter sees, as Scene.RaycastDistanceBatch:
+// a lidar leaves out the robot that carries it.
 //   - filters: nil: the defaults
 // Cost: less than that of Scene.RaycastFilteredBatch; shared among workers. Since 1.1.
 func (o *Scene) RaycastDistanceFilteredBatch(rays []Ray, filters *QueryFilterDesc, distances []Distance) (err error) {
@@ -1789,7 +1791,7 @@ func (o *Scene) NearestFilteredBatch(points []Vec3, maxDistance float32, filters
 }
 
 // First model that a moving sphere touches and the filter sees, as Scene.SweepSphere: the sphere may
-// be the bound of the ignored model itself.
+// be the bounding sphere of the ignored model.
 //   - displacement: metres; may be zero
 //   - filter: nil: the defaults
 // Result: found is false if nothing is found.
@@ -1831,8 +1833,8 @@ func (o *Scene) SweepSphereFilteredBatch(spheres []Sphere, displacements []Vec3,
 	return
 }
 
-// First model that a sphere, capsule, AABB or OBB that moves touches and the filter sees, as
-// Scene.Sweep: a character leaves out its own model.
+// First model that a moving sphere, capsule, AABB or OBB touches and the filter sees, as Scene.Sweep:
+// a character leaves out its own model.
 //   - displacement: metres; may be zero
 //   - filter: nil: the defaults
 // Result: found is false if nothing is found.
@@ -1936,9 +1938,9 @@ func (o *Scene) PenetrationFilteredBatch(shapes Shapes, filters *QueryFilterDesc
 	return
 }
 
-// Build the scene's octree anew, as good as that of one Scene.AddBatch. Never needed: ids, answers and
-// their bits stay as they are. Where many models were added one by one, such as a level that was
-// streamed in, rays then take 0.5 to 0.9 of the time.
+// Rebuild the scene's octree, as good as that of one Scene.AddBatch. Never required: ids, answers and
+// their bits do not change. Where many models were added one by one, such as a level that was streamed
+// in, rays then take 0.5 to 0.9 of the time.
 // The error is ErrOutOfMemory with nothing changed.
 // Cost: O(n log n), 0.15 to 0.45 us a model, less with workers; allocates. Since 1.1.
 func (o *Scene) RebuildOctree() (err error) {
@@ -1955,8 +1957,8 @@ func (o *Scene) RebuildOctree() (err error) {
 // Rebuild the octree in parts, one in each call, until it is as good as after Scene.RebuildOctree: for
 // levels that are streamed in while frames go on. Each Scene.Add and Scene.Remove does a part by
 // itself; these calls do the rest. Never needed: ids, answers and their bits stay as they are. Models
-// may be added, moved and removed between the calls. An update of an eighth of them or more by one
-// call starts again.
+// may be added, moved and removed between the calls. A call that updates an eighth of them or more
+// restarts it.
 //   - budget: how much work to do, as a number of models, of 0.3 to 1 us each. The work is the same on
 //     every machine and does not depend on time.
 // Result: 1: nothing is left to do, since fewer than one in 64 models were added one by one; 0: call
@@ -2024,9 +2026,9 @@ func (o *Scene) Validate() (err error) {
 }
 
 // Copy the whole state out: the origin, models with their ids, parents, tags, layers, transforms and
-// shapes, ids to come, and the octree. Workers and allocator are not in it.
-//   - embedMeshes: true: meshes are in the snapshot, each once, which is then complete in itself: for
-//     saved games and for other machines. false: they are named by what they hold, and Scene.Restore
+// shapes, the order of future ids, and the octree. Workers and allocator are not in it.
+//   - embedMeshes: true: meshes are in the snapshot, each once, so it is complete in itself: for saved
+//     games and for other machines. false: they are identified by their content, and Scene.Restore
 //     looks for them: for undo, and rollback each frame.
 // Result: the snapshot. Words are in the machine's byte order. Every later release of the same major
 // version reads it.
@@ -2047,13 +2049,13 @@ func (o *Scene) Snapshot(embedMeshes bool) (result []uint32, err error) {
 }
 
 // Replace the whole state by that of a snapshot, of this or of another scene. Ids are those of the
-// time of the snapshot, those to come included. All answers have the bits that they had then; a solver
-// that was restored with its scene steps on with the same bits. On an error the scene is as before.
-// Any words are safe, also those of a stranger: all that is used as a number or an index is checked
-// first. Made-up words are refused, or taken as a scene like any other.
+// time of the snapshot, and so are future ones. All answers have the bits that they had then; a solver
+// that is restored with its scene continues with the same bits. On an error the scene is as before.
+// Any words are safe, also from an untrusted source: all that is used as a number or an index is
+// checked first. Forged words are refused, or taken as a scene like any other.
 //   - library: meshes that are not embedded are looked for among those that models of this scene use,
-//     by what they hold: vertices and indices, so one that has been deformed since is to be put back
-//     first. nil: among those that models of `scene` itself use, before it is restored.
+//     by their content: vertices and indices. A mesh deformed since must get its old form back first.
+//     nil: among those that models of `scene` itself use, before it is restored.
 // The error is ErrInvalidArgument for words that are no snapshot of a scene, damaged, of a later
 // format or of another byte order, and if a mesh is missing.
 // The error is ErrOutOfMemory if there is no room for it.
@@ -2078,10 +2080,10 @@ func (o *Scene) Restore(library *Scene, words []uint32) (err error) {
 	return
 }
 
-// A hash of the whole state but the octree, the low half first; of a mesh it is what it holds that
-// counts. Equal states have equal hashes on every machine; different ones differ with near certainty
-// (not against an adversary). Compare it between machines that simulate the same, to see when they
-// part.
+// A hash of the whole state except the octree, the low half first; meshes count by their content.
+// Equal states have equal hashes on every machine; different ones differ with near certainty (not
+// against an adversary). Compare it between machines that run the same simulation, to detect when they
+// diverge.
 // Cost: O(n), some 50 ns for each model.
 func (o *Scene) Hash() (hash [2]uint32, err error) {
 	self, err := o.open()
@@ -2164,7 +2166,7 @@ func (o *Camera) Origin() (origin [3]float64, err error) {
 	return
 }
 
-// See with a perspective projection; what is further away is smaller.
+// Use a perspective projection: distant objects appear smaller.
 //   - fovY: full vertical angle in radians, 1e-6 <= fovY < pi
 //   - nearDistance: metres, > 0
 //   - farDistance: metres, > nearDistance; INFINITY allowed
@@ -2180,7 +2182,7 @@ func (o *Camera) SetPerspective(fovY float32, nearDistance float32, farDistance 
 	return
 }
 
-// See with an orthographic projection; the distance changes no size.
+// Use an orthographic projection: the distance does not change apparent size.
 //   - height: metres seen from top to bottom, >= 1e-6; the width follows from the viewport and is at
 //     most twice MaxCoordinate
 //   - nearDistance, farDistance: metres; far at least 1e-6 above near, which may be negative
@@ -2196,8 +2198,8 @@ func (o *Camera) SetOrthographic(height float32, nearDistance float32, farDistan
 	return
 }
 
-// See with any projection matrix of the camera's depth range and direction (off-centre, oblique,
-// another library's). It is not changed by Camera.SetViewport.
+// Use any projection matrix of the camera's depth range and direction (off-centre, oblique, another
+// library's). It is not changed by Camera.SetViewport.
 // The error is ErrSingular if it has no inverse, or is too close to such a matrix to tell.
 // The error is ErrInvalidArgument if a plane other than far lies at infinity, as it does when the
 // matrix is for another depth range, or one lies beyond MaxCoordinate.
@@ -2213,8 +2215,8 @@ func (o *Camera) SetProjection(projection Mat4) (err error) {
 	return
 }
 
-// As Camera.SetPerspective, with an aspect of its own: the viewport stretches the image, as one of
-// pixels that are not square, and does not change what is seen.
+// As Camera.SetPerspective, with a fixed aspect ratio: the image is stretched to the viewport, as with
+// pixels that are not square, and the viewport does not change what is seen.
 //   - fovY: full vertical angle in radians, 1e-6 <= fovY < pi
 //   - aspect: width over height of what is seen, 1e-6 .. 1e6
 //   - nearDistance: metres, > 0
@@ -2246,8 +2248,8 @@ func (o *Camera) SetOrthographicSize(width float32, height float32, nearDistance
 	return
 }
 
-// The viewport was resized. Perspective keeps fovY, orthographic its height; it is refused if that
-// makes the width more than twice MaxCoordinate.
+// Set the size of the viewport. A perspective keeps fovY, an orthographic projection its height; the
+// call is refused if that makes the width more than twice MaxCoordinate.
 //   - width, height: pixels, 1e-3 .. 1e6
 // Cost: O(1).
 func (o *Camera) SetViewport(width float32, height float32) (err error) {
@@ -2348,7 +2350,8 @@ func (o *Camera) ViewportOrigin() (x float32, y float32, err error) {
 	return
 }
 
-// Width over height of what is seen, as it was set or, with a matrix too, as the viewport has it.
+// Width over height of what is seen: as it was set, or else, and always with a matrix, that of the
+// viewport.
 // Result: 1 if Camera.SetPerspectiveAspect or Camera.SetOrthographicSize was the last to set the
 // projection; 0 if it follows the viewport.
 // Cost: O(1). Since 1.1.
@@ -2518,7 +2521,7 @@ func (o *Camera) WorldMatrix() (world Mat4, err error) {
 }
 
 // The matrix from world to camera: the transpose of the orthonormal world axes, and the position
-// through them.
+// transformed by it.
 // Cost: O(1).
 func (o *Camera) ViewMatrix() (view Mat4, err error) {
 	self, err := o.open()
@@ -2598,7 +2601,7 @@ func (o *Camera) Orbit() (orbit Orbit, err error) {
 }
 
 // Set a speed for each input of the orbit, in place of the two of Orbit, which Camera.SetOrbit starts
-// from. Input since the last update counts by the new ones.
+// from. Input since the last update uses the new speeds.
 // The error is ErrUnsupported if the camera was never set to orbit.
 // Cost: O(1). Since 1.1.
 func (o *Camera) SetOrbitSpeeds(speeds OrbitSpeeds) (err error) {
@@ -2692,9 +2695,9 @@ func (o *Camera) OrbitUpdate() (err error) {
 	return
 }
 
-// The seen volume, with origin at the camera's position and planes from its parameters: each number
-// within 2 ulp; all functions of shapes take it. A user projection gives its planes by Gribb-Hartmann
-// in double precision.
+// The view frustum, with origin at the camera's position and planes from its parameters: each number
+// within 2 ulp. All functions of shapes accept it. A user projection gives its planes by
+// Gribb-Hartmann in double precision.
 // Cost: O(1).
 func (o *Camera) Frustum() (frustum Frustum, err error) {
 	self, err := o.open()
@@ -2710,7 +2713,7 @@ func (o *Camera) Frustum() (frustum Frustum, err error) {
 	return
 }
 
-// World positions of the corners of the seen volume, in the order of FrustumCorners.
+// World positions of the corners of the view frustum, in the order of FrustumCorners.
 // Result: found is false with an infinite far plane, or a corner beyond the largest float.
 // Cost: O(1).
 func (o *Camera) Corners() (corners [8]Vec3, found bool, err error) {
@@ -2850,10 +2853,10 @@ func (o *Camera) UnprojectBatch(pixels []Vec3, points []Vec3) (err error) {
 
 // The ray through a pixel, of unit direction, from the near plane on; t_max ends on the far plane
 // (INFINITY without one). With PickFromCentre that of a perspective starts at the camera's position.
-// Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
-// near as half an ulp of a direction can be. Where it starts is rounded to float32 besides, which
-// moves it by half an ulp of the coordinates (not from the camera's position, which is one of floats);
-// Camera.Pick is not so limited.
+// Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, within
+// half an ulp of its direction. Its start is rounded to float32, too, which moves the ray by half an
+// ulp of the coordinates (but not from the camera's position, which has float coordinates);
+// Camera.Pick is not limited in this way.
 //   - pixelX, pixelY: pixels; may lie outside the viewport
 // Result: found is false if the line of sight does not meet the near plane (user projections), or
 // would begin beyond MaxCoordinate.
@@ -2941,8 +2944,8 @@ func (o *Camera) PickBatch(scene *Scene, pixels [][2]float32, layers uint32, hit
 	return
 }
 
-// Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
-// rectangle, between near and far plane; exact shapes, ascending.
+// Marquee: ids of all models in the pixel rectangle, hidden ones included, between near and far plane;
+// tested by their exact shapes, ascending.
 //   - x0, y0, x1, y1: pixels, opposite corners in any order; may lie outside the viewport
 // The error is ErrInvalidArgument if the rectangle has no area.
 // Cost: O(log n + k) expected.
@@ -3377,10 +3380,10 @@ func (o *Solver) Bodies() (result []BodyID, err error) {
 // sleep_time seconds no particle was faster than sleep_speed and no rigid constraint strained by more
 // than sleep_strain; cloth, when its root mean square speed from step to step was no higher, no
 // particle ten times as fast, and strain, without a max_strain, at most 3 %. Its speed is then 0, it
-// keeps its contacts, and a step costs it a look for models nearby. It wakes in the step before which
-// a model came, went or moved as near as it could come in a step at 50 m/s, or one that it is attached
-// to did, or the scene was exchanged; and at once by any change of its state, of gravity or of the
-// origin.
+// keeps its contacts, and a step costs it one query for models nearby. It wakes in the next step after
+// a model within reach (as far as one could move in a step at 50 m/s) was added, removed or moved, or
+// a model that it is attached to, or after the scene was replaced; and at once by any change of its
+// state, of gravity or of the origin.
 // Cost: O(bodies).
 func (o *Solver) Sleeping() (result []BodyID, err error) {
 	self, err := o.open()
@@ -3409,7 +3412,7 @@ func (o *Solver) Wake(body BodyID) (err error) {
 	return
 }
 
-// The settings of a body as they are; static_friction as it acts, friction at least.
+// The present settings of a body; static_friction as it acts, at least friction.
 // Cost: O(1).
 func (o *Solver) BodySettings(body BodyID) (settings BodySettings, err error) {
 	self, err := o.open()
@@ -3471,8 +3474,7 @@ func (o *Solver) Triangles(body BodyID) (result []uint32, err error) {
 	return
 }
 
-// The particle of a body nearest to a point, as it is to be grabbed: the lowest of those that are as
-// near.
+// The particle of a body nearest to a point, for example to grab it; of equally near ones the lowest.
 //   - triangle: as in a hit, nearest or penetration of the body's mesh: its corners are compared, of a
 //     rope the ends of the link, or the particle; NoTriangle: all particles
 //   - point: metres, in the solver's coordinates: that of the hit
@@ -3763,8 +3765,8 @@ func (o *Solver) SetPinned(body BodyID, first uint32, count uint32, pinned bool)
 // effects of wind fields in cloth animations"); with C_L = C_D it is nearly the pressure on a plate,
 // along n; on a link of a rope -rho/2 C_D 2 r l |u'| u', u' the part of u across it, r the radius (the
 // cross-flow principle: Hoerner 1965, "Fluid-dynamic drag"); on a free particle -rho/2 C_D pi r^2 |u|
-// u. Strong wind takes bodies along and never beyond: whatever the density, a substep does not reverse
-// u.
+// u. Strong wind carries bodies along but never overshoots: whatever the density, a substep does not
+// reverse u.
 //   - body: 0: all bodies there are
 //   - wind: of density 0: no air
 // Cost: O(1) a body; in each substep of cloth some 370 instructions a triangle, in each step of others
@@ -3838,19 +3840,19 @@ func (o *Solver) AirVelocities(body BodyID, first uint32, velocities []Vec3) (er
 // that is skinned to its character stays within maxDistance of the skinned vertices and does not sink
 // into the body behind them. In the next step position and normal go evenly from the old target to the
 // new one, substep by substep; distances act at once. A target that is not set again stands still. A
-// first target, and that of a particle which Solver.SetPositions has moved since the last step, is at
-// once where it is set: a teleport is that call and this one. A model that is teleported too sweeps
-// through what is on its way: in that step the body collides with no layers (Solver.SetBodySettings).
-// maxDistance 0 carries a particle: it is at its target, as if attached there, and moves links with
-// infinite mass; this also moves a pinned particle, which stays pinned, at constant speed during a
-// step. Otherwise particles that are pinned or attached are not moved. A particle that is out of its
-// bounds at the end of a substep is put on the nearest place within both, without friction; its
-// velocity across them is then that of the target. What lies within its bounds is not touched. Bounds
-// act after constraints and before models: where a target is inside a model, or behind one, the
-// particle stays outside. Links yield to bounds that contradict them. What hangs from a particle at
-// its bounds is carried, in cloth and in ropes that are moved alone; ropes and free particles that are
-// joined, or collide with bodies, are put back particle by particle, and links beside these may be
-// strained by the way of a substep. Wakes the body if a target changes.
+// first target, and that of a particle which Solver.SetPositions has moved since the last step, takes
+// effect at its new place at once: to teleport, make that call and this one. A model that is
+// teleported too sweeps through what is on its way: set the body's layers to 0 for that step
+// (Solver.SetBodySettings). maxDistance 0 carries a particle: it is at its target, as if attached
+// there, and moves links with infinite mass; this also moves a pinned particle, which stays pinned, at
+// constant speed during a step. Otherwise particles that are pinned or attached are not moved. A
+// particle that is out of its bounds at the end of a substep is put on the nearest place within both,
+// without friction; its velocity across them is then that of the target. What lies within its bounds
+// is not touched. Bounds act after constraints and before models: where a target is inside a model, or
+// behind one, the particle stays outside. Links yield to bounds that contradict them. What hangs from
+// a particle at its bounds is carried, in cloth and in ropes that are moved alone; ropes and free
+// particles that are joined, or collide with bodies, are put back particle by particle, and links
+// beside these may be strained by the motion of a substep. Wakes the body if a target changes.
 //   - first: as in Solver.Positions
 //   - targets: maxDistance and backstop INFINITY: no target any more
 // Cost: O(elements); the first time O(particles), and it allocates. In each substep some 100 ns a
@@ -3961,7 +3963,7 @@ func (o *Solver) AddDistance(body BodyID, particleA uint32, particleB uint32, re
 
 // Keep two different particles of a body from being further apart than a length, like a string between
 // them: it pulls and never pushes. While it is slack it does nothing; when it becomes taut, and is
-// rigid, the speed at which the particles part is lost and no other.
+// rigid, only the speed at which the particles separate is lost.
 // Fails as Solver.AddDistance.
 // It is a constraint like others: listed with maxLength as its restLength, removed as they are, and
 // strained only when it is too long.
@@ -3982,9 +3984,9 @@ func (o *Solver) AddMaxDistance(body BodyID, particleA uint32, particleB uint32,
 	return
 }
 
-// Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v
-// beside its tension; one of Solver.AddMaxDistance never pushes. The decay depends on time, not on
-// steps. Rigid constraints have nothing to damp.
+// Damp a constraint that has compliance: when its ends separate at speed v, it pulls with damping * v
+// in addition to its tension; one of Solver.AddMaxDistance never pushes. The decay depends on time,
+// not on steps. Rigid constraints have nothing to damp.
 //   - damping: N s/m, >= 0; 0, which every constraint begins with: none
 // The error is ErrInvalidID for a body or constraint that does not exist.
 // Cost: as Solver.AddDistance.
@@ -4005,7 +4007,7 @@ func (o *Solver) SetConstraintDamping(body BodyID, constraint ConstraintID, damp
 //   - compliance: m^3 per pascal, >= 0: the volume that a pressure of one pascal takes; 0: as water,
 //     which keeps its volume; INFINITY: none, which ends the constraint
 // The error is ErrUnsupported if the triangles do not close (each side is that of two triangles), are
-// not all turned the same way, or face inward when the present volume is asked for.
+// not oriented consistently, or face inward when the present volume is asked for.
 // Cost: O(triangles) in each substep, twice. Allocates.
 func (o *Solver) SetVolume(body BodyID, restVolume float32, compliance float32) (err error) {
 	self, err := o.open()
@@ -4037,7 +4039,7 @@ func (o *Solver) Volume(body BodyID) (volume float32, pressure float32, err erro
 	return
 }
 
-// What was given to Solver.SetVolume: m^3, of a negative volume that which there was, and m^3 per
+// What was given to Solver.SetVolume: m^3 (for a negative volume the one at that time), and m^3 per
 // pascal.
 // The error is ErrUnsupported if none is held.
 // Cost: O(1). Since 1.1.
@@ -4056,7 +4058,7 @@ func (o *Solver) VolumeSettings(body BodyID) (restVolume float32, compliance flo
 	return
 }
 
-// End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body. The
+// Remove a constraint of a body, even one created with it. Its id stays invalid. Wakes the body. The
 // triangles of cloth stay together: Solver.BreakConstraint tears them apart.
 // The error is ErrInvalidID for a body or constraint that does not exist, or no longer.
 // Cost: as Solver.AddDistance; allocates.
@@ -4071,7 +4073,7 @@ func (o *Solver) RemoveConstraint(body BodyID, constraint ConstraintID) (err err
 	return
 }
 
-// All constraints of a body, those of its builder included, by id.
+// All constraints of a body, including those created with the body, by id.
 // Cost: O(constraints).
 func (o *Solver) Constraints(body BodyID) (result []ConstraintInfo, err error) {
 	self, err := o.open()
@@ -4107,7 +4109,7 @@ func (o *Solver) ConstraintKinds(body BodyID, constraints []ConstraintID, kinds 
 	return
 }
 
-// What constraints are like.
+// The present settings of constraints.
 //   - constraints: the ids; one may appear twice
 // Cost: O(elements).
 func (o *Solver) ConstraintSettings(body BodyID, constraints []ConstraintID, settings []ConstraintSettings) (err error) {
@@ -4156,9 +4158,9 @@ func (o *Solver) SetConstraintSettings(body BodyID, constraints []ConstraintID, 
 // shapes are light in the middle. Particles that are pinned or attached stay where they are held: with
 // one the cluster swings about it, with two about the line through them, and with three that are not
 // on a line it does not move. Models that particles are attached to get the impulses. Contacts with
-// models move the cluster as a whole, with friction; particles touch, not the faces between them, so
-// these should be no further apart than the smallest thing that a cluster meets is thick. Of
-// restitution a cluster shows only the share of the mass of the particles that touched. A shape is
+// models move the cluster as a whole, with friction; only particles touch, not the faces between them,
+// so they should be no further apart than the thickness of the thinnest thing that a cluster meets. Of
+// its restitution a cluster shows only the share of the mass of the particles that touched. A shape is
 // matched once in each substep, after the links: then what hangs from it may be strained a little, and
 // clusters that share particles approach their shapes in eight passes. Bodies with clusters are solved
 // as cloth (SolveGraph), ropes and free particles too. The rest positions of cloth are not changed by
@@ -4234,11 +4236,12 @@ func (o *Solver) ClusterParticles(body BodyID, cluster ClusterID) (result []uint
 
 // Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that
 // are equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved
-// as one system, as stiff as one rope; a joined particle of cloth has all that hangs on it for
-// inertia. Free particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined
-// bodies are moved by one thread and fall asleep and wake together. A joint goes with either body.
+// as one system, as stiff as one rope; a joined particle of cloth has the inertia of all that hangs on
+// it. Free particles of a joined body are moved by the time scheme of ropes, no longer exactly. Joined
+// bodies are moved by one thread and fall asleep and wake together. A joint is removed with either
+// body.
 //   - restLength: metres; 0: at the same place, as below 1e-9; negative: the present distance.
-//     Particles that are not as far apart are drawn there within a step, and get the speed of that.
+//     Particles at another distance are moved to it within a step, and get the speed of that motion.
 //   - compliance: metres per newton, >= 0; 0 is rigid
 // The error is ErrInvalidArgument for a particle that does not exist or twice the same body (see
 // Solver.AddDistance).
@@ -4334,7 +4337,7 @@ func (o *Solver) BreakingForces(body BodyID, constraints []ConstraintID, forces 
 // Break a constraint as a load would, whatever its breaking force: scissors, claws. Wakes the body.
 // Result: what came of it.
 // The error is ErrUnsupported and nothing has changed, for an edge where the cloth cannot part: of a
-// triangle that hangs together with no other.
+// triangle that is connected to no other.
 // The error is ErrCapacity beyond 2^24 - 1 particles or constraints.
 // Cost: O(particles + constraints); allocates. Since 1.1.
 func (o *Solver) BreakConstraint(body BodyID, constraint ConstraintID) (result Break, err error) {
@@ -4395,7 +4398,7 @@ func (o *Solver) Step(scene *Scene, dt float32) (err error) {
 // Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next frame,
 // so the motion does not depend on the frame rate.
 //   - frameTime: seconds, >= 0
-// Result: steps made. 0 <= fraction of a step still owed < 1, to blend drawings.
+// Result: steps made. 0 <= fraction of a step still owed < 1, to interpolate when drawing.
 // The error is ErrOutOfMemory if there is none for the first step: nothing has changed. If there is
 // none for a later one.
 // Cost: that of the steps made.
@@ -4440,10 +4443,10 @@ func (o *Solver) Leftover() (leftover float32, err error) {
 // The substeps that a body took in the last step; 0 before its first. With SolverDesc.max_strain or
 // tolerance set, each body takes as many as its own motion needs: their length follows from what the
 // last step measured, the largest strain of its rigid constraints and the local error of the time
-// scheme, both of which go with its square. It is at most quartered and grows by at most an eighth
-// from one step to the next, so a sudden blow exceeds a target for a few steps, one of strain only
-// where links of cloth cannot be relaxed below it. What cannot be met takes max_substeps. Where
-// positions jump, by contacts, the error is that of the jump.
+// scheme, both proportional to the square of that length. It is at most quartered and grows by at most
+// an eighth from one step to the next, so a sudden impact exceeds a target for a few steps; one of
+// strain only where links of cloth cannot be relaxed below it. A target that cannot be met takes
+// max_substeps. Where positions jump, by contacts, the error is that of the jump.
 // Cost: O(1).
 func (o *Solver) Substeps(body BodyID) (substeps uint32, err error) {
 	self, err := o.open()
@@ -4511,10 +4514,10 @@ func (o *Solver) BodyContacts() (result []BodyContact, err error) {
 }
 
 // Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in
-// which they fell asleep. Divided by dt they are mean forces: what lies on a model presses it with its
-// weight. A particle of cloth that touches several models at once gives to the one that it touches
-// most. Models have no mass here; a body of yours much lighter than what hangs from it should be moved
-// in small steps.
+// which they fell asleep. Divided by dt they are mean forces: what lies on a model presses on it with
+// its weight. A particle of cloth that touches several models at once gives its impulse to the one
+// that it touches most. Models have no mass here; a body of yours much lighter than what hangs from it
+// should be moved in small steps.
 // Cost: O(models touched); no allocation. The same bits for any number of workers.
 func (o *Solver) Impulses() (result []Impulse, err error) {
 	self, err := o.open()
@@ -4549,10 +4552,10 @@ func (o *Solver) Snapshot() (result []uint32, err error) {
 }
 
 // Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
-// time of the snapshot. Steps go on with the same bits as they did then, provided that the scene, too,
-// is as it was. On an error the solver is as before. Any words are safe, also those of a stranger: all
-// that is used as a number or an index is checked first. Made-up words are refused, or taken as a
-// state whose numbers are in range.
+// time of the snapshot. Steps continue with the same bits as they did then, provided that the scene,
+// too, is as it was. On an error the solver is as before. Any words are safe, also from an untrusted
+// source: all that is used as a number or an index is checked first. Forged words are refused, or
+// taken as a state whose numbers are in range.
 // The error is ErrInvalidArgument for words that are no snapshot, damaged, of another version or byte
 // order.
 // The error is ErrOutOfMemory if there is no room for it.
@@ -4574,7 +4577,7 @@ func (o *Solver) Restore(words []uint32) (err error) {
 
 // A hash of the whole state, the low half first. Equal states have equal hashes on every machine;
 // different ones differ with near certainty (not against an adversary). Compare it between machines
-// that simulate the same, to see when they part.
+// that run the same simulation, to detect when they diverge.
 // Cost: O(particles + constraints).
 func (o *Solver) Hash() (hash [2]uint32, err error) {
 	self, err := o.open()
@@ -4597,7 +4600,7 @@ func (o *Scene) handleOrNil() (unsafe.Pointer, error) {
 	return o.open()
 }
 
-// Whether the shape fulfils the ranges beside its struct.
+// Whether the fields of the shape are in the ranges stated beside its struct.
 // The error is ErrInvalidArgument and the error's message names the field.
 // Cost: O(1).
 func Validate(shape Shape) (err error) {
@@ -4821,8 +4824,8 @@ func ClassifyFrustum(shape Shape, frustum Frustum) (side Side, err error) {
 // First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh. Triangles
 // and meshes are hit from both sides, and meshes are watertight: a ray through a shared edge or vertex
 // always meets one of the triangles there. Error: t within 1 ulp. No false miss and no false hit at
-// all for spheres, triangles, meshes, AABBs and planes; for capsules none but within 2^-48 of the
-// distance. An OBB is met where one larger or smaller by 2^-40 of the distance would be.
+// all for spheres, triangles, meshes, AABBs and planes; for capsules only within 2^-48 of the
+// distance. An OBB is hit as if it were larger or smaller by up to 2^-40 of the distance.
 // docs/accuracy.md has the bounds of all functions.
 // Result: found is false if nothing is found.
 // The error is ErrUnsupported for a ray or a segment as the shape.
@@ -4845,7 +4848,7 @@ func Raycast(shape Shape, ray Ray) (hit Hit, found bool, err error) {
 // First hits of the rays with one shape, as Raycast. A ray that hits nothing gets t = INFINITY,
 // triangle = NoTriangle and zeros in its hits element.
 // The error is ErrUnsupported for a ray or a segment as the shape.
-// Cost: that of as many single calls; less for rays at a mesh whose neighbours go much the same way.
+// Cost: that of as many single calls; less for rays at a mesh if neighbouring rays are similar.
 func RaycastBatch(shape Shape, rays []Ray, hits []Hit) (err error) {
 	shapeGiven, err := shapesOf(shape)
 	if err != nil {
@@ -4865,8 +4868,8 @@ func RaycastBatch(shape Shape, rays []Ray, hits []Hit) (err error) {
 }
 
 // First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly. A
-// segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which then is
-// met from no direction, the normal is zero.
+// segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, for lack of a
+// direction, the normal is zero.
 // Result: found is false if nothing is found.
 // The error is ErrUnsupported for a ray or a segment as the shape.
 // Cost: as Raycast.
@@ -4892,8 +4895,8 @@ func SegmentTest(shape Shape, segment Segment) (hit Hit, found bool, err error) 
 // Result: t in 0..1 of the displacement; point: of contact, on the shape; normal: from the point to
 // the sphere's centre; in double precision its dot with the displacement is never above 0. Already
 // overlapping: t = 0, HitInside, and the normal may be along the displacement too; where the centre
-// itself is in a solid, it is opposite to the displacement (zero if that is zero). A sphere without
-// radius gets the hit of the ray along its way. found is false if nothing is found.
+// itself is in a solid, it is opposite to the displacement (zero if that is zero). A sphere of radius
+// 0 gets the hit of the ray along its path. found is false if nothing is found.
 // The error is ErrUnsupported for a ray or a segment as the shape.
 // Cost: O(1), about 10 us for a frustum, which is approached step by step; O(log n + k) expected for a
 // mesh.
@@ -4918,10 +4921,10 @@ func SweepSphere(shape Shape, sphere Sphere, displacement Vec3) (hit Hit, found 
 // Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
 // ulp of t. Point and normal are those of that contact.
 //   - displacement: metres; may be zero
-// Result: t, point and normal as in SweepSphere, whose answers a sphere gets. The point is one of
-// those where the two touch, always the same. Already overlapping, but for a sphere: t = 0, HitInside,
-// and point and normal of Penetration; of a mesh that is no hull, those of its first triangle. found
-// is false if nothing is found.
+// Result: t, point and normal as in SweepSphere, which gives the answer for a sphere. The point is one
+// of those where the two touch, always the same. Already overlapping, except for a sphere: t = 0,
+// HitInside, and point and normal of Penetration; for a mesh that is not a hull, those of its first
+// triangle. found is false if nothing is found.
 // The error is ErrUnsupported for a ray or a segment as the shape, for a frustum that is not the hull
 // of its corners, unless a sphere moves, and for other types that move.
 // Cost: O(1), 0.1 to 2 us, 3 to 20 us for a frustum; O(log n + k) expected for a mesh.
@@ -4980,16 +4983,16 @@ func SweepBatch(shapes Shapes, moving Shapes, displacements []Vec3, hits []Hit) 
 // translations of their own. Of a hull: out of all of it, and triangle is NoTriangle. A frustum must
 // be the hull of its corners (FrustumCorners).
 // Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
-// ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from the
-// other shape. Added to float positions, the translation may leave an overlap of the spacing of floats
-// there.
-// Result: depth and normal of the translation, which is their product; of several that are as short
-// one, always the same. The point of the solid that gets furthest in is point - depth * normal. found
-// is false if nothing is found.
+// ulp of depth; by 2^-32 where the centre or axis of a round solid is closer than that to the other
+// shape. Added to float positions, the translation may leave an overlap as large as the spacing of
+// floats there.
+// Result: depth and normal of the translation, which is their product; of several equally short ones
+// always the same one. The deepest point of the solid is point - depth * normal. found is false if
+// nothing is found.
 // The error is ErrUnsupported for rays, segments, frusta that are not the hull of their corners, and
 // for other types that move.
 // Cost: O(1), 0.1 to 1 us, 3 to 20 us for a frustum; O(log n + k) expected for a mesh. Boxes by
-// separating axes (Gottschalk 1996), what is round by the distance of its core (Gilbert, Johnson,
+// separating axes (Gottschalk 1996), round solids by the distance of their core (Gilbert, Johnson,
 // Keerthi 1988).
 func ShapePenetration(shape Shape, moving Shape) (penetration Penetration, found bool, err error) {
 	shapeGiven, err := shapesOf(shape)
@@ -5043,9 +5046,9 @@ func PenetrationBatch(shapes Shapes, moving Shapes, penetrations []Penetration) 
 // The eight corners, each the intersection of three planes: near then far, each in the order
 // left-bottom, right-bottom, right-top, left-top. A frustum is the convex hull of its corners (the
 // intersections themselves, not rounded to floats) if each is within MaxCoordinate and in front of the
-// three planes that do not meet there, by more than 2^-39 of its distance from origin: so unless it is
-// empty, flat, unbounded or ends in a tip. Solids are swept against such a frustum and pushed out of
-// it; for the bounds of their errors, origin counts as a corner.
+// three planes that do not meet there, by more than 2^-39 of its distance from origin; that is, unless
+// it is empty, flat, unbounded or ends in a tip. Solids are swept against such a frustum and pushed
+// out of it; for the bounds of their errors, origin counts as a corner.
 // Result: found is false if three planes do not meet in a point (infinite far plane), or meet beyond
 // the largest float.
 // Cost: O(1).
@@ -5091,7 +5094,7 @@ func PlanesIntersectionBatch(a []Plane, b []Plane, c []Plane, points []Vec3) (er
 
 // How far the axes of a matrix (its first three columns without the last row) are from orthonormal:
 // the largest |a_i . a_j - d_ij|, where d_ij is 1 for i = j, else 0. 0 for the identity, below 2^-22
-// for the matrices that a camera gives, about 2e for axes that are too long by a share of e.
+// for the matrices that a camera gives, about 2e for axes that are too long by a fraction e.
 //   - matrix: elements within MaxCoordinate
 // Cost: O(1). Since 1.1.
 func Mat4Orthonormality(matrix Mat4) (deviation float32, err error) {
@@ -5104,7 +5107,7 @@ func Mat4Orthonormality(matrix Mat4) (deviation float32, err error) {
 }
 
 // The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
-// origin (0, 0, 0). A camera knows its frustum better: Camera.Frustum.
+// origin (0, 0, 0). For a camera, Camera.Frustum is more precise.
 //   - reverseZ: false: near has the low depth; true: near has the high depth
 // The error is ErrSingular if the matrix has no inverse, or what it shows has no volume: its four near
 // corners are not all finite points in front of the viewer.

@@ -117,9 +117,9 @@ const (
 const (
 	// ignored_model stands for its descendants, too
 	FilterSubtree uint32 = 1
-	// planes, triangles and meshes that are no solids are not met from behind, by
-	// rays with HitBack, nor by sweeps along their normal; other queries,
-	// which come from no side, take this flag and the next without effect
+	// planes, triangles and meshes that are not solid are not hit from behind: by
+	// rays with HitBack, or by sweeps along their normal; other queries
+	// have no direction and ignore this flag and the next
 	FilterNoBackFaces uint32 = 2
 	// they are met from behind only: the inside of a closed mesh
 	FilterNoFrontFaces uint32 = 4
@@ -146,7 +146,7 @@ const (
 type PickStart int32
 
 const (
-	// what is drawn can be picked, and nothing before it
+	// what is drawn can be picked; nothing between camera and near plane
 	PickFromNearPlane PickStart = 0
 	// at the camera's position: what is between it and the near plane, too
 	PickFromCentre PickStart = 1
@@ -175,7 +175,7 @@ const (
 	SolveFree SolveMethod = 0
 	// chains and trees: Newton on the whole body at once
 	SolveDirect SolveMethod = 1
-	// what has rings, volume, clusters, or a particle with more than 64 constraints:
+	// cycles of constraints, volume, clusters, or a particle with more than 64 constraints:
 	// coloured batches of chains, then the rest, then reach limits
 	SolveGraph SolveMethod = 2
 )
@@ -184,7 +184,7 @@ const (
 type ConstraintKind int32
 
 const (
-	// its length: Solver.AddDistance, and those of builders
+	// its length: Solver.AddDistance, and those created with a body
 	ConstraintDistance ConstraintKind = 0
 	// at most its length; it may go slack: Solver.AddMaxDistance
 	ConstraintMaxDistance ConstraintKind = 1
@@ -320,7 +320,7 @@ type Hit struct {
 	T float32
 	// where the surfaces meet
 	Point Vec3
-	// unit, against the motion: dot(normal, direction) <= 0, of rays but for its rounding
+	// unit, against the motion: dot(normal, direction) <= 0, for rays up to rounding
 	Normal Vec3
 	// index within a mesh, else NoTriangle
 	Triangle uint32
@@ -345,7 +345,7 @@ type Nearest struct {
 	Triangle uint32
 }
 
-// How far a ray comes: those fields of a Hit. Frozen.  Since 1.1.
+// How far a ray goes and what it hits: fields of a Hit. Frozen.  Since 1.1.
 type Distance struct {
 	// in multiples of the direction, so metres where its length is 1; INFINITY: nothing is hit
 	T float32
@@ -405,7 +405,7 @@ type MeshInfo struct {
 	TriangleCount uint32
 	// 1: as MeshDesc.deformable, or in the form of a body
 	Deformable int32
-	// 1: a body gives it its form, and Mesh.SetVertices does not
+	// 1: its form comes from a body, not from Mesh.SetVertices
 	FollowsBody int32
 }
 
@@ -443,10 +443,10 @@ type SceneDesc struct {
 	Allocator unsafe.Pointer
 	// models to make room for at once; 0
 	ReserveModels uint32
-	// whose threads worker_count counts; nil: the scene's own
+	// provides the worker_count threads; nil: the scene's own
 	// A gphys_task_runner in C memory.
 	TaskRunner unsafe.Pointer
-	// threads for one call, its own included, at most 1024; 0 and 1: that alone
+	// threads for one call, including the caller's, at most 1024; 0 and 1: that alone
 	WorkerCount uint32
 	// must be 0
 	reserved uint32
@@ -475,8 +475,8 @@ type ModelInfo struct {
 	ChildCount uint32
 }
 
-// Which models a query sees. Ids of models that are gone, or never were, leave out nothing and are no
-// error: what asked may have been removed since.
+// Which models a query sees. Ids that name no model leave out nothing and are not an error: the
+// model that asked may have been removed since.
 type QueryFilterDesc struct {
 	structSize uint32
 	// a model is seen if its own mask shares a bit; default AllLayers
@@ -540,7 +540,7 @@ type Orbit struct {
 	MaxPitch float32
 }
 
-// What a unit of each input moves an orbit by; negative to turn one round. Frozen.  Since 1.1.
+// What a unit of each input moves an orbit by; negative to invert one. Frozen.  Since 1.1.
 type OrbitSpeeds struct {
 	// radians a unit, of yaw and pitch
 	RotateX float32
@@ -561,16 +561,16 @@ type SolverDesc struct {
 	Allocator unsafe.Pointer
 	// m/s^2; default (0, -9.81, 0)
 	Gravity Vec3
-	// of one step, 1 .. 1000; default 8; with targets: of the first
+	// of one step, 1 .. 1000; default 8; with error targets: of the first step
 	Substeps uint32
 	// seconds simulated by each step of Solver.Advance; 1/60
 	FixedStep float32
 	// most steps of one advance; time beyond is dropped; 8
 	MaxSteps uint32
-	// whose threads worker_count counts; nil: the solver's own
+	// provides the worker_count threads; nil: the solver's own
 	// A gphys_task_runner in C memory.
 	TaskRunner unsafe.Pointer
-	// threads for one step, its own included, at most 1024; 0 and 1: that alone
+	// threads for one step, including the caller's, at most 1024; 0 and 1: that alone
 	WorkerCount uint32
 	// m/s, see Solver.Sleeping; 0: bodies never sleep; default 0
 	SleepSpeed float32
@@ -578,7 +578,7 @@ type SolverDesc struct {
 	SleepStrain float32
 	// seconds; default 0.5
 	SleepTime float32
-	// of rigid constraints, see Solver.Substeps; 0: none, of cloth 0.02; default 0
+	// of rigid constraints, see Solver.Substeps; 0: none, for cloth 0.02; default 0
 	MaxStrain float32
 	// target of positions: metres of error that a second of motion adds; 0: none; default 0
 	Tolerance float32
@@ -610,9 +610,9 @@ type SolverSettings struct {
 	Tolerance float32
 	// 1 .. 1000
 	MaxSubsteps uint32
-	// most particles times substeps of a step; 0: no bound. Where bodies would take more, all
-	// take fewer substeps in proportion, but one at least, cloth one for each 25 ms. It bounds
-	// the time of a step on every machine alike: the same bits everywhere
+	// most particles times substeps of a step; 0: no bound. If bodies need more, all take fewer
+	// substeps in proportion, at least one, and cloth at least one for each 25 ms. It bounds
+	// work, not time, so the bits are the same on every machine
 	MaxWork uint32
 }
 
@@ -637,8 +637,8 @@ type BodyDesc struct {
 	ClothFlags uint32
 	// mask of the models it collides with; 0: none; default all
 	Layers uint32
-	// of what rests on a model, slower than a fall of 4e-4 radii; at least friction, or 0:
-	// as friction; default 0
+	// of particles at rest on a model, slower than after a fall of 4e-4 radii; at least
+	// friction, or 0: as friction; default 0
 	StaticFriction float32
 	// 1: its particles collide with one another, see below; default 0
 	SelfCollision uint32
@@ -664,7 +664,7 @@ type BodySettings struct {
 	Layers uint32
 	// of bodies
 	BodyLayers uint32
-	// 0 or 1; what is nearer than its radii reach when it is set does not collide
+	// 0 or 1; particles nearer than their radii reach when it is set do not collide
 	SelfCollision uint32
 }
 
@@ -723,7 +723,7 @@ type ConstraintInfo struct {
 	Compliance float32
 }
 
-// What a constraint is like and may become. Frozen.
+// The settings of a constraint. Frozen.
 type ConstraintSettings struct {
 	// metres, >= 0; negative, when it is set: the present distance
 	RestLength float32
@@ -807,8 +807,8 @@ type BodyContact struct {
 	Normal Vec3
 	// metres between their surfaces as they are now; below 0: they overlap
 	Distance float32
-	// N s along normal, of the whole step: b got it, and a its opposite. What links and models
-	// answered is not in it
+	// N s along normal, of the whole step: b got it, and a its opposite. The reactions of links and
+	// models are not in it
 	Impulse float32
 }
 
@@ -819,7 +819,7 @@ type Impulse struct {
 	Tag uint32
 	// N s: what to add to the momentum of the model if it is a body of yours
 	Linear Vec3
-	// N m s, about the model's position in the world: the same for its spin
+	// N m s, about the model's position in the world: likewise for its angular momentum
 	Angular Vec3
 }
 

@@ -158,7 +158,7 @@ export interface Hit {
     t: number;
     /** where the surfaces meet */
     point: number[];
-    /** unit, against the motion: dot(normal, direction) <= 0, of rays but for its rounding */
+    /** unit, against the motion: dot(normal, direction) <= 0, for rays up to rounding */
     normal: number[];
     /** index within a mesh, else NO_TRIANGLE */
     triangle: number;
@@ -181,7 +181,7 @@ export interface Nearest {
     /** index within a mesh, else NO_TRIANGLE */
     triangle: number;
 }
-/** How far a ray comes: those fields of a Hit. Frozen.  Since 1.1. */
+/** How far a ray goes and what it hits: fields of a Hit. Frozen.  Since 1.1. */
 export interface Distance {
     /** in multiples of the direction, so metres where its length is 1; INFINITY: nothing is hit */
     t: number;
@@ -231,7 +231,7 @@ export interface MeshInfo {
     triangle_count: number;
     /** 1: as MeshDesc.deformable, or in the form of a body */
     deformable: number;
-    /** 1: a body gives it its form, and Mesh.setVertices does not */
+    /** 1: its form comes from a body, not from Mesh.setVertices */
     follows_body: number;
 }
 /** How an octree is made up. Frozen. */
@@ -262,7 +262,7 @@ export interface OctreeBox {
 export interface SceneDesc {
     /** models to make room for at once; 0 */
     reserve_models: number;
-    /** threads for one call, its own included, at most 1024; 0 and 1: that alone */
+    /** threads for one call, including the caller's, at most 1024; 0 and 1: that alone */
     worker_count: number;
 }
 export interface ModelDesc {
@@ -285,8 +285,8 @@ export interface ModelInfo {
     /** direct children */
     child_count: number;
 }
-/** Which models a query sees. Ids of models that are gone, or never were, leave out nothing and are no
- * error: what asked may have been removed since. */
+/** Which models a query sees. Ids that name no model leave out nothing and are not an error: the
+ * model that asked may have been removed since. */
 export interface QueryFilterDesc {
     /** a model is seen if its own mask shares a bit; default ALL_LAYERS */
     layers: number;
@@ -335,7 +335,7 @@ export interface Orbit {
     /** within -pi/2 .. pi/2 */
     max_pitch: number;
 }
-/** What a unit of each input moves an orbit by; negative to turn one round. Frozen.  Since 1.1. */
+/** What a unit of each input moves an orbit by; negative to invert one. Frozen.  Since 1.1. */
 export interface OrbitSpeeds {
     /** radians a unit, of yaw and pitch */
     rotate_x: number;
@@ -351,13 +351,13 @@ export interface OrbitSpeeds {
 export interface SolverDesc {
     /** m/s^2; default (0, -9.81, 0) */
     gravity: number[];
-    /** of one step, 1 .. 1000; default 8; with targets: of the first */
+    /** of one step, 1 .. 1000; default 8; with error targets: of the first step */
     substeps: number;
     /** seconds simulated by each step of Solver.advance; 1/60 */
     fixed_step: number;
     /** most steps of one advance; time beyond is dropped; 8 */
     max_steps: number;
-    /** threads for one step, its own included, at most 1024; 0 and 1: that alone */
+    /** threads for one step, including the caller's, at most 1024; 0 and 1: that alone */
     worker_count: number;
     /** m/s, see Solver.getSleeping; 0: bodies never sleep; default 0 */
     sleep_speed: number;
@@ -365,7 +365,7 @@ export interface SolverDesc {
     sleep_strain: number;
     /** seconds; default 0.5 */
     sleep_time: number;
-    /** of rigid constraints, see Solver.getSubsteps; 0: none, of cloth 0.02; default 0 */
+    /** of rigid constraints, see Solver.getSubsteps; 0: none, for cloth 0.02; default 0 */
     max_strain: number;
     /** target of positions: metres of error that a second of motion adds; 0: none; default 0 */
     tolerance: number;
@@ -396,9 +396,9 @@ export interface SolverSettings {
     tolerance: number;
     /** 1 .. 1000 */
     max_substeps: number;
-    /** most particles times substeps of a step; 0: no bound. Where bodies would take more, all
-     * take fewer substeps in proportion, but one at least, cloth one for each 25 ms. It bounds
-     * the time of a step on every machine alike: the same bits everywhere */
+    /** most particles times substeps of a step; 0: no bound. If bodies need more, all take fewer
+     * substeps in proportion, at least one, and cloth at least one for each 25 ms. It bounds
+     * work, not time, so the bits are the same on every machine */
     max_work: number;
 }
 /** Settings shared by all kinds of bodies. */
@@ -421,8 +421,8 @@ export interface BodyDesc {
     cloth_flags: number;
     /** mask of the models it collides with; 0: none; default all */
     layers: number;
-    /** of what rests on a model, slower than a fall of 4e-4 radii; at least friction, or 0:
-     * as friction; default 0 */
+    /** of particles at rest on a model, slower than after a fall of 4e-4 radii; at least
+     * friction, or 0: as friction; default 0 */
     static_friction: number;
     /** 1: its particles collide with one another, see below; default 0 */
     self_collision: number;
@@ -447,7 +447,7 @@ export interface BodySettings {
     layers: number;
     /** of bodies */
     body_layers: number;
-    /** 0 or 1; what is nearer than its radii reach when it is set does not collide */
+    /** 0 or 1; particles nearer than their radii reach when it is set do not collide */
     self_collision: number;
 }
 /** Frozen. */
@@ -500,7 +500,7 @@ export interface ConstraintInfo {
     /** metres per newton */
     compliance: number;
 }
-/** What a constraint is like and may become. Frozen. */
+/** The settings of a constraint. Frozen. */
 export interface ConstraintSettings {
     /** metres, >= 0; negative, when it is set: the present distance */
     rest_length: number;
@@ -579,8 +579,8 @@ export interface BodyContact {
     normal: number[];
     /** metres between their surfaces as they are now; below 0: they overlap */
     distance: number;
-    /** N s along normal, of the whole step: b got it, and a its opposite. What links and models
-     * answered is not in it */
+    /** N s along normal, of the whole step: b got it, and a its opposite. The reactions of links and
+     * models are not in it */
     impulse: number;
 }
 /** What bodies gave a model in the last step, by contacts and by attachments. Frozen. */
@@ -590,7 +590,7 @@ export interface Impulse {
     tag: number;
     /** N s: what to add to the momentum of the model if it is a body of yours */
     linear: number[];
-    /** N m s, about the model's position in the world: the same for its spin */
+    /** N m s, about the model's position in the world: likewise for its angular momentum */
     angular: number[];
 }
 /** The elements of Records, by the name of their kind. */
@@ -649,8 +649,8 @@ export function frustum(origin: Given<number[]>, planes: Given<Plane[]>): Shape;
 export function ray(origin: Given<number[]>, direction: Given<number[]>, t_max: Given<number>): Shape;
 export function segment(a: Given<number[]>, b: Given<number[]>): Shape;
 export function shapes(kind: 'sphere' | 'capsule' | 'aabb' | 'obb' | 'plane' | 'triangle' | 'frustum' | 'ray' | 'segment', data: Float32Array | Records): Shapes;
-/** Build a mesh from copies of the arrays. Triangles of zero area are kept: they are met like the
- * segments or points that they are, and counted in the report. 0 triangles are allowed.
+/** Build a mesh from copies of the arrays. Triangles of zero area are kept: queries treat them as the
+ * segments or points that they are, and the report counts them. 0 triangles are allowed.
  * Throws GamephysError with ERROR_INVALID_ARGUMENT for an index out of range, an index_count that is
  * no multiple of 3 or a bad vertex; meshCheck tells which.
  * Cost: O(n log n), about 1 us per triangle. */
@@ -658,14 +658,14 @@ export class Mesh {
     constructor(vertices: Elements, indices: Elements, desc?: Partial<MeshDesc> | null);
     /** Frees the object at once. */
     close(): void;
-    /** Make the convex hull of points: a mesh that is solid, as spheres and boxes are. All that takes a
-     * mesh takes it: functions of shapes, models of scenes, snapshots, and solvers, whose particles stay
-     * outside and are pushed out. A ray that starts inside hits at t = 0 with HIT_INSIDE; one from outside
-     * hits the face through which it enters, `triangle` says where. Whether a ray hits and whether a point
-     * is inside is exact with respect to the points. Inside, the closest point is the point itself and
-     * triangle NO_TRIANGLE. Mesh.overlap lists the triangles of the surface; Mesh.raycastAll gives the
-     * first hit alone. The vertices are those points that are corners of the hull, in the order of the
-     * points, of equal ones the first. The triangles come face by face, all that lie in one plane being
+    /** Make the convex hull of points: a mesh that is solid, as spheres and boxes are. It can be used
+     * wherever a mesh can: functions of shapes, models of scenes, snapshots, and solvers, whose particles
+     * stay outside and are pushed out. A ray that starts inside hits at t = 0 with HIT_INSIDE; one from
+     * outside hits the face through which it enters, `triangle` says where. Whether a ray hits and whether
+     * a point is inside is exact with respect to the points. Inside, the closest point is the point itself
+     * and triangle NO_TRIANGLE. Mesh.overlap lists the triangles of the surface; Mesh.raycastAll gives
+     * only the first hit. The vertices are the points that are corners of the hull, in their original
+     * order; of equal points the first. The triangles come face by face, all that lie in one plane being
      * one face; seen from outside their corners go counterclockwise where axes are right-handed, and the
      * normal cross(b - a, c - a) points out.
      *   - desc: deformable must be 0
@@ -674,14 +674,15 @@ export class Mesh {
      * plane, which is decided exactly.
      * Throws GamephysError with ERROR_CAPACITY if the hull has more than 256 faces.
      * Throws GamephysError with ERROR_UNSUPPORTED if desc asks for a deformable mesh.
-     * Cost: O(point_count * faces); allocates. Rays take O(log faces), the other questions up to O(faces).
+     * Cost: O(point_count * faces); allocates. Rays take O(log faces), other queries up to O(faces).
      * Source: quickhull (Barber, Dobkin, Huhdanpaa 1996) with exact predicates. Since 1.1. */
     static hull(points: Elements, desc?: Partial<MeshDesc> | null): Mesh;
-    /** Make a mesh of a snapshot: all its answers have the bits of the mesh that the snapshot was taken of.
-     * Any words are safe, also those of a stranger: vertices, indices and the tree are checked, and what
-     * follows from them is computed. Made-up words are refused, or taken as a mesh like any other; only
-     * what its report counts (triangles of zero area, open edges) is taken as it stands there.
-     *   - desc: with `deformable` the mesh takes new vertices, whatever the one in the snapshot did
+    /** Make a mesh from a snapshot: all its answers have the same bits as those of the mesh in the
+     * snapshot. Any words are safe, also from an untrusted source: vertices, indices and the tree are
+     * checked, and what follows from them is computed. Forged words are refused, or taken as a mesh like
+     * any other; only the counts of its report (triangles of zero area, open edges) are taken from the
+     * words as they are.
+     *   - desc: with `deformable` the mesh takes new vertices, even if the one in the snapshot did not
      * Throws GamephysError with ERROR_INVALID_ARGUMENT for words that are no snapshot of a mesh, damaged,
      * of a later format or of another byte order.
      * Throws GamephysError with ERROR_UNSUPPORTED for a deformable hull.
@@ -694,25 +695,25 @@ export class Mesh {
      * Throws GamephysError with ERROR_UNSUPPORTED if the model's shape is no mesh.
      * Cost: O(1). Since 1.1. */
     static fromScene(scene: Scene, model: number): Mesh;
-    /** Make a mesh that has the form of a body and follows it by itself: cloth, ropes and particles can be
-     * met by rays, picked, overlapped and culled as models of scenes (Scene.add with SHAPE_MESH; without a
-     * transform the model is where the body is) or asked by shape_* and mesh_* functions. Vertex p is
-     * particle p. Of cloth the mesh is the surface of its triangles, in the order of Solver.getTriangles.
-     * A rope is solid. Of its n particles, `triangle` t below n - 1 of a hit is the link from particle t
-     * to t + 1, a capsule of the smaller of their radii, there while a constraint holds them together; n -
-     * 1 + p is particle p, a sphere, there where no link beside it is as thick. Free particles are
-     * spheres, and `triangle` is the particle. Solver.getNearestParticle finds the particle of a hit. The
-     * mesh has the new form when Solver.step, Solver.advance, Solver.restore or an edit of the body
-     * returns. Cloth that tears (Break) takes its triangles along, whose numbers stay, and the mesh gets
-     * vertices for the new particles. A model that would leave the range of the world, and a torn mesh or
-     * one of less than 2^-32 m for which there is no memory, keep their form until they can follow.
-     * Solver.setOrigin moves the coordinates of the mesh, and the models back by as much: they stay where
-     * they are in the world, exactly if scenes have moved their origin before. Solvers do not collide with
-     * models of such meshes, nor wake by them: bodies meet by BodyDesc.body_layers. A restored body is
-     * followed if it has the id and the parts of the one that there was. Restore the solver before the
-     * scene. A mesh that is loaded from a snapshot, that of a scene included, is a copy that follows
-     * nothing; Scene.setShape gives its model one that does. Mesh and solver are destroyed in any order.
-     * When the body is gone the mesh keeps the form that it had last and is deformable by
+    /** Make a mesh that has the form of a body and follows it automatically: cloth, ropes and particles can
+     * be hit by rays, picked, overlapped and culled as models of scenes (Scene.add with SHAPE_MESH;
+     * without a transform the model is where the body is) or queried by shape_* and mesh_* functions.
+     * Vertex p is particle p. For cloth the mesh is the surface of its triangles, in the order of
+     * Solver.getTriangles. A rope of n particles is solid. In a hit, `triangle` t below n - 1 is the link
+     * from particle t to t + 1, a capsule with the smaller of their radii, present while a constraint
+     * holds them together; n - 1 + p is particle p, a sphere, present where no link beside it is as thick.
+     * Free particles are spheres, and `triangle` is the particle. Solver.getNearestParticle finds the
+     * particle of a hit. The mesh has the new form when Solver.step, Solver.advance, Solver.restore or an
+     * edit of the body returns. When cloth tears (Break), its triangles keep their numbers, and the mesh
+     * gets vertices for the new particles. A model that would leave the range of the world, and a torn
+     * mesh or one of less than 2^-32 m for which there is no memory, keep their form until they can
+     * follow. Solver.setOrigin moves the coordinates of the mesh, and the models back by as much: they
+     * stay where they are in the world, exactly if scenes have moved their origin before. Bodies neither
+     * collide with models of such meshes nor wake because of them: BodyDesc.body_layers sets which bodies
+     * collide. A restored body is followed if it has the same id and parts as before. Restore the solver
+     * before the scene. A mesh that is loaded from a snapshot, that of a scene included, is a copy that
+     * follows nothing; Scene.setShape gives its model one that does. Mesh and solver are destroyed in any
+     * order. When the body is gone the mesh keeps the form that it had last and is deformable by
      * Mesh.setVertices, which returns ERROR_UNSUPPORTED before. A mesh that neither its handle nor a model
      * holds follows no more.
      * Threads: the functions above become edits of the mesh and of each scene that has a model of it.
@@ -724,21 +725,22 @@ export class Mesh {
      * Cost: O(faces). Since 1.1.
      * @throws {GamephysError} ERROR_UNSUPPORTED: for a mesh that is no hull */
     getHullPlanes(): Records<Plane>;
-    /** For each triangle of a hull the number of its face, by which Mesh.getHullPlanes lists the planes:
-     * ascending, from 0.
+    /** For each triangle of a hull the index of its face in the list of Mesh.getHullPlanes, ascending from
+     * 0.
      * Cost: O(triangles). Since 1.1.
      * @throws {GamephysError} ERROR_UNSUPPORTED: for a mesh that is no hull */
     getHullFaces(): Records<number>;
-    /** Put other vertices in place of those of a deformable mesh: of a skinned character, or of cloth as
-     * Solver.getPositions writes it. All models of the mesh have the new form from then on, in every
-     * scene, and all answers have the bits of those of a mesh created of the new vertices. What fails
+    /** Replace the vertices of a deformable mesh, such as a skinned character, or cloth as
+     * Solver.getPositions writes it. All models of the mesh take the new form at once, in every scene, and
+     * all answers have the same bits as those of a mesh created from the new vertices. A call that fails
      * leaves the mesh and the scenes as they were. A solver sees the new form at its next step, as a
      * surface that stands still.
      * Threads: an edit of the mesh and of every scene that has a model of it: not beside other calls on
      * these.
-     * Cost: O(vertices + triangles + log n for each model), some percent of a creation: the tree is
-     * refitted, and built again by parts where it has degraded. If the triangles have come apart so that
-     * their groups of eight have boxes of twice the area, once that of a creation. Allocates. Since 1.1.
+     * Cost: O(vertices + triangles + log n for each model), a few per cent of creating it: the tree is
+     * refitted, and parts that have degraded are rebuilt. If the triangles have moved apart so far that
+     * the boxes of their groups of eight have twice the area, once as much as creating it. Allocates.
+     * Since 1.1.
      * @param vertices - elements of 3 floats, metres; copied
      * @throws {GamephysError} ERROR_UNSUPPORTED: if the mesh is not deformable
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: for a vertex that is not finite or too large, or if
@@ -770,10 +772,10 @@ export class Mesh {
      * Cost: O(log n) expected. */
     raycastAny(ray: Given<Ray>): boolean;
     /** Whether each of the rays hits anything, as Mesh.raycastAny.
-     * Cost: that of as many single calls; less for rays whose neighbours go much the same way. Since 1.1. */
+     * Cost: that of as many single calls; less if neighbouring rays are similar. Since 1.1. */
     raycastAnyBatch(rays: Elements, out?: Elements): Records<number>;
-    /** How far the rays come, and which triangles they hit: t and triangle of raycastBatch for the mesh,
-     * with the same bits, without the rest of a hit; model is 0.
+    /** How far each of the rays goes, and which triangle it hits: t and triangle of raycastBatch for the
+     * mesh, with the same bits, without the rest of a hit; model is 0.
      * Cost: less than that of raycastBatch. Since 1.1.
      * @returns a ray that hits nothing gets t = INFINITY and triangle = NO_TRIANGLE. */
     raycastDistanceBatch(rays: Elements, out?: Elements): Records<Distance>;
@@ -792,10 +794,10 @@ export class Mesh {
 /** Create a scene without models. With a worker_count of n, all batch queries of the scene
  * (Camera.pickBatch too), and adding and moving many models, share their work among n threads; the
  * results have the same bits for every n. Without a task_runner n - 1 threads are started here and
- * joined when the scene is destroyed. They serve one call at a time: calls made meanwhile do their own
- * work. They take no signals but faults, and the floating-point settings of the thread that created
- * them. In a child of fork they are gone: calls there run on one thread, as they do on a platform
- * without threads (WebAssembly, unless built for shared memory), whatever is asked for.
+ * joined when the scene is destroyed. They serve one call at a time: calls made meanwhile run on their
+ * own thread alone. They take no signals but faults, and have the standard floating-point settings. In
+ * a child of fork they are gone: calls there run on one thread, as they do on a platform without
+ * threads (WebAssembly, unless built for shared memory), whatever is asked for.
  *   - desc: null: the defaults
  * Throws GamephysError with ERROR_OUT_OF_MEMORY also if the threads cannot be started.
  * Throws GamephysError with ERROR_CAPACITY if reserve_models is above 2^24 - 1.
@@ -804,9 +806,9 @@ export class Scene {
     constructor(desc?: Partial<SceneDesc> | null);
     /** Frees the object at once. */
     close(): void;
-    /** Change the number of threads that share the calls of a scene, such as by a setting of the user's.
-     * They are those of its task_runner if it was created with one. In a child of fork they are started
-     * again. Answers keep their bits.
+    /** Change the number of threads that share the calls of a scene, for example when the user changes a
+     * setting. They are those of its task_runner if it was created with one. In a child of fork they are
+     * started again. Answers keep their bits.
      * Cost: that of joining the former threads and starting others; allocates. Since 1.1.
      * @param workers - as SceneDesc.worker_count
      * @throws {GamephysError} ERROR_OUT_OF_MEMORY: also if the threads cannot be started; the former ones
@@ -815,8 +817,8 @@ export class Scene {
     /** How many threads share the calls of a scene: 1 or more, 1 on a platform without threads.
      * Cost: O(1). Since 1.1. */
     getWorkerCount(): number;
-    /** Move the point of the world that all coordinates of the scene count from, those that it is given and
-     * those that it returns. Models stay where they are in the world: the positions of those without a
+    /** Move the point of the world that all coordinates of the scene are relative to, those passed to it
+     * and those that it returns. Models stay where they are in the world: the positions of those without a
      * parent become what they are from there, kept in double precision and rounded to float32 once,
      * however often the origin moves. For worlds beyond some kilometres: keep the origin near the camera,
      * and when the camera has gone a few kilometres, move it together with that of cameras and solvers.
@@ -877,14 +879,14 @@ export class Scene {
     /** Ids of all models without a parent, ascending.
      * Cost: O(n). */
     getRoots(): Records<number>;
-    /** Ids of the models that hang directly below one, ascending.
+    /** Ids of the direct children of a model, ascending.
      * Cost: O(k log k). */
     getChildren(model: number): Records<number>;
     /** Kind, parent, layers, tag and number of children of a model.
      * Cost: O(1). */
     getInfo(model: number): ModelInfo;
-    /** World box of a model, by which queries find it: holds it, and is at most 3 ulps and 2^-19 of the sum
-     * of its sizes wider. That of an empty mesh is its position.
+    /** World box of a model, by which queries find it: contains the model, and is wider by at most 3 ulps
+     * and 2^-19 of the sum of its sizes. That of an empty mesh is its position.
      * Cost: O(1).
      * @returns null for a plane. */
     getBounds(model: number): Aabb | null;
@@ -909,10 +911,10 @@ export class Scene {
     /** Scale a model's own shape along the three axes of the model, before its transform: a tree grows, a
      * unit box becomes a wall, a rock is stretched. Every query, and solvers, see the scaled shape;
      * normals are those of its surface. Children are not affected: they follow the transform, whose scale
-     * is one number. What is set replaces what was set before. A mesh or a hull is scaled exactly, without
-     * a copy: answers are those of a mesh of the scaled vertices. Of a box or a triangle each number is
-     * multiplied and rounded to float32. A sphere, capsule or plane, and an OBB whose own rotation is not
-     * the identity, take three equal numbers only.
+     * is one number. A new scale replaces the old one. A mesh or a hull is scaled exactly, without a copy:
+     * answers are those of a mesh of the scaled vertices. Of a box or a triangle each number is multiplied
+     * and rounded to float32. A sphere, capsule or plane, and an OBB whose own rotation is not the
+     * identity, take three equal numbers only.
      * Cost: as Scene.setTransform of a model without children. Models that have a scale take 16 bytes more
      * if they are meshes, else 52, up to the highest id. Queries of a scaled mesh or hull take 1 to 11 %
      * more; rays at a mesh that is flattened to a twentieth take 1.3 times those at a mesh of the scaled
@@ -937,7 +939,7 @@ export class Scene {
      * Cost: O(1).
      * @param tag - any number of the caller's */
     setTag(model: number, tag: number): void;
-    /** Hang a model below another one, or below none (0).
+    /** Make a model the child of another one, or of none (0).
      * Cost: O(depth of the tree of models), and as Scene.setTransform for what moves. Renews the octree as
      * far as there is memory.
      * @param keep_world - false: the local transform is kept, the model jumps; true: the local transform
@@ -961,8 +963,8 @@ export class Scene {
      * Cost: O(elements).
      * @param models - the ids; an id may appear twice */
     getTransforms(models: Elements, out?: Elements): Records<Transform>;
-    /** World transforms of the models: those of all ancestors applied, rounded to float32. What queries
-     * answer is exact with respect to these.
+    /** World transforms of the models: with those of all ancestors applied, rounded to float32. Answers of
+     * queries are exact with respect to these.
      * Cost: O(elements).
      * @param models - the ids; an id may appear twice */
     getWorldTransforms(models: Elements, out?: Elements): Records<Transform>;
@@ -974,8 +976,8 @@ export class Scene {
      * INFINITY.
      * Cost: at most that of as many single calls; shared among workers. */
     raycastBatch(rays: Elements, layers?: number, out?: Elements): Records<Hit>;
-    /** How far the rays come, and what they meet: t, model and triangle of Scene.raycastBatch, with the
-     * same bits, without the rest of a hit. For lidars and images of depth.
+    /** How far each of the rays goes, and what it hits: t, model and triangle of Scene.raycastBatch, with
+     * the same bits, without the rest of a hit. For lidars and depth images.
      * Cost: less than that of Scene.raycastBatch; shared among workers. Since 1.1.
      * @returns a ray that hits nothing gets t = INFINITY, model = 0 and triangle = NO_TRIANGLE. */
     raycastDistanceBatch(rays: Elements, layers?: number, out?: Elements): Records<Distance>;
@@ -1011,11 +1013,12 @@ export class Scene {
      * Cost: at most that of as many single calls; shared among workers.
      * @throws {GamephysError} ERROR_UNSUPPORTED: as there */
     overlapBatch(shapes: Shapes | AnyShape, layers?: number): { values: Records<number>; offsets: Uint32Array };
-    /** Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its own
-     * box, ascending: for drawing. None that is seen is missed. More are listed near the frustum's edges:
-     * some per cent of models that are compact or not turned; of long or flat ones that are turned, whose
-     * world boxes are mostly empty, about a third, and as many again as are seen where they are as long as
-     * the view is wide. Scene.overlap sorts these out by testing the shapes.
+    /** Ids of all models whose world box is not wholly outside any of a frustum's six planes or its own
+     * box, ascending: for drawing. No visible model is missed. Some invisible ones near the frustum's
+     * edges are listed, too: a few per cent more where models are compact or not rotated; about a third
+     * more where they are long or flat and rotated, so that their world boxes are mostly empty, and as
+     * many again as are visible where they are as long as the view is wide. Scene.overlap leaves these out
+     * by testing the shapes.
      * Cost: O(log n + k) expected. */
     cull(frustum: Given<Frustum>, layers?: number): Records<number>;
     /** Ids of the models in each of count frusta, as Scene.cull: for split screens, cascades of shadow
@@ -1058,8 +1061,8 @@ export class Scene {
      * @throws {GamephysError} ERROR_UNSUPPORTED: as Scene.sweep */
     sweepBatch(shapes: Shapes | AnyShape, displacements: Elements, layers?: number, out?: Elements): Records<Hit>;
     /** What a sphere, capsule, AABB or OBB overlaps, and how it gets out: an element for each model, and of
-     * a mesh one for each triangle, as penetration. Deepest first; those that are as deep by model, then
-     * triangle. Each is the way out of that one alone. The models are those of Scene.overlap.
+     * a mesh one for each triangle, as penetration. Deepest first; equal depths by model, then triangle.
+     * Each is the way out of that one alone. The models are those of Scene.overlap.
      * Cost: O(log n + k log k) expected.
      * @throws {GamephysError} ERROR_UNSUPPORTED: for other types */
     penetration(shape: AnyShape, layers?: number): Records<Penetration>;
@@ -1073,7 +1076,7 @@ export class Scene {
      * Cost: that of Scene.raycast for one ignored model. For each model that is met within the ray's
      * reach, besides: O(its depth below its root) with FILTER_SUBTREE if ignored_model has children; of m
      * ignored_models O(log m) if they are ascending, as all lists of the library are, else O(m). Whether
-     * they are takes O(m) a call. Where faces are left out, rays of a batch meet a mesh one by one.
+     * they are takes O(m) a call. Where faces are left out, a batch tests a mesh one ray at a time.
      * @param filter - null: the defaults
      * @returns null if nothing is found.
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: for unknown flags, or ignored_models null with an
@@ -1083,8 +1086,8 @@ export class Scene {
      * Cost: at most that of as many calls of Scene.raycastFiltered; shared among workers.
      * @param filters - null: the defaults */
     raycastFilteredBatch(rays: Elements, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Hit>;
-    /** How far the rays come among the models that the filters see, as Scene.raycastDistanceBatch: a lidar
-     * leaves out the robot that carries it.
+    /** How far each of the rays goes among the models that its filter sees, as Scene.raycastDistanceBatch:
+     * a lidar leaves out the robot that carries it.
      * Cost: less than that of Scene.raycastFilteredBatch; shared among workers. Since 1.1.
      * @param filters - null: the defaults */
     raycastDistanceFilteredBatch(rays: Elements, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Distance>;
@@ -1148,7 +1151,7 @@ export class Scene {
      * @param filters - null: the defaults */
     nearestFilteredBatch(points: Elements, max_distance: number, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Nearest>;
     /** First model that a moving sphere touches and the filter sees, as Scene.sweepSphere: the sphere may
-     * be the bound of the ignored model itself.
+     * be the bounding sphere of the ignored model.
      * Cost: that of Scene.sweepSphere, and for each model as Scene.raycastFiltered.
      * @param displacement - metres; may be zero
      * @param filter - null: the defaults
@@ -1159,8 +1162,8 @@ export class Scene {
      * @param displacements - metres
      * @param filters - null: the defaults */
     sweepSphereFilteredBatch(spheres: Elements, displacements: Elements, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Hit>;
-    /** First model that a sphere, capsule, AABB or OBB that moves touches and the filter sees, as
-     * Scene.sweep: a character leaves out its own model.
+    /** First model that a moving sphere, capsule, AABB or OBB touches and the filter sees, as Scene.sweep:
+     * a character leaves out its own model.
      * Cost: that of Scene.sweep, and for each model as Scene.raycastFiltered.
      * @param displacement - metres; may be zero
      * @param filter - null: the defaults
@@ -1185,17 +1188,17 @@ export class Scene {
      * @param filters - null: the defaults
      * @throws {GamephysError} ERROR_UNSUPPORTED: as Scene.penetration */
     penetrationFilteredBatch(shapes: Shapes | AnyShape, filters?: Partial<QueryFilterDesc> | null): { values: Records<Penetration>; offsets: Uint32Array };
-    /** Build the scene's octree anew, as good as that of one Scene.addBatch. Never needed: ids, answers and
-     * their bits stay as they are. Where many models were added one by one, such as a level that was
-     * streamed in, rays then take 0.5 to 0.9 of the time.
+    /** Rebuild the scene's octree, as good as that of one Scene.addBatch. Never required: ids, answers and
+     * their bits do not change. Where many models were added one by one, such as a level that was streamed
+     * in, rays then take 0.5 to 0.9 of the time.
      * Cost: O(n log n), 0.15 to 0.45 us a model, less with workers; allocates. Since 1.1.
      * @throws {GamephysError} ERROR_OUT_OF_MEMORY: with nothing changed */
     rebuildOctree(): void;
     /** Rebuild the octree in parts, one in each call, until it is as good as after Scene.rebuildOctree: for
      * levels that are streamed in while frames go on. Each Scene.add and Scene.remove does a part by
      * itself; these calls do the rest. Never needed: ids, answers and their bits stay as they are. Models
-     * may be added, moved and removed between the calls. An update of an eighth of them or more by one
-     * call starts again.
+     * may be added, moved and removed between the calls. A call that updates an eighth of them or more
+     * restarts it.
      * Cost: O(budget); allocates, until it is done about 130 bytes a model. Since 1.1.
      * @param budget - how much work to do, as a number of models, of 0.3 to 1 us each. The work is the
      *     same on every machine and does not depend on time.
@@ -1216,33 +1219,33 @@ export class Scene {
      * @throws {GamephysError} ERROR_INTERNAL: and the error's message says what is wrong */
     validate(): void;
     /** Copy the whole state out: the origin, models with their ids, parents, tags, layers, transforms and
-     * shapes, ids to come, and the octree. Workers and allocator are not in it.
+     * shapes, the order of future ids, and the octree. Workers and allocator are not in it.
      * Cost: O(n), some 80 bytes and 100 ns for each model, besides embedded meshes (Mesh.getSnapshot).
      * Allocates a few words for each different mesh.
-     * @param embed_meshes - true: meshes are in the snapshot, each once, which is then complete in itself:
-     *     for saved games and for other machines. false: they are named by what they hold, and
+     * @param embed_meshes - true: meshes are in the snapshot, each once, so it is complete in itself: for
+     *     saved games and for other machines. false: they are identified by their content, and
      *     Scene.restore looks for them: for undo, and rollback each frame.
      * @returns the snapshot. Words are in the machine's byte order. Every later release of the same major
      *     version reads it.
      * @throws {GamephysError} ERROR_CAPACITY: beyond 2^32 - 1 words */
     getSnapshot(embed_meshes: boolean | number): Records<number>;
     /** Replace the whole state by that of a snapshot, of this or of another scene. Ids are those of the
-     * time of the snapshot, those to come included. All answers have the bits that they had then; a solver
-     * that was restored with its scene steps on with the same bits. On an error the scene is as before.
-     * Any words are safe, also those of a stranger: all that is used as a number or an index is checked
-     * first. Made-up words are refused, or taken as a scene like any other.
+     * time of the snapshot, and so are future ones. All answers have the bits that they had then; a solver
+     * that is restored with its scene continues with the same bits. On an error the scene is as before.
+     * Any words are safe, also from an untrusted source: all that is used as a number or an index is
+     * checked first. Forged words are refused, or taken as a scene like any other.
      * Cost: O(n), 150 to 700 ns for each model, besides embedded meshes (Mesh). Allocates.
      * @param library - meshes that are not embedded are looked for among those that models of this scene
-     *     use, by what they hold: vertices and indices, so one that has been deformed since is to be put
-     *     back first. null: among those that models of `scene` itself use, before it is restored.
+     *     use, by their content: vertices and indices. A mesh deformed since must get its old form back
+     *     first. null: among those that models of `scene` itself use, before it is restored.
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: for words that are no snapshot of a scene, damaged,
      *     of a later format or of another byte order, and if a mesh is missing
      * @throws {GamephysError} ERROR_OUT_OF_MEMORY: if there is no room for it */
     restore(library: Scene | null, words: Elements): void;
-    /** A hash of the whole state but the octree, the low half first; of a mesh it is what it holds that
-     * counts. Equal states have equal hashes on every machine; different ones differ with near certainty
-     * (not against an adversary). Compare it between machines that simulate the same, to see when they
-     * part.
+    /** A hash of the whole state except the octree, the low half first; meshes count by their content.
+     * Equal states have equal hashes on every machine; different ones differ with near certainty (not
+     * against an adversary). Compare it between machines that run the same simulation, to detect when they
+     * diverge.
      * Cost: O(n), some 50 ns for each model. */
     getHash(): number[];
     /** The shape of a model, in its own coordinates; not of a mesh. */
@@ -1264,29 +1267,29 @@ export class Camera {
     /** Where in the world the camera's coordinates count from, metres.
      * Cost: O(1). */
     getOrigin(): number[];
-    /** See with a perspective projection; what is further away is smaller.
+    /** Use a perspective projection: distant objects appear smaller.
      * Cost: O(1).
      * @param fov_y - full vertical angle in radians, 1e-6 <= fov_y < pi
      * @param near_distance - metres, > 0
      * @param far_distance - metres, > near_distance; INFINITY allowed */
     setPerspective(fov_y: number, near_distance: number, far_distance: number): void;
-    /** See with an orthographic projection; the distance changes no size.
+    /** Use an orthographic projection: the distance does not change apparent size.
      * Cost: O(1).
      * @param height - metres seen from top to bottom, >= 1e-6; the width follows from the viewport and is
      *     at most twice MAX_COORDINATE
      * @param near_distance - metres; far at least 1e-6 above near, which may be negative
      * @param far_distance - metres; far at least 1e-6 above near, which may be negative */
     setOrthographic(height: number, near_distance: number, far_distance: number): void;
-    /** See with any projection matrix of the camera's depth range and direction (off-centre, oblique,
-     * another library's). It is not changed by Camera.setViewport.
+    /** Use any projection matrix of the camera's depth range and direction (off-centre, oblique, another
+     * library's). It is not changed by Camera.setViewport.
      * Cost: O(1).
      * @throws {GamephysError} ERROR_SINGULAR: if it has no inverse, or is too close to such a matrix to
      *     tell
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: if a plane other than far lies at infinity, as it
      *     does when the matrix is for another depth range, or one lies beyond MAX_COORDINATE */
     setProjection(projection: Given<number[]>): void;
-    /** As Camera.setPerspective, with an aspect of its own: the viewport stretches the image, as one of
-     * pixels that are not square, and does not change what is seen.
+    /** As Camera.setPerspective, with a fixed aspect ratio: the image is stretched to the viewport, as with
+     * pixels that are not square, and the viewport does not change what is seen.
      * Cost: O(1). Since 1.1.
      * @param fov_y - full vertical angle in radians, 1e-6 <= fov_y < pi
      * @param aspect - width over height of what is seen, 1e-6 .. 1e6
@@ -1300,8 +1303,8 @@ export class Camera {
      * @param near_distance - metres; far at least 1e-6 above near, which may be negative
      * @param far_distance - metres; far at least 1e-6 above near, which may be negative */
     setOrthographicSize(width: number, height: number, near_distance: number, far_distance: number): void;
-    /** The viewport was resized. Perspective keeps fov_y, orthographic its height; it is refused if that
-     * makes the width more than twice MAX_COORDINATE.
+    /** Set the size of the viewport. A perspective keeps fov_y, an orthographic projection its height; the
+     * call is refused if that makes the width more than twice MAX_COORDINATE.
      * Cost: O(1).
      * @param width - pixels, 1e-3 .. 1e6
      * @param height - pixels, 1e-3 .. 1e6 */
@@ -1330,7 +1333,8 @@ export class Camera {
     /** Where the viewport is in its window, in pixels, as it was set.
      * Cost: O(1). Since 1.1. */
     getViewportOrigin(): [number, number];
-    /** Width over height of what is seen, as it was set or, with a matrix too, as the viewport has it.
+    /** Width over height of what is seen: as it was set, or else, and always with a matrix, that of the
+     * viewport.
      * Cost: O(1). Since 1.1.
      * @returns 1 if Camera.setPerspectiveAspect or Camera.setOrthographicSize was the last to set the
      *     projection; 0 if it follows the viewport. */
@@ -1377,7 +1381,7 @@ export class Camera {
      * Cost: O(1). */
     getWorldMatrix(): number[];
     /** The matrix from world to camera: the transpose of the orthonormal world axes, and the position
-     * through them.
+     * transformed by it.
      * Cost: O(1). */
     getViewMatrix(): number[];
     /** The matrix from camera to clip space.
@@ -1395,7 +1399,7 @@ export class Camera {
      * @throws {GamephysError} ERROR_UNSUPPORTED: if the camera was never set to orbit */
     getOrbit(): Orbit;
     /** Set a speed for each input of the orbit, in place of the two of Orbit, which Camera.setOrbit starts
-     * from. Input since the last update counts by the new ones.
+     * from. Input since the last update uses the new speeds.
      * Cost: O(1). Since 1.1.
      * @throws {GamephysError} ERROR_UNSUPPORTED: if the camera was never set to orbit */
     setOrbitSpeeds(speeds: Given<OrbitSpeeds>): void;
@@ -1428,12 +1432,12 @@ export class Camera {
      * Cost: O(1).
      * @throws {GamephysError} ERROR_UNSUPPORTED: if the camera was never set to orbit */
     orbitUpdate(): void;
-    /** The seen volume, with origin at the camera's position and planes from its parameters: each number
-     * within 2 ulp; all functions of shapes take it. A user projection gives its planes by Gribb-Hartmann
-     * in double precision.
+    /** The view frustum, with origin at the camera's position and planes from its parameters: each number
+     * within 2 ulp. All functions of shapes accept it. A user projection gives its planes by
+     * Gribb-Hartmann in double precision.
      * Cost: O(1). */
     getFrustum(): Frustum;
-    /** World positions of the corners of the seen volume, in the order of frustumCorners.
+    /** World positions of the corners of the view frustum, in the order of frustumCorners.
      * Cost: O(1).
      * @returns null with an infinite far plane, or a corner beyond the largest float. */
     getCorners(): number[][] | null;
@@ -1476,10 +1480,10 @@ export class Camera {
     unprojectBatch(pixels: Elements, out?: Elements): Records<number[]>;
     /** The ray through a pixel, of unit direction, from the near plane on; t_max ends on the far plane
      * (INFINITY without one). With PICK_FROM_CENTRE that of a perspective starts at the camera's position.
-     * Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
-     * near as half an ulp of a direction can be. Where it starts is rounded to float32 besides, which
-     * moves it by half an ulp of the coordinates (not from the camera's position, which is one of floats);
-     * Camera.pick is not so limited.
+     * Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, within
+     * half an ulp of its direction. Its start is rounded to float32, too, which moves the ray by half an
+     * ulp of the coordinates (but not from the camera's position, which has float coordinates);
+     * Camera.pick is not limited in this way.
      * Cost: O(1).
      * @param pixel_x - pixels; may lie outside the viewport
      * @param pixel_y - pixels; may lie outside the viewport
@@ -1504,8 +1508,8 @@ export class Camera {
      * Cost: at most that of as many single calls; shared among the scene's workers.
      * @param pixels - x, y pairs of floats */
     pickBatch(scene: Scene, pixels: Elements, layers?: number, out?: Elements): Records<Hit>;
-    /** Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
-     * rectangle, between near and far plane; exact shapes, ascending.
+    /** Marquee: ids of all models in the pixel rectangle, hidden ones included, between near and far plane;
+     * tested by their exact shapes, ascending.
      * Cost: O(log n + k) expected.
      * @param x0 - pixels, opposite corners in any order; may lie outside the viewport
      * @param y0 - pixels, opposite corners in any order; may lie outside the viewport
@@ -1640,17 +1644,17 @@ export class Solver {
      * sleep_time seconds no particle was faster than sleep_speed and no rigid constraint strained by more
      * than sleep_strain; cloth, when its root mean square speed from step to step was no higher, no
      * particle ten times as fast, and strain, without a max_strain, at most 3 %. Its speed is then 0, it
-     * keeps its contacts, and a step costs it a look for models nearby. It wakes in the step before which
-     * a model came, went or moved as near as it could come in a step at 50 m/s, or one that it is attached
-     * to did, or the scene was exchanged; and at once by any change of its state, of gravity or of the
-     * origin.
+     * keeps its contacts, and a step costs it one query for models nearby. It wakes in the next step after
+     * a model within reach (as far as one could move in a step at 50 m/s) was added, removed or moved, or
+     * a model that it is attached to, or after the scene was replaced; and at once by any change of its
+     * state, of gravity or of the origin.
      * Cost: O(bodies). */
     getSleeping(): Records<number>;
     /** Wake a body; its time of rest begins again.
      * Cost: O(1) a body.
      * @param body - 0: all */
     wake(body: number): void;
-    /** The settings of a body as they are; static_friction as it acts, friction at least.
+    /** The present settings of a body; static_friction as it acts, at least friction.
      * Cost: O(1). */
     getBodySettings(body: number): BodySettings;
     /** Change all settings of a body, from the next step on: read them, change some, and give them back.
@@ -1664,8 +1668,7 @@ export class Solver {
      * change, and their number does not.
      * Cost: O(triangles). */
     getTriangles(body: number): Records<number>;
-    /** The particle of a body nearest to a point, as it is to be grabbed: the lowest of those that are as
-     * near.
+    /** The particle of a body nearest to a point, for example to grab it; of equally near ones the lowest.
      * Cost: O(1); O(particles) for NO_TRIANGLE. Since 1.1.
      * @param triangle - as in a hit, nearest or penetration of the body's mesh: its corners are compared,
      *     of a rope the ends of the link, or the particle; NO_TRIANGLE: all particles
@@ -1760,8 +1763,8 @@ export class Solver {
      * effects of wind fields in cloth animations"); with C_L = C_D it is nearly the pressure on a plate,
      * along n; on a link of a rope -rho/2 C_D 2 r l |u'| u', u' the part of u across it, r the radius (the
      * cross-flow principle: Hoerner 1965, "Fluid-dynamic drag"); on a free particle -rho/2 C_D pi r^2 |u|
-     * u. Strong wind takes bodies along and never beyond: whatever the density, a substep does not reverse
-     * u.
+     * u. Strong wind carries bodies along but never overshoots: whatever the density, a substep does not
+     * reverse u.
      * Cost: O(1) a body; in each substep of cloth some 370 instructions a triangle, in each step of others
      * as many for each link or particle.
      * @param body - 0: all bodies there are
@@ -1785,19 +1788,19 @@ export class Solver {
      * that is skinned to its character stays within max_distance of the skinned vertices and does not sink
      * into the body behind them. In the next step position and normal go evenly from the old target to the
      * new one, substep by substep; distances act at once. A target that is not set again stands still. A
-     * first target, and that of a particle which Solver.setPositions has moved since the last step, is at
-     * once where it is set: a teleport is that call and this one. A model that is teleported too sweeps
-     * through what is on its way: in that step the body collides with no layers (Solver.setBodySettings).
-     * max_distance 0 carries a particle: it is at its target, as if attached there, and moves links with
-     * infinite mass; this also moves a pinned particle, which stays pinned, at constant speed during a
-     * step. Otherwise particles that are pinned or attached are not moved. A particle that is out of its
-     * bounds at the end of a substep is put on the nearest place within both, without friction; its
-     * velocity across them is then that of the target. What lies within its bounds is not touched. Bounds
-     * act after constraints and before models: where a target is inside a model, or behind one, the
-     * particle stays outside. Links yield to bounds that contradict them. What hangs from a particle at
-     * its bounds is carried, in cloth and in ropes that are moved alone; ropes and free particles that are
-     * joined, or collide with bodies, are put back particle by particle, and links beside these may be
-     * strained by the way of a substep. Wakes the body if a target changes.
+     * first target, and that of a particle which Solver.setPositions has moved since the last step, takes
+     * effect at its new place at once: to teleport, make that call and this one. A model that is
+     * teleported too sweeps through what is on its way: set the body's layers to 0 for that step
+     * (Solver.setBodySettings). max_distance 0 carries a particle: it is at its target, as if attached
+     * there, and moves links with infinite mass; this also moves a pinned particle, which stays pinned, at
+     * constant speed during a step. Otherwise particles that are pinned or attached are not moved. A
+     * particle that is out of its bounds at the end of a substep is put on the nearest place within both,
+     * without friction; its velocity across them is then that of the target. What lies within its bounds
+     * is not touched. Bounds act after constraints and before models: where a target is inside a model, or
+     * behind one, the particle stays outside. Links yield to bounds that contradict them. What hangs from
+     * a particle at its bounds is carried, in cloth and in ropes that are moved alone; ropes and free
+     * particles that are joined, or collide with bodies, are put back particle by particle, and links
+     * beside these may be strained by the motion of a substep. Wakes the body if a target changes.
      * Cost: O(elements); the first time O(particles), and it allocates. In each substep some 100 ns a
      * particle; ropes with targets are solved one by one, as those that touch models. Since 1.1.
      * @param first - as in Solver.getPositions
@@ -1832,7 +1835,7 @@ export class Solver {
     addDistance(body: number, particle_a: number, particle_b: number, rest_length: number, compliance: number): number;
     /** Keep two different particles of a body from being further apart than a length, like a string between
      * them: it pulls and never pushes. While it is slack it does nothing; when it becomes taut, and is
-     * rigid, the speed at which the particles part is lost and no other.
+     * rigid, only the speed at which the particles separate is lost.
      * Fails as Solver.addDistance.
      * It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
      * strained only when it is too long.
@@ -1840,9 +1843,9 @@ export class Solver {
      * @param max_length - metres, >= 0; negative: the present distance
      * @param compliance - metres per newton, >= 0, of what it yields beyond that; 0 is rigid */
     addMaxDistance(body: number, particle_a: number, particle_b: number, max_length: number, compliance: number): number;
-    /** Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v
-     * beside its tension; one of Solver.addMaxDistance never pushes. The decay depends on time, not on
-     * steps. Rigid constraints have nothing to damp.
+    /** Damp a constraint that has compliance: when its ends separate at speed v, it pulls with damping * v
+     * in addition to its tension; one of Solver.addMaxDistance never pushes. The decay depends on time,
+     * not on steps. Rigid constraints have nothing to damp.
      * Cost: as Solver.addDistance.
      * @param damping - N s/m, >= 0; 0, which every constraint begins with: none
      * @throws {GamephysError} ERROR_INVALID_ID: for a body or constraint that does not exist */
@@ -1854,31 +1857,31 @@ export class Solver {
      * @param compliance - m^3 per pascal, >= 0: the volume that a pressure of one pascal takes; 0: as
      *     water, which keeps its volume; INFINITY: none, which ends the constraint
      * @throws {GamephysError} ERROR_UNSUPPORTED: if the triangles do not close (each side is that of two
-     *     triangles), are not all turned the same way, or face inward when the present volume is asked for */
+     *     triangles), are not oriented consistently, or face inward when the present volume is asked for */
     setVolume(body: number, rest_volume: number, compliance: number): void;
     /** The volume held by Solver.setVolume, m^3, as it is, and the pressure in pascals with which it was
      * held at the end of the last step: above 0 it pushes outward.
      * Cost: O(triangles).
      * @throws {GamephysError} ERROR_UNSUPPORTED: if none is held */
     getVolume(body: number): [number, number];
-    /** What was given to Solver.setVolume: m^3, of a negative volume that which there was, and m^3 per
+    /** What was given to Solver.setVolume: m^3 (for a negative volume the one at that time), and m^3 per
      * pascal.
      * Cost: O(1). Since 1.1.
      * @throws {GamephysError} ERROR_UNSUPPORTED: if none is held */
     getVolumeSettings(body: number): [number, number];
-    /** End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body. The
+    /** Remove a constraint of a body, even one created with it. Its id stays invalid. Wakes the body. The
      * triangles of cloth stay together: Solver.breakConstraint tears them apart.
      * Cost: as Solver.addDistance; allocates.
      * @throws {GamephysError} ERROR_INVALID_ID: for a body or constraint that does not exist, or no longer */
     removeConstraint(body: number, constraint: number): void;
-    /** All constraints of a body, those of its builder included, by id.
+    /** All constraints of a body, including those created with the body, by id.
      * Cost: O(constraints). */
     getConstraints(body: number): Records<ConstraintInfo>;
     /** Which constraints keep a length, and which a maximum.
      * Cost: O(elements). Since 1.1.
      * @param constraints - the ids; one may appear twice */
     getConstraintKinds(body: number, constraints: Elements, out?: Elements): Records<number>;
-    /** What constraints are like.
+    /** The present settings of constraints.
      * Cost: O(elements).
      * @param constraints - the ids; one may appear twice */
     getConstraintSettings(body: number, constraints: Elements, out?: Elements): Records<ConstraintSettings>;
@@ -1896,9 +1899,9 @@ export class Solver {
      * shapes are light in the middle. Particles that are pinned or attached stay where they are held: with
      * one the cluster swings about it, with two about the line through them, and with three that are not
      * on a line it does not move. Models that particles are attached to get the impulses. Contacts with
-     * models move the cluster as a whole, with friction; particles touch, not the faces between them, so
-     * these should be no further apart than the smallest thing that a cluster meets is thick. Of
-     * restitution a cluster shows only the share of the mass of the particles that touched. A shape is
+     * models move the cluster as a whole, with friction; only particles touch, not the faces between them,
+     * so they should be no further apart than the thickness of the thinnest thing that a cluster meets. Of
+     * its restitution a cluster shows only the share of the mass of the particles that touched. A shape is
      * matched once in each substep, after the links: then what hangs from it may be strained a little, and
      * clusters that share particles approach their shapes in eight passes. Bodies with clusters are solved
      * as cloth (SOLVE_GRAPH), ropes and free particles too. The rest positions of cloth are not changed by
@@ -1924,13 +1927,14 @@ export class Solver {
     getClusterParticles(body: number, cluster: number): Records<number>;
     /** Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that
      * are equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved
-     * as one system, as stiff as one rope; a joined particle of cloth has all that hangs on it for
-     * inertia. Free particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined
-     * bodies are moved by one thread and fall asleep and wake together. A joint goes with either body.
+     * as one system, as stiff as one rope; a joined particle of cloth has the inertia of all that hangs on
+     * it. Free particles of a joined body are moved by the time scheme of ropes, no longer exactly. Joined
+     * bodies are moved by one thread and fall asleep and wake together. A joint is removed with either
+     * body.
      * Cost: the next step plans all joined ropes again. A link of them takes some three times as long as
      * one of a rope that is not joined. Allocates.
      * @param rest_length - metres; 0: at the same place, as below 1e-9; negative: the present distance.
-     *     Particles that are not as far apart are drawn there within a step, and get the speed of that.
+     *     Particles at another distance are moved to it within a step, and get the speed of that motion.
      * @param compliance - metres per newton, >= 0; 0 is rigid
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: for a particle that does not exist or twice the same
      *     body (see Solver.addDistance)
@@ -1959,7 +1963,7 @@ export class Solver {
      * Cost: O(particles + constraints); allocates. Since 1.1.
      * @returns what came of it.
      * @throws {GamephysError} ERROR_UNSUPPORTED: and nothing has changed, for an edge where the cloth
-     *     cannot part: of a triangle that hangs together with no other
+     *     cannot part: of a triangle that is connected to no other
      * @throws {GamephysError} ERROR_CAPACITY: beyond 2^24 - 1 particles or constraints */
     breakConstraint(body: number, constraint: number): Break;
     /** Constraints that broke in the last Solver.step or Solver.advance, in its order: for sounds, dust,
@@ -1980,7 +1984,7 @@ export class Solver {
      * so the motion does not depend on the frame rate.
      * Cost: that of the steps made.
      * @param frame_time - seconds, >= 0
-     * @returns steps made. 0 <= fraction of a step still owed < 1, to blend drawings.
+     * @returns steps made. 0 <= fraction of a step still owed < 1, to interpolate when drawing.
      * @throws {GamephysError} ERROR_OUT_OF_MEMORY: if there is none for the first step: nothing has
      *     changed. If there is none for a later one */
     advance(scene: Scene | null, frame_time: number): [number, number];
@@ -1992,10 +1996,10 @@ export class Solver {
     /** The substeps that a body took in the last step; 0 before its first. With SolverDesc.max_strain or
      * tolerance set, each body takes as many as its own motion needs: their length follows from what the
      * last step measured, the largest strain of its rigid constraints and the local error of the time
-     * scheme, both of which go with its square. It is at most quartered and grows by at most an eighth
-     * from one step to the next, so a sudden blow exceeds a target for a few steps, one of strain only
-     * where links of cloth cannot be relaxed below it. What cannot be met takes max_substeps. Where
-     * positions jump, by contacts, the error is that of the jump.
+     * scheme, both proportional to the square of that length. It is at most quartered and grows by at most
+     * an eighth from one step to the next, so a sudden impact exceeds a target for a few steps; one of
+     * strain only where links of cloth cannot be relaxed below it. A target that cannot be met takes
+     * max_substeps. Where positions jump, by contacts, the error is that of the jump.
      * Cost: O(1). */
     getSubsteps(body: number): number;
     /** Counts, strain and energy of a body at present.
@@ -2013,10 +2017,10 @@ export class Solver {
      * Cost: O(contacts); no allocation. The same bits for any number of workers. Since 1.1. */
     getBodyContacts(): Records<BodyContact>;
     /** Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in
-     * which they fell asleep. Divided by dt they are mean forces: what lies on a model presses it with its
-     * weight. A particle of cloth that touches several models at once gives to the one that it touches
-     * most. Models have no mass here; a body of yours much lighter than what hangs from it should be moved
-     * in small steps.
+     * which they fell asleep. Divided by dt they are mean forces: what lies on a model presses on it with
+     * its weight. A particle of cloth that touches several models at once gives its impulse to the one
+     * that it touches most. Models have no mass here; a body of yours much lighter than what hangs from it
+     * should be moved in small steps.
      * Cost: O(models touched); no allocation. The same bits for any number of workers. */
     getImpulses(): Records<Impulse>;
     /** Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and
@@ -2027,10 +2031,10 @@ export class Solver {
      * @throws {GamephysError} ERROR_CAPACITY: beyond 2^32 - 1 words */
     getSnapshot(): Records<number>;
     /** Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
-     * time of the snapshot. Steps go on with the same bits as they did then, provided that the scene, too,
-     * is as it was. On an error the solver is as before. Any words are safe, also those of a stranger: all
-     * that is used as a number or an index is checked first. Made-up words are refused, or taken as a
-     * state whose numbers are in range.
+     * time of the snapshot. Steps continue with the same bits as they did then, provided that the scene,
+     * too, is as it was. On an error the solver is as before. Any words are safe, also from an untrusted
+     * source: all that is used as a number or an index is checked first. Forged words are refused, or
+     * taken as a state whose numbers are in range.
      * Cost: as Solver.getSnapshot; allocates.
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: for words that are no snapshot, damaged, of another
      *     version or byte order
@@ -2038,11 +2042,11 @@ export class Solver {
     restore(words: Elements): void;
     /** A hash of the whole state, the low half first. Equal states have equal hashes on every machine;
      * different ones differ with near certainty (not against an adversary). Compare it between machines
-     * that simulate the same, to see when they part.
+     * that run the same simulation, to detect when they diverge.
      * Cost: O(particles + constraints). */
     getHash(): number[];
 }
-/** Whether the shape fulfils the ranges beside its struct.
+/** Whether the fields of the shape are in the ranges stated beside its struct.
  * Cost: O(1).
  * @throws {GamephysError} ERROR_INVALID_ARGUMENT: and the error's message names the field */
 export function validate(shape: AnyShape): void;
@@ -2105,8 +2109,8 @@ export function classifyFrustum(shape: AnyShape, frustum: Given<Frustum>): numbe
 /** First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh. Triangles
  * and meshes are hit from both sides, and meshes are watertight: a ray through a shared edge or vertex
  * always meets one of the triangles there. Error: t within 1 ulp. No false miss and no false hit at
- * all for spheres, triangles, meshes, AABBs and planes; for capsules none but within 2^-48 of the
- * distance. An OBB is met where one larger or smaller by 2^-40 of the distance would be.
+ * all for spheres, triangles, meshes, AABBs and planes; for capsules only within 2^-48 of the
+ * distance. An OBB is hit as if it were larger or smaller by up to 2^-40 of the distance.
  * docs/accuracy.md has the bounds of all functions.
  * Cost: O(1); O(log n) expected for a mesh.
  * @returns null if nothing is found.
@@ -2114,12 +2118,12 @@ export function classifyFrustum(shape: AnyShape, frustum: Given<Frustum>): numbe
 export function raycast(shape: AnyShape, ray: Given<Ray>): Hit | null;
 /** First hits of the rays with one shape, as raycast. A ray that hits nothing gets t = INFINITY,
  * triangle = NO_TRIANGLE and zeros in its hits element.
- * Cost: that of as many single calls; less for rays at a mesh whose neighbours go much the same way.
+ * Cost: that of as many single calls; less for rays at a mesh if neighbouring rays are similar.
  * @throws {GamephysError} ERROR_UNSUPPORTED: for a ray or a segment as the shape */
 export function raycastBatch(shape: AnyShape, rays: Elements, out?: Elements): Records<Hit>;
 /** First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly. A
- * segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which then is
- * met from no direction, the normal is zero.
+ * segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, for lack of a
+ * direction, the normal is zero.
  * Cost: as raycast.
  * @returns null if nothing is found.
  * @throws {GamephysError} ERROR_UNSUPPORTED: for a ray or a segment as the shape */
@@ -2134,7 +2138,7 @@ export function segmentTest(shape: AnyShape, segment: Given<Segment>): Hit | nul
  *     the sphere's centre; in double precision its dot with the displacement is never above 0. Already
  *     overlapping: t = 0, HIT_INSIDE, and the normal may be along the displacement too; where the
  *     centre itself is in a solid, it is opposite to the displacement (zero if that is zero). A sphere
- *     without radius gets the hit of the ray along its way. null if nothing is found.
+ *     of radius 0 gets the hit of the ray along its path. null if nothing is found.
  * @throws {GamephysError} ERROR_UNSUPPORTED: for a ray or a segment as the shape */
 export function sweepSphere(shape: AnyShape, sphere: Given<Sphere>, displacement: Given<number[]>): Hit | null;
 /** First contact of a sphere, capsule, AABB or OBB that moves by displacement, without turning, with a
@@ -2144,10 +2148,10 @@ export function sweepSphere(shape: AnyShape, sphere: Given<Sphere>, displacement
  * ulp of t. Point and normal are those of that contact.
  * Cost: O(1), 0.1 to 2 us, 3 to 20 us for a frustum; O(log n + k) expected for a mesh.
  * @param displacement - metres; may be zero
- * @returns t, point and normal as in sweepSphere, whose answers a sphere gets. The point is one of
- *     those where the two touch, always the same. Already overlapping, but for a sphere: t = 0,
- *     HIT_INSIDE, and point and normal of penetration; of a mesh that is no hull, those of its first
- *     triangle. null if nothing is found.
+ * @returns t, point and normal as in sweepSphere, which gives the answer for a sphere. The point is
+ *     one of those where the two touch, always the same. Already overlapping, except for a sphere: t =
+ *     0, HIT_INSIDE, and point and normal of penetration; for a mesh that is not a hull, those of its
+ *     first triangle. null if nothing is found.
  * @throws {GamephysError} ERROR_UNSUPPORTED: for a ray or a segment as the shape, for a frustum that
  *     is not the hull of its corners, unless a sphere moves, and for other types that move */
 export function sweep(shape: AnyShape, moving: AnyShape, displacement: Given<number[]>): Hit | null;
@@ -2165,15 +2169,15 @@ export function sweepBatch(shapes: Shapes | AnyShape, moving: Shapes | AnyShape,
  * translations of their own. Of a hull: out of all of it, and triangle is NO_TRIANGLE. A frustum must
  * be the hull of its corners (frustumCorners).
  * Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
- * ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from the
- * other shape. Added to float positions, the translation may leave an overlap of the spacing of floats
- * there.
+ * ulp of depth; by 2^-32 where the centre or axis of a round solid is closer than that to the other
+ * shape. Added to float positions, the translation may leave an overlap as large as the spacing of
+ * floats there.
  * Cost: O(1), 0.1 to 1 us, 3 to 20 us for a frustum; O(log n + k) expected for a mesh. Boxes by
- * separating axes (Gottschalk 1996), what is round by the distance of its core (Gilbert, Johnson,
+ * separating axes (Gottschalk 1996), round solids by the distance of their core (Gilbert, Johnson,
  * Keerthi 1988).
- * @returns depth and normal of the translation, which is their product; of several that are as short
- *     one, always the same. The point of the solid that gets furthest in is point - depth * normal.
- *     null if nothing is found.
+ * @returns depth and normal of the translation, which is their product; of several equally short ones
+ *     always the same one. The deepest point of the solid is point - depth * normal. null if nothing
+ *     is found.
  * @throws {GamephysError} ERROR_UNSUPPORTED: for rays, segments, frusta that are not the hull of their
  *     corners, and for other types that move */
 export function penetration(shape: AnyShape, moving: AnyShape): Penetration | null;
@@ -2188,9 +2192,9 @@ export function penetrationBatch(shapes: Shapes | AnyShape, moving: Shapes | Any
 /** The eight corners, each the intersection of three planes: near then far, each in the order
  * left-bottom, right-bottom, right-top, left-top. A frustum is the convex hull of its corners (the
  * intersections themselves, not rounded to floats) if each is within MAX_COORDINATE and in front of
- * the three planes that do not meet there, by more than 2^-39 of its distance from origin: so unless
- * it is empty, flat, unbounded or ends in a tip. Solids are swept against such a frustum and pushed
- * out of it; for the bounds of their errors, origin counts as a corner.
+ * the three planes that do not meet there, by more than 2^-39 of its distance from origin; that is,
+ * unless it is empty, flat, unbounded or ends in a tip. Solids are swept against such a frustum and
+ * pushed out of it; for the bounds of their errors, origin counts as a corner.
  * Cost: O(1).
  * @returns null if three planes do not meet in a point (infinite far plane), or meet beyond the
  *     largest float. */
@@ -2208,12 +2212,12 @@ export function planesIntersection(a: Given<Plane>, b: Given<Plane>, c: Given<Pl
 export function planesIntersectionBatch(a: Elements, b: Elements, c: Elements, out?: Elements): Records<number[]>;
 /** How far the axes of a matrix (its first three columns without the last row) are from orthonormal:
  * the largest |a_i . a_j - d_ij|, where d_ij is 1 for i = j, else 0. 0 for the identity, below 2^-22
- * for the matrices that a camera gives, about 2e for axes that are too long by a share of e.
+ * for the matrices that a camera gives, about 2e for axes that are too long by a fraction e.
  * Cost: O(1). Since 1.1.
  * @param matrix - elements within MAX_COORDINATE */
 export function mat4Orthonormality(matrix: Given<number[]>): number;
 /** The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
- * origin (0, 0, 0). A camera knows its frustum better: Camera.getFrustum.
+ * origin (0, 0, 0). For a camera, Camera.getFrustum is more precise.
  * Cost: O(1).
  * @param reverse_z - false: near has the low depth; true: near has the high depth
  * @throws {GamephysError} ERROR_SINGULAR: if the matrix has no inverse, or what it shows has no

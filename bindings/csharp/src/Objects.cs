@@ -9,8 +9,8 @@ namespace Gamephys {
 public sealed partial class Mesh : IDisposable {
     internal readonly MeshHandle Handle;
 
-    /// <summary>Build a mesh from copies of the arrays. Triangles of zero area are kept: they are met like the
-    /// segments or points that they are, and counted in the report. 0 triangles are allowed.
+    /// <summary>Build a mesh from copies of the arrays. Triangles of zero area are kept: queries treat them as the
+    /// segments or points that they are, and the report counts them. 0 triangles are allowed.
     /// Cost: O(n log n), about 1 us per triangle.</summary>
     /// <exception cref="GamephysException">Status.ErrorInvalidArgument: for an index out of range, an
     /// indexCount that is no multiple of 3 or a bad vertex; Geometry.MeshCheck tells which</exception>
@@ -23,17 +23,17 @@ public sealed partial class Mesh : IDisposable {
         Handle = new MeshHandle(made);
     }
 
-    /// <summary>Make the convex hull of points: a mesh that is solid, as spheres and boxes are. All that takes a
-    /// mesh takes it: functions of shapes, models of scenes, snapshots, and solvers, whose particles stay
-    /// outside and are pushed out. A ray that starts inside hits at t = 0 with HitInside; one from outside
-    /// hits the face through which it enters, `triangle` says where. Whether a ray hits and whether a point
-    /// is inside is exact with respect to the points. Inside, the closest point is the point itself and
-    /// triangle NoTriangle. Mesh.Overlap lists the triangles of the surface; Mesh.RaycastAll gives the
-    /// first hit alone. The vertices are those points that are corners of the hull, in the order of the
-    /// points, of equal ones the first. The triangles come face by face, all that lie in one plane being
-    /// one face; seen from outside their corners go counterclockwise where axes are right-handed, and the
-    /// normal cross(b - a, c - a) points out.
-    /// Cost: O(pointCount * faces); allocates. Rays take O(log faces), the other questions up to O(faces).
+    /// <summary>Make the convex hull of points: a mesh that is solid, as spheres and boxes are. It can be used
+    /// wherever a mesh can: functions of shapes, models of scenes, snapshots, and solvers, whose particles
+    /// stay outside and are pushed out. A ray that starts inside hits at t = 0 with HitInside; one from
+    /// outside hits the face through which it enters, `triangle` says where. Whether a ray hits and whether
+    /// a point is inside is exact with respect to the points. Inside, the closest point is the point itself
+    /// and triangle NoTriangle. Mesh.Overlap lists the triangles of the surface; Mesh.RaycastAll gives only
+    /// the first hit. The vertices are the points that are corners of the hull, in their original order; of
+    /// equal points the first. The triangles come face by face, all that lie in one plane being one face;
+    /// seen from outside their corners go counterclockwise where axes are right-handed, and the normal
+    /// cross(b - a, c - a) points out.
+    /// Cost: O(pointCount * faces); allocates. Rays take O(log faces), other queries up to O(faces).
     /// Source: quickhull (Barber, Dobkin, Huhdanpaa 1996) with exact predicates. Since 1.1.</summary>
     /// <param name="desc">deformable must be 0</param>
     /// <param name="points">elements of 3 floats, metres; copied</param>
@@ -51,13 +51,14 @@ public sealed partial class Mesh : IDisposable {
         Handle = new MeshHandle(made);
     }
 
-    /// <summary>Make a mesh of a snapshot: all its answers have the bits of the mesh that the snapshot was taken of.
-    /// Any words are safe, also those of a stranger: vertices, indices and the tree are checked, and what
-    /// follows from them is computed. Made-up words are refused, or taken as a mesh like any other; only
-    /// what its report counts (triangles of zero area, open edges) is taken as it stands there.
+    /// <summary>Make a mesh from a snapshot: all its answers have the same bits as those of the mesh in the
+    /// snapshot. Any words are safe, also from an untrusted source: vertices, indices and the tree are
+    /// checked, and what follows from them is computed. Forged words are refused, or taken as a mesh like
+    /// any other; only the counts of its report (triangles of zero area, open edges) are taken from the
+    /// words as they are.
     /// Cost: O(n), a small part of Mesh's; allocates.</summary>
-    /// <param name="desc">with `deformable` the mesh takes new vertices, whatever the one in the snapshot
-    /// did</param>
+    /// <param name="desc">with `deformable` the mesh takes new vertices, even if the one in the snapshot
+    /// did not</param>
     /// <exception cref="GamephysException">Status.ErrorInvalidArgument: for words that are no snapshot of a
     /// mesh, damaged, of a later format or of another byte order</exception>
     /// <exception cref="GamephysException">Status.ErrorUnsupported: for a deformable hull</exception>
@@ -83,25 +84,25 @@ public sealed partial class Mesh : IDisposable {
         Handle = new MeshHandle(made);
     }
 
-    /// <summary>Make a mesh that has the form of a body and follows it by itself: cloth, ropes and particles can be
-    /// met by rays, picked, overlapped and culled as models of scenes (Scene.Add with ShapeType.Mesh;
-    /// without a transform the model is where the body is) or asked by shape_* and mesh_* functions. Vertex
-    /// p is particle p. Of cloth the mesh is the surface of its triangles, in the order of
-    /// Solver.GetTriangles. A rope is solid. Of its n particles, `triangle` t below n - 1 of a hit is the
-    /// link from particle t to t + 1, a capsule of the smaller of their radii, there while a constraint
-    /// holds them together; n - 1 + p is particle p, a sphere, there where no link beside it is as thick.
+    /// <summary>Make a mesh that has the form of a body and follows it automatically: cloth, ropes and particles can
+    /// be hit by rays, picked, overlapped and culled as models of scenes (Scene.Add with ShapeType.Mesh;
+    /// without a transform the model is where the body is) or queried by shape_* and mesh_* functions.
+    /// Vertex p is particle p. For cloth the mesh is the surface of its triangles, in the order of
+    /// Solver.GetTriangles. A rope of n particles is solid. In a hit, `triangle` t below n - 1 is the link
+    /// from particle t to t + 1, a capsule with the smaller of their radii, present while a constraint
+    /// holds them together; n - 1 + p is particle p, a sphere, present where no link beside it is as thick.
     /// Free particles are spheres, and `triangle` is the particle. Solver.GetNearestParticle finds the
     /// particle of a hit. The mesh has the new form when Solver.Step, Solver.Advance, Solver.Restore or an
-    /// edit of the body returns. Cloth that tears (Break) takes its triangles along, whose numbers stay,
-    /// and the mesh gets vertices for the new particles. A model that would leave the range of the world,
-    /// and a torn mesh or one of less than 2^-32 m for which there is no memory, keep their form until they
-    /// can follow. Solver.SetOrigin moves the coordinates of the mesh, and the models back by as much: they
-    /// stay where they are in the world, exactly if scenes have moved their origin before. Solvers do not
-    /// collide with models of such meshes, nor wake by them: bodies meet by BodyDesc.body_layers. A
-    /// restored body is followed if it has the id and the parts of the one that there was. Restore the
-    /// solver before the scene. A mesh that is loaded from a snapshot, that of a scene included, is a copy
-    /// that follows nothing; Scene.SetShape gives its model one that does. Mesh and solver are destroyed in
-    /// any order. When the body is gone the mesh keeps the form that it had last and is deformable by
+    /// edit of the body returns. When cloth tears (Break), its triangles keep their numbers, and the mesh
+    /// gets vertices for the new particles. A model that would leave the range of the world, and a torn
+    /// mesh or one of less than 2^-32 m for which there is no memory, keep their form until they can
+    /// follow. Solver.SetOrigin moves the coordinates of the mesh, and the models back by as much: they
+    /// stay where they are in the world, exactly if scenes have moved their origin before. Bodies neither
+    /// collide with models of such meshes nor wake because of them: BodyDesc.body_layers sets which bodies
+    /// collide. A restored body is followed if it has the same id and parts as before. Restore the solver
+    /// before the scene. A mesh that is loaded from a snapshot, that of a scene included, is a copy that
+    /// follows nothing; Scene.SetShape gives its model one that does. Mesh and solver are destroyed in any
+    /// order. When the body is gone the mesh keeps the form that it had last and is deformable by
     /// Mesh.SetVertices, which returns Status.ErrorUnsupported before. A mesh that neither its handle nor a
     /// model holds follows no more.
     /// Threads: the functions above become edits of the mesh and of each scene that has a model of it.
@@ -137,8 +138,8 @@ public sealed partial class Mesh : IDisposable {
         }
     }
 
-    /// <summary>For each triangle of a hull the number of its face, by which Mesh.GetHullPlanes lists the planes:
-    /// ascending, from 0.
+    /// <summary>For each triangle of a hull the index of its face in the list of Mesh.GetHullPlanes, ascending from
+    /// 0.
     /// Cost: O(triangles). Since 1.1.</summary>
     /// <exception cref="GamephysException">Status.ErrorUnsupported: for a mesh that is no hull</exception>
     public unsafe uint[] GetHullFaces() {
@@ -157,16 +158,17 @@ public sealed partial class Mesh : IDisposable {
         }
     }
 
-    /// <summary>Put other vertices in place of those of a deformable mesh: of a skinned character, or of cloth as
-    /// Solver.GetPositions writes it. All models of the mesh have the new form from then on, in every
-    /// scene, and all answers have the bits of those of a mesh created of the new vertices. What fails
+    /// <summary>Replace the vertices of a deformable mesh, such as a skinned character, or cloth as
+    /// Solver.GetPositions writes it. All models of the mesh take the new form at once, in every scene, and
+    /// all answers have the same bits as those of a mesh created from the new vertices. A call that fails
     /// leaves the mesh and the scenes as they were. A solver sees the new form at its next step, as a
     /// surface that stands still.
     /// Threads: an edit of the mesh and of every scene that has a model of it: not beside other calls on
     /// these.
-    /// Cost: O(vertices + triangles + log n for each model), some percent of a creation: the tree is
-    /// refitted, and built again by parts where it has degraded. If the triangles have come apart so that
-    /// their groups of eight have boxes of twice the area, once that of a creation. Allocates. Since 1.1.</summary>
+    /// Cost: O(vertices + triangles + log n for each model), a few per cent of creating it: the tree is
+    /// refitted, and parts that have degraded are rebuilt. If the triangles have moved apart so far that
+    /// the boxes of their groups of eight have twice the area, once as much as creating it. Allocates.
+    /// Since 1.1.</summary>
     /// <param name="vertices">elements of 3 floats, metres; copied</param>
     /// <exception cref="GamephysException">Status.ErrorUnsupported: if the mesh is not
     /// deformable</exception>
@@ -278,7 +280,7 @@ public sealed partial class Mesh : IDisposable {
     }
 
     /// <summary>Whether each of the rays hits anything, as Mesh.RaycastAny.
-    /// Cost: that of as many single calls; less for rays whose neighbours go much the same way. Since 1.1.</summary>
+    /// Cost: that of as many single calls; less if neighbouring rays are similar. Since 1.1.</summary>
     public unsafe void RaycastAnyBatch(ReadOnlySpan<Ray> rays, Span<int> hits) {
         var count = CommonLength(-1, rays.Length);
         RequireLength(hits.Length, count);
@@ -287,8 +289,8 @@ public sealed partial class Mesh : IDisposable {
         Check(Low.gphys_mesh_raycast_any_batch(Handle, rays_, StrideOf(rays), count, hits_, (uint)sizeof(int)));
     }
 
-    /// <summary>How far the rays come, and which triangles they hit: t and triangle of Geometry.RaycastBatch for the
-    /// mesh, with the same bits, without the rest of a hit; model is 0.
+    /// <summary>How far each of the rays goes, and which triangle it hits: t and triangle of Geometry.RaycastBatch
+    /// for the mesh, with the same bits, without the rest of a hit; model is 0.
     /// Cost: less than that of Geometry.RaycastBatch. Since 1.1.</summary>
     /// <returns>a ray that hits nothing gets t = INFINITY and triangle = NoTriangle.</returns>
     public unsafe void RaycastDistanceBatch(ReadOnlySpan<Ray> rays, Span<Distance> distances) {
@@ -356,10 +358,10 @@ public sealed partial class Scene : IDisposable {
     /// <summary>Create a scene without models. With a worker_count of n, all batch queries of the scene
     /// (Camera.PickBatch too), and adding and moving many models, share their work among n threads; the
     /// results have the same bits for every n. Without a task_runner n - 1 threads are started here and
-    /// joined when the scene is destroyed. They serve one call at a time: calls made meanwhile do their own
-    /// work. They take no signals but faults, and the floating-point settings of the thread that created
-    /// them. In a child of fork they are gone: calls there run on one thread, as they do on a platform
-    /// without threads (WebAssembly, unless built for shared memory), whatever is asked for.
+    /// joined when the scene is destroyed. They serve one call at a time: calls made meanwhile run on their
+    /// own thread alone. They take no signals but faults, and have the standard floating-point settings. In
+    /// a child of fork they are gone: calls there run on one thread, as they do on a platform without
+    /// threads (WebAssembly, unless built for shared memory), whatever is asked for.
     /// Cost: O(reserve_models), and that of starting the threads.</summary>
     /// <param name="desc">null: the defaults</param>
     /// <exception cref="GamephysException">Status.ErrorOutOfMemory: also if the threads cannot be
@@ -376,9 +378,9 @@ public sealed partial class Scene : IDisposable {
     /// <summary>Frees the object at once. Any use afterwards throws ObjectDisposedException.</summary>
     public void Dispose() { Handle.Dispose(); }
 
-    /// <summary>Change the number of threads that share the calls of a scene, such as by a setting of the user's.
-    /// They are those of its task_runner if it was created with one. In a child of fork they are started
-    /// again. Answers keep their bits.
+    /// <summary>Change the number of threads that share the calls of a scene, for example when the user changes a
+    /// setting. They are those of its task_runner if it was created with one. In a child of fork they are
+    /// started again. Answers keep their bits.
     /// Cost: that of joining the former threads and starting others; allocates. Since 1.1.</summary>
     /// <param name="workers">as SceneDesc.worker_count</param>
     /// <exception cref="GamephysException">Status.ErrorOutOfMemory: also if the threads cannot be started;
@@ -395,8 +397,8 @@ public sealed partial class Scene : IDisposable {
         return workers;
     }
 
-    /// <summary>Move the point of the world that all coordinates of the scene count from, those that it is given and
-    /// those that it returns. Models stay where they are in the world: the positions of those without a
+    /// <summary>Move the point of the world that all coordinates of the scene are relative to, those passed to it
+    /// and those that it returns. Models stay where they are in the world: the positions of those without a
     /// parent become what they are from there, kept in double precision and rounded to float32 once,
     /// however often the origin moves. For worlds beyond some kilometres: keep the origin near the camera,
     /// and when the camera has gone a few kilometres, move it together with that of cameras and solvers.
@@ -546,7 +548,7 @@ public sealed partial class Scene : IDisposable {
         }
     }
 
-    /// <summary>Ids of the models that hang directly below one, ascending.
+    /// <summary>Ids of the direct children of a model, ascending.
     /// Cost: O(k log k).</summary>
     public unsafe uint[] GetChildren(uint model) {
         var result = new uint[Guess];
@@ -572,8 +574,8 @@ public sealed partial class Scene : IDisposable {
         return info;
     }
 
-    /// <summary>World box of a model, by which queries find it: holds it, and is at most 3 ulps and 2^-19 of the sum
-    /// of its sizes wider. That of an empty mesh is its position.
+    /// <summary>World box of a model, by which queries find it: contains the model, and is wider by at most 3 ulps
+    /// and 2^-19 of the sum of its sizes. That of an empty mesh is its position.
     /// Cost: O(1).</summary>
     /// <returns>null for a plane.</returns>
     public unsafe Aabb? GetBounds(uint model) {
@@ -615,10 +617,10 @@ public sealed partial class Scene : IDisposable {
     /// <summary>Scale a model's own shape along the three axes of the model, before its transform: a tree grows, a
     /// unit box becomes a wall, a rock is stretched. Every query, and solvers, see the scaled shape;
     /// normals are those of its surface. Children are not affected: they follow the transform, whose scale
-    /// is one number. What is set replaces what was set before. A mesh or a hull is scaled exactly, without
-    /// a copy: answers are those of a mesh of the scaled vertices. Of a box or a triangle each number is
-    /// multiplied and rounded to float32. A sphere, capsule or plane, and an OBB whose own rotation is not
-    /// the identity, take three equal numbers only.
+    /// is one number. A new scale replaces the old one. A mesh or a hull is scaled exactly, without a copy:
+    /// answers are those of a mesh of the scaled vertices. Of a box or a triangle each number is multiplied
+    /// and rounded to float32. A sphere, capsule or plane, and an OBB whose own rotation is not the
+    /// identity, take three equal numbers only.
     /// Cost: as Scene.SetTransform of a model without children. Models that have a scale take 16 bytes more
     /// if they are meshes, else 52, up to the highest id. Queries of a scaled mesh or hull take 1 to 11 %
     /// more; rays at a mesh that is flattened to a twentieth take 1.3 times those at a mesh of the scaled
@@ -657,7 +659,7 @@ public sealed partial class Scene : IDisposable {
         Check(Low.gphys_scene_set_tag(Handle, model, tag));
     }
 
-    /// <summary>Hang a model below another one, or below none (0).
+    /// <summary>Make a model the child of another one, or of none (0).
     /// Cost: O(depth of the tree of models), and as Scene.SetTransform for what moves. Renews the octree as
     /// far as there is memory.</summary>
     /// <param name="keepWorld">false: the local transform is kept, the model jumps; true: the local
@@ -701,8 +703,8 @@ public sealed partial class Scene : IDisposable {
         Check(Low.gphys_scene_get_transforms(Handle, models_, count, transforms_, (uint)sizeof(Transform)));
     }
 
-    /// <summary>World transforms of the models: those of all ancestors applied, rounded to float32. What queries
-    /// answer is exact with respect to these.
+    /// <summary>World transforms of the models: with those of all ancestors applied, rounded to float32. Answers of
+    /// queries are exact with respect to these.
     /// Cost: O(elements).</summary>
     /// <param name="models">the ids; an id may appear twice</param>
     public unsafe void GetWorldTransforms(ReadOnlySpan<uint> models, Span<Transform> transforms) {
@@ -733,8 +735,8 @@ public sealed partial class Scene : IDisposable {
         Check(Low.gphys_scene_raycast_batch(Handle, rays_, StrideOf(rays), count, layers, hits_, (uint)sizeof(Hit)));
     }
 
-    /// <summary>How far the rays come, and what they meet: t, model and triangle of Scene.RaycastBatch, with the
-    /// same bits, without the rest of a hit. For lidars and images of depth.
+    /// <summary>How far each of the rays goes, and what it hits: t, model and triangle of Scene.RaycastBatch, with
+    /// the same bits, without the rest of a hit. For lidars and depth images.
     /// Cost: less than that of Scene.RaycastBatch; shared among workers. Since 1.1.</summary>
     /// <returns>a ray that hits nothing gets t = INFINITY, model = 0 and triangle = NoTriangle.</returns>
     public unsafe void RaycastDistanceBatch(ReadOnlySpan<Ray> rays, Span<Distance> distances, uint layers = Constants.AllLayers) {
@@ -874,11 +876,12 @@ public sealed partial class Scene : IDisposable {
         }
     }
 
-    /// <summary>Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its own
-    /// box, ascending: for drawing. None that is seen is missed. More are listed near the frustum's edges:
-    /// some per cent of models that are compact or not turned; of long or flat ones that are turned, whose
-    /// world boxes are mostly empty, about a third, and as many again as are seen where they are as long as
-    /// the view is wide. Scene.Overlap sorts these out by testing the shapes.
+    /// <summary>Ids of all models whose world box is not wholly outside any of a frustum's six planes or its own
+    /// box, ascending: for drawing. No visible model is missed. Some invisible ones near the frustum's
+    /// edges are listed, too: a few per cent more where models are compact or not rotated; about a third
+    /// more where they are long or flat and rotated, so that their world boxes are mostly empty, and as
+    /// many again as are visible where they are as long as the view is wide. Scene.Overlap leaves these out
+    /// by testing the shapes.
     /// Cost: O(log n + k) expected.</summary>
     public unsafe uint[] Cull(Frustum frustum, uint layers = Constants.AllLayers) {
         var result = new uint[Guess];
@@ -1000,8 +1003,8 @@ public sealed partial class Scene : IDisposable {
     }
 
     /// <summary>What a sphere, capsule, AABB or OBB overlaps, and how it gets out: an element for each model, and of
-    /// a mesh one for each triangle, as Geometry.Penetration. Deepest first; those that are as deep by
-    /// model, then triangle. Each is the way out of that one alone. The models are those of Scene.Overlap.
+    /// a mesh one for each triangle, as Geometry.Penetration. Deepest first; equal depths by model, then
+    /// triangle. Each is the way out of that one alone. The models are those of Scene.Overlap.
     /// Cost: O(log n + k log k) expected.</summary>
     /// <exception cref="GamephysException">Status.ErrorUnsupported: for other types</exception>
     public unsafe Penetration[] Penetration(Shape shape, uint layers = Constants.AllLayers) {
@@ -1053,7 +1056,7 @@ public sealed partial class Scene : IDisposable {
     /// Cost: that of Scene.Raycast for one ignored model. For each model that is met within the ray's
     /// reach, besides: O(its depth below its root) with FilterSubtree if ignored_model has children; of m
     /// ignored_models O(log m) if they are ascending, as all lists of the library are, else O(m). Whether
-    /// they are takes O(m) a call. Where faces are left out, rays of a batch meet a mesh one by one.</summary>
+    /// they are takes O(m) a call. Where faces are left out, a batch tests a mesh one ray at a time.</summary>
     /// <param name="filter">null: the defaults</param>
     /// <returns>null if nothing is found.</returns>
     /// <exception cref="GamephysException">Status.ErrorInvalidArgument: for unknown flags, or
@@ -1077,8 +1080,8 @@ public sealed partial class Scene : IDisposable {
         Check(Low.gphys_scene_raycast_filtered_batch(Handle, rays_, StrideOf(rays), count, filters.HasValue ? &filters_ : null, 0, hits_, (uint)sizeof(Hit)));
     }
 
-    /// <summary>How far the rays come among the models that the filters see, as Scene.RaycastDistanceBatch: a lidar
-    /// leaves out the robot that carries it.
+    /// <summary>How far each of the rays goes among the models that its filter sees, as Scene.RaycastDistanceBatch:
+    /// a lidar leaves out the robot that carries it.
     /// Cost: less than that of Scene.RaycastFilteredBatch; shared among workers. Since 1.1.</summary>
     /// <param name="filters">null: the defaults</param>
     public unsafe void RaycastDistanceFilteredBatch(ReadOnlySpan<Ray> rays, Span<Distance> distances, QueryFilterDesc? filters = null) {
@@ -1306,7 +1309,7 @@ public sealed partial class Scene : IDisposable {
     }
 
     /// <summary>First model that a moving sphere touches and the filter sees, as Scene.SweepSphere: the sphere may
-    /// be the bound of the ignored model itself.
+    /// be the bounding sphere of the ignored model.
     /// Cost: that of Scene.SweepSphere, and for each model as Scene.RaycastFiltered.</summary>
     /// <param name="displacement">metres; may be zero</param>
     /// <param name="filter">null: the defaults</param>
@@ -1332,8 +1335,8 @@ public sealed partial class Scene : IDisposable {
         Check(Low.gphys_scene_sweep_sphere_filtered_batch(Handle, spheres_, StrideOf(spheres), displacements_, StrideOf(displacements), count, filters.HasValue ? &filters_ : null, 0, hits_, (uint)sizeof(Hit)));
     }
 
-    /// <summary>First model that a sphere, capsule, AABB or OBB that moves touches and the filter sees, as
-    /// Scene.Sweep: a character leaves out its own model.
+    /// <summary>First model that a moving sphere, capsule, AABB or OBB touches and the filter sees, as Scene.Sweep:
+    /// a character leaves out its own model.
     /// Cost: that of Scene.Sweep, and for each model as Scene.RaycastFiltered.</summary>
     /// <param name="displacement">metres; may be zero</param>
     /// <param name="filter">null: the defaults</param>
@@ -1419,9 +1422,9 @@ public sealed partial class Scene : IDisposable {
         }
     }
 
-    /// <summary>Build the scene's octree anew, as good as that of one Scene.AddBatch. Never needed: ids, answers and
-    /// their bits stay as they are. Where many models were added one by one, such as a level that was
-    /// streamed in, rays then take 0.5 to 0.9 of the time.
+    /// <summary>Rebuild the scene's octree, as good as that of one Scene.AddBatch. Never required: ids, answers and
+    /// their bits do not change. Where many models were added one by one, such as a level that was streamed
+    /// in, rays then take 0.5 to 0.9 of the time.
     /// Cost: O(n log n), 0.15 to 0.45 us a model, less with workers; allocates. Since 1.1.</summary>
     /// <exception cref="GamephysException">Status.ErrorOutOfMemory: with nothing changed</exception>
     public unsafe void RebuildOctree() {
@@ -1431,8 +1434,8 @@ public sealed partial class Scene : IDisposable {
     /// <summary>Rebuild the octree in parts, one in each call, until it is as good as after Scene.RebuildOctree: for
     /// levels that are streamed in while frames go on. Each Scene.Add and Scene.Remove does a part by
     /// itself; these calls do the rest. Never needed: ids, answers and their bits stay as they are. Models
-    /// may be added, moved and removed between the calls. An update of an eighth of them or more by one
-    /// call starts again.
+    /// may be added, moved and removed between the calls. A call that updates an eighth of them or more
+    /// restarts it.
     /// Cost: O(budget); allocates, until it is done about 130 bytes a model. Since 1.1.</summary>
     /// <param name="budget">how much work to do, as a number of models, of 0.3 to 1 us each. The work is
     /// the same on every machine and does not depend on time.</param>
@@ -1482,11 +1485,11 @@ public sealed partial class Scene : IDisposable {
     }
 
     /// <summary>Copy the whole state out: the origin, models with their ids, parents, tags, layers, transforms and
-    /// shapes, ids to come, and the octree. Workers and allocator are not in it.
+    /// shapes, the order of future ids, and the octree. Workers and allocator are not in it.
     /// Cost: O(n), some 80 bytes and 100 ns for each model, besides embedded meshes (Mesh.GetSnapshot).
     /// Allocates a few words for each different mesh.</summary>
-    /// <param name="embedMeshes">true: meshes are in the snapshot, each once, which is then complete in
-    /// itself: for saved games and for other machines. false: they are named by what they hold, and
+    /// <param name="embedMeshes">true: meshes are in the snapshot, each once, so it is complete in itself:
+    /// for saved games and for other machines. false: they are identified by their content, and
     /// Scene.Restore looks for them: for undo, and rollback each frame.</param>
     /// <returns>the snapshot. Words are in the machine's byte order. Every later release of the same major
     /// version reads it.</returns>
@@ -1508,14 +1511,14 @@ public sealed partial class Scene : IDisposable {
     }
 
     /// <summary>Replace the whole state by that of a snapshot, of this or of another scene. Ids are those of the
-    /// time of the snapshot, those to come included. All answers have the bits that they had then; a solver
-    /// that was restored with its scene steps on with the same bits. On an error the scene is as before.
-    /// Any words are safe, also those of a stranger: all that is used as a number or an index is checked
-    /// first. Made-up words are refused, or taken as a scene like any other.
+    /// time of the snapshot, and so are future ones. All answers have the bits that they had then; a solver
+    /// that is restored with its scene continues with the same bits. On an error the scene is as before.
+    /// Any words are safe, also from an untrusted source: all that is used as a number or an index is
+    /// checked first. Forged words are refused, or taken as a scene like any other.
     /// Cost: O(n), 150 to 700 ns for each model, besides embedded meshes (Mesh). Allocates.</summary>
     /// <param name="library">meshes that are not embedded are looked for among those that models of this
-    /// scene use, by what they hold: vertices and indices, so one that has been deformed since is to be put
-    /// back first. null: among those that models of `scene` itself use, before it is restored.</param>
+    /// scene use, by their content: vertices and indices. A mesh deformed since must get its old form back
+    /// first. null: among those that models of `scene` itself use, before it is restored.</param>
     /// <exception cref="GamephysException">Status.ErrorInvalidArgument: for words that are no snapshot of a
     /// scene, damaged, of a later format or of another byte order, and if a mesh is missing</exception>
     /// <exception cref="GamephysException">Status.ErrorOutOfMemory: if there is no room for it</exception>
@@ -1525,10 +1528,10 @@ public sealed partial class Scene : IDisposable {
         Check(Low.gphys_scene_restore(Handle, library == null ? SceneHandle.None : library.Handle, words_, count));
     }
 
-    /// <summary>A hash of the whole state but the octree, the low half first; of a mesh it is what it holds that
-    /// counts. Equal states have equal hashes on every machine; different ones differ with near certainty
-    /// (not against an adversary). Compare it between machines that simulate the same, to see when they
-    /// part.
+    /// <summary>A hash of the whole state except the octree, the low half first; meshes count by their content.
+    /// Equal states have equal hashes on every machine; different ones differ with near certainty (not
+    /// against an adversary). Compare it between machines that run the same simulation, to detect when they
+    /// diverge.
     /// Cost: O(n), some 50 ns for each model.</summary>
     public unsafe uint[] GetHash() {
         var hash = new uint[2];
@@ -1576,7 +1579,7 @@ public sealed partial class Camera : IDisposable {
         return origin;
     }
 
-    /// <summary>See with a perspective projection; what is further away is smaller.
+    /// <summary>Use a perspective projection: distant objects appear smaller.
     /// Cost: O(1).</summary>
     /// <param name="fovY">full vertical angle in radians, 1e-6 &lt;= fovY &lt; pi</param>
     /// <param name="nearDistance">metres, &gt; 0</param>
@@ -1585,7 +1588,7 @@ public sealed partial class Camera : IDisposable {
         Check(Low.gphys_camera_set_perspective(Handle, fovY, nearDistance, farDistance));
     }
 
-    /// <summary>See with an orthographic projection; the distance changes no size.
+    /// <summary>Use an orthographic projection: the distance does not change apparent size.
     /// Cost: O(1).</summary>
     /// <param name="height">metres seen from top to bottom, &gt;= 1e-6; the width follows from the viewport
     /// and is at most twice MaxCoordinate</param>
@@ -1595,8 +1598,8 @@ public sealed partial class Camera : IDisposable {
         Check(Low.gphys_camera_set_orthographic(Handle, height, nearDistance, farDistance));
     }
 
-    /// <summary>See with any projection matrix of the camera's depth range and direction (off-centre, oblique,
-    /// another library's). It is not changed by Camera.SetViewport.
+    /// <summary>Use any projection matrix of the camera's depth range and direction (off-centre, oblique, another
+    /// library's). It is not changed by Camera.SetViewport.
     /// Cost: O(1).</summary>
     /// <exception cref="GamephysException">Status.ErrorSingular: if it has no inverse, or is too close to
     /// such a matrix to tell</exception>
@@ -1607,8 +1610,8 @@ public sealed partial class Camera : IDisposable {
         Check(Low.gphys_camera_set_projection(Handle, &projection));
     }
 
-    /// <summary>As Camera.SetPerspective, with an aspect of its own: the viewport stretches the image, as one of
-    /// pixels that are not square, and does not change what is seen.
+    /// <summary>As Camera.SetPerspective, with a fixed aspect ratio: the image is stretched to the viewport, as with
+    /// pixels that are not square, and the viewport does not change what is seen.
     /// Cost: O(1). Since 1.1.</summary>
     /// <param name="fovY">full vertical angle in radians, 1e-6 &lt;= fovY &lt; pi</param>
     /// <param name="aspect">width over height of what is seen, 1e-6 .. 1e6</param>
@@ -1628,8 +1631,8 @@ public sealed partial class Camera : IDisposable {
         Check(Low.gphys_camera_set_orthographic_size(Handle, width, height, nearDistance, farDistance));
     }
 
-    /// <summary>The viewport was resized. Perspective keeps fovY, orthographic its height; it is refused if that
-    /// makes the width more than twice MaxCoordinate.
+    /// <summary>Set the size of the viewport. A perspective keeps fovY, an orthographic projection its height; the
+    /// call is refused if that makes the width more than twice MaxCoordinate.
     /// Cost: O(1).</summary>
     /// <param name="width">pixels, 1e-3 .. 1e6</param>
     /// <param name="height">pixels, 1e-3 .. 1e6</param>
@@ -1687,7 +1690,8 @@ public sealed partial class Camera : IDisposable {
         return (x, y);
     }
 
-    /// <summary>Width over height of what is seen, as it was set or, with a matrix too, as the viewport has it.
+    /// <summary>Width over height of what is seen: as it was set, or else, and always with a matrix, that of the
+    /// viewport.
     /// Cost: O(1). Since 1.1.</summary>
     /// <returns>1 if Camera.SetPerspectiveAspect or Camera.SetOrthographicSize was the last to set the
     /// projection; 0 if it follows the viewport.</returns>
@@ -1783,7 +1787,7 @@ public sealed partial class Camera : IDisposable {
     }
 
     /// <summary>The matrix from world to camera: the transpose of the orthonormal world axes, and the position
-    /// through them.
+    /// transformed by it.
     /// Cost: O(1).</summary>
     public unsafe Mat4 GetViewMatrix() {
         var view = default(Mat4);
@@ -1825,7 +1829,7 @@ public sealed partial class Camera : IDisposable {
     }
 
     /// <summary>Set a speed for each input of the orbit, in place of the two of Orbit, which Camera.SetOrbit starts
-    /// from. Input since the last update counts by the new ones.
+    /// from. Input since the last update uses the new speeds.
     /// Cost: O(1). Since 1.1.</summary>
     /// <exception cref="GamephysException">Status.ErrorUnsupported: if the camera was never set to
     /// orbit</exception>
@@ -1884,9 +1888,9 @@ public sealed partial class Camera : IDisposable {
         Check(Low.gphys_camera_orbit_update(Handle));
     }
 
-    /// <summary>The seen volume, with origin at the camera's position and planes from its parameters: each number
-    /// within 2 ulp; all functions of shapes take it. A user projection gives its planes by Gribb-Hartmann
-    /// in double precision.
+    /// <summary>The view frustum, with origin at the camera's position and planes from its parameters: each number
+    /// within 2 ulp. All functions of shapes accept it. A user projection gives its planes by
+    /// Gribb-Hartmann in double precision.
     /// Cost: O(1).</summary>
     public unsafe Frustum GetFrustum() {
         var frustum = default(Frustum);
@@ -1894,7 +1898,7 @@ public sealed partial class Camera : IDisposable {
         return frustum;
     }
 
-    /// <summary>World positions of the corners of the seen volume, in the order of Geometry.FrustumCorners.
+    /// <summary>World positions of the corners of the view frustum, in the order of Geometry.FrustumCorners.
     /// Cost: O(1).</summary>
     /// <returns>null with an infinite far plane, or a corner beyond the largest float.</returns>
     public unsafe Vec3[] GetCorners() {
@@ -1980,10 +1984,10 @@ public sealed partial class Camera : IDisposable {
 
     /// <summary>The ray through a pixel, of unit direction, from the near plane on; t_max ends on the far plane
     /// (INFINITY without one). With PickStart.Centre that of a perspective starts at the camera's position.
-    /// Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
-    /// near as half an ulp of a direction can be. Where it starts is rounded to float32 besides, which
-    /// moves it by half an ulp of the coordinates (not from the camera's position, which is one of floats);
-    /// Camera.Pick is not so limited.
+    /// Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, within
+    /// half an ulp of its direction. Its start is rounded to float32, too, which moves the ray by half an
+    /// ulp of the coordinates (but not from the camera's position, which has float coordinates);
+    /// Camera.Pick is not limited in this way.
     /// Cost: O(1).</summary>
     /// <param name="pixelX">pixels; may lie outside the viewport</param>
     /// <param name="pixelY">pixels; may lie outside the viewport</param>
@@ -2030,8 +2034,8 @@ public sealed partial class Camera : IDisposable {
         Check(Low.gphys_camera_pick_batch(Handle, scene.Handle, (float*)pixels_, StrideOf(pixels), count, layers, hits_, (uint)sizeof(Hit)));
     }
 
-    /// <summary>Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
-    /// rectangle, between near and far plane; exact shapes, ascending.
+    /// <summary>Marquee: ids of all models in the pixel rectangle, hidden ones included, between near and far plane;
+    /// tested by their exact shapes, ascending.
     /// Cost: O(log n + k) expected.</summary>
     /// <param name="x0">pixels, opposite corners in any order; may lie outside the viewport</param>
     /// <param name="y0">pixels, opposite corners in any order; may lie outside the viewport</param>
@@ -2340,10 +2344,10 @@ public sealed partial class Solver : IDisposable {
     /// sleep_time seconds no particle was faster than sleep_speed and no rigid constraint strained by more
     /// than sleep_strain; cloth, when its root mean square speed from step to step was no higher, no
     /// particle ten times as fast, and strain, without a max_strain, at most 3 %. Its speed is then 0, it
-    /// keeps its contacts, and a step costs it a look for models nearby. It wakes in the step before which
-    /// a model came, went or moved as near as it could come in a step at 50 m/s, or one that it is attached
-    /// to did, or the scene was exchanged; and at once by any change of its state, of gravity or of the
-    /// origin.
+    /// keeps its contacts, and a step costs it one query for models nearby. It wakes in the next step after
+    /// a model within reach (as far as one could move in a step at 50 m/s) was added, removed or moved, or
+    /// a model that it is attached to, or after the scene was replaced; and at once by any change of its
+    /// state, of gravity or of the origin.
     /// Cost: O(bodies).</summary>
     public unsafe uint[] GetSleeping() {
         var result = new uint[Guess];
@@ -2368,7 +2372,7 @@ public sealed partial class Solver : IDisposable {
         Check(Low.gphys_solver_wake(Handle, body));
     }
 
-    /// <summary>The settings of a body as they are; static_friction as it acts, friction at least.
+    /// <summary>The present settings of a body; static_friction as it acts, at least friction.
     /// Cost: O(1).</summary>
     public unsafe BodySettings GetBodySettings(uint body) {
         var settings = default(BodySettings);
@@ -2410,8 +2414,7 @@ public sealed partial class Solver : IDisposable {
         }
     }
 
-    /// <summary>The particle of a body nearest to a point, as it is to be grabbed: the lowest of those that are as
-    /// near.
+    /// <summary>The particle of a body nearest to a point, for example to grab it; of equally near ones the lowest.
     /// Cost: O(1); O(particles) for NoTriangle. Since 1.1.</summary>
     /// <param name="triangle">as in a hit, nearest or penetration of the body's mesh: its corners are
     /// compared, of a rope the ends of the link, or the particle; NoTriangle: all particles</param>
@@ -2580,8 +2583,8 @@ public sealed partial class Solver : IDisposable {
     /// effects of wind fields in cloth animations"); with C_L = C_D it is nearly the pressure on a plate,
     /// along n; on a link of a rope -rho/2 C_D 2 r l |u'| u', u' the part of u across it, r the radius (the
     /// cross-flow principle: Hoerner 1965, "Fluid-dynamic drag"); on a free particle -rho/2 C_D pi r^2 |u|
-    /// u. Strong wind takes bodies along and never beyond: whatever the density, a substep does not reverse
-    /// u.
+    /// u. Strong wind carries bodies along but never overshoots: whatever the density, a substep does not
+    /// reverse u.
     /// Cost: O(1) a body; in each substep of cloth some 370 instructions a triangle, in each step of others
     /// as many for each link or particle.</summary>
     /// <param name="body">0: all bodies there are</param>
@@ -2623,19 +2626,19 @@ public sealed partial class Solver : IDisposable {
     /// that is skinned to its character stays within maxDistance of the skinned vertices and does not sink
     /// into the body behind them. In the next step position and normal go evenly from the old target to the
     /// new one, substep by substep; distances act at once. A target that is not set again stands still. A
-    /// first target, and that of a particle which Solver.SetPositions has moved since the last step, is at
-    /// once where it is set: a teleport is that call and this one. A model that is teleported too sweeps
-    /// through what is on its way: in that step the body collides with no layers (Solver.SetBodySettings).
-    /// maxDistance 0 carries a particle: it is at its target, as if attached there, and moves links with
-    /// infinite mass; this also moves a pinned particle, which stays pinned, at constant speed during a
-    /// step. Otherwise particles that are pinned or attached are not moved. A particle that is out of its
-    /// bounds at the end of a substep is put on the nearest place within both, without friction; its
-    /// velocity across them is then that of the target. What lies within its bounds is not touched. Bounds
-    /// act after constraints and before models: where a target is inside a model, or behind one, the
-    /// particle stays outside. Links yield to bounds that contradict them. What hangs from a particle at
-    /// its bounds is carried, in cloth and in ropes that are moved alone; ropes and free particles that are
-    /// joined, or collide with bodies, are put back particle by particle, and links beside these may be
-    /// strained by the way of a substep. Wakes the body if a target changes.
+    /// first target, and that of a particle which Solver.SetPositions has moved since the last step, takes
+    /// effect at its new place at once: to teleport, make that call and this one. A model that is
+    /// teleported too sweeps through what is on its way: set the body's layers to 0 for that step
+    /// (Solver.SetBodySettings). maxDistance 0 carries a particle: it is at its target, as if attached
+    /// there, and moves links with infinite mass; this also moves a pinned particle, which stays pinned, at
+    /// constant speed during a step. Otherwise particles that are pinned or attached are not moved. A
+    /// particle that is out of its bounds at the end of a substep is put on the nearest place within both,
+    /// without friction; its velocity across them is then that of the target. What lies within its bounds
+    /// is not touched. Bounds act after constraints and before models: where a target is inside a model, or
+    /// behind one, the particle stays outside. Links yield to bounds that contradict them. What hangs from
+    /// a particle at its bounds is carried, in cloth and in ropes that are moved alone; ropes and free
+    /// particles that are joined, or collide with bodies, are put back particle by particle, and links
+    /// beside these may be strained by the motion of a substep. Wakes the body if a target changes.
     /// Cost: O(elements); the first time O(particles), and it allocates. In each substep some 100 ns a
     /// particle; ropes with targets are solved one by one, as those that touch models. Since 1.1.</summary>
     /// <param name="first">as in Solver.GetPositions</param>
@@ -2710,7 +2713,7 @@ public sealed partial class Solver : IDisposable {
 
     /// <summary>Keep two different particles of a body from being further apart than a length, like a string between
     /// them: it pulls and never pushes. While it is slack it does nothing; when it becomes taut, and is
-    /// rigid, the speed at which the particles part is lost and no other.
+    /// rigid, only the speed at which the particles separate is lost.
     /// Fails as Solver.AddDistance.
     /// It is a constraint like others: listed with maxLength as its restLength, removed as they are, and
     /// strained only when it is too long.
@@ -2724,9 +2727,9 @@ public sealed partial class Solver : IDisposable {
         return constraint;
     }
 
-    /// <summary>Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v
-    /// beside its tension; one of Solver.AddMaxDistance never pushes. The decay depends on time, not on
-    /// steps. Rigid constraints have nothing to damp.
+    /// <summary>Damp a constraint that has compliance: when its ends separate at speed v, it pulls with damping * v
+    /// in addition to its tension; one of Solver.AddMaxDistance never pushes. The decay depends on time,
+    /// not on steps. Rigid constraints have nothing to damp.
     /// Cost: as Solver.AddDistance.</summary>
     /// <param name="damping">N s/m, &gt;= 0; 0, which every constraint begins with: none</param>
     /// <exception cref="GamephysException">Status.ErrorInvalidId: for a body or constraint that does not
@@ -2742,7 +2745,7 @@ public sealed partial class Solver : IDisposable {
     /// <param name="compliance">m^3 per pascal, &gt;= 0: the volume that a pressure of one pascal takes; 0:
     /// as water, which keeps its volume; INFINITY: none, which ends the constraint</param>
     /// <exception cref="GamephysException">Status.ErrorUnsupported: if the triangles do not close (each
-    /// side is that of two triangles), are not all turned the same way, or face inward when the present
+    /// side is that of two triangles), are not oriented consistently, or face inward when the present
     /// volume is asked for</exception>
     public unsafe void SetVolume(uint body, float restVolume, float compliance = 0) {
         Check(Low.gphys_solver_set_volume(Handle, body, restVolume, compliance));
@@ -2759,7 +2762,7 @@ public sealed partial class Solver : IDisposable {
         return (volume, pressure);
     }
 
-    /// <summary>What was given to Solver.SetVolume: m^3, of a negative volume that which there was, and m^3 per
+    /// <summary>What was given to Solver.SetVolume: m^3 (for a negative volume the one at that time), and m^3 per
     /// pascal.
     /// Cost: O(1). Since 1.1.</summary>
     /// <exception cref="GamephysException">Status.ErrorUnsupported: if none is held</exception>
@@ -2770,7 +2773,7 @@ public sealed partial class Solver : IDisposable {
         return (restVolume, compliance);
     }
 
-    /// <summary>End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body. The
+    /// <summary>Remove a constraint of a body, even one created with it. Its id stays invalid. Wakes the body. The
     /// triangles of cloth stay together: Solver.BreakConstraint tears them apart.
     /// Cost: as Solver.AddDistance; allocates.</summary>
     /// <exception cref="GamephysException">Status.ErrorInvalidId: for a body or constraint that does not
@@ -2779,7 +2782,7 @@ public sealed partial class Solver : IDisposable {
         Check(Low.gphys_solver_remove_constraint(Handle, body, constraint));
     }
 
-    /// <summary>All constraints of a body, those of its builder included, by id.
+    /// <summary>All constraints of a body, including those created with the body, by id.
     /// Cost: O(constraints).</summary>
     public unsafe ConstraintInfo[] GetConstraints(uint body) {
         var result = new ConstraintInfo[Guess];
@@ -2808,7 +2811,7 @@ public sealed partial class Solver : IDisposable {
         Check(Low.gphys_solver_get_constraint_kinds(Handle, body, constraints_, count, kinds_, (uint)sizeof(ConstraintKind)));
     }
 
-    /// <summary>What constraints are like.
+    /// <summary>The present settings of constraints.
     /// Cost: O(elements).</summary>
     /// <param name="constraints">the ids; one may appear twice</param>
     public unsafe void GetConstraintSettings(uint body, ReadOnlySpan<uint> constraints, Span<ConstraintSettings> settings) {
@@ -2839,9 +2842,9 @@ public sealed partial class Solver : IDisposable {
     /// shapes are light in the middle. Particles that are pinned or attached stay where they are held: with
     /// one the cluster swings about it, with two about the line through them, and with three that are not
     /// on a line it does not move. Models that particles are attached to get the impulses. Contacts with
-    /// models move the cluster as a whole, with friction; particles touch, not the faces between them, so
-    /// these should be no further apart than the smallest thing that a cluster meets is thick. Of
-    /// restitution a cluster shows only the share of the mass of the particles that touched. A shape is
+    /// models move the cluster as a whole, with friction; only particles touch, not the faces between them,
+    /// so they should be no further apart than the thickness of the thinnest thing that a cluster meets. Of
+    /// its restitution a cluster shows only the share of the mass of the particles that touched. A shape is
     /// matched once in each substep, after the links: then what hangs from it may be strained a little, and
     /// clusters that share particles approach their shapes in eight passes. Bodies with clusters are solved
     /// as cloth (SolveMethod.Graph), ropes and free particles too. The rest positions of cloth are not
@@ -2910,14 +2913,15 @@ public sealed partial class Solver : IDisposable {
 
     /// <summary>Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that
     /// are equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved
-    /// as one system, as stiff as one rope; a joined particle of cloth has all that hangs on it for
-    /// inertia. Free particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined
-    /// bodies are moved by one thread and fall asleep and wake together. A joint goes with either body.
+    /// as one system, as stiff as one rope; a joined particle of cloth has the inertia of all that hangs on
+    /// it. Free particles of a joined body are moved by the time scheme of ropes, no longer exactly. Joined
+    /// bodies are moved by one thread and fall asleep and wake together. A joint is removed with either
+    /// body.
     /// Cost: the next step plans all joined ropes again. A link of them takes some three times as long as
     /// one of a rope that is not joined. Allocates.</summary>
     /// <param name="restLength">metres; 0: at the same place, as below 1e-9; negative: the present
-    /// distance. Particles that are not as far apart are drawn there within a step, and get the speed of
-    /// that.</param>
+    /// distance. Particles at another distance are moved to it within a step, and get the speed of that
+    /// motion.</param>
     /// <param name="compliance">metres per newton, &gt;= 0; 0 is rigid</param>
     /// <exception cref="GamephysException">Status.ErrorInvalidArgument: for a particle that does not exist
     /// or twice the same body (see Solver.AddDistance)</exception>
@@ -2984,7 +2988,7 @@ public sealed partial class Solver : IDisposable {
     /// Cost: O(particles + constraints); allocates. Since 1.1.</summary>
     /// <returns>what came of it.</returns>
     /// <exception cref="GamephysException">Status.ErrorUnsupported: and nothing has changed, for an edge
-    /// where the cloth cannot part: of a triangle that hangs together with no other</exception>
+    /// where the cloth cannot part: of a triangle that is connected to no other</exception>
     /// <exception cref="GamephysException">Status.ErrorCapacity: beyond 2^24 - 1 particles or
     /// constraints</exception>
     public unsafe Break BreakConstraint(uint body, uint constraint) {
@@ -3029,7 +3033,8 @@ public sealed partial class Solver : IDisposable {
     /// so the motion does not depend on the frame rate.
     /// Cost: that of the steps made.</summary>
     /// <param name="frameTime">seconds, &gt;= 0</param>
-    /// <returns>steps made. 0 &lt;= fraction of a step still owed &lt; 1, to blend drawings.</returns>
+    /// <returns>steps made. 0 &lt;= fraction of a step still owed &lt; 1, to interpolate when
+    /// drawing.</returns>
     /// <exception cref="GamephysException">Status.ErrorOutOfMemory: if there is none for the first step:
     /// nothing has changed. If there is none for a later one</exception>
     public unsafe (uint Steps, float Leftover) Advance(float frameTime, Scene scene = null) {
@@ -3052,10 +3057,10 @@ public sealed partial class Solver : IDisposable {
     /// <summary>The substeps that a body took in the last step; 0 before its first. With SolverDesc.max_strain or
     /// tolerance set, each body takes as many as its own motion needs: their length follows from what the
     /// last step measured, the largest strain of its rigid constraints and the local error of the time
-    /// scheme, both of which go with its square. It is at most quartered and grows by at most an eighth
-    /// from one step to the next, so a sudden blow exceeds a target for a few steps, one of strain only
-    /// where links of cloth cannot be relaxed below it. What cannot be met takes max_substeps. Where
-    /// positions jump, by contacts, the error is that of the jump.
+    /// scheme, both proportional to the square of that length. It is at most quartered and grows by at most
+    /// an eighth from one step to the next, so a sudden impact exceeds a target for a few steps; one of
+    /// strain only where links of cloth cannot be relaxed below it. A target that cannot be met takes
+    /// max_substeps. Where positions jump, by contacts, the error is that of the jump.
     /// Cost: O(1).</summary>
     public unsafe uint GetSubsteps(uint body) {
         var substeps = default(uint);
@@ -3113,10 +3118,10 @@ public sealed partial class Solver : IDisposable {
     }
 
     /// <summary>Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in
-    /// which they fell asleep. Divided by dt they are mean forces: what lies on a model presses it with its
-    /// weight. A particle of cloth that touches several models at once gives to the one that it touches
-    /// most. Models have no mass here; a body of yours much lighter than what hangs from it should be moved
-    /// in small steps.
+    /// which they fell asleep. Divided by dt they are mean forces: what lies on a model presses on it with
+    /// its weight. A particle of cloth that touches several models at once gives its impulse to the one
+    /// that it touches most. Models have no mass here; a body of yours much lighter than what hangs from it
+    /// should be moved in small steps.
     /// Cost: O(models touched); no allocation. The same bits for any number of workers.</summary>
     public unsafe Impulse[] GetImpulses() {
         var result = new Impulse[Guess];
@@ -3157,10 +3162,10 @@ public sealed partial class Solver : IDisposable {
     }
 
     /// <summary>Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
-    /// time of the snapshot. Steps go on with the same bits as they did then, provided that the scene, too,
-    /// is as it was. On an error the solver is as before. Any words are safe, also those of a stranger: all
-    /// that is used as a number or an index is checked first. Made-up words are refused, or taken as a
-    /// state whose numbers are in range.
+    /// time of the snapshot. Steps continue with the same bits as they did then, provided that the scene,
+    /// too, is as it was. On an error the solver is as before. Any words are safe, also from an untrusted
+    /// source: all that is used as a number or an index is checked first. Forged words are refused, or
+    /// taken as a state whose numbers are in range.
     /// Cost: as Solver.GetSnapshot; allocates.</summary>
     /// <exception cref="GamephysException">Status.ErrorInvalidArgument: for words that are no snapshot,
     /// damaged, of another version or byte order</exception>
@@ -3173,7 +3178,7 @@ public sealed partial class Solver : IDisposable {
 
     /// <summary>A hash of the whole state, the low half first. Equal states have equal hashes on every machine;
     /// different ones differ with near certainty (not against an adversary). Compare it between machines
-    /// that simulate the same, to see when they part.
+    /// that run the same simulation, to detect when they diverge.
     /// Cost: O(particles + constraints).</summary>
     public unsafe uint[] GetHash() {
         var hash = new uint[2];
@@ -3186,7 +3191,7 @@ public sealed partial class Solver : IDisposable {
 
 /// <summary>Questions about single shapes, without a scene.</summary>
 public static partial class Geometry {
-    /// <summary>Whether the shape fulfils the ranges beside its struct.
+    /// <summary>Whether the fields of the shape are in the ranges stated beside its struct.
     /// Cost: O(1).</summary>
     /// <exception cref="GamephysException">Status.ErrorInvalidArgument: and the exception's message names
     /// the field</exception>
@@ -3349,8 +3354,8 @@ public static partial class Geometry {
     /// <summary>First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh. Triangles
     /// and meshes are hit from both sides, and meshes are watertight: a ray through a shared edge or vertex
     /// always meets one of the triangles there. Error: t within 1 ulp. No false miss and no false hit at
-    /// all for spheres, triangles, meshes, AABBs and planes; for capsules none but within 2^-48 of the
-    /// distance. An OBB is met where one larger or smaller by 2^-40 of the distance would be.
+    /// all for spheres, triangles, meshes, AABBs and planes; for capsules only within 2^-48 of the
+    /// distance. An OBB is hit as if it were larger or smaller by up to 2^-40 of the distance.
     /// docs/accuracy.md has the bounds of all functions.
     /// Cost: O(1); O(log n) expected for a mesh.</summary>
     /// <returns>null if nothing is found.</returns>
@@ -3366,7 +3371,7 @@ public static partial class Geometry {
 
     /// <summary>First hits of the rays with one shape, as Geometry.Raycast. A ray that hits nothing gets t =
     /// INFINITY, triangle = NoTriangle and zeros in its hits element.
-    /// Cost: that of as many single calls; less for rays at a mesh whose neighbours go much the same way.</summary>
+    /// Cost: that of as many single calls; less for rays at a mesh if neighbouring rays are similar.</summary>
     /// <exception cref="GamephysException">Status.ErrorUnsupported: for a ray or a segment as the
     /// shape</exception>
     public static unsafe void RaycastBatch(Shape shape, ReadOnlySpan<Ray> rays, Span<Hit> hits) {
@@ -3382,8 +3387,8 @@ public static partial class Geometry {
     }
 
     /// <summary>First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly. A
-    /// segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which then is
-    /// met from no direction, the normal is zero.
+    /// segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, for lack of a
+    /// direction, the normal is zero.
     /// Cost: as Geometry.Raycast.</summary>
     /// <returns>null if nothing is found.</returns>
     /// <exception cref="GamephysException">Status.ErrorUnsupported: for a ray or a segment as the
@@ -3405,8 +3410,8 @@ public static partial class Geometry {
     /// <returns>t in 0..1 of the displacement; point: of contact, on the shape; normal: from the point to
     /// the sphere's centre; in double precision its dot with the displacement is never above 0. Already
     /// overlapping: t = 0, HitInside, and the normal may be along the displacement too; where the centre
-    /// itself is in a solid, it is opposite to the displacement (zero if that is zero). A sphere without
-    /// radius gets the hit of the ray along its way. null if nothing is found.</returns>
+    /// itself is in a solid, it is opposite to the displacement (zero if that is zero). A sphere of radius
+    /// 0 gets the hit of the ray along its path. null if nothing is found.</returns>
     /// <exception cref="GamephysException">Status.ErrorUnsupported: for a ray or a segment as the
     /// shape</exception>
     public static unsafe Hit? SweepSphere(Shape shape, Sphere sphere, Vec3 displacement) {
@@ -3424,10 +3429,10 @@ public static partial class Geometry {
     /// ulp of t. Point and normal are those of that contact.
     /// Cost: O(1), 0.1 to 2 us, 3 to 20 us for a frustum; O(log n + k) expected for a mesh.</summary>
     /// <param name="displacement">metres; may be zero</param>
-    /// <returns>t, point and normal as in Geometry.SweepSphere, whose answers a sphere gets. The point is
-    /// one of those where the two touch, always the same. Already overlapping, but for a sphere: t = 0,
-    /// HitInside, and point and normal of Geometry.Penetration; of a mesh that is no hull, those of its
-    /// first triangle. null if nothing is found.</returns>
+    /// <returns>t, point and normal as in Geometry.SweepSphere, which gives the answer for a sphere. The
+    /// point is one of those where the two touch, always the same. Already overlapping, except for a
+    /// sphere: t = 0, HitInside, and point and normal of Geometry.Penetration; for a mesh that is not a
+    /// hull, those of its first triangle. null if nothing is found.</returns>
     /// <exception cref="GamephysException">Status.ErrorUnsupported: for a ray or a segment as the shape,
     /// for a frustum that is not the hull of its corners, unless a sphere moves, and for other types that
     /// move</exception>
@@ -3471,15 +3476,15 @@ public static partial class Geometry {
     /// translations of their own. Of a hull: out of all of it, and triangle is NoTriangle. A frustum must
     /// be the hull of its corners (Geometry.FrustumCorners).
     /// Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
-    /// ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from the
-    /// other shape. Added to float positions, the translation may leave an overlap of the spacing of floats
-    /// there.
+    /// ulp of depth; by 2^-32 where the centre or axis of a round solid is closer than that to the other
+    /// shape. Added to float positions, the translation may leave an overlap as large as the spacing of
+    /// floats there.
     /// Cost: O(1), 0.1 to 1 us, 3 to 20 us for a frustum; O(log n + k) expected for a mesh. Boxes by
-    /// separating axes (Gottschalk 1996), what is round by the distance of its core (Gilbert, Johnson,
+    /// separating axes (Gottschalk 1996), round solids by the distance of their core (Gilbert, Johnson,
     /// Keerthi 1988).</summary>
-    /// <returns>depth and normal of the translation, which is their product; of several that are as short
-    /// one, always the same. The point of the solid that gets furthest in is point - depth * normal. null
-    /// if nothing is found.</returns>
+    /// <returns>depth and normal of the translation, which is their product; of several equally short ones
+    /// always the same one. The deepest point of the solid is point - depth * normal. null if nothing is
+    /// found.</returns>
     /// <exception cref="GamephysException">Status.ErrorUnsupported: for rays, segments, frusta that are not
     /// the hull of their corners, and for other types that move</exception>
     public static unsafe Penetration? Penetration(Shape shape, Shape moving) {
@@ -3517,9 +3522,9 @@ public static partial class Geometry {
     /// <summary>The eight corners, each the intersection of three planes: near then far, each in the order
     /// left-bottom, right-bottom, right-top, left-top. A frustum is the convex hull of its corners (the
     /// intersections themselves, not rounded to floats) if each is within MaxCoordinate and in front of the
-    /// three planes that do not meet there, by more than 2^-39 of its distance from origin: so unless it is
-    /// empty, flat, unbounded or ends in a tip. Solids are swept against such a frustum and pushed out of
-    /// it; for the bounds of their errors, origin counts as a corner.
+    /// three planes that do not meet there, by more than 2^-39 of its distance from origin; that is, unless
+    /// it is empty, flat, unbounded or ends in a tip. Solids are swept against such a frustum and pushed
+    /// out of it; for the bounds of their errors, origin counts as a corner.
     /// Cost: O(1).</summary>
     /// <returns>null if three planes do not meet in a point (infinite far plane), or meet beyond the
     /// largest float.</returns>
@@ -3559,7 +3564,7 @@ public static partial class Geometry {
 
     /// <summary>How far the axes of a matrix (its first three columns without the last row) are from orthonormal:
     /// the largest |a_i . a_j - d_ij|, where d_ij is 1 for i = j, else 0. 0 for the identity, below 2^-22
-    /// for the matrices that a camera gives, about 2e for axes that are too long by a share of e.
+    /// for the matrices that a camera gives, about 2e for axes that are too long by a fraction e.
     /// Cost: O(1). Since 1.1.</summary>
     /// <param name="matrix">elements within MaxCoordinate</param>
     public static unsafe float Mat4Orthonormality(Mat4 matrix) {
@@ -3569,7 +3574,7 @@ public static partial class Geometry {
     }
 
     /// <summary>The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
-    /// origin (0, 0, 0). A camera knows its frustum better: Camera.GetFrustum.
+    /// origin (0, 0, 0). For a camera, Camera.GetFrustum is more precise.
     /// Cost: O(1).</summary>
     /// <param name="reverseZ">false: near has the low depth; true: near has the high depth</param>
     /// <exception cref="GamephysException">Status.ErrorSingular: if the matrix has no inverse, or what it

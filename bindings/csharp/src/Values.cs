@@ -100,7 +100,7 @@ public enum Handedness {
 
 /// <summary>Where the rays of a perspective camera begin.</summary>
 public enum PickStart {
-    /// <summary>what is drawn can be picked, and nothing before it</summary>
+    /// <summary>what is drawn can be picked; nothing between camera and near plane</summary>
     NearPlane = 0,
     /// <summary>at the camera's position: what is between it and the near plane, too</summary>
     Centre = 1,
@@ -119,7 +119,7 @@ public enum SolveMethod {
     /// <summary>chains and trees: Newton on the whole body at once</summary>
     Direct = 1,
     /// <summary>
-    /// what has rings, volume, clusters, or a particle with more than 64 constraints:
+    /// cycles of constraints, volume, clusters, or a particle with more than 64 constraints:
     /// coloured batches of chains, then the rest, then reach limits
     /// </summary>
     Graph = 2,
@@ -127,7 +127,7 @@ public enum SolveMethod {
 
 /// <summary>What a constraint holds.</summary>
 public enum ConstraintKind {
-    /// <summary>its length: Solver.AddDistance, and those of builders</summary>
+    /// <summary>its length: Solver.AddDistance, and those created with a body</summary>
     Distance = 0,
     /// <summary>at most its length; it may go slack: Solver.AddMaxDistance</summary>
     MaxDistance = 1,
@@ -147,9 +147,9 @@ public static class Constants {
     /// <summary>ignored_model stands for its descendants, too</summary>
     public const uint FilterSubtree = 1;
     /// <summary>
-    /// planes, triangles and meshes that are no solids are not met from behind, by
-    /// rays with HitBack, nor by sweeps along their normal; other queries,
-    /// which come from no side, take this flag and the next without effect
+    /// planes, triangles and meshes that are not solid are not hit from behind: by
+    /// rays with HitBack, or by sweeps along their normal; other queries
+    /// have no direction and ignore this flag and the next
     /// </summary>
     public const uint FilterNoBackFaces = 2;
     /// <summary>they are met from behind only: the inside of a closed mesh</summary>
@@ -169,7 +169,7 @@ public static class Constants {
 
 /// <summary>
 /// Memory functions for one object and everything in it. Both are called on the thread that calls
-/// the library, possibly from several threads if the objects that share it are used so.
+/// the library, from several threads if the objects that share it are used from several threads.
 /// allocate returns null on failure (reported as Status.ErrorOutOfMemory, nothing changed);
 /// release gets the same size and alignment again. The struct is copied at creation. Functions in
 /// C++ may throw: allocate has then failed, and what release throws is ignored.
@@ -185,8 +185,8 @@ public partial struct Allocator {
 /// <summary>
 /// The caller's own threads (a job system). run calls task(context, 0) .. task(context, count - 1),
 /// each once, in any order, on any threads, several at a time or not, and returns when all have
-/// returned. It is called on the thread that called the library, by several at the same time if
-/// several ask. The struct is copied at creation. A function in C++ may throw, if no call of task
+/// returned. It is called on the thread that called the library, and by several threads at the same time
+/// if several call the library. The struct is copied at creation. A function in C++ may throw, if no call of task
 /// begins after that; the thread that called the library waits for those under way and does what is
 /// left, and the results are the same.
 /// </summary>
@@ -352,7 +352,7 @@ public partial struct Hit {
     public float T;
     /// <summary>where the surfaces meet</summary>
     public Vec3 Point;
-    /// <summary>unit, against the motion: dot(normal, direction) &lt;= 0, of rays but for its rounding</summary>
+    /// <summary>unit, against the motion: dot(normal, direction) &lt;= 0, for rays up to rounding</summary>
     public Vec3 Normal;
     /// <summary>index within a mesh, else NoTriangle</summary>
     public uint Triangle;
@@ -378,7 +378,7 @@ public partial struct Nearest {
     public uint Triangle;
 }
 
-/// <summary>How far a ray comes: those fields of a Hit. Frozen.  Since 1.1.</summary>
+/// <summary>How far a ray goes and what it hits: fields of a Hit. Frozen.  Since 1.1.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public partial struct Distance {
     /// <summary>in multiples of the direction, so metres where its length is 1; INFINITY: nothing is hit</summary>
@@ -453,7 +453,7 @@ public partial struct MeshInfo {
     public uint TriangleCount;
     /// <summary>1: as MeshDesc.deformable, or in the form of a body</summary>
     public int Deformable;
-    /// <summary>1: a body gives it its form, and Mesh.SetVertices does not</summary>
+    /// <summary>1: its form comes from a body, not from Mesh.SetVertices</summary>
     public int FollowsBody;
 }
 
@@ -497,11 +497,11 @@ public partial struct SceneDesc {
     /// <summary>models to make room for at once; 0</summary>
     public uint ReserveModels;
     /// <summary>
-    /// whose threads worker_count counts; null: the scene's own
+    /// provides the worker_count threads; null: the scene's own
     /// The address of a gphys_task_runner.
     /// </summary>
     public IntPtr TaskRunner;
-    /// <summary>threads for one call, its own included, at most 1024; 0 and 1: that alone</summary>
+    /// <summary>threads for one call, including the caller's, at most 1024; 0 and 1: that alone</summary>
     public uint WorkerCount;
     /// <summary>must be 0</summary>
     internal uint Reserved;
@@ -549,8 +549,8 @@ public partial struct ModelInfo {
 }
 
 /// <summary>
-/// Which models a query sees. Ids of models that are gone, or never were, leave out nothing and are no
-/// error: what asked may have been removed since.
+/// Which models a query sees. Ids that name no model leave out nothing and are not an error: the
+/// model that asked may have been removed since.
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public partial struct QueryFilterDesc {
@@ -644,7 +644,7 @@ public partial struct Orbit {
     public float MaxPitch;
 }
 
-/// <summary>What a unit of each input moves an orbit by; negative to turn one round. Frozen.  Since 1.1.</summary>
+/// <summary>What a unit of each input moves an orbit by; negative to invert one. Frozen.  Since 1.1.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public partial struct OrbitSpeeds {
     /// <summary>radians a unit, of yaw and pitch</summary>
@@ -669,18 +669,18 @@ public partial struct SolverDesc {
     public IntPtr Allocator;
     /// <summary>m/s^2; default (0, -9.81, 0)</summary>
     public Vec3 Gravity;
-    /// <summary>of one step, 1 .. 1000; default 8; with targets: of the first</summary>
+    /// <summary>of one step, 1 .. 1000; default 8; with error targets: of the first step</summary>
     public uint Substeps;
     /// <summary>seconds simulated by each step of Solver.Advance; 1/60</summary>
     public float FixedStep;
     /// <summary>most steps of one advance; time beyond is dropped; 8</summary>
     public uint MaxSteps;
     /// <summary>
-    /// whose threads worker_count counts; null: the solver's own
+    /// provides the worker_count threads; null: the solver's own
     /// The address of a gphys_task_runner.
     /// </summary>
     public IntPtr TaskRunner;
-    /// <summary>threads for one step, its own included, at most 1024; 0 and 1: that alone</summary>
+    /// <summary>threads for one step, including the caller's, at most 1024; 0 and 1: that alone</summary>
     public uint WorkerCount;
     /// <summary>m/s, see Solver.GetSleeping; 0: bodies never sleep; default 0</summary>
     public float SleepSpeed;
@@ -688,7 +688,7 @@ public partial struct SolverDesc {
     public float SleepStrain;
     /// <summary>seconds; default 0.5</summary>
     public float SleepTime;
-    /// <summary>of rigid constraints, see Solver.GetSubsteps; 0: none, of cloth 0.02; default 0</summary>
+    /// <summary>of rigid constraints, see Solver.GetSubsteps; 0: none, for cloth 0.02; default 0</summary>
     public float MaxStrain;
     /// <summary>target of positions: metres of error that a second of motion adds; 0: none; default 0</summary>
     public float Tolerance;
@@ -730,9 +730,9 @@ public partial struct SolverSettings {
     /// <summary>1 .. 1000</summary>
     public uint MaxSubsteps;
     /// <summary>
-    /// most particles times substeps of a step; 0: no bound. Where bodies would take more, all
-    /// take fewer substeps in proportion, but one at least, cloth one for each 25 ms. It bounds
-    /// the time of a step on every machine alike: the same bits everywhere
+    /// most particles times substeps of a step; 0: no bound. If bodies need more, all take fewer
+    /// substeps in proportion, at least one, and cloth at least one for each 25 ms. It bounds
+    /// work, not time, so the bits are the same on every machine
     /// </summary>
     public uint MaxWork;
 }
@@ -760,8 +760,8 @@ public partial struct BodyDesc {
     /// <summary>mask of the models it collides with; 0: none; default all</summary>
     public uint Layers;
     /// <summary>
-    /// of what rests on a model, slower than a fall of 4e-4 radii; at least friction, or 0:
-    /// as friction; default 0
+    /// of particles at rest on a model, slower than after a fall of 4e-4 radii; at least
+    /// friction, or 0: as friction; default 0
     /// </summary>
     public float StaticFriction;
     /// <summary>1: its particles collide with one another, see below; default 0</summary>
@@ -797,7 +797,7 @@ public partial struct BodySettings {
     public uint Layers;
     /// <summary>of bodies</summary>
     public uint BodyLayers;
-    /// <summary>0 or 1; what is nearer than its radii reach when it is set does not collide</summary>
+    /// <summary>0 or 1; particles nearer than their radii reach when it is set do not collide</summary>
     public uint SelfCollision;
 }
 
@@ -865,7 +865,7 @@ public partial struct ConstraintInfo {
     public float Compliance;
 }
 
-/// <summary>What a constraint is like and may become. Frozen.</summary>
+/// <summary>The settings of a constraint. Frozen.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public partial struct ConstraintSettings {
     /// <summary>metres, &gt;= 0; negative, when it is set: the present distance</summary>
@@ -958,8 +958,8 @@ public partial struct BodyContact {
     /// <summary>metres between their surfaces as they are now; below 0: they overlap</summary>
     public float Distance;
     /// <summary>
-    /// N s along normal, of the whole step: b got it, and a its opposite. What links and models
-    /// answered is not in it
+    /// N s along normal, of the whole step: b got it, and a its opposite. The reactions of links and
+    /// models are not in it
     /// </summary>
     public float Impulse;
 }
@@ -972,7 +972,7 @@ public partial struct Impulse {
     public uint Tag;
     /// <summary>N s: what to add to the momentum of the model if it is a body of yours</summary>
     public Vec3 Linear;
-    /// <summary>N m s, about the model's position in the world: the same for its spin</summary>
+    /// <summary>N m s, about the model's position in the world: likewise for its angular momentum</summary>
     public Vec3 Angular;
 }
 

@@ -56,7 +56,7 @@ MESH_BODY_LINKS = 2  # the links and particles of a rope, or free particles: lik
 MESH_HULL = 3  # a solid: Mesh
 
 FILTER_SUBTREE = 1  # ignored_model stands for its descendants, too
-FILTER_NO_BACK_FACES = 2  # planes, triangles and meshes that are no solids are not met from behind, by rays with HIT_BACK, nor by sweeps along their normal; other queries, which come from no side, take this flag and the next without effect
+FILTER_NO_BACK_FACES = 2  # planes, triangles and meshes that are not solid are not hit from behind: by rays with HIT_BACK, or by sweeps along their normal; other queries have no direction and ignore this flag and the next
 FILTER_NO_FRONT_FACES = 4  # they are met from behind only: the inside of a closed mesh
 
 PROJECTION_PERSPECTIVE = 0
@@ -66,7 +66,7 @@ PROJECTION_USER = 2
 LEFT_HANDED = 0  # looks along its own +Z
 RIGHT_HANDED = 1  # looks along its own -Z
 
-PICK_FROM_NEAR_PLANE = 0  # what is drawn can be picked, and nothing before it
+PICK_FROM_NEAR_PLANE = 0  # what is drawn can be picked; nothing between camera and near plane
 PICK_FROM_CENTRE = 1  # at the camera's position: what is between it and the near plane, too
 
 CLOTH_SHEAR = 1  # constraints along both diagonals of each grid cell: stiff like paper
@@ -78,9 +78,9 @@ BODY_CLOTH = 3
 
 SOLVE_FREE = 0  # no constraints: exact flight
 SOLVE_DIRECT = 1  # chains and trees: Newton on the whole body at once
-SOLVE_GRAPH = 2  # what has rings, volume, clusters, or a particle with more than 64 constraints: coloured batches of chains, then the rest, then reach limits
+SOLVE_GRAPH = 2  # cycles of constraints, volume, clusters, or a particle with more than 64 constraints: coloured batches of chains, then the rest, then reach limits
 
-CONSTRAINT_DISTANCE = 0  # its length: Solver.add_distance, and those of builders
+CONSTRAINT_DISTANCE = 0  # its length: Solver.add_distance, and those created with a body
 CONSTRAINT_MAX_DISTANCE = 1  # at most its length; it may go slack: Solver.add_max_distance
 
 VERSION_MAJOR = 1
@@ -248,7 +248,7 @@ class Hit(Value, Structure):
     tag: int  # the model's tag, 0 likewise
     t: float  # 0 .. t_max; along a segment or sweep 0 .. 1
     point: Vec3  # where the surfaces meet
-    normal: Vec3  # unit, against the motion: dot(normal, direction) <= 0, of rays but for its rounding
+    normal: Vec3  # unit, against the motion: dot(normal, direction) <= 0, for rays up to rounding
     triangle: int  # index within a mesh, else NO_TRIANGLE
     u: float  # barycentric weights of b and c of a triangle, else 0
     v: float  # barycentric weights of b and c of a triangle, else 0
@@ -275,7 +275,7 @@ Nearest.dtype = nearest_dtype
 
 
 class Distance(Value, Structure):
-    """How far a ray comes: those fields of a Hit. Frozen.  Since 1.1."""
+    """How far a ray goes and what it hits: fields of a Hit. Frozen.  Since 1.1."""
     t: float  # in multiples of the direction, so metres where its length is 1; INFINITY: nothing is hit
     model: int  # as in Hit
     triangle: int
@@ -332,7 +332,7 @@ class MeshInfo(Value, Structure):
     vertex_count: int
     triangle_count: int
     deformable: int  # 1: as MeshDesc.deformable, or in the form of a body
-    follows_body: int  # 1: a body gives it its form, and Mesh.set_vertices does not
+    follows_body: int  # 1: its form comes from a body, not from Mesh.set_vertices
     _fields_ = [("kind", c_int32), ("vertex_count", c_uint32), ("triangle_count", c_uint32), ("deformable", c_int32), ("follows_body", c_int32)]
 
 
@@ -373,8 +373,8 @@ class SceneDesc(Desc, Structure):
     struct_size: int
     allocator: int | None  # None: the C++ runtime's
     reserve_models: int  # models to make room for at once; 0
-    task_runner: int | None  # whose threads worker_count counts; None: the scene's own
-    worker_count: int  # threads for one call, its own included, at most 1024; 0 and 1: that alone
+    task_runner: int | None  # provides the worker_count threads; None: the scene's own
+    worker_count: int  # threads for one call, including the caller's, at most 1024; 0 and 1: that alone
     reserved: int  # must be 0
     _fields_ = [("struct_size", c_uint32), ("allocator", c_void_p), ("reserve_models", c_uint32), ("task_runner", c_void_p), ("worker_count", c_uint32), ("reserved", c_uint32)]
 
@@ -407,8 +407,8 @@ ModelInfo.dtype = model_info_dtype
 
 
 class QueryFilterDesc(Desc, Structure):
-    """Which models a query sees. Ids of models that are gone, or never were, leave out nothing and are no
-    error: what asked may have been removed since."""
+    """Which models a query sees. Ids that name no model leave out nothing and are not an error: the
+    model that asked may have been removed since."""
     struct_size: int
     layers: int  # a model is seen if its own mask shares a bit; default ALL_LAYERS
     ignored_model: int  # left out; 0: none; default 0
@@ -453,7 +453,7 @@ Orbit.dtype = orbit_dtype
 
 
 class OrbitSpeeds(Value, Structure):
-    """What a unit of each input moves an orbit by; negative to turn one round. Frozen.  Since 1.1."""
+    """What a unit of each input moves an orbit by; negative to invert one. Frozen.  Since 1.1."""
     rotate_x: float  # radians a unit, of yaw and pitch
     rotate_y: float  # radians a unit, of yaw and pitch
     zoom: float  # metres a unit
@@ -470,15 +470,15 @@ class SolverDesc(Desc, Structure):
     struct_size: int
     allocator: int | None  # None: the C++ runtime's
     gravity: Vec3  # m/s^2; default (0, -9.81, 0)
-    substeps: int  # of one step, 1 .. 1000; default 8; with targets: of the first
+    substeps: int  # of one step, 1 .. 1000; default 8; with error targets: of the first step
     fixed_step: float  # seconds simulated by each step of Solver.advance; 1/60
     max_steps: int  # most steps of one advance; time beyond is dropped; 8
-    task_runner: int | None  # whose threads worker_count counts; None: the solver's own
-    worker_count: int  # threads for one step, its own included, at most 1024; 0 and 1: that alone
+    task_runner: int | None  # provides the worker_count threads; None: the solver's own
+    worker_count: int  # threads for one step, including the caller's, at most 1024; 0 and 1: that alone
     sleep_speed: float  # m/s, see Solver.get_sleeping; 0: bodies never sleep; default 0
     sleep_strain: float  # of rigid constraints, |length / rest length - 1|; default 0.01
     sleep_time: float  # seconds; default 0.5
-    max_strain: float  # of rigid constraints, see Solver.get_substeps; 0: none, of cloth 0.02; default 0
+    max_strain: float  # of rigid constraints, see Solver.get_substeps; 0: none, for cloth 0.02; default 0
     tolerance: float  # target of positions: metres of error that a second of motion adds; 0: none; default 0
     max_substeps: int  # the most that a target may ask for, 1 .. 1000; default 64
     max_work: int  # see SolverSettings; 0: no bound; default 0
@@ -497,7 +497,7 @@ class SolverSettings(Value, Structure):
     max_strain: float  # >= 0
     tolerance: float  # m/s, >= 0
     max_substeps: int  # 1 .. 1000
-    max_work: int  # most particles times substeps of a step; 0: no bound. Where bodies would take more, all take fewer substeps in proportion, but one at least, cloth one for each 25 ms. It bounds the time of a step on every machine alike: the same bits everywhere
+    max_work: int  # most particles times substeps of a step; 0: no bound. If bodies need more, all take fewer substeps in proportion, at least one, and cloth at least one for each 25 ms. It bounds work, not time, so the bits are the same on every machine
     _fields_ = [("gravity", Vec3), ("substeps", c_uint32), ("fixed_step", c_float), ("max_steps", c_uint32), ("sleep_speed", c_float), ("sleep_strain", c_float), ("sleep_time", c_float), ("max_strain", c_float), ("tolerance", c_float), ("max_substeps", c_uint32), ("max_work", c_uint32)]
 
 
@@ -517,7 +517,7 @@ class BodyDesc(Desc, Structure):
     bend_compliance: float  # of CLOTH_BEND constraints, m/N; default 0.001
     cloth_flags: int  # cloth values; default SHEAR | BEND
     layers: int  # mask of the models it collides with; 0: none; default all
-    static_friction: float  # of what rests on a model, slower than a fall of 4e-4 radii; at least friction, or 0: as friction; default 0
+    static_friction: float  # of particles at rest on a model, slower than after a fall of 4e-4 radii; at least friction, or 0: as friction; default 0
     self_collision: int  # 1: its particles collide with one another, see below; default 0
     body_layers: int  # two bodies collide with each other if their masks share a bit; 0: with none; default 0
     shear_compliance: float  # of CLOTH_SHEAR constraints of a grid, m/N, >= 0; 0: as compliance; default 0
@@ -537,7 +537,7 @@ class BodySettings(Value, Structure):
     restitution: float  # 0 .. 1
     layers: int  # of models
     body_layers: int  # of bodies
-    self_collision: int  # 0 or 1; what is nearer than its radii reach when it is set does not collide
+    self_collision: int  # 0 or 1; particles nearer than their radii reach when it is set do not collide
     _fields_ = [("damping", c_float), ("friction", c_float), ("static_friction", c_float), ("restitution", c_float), ("layers", c_uint32), ("body_layers", c_uint32), ("self_collision", c_uint32)]
 
 
@@ -612,7 +612,7 @@ ConstraintInfo.dtype = constraint_info_dtype
 
 
 class ConstraintSettings(Value, Structure):
-    """What a constraint is like and may become. Frozen."""
+    """The settings of a constraint. Frozen."""
     rest_length: float  # metres, >= 0; negative, when it is set: the present distance
     compliance: float  # metres per newton, >= 0; 0 is rigid
     damping: float  # N s/m, >= 0, of what has compliance; see Solver.set_constraint_damping
@@ -696,7 +696,7 @@ class BodyContact(Value, Structure):
     particle_b: int
     normal: Vec3  # unit, from a to b, when they touched last
     distance: float  # metres between their surfaces as they are now; below 0: they overlap
-    impulse: float  # N s along normal, of the whole step: b got it, and a its opposite. What links and models answered is not in it
+    impulse: float  # N s along normal, of the whole step: b got it, and a its opposite. The reactions of links and models are not in it
     _fields_ = [("body_a", c_uint32), ("particle_a", c_uint32), ("body_b", c_uint32), ("particle_b", c_uint32), ("normal", Vec3), ("distance", c_float), ("impulse", c_float)]
 
 
@@ -709,7 +709,7 @@ class Impulse(Value, Structure):
     model: int
     tag: int  # the model's
     linear: Vec3  # N s: what to add to the momentum of the model if it is a body of yours
-    angular: Vec3  # N m s, about the model's position in the world: the same for its spin
+    angular: Vec3  # N m s, about the model's position in the world: likewise for its angular momentum
     _fields_ = [("model", c_uint32), ("tag", c_uint32), ("linear", Vec3), ("angular", Vec3)]
 
 

@@ -14,8 +14,8 @@ from ._runtime import (Models, Object, array_of, check, common_length, descs_of,
 
 
 class Mesh(Object):
-    """Build a mesh from copies of the arrays. Triangles of zero area are kept: they are met like the
-    segments or points that they are, and counted in the report. 0 triangles are allowed.
+    """Build a mesh from copies of the arrays. Triangles of zero area are kept: queries treat them as
+    the segments or points that they are, and the report counts them. 0 triangles are allowed.
     Cost: O(n log n), about 1 us per triangle.
 
     Raises:
@@ -33,18 +33,18 @@ class Mesh(Object):
 
     @classmethod
     def hull(cls, points: ArrayLike, desc: low.MeshDesc | None = None) -> Mesh:
-        """Make the convex hull of points: a mesh that is solid, as spheres and boxes are. All that takes a
-        mesh takes it: functions of shapes, models of scenes, snapshots, and solvers, whose particles
-        stay outside and are pushed out. A ray that starts inside hits at t = 0 with HIT_INSIDE; one
-        from outside hits the face through which it enters, `triangle` says where. Whether a ray hits
-        and whether a point is inside is exact with respect to the points. Inside, the closest point is
-        the point itself and triangle NO_TRIANGLE. Mesh.overlap lists the triangles of the surface;
-        Mesh.raycast_all gives the first hit alone. The vertices are those points that are corners of
-        the hull, in the order of the points, of equal ones the first. The triangles come face by face,
-        all that lie in one plane being one face; seen from outside their corners go counterclockwise
-        where axes are right-handed, and the normal cross(b - a, c - a) points out.
-        Cost: O(point_count * faces); allocates. Rays take O(log faces), the other questions up to
-        O(faces). Source: quickhull (Barber, Dobkin, Huhdanpaa 1996) with exact predicates. Since 1.1.
+        """Make the convex hull of points: a mesh that is solid, as spheres and boxes are. It can be used
+        wherever a mesh can: functions of shapes, models of scenes, snapshots, and solvers, whose
+        particles stay outside and are pushed out. A ray that starts inside hits at t = 0 with
+        HIT_INSIDE; one from outside hits the face through which it enters, `triangle` says where.
+        Whether a ray hits and whether a point is inside is exact with respect to the points. Inside,
+        the closest point is the point itself and triangle NO_TRIANGLE. Mesh.overlap lists the triangles
+        of the surface; Mesh.raycast_all gives only the first hit. The vertices are the points that are
+        corners of the hull, in their original order; of equal points the first. The triangles come face
+        by face, all that lie in one plane being one face; seen from outside their corners go
+        counterclockwise where axes are right-handed, and the normal cross(b - a, c - a) points out.
+        Cost: O(point_count * faces); allocates. Rays take O(log faces), other queries up to O(faces).
+        Source: quickhull (Barber, Dobkin, Huhdanpaa 1996) with exact predicates. Since 1.1.
 
         Args:
             desc: deformable must be 0
@@ -65,15 +65,15 @@ class Mesh(Object):
 
     @classmethod
     def from_snapshot(cls, words: ArrayLike, desc: low.MeshDesc | None = None) -> Mesh:
-        """Make a mesh of a snapshot: all its answers have the bits of the mesh that the snapshot was taken
-        of. Any words are safe, also those of a stranger: vertices, indices and the tree are checked,
-        and what follows from them is computed. Made-up words are refused, or taken as a mesh like any
-        other; only what its report counts (triangles of zero area, open edges) is taken as it stands
-        there.
+        """Make a mesh from a snapshot: all its answers have the same bits as those of the mesh in the
+        snapshot. Any words are safe, also from an untrusted source: vertices, indices and the tree are
+        checked, and what follows from them is computed. Forged words are refused, or taken as a mesh
+        like any other; only the counts of its report (triangles of zero area, open edges) are taken
+        from the words as they are.
         Cost: O(n), a small part of Mesh's; allocates.
 
         Args:
-            desc: with `deformable` the mesh takes new vertices, whatever the one in the snapshot did
+            desc: with `deformable` the mesh takes new vertices, even if the one in the snapshot did not
 
         Raises:
             InvalidArgument: for words that are no snapshot of a mesh, damaged, of a later format or of
@@ -107,26 +107,26 @@ class Mesh(Object):
 
     @classmethod
     def from_body(cls, solver: Solver | None, body: int, desc: low.MeshDesc | None = None) -> Mesh:
-        """Make a mesh that has the form of a body and follows it by itself: cloth, ropes and particles can
-        be met by rays, picked, overlapped and culled as models of scenes (Scene.add with SHAPE_MESH;
-        without a transform the model is where the body is) or asked by shape_* and mesh_* functions.
-        Vertex p is particle p. Of cloth the mesh is the surface of its triangles, in the order of
-        Solver.get_triangles. A rope is solid. Of its n particles, `triangle` t below n - 1 of a hit is
-        the link from particle t to t + 1, a capsule of the smaller of their radii, there while a
-        constraint holds them together; n - 1 + p is particle p, a sphere, there where no link beside it
-        is as thick. Free particles are spheres, and `triangle` is the particle.
+        """Make a mesh that has the form of a body and follows it automatically: cloth, ropes and particles
+        can be hit by rays, picked, overlapped and culled as models of scenes (Scene.add with
+        SHAPE_MESH; without a transform the model is where the body is) or queried by shape_* and mesh_*
+        functions. Vertex p is particle p. For cloth the mesh is the surface of its triangles, in the
+        order of Solver.get_triangles. A rope of n particles is solid. In a hit, `triangle` t below n -
+        1 is the link from particle t to t + 1, a capsule with the smaller of their radii, present while
+        a constraint holds them together; n - 1 + p is particle p, a sphere, present where no link
+        beside it is as thick. Free particles are spheres, and `triangle` is the particle.
         Solver.get_nearest_particle finds the particle of a hit. The mesh has the new form when
-        Solver.step, Solver.advance, Solver.restore or an edit of the body returns. Cloth that tears
-        (Break) takes its triangles along, whose numbers stay, and the mesh gets vertices for the new
-        particles. A model that would leave the range of the world, and a torn mesh or one of less than
-        2^-32 m for which there is no memory, keep their form until they can follow. Solver.set_origin
-        moves the coordinates of the mesh, and the models back by as much: they stay where they are in
-        the world, exactly if scenes have moved their origin before. Solvers do not collide with models
-        of such meshes, nor wake by them: bodies meet by BodyDesc.body_layers. A restored body is
-        followed if it has the id and the parts of the one that there was. Restore the solver before the
-        scene. A mesh that is loaded from a snapshot, that of a scene included, is a copy that follows
-        nothing; Scene.set_shape gives its model one that does. Mesh and solver are destroyed in any
-        order. When the body is gone the mesh keeps the form that it had last and is deformable by
+        Solver.step, Solver.advance, Solver.restore or an edit of the body returns. When cloth tears
+        (Break), its triangles keep their numbers, and the mesh gets vertices for the new particles. A
+        model that would leave the range of the world, and a torn mesh or one of less than 2^-32 m for
+        which there is no memory, keep their form until they can follow. Solver.set_origin moves the
+        coordinates of the mesh, and the models back by as much: they stay where they are in the world,
+        exactly if scenes have moved their origin before. Bodies neither collide with models of such
+        meshes nor wake because of them: BodyDesc.body_layers sets which bodies collide. A restored body
+        is followed if it has the same id and parts as before. Restore the solver before the scene. A
+        mesh that is loaded from a snapshot, that of a scene included, is a copy that follows nothing;
+        Scene.set_shape gives its model one that does. Mesh and solver are destroyed in any order. When
+        the body is gone the mesh keeps the form that it had last and is deformable by
         Mesh.set_vertices, which returns ERROR_UNSUPPORTED before. A mesh that neither its handle nor a
         model holds follows no more.
         Threads: the functions above become edits of the mesh and of each scene that has a model of it.
@@ -151,8 +151,8 @@ class Mesh(Object):
         return list_of(low.gphys_mesh_get_hull_planes, (self._handle,), low.plane_dtype)
 
     def get_hull_faces(self) -> np.ndarray:
-        """For each triangle of a hull the number of its face, by which Mesh.get_hull_planes lists the
-        planes: ascending, from 0.
+        """For each triangle of a hull the index of its face in the list of Mesh.get_hull_planes, ascending
+        from 0.
         Cost: O(triangles). Since 1.1.
 
         Raises:
@@ -160,17 +160,17 @@ class Mesh(Object):
         return list_of(low.gphys_mesh_get_hull_faces, (self._handle,), "<u4")
 
     def set_vertices(self, vertices: ArrayLike) -> None:
-        """Put other vertices in place of those of a deformable mesh: of a skinned character, or of cloth
-        as Solver.get_positions writes it. All models of the mesh have the new form from then on, in
-        every scene, and all answers have the bits of those of a mesh created of the new vertices. What
-        fails leaves the mesh and the scenes as they were. A solver sees the new form at its next step,
-        as a surface that stands still.
+        """Replace the vertices of a deformable mesh, such as a skinned character, or cloth as
+        Solver.get_positions writes it. All models of the mesh take the new form at once, in every
+        scene, and all answers have the same bits as those of a mesh created from the new vertices. A
+        call that fails leaves the mesh and the scenes as they were. A solver sees the new form at its
+        next step, as a surface that stands still.
         Threads: an edit of the mesh and of every scene that has a model of it: not beside other calls
         on these.
-        Cost: O(vertices + triangles + log n for each model), some percent of a creation: the tree is
-        refitted, and built again by parts where it has degraded. If the triangles have come apart so
-        that their groups of eight have boxes of twice the area, once that of a creation. Allocates.
-        Since 1.1.
+        Cost: O(vertices + triangles + log n for each model), a few per cent of creating it: the tree is
+        refitted, and parts that have degraded are rebuilt. If the triangles have moved apart so far
+        that the boxes of their groups of eight have twice the area, once as much as creating it.
+        Allocates. Since 1.1.
 
         Args:
             vertices: elements of 3 floats, metres; copied
@@ -235,8 +235,7 @@ class Mesh(Object):
 
     def raycast_any_batch(self, rays: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
         """Whether each of the rays hits anything, as Mesh.raycast_any.
-        Cost: that of as many single calls; less for rays whose neighbours go much the same way. Since
-        1.1."""
+        Cost: that of as many single calls; less if neighbouring rays are similar. Since 1.1."""
         rays_ = array_of(rays, low.ray_dtype)
         count = common_length(rays_)
         out_ = result_array(out, count, "<i4")
@@ -244,8 +243,8 @@ class Mesh(Object):
         return out_.array
 
     def raycast_distance_batch(self, rays: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
-        """How far the rays come, and which triangles they hit: t and triangle of gamephys.raycast_batch
-        for the mesh, with the same bits, without the rest of a hit; model is 0.
+        """How far each of the rays goes, and which triangle it hits: t and triangle of
+        gamephys.raycast_batch for the mesh, with the same bits, without the rest of a hit; model is 0.
         Cost: less than that of gamephys.raycast_batch. Since 1.1.
 
         Returns:
@@ -284,11 +283,10 @@ class Scene(Models):
     """Create a scene without models. With a worker_count of n, all batch queries of the scene
     (Camera.pick_batch too), and adding and moving many models, share their work among n threads;
     the results have the same bits for every n. Without a task_runner n - 1 threads are started here
-    and joined when the scene is destroyed. They serve one call at a time: calls made meanwhile do
-    their own work. They take no signals but faults, and the floating-point settings of the thread
-    that created them. In a child of fork they are gone: calls there run on one thread, as they do
-    on a platform without threads (WebAssembly, unless built for shared memory), whatever is asked
-    for.
+    and joined when the scene is destroyed. They serve one call at a time: calls made meanwhile run
+    on their own thread alone. They take no signals but faults, and have the standard floating-point
+    settings. In a child of fork they are gone: calls there run on one thread, as they do on a
+    platform without threads (WebAssembly, unless built for shared memory), whatever is asked for.
     Cost: O(reserve_models), and that of starting the threads.
 
     Args:
@@ -306,8 +304,8 @@ class Scene(Models):
         self._own(handle.value)
 
     def set_worker_count(self, workers: int) -> None:
-        """Change the number of threads that share the calls of a scene, such as by a setting of the
-        user's. They are those of its task_runner if it was created with one. In a child of fork they
+        """Change the number of threads that share the calls of a scene, for example when the user changes
+        a setting. They are those of its task_runner if it was created with one. In a child of fork they
         are started again. Answers keep their bits.
         Cost: that of joining the former threads and starting others; allocates. Since 1.1.
 
@@ -326,8 +324,8 @@ class Scene(Models):
         return out_workers.value
 
     def set_origin(self, origin: ArrayLike) -> None:
-        """Move the point of the world that all coordinates of the scene count from, those that it is given
-        and those that it returns. Models stay where they are in the world: the positions of those
+        """Move the point of the world that all coordinates of the scene are relative to, those passed to
+        it and those that it returns. Models stay where they are in the world: the positions of those
         without a parent become what they are from there, kept in double precision and rounded to
         float32 once, however often the origin moves. For worlds beyond some kilometres: keep the origin
         near the camera, and when the camera has gone a few kilometres, move it together with that of
@@ -450,7 +448,7 @@ class Scene(Models):
         return list_of(low.gphys_scene_get_roots, (self._handle,), "<u4")
 
     def get_children(self, model: int) -> np.ndarray:
-        """Ids of the models that hang directly below one, ascending.
+        """Ids of the direct children of a model, ascending.
         Cost: O(k log k)."""
         return list_of(low.gphys_scene_get_children, (self._handle, model,), "<u4")
 
@@ -462,8 +460,8 @@ class Scene(Models):
         return out_info
 
     def get_bounds(self, model: int) -> low.Aabb | None:
-        """World box of a model, by which queries find it: holds it, and is at most 3 ulps and 2^-19 of the
-        sum of its sizes wider. That of an empty mesh is its position.
+        """World box of a model, by which queries find it: contains the model, and is wider by at most 3
+        ulps and 2^-19 of the sum of its sizes. That of an empty mesh is its position.
         Cost: O(1).
 
         Returns:
@@ -503,10 +501,10 @@ class Scene(Models):
         """Scale a model's own shape along the three axes of the model, before its transform: a tree grows,
         a unit box becomes a wall, a rock is stretched. Every query, and solvers, see the scaled shape;
         normals are those of its surface. Children are not affected: they follow the transform, whose
-        scale is one number. What is set replaces what was set before. A mesh or a hull is scaled
-        exactly, without a copy: answers are those of a mesh of the scaled vertices. Of a box or a
-        triangle each number is multiplied and rounded to float32. A sphere, capsule or plane, and an
-        OBB whose own rotation is not the identity, take three equal numbers only.
+        scale is one number. A new scale replaces the old one. A mesh or a hull is scaled exactly,
+        without a copy: answers are those of a mesh of the scaled vertices. Of a box or a triangle each
+        number is multiplied and rounded to float32. A sphere, capsule or plane, and an OBB whose own
+        rotation is not the identity, take three equal numbers only.
         Cost: as Scene.set_transform of a model without children. Models that have a scale take 16 bytes
         more if they are meshes, else 52, up to the highest id. Queries of a scaled mesh or hull take 1
         to 11 % more; rays at a mesh that is flattened to a twentieth take 1.3 times those at a mesh of
@@ -550,7 +548,7 @@ class Scene(Models):
         check(low.gphys_scene_set_tag(self._handle, model, tag))
 
     def set_parent(self, model: int, parent: int, keep_world: int) -> None:
-        """Hang a model below another one, or below none (0).
+        """Make a model the child of another one, or of none (0).
         Cost: O(depth of the tree of models), and as Scene.set_transform for what moves. Renews the
         octree as far as there is memory.
 
@@ -601,8 +599,8 @@ class Scene(Models):
         return out_.array
 
     def get_world_transforms(self, models: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
-        """World transforms of the models: those of all ancestors applied, rounded to float32. What queries
-        answer is exact with respect to these.
+        """World transforms of the models: with those of all ancestors applied, rounded to float32. Answers
+        of queries are exact with respect to these.
         Cost: O(elements).
 
         Args:
@@ -634,8 +632,8 @@ class Scene(Models):
         return out_.array
 
     def raycast_distance_batch(self, rays: ArrayLike, layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
-        """How far the rays come, and what they meet: t, model and triangle of Scene.raycast_batch, with
-        the same bits, without the rest of a hit. For lidars and images of depth.
+        """How far each of the rays goes, and what it hits: t, model and triangle of Scene.raycast_batch,
+        with the same bits, without the rest of a hit. For lidars and depth images.
         Cost: less than that of Scene.raycast_batch; shared among workers. Since 1.1.
 
         Returns:
@@ -721,11 +719,12 @@ class Scene(Models):
         return ragged_of(low.gphys_scene_overlap_batch, (self._handle, type_, shapes_.address, shapes_.stride, count, layers,), "<u4", count)
 
     def cull(self, frustum: low.Frustum | Sequence, layers: int = low.ALL_LAYERS) -> np.ndarray:
-        """Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its
-        own box, ascending: for drawing. None that is seen is missed. More are listed near the frustum's
-        edges: some per cent of models that are compact or not turned; of long or flat ones that are
-        turned, whose world boxes are mostly empty, about a third, and as many again as are seen where
-        they are as long as the view is wide. Scene.overlap sorts these out by testing the shapes.
+        """Ids of all models whose world box is not wholly outside any of a frustum's six planes or its own
+        box, ascending: for drawing. No visible model is missed. Some invisible ones near the frustum's
+        edges are listed, too: a few per cent more where models are compact or not rotated; about a
+        third more where they are long or flat and rotated, so that their world boxes are mostly empty,
+        and as many again as are visible where they are as long as the view is wide. Scene.overlap
+        leaves these out by testing the shapes.
         Cost: O(log n + k) expected."""
         frustum_ = value_of(frustum, low.Frustum)
         return list_of(low.gphys_scene_cull, (self._handle, frustum_.address, layers,), "<u4")
@@ -831,8 +830,8 @@ class Scene(Models):
 
     def penetration(self, shape: Shape, layers: int = low.ALL_LAYERS) -> np.ndarray:
         """What a sphere, capsule, AABB or OBB overlaps, and how it gets out: an element for each model,
-        and of a mesh one for each triangle, as gamephys.penetration. Deepest first; those that are as
-        deep by model, then triangle. Each is the way out of that one alone. The models are those of
+        and of a mesh one for each triangle, as gamephys.penetration. Deepest first; equal depths by
+        model, then triangle. Each is the way out of that one alone. The models are those of
         Scene.overlap.
         Cost: O(log n + k log k) expected.
 
@@ -858,8 +857,8 @@ class Scene(Models):
         Cost: that of Scene.raycast for one ignored model. For each model that is met within the ray's
         reach, besides: O(its depth below its root) with FILTER_SUBTREE if ignored_model has children;
         of m ignored_models O(log m) if they are ascending, as all lists of the library are, else O(m).
-        Whether they are takes O(m) a call. Where faces are left out, rays of a batch meet a mesh one by
-        one.
+        Whether they are takes O(m) a call. Where faces are left out, a batch tests a mesh one ray at a
+        time.
 
         Args:
             filter: None: the defaults
@@ -888,8 +887,8 @@ class Scene(Models):
         return out_.array
 
     def raycast_distance_filtered_batch(self, rays: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: np.ndarray | None = None) -> np.ndarray:
-        """How far the rays come among the models that the filters see, as Scene.raycast_distance_batch: a
-        lidar leaves out the robot that carries it.
+        """How far each of the rays goes among the models that its filter sees, as
+        Scene.raycast_distance_batch: a lidar leaves out the robot that carries it.
         Cost: less than that of Scene.raycast_filtered_batch; shared among workers. Since 1.1.
 
         Args:
@@ -1058,7 +1057,7 @@ class Scene(Models):
 
     def sweep_sphere_filtered(self, sphere: low.Sphere | Sequence, displacement: low.Vec3 | Sequence, filter: low.QueryFilterDesc | None = None) -> low.Hit | None:
         """First model that a moving sphere touches and the filter sees, as Scene.sweep_sphere: the sphere
-        may be the bound of the ignored model itself.
+        may be the bounding sphere of the ignored model.
         Cost: that of Scene.sweep_sphere, and for each model as Scene.raycast_filtered.
 
         Args:
@@ -1089,7 +1088,7 @@ class Scene(Models):
         return out_.array
 
     def sweep_filtered(self, shape: Shape, displacement: low.Vec3 | Sequence, filter: low.QueryFilterDesc | None = None) -> low.Hit | None:
-        """First model that a sphere, capsule, AABB or OBB that moves touches and the filter sees, as
+        """First model that a moving sphere, capsule, AABB or OBB touches and the filter sees, as
         Scene.sweep: a character leaves out its own model.
         Cost: that of Scene.sweep, and for each model as Scene.raycast_filtered.
 
@@ -1157,9 +1156,9 @@ class Scene(Models):
         return ragged_of(low.gphys_scene_penetration_filtered_batch, (self._handle, type_, shapes_.address, shapes_.stride, count, filters_.address, 0,), low.penetration_dtype, count)
 
     def rebuild_octree(self) -> None:
-        """Build the scene's octree anew, as good as that of one Scene.add_batch. Never needed: ids,
-        answers and their bits stay as they are. Where many models were added one by one, such as a
-        level that was streamed in, rays then take 0.5 to 0.9 of the time.
+        """Rebuild the scene's octree, as good as that of one Scene.add_batch. Never required: ids, answers
+        and their bits do not change. Where many models were added one by one, such as a level that was
+        streamed in, rays then take 0.5 to 0.9 of the time.
         Cost: O(n log n), 0.15 to 0.45 us a model, less with workers; allocates. Since 1.1.
 
         Raises:
@@ -1170,8 +1169,8 @@ class Scene(Models):
         """Rebuild the octree in parts, one in each call, until it is as good as after
         Scene.rebuild_octree: for levels that are streamed in while frames go on. Each Scene.add and
         Scene.remove does a part by itself; these calls do the rest. Never needed: ids, answers and
-        their bits stay as they are. Models may be added, moved and removed between the calls. An update
-        of an eighth of them or more by one call starts again.
+        their bits stay as they are. Models may be added, moved and removed between the calls. A call
+        that updates an eighth of them or more restarts it.
         Cost: O(budget); allocates, until it is done about 130 bytes a model. Since 1.1.
 
         Args:
@@ -1211,13 +1210,13 @@ class Scene(Models):
 
     def get_snapshot(self, embed_meshes: int) -> np.ndarray:
         """Copy the whole state out: the origin, models with their ids, parents, tags, layers, transforms
-        and shapes, ids to come, and the octree. Workers and allocator are not in it.
+        and shapes, the order of future ids, and the octree. Workers and allocator are not in it.
         Cost: O(n), some 80 bytes and 100 ns for each model, besides embedded meshes
         (Mesh.get_snapshot). Allocates a few words for each different mesh.
 
         Args:
-            embed_meshes: True: meshes are in the snapshot, each once, which is then complete in itself:
-                for saved games and for other machines. False: they are named by what they hold, and
+            embed_meshes: True: meshes are in the snapshot, each once, so it is complete in itself: for
+                saved games and for other machines. False: they are identified by their content, and
                 Scene.restore looks for them: for undo, and rollback each frame.
 
         Returns:
@@ -1230,17 +1229,16 @@ class Scene(Models):
 
     def restore(self, library: Scene | None, words: ArrayLike) -> None:
         """Replace the whole state by that of a snapshot, of this or of another scene. Ids are those of the
-        time of the snapshot, those to come included. All answers have the bits that they had then; a
-        solver that was restored with its scene steps on with the same bits. On an error the scene is as
-        before. Any words are safe, also those of a stranger: all that is used as a number or an index
-        is checked first. Made-up words are refused, or taken as a scene like any other.
+        time of the snapshot, and so are future ones. All answers have the bits that they had then; a
+        solver that is restored with its scene continues with the same bits. On an error the scene is as
+        before. Any words are safe, also from an untrusted source: all that is used as a number or an
+        index is checked first. Forged words are refused, or taken as a scene like any other.
         Cost: O(n), 150 to 700 ns for each model, besides embedded meshes (Mesh). Allocates.
 
         Args:
             library: meshes that are not embedded are looked for among those that models of this scene
-                use, by what they hold: vertices and indices, so one that has been deformed since is to
-                be put back first. None: among those that models of `scene` itself use, before it is
-                restored.
+                use, by their content: vertices and indices. A mesh deformed since must get its old form
+                back first. None: among those that models of `scene` itself use, before it is restored.
 
         Raises:
             InvalidArgument: for words that are no snapshot of a scene, damaged, of a later format or of
@@ -1251,10 +1249,10 @@ class Scene(Models):
         check(low.gphys_scene_restore(self._handle, handle_of(library, Scene), words_.address, count))
 
     def get_hash(self) -> np.ndarray:
-        """A hash of the whole state but the octree, the low half first; of a mesh it is what it holds that
-        counts. Equal states have equal hashes on every machine; different ones differ with near
-        certainty (not against an adversary). Compare it between machines that simulate the same, to see
-        when they part.
+        """A hash of the whole state except the octree, the low half first; meshes count by their content.
+        Equal states have equal hashes on every machine; different ones differ with near certainty (not
+        against an adversary). Compare it between machines that run the same simulation, to detect when
+        they diverge.
         Cost: O(n), some 50 ns for each model."""
         out_hash = np.empty(2, "<u4")
         check(low.gphys_scene_get_hash(self._handle, out_hash.ctypes.data))
@@ -1295,7 +1293,7 @@ class Camera(Object):
         return out_origin
 
     def set_perspective(self, fov_y: float, near_distance: float, far_distance: float) -> None:
-        """See with a perspective projection; what is further away is smaller.
+        """Use a perspective projection: distant objects appear smaller.
         Cost: O(1).
 
         Args:
@@ -1305,7 +1303,7 @@ class Camera(Object):
         check(low.gphys_camera_set_perspective(self._handle, fov_y, near_distance, far_distance))
 
     def set_orthographic(self, height: float, near_distance: float, far_distance: float) -> None:
-        """See with an orthographic projection; the distance changes no size.
+        """Use an orthographic projection: the distance does not change apparent size.
         Cost: O(1).
 
         Args:
@@ -1315,7 +1313,7 @@ class Camera(Object):
         check(low.gphys_camera_set_orthographic(self._handle, height, near_distance, far_distance))
 
     def set_projection(self, projection: low.Mat4 | Sequence) -> None:
-        """See with any projection matrix of the camera's depth range and direction (off-centre, oblique,
+        """Use any projection matrix of the camera's depth range and direction (off-centre, oblique,
         another library's). It is not changed by Camera.set_viewport.
         Cost: O(1).
 
@@ -1327,8 +1325,8 @@ class Camera(Object):
         check(low.gphys_camera_set_projection(self._handle, projection_.address))
 
     def set_perspective_aspect(self, fov_y: float, aspect: float, near_distance: float, far_distance: float) -> None:
-        """As Camera.set_perspective, with an aspect of its own: the viewport stretches the image, as one
-        of pixels that are not square, and does not change what is seen.
+        """As Camera.set_perspective, with a fixed aspect ratio: the image is stretched to the viewport, as
+        with pixels that are not square, and the viewport does not change what is seen.
         Cost: O(1). Since 1.1.
 
         Args:
@@ -1348,8 +1346,8 @@ class Camera(Object):
         check(low.gphys_camera_set_orthographic_size(self._handle, width, height, near_distance, far_distance))
 
     def set_viewport(self, width: float, height: float) -> None:
-        """The viewport was resized. Perspective keeps fov_y, orthographic its height; it is refused if
-        that makes the width more than twice MAX_COORDINATE.
+        """Set the size of the viewport. A perspective keeps fov_y, an orthographic projection its height;
+        the call is refused if that makes the width more than twice MAX_COORDINATE.
         Cost: O(1).
 
         Args:
@@ -1406,7 +1404,8 @@ class Camera(Object):
         return out_x.value, out_y.value
 
     def get_aspect(self) -> tuple[float, bool]:
-        """Width over height of what is seen, as it was set or, with a matrix too, as the viewport has it.
+        """Width over height of what is seen: as it was set, or else, and always with a matrix, that of the
+        viewport.
         Cost: O(1). Since 1.1.
 
         Returns:
@@ -1507,7 +1506,7 @@ class Camera(Object):
 
     def get_view_matrix(self) -> low.Mat4:
         """The matrix from world to camera: the transpose of the orthonormal world axes, and the position
-        through them.
+        transformed by it.
         Cost: O(1)."""
         out_view = low.Mat4()
         check(low.gphys_camera_get_view_matrix(self._handle, ctypes.byref(out_view)))
@@ -1546,7 +1545,7 @@ class Camera(Object):
 
     def set_orbit_speeds(self, speeds: low.OrbitSpeeds | Sequence) -> None:
         """Set a speed for each input of the orbit, in place of the two of Orbit, which Camera.set_orbit
-        starts from. Input since the last update counts by the new ones.
+        starts from. Input since the last update uses the new speeds.
         Cost: O(1). Since 1.1.
 
         Raises:
@@ -1610,8 +1609,8 @@ class Camera(Object):
         check(low.gphys_camera_orbit_update(self._handle))
 
     def get_frustum(self) -> low.Frustum:
-        """The seen volume, with origin at the camera's position and planes from its parameters: each
-        number within 2 ulp; all functions of shapes take it. A user projection gives its planes by
+        """The view frustum, with origin at the camera's position and planes from its parameters: each
+        number within 2 ulp. All functions of shapes accept it. A user projection gives its planes by
         Gribb-Hartmann in double precision.
         Cost: O(1)."""
         out_frustum = low.Frustum()
@@ -1619,7 +1618,7 @@ class Camera(Object):
         return out_frustum
 
     def get_corners(self) -> np.ndarray | None:
-        """World positions of the corners of the seen volume, in the order of gamephys.frustum_corners.
+        """World positions of the corners of the view frustum, in the order of gamephys.frustum_corners.
         Cost: O(1).
 
         Returns:
@@ -1706,9 +1705,9 @@ class Camera(Object):
         """The ray through a pixel, of unit direction, from the near plane on; t_max ends on the far plane
         (INFINITY without one). With PICK_FROM_CENTRE that of a perspective starts at the camera's
         position. Its image is within 1e-3 pixel of the given one or, for fields of view below about 3
-        degrees, as near as half an ulp of a direction can be. Where it starts is rounded to float32
-        besides, which moves it by half an ulp of the coordinates (not from the camera's position, which
-        is one of floats); Camera.pick is not so limited.
+        degrees, within half an ulp of its direction. Its start is rounded to float32, too, which moves
+        the ray by half an ulp of the coordinates (but not from the camera's position, which has float
+        coordinates); Camera.pick is not limited in this way.
         Cost: O(1).
 
         Args:
@@ -1757,8 +1756,8 @@ class Camera(Object):
         return out_.array
 
     def pick_rectangle(self, scene: Scene | None, x0: float, y0: float, x1: float, y1: float, layers: int = low.ALL_LAYERS) -> np.ndarray:
-        """Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
-        rectangle, between near and far plane; exact shapes, ascending.
+        """Marquee: ids of all models in the pixel rectangle, hidden ones included, between near and far
+        plane; tested by their exact shapes, ascending.
         Cost: O(log n + k) expected.
 
         Args:
@@ -2015,10 +2014,10 @@ class Solver(Object):
         sleep_time seconds no particle was faster than sleep_speed and no rigid constraint strained by
         more than sleep_strain; cloth, when its root mean square speed from step to step was no higher,
         no particle ten times as fast, and strain, without a max_strain, at most 3 %. Its speed is then
-        0, it keeps its contacts, and a step costs it a look for models nearby. It wakes in the step
-        before which a model came, went or moved as near as it could come in a step at 50 m/s, or one
-        that it is attached to did, or the scene was exchanged; and at once by any change of its state,
-        of gravity or of the origin.
+        0, it keeps its contacts, and a step costs it one query for models nearby. It wakes in the next
+        step after a model within reach (as far as one could move in a step at 50 m/s) was added,
+        removed or moved, or a model that it is attached to, or after the scene was replaced; and at
+        once by any change of its state, of gravity or of the origin.
         Cost: O(bodies)."""
         return list_of(low.gphys_solver_get_sleeping, (self._handle,), "<u4")
 
@@ -2031,7 +2030,7 @@ class Solver(Object):
         check(low.gphys_solver_wake(self._handle, body))
 
     def get_body_settings(self, body: int) -> low.BodySettings:
-        """The settings of a body as they are; static_friction as it acts, friction at least.
+        """The present settings of a body; static_friction as it acts, at least friction.
         Cost: O(1)."""
         out_settings = low.BodySettings()
         check(low.gphys_solver_get_body_settings(self._handle, body, ctypes.byref(out_settings)))
@@ -2058,8 +2057,8 @@ class Solver(Object):
         return list_of(low.gphys_solver_get_triangles, (self._handle, body,), "<u4")
 
     def get_nearest_particle(self, body: int, triangle: int, point: low.Vec3 | Sequence) -> int:
-        """The particle of a body nearest to a point, as it is to be grabbed: the lowest of those that are
-        as near.
+        """The particle of a body nearest to a point, for example to grab it; of equally near ones the
+        lowest.
         Cost: O(1); O(particles) for NO_TRIANGLE. Since 1.1.
 
         Args:
@@ -2241,8 +2240,8 @@ class Solver(Object):
         2004, "Modelling effects of wind fields in cloth animations"); with C_L = C_D it is nearly the
         pressure on a plate, along n; on a link of a rope -rho/2 C_D 2 r l |u'| u', u' the part of u
         across it, r the radius (the cross-flow principle: Hoerner 1965, "Fluid-dynamic drag"); on a
-        free particle -rho/2 C_D pi r^2 |u| u. Strong wind takes bodies along and never beyond: whatever
-        the density, a substep does not reverse u.
+        free particle -rho/2 C_D pi r^2 |u| u. Strong wind carries bodies along but never overshoots:
+        whatever the density, a substep does not reverse u.
         Cost: O(1) a body; in each substep of cloth some 370 instructions a triangle, in each step of
         others as many for each link or particle.
 
@@ -2287,19 +2286,19 @@ class Solver(Object):
         does not sink into the body behind them. In the next step position and normal go evenly from the
         old target to the new one, substep by substep; distances act at once. A target that is not set
         again stands still. A first target, and that of a particle which Solver.set_positions has moved
-        since the last step, is at once where it is set: a teleport is that call and this one. A model
-        that is teleported too sweeps through what is on its way: in that step the body collides with no
-        layers (Solver.set_body_settings). max_distance 0 carries a particle: it is at its target, as if
-        attached there, and moves links with infinite mass; this also moves a pinned particle, which
-        stays pinned, at constant speed during a step. Otherwise particles that are pinned or attached
-        are not moved. A particle that is out of its bounds at the end of a substep is put on the
-        nearest place within both, without friction; its velocity across them is then that of the
-        target. What lies within its bounds is not touched. Bounds act after constraints and before
-        models: where a target is inside a model, or behind one, the particle stays outside. Links yield
-        to bounds that contradict them. What hangs from a particle at its bounds is carried, in cloth
-        and in ropes that are moved alone; ropes and free particles that are joined, or collide with
-        bodies, are put back particle by particle, and links beside these may be strained by the way of
-        a substep. Wakes the body if a target changes.
+        since the last step, takes effect at its new place at once: to teleport, make that call and this
+        one. A model that is teleported too sweeps through what is on its way: set the body's layers to
+        0 for that step (Solver.set_body_settings). max_distance 0 carries a particle: it is at its
+        target, as if attached there, and moves links with infinite mass; this also moves a pinned
+        particle, which stays pinned, at constant speed during a step. Otherwise particles that are
+        pinned or attached are not moved. A particle that is out of its bounds at the end of a substep
+        is put on the nearest place within both, without friction; its velocity across them is then that
+        of the target. What lies within its bounds is not touched. Bounds act after constraints and
+        before models: where a target is inside a model, or behind one, the particle stays outside.
+        Links yield to bounds that contradict them. What hangs from a particle at its bounds is carried,
+        in cloth and in ropes that are moved alone; ropes and free particles that are joined, or collide
+        with bodies, are put back particle by particle, and links beside these may be strained by the
+        motion of a substep. Wakes the body if a target changes.
         Cost: O(elements); the first time O(particles), and it allocates. In each substep some 100 ns a
         particle; ropes with targets are solved one by one, as those that touch models. Since 1.1.
 
@@ -2366,7 +2365,7 @@ class Solver(Object):
     def add_max_distance(self, body: int, particle_a: int, particle_b: int, max_length: float, compliance: float = 0) -> int:
         """Keep two different particles of a body from being further apart than a length, like a string
         between them: it pulls and never pushes. While it is slack it does nothing; when it becomes
-        taut, and is rigid, the speed at which the particles part is lost and no other.
+        taut, and is rigid, only the speed at which the particles separate is lost.
         Fails as Solver.add_distance.
         It is a constraint like others: listed with max_length as its rest_length, removed as they are,
         and strained only when it is too long.
@@ -2380,9 +2379,9 @@ class Solver(Object):
         return out_constraint.value
 
     def set_constraint_damping(self, body: int, constraint: int, damping: float) -> None:
-        """Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v
-        beside its tension; one of Solver.add_max_distance never pushes. The decay depends on time, not
-        on steps. Rigid constraints have nothing to damp.
+        """Damp a constraint that has compliance: when its ends separate at speed v, it pulls with damping
+        * v in addition to its tension; one of Solver.add_max_distance never pushes. The decay depends
+        on time, not on steps. Rigid constraints have nothing to damp.
         Cost: as Solver.add_distance.
 
         Args:
@@ -2404,7 +2403,7 @@ class Solver(Object):
 
         Raises:
             Error, status ERROR_UNSUPPORTED: if the triangles do not close (each side is that of two
-                triangles), are not all turned the same way, or face inward when the present volume is
+                triangles), are not oriented consistently, or face inward when the present volume is
                 asked for"""
         check(low.gphys_solver_set_volume(self._handle, body, rest_volume, compliance))
 
@@ -2421,8 +2420,8 @@ class Solver(Object):
         return out_volume.value, out_pressure.value
 
     def get_volume_settings(self, body: int) -> tuple[float, float]:
-        """What was given to Solver.set_volume: m^3, of a negative volume that which there was, and m^3 per
-        pascal.
+        """What was given to Solver.set_volume: m^3 (for a negative volume the one at that time), and m^3
+        per pascal.
         Cost: O(1). Since 1.1.
 
         Raises:
@@ -2433,7 +2432,7 @@ class Solver(Object):
         return out_rest_volume.value, out_compliance.value
 
     def remove_constraint(self, body: int, constraint: int) -> None:
-        """End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
+        """Remove a constraint of a body, even one created with it. Its id stays invalid. Wakes the body.
         The triangles of cloth stay together: Solver.break_constraint tears them apart.
         Cost: as Solver.add_distance; allocates.
 
@@ -2442,7 +2441,7 @@ class Solver(Object):
         check(low.gphys_solver_remove_constraint(self._handle, body, constraint))
 
     def get_constraints(self, body: int) -> np.ndarray:
-        """All constraints of a body, those of its builder included, by id.
+        """All constraints of a body, including those created with the body, by id.
         Cost: O(constraints)."""
         return list_of(low.gphys_solver_get_constraints, (self._handle, body,), low.constraint_info_dtype)
 
@@ -2459,7 +2458,7 @@ class Solver(Object):
         return out_.array
 
     def get_constraint_settings(self, body: int, constraints: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
-        """What constraints are like.
+        """The present settings of constraints.
         Cost: O(elements).
 
         Args:
@@ -2492,13 +2491,14 @@ class Solver(Object):
         particles; hollow shapes are light in the middle. Particles that are pinned or attached stay
         where they are held: with one the cluster swings about it, with two about the line through them,
         and with three that are not on a line it does not move. Models that particles are attached to
-        get the impulses. Contacts with models move the cluster as a whole, with friction; particles
-        touch, not the faces between them, so these should be no further apart than the smallest thing
-        that a cluster meets is thick. Of restitution a cluster shows only the share of the mass of the
-        particles that touched. A shape is matched once in each substep, after the links: then what
-        hangs from it may be strained a little, and clusters that share particles approach their shapes
-        in eight passes. Bodies with clusters are solved as cloth (SOLVE_GRAPH), ropes and free
-        particles too. The rest positions of cloth are not changed by a cluster.
+        get the impulses. Contacts with models move the cluster as a whole, with friction; only
+        particles touch, not the faces between them, so they should be no further apart than the
+        thickness of the thinnest thing that a cluster meets. Of its restitution a cluster shows only
+        the share of the mass of the particles that touched. A shape is matched once in each substep,
+        after the links: then what hangs from it may be strained a little, and clusters that share
+        particles approach their shapes in eight passes. Bodies with clusters are solved as cloth
+        (SOLVE_GRAPH), ropes and free particles too. The rest positions of cloth are not changed by a
+        cluster.
         Cost: O(particles); allocates. In each substep about 1 us a cluster, 50 ns a particle of it and
         0.3 us one that touches a model; the first and the last cluster plan the body again,
         O(constraints). Since 1.1.
@@ -2540,17 +2540,17 @@ class Solver(Object):
     def join(self, body_a: int, particle_a: int, body_b: int, particle_b: int, rest_length: float, compliance: float = 0) -> int:
         """Hold a particle of one body and a particle of another at a distance. Both are moved, by forces
         that are equal and opposite; either may be pinned or attached. Joined ropes and free particles
-        are solved as one system, as stiff as one rope; a joined particle of cloth has all that hangs on
-        it for inertia. Free particles of a joined body fly by the time scheme of ropes, no longer
-        exactly. Joined bodies are moved by one thread and fall asleep and wake together. A joint goes
-        with either body.
+        are solved as one system, as stiff as one rope; a joined particle of cloth has the inertia of
+        all that hangs on it. Free particles of a joined body are moved by the time scheme of ropes, no
+        longer exactly. Joined bodies are moved by one thread and fall asleep and wake together. A joint
+        is removed with either body.
         Cost: the next step plans all joined ropes again. A link of them takes some three times as long
         as one of a rope that is not joined. Allocates.
 
         Args:
             rest_length: metres; 0: at the same place, as below 1e-9; negative: the present distance.
-                Particles that are not as far apart are drawn there within a step, and get the speed of
-                that.
+                Particles at another distance are moved to it within a step, and get the speed of that
+                motion.
             compliance: metres per newton, >= 0; 0 is rigid
 
         Raises:
@@ -2615,7 +2615,7 @@ class Solver(Object):
 
         Raises:
             Error, status ERROR_UNSUPPORTED: and nothing has changed, for an edge where the cloth cannot
-                part: of a triangle that hangs together with no other
+                part: of a triangle that is connected to no other
             Error, status ERROR_CAPACITY: beyond 2^24 - 1 particles or constraints"""
         out_result = low.Break()
         check(low.gphys_solver_break_constraint(self._handle, body, constraint, ctypes.byref(out_result)))
@@ -2650,7 +2650,7 @@ class Solver(Object):
             frame_time: seconds, >= 0
 
         Returns:
-            steps made. 0 <= fraction of a step still owed < 1, to blend drawings.
+            steps made. 0 <= fraction of a step still owed < 1, to interpolate when drawing.
 
         Raises:
             OutOfMemory: if there is none for the first step: nothing has changed. If there is none for
@@ -2675,10 +2675,11 @@ class Solver(Object):
         """The substeps that a body took in the last step; 0 before its first. With SolverDesc.max_strain
         or tolerance set, each body takes as many as its own motion needs: their length follows from
         what the last step measured, the largest strain of its rigid constraints and the local error of
-        the time scheme, both of which go with its square. It is at most quartered and grows by at most
-        an eighth from one step to the next, so a sudden blow exceeds a target for a few steps, one of
-        strain only where links of cloth cannot be relaxed below it. What cannot be met takes
-        max_substeps. Where positions jump, by contacts, the error is that of the jump.
+        the time scheme, both proportional to the square of that length. It is at most quartered and
+        grows by at most an eighth from one step to the next, so a sudden impact exceeds a target for a
+        few steps; one of strain only where links of cloth cannot be relaxed below it. A target that
+        cannot be met takes max_substeps. Where positions jump, by contacts, the error is that of the
+        jump.
         Cost: O(1)."""
         out_substeps = ctypes.c_uint32()
         check(low.gphys_solver_get_substeps(self._handle, body, ctypes.byref(out_substeps)))
@@ -2712,9 +2713,9 @@ class Solver(Object):
     def get_impulses(self) -> np.ndarray:
         """Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the
         step in which they fell asleep. Divided by dt they are mean forces: what lies on a model presses
-        it with its weight. A particle of cloth that touches several models at once gives to the one
-        that it touches most. Models have no mass here; a body of yours much lighter than what hangs
-        from it should be moved in small steps.
+        on it with its weight. A particle of cloth that touches several models at once gives its impulse
+        to the one that it touches most. Models have no mass here; a body of yours much lighter than
+        what hangs from it should be moved in small steps.
         Cost: O(models touched); no allocation. The same bits for any number of workers."""
         return list_of(low.gphys_solver_get_impulses, (self._handle,), low.impulse_dtype)
 
@@ -2733,9 +2734,9 @@ class Solver(Object):
 
     def restore(self, words: ArrayLike) -> None:
         """Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of
-        the time of the snapshot. Steps go on with the same bits as they did then, provided that the
-        scene, too, is as it was. On an error the solver is as before. Any words are safe, also those of
-        a stranger: all that is used as a number or an index is checked first. Made-up words are
+        the time of the snapshot. Steps continue with the same bits as they did then, provided that the
+        scene, too, is as it was. On an error the solver is as before. Any words are safe, also from an
+        untrusted source: all that is used as a number or an index is checked first. Forged words are
         refused, or taken as a state whose numbers are in range.
         Cost: as Solver.get_snapshot; allocates.
 
@@ -2749,7 +2750,7 @@ class Solver(Object):
     def get_hash(self) -> np.ndarray:
         """A hash of the whole state, the low half first. Equal states have equal hashes on every machine;
         different ones differ with near certainty (not against an adversary). Compare it between
-        machines that simulate the same, to see when they part.
+        machines that run the same simulation, to detect when they diverge.
         Cost: O(particles + constraints)."""
         out_hash = np.empty(2, "<u4")
         check(low.gphys_solver_get_hash(self._handle, out_hash.ctypes.data))
@@ -2760,7 +2761,7 @@ Shape = Union[low.Sphere, low.Capsule, low.Aabb, low.Obb, low.Plane, low.Triangl
 
 
 def validate(shape: Shape) -> None:
-    """Whether the shape fulfils the ranges beside its struct.
+    """Whether the fields of the shape are in the ranges stated beside its struct.
     Cost: O(1).
 
     Raises:
@@ -2924,9 +2925,9 @@ def raycast(shape: Shape, ray: low.Ray | Sequence) -> low.Hit | None:
     """First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh.
     Triangles and meshes are hit from both sides, and meshes are watertight: a ray through a shared
     edge or vertex always meets one of the triangles there. Error: t within 1 ulp. No false miss and
-    no false hit at all for spheres, triangles, meshes, AABBs and planes; for capsules none but
-    within 2^-48 of the distance. An OBB is met where one larger or smaller by 2^-40 of the distance
-    would be. docs/accuracy.md has the bounds of all functions.
+    no false hit at all for spheres, triangles, meshes, AABBs and planes; for capsules only within
+    2^-48 of the distance. An OBB is hit as if it were larger or smaller by up to 2^-40 of the
+    distance. docs/accuracy.md has the bounds of all functions.
     Cost: O(1); O(log n) expected for a mesh.
 
     Returns:
@@ -2943,8 +2944,7 @@ def raycast(shape: Shape, ray: low.Ray | Sequence) -> low.Hit | None:
 def raycast_batch(shape: Shape, rays: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
     """First hits of the rays with one shape, as gamephys.raycast. A ray that hits nothing gets t =
     INFINITY, triangle = NO_TRIANGLE and zeros in its hits element.
-    Cost: that of as many single calls; less for rays at a mesh whose neighbours go much the same
-    way.
+    Cost: that of as many single calls; less for rays at a mesh if neighbouring rays are similar.
 
     Raises:
         Error, status ERROR_UNSUPPORTED: for a ray or a segment as the shape"""
@@ -2958,8 +2958,8 @@ def raycast_batch(shape: Shape, rays: ArrayLike, *, out: np.ndarray | None = Non
 
 def segment_test(shape: Shape, segment: low.Segment | Sequence) -> low.Hit | None:
     """First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly. A
-    segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which
-    then is met from no direction, the normal is zero.
+    segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, for lack
+    of a direction, the normal is zero.
     Cost: as gamephys.raycast.
 
     Returns:
@@ -2988,7 +2988,7 @@ def sweep_sphere(shape: Shape, sphere: low.Sphere | Sequence, displacement: low.
             the sphere's centre; in double precision its dot with the displacement is never above 0.
             Already overlapping: t = 0, HIT_INSIDE, and the normal may be along the displacement
             too; where the centre itself is in a solid, it is opposite to the displacement (zero if
-            that is zero). A sphere without radius gets the hit of the ray along its way. None if
+            that is zero). A sphere of radius 0 gets the hit of the ray along its path. None if
             nothing is found.
 
     Raises:
@@ -3012,10 +3012,10 @@ def sweep(shape: Shape, moving: Shape, displacement: low.Vec3 | Sequence) -> low
         displacement: metres; may be zero
 
     Returns:
-        t, point and normal as in gamephys.sweep_sphere, whose answers a sphere gets. The point is
-            one of those where the two touch, always the same. Already overlapping, but for a
-            sphere: t = 0, HIT_INSIDE, and point and normal of gamephys.penetration; of a mesh that
-            is no hull, those of its first triangle. None if nothing is found.
+        t, point and normal as in gamephys.sweep_sphere, which gives the answer for a sphere. The
+            point is one of those where the two touch, always the same. Already overlapping, except
+            for a sphere: t = 0, HIT_INSIDE, and point and normal of gamephys.penetration; for a
+            mesh that is not a hull, those of its first triangle. None if nothing is found.
 
     Raises:
         Error, status ERROR_UNSUPPORTED: for a ray or a segment as the shape, for a frustum that is
@@ -3055,17 +3055,17 @@ def penetration(shape: Shape, moving: Shape) -> low.Penetration | None:
     remain, and have translations of their own. Of a hull: out of all of it, and triangle is
     NO_TRIANGLE. A frustum must be the hull of its corners (gamephys.frustum_corners).
     Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and
-    1 ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from
-    the other shape. Added to float positions, the translation may leave an overlap of the spacing
-    of floats there.
+    1 ulp of depth; by 2^-32 where the centre or axis of a round solid is closer than that to the
+    other shape. Added to float positions, the translation may leave an overlap as large as the
+    spacing of floats there.
     Cost: O(1), 0.1 to 1 us, 3 to 20 us for a frustum; O(log n + k) expected for a mesh. Boxes by
-    separating axes (Gottschalk 1996), what is round by the distance of its core (Gilbert, Johnson,
+    separating axes (Gottschalk 1996), round solids by the distance of their core (Gilbert, Johnson,
     Keerthi 1988).
 
     Returns:
-        depth and normal of the translation, which is their product; of several that are as short
-            one, always the same. The point of the solid that gets furthest in is point - depth *
-            normal. None if nothing is found.
+        depth and normal of the translation, which is their product; of several equally short ones
+            always the same one. The deepest point of the solid is point - depth * normal. None if
+            nothing is found.
 
     Raises:
         Error, status ERROR_UNSUPPORTED: for rays, segments, frusta that are not the hull of their
@@ -3099,9 +3099,9 @@ def frustum_corners(frustum: low.Frustum | Sequence) -> np.ndarray | None:
     """The eight corners, each the intersection of three planes: near then far, each in the order
     left-bottom, right-bottom, right-top, left-top. A frustum is the convex hull of its corners (the
     intersections themselves, not rounded to floats) if each is within MAX_COORDINATE and in front
-    of the three planes that do not meet there, by more than 2^-39 of its distance from origin: so
-    unless it is empty, flat, unbounded or ends in a tip. Solids are swept against such a frustum
-    and pushed out of it; for the bounds of their errors, origin counts as a corner.
+    of the three planes that do not meet there, by more than 2^-39 of its distance from origin; that
+    is, unless it is empty, flat, unbounded or ends in a tip. Solids are swept against such a
+    frustum and pushed out of it; for the bounds of their errors, origin counts as a corner.
     Cost: O(1).
 
     Returns:
@@ -3146,7 +3146,7 @@ def mat4_orthonormality(matrix: low.Mat4 | Sequence) -> float:
     """How far the axes of a matrix (its first three columns without the last row) are from
     orthonormal: the largest |a_i . a_j - d_ij|, where d_ij is 1 for i = j, else 0. 0 for the
     identity, below 2^-22 for the matrices that a camera gives, about 2e for axes that are too long
-    by a share of e.
+    by a fraction e.
     Cost: O(1). Since 1.1.
 
     Args:
@@ -3159,7 +3159,7 @@ def mat4_orthonormality(matrix: low.Mat4 | Sequence) -> float:
 
 def frustum_from_matrix(view_projection: low.Mat4 | Sequence, depth_range: int, reverse_z: int) -> low.Frustum:
     """The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
-    origin (0, 0, 0). A camera knows its frustum better: Camera.get_frustum.
+    origin (0, 0, 0). For a camera, Camera.get_frustum is more precise.
     Cost: O(1).
 
     Args:

@@ -180,8 +180,8 @@ impl Drop for Mesh {
 }
 
 impl Mesh {
-    /// Build a mesh from copies of the arrays. Triangles of zero area are kept: they are met like the
-    /// segments or points that they are, and counted in the report. 0 triangles are allowed.
+    /// Build a mesh from copies of the arrays. Triangles of zero area are kept: queries treat them as the
+    /// segments or points that they are, and the report counts them. 0 triangles are allowed.
     ///
     /// Cost: O(n log n), about 1 us per triangle.
     ///
@@ -196,18 +196,18 @@ impl Mesh {
         Ok(Mesh { handle: NonNull::new(made).expect("a created object") })
     }
 
-    /// Make the convex hull of points: a mesh that is solid, as spheres and boxes are. All that takes a
-    /// mesh takes it: functions of shapes, models of scenes, snapshots, and solvers, whose particles stay
-    /// outside and are pushed out. A ray that starts inside hits at t = 0 with `HIT_INSIDE`; one from
+    /// Make the convex hull of points: a mesh that is solid, as spheres and boxes are. It can be used
+    /// wherever a mesh can: functions of shapes, models of scenes, snapshots, and solvers, whose particles
+    /// stay outside and are pushed out. A ray that starts inside hits at t = 0 with `HIT_INSIDE`; one from
     /// outside hits the face through which it enters, `triangle` says where. Whether a ray hits and whether
     /// a point is inside is exact with respect to the points. Inside, the closest point is the point itself
     /// and triangle `NO_TRIANGLE`. `Mesh::overlap` lists the triangles of the surface; `Mesh::raycast_all`
-    /// gives the first hit alone. The vertices are those points that are corners of the hull, in the order
-    /// of the points, of equal ones the first. The triangles come face by face, all that lie in one plane
-    /// being one face; seen from outside their corners go counterclockwise where axes are right-handed, and
-    /// the normal cross(b - a, c - a) points out.
+    /// gives only the first hit. The vertices are the points that are corners of the hull, in their
+    /// original order; of equal points the first. The triangles come face by face, all that lie in one
+    /// plane being one face; seen from outside their corners go counterclockwise where axes are
+    /// right-handed, and the normal cross(b - a, c - a) points out.
     ///
-    /// Cost: O(point_count * faces); allocates. Rays take O(log faces), the other questions up to O(faces).
+    /// Cost: O(point_count * faces); allocates. Rays take O(log faces), other queries up to O(faces).
     /// Source: quickhull (Barber, Dobkin, Huhdanpaa 1996) with exact predicates. Since 1.1.
     ///
     /// * `desc`: deformable must be 0
@@ -225,14 +225,15 @@ impl Mesh {
         Ok(Mesh { handle: NonNull::new(made).expect("a created object") })
     }
 
-    /// Make a mesh of a snapshot: all its answers have the bits of the mesh that the snapshot was taken of.
-    /// Any words are safe, also those of a stranger: vertices, indices and the tree are checked, and what
-    /// follows from them is computed. Made-up words are refused, or taken as a mesh like any other; only
-    /// what its report counts (triangles of zero area, open edges) is taken as it stands there.
+    /// Make a mesh from a snapshot: all its answers have the same bits as those of the mesh in the
+    /// snapshot. Any words are safe, also from an untrusted source: vertices, indices and the tree are
+    /// checked, and what follows from them is computed. Forged words are refused, or taken as a mesh like
+    /// any other; only the counts of its report (triangles of zero area, open edges) are taken from the
+    /// words as they are.
     ///
     /// Cost: O(n), a small part of `Mesh`'s; allocates.
     ///
-    /// * `desc`: with `deformable` the mesh takes new vertices, whatever the one in the snapshot did
+    /// * `desc`: with `deformable` the mesh takes new vertices, even if the one in the snapshot did not
     ///
     /// # Errors
     /// * `Status::ERROR_INVALID_ARGUMENT`: for words that are no snapshot of a mesh, damaged, of a later
@@ -261,28 +262,28 @@ impl Mesh {
         Ok(Mesh { handle: NonNull::new(made).expect("a created object") })
     }
 
-    /// Make a mesh that has the form of a body and follows it by itself: cloth, ropes and particles can be
-    /// met by rays, picked, overlapped and culled as models of scenes (`Scene::add` with `ShapeType::MESH`;
-    /// without a transform the model is where the body is) or asked by shape_* and mesh_* functions. Vertex
-    /// p is particle p. Of cloth the mesh is the surface of its triangles, in the order of
-    /// `Solver::get_triangles`. A rope is solid. Of its n particles, `triangle` t below n - 1 of a hit is
-    /// the link from particle t to t + 1, a capsule of the smaller of their radii, there while a constraint
-    /// holds them together; n - 1 + p is particle p, a sphere, there where no link beside it is as thick.
-    /// Free particles are spheres, and `triangle` is the particle. `Solver::get_nearest_particle` finds the
-    /// particle of a hit. The mesh has the new form when `Solver::step`, `Solver::advance`,
-    /// `Solver::restore` or an edit of the body returns. Cloth that tears (`Break`) takes its triangles
-    /// along, whose numbers stay, and the mesh gets vertices for the new particles. A model that would
-    /// leave the range of the world, and a torn mesh or one of less than 2^-32 m for which there is no
-    /// memory, keep their form until they can follow. `Solver::set_origin` moves the coordinates of the
-    /// mesh, and the models back by as much: they stay where they are in the world, exactly if scenes have
-    /// moved their origin before. Solvers do not collide with models of such meshes, nor wake by them:
-    /// bodies meet by `BodyDesc`.body_layers. A restored body is followed if it has the id and the parts of
-    /// the one that there was. Restore the solver before the scene. A mesh that is loaded from a snapshot,
-    /// that of a scene included, is a copy that follows nothing; `Scene::set_shape` gives its model one
-    /// that does. Mesh and solver are destroyed in any order. When the body is gone the mesh keeps the form
-    /// that it had last and is deformable by `Mesh::set_vertices`, which returns
-    /// `Status::ERROR_UNSUPPORTED` before. A mesh that neither its handle nor a model holds follows no
-    /// more.
+    /// Make a mesh that has the form of a body and follows it automatically: cloth, ropes and particles can
+    /// be hit by rays, picked, overlapped and culled as models of scenes (`Scene::add` with
+    /// `ShapeType::MESH`; without a transform the model is where the body is) or queried by shape_* and
+    /// mesh_* functions. Vertex p is particle p. For cloth the mesh is the surface of its triangles, in the
+    /// order of `Solver::get_triangles`. A rope of n particles is solid. In a hit, `triangle` t below n - 1
+    /// is the link from particle t to t + 1, a capsule with the smaller of their radii, present while a
+    /// constraint holds them together; n - 1 + p is particle p, a sphere, present where no link beside it
+    /// is as thick. Free particles are spheres, and `triangle` is the particle.
+    /// `Solver::get_nearest_particle` finds the particle of a hit. The mesh has the new form when
+    /// `Solver::step`, `Solver::advance`, `Solver::restore` or an edit of the body returns. When cloth
+    /// tears (`Break`), its triangles keep their numbers, and the mesh gets vertices for the new particles.
+    /// A model that would leave the range of the world, and a torn mesh or one of less than 2^-32 m for
+    /// which there is no memory, keep their form until they can follow. `Solver::set_origin` moves the
+    /// coordinates of the mesh, and the models back by as much: they stay where they are in the world,
+    /// exactly if scenes have moved their origin before. Bodies neither collide with models of such meshes
+    /// nor wake because of them: `BodyDesc`.body_layers sets which bodies collide. A restored body is
+    /// followed if it has the same id and parts as before. Restore the solver before the scene. A mesh that
+    /// is loaded from a snapshot, that of a scene included, is a copy that follows nothing;
+    /// `Scene::set_shape` gives its model one that does. Mesh and solver are destroyed in any order. When
+    /// the body is gone the mesh keeps the form that it had last and is deformable by `Mesh::set_vertices`,
+    /// which returns `Status::ERROR_UNSUPPORTED` before. A mesh that neither its handle nor a model holds
+    /// follows no more.
     ///
     /// Threads: the functions above become edits of the mesh and of each scene that has a model of it.
     ///
@@ -310,8 +311,8 @@ impl Mesh {
         list(|out_planes, capacity, total| unsafe { sys::gphys_mesh_get_hull_planes(self.handle.as_ptr(), out_planes, capacity, total) })
     }
 
-    /// For each triangle of a hull the number of its face, by which `Mesh::get_hull_planes` lists the
-    /// planes: ascending, from 0.
+    /// For each triangle of a hull the index of its face in the list of `Mesh::get_hull_planes`, ascending
+    /// from 0.
     ///
     /// Cost: O(triangles). Since 1.1.
     ///
@@ -321,18 +322,19 @@ impl Mesh {
         list(|out_faces, capacity, total| unsafe { sys::gphys_mesh_get_hull_faces(self.handle.as_ptr(), out_faces, capacity, total) })
     }
 
-    /// Put other vertices in place of those of a deformable mesh: of a skinned character, or of cloth as
-    /// `Solver::get_positions` writes it. All models of the mesh have the new form from then on, in every
-    /// scene, and all answers have the bits of those of a mesh created of the new vertices. What fails
-    /// leaves the mesh and the scenes as they were. A solver sees the new form at its next step, as a
+    /// Replace the vertices of a deformable mesh, such as a skinned character, or cloth as
+    /// `Solver::get_positions` writes it. All models of the mesh take the new form at once, in every scene,
+    /// and all answers have the same bits as those of a mesh created from the new vertices. A call that
+    /// fails leaves the mesh and the scenes as they were. A solver sees the new form at its next step, as a
     /// surface that stands still.
     ///
     /// Threads: an edit of the mesh and of every scene that has a model of it: not beside other calls on
     /// these.
     ///
-    /// Cost: O(vertices + triangles + log n for each model), some percent of a creation: the tree is
-    /// refitted, and built again by parts where it has degraded. If the triangles have come apart so that
-    /// their groups of eight have boxes of twice the area, once that of a creation. Allocates. Since 1.1.
+    /// Cost: O(vertices + triangles + log n for each model), a few per cent of creating it: the tree is
+    /// refitted, and parts that have degraded are rebuilt. If the triangles have moved apart so far that
+    /// the boxes of their groups of eight have twice the area, once as much as creating it. Allocates.
+    /// Since 1.1.
     ///
     /// * `vertices`: elements of 3 floats, metres; copied
     ///
@@ -413,7 +415,7 @@ impl Mesh {
 
     /// Whether each of the rays hits anything, as `Mesh::raycast_any`.
     ///
-    /// Cost: that of as many single calls; less for rays whose neighbours go much the same way. Since 1.1.
+    /// Cost: that of as many single calls; less if neighbouring rays are similar. Since 1.1.
     pub fn raycast_any_batch<'a>(&self, rays: impl Into<Batch<'a, Ray>>, out_hits: impl Into<BatchMut<'a, i32>>) -> Result<()> {
         let rays = rays.into();
         let out_hits = out_hits.into();
@@ -422,8 +424,8 @@ impl Mesh {
         check(unsafe { sys::gphys_mesh_raycast_any_batch(self.handle.as_ptr(), rays.data, rays.stride, count, out_hits.data, out_hits.stride) })
     }
 
-    /// How far the rays come, and which triangles they hit: t and triangle of `raycast_batch` for the mesh,
-    /// with the same bits, without the rest of a hit; model is 0.
+    /// How far each of the rays goes, and which triangle it hits: t and triangle of `raycast_batch` for the
+    /// mesh, with the same bits, without the rest of a hit; model is 0.
     ///
     /// Cost: less than that of `raycast_batch`. Since 1.1.
     ///
@@ -485,10 +487,10 @@ impl Scene {
     /// Create a scene without models. With a worker_count of n, all batch queries of the scene
     /// (`Camera::pick_batch` too), and adding and moving many models, share their work among n threads; the
     /// results have the same bits for every n. Without a task_runner n - 1 threads are started here and
-    /// joined when the scene is destroyed. They serve one call at a time: calls made meanwhile do their own
-    /// work. They take no signals but faults, and the floating-point settings of the thread that created
-    /// them. In a child of fork they are gone: calls there run on one thread, as they do on a platform
-    /// without threads (WebAssembly, unless built for shared memory), whatever is asked for.
+    /// joined when the scene is destroyed. They serve one call at a time: calls made meanwhile run on their
+    /// own thread alone. They take no signals but faults, and have the standard floating-point settings. In
+    /// a child of fork they are gone: calls there run on one thread, as they do on a platform without
+    /// threads (WebAssembly, unless built for shared memory), whatever is asked for.
     ///
     /// Cost: O(reserve_models), and that of starting the threads.
     ///
@@ -503,9 +505,9 @@ impl Scene {
         Ok(Scene { handle: NonNull::new(made).expect("a created object") })
     }
 
-    /// Change the number of threads that share the calls of a scene, such as by a setting of the user's.
-    /// They are those of its task_runner if it was created with one. In a child of fork they are started
-    /// again. Answers keep their bits.
+    /// Change the number of threads that share the calls of a scene, for example when the user changes a
+    /// setting. They are those of its task_runner if it was created with one. In a child of fork they are
+    /// started again. Answers keep their bits.
     ///
     /// Cost: that of joining the former threads and starting others; allocates. Since 1.1.
     ///
@@ -526,8 +528,8 @@ impl Scene {
         Ok(out_workers)
     }
 
-    /// Move the point of the world that all coordinates of the scene count from, those that it is given and
-    /// those that it returns. Models stay where they are in the world: the positions of those without a
+    /// Move the point of the world that all coordinates of the scene are relative to, those passed to it
+    /// and those that it returns. Models stay where they are in the world: the positions of those without a
     /// parent become what they are from there, kept in double precision and rounded to float32 once,
     /// however often the origin moves. For worlds beyond some kilometres: keep the origin near the camera,
     /// and when the camera has gone a few kilometres, move it together with that of cameras and solvers.
@@ -655,7 +657,7 @@ impl Scene {
         list(|out_models, capacity, total| unsafe { sys::gphys_scene_get_roots(self.handle.as_ptr(), out_models, capacity, total) })
     }
 
-    /// Ids of the models that hang directly below one, ascending.
+    /// Ids of the direct children of a model, ascending.
     ///
     /// Cost: O(k log k).
     pub fn get_children(&self, model: ModelId) -> Result<Vec<ModelId>> {
@@ -671,8 +673,8 @@ impl Scene {
         Ok(out_info)
     }
 
-    /// World box of a model, by which queries find it: holds it, and is at most 3 ulps and 2^-19 of the sum
-    /// of its sizes wider. That of an empty mesh is its position.
+    /// World box of a model, by which queries find it: contains the model, and is wider by at most 3 ulps
+    /// and 2^-19 of the sum of its sizes. That of an empty mesh is its position.
     ///
     /// Cost: O(1).
     ///
@@ -714,10 +716,10 @@ impl Scene {
     /// Scale a model's own shape along the three axes of the model, before its transform: a tree grows, a
     /// unit box becomes a wall, a rock is stretched. Every query, and solvers, see the scaled shape;
     /// normals are those of its surface. Children are not affected: they follow the transform, whose scale
-    /// is one number. What is set replaces what was set before. A mesh or a hull is scaled exactly, without
-    /// a copy: answers are those of a mesh of the scaled vertices. Of a box or a triangle each number is
-    /// multiplied and rounded to float32. A sphere, capsule or plane, and an OBB whose own rotation is not
-    /// the identity, take three equal numbers only.
+    /// is one number. A new scale replaces the old one. A mesh or a hull is scaled exactly, without a copy:
+    /// answers are those of a mesh of the scaled vertices. Of a box or a triangle each number is multiplied
+    /// and rounded to float32. A sphere, capsule or plane, and an OBB whose own rotation is not the
+    /// identity, take three equal numbers only.
     ///
     /// Cost: as `Scene::set_transform` of a model without children. Models that have a scale take 16 bytes
     /// more if they are meshes, else 52, up to the highest id. Queries of a scaled mesh or hull take 1 to
@@ -766,7 +768,7 @@ impl Scene {
         check(unsafe { sys::gphys_scene_set_tag(self.handle.as_ptr(), model, tag) })
     }
 
-    /// Hang a model below another one, or below none (0).
+    /// Make a model the child of another one, or of none (0).
     ///
     /// Cost: O(depth of the tree of models), and as `Scene::set_transform` for what moves. Renews the
     /// octree as far as there is memory.
@@ -821,8 +823,8 @@ impl Scene {
         check(unsafe { sys::gphys_scene_get_transforms(self.handle.as_ptr(), models.data, count, out_transforms.data, out_transforms.stride) })
     }
 
-    /// World transforms of the models: those of all ancestors applied, rounded to float32. What queries
-    /// answer is exact with respect to these.
+    /// World transforms of the models: with those of all ancestors applied, rounded to float32. Answers of
+    /// queries are exact with respect to these.
     ///
     /// Cost: O(elements).
     ///
@@ -857,8 +859,8 @@ impl Scene {
         check(unsafe { sys::gphys_scene_raycast_batch(self.handle.as_ptr(), rays.data, rays.stride, count, layers, out_hits.data, out_hits.stride) })
     }
 
-    /// How far the rays come, and what they meet: t, model and triangle of `Scene::raycast_batch`, with the
-    /// same bits, without the rest of a hit. For lidars and images of depth.
+    /// How far each of the rays goes, and what it hits: t, model and triangle of `Scene::raycast_batch`,
+    /// with the same bits, without the rest of a hit. For lidars and depth images.
     ///
     /// Cost: less than that of `Scene::raycast_batch`; shared among workers. Since 1.1.
     ///
@@ -955,11 +957,12 @@ impl Scene {
         ragged(count, |out_models, capacity, offsets| unsafe { sys::gphys_scene_overlap_batch(self.handle.as_ptr(), shapes.shape_type(), shapes.data, shapes.stride, count, layers, out_models, capacity, offsets) })
     }
 
-    /// Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its own
-    /// box, ascending: for drawing. None that is seen is missed. More are listed near the frustum's edges:
-    /// some per cent of models that are compact or not turned; of long or flat ones that are turned, whose
-    /// world boxes are mostly empty, about a third, and as many again as are seen where they are as long as
-    /// the view is wide. `Scene::overlap` sorts these out by testing the shapes.
+    /// Ids of all models whose world box is not wholly outside any of a frustum's six planes or its own
+    /// box, ascending: for drawing. No visible model is missed. Some invisible ones near the frustum's
+    /// edges are listed, too: a few per cent more where models are compact or not rotated; about a third
+    /// more where they are long or flat and rotated, so that their world boxes are mostly empty, and as
+    /// many again as are visible where they are as long as the view is wide. `Scene::overlap` leaves these
+    /// out by testing the shapes.
     ///
     /// Cost: O(log n + k) expected.
     pub fn cull(&self, frustum: &Frustum, layers: u32) -> Result<Vec<ModelId>> {
@@ -1069,8 +1072,8 @@ impl Scene {
     }
 
     /// What a sphere, capsule, AABB or OBB overlaps, and how it gets out: an element for each model, and of
-    /// a mesh one for each triangle, as `penetration`. Deepest first; those that are as deep by model, then
-    /// triangle. Each is the way out of that one alone. The models are those of `Scene::overlap`.
+    /// a mesh one for each triangle, as `penetration`. Deepest first; equal depths by model, then triangle.
+    /// Each is the way out of that one alone. The models are those of `Scene::overlap`.
     ///
     /// Cost: O(log n + k log k) expected.
     ///
@@ -1099,7 +1102,7 @@ impl Scene {
     /// Cost: that of `Scene::raycast` for one ignored model. For each model that is met within the ray's
     /// reach, besides: O(its depth below its root) with `FILTER_SUBTREE` if ignored_model has children; of
     /// m ignored_models O(log m) if they are ascending, as all lists of the library are, else O(m). Whether
-    /// they are takes O(m) a call. Where faces are left out, rays of a batch meet a mesh one by one.
+    /// they are takes O(m) a call. Where faces are left out, a batch tests a mesh one ray at a time.
     ///
     /// * `filter`: None: the defaults
     ///
@@ -1126,8 +1129,8 @@ impl Scene {
         check(unsafe { sys::gphys_scene_raycast_filtered_batch(self.handle.as_ptr(), rays.data, rays.stride, count, pointer(filters), 0, out_hits.data, out_hits.stride) })
     }
 
-    /// How far the rays come among the models that the filters see, as `Scene::raycast_distance_batch`: a
-    /// lidar leaves out the robot that carries it.
+    /// How far each of the rays goes among the models that its filter sees, as
+    /// `Scene::raycast_distance_batch`: a lidar leaves out the robot that carries it.
     ///
     /// Cost: less than that of `Scene::raycast_filtered_batch`; shared among workers. Since 1.1.
     ///
@@ -1289,7 +1292,7 @@ impl Scene {
     }
 
     /// First model that a moving sphere touches and the filter sees, as `Scene::sweep_sphere`: the sphere
-    /// may be the bound of the ignored model itself.
+    /// may be the bounding sphere of the ignored model.
     ///
     /// Cost: that of `Scene::sweep_sphere`, and for each model as `Scene::raycast_filtered`.
     ///
@@ -1318,7 +1321,7 @@ impl Scene {
         check(unsafe { sys::gphys_scene_sweep_sphere_filtered_batch(self.handle.as_ptr(), spheres.data, spheres.stride, displacements.data, displacements.stride, count, pointer(filters), 0, out_hits.data, out_hits.stride) })
     }
 
-    /// First model that a sphere, capsule, AABB or OBB that moves touches and the filter sees, as
+    /// First model that a moving sphere, capsule, AABB or OBB touches and the filter sees, as
     /// `Scene::sweep`: a character leaves out its own model.
     ///
     /// Cost: that of `Scene::sweep`, and for each model as `Scene::raycast_filtered`.
@@ -1383,8 +1386,8 @@ impl Scene {
         ragged(count, |out_penetrations, capacity, offsets| unsafe { sys::gphys_scene_penetration_filtered_batch(self.handle.as_ptr(), shapes.shape_type(), shapes.data, shapes.stride, count, pointer(filters), 0, out_penetrations, capacity, offsets) })
     }
 
-    /// Build the scene's octree anew, as good as that of one `Scene::add_batch`. Never needed: ids, answers
-    /// and their bits stay as they are. Where many models were added one by one, such as a level that was
+    /// Rebuild the scene's octree, as good as that of one `Scene::add_batch`. Never required: ids, answers
+    /// and their bits do not change. Where many models were added one by one, such as a level that was
     /// streamed in, rays then take 0.5 to 0.9 of the time.
     ///
     /// Cost: O(n log n), 0.15 to 0.45 us a model, less with workers; allocates. Since 1.1.
@@ -1398,8 +1401,8 @@ impl Scene {
     /// Rebuild the octree in parts, one in each call, until it is as good as after `Scene::rebuild_octree`:
     /// for levels that are streamed in while frames go on. Each `Scene::add` and `Scene::remove` does a
     /// part by itself; these calls do the rest. Never needed: ids, answers and their bits stay as they are.
-    /// Models may be added, moved and removed between the calls. An update of an eighth of them or more by
-    /// one call starts again.
+    /// Models may be added, moved and removed between the calls. A call that updates an eighth of them or
+    /// more restarts it.
     ///
     /// Cost: O(budget); allocates, until it is done about 130 bytes a model. Since 1.1.
     ///
@@ -1445,14 +1448,14 @@ impl Scene {
     }
 
     /// Copy the whole state out: the origin, models with their ids, parents, tags, layers, transforms and
-    /// shapes, ids to come, and the octree. Workers and allocator are not in it.
+    /// shapes, the order of future ids, and the octree. Workers and allocator are not in it.
     ///
     /// Cost: O(n), some 80 bytes and 100 ns for each model, besides embedded meshes (`Mesh::get_snapshot`).
     /// Allocates a few words for each different mesh.
     ///
-    /// * `embed_meshes`: true: meshes are in the snapshot, each once, which is then complete in itself: for
-    ///   saved games and for other machines. false: they are named by what they hold, and `Scene::restore`
-    ///   looks for them: for undo, and rollback each frame.
+    /// * `embed_meshes`: true: meshes are in the snapshot, each once, so it is complete in itself: for
+    ///   saved games and for other machines. false: they are identified by their content, and
+    ///   `Scene::restore` looks for them: for undo, and rollback each frame.
     ///
     /// Returns the snapshot. Words are in the machine's byte order. Every later release of the same major
     /// version reads it.
@@ -1465,16 +1468,16 @@ impl Scene {
     }
 
     /// Replace the whole state by that of a snapshot, of this or of another scene. Ids are those of the
-    /// time of the snapshot, those to come included. All answers have the bits that they had then; a solver
-    /// that was restored with its scene steps on with the same bits. On an error the scene is as before.
-    /// Any words are safe, also those of a stranger: all that is used as a number or an index is checked
-    /// first. Made-up words are refused, or taken as a scene like any other.
+    /// time of the snapshot, and so are future ones. All answers have the bits that they had then; a solver
+    /// that is restored with its scene continues with the same bits. On an error the scene is as before.
+    /// Any words are safe, also from an untrusted source: all that is used as a number or an index is
+    /// checked first. Forged words are refused, or taken as a scene like any other.
     ///
     /// Cost: O(n), 150 to 700 ns for each model, besides embedded meshes (`Mesh`). Allocates.
     ///
     /// * `library`: meshes that are not embedded are looked for among those that models of this scene use,
-    ///   by what they hold: vertices and indices, so one that has been deformed since is to be put back
-    ///   first. None: among those that models of `scene` itself use, before it is restored.
+    ///   by their content: vertices and indices. A mesh deformed since must get its old form back first.
+    ///   None: among those that models of `scene` itself use, before it is restored.
     ///
     /// # Errors
     /// * `Status::ERROR_INVALID_ARGUMENT`: for words that are no snapshot of a scene, damaged, of a later
@@ -1486,10 +1489,10 @@ impl Scene {
         check(unsafe { sys::gphys_scene_restore(self.handle.as_ptr(), library.map_or(null_mut(), |o| o.handle.as_ptr()), words.data, count) })
     }
 
-    /// A hash of the whole state but the octree, the low half first; of a mesh it is what it holds that
-    /// counts. Equal states have equal hashes on every machine; different ones differ with near certainty
-    /// (not against an adversary). Compare it between machines that simulate the same, to see when they
-    /// part.
+    /// A hash of the whole state except the octree, the low half first; meshes count by their content.
+    /// Equal states have equal hashes on every machine; different ones differ with near certainty (not
+    /// against an adversary). Compare it between machines that run the same simulation, to detect when they
+    /// diverge.
     ///
     /// Cost: O(n), some 50 ns for each model.
     pub fn get_hash(&self) -> Result<[u32; 2]> {
@@ -1548,7 +1551,7 @@ impl Camera {
         Ok(out_origin)
     }
 
-    /// See with a perspective projection; what is further away is smaller.
+    /// Use a perspective projection: distant objects appear smaller.
     ///
     /// Cost: O(1).
     ///
@@ -1559,7 +1562,7 @@ impl Camera {
         check(unsafe { sys::gphys_camera_set_perspective(self.handle.as_ptr(), fov_y, near_distance, far_distance) })
     }
 
-    /// See with an orthographic projection; the distance changes no size.
+    /// Use an orthographic projection: the distance does not change apparent size.
     ///
     /// Cost: O(1).
     ///
@@ -1570,8 +1573,8 @@ impl Camera {
         check(unsafe { sys::gphys_camera_set_orthographic(self.handle.as_ptr(), height, near_distance, far_distance) })
     }
 
-    /// See with any projection matrix of the camera's depth range and direction (off-centre, oblique,
-    /// another library's). It is not changed by `Camera::set_viewport`.
+    /// Use any projection matrix of the camera's depth range and direction (off-centre, oblique, another
+    /// library's). It is not changed by `Camera::set_viewport`.
     ///
     /// Cost: O(1).
     ///
@@ -1583,8 +1586,8 @@ impl Camera {
         check(unsafe { sys::gphys_camera_set_projection(self.handle.as_ptr(), projection) })
     }
 
-    /// As `Camera::set_perspective`, with an aspect of its own: the viewport stretches the image, as one of
-    /// pixels that are not square, and does not change what is seen.
+    /// As `Camera::set_perspective`, with a fixed aspect ratio: the image is stretched to the viewport, as
+    /// with pixels that are not square, and the viewport does not change what is seen.
     ///
     /// Cost: O(1). Since 1.1.
     ///
@@ -1606,8 +1609,8 @@ impl Camera {
         check(unsafe { sys::gphys_camera_set_orthographic_size(self.handle.as_ptr(), width, height, near_distance, far_distance) })
     }
 
-    /// The viewport was resized. Perspective keeps fov_y, orthographic its height; it is refused if that
-    /// makes the width more than twice `MAX_COORDINATE`.
+    /// Set the size of the viewport. A perspective keeps fov_y, an orthographic projection its height; the
+    /// call is refused if that makes the width more than twice `MAX_COORDINATE`.
     ///
     /// Cost: O(1).
     ///
@@ -1672,7 +1675,8 @@ impl Camera {
         Ok((out_x, out_y))
     }
 
-    /// Width over height of what is seen, as it was set or, with a matrix too, as the viewport has it.
+    /// Width over height of what is seen: as it was set, or else, and always with a matrix, that of the
+    /// viewport.
     ///
     /// Cost: O(1). Since 1.1.
     ///
@@ -1789,7 +1793,7 @@ impl Camera {
     }
 
     /// The matrix from world to camera: the transpose of the orthonormal world axes, and the position
-    /// through them.
+    /// transformed by it.
     ///
     /// Cost: O(1).
     pub fn get_view_matrix(&self) -> Result<Mat4> {
@@ -1837,7 +1841,7 @@ impl Camera {
     }
 
     /// Set a speed for each input of the orbit, in place of the two of `Orbit`, which `Camera::set_orbit`
-    /// starts from. Input since the last update counts by the new ones.
+    /// starts from. Input since the last update uses the new speeds.
     ///
     /// Cost: O(1). Since 1.1.
     ///
@@ -1909,9 +1913,9 @@ impl Camera {
         check(unsafe { sys::gphys_camera_orbit_update(self.handle.as_ptr()) })
     }
 
-    /// The seen volume, with origin at the camera's position and planes from its parameters: each number
-    /// within 2 ulp; all functions of shapes take it. A user projection gives its planes by Gribb-Hartmann
-    /// in double precision.
+    /// The view frustum, with origin at the camera's position and planes from its parameters: each number
+    /// within 2 ulp. All functions of shapes accept it. A user projection gives its planes by
+    /// Gribb-Hartmann in double precision.
     ///
     /// Cost: O(1).
     pub fn get_frustum(&self) -> Result<Frustum> {
@@ -1920,7 +1924,7 @@ impl Camera {
         Ok(out_frustum)
     }
 
-    /// World positions of the corners of the seen volume, in the order of `frustum_corners`.
+    /// World positions of the corners of the view frustum, in the order of `frustum_corners`.
     ///
     /// Cost: O(1).
     ///
@@ -2013,9 +2017,9 @@ impl Camera {
     /// The ray through a pixel, of unit direction, from the near plane on; t_max ends on the far plane
     /// (INFINITY without one). With `PickStart::CENTRE` that of a perspective starts at the camera's
     /// position. Its image is within 1e-3 pixel of the given one or, for fields of view below about 3
-    /// degrees, as near as half an ulp of a direction can be. Where it starts is rounded to float32
-    /// besides, which moves it by half an ulp of the coordinates (not from the camera's position, which is
-    /// one of floats); `Camera::pick` is not so limited.
+    /// degrees, within half an ulp of its direction. Its start is rounded to float32, too, which moves the
+    /// ray by half an ulp of the coordinates (but not from the camera's position, which has float
+    /// coordinates); `Camera::pick` is not limited in this way.
     ///
     /// Cost: O(1).
     ///
@@ -2065,8 +2069,8 @@ impl Camera {
         check(unsafe { sys::gphys_camera_pick_batch(self.handle.as_ptr(), scene.handle.as_ptr(), pixels.data, pixels.stride, count, layers, out_hits.data, out_hits.stride) })
     }
 
-    /// Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
-    /// rectangle, between near and far plane; exact shapes, ascending.
+    /// Marquee: ids of all models in the pixel rectangle, hidden ones included, between near and far plane;
+    /// tested by their exact shapes, ascending.
     ///
     /// Cost: O(log n + k) expected.
     ///
@@ -2350,10 +2354,10 @@ impl Solver {
     /// sleep_time seconds no particle was faster than sleep_speed and no rigid constraint strained by more
     /// than sleep_strain; cloth, when its root mean square speed from step to step was no higher, no
     /// particle ten times as fast, and strain, without a max_strain, at most 3 %. Its speed is then 0, it
-    /// keeps its contacts, and a step costs it a look for models nearby. It wakes in the step before which
-    /// a model came, went or moved as near as it could come in a step at 50 m/s, or one that it is attached
-    /// to did, or the scene was exchanged; and at once by any change of its state, of gravity or of the
-    /// origin.
+    /// keeps its contacts, and a step costs it one query for models nearby. It wakes in the next step after
+    /// a model within reach (as far as one could move in a step at 50 m/s) was added, removed or moved, or
+    /// a model that it is attached to, or after the scene was replaced; and at once by any change of its
+    /// state, of gravity or of the origin.
     ///
     /// Cost: O(bodies).
     pub fn get_sleeping(&self) -> Result<Vec<BodyId>> {
@@ -2369,7 +2373,7 @@ impl Solver {
         check(unsafe { sys::gphys_solver_wake(self.handle.as_ptr(), body) })
     }
 
-    /// The settings of a body as they are; static_friction as it acts, friction at least.
+    /// The present settings of a body; static_friction as it acts, at least friction.
     ///
     /// Cost: O(1).
     pub fn get_body_settings(&self, body: BodyId) -> Result<BodySettings> {
@@ -2403,8 +2407,7 @@ impl Solver {
         list(|out_indices, capacity, total| unsafe { sys::gphys_solver_get_triangles(self.handle.as_ptr(), body, out_indices, capacity, total) })
     }
 
-    /// The particle of a body nearest to a point, as it is to be grabbed: the lowest of those that are as
-    /// near.
+    /// The particle of a body nearest to a point, for example to grab it; of equally near ones the lowest.
     ///
     /// Cost: O(1); O(particles) for `NO_TRIANGLE`. Since 1.1.
     ///
@@ -2598,8 +2601,8 @@ impl Solver {
     /// effects of wind fields in cloth animations"); with C_L = C_D it is nearly the pressure on a plate,
     /// along n; on a link of a rope -rho/2 C_D 2 r l |u'| u', u' the part of u across it, r the radius (the
     /// cross-flow principle: Hoerner 1965, "Fluid-dynamic drag"); on a free particle -rho/2 C_D pi r^2 |u|
-    /// u. Strong wind takes bodies along and never beyond: whatever the density, a substep does not reverse
-    /// u.
+    /// u. Strong wind carries bodies along but never overshoots: whatever the density, a substep does not
+    /// reverse u.
     ///
     /// Cost: O(1) a body; in each substep of cloth some 370 instructions a triangle, in each step of others
     /// as many for each link or particle.
@@ -2647,9 +2650,9 @@ impl Solver {
     /// that is skinned to its character stays within max_distance of the skinned vertices and does not sink
     /// into the body behind them. In the next step position and normal go evenly from the old target to the
     /// new one, substep by substep; distances act at once. A target that is not set again stands still. A
-    /// first target, and that of a particle which `Solver::set_positions` has moved since the last step, is
-    /// at once where it is set: a teleport is that call and this one. A model that is teleported too sweeps
-    /// through what is on its way: in that step the body collides with no layers
+    /// first target, and that of a particle which `Solver::set_positions` has moved since the last step,
+    /// takes effect at its new place at once: to teleport, make that call and this one. A model that is
+    /// teleported too sweeps through what is on its way: set the body's layers to 0 for that step
     /// (`Solver::set_body_settings`). max_distance 0 carries a particle: it is at its target, as if
     /// attached there, and moves links with infinite mass; this also moves a pinned particle, which stays
     /// pinned, at constant speed during a step. Otherwise particles that are pinned or attached are not
@@ -2659,7 +2662,7 @@ impl Solver {
     /// a model, or behind one, the particle stays outside. Links yield to bounds that contradict them. What
     /// hangs from a particle at its bounds is carried, in cloth and in ropes that are moved alone; ropes
     /// and free particles that are joined, or collide with bodies, are put back particle by particle, and
-    /// links beside these may be strained by the way of a substep. Wakes the body if a target changes.
+    /// links beside these may be strained by the motion of a substep. Wakes the body if a target changes.
     ///
     /// Cost: O(elements); the first time O(particles), and it allocates. In each substep some 100 ns a
     /// particle; ropes with targets are solved one by one, as those that touch models. Since 1.1.
@@ -2732,7 +2735,7 @@ impl Solver {
 
     /// Keep two different particles of a body from being further apart than a length, like a string between
     /// them: it pulls and never pushes. While it is slack it does nothing; when it becomes taut, and is
-    /// rigid, the speed at which the particles part is lost and no other.
+    /// rigid, only the speed at which the particles separate is lost.
     /// Fails as `Solver::add_distance`.
     /// It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
     /// strained only when it is too long.
@@ -2747,9 +2750,9 @@ impl Solver {
         Ok(out_constraint)
     }
 
-    /// Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v
-    /// beside its tension; one of `Solver::add_max_distance` never pushes. The decay depends on time, not
-    /// on steps. Rigid constraints have nothing to damp.
+    /// Damp a constraint that has compliance: when its ends separate at speed v, it pulls with damping * v
+    /// in addition to its tension; one of `Solver::add_max_distance` never pushes. The decay depends on
+    /// time, not on steps. Rigid constraints have nothing to damp.
     ///
     /// Cost: as `Solver::add_distance`.
     ///
@@ -2772,7 +2775,7 @@ impl Solver {
     ///
     /// # Errors
     /// * `Status::ERROR_UNSUPPORTED`: if the triangles do not close (each side is that of two triangles),
-    ///   are not all turned the same way, or face inward when the present volume is asked for
+    ///   are not oriented consistently, or face inward when the present volume is asked for
     pub fn set_volume(&mut self, body: BodyId, rest_volume: f32, compliance: f32) -> Result<()> {
         check(unsafe { sys::gphys_solver_set_volume(self.handle.as_ptr(), body, rest_volume, compliance) })
     }
@@ -2791,8 +2794,8 @@ impl Solver {
         Ok((out_volume, out_pressure))
     }
 
-    /// What was given to `Solver::set_volume`: m^3, of a negative volume that which there was, and m^3 per
-    /// pascal.
+    /// What was given to `Solver::set_volume`: m^3 (for a negative volume the one at that time), and m^3
+    /// per pascal.
     ///
     /// Cost: O(1). Since 1.1.
     ///
@@ -2805,7 +2808,7 @@ impl Solver {
         Ok((out_rest_volume, out_compliance))
     }
 
-    /// End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body. The
+    /// Remove a constraint of a body, even one created with it. Its id stays invalid. Wakes the body. The
     /// triangles of cloth stay together: `Solver::break_constraint` tears them apart.
     ///
     /// Cost: as `Solver::add_distance`; allocates.
@@ -2816,7 +2819,7 @@ impl Solver {
         check(unsafe { sys::gphys_solver_remove_constraint(self.handle.as_ptr(), body, constraint) })
     }
 
-    /// All constraints of a body, those of its builder included, by id.
+    /// All constraints of a body, including those created with the body, by id.
     ///
     /// Cost: O(constraints).
     pub fn get_constraints(&self, body: BodyId) -> Result<Vec<ConstraintInfo>> {
@@ -2836,7 +2839,7 @@ impl Solver {
         check(unsafe { sys::gphys_solver_get_constraint_kinds(self.handle.as_ptr(), body, constraints.data, count, out_kinds.data, out_kinds.stride) })
     }
 
-    /// What constraints are like.
+    /// The present settings of constraints.
     ///
     /// Cost: O(elements).
     ///
@@ -2871,9 +2874,9 @@ impl Solver {
     /// shapes are light in the middle. Particles that are pinned or attached stay where they are held: with
     /// one the cluster swings about it, with two about the line through them, and with three that are not
     /// on a line it does not move. Models that particles are attached to get the impulses. Contacts with
-    /// models move the cluster as a whole, with friction; particles touch, not the faces between them, so
-    /// these should be no further apart than the smallest thing that a cluster meets is thick. Of
-    /// restitution a cluster shows only the share of the mass of the particles that touched. A shape is
+    /// models move the cluster as a whole, with friction; only particles touch, not the faces between them,
+    /// so they should be no further apart than the thickness of the thinnest thing that a cluster meets. Of
+    /// its restitution a cluster shows only the share of the mass of the particles that touched. A shape is
     /// matched once in each substep, after the links: then what hangs from it may be strained a little, and
     /// clusters that share particles approach their shapes in eight passes. Bodies with clusters are solved
     /// as cloth (`SolveMethod::GRAPH`), ropes and free particles too. The rest positions of cloth are not
@@ -2925,15 +2928,16 @@ impl Solver {
 
     /// Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that
     /// are equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved
-    /// as one system, as stiff as one rope; a joined particle of cloth has all that hangs on it for
-    /// inertia. Free particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined
-    /// bodies are moved by one thread and fall asleep and wake together. A joint goes with either body.
+    /// as one system, as stiff as one rope; a joined particle of cloth has the inertia of all that hangs on
+    /// it. Free particles of a joined body are moved by the time scheme of ropes, no longer exactly. Joined
+    /// bodies are moved by one thread and fall asleep and wake together. A joint is removed with either
+    /// body.
     ///
     /// Cost: the next step plans all joined ropes again. A link of them takes some three times as long as
     /// one of a rope that is not joined. Allocates.
     ///
     /// * `rest_length`: metres; 0: at the same place, as below 1e-9; negative: the present distance.
-    ///   Particles that are not as far apart are drawn there within a step, and get the speed of that.
+    ///   Particles at another distance are moved to it within a step, and get the speed of that motion.
     /// * `compliance`: metres per newton, >= 0; 0 is rigid
     ///
     /// # Errors
@@ -3002,7 +3006,7 @@ impl Solver {
     ///
     /// # Errors
     /// * `Status::ERROR_UNSUPPORTED`: and nothing has changed, for an edge where the cloth cannot part: of
-    ///   a triangle that hangs together with no other
+    ///   a triangle that is connected to no other
     /// * `Status::ERROR_CAPACITY`: beyond 2^24 - 1 particles or constraints
     pub fn break_constraint(&mut self, body: BodyId, constraint: ConstraintId) -> Result<Break> {
         let mut out_result = Break::default();
@@ -3040,7 +3044,7 @@ impl Solver {
     ///
     /// * `frame_time`: seconds, >= 0
     ///
-    /// Returns steps made. 0 <= fraction of a step still owed < 1, to blend drawings.
+    /// Returns steps made. 0 <= fraction of a step still owed < 1, to interpolate when drawing.
     ///
     /// # Errors
     /// * `Status::ERROR_OUT_OF_MEMORY`: if there is none for the first step: nothing has changed. If there
@@ -3067,10 +3071,10 @@ impl Solver {
     /// The substeps that a body took in the last step; 0 before its first. With `SolverDesc`.max_strain or
     /// tolerance set, each body takes as many as its own motion needs: their length follows from what the
     /// last step measured, the largest strain of its rigid constraints and the local error of the time
-    /// scheme, both of which go with its square. It is at most quartered and grows by at most an eighth
-    /// from one step to the next, so a sudden blow exceeds a target for a few steps, one of strain only
-    /// where links of cloth cannot be relaxed below it. What cannot be met takes max_substeps. Where
-    /// positions jump, by contacts, the error is that of the jump.
+    /// scheme, both proportional to the square of that length. It is at most quartered and grows by at most
+    /// an eighth from one step to the next, so a sudden impact exceeds a target for a few steps; one of
+    /// strain only where links of cloth cannot be relaxed below it. A target that cannot be met takes
+    /// max_substeps. Where positions jump, by contacts, the error is that of the jump.
     ///
     /// Cost: O(1).
     pub fn get_substeps(&self, body: BodyId) -> Result<u32> {
@@ -3110,10 +3114,10 @@ impl Solver {
     }
 
     /// Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in
-    /// which they fell asleep. Divided by dt they are mean forces: what lies on a model presses it with its
-    /// weight. A particle of cloth that touches several models at once gives to the one that it touches
-    /// most. Models have no mass here; a body of yours much lighter than what hangs from it should be moved
-    /// in small steps.
+    /// which they fell asleep. Divided by dt they are mean forces: what lies on a model presses on it with
+    /// its weight. A particle of cloth that touches several models at once gives its impulse to the one
+    /// that it touches most. Models have no mass here; a body of yours much lighter than what hangs from it
+    /// should be moved in small steps.
     ///
     /// Cost: O(models touched); no allocation. The same bits for any number of workers.
     pub fn get_impulses(&self) -> Result<Vec<Impulse>> {
@@ -3135,10 +3139,10 @@ impl Solver {
     }
 
     /// Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
-    /// time of the snapshot. Steps go on with the same bits as they did then, provided that the scene, too,
-    /// is as it was. On an error the solver is as before. Any words are safe, also those of a stranger: all
-    /// that is used as a number or an index is checked first. Made-up words are refused, or taken as a
-    /// state whose numbers are in range.
+    /// time of the snapshot. Steps continue with the same bits as they did then, provided that the scene,
+    /// too, is as it was. On an error the solver is as before. Any words are safe, also from an untrusted
+    /// source: all that is used as a number or an index is checked first. Forged words are refused, or
+    /// taken as a state whose numbers are in range.
     ///
     /// Cost: as `Solver::get_snapshot`; allocates.
     ///
@@ -3154,7 +3158,7 @@ impl Solver {
 
     /// A hash of the whole state, the low half first. Equal states have equal hashes on every machine;
     /// different ones differ with near certainty (not against an adversary). Compare it between machines
-    /// that simulate the same, to see when they part.
+    /// that run the same simulation, to detect when they diverge.
     ///
     /// Cost: O(particles + constraints).
     pub fn get_hash(&self) -> Result<[u32; 2]> {
@@ -3165,7 +3169,7 @@ impl Solver {
 
 }
 
-/// Whether the shape fulfils the ranges beside its struct.
+/// Whether the fields of the shape are in the ranges stated beside its struct.
 ///
 /// Cost: O(1).
 ///
@@ -3318,8 +3322,8 @@ pub fn classify_frustum(shape: &dyn Shape, frustum: &Frustum) -> Result<Side> {
 /// First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh. Triangles
 /// and meshes are hit from both sides, and meshes are watertight: a ray through a shared edge or vertex
 /// always meets one of the triangles there. Error: t within 1 ulp. No false miss and no false hit at
-/// all for spheres, triangles, meshes, AABBs and planes; for capsules none but within 2^-48 of the
-/// distance. An OBB is met where one larger or smaller by 2^-40 of the distance would be.
+/// all for spheres, triangles, meshes, AABBs and planes; for capsules only within 2^-48 of the
+/// distance. An OBB is hit as if it were larger or smaller by up to 2^-40 of the distance.
 /// docs/accuracy.md has the bounds of all functions.
 ///
 /// Cost: O(1); O(log n) expected for a mesh.
@@ -3336,7 +3340,7 @@ pub fn raycast(shape: &dyn Shape, ray: &Ray) -> Result<Option<Hit>> {
 /// First hits of the rays with one shape, as `raycast`. A ray that hits nothing gets t = INFINITY,
 /// triangle = `NO_TRIANGLE` and zeros in its hits element.
 ///
-/// Cost: that of as many single calls; less for rays at a mesh whose neighbours go much the same way.
+/// Cost: that of as many single calls; less for rays at a mesh if neighbouring rays are similar.
 ///
 /// # Errors
 /// * `Status::ERROR_UNSUPPORTED`: for a ray or a segment as the shape
@@ -3349,8 +3353,8 @@ pub fn raycast_batch<'a>(shape: &dyn Shape, rays: impl Into<Batch<'a, Ray>>, out
 }
 
 /// First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly. A
-/// segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which then is
-/// met from no direction, the normal is zero.
+/// segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, for lack of a
+/// direction, the normal is zero.
 ///
 /// Cost: as `raycast`.
 ///
@@ -3376,8 +3380,8 @@ pub fn segment_test(shape: &dyn Shape, segment: &Segment) -> Result<Option<Hit>>
 /// Returns t in 0..1 of the displacement; point: of contact, on the shape; normal: from the point to
 /// the sphere's centre; in double precision its dot with the displacement is never above 0. Already
 /// overlapping: t = 0, `HIT_INSIDE`, and the normal may be along the displacement too; where the centre
-/// itself is in a solid, it is opposite to the displacement (zero if that is zero). A sphere without
-/// radius gets the hit of the ray along its way. `None` if nothing is found.
+/// itself is in a solid, it is opposite to the displacement (zero if that is zero). A sphere of radius
+/// 0 gets the hit of the ray along its path. `None` if nothing is found.
 ///
 /// # Errors
 /// * `Status::ERROR_UNSUPPORTED`: for a ray or a segment as the shape
@@ -3398,10 +3402,10 @@ pub fn sweep_sphere(shape: &dyn Shape, sphere: &Sphere, displacement: impl Into<
 ///
 /// * `displacement`: metres; may be zero
 ///
-/// Returns t, point and normal as in `sweep_sphere`, whose answers a sphere gets. The point is one of
-/// those where the two touch, always the same. Already overlapping, but for a sphere: t = 0,
-/// `HIT_INSIDE`, and point and normal of `penetration`; of a mesh that is no hull, those of its first
-/// triangle. `None` if nothing is found.
+/// Returns t, point and normal as in `sweep_sphere`, which gives the answer for a sphere. The point is
+/// one of those where the two touch, always the same. Already overlapping, except for a sphere: t = 0,
+/// `HIT_INSIDE`, and point and normal of `penetration`; for a mesh that is not a hull, those of its
+/// first triangle. `None` if nothing is found.
 ///
 /// # Errors
 /// * `Status::ERROR_UNSUPPORTED`: for a ray or a segment as the shape, for a frustum that is not the
@@ -3439,17 +3443,17 @@ pub fn sweep_batch<'a>(shapes: impl Into<Shapes<'a>>, moving: impl Into<Shapes<'
 /// must be the hull of its corners (`frustum_corners`).
 ///
 /// Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
-/// ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from the
-/// other shape. Added to float positions, the translation may leave an overlap of the spacing of floats
-/// there.
+/// ulp of depth; by 2^-32 where the centre or axis of a round solid is closer than that to the other
+/// shape. Added to float positions, the translation may leave an overlap as large as the spacing of
+/// floats there.
 ///
 /// Cost: O(1), 0.1 to 1 us, 3 to 20 us for a frustum; O(log n + k) expected for a mesh. Boxes by
-/// separating axes (Gottschalk 1996), what is round by the distance of its core (Gilbert, Johnson,
+/// separating axes (Gottschalk 1996), round solids by the distance of their core (Gilbert, Johnson,
 /// Keerthi 1988).
 ///
-/// Returns depth and normal of the translation, which is their product; of several that are as short
-/// one, always the same. The point of the solid that gets furthest in is point - depth * normal. `None`
-/// if nothing is found.
+/// Returns depth and normal of the translation, which is their product; of several equally short ones
+/// always the same one. The deepest point of the solid is point - depth * normal. `None` if nothing is
+/// found.
 ///
 /// # Errors
 /// * `Status::ERROR_UNSUPPORTED`: for rays, segments, frusta that are not the hull of their corners,
@@ -3481,9 +3485,9 @@ pub fn penetration_batch<'a>(shapes: impl Into<Shapes<'a>>, moving: impl Into<Sh
 /// The eight corners, each the intersection of three planes: near then far, each in the order
 /// left-bottom, right-bottom, right-top, left-top. A frustum is the convex hull of its corners (the
 /// intersections themselves, not rounded to floats) if each is within `MAX_COORDINATE` and in front of
-/// the three planes that do not meet there, by more than 2^-39 of its distance from origin: so unless
-/// it is empty, flat, unbounded or ends in a tip. Solids are swept against such a frustum and pushed
-/// out of it; for the bounds of their errors, origin counts as a corner.
+/// the three planes that do not meet there, by more than 2^-39 of its distance from origin; that is,
+/// unless it is empty, flat, unbounded or ends in a tip. Solids are swept against such a frustum and
+/// pushed out of it; for the bounds of their errors, origin counts as a corner.
 ///
 /// Cost: O(1).
 ///
@@ -3523,7 +3527,7 @@ pub fn planes_intersection_batch<'a>(a: impl Into<Batch<'a, Plane>>, b: impl Int
 
 /// How far the axes of a matrix (its first three columns without the last row) are from orthonormal:
 /// the largest |a_i . a_j - d_ij|, where d_ij is 1 for i = j, else 0. 0 for the identity, below 2^-22
-/// for the matrices that a camera gives, about 2e for axes that are too long by a share of e.
+/// for the matrices that a camera gives, about 2e for axes that are too long by a fraction e.
 ///
 /// Cost: O(1). Since 1.1.
 ///
@@ -3535,7 +3539,7 @@ pub fn mat4_orthonormality(matrix: &Mat4) -> Result<f32> {
 }
 
 /// The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
-/// origin (0, 0, 0). A camera knows its frustum better: `Camera::get_frustum`.
+/// origin (0, 0, 0). For a camera, `Camera::get_frustum` is more precise.
 ///
 /// Cost: O(1).
 ///

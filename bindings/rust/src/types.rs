@@ -117,9 +117,9 @@ impl MeshKind {
 
 /// ignored_model stands for its descendants, too
 pub const FILTER_SUBTREE: u32 = 1;
-/// planes, triangles and meshes that are no solids are not met from behind, by
-/// rays with `HIT_BACK`, nor by sweeps along their normal; other queries,
-/// which come from no side, take this flag and the next without effect
+/// planes, triangles and meshes that are not solid are not hit from behind: by
+/// rays with `HIT_BACK`, or by sweeps along their normal; other queries
+/// have no direction and ignore this flag and the next
 pub const FILTER_NO_BACK_FACES: u32 = 2;
 /// they are met from behind only: the inside of a closed mesh
 pub const FILTER_NO_FRONT_FACES: u32 = 4;
@@ -151,7 +151,7 @@ impl Handedness {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct PickStart(pub i32);
 impl PickStart {
-    /// what is drawn can be picked, and nothing before it
+    /// what is drawn can be picked; nothing between camera and near plane
     pub const NEAR_PLANE: PickStart = PickStart(0);
     /// at the camera's position: what is between it and the near plane, too
     pub const CENTRE: PickStart = PickStart(1);
@@ -182,7 +182,7 @@ impl SolveMethod {
     pub const FREE: SolveMethod = SolveMethod(0);
     /// chains and trees: Newton on the whole body at once
     pub const DIRECT: SolveMethod = SolveMethod(1);
-    /// what has rings, volume, clusters, or a particle with more than 64 constraints:
+    /// cycles of constraints, volume, clusters, or a particle with more than 64 constraints:
     /// coloured batches of chains, then the rest, then reach limits
     pub const GRAPH: SolveMethod = SolveMethod(2);
 }
@@ -193,7 +193,7 @@ impl SolveMethod {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct ConstraintKind(pub i32);
 impl ConstraintKind {
-    /// its length: `Solver::add_distance`, and those of builders
+    /// its length: `Solver::add_distance`, and those created with a body
     pub const DISTANCE: ConstraintKind = ConstraintKind(0);
     /// at most its length; it may go slack: `Solver::add_max_distance`
     pub const MAX_DISTANCE: ConstraintKind = ConstraintKind(1);
@@ -216,7 +216,7 @@ pub type JointId = u32;
 pub type Task = Option<unsafe extern "C" fn(*mut c_void, u32)>;
 
 /// Memory functions for one object and everything in it. Both are called on the thread that calls
-/// the library, possibly from several threads if the objects that share it are used so.
+/// the library, from several threads if the objects that share it are used from several threads.
 /// allocate returns None on failure (reported as `Status::ERROR_OUT_OF_MEMORY`, nothing changed);
 /// release gets the same size and alignment again. The struct is copied at creation. Functions in
 /// C++ may throw: allocate has then failed, and what release throws is ignored.
@@ -230,8 +230,8 @@ pub struct Allocator {
 
 /// The caller's own threads (a job system). run calls task(context, 0) .. task(context, count - 1),
 /// each once, in any order, on any threads, several at a time or not, and returns when all have
-/// returned. It is called on the thread that called the library, by several at the same time if
-/// several ask. The struct is copied at creation. A function in C++ may throw, if no call of task
+/// returned. It is called on the thread that called the library, and by several threads at the same time
+/// if several call the library. The struct is copied at creation. A function in C++ may throw, if no call of task
 /// begins after that; the thread that called the library waits for those under way and does what is
 /// left, and the results are the same.
 #[repr(C)]
@@ -379,7 +379,7 @@ pub struct Hit {
     pub t: f32,
     /// where the surfaces meet
     pub point: Vec3,
-    /// unit, against the motion: dot(normal, direction) <= 0, of rays but for its rounding
+    /// unit, against the motion: dot(normal, direction) <= 0, for rays up to rounding
     pub normal: Vec3,
     /// index within a mesh, else `NO_TRIANGLE`
     pub triangle: u32,
@@ -406,7 +406,7 @@ pub struct Nearest {
     pub triangle: u32,
 }
 
-/// How far a ray comes: those fields of a `Hit`. Frozen.  Since 1.1.
+/// How far a ray goes and what it hits: fields of a `Hit`. Frozen.  Since 1.1.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Distance {
@@ -475,7 +475,7 @@ pub struct MeshInfo {
     pub triangle_count: u32,
     /// 1: as `MeshDesc`.deformable, or in the form of a body
     pub deformable: i32,
-    /// 1: a body gives it its form, and `Mesh::set_vertices` does not
+    /// 1: its form comes from a body, not from `Mesh::set_vertices`
     pub follows_body: i32,
 }
 
@@ -518,9 +518,9 @@ pub struct SceneDesc {
     pub allocator: Hook<Allocator>,
     /// models to make room for at once; 0
     pub reserve_models: u32,
-    /// whose threads worker_count counts; None: the scene's own
+    /// provides the worker_count threads; None: the scene's own
     pub task_runner: Hook<TaskRunner>,
-    /// threads for one call, its own included, at most 1024; 0 and 1: that alone
+    /// threads for one call, including the caller's, at most 1024; 0 and 1: that alone
     pub worker_count: u32,
     /// must be 0
     pub reserved: u32,
@@ -553,8 +553,8 @@ pub struct ModelInfo {
     pub child_count: u32,
 }
 
-/// Which models a query sees. Ids of models that are gone, or never were, leave out nothing and are no
-/// error: what asked may have been removed since.
+/// Which models a query sees. Ids that name no model leave out nothing and are not an error: the
+/// model that asked may have been removed since.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct QueryFilterDesc {
@@ -622,7 +622,7 @@ pub struct Orbit {
     pub max_pitch: f32,
 }
 
-/// What a unit of each input moves an orbit by; negative to turn one round. Frozen.  Since 1.1.
+/// What a unit of each input moves an orbit by; negative to invert one. Frozen.  Since 1.1.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct OrbitSpeeds {
@@ -646,15 +646,15 @@ pub struct SolverDesc {
     pub allocator: Hook<Allocator>,
     /// m/s^2; default (0, -9.81, 0)
     pub gravity: Vec3,
-    /// of one step, 1 .. 1000; default 8; with targets: of the first
+    /// of one step, 1 .. 1000; default 8; with error targets: of the first step
     pub substeps: u32,
     /// seconds simulated by each step of `Solver::advance`; 1/60
     pub fixed_step: f32,
     /// most steps of one advance; time beyond is dropped; 8
     pub max_steps: u32,
-    /// whose threads worker_count counts; None: the solver's own
+    /// provides the worker_count threads; None: the solver's own
     pub task_runner: Hook<TaskRunner>,
-    /// threads for one step, its own included, at most 1024; 0 and 1: that alone
+    /// threads for one step, including the caller's, at most 1024; 0 and 1: that alone
     pub worker_count: u32,
     /// m/s, see `Solver::get_sleeping`; 0: bodies never sleep; default 0
     pub sleep_speed: f32,
@@ -662,7 +662,7 @@ pub struct SolverDesc {
     pub sleep_strain: f32,
     /// seconds; default 0.5
     pub sleep_time: f32,
-    /// of rigid constraints, see `Solver::get_substeps`; 0: none, of cloth 0.02; default 0
+    /// of rigid constraints, see `Solver::get_substeps`; 0: none, for cloth 0.02; default 0
     pub max_strain: f32,
     /// target of positions: metres of error that a second of motion adds; 0: none; default 0
     pub tolerance: f32,
@@ -696,9 +696,9 @@ pub struct SolverSettings {
     pub tolerance: f32,
     /// 1 .. 1000
     pub max_substeps: u32,
-    /// most particles times substeps of a step; 0: no bound. Where bodies would take more, all
-    /// take fewer substeps in proportion, but one at least, cloth one for each 25 ms. It bounds
-    /// the time of a step on every machine alike: the same bits everywhere
+    /// most particles times substeps of a step; 0: no bound. If bodies need more, all take fewer
+    /// substeps in proportion, at least one, and cloth at least one for each 25 ms. It bounds
+    /// work, not time, so the bits are the same on every machine
     pub max_work: u32,
 }
 
@@ -725,8 +725,8 @@ pub struct BodyDesc {
     pub cloth_flags: u32,
     /// mask of the models it collides with; 0: none; default all
     pub layers: u32,
-    /// of what rests on a model, slower than a fall of 4e-4 radii; at least friction, or 0:
-    /// as friction; default 0
+    /// of particles at rest on a model, slower than after a fall of 4e-4 radii; at least
+    /// friction, or 0: as friction; default 0
     pub static_friction: f32,
     /// 1: its particles collide with one another, see below; default 0
     pub self_collision: u32,
@@ -754,7 +754,7 @@ pub struct BodySettings {
     pub layers: u32,
     /// of bodies
     pub body_layers: u32,
-    /// 0 or 1; what is nearer than its radii reach when it is set does not collide
+    /// 0 or 1; particles nearer than their radii reach when it is set do not collide
     pub self_collision: u32,
 }
 
@@ -823,7 +823,7 @@ pub struct ConstraintInfo {
     pub compliance: f32,
 }
 
-/// What a constraint is like and may become. Frozen.
+/// The settings of a constraint. Frozen.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct ConstraintSettings {
@@ -919,8 +919,8 @@ pub struct BodyContact {
     pub normal: Vec3,
     /// metres between their surfaces as they are now; below 0: they overlap
     pub distance: f32,
-    /// N s along normal, of the whole step: b got it, and a its opposite. What links and models
-    /// answered is not in it
+    /// N s along normal, of the whole step: b got it, and a its opposite. The reactions of links and
+    /// models are not in it
     pub impulse: f32,
 }
 
@@ -933,7 +933,7 @@ pub struct Impulse {
     pub tag: u32,
     /// N s: what to add to the momentum of the model if it is a body of yours
     pub linear: Vec3,
-    /// N m s, about the model's position in the world: the same for its spin
+    /// N m s, about the model's position in the world: likewise for its angular momentum
     pub angular: Vec3,
 }
 

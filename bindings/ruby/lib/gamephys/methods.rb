@@ -9,8 +9,8 @@ module Gamephys
 
     KIND = SHAPE_MESH
 
-    # Build a mesh from copies of the arrays. Triangles of zero area are kept: they are met like the
-    # segments or points that they are, and counted in the report. 0 triangles are allowed.
+    # Build a mesh from copies of the arrays. Triangles of zero area are kept: queries treat them as the
+    # segments or points that they are, and the report counts them. 0 triangles are allowed.
     # Cost: O(n log n), about 1 us per triangle.
     # @raise [InvalidArgument] for an index out of range, an index_count that is no multiple of 3 or a bad
     #     vertex; Gamephys.mesh_check tells which
@@ -20,17 +20,17 @@ module Gamephys
       own(Pointer) { |made| Low.gphys_mesh_create(Low.desc(Low::MeshDesc, :gphys_mesh_desc_init, desc), vertices.pointer, vertices.stride, vertices.count, indices.pointer, indices.count, made) }
     end
 
-    # Make the convex hull of points: a mesh that is solid, as spheres and boxes are. All that takes a
-    # mesh takes it: functions of shapes, models of scenes, snapshots, and solvers, whose particles stay
-    # outside and are pushed out. A ray that starts inside hits at t = 0 with HIT_INSIDE; one from outside
-    # hits the face through which it enters, `triangle` says where. Whether a ray hits and whether a point
-    # is inside is exact with respect to the points. Inside, the closest point is the point itself and
-    # triangle NO_TRIANGLE. Mesh#overlap lists the triangles of the surface; Mesh#raycast_all gives the
-    # first hit alone. The vertices are those points that are corners of the hull, in the order of the
-    # points, of equal ones the first. The triangles come face by face, all that lie in one plane being
+    # Make the convex hull of points: a mesh that is solid, as spheres and boxes are. It can be used
+    # wherever a mesh can: functions of shapes, models of scenes, snapshots, and solvers, whose particles
+    # stay outside and are pushed out. A ray that starts inside hits at t = 0 with HIT_INSIDE; one from
+    # outside hits the face through which it enters, `triangle` says where. Whether a ray hits and whether
+    # a point is inside is exact with respect to the points. Inside, the closest point is the point itself
+    # and triangle NO_TRIANGLE. Mesh#overlap lists the triangles of the surface; Mesh#raycast_all gives
+    # only the first hit. The vertices are the points that are corners of the hull, in their original
+    # order; of equal points the first. The triangles come face by face, all that lie in one plane being
     # one face; seen from outside their corners go counterclockwise where axes are right-handed, and the
     # normal cross(b - a, c - a) points out.
-    # Cost: O(point_count * faces); allocates. Rays take O(log faces), the other questions up to O(faces).
+    # Cost: O(point_count * faces); allocates. Rays take O(log faces), other queries up to O(faces).
     # Source: quickhull (Barber, Dobkin, Huhdanpaa 1996) with exact predicates. Since 1.1.
     # @param desc deformable must be 0
     # @param points elements of 3 floats, metres; copied
@@ -45,12 +45,13 @@ module Gamephys
       end
     end
 
-    # Make a mesh of a snapshot: all its answers have the bits of the mesh that the snapshot was taken of.
-    # Any words are safe, also those of a stranger: vertices, indices and the tree are checked, and what
-    # follows from them is computed. Made-up words are refused, or taken as a mesh like any other; only
-    # what its report counts (triangles of zero area, open edges) is taken as it stands there.
+    # Make a mesh from a snapshot: all its answers have the same bits as those of the mesh in the
+    # snapshot. Any words are safe, also from an untrusted source: vertices, indices and the tree are
+    # checked, and what follows from them is computed. Forged words are refused, or taken as a mesh like
+    # any other; only the counts of its report (triangles of zero area, open edges) are taken from the
+    # words as they are.
     # Cost: O(n), a small part of Mesh's; allocates.
-    # @param desc with `deformable` the mesh takes new vertices, whatever the one in the snapshot did
+    # @param desc with `deformable` the mesh takes new vertices, even if the one in the snapshot did not
     # @raise [InvalidArgument] for words that are no snapshot of a mesh, damaged, of a later format or of
     #     another byte order
     # @raise [Error] for a deformable hull (ERROR_UNSUPPORTED)
@@ -73,25 +74,25 @@ module Gamephys
       end
     end
 
-    # Make a mesh that has the form of a body and follows it by itself: cloth, ropes and particles can be
-    # met by rays, picked, overlapped and culled as models of scenes (Scene#add with SHAPE_MESH; without a
-    # transform the model is where the body is) or asked by shape_* and mesh_* functions. Vertex p is
-    # particle p. Of cloth the mesh is the surface of its triangles, in the order of Solver#get_triangles.
-    # A rope is solid. Of its n particles, `triangle` t below n - 1 of a hit is the link from particle t
-    # to t + 1, a capsule of the smaller of their radii, there while a constraint holds them together; n -
-    # 1 + p is particle p, a sphere, there where no link beside it is as thick. Free particles are
-    # spheres, and `triangle` is the particle. Solver#get_nearest_particle finds the particle of a hit.
-    # The mesh has the new form when Solver#step, Solver#advance, Solver#restore or an edit of the body
-    # returns. Cloth that tears (Break) takes its triangles along, whose numbers stay, and the mesh gets
-    # vertices for the new particles. A model that would leave the range of the world, and a torn mesh or
-    # one of less than 2^-32 m for which there is no memory, keep their form until they can follow.
-    # Solver#set_origin moves the coordinates of the mesh, and the models back by as much: they stay where
-    # they are in the world, exactly if scenes have moved their origin before. Solvers do not collide with
-    # models of such meshes, nor wake by them: bodies meet by BodyDesc.body_layers. A restored body is
-    # followed if it has the id and the parts of the one that there was. Restore the solver before the
-    # scene. A mesh that is loaded from a snapshot, that of a scene included, is a copy that follows
-    # nothing; Scene#set_shape gives its model one that does. Mesh and solver are destroyed in any order.
-    # When the body is gone the mesh keeps the form that it had last and is deformable by
+    # Make a mesh that has the form of a body and follows it automatically: cloth, ropes and particles can
+    # be hit by rays, picked, overlapped and culled as models of scenes (Scene#add with SHAPE_MESH;
+    # without a transform the model is where the body is) or queried by shape_* and mesh_* functions.
+    # Vertex p is particle p. For cloth the mesh is the surface of its triangles, in the order of
+    # Solver#get_triangles. A rope of n particles is solid. In a hit, `triangle` t below n - 1 is the link
+    # from particle t to t + 1, a capsule with the smaller of their radii, present while a constraint
+    # holds them together; n - 1 + p is particle p, a sphere, present where no link beside it is as thick.
+    # Free particles are spheres, and `triangle` is the particle. Solver#get_nearest_particle finds the
+    # particle of a hit. The mesh has the new form when Solver#step, Solver#advance, Solver#restore or an
+    # edit of the body returns. When cloth tears (Break), its triangles keep their numbers, and the mesh
+    # gets vertices for the new particles. A model that would leave the range of the world, and a torn
+    # mesh or one of less than 2^-32 m for which there is no memory, keep their form until they can
+    # follow. Solver#set_origin moves the coordinates of the mesh, and the models back by as much: they
+    # stay where they are in the world, exactly if scenes have moved their origin before. Bodies neither
+    # collide with models of such meshes nor wake because of them: BodyDesc.body_layers sets which bodies
+    # collide. A restored body is followed if it has the same id and parts as before. Restore the solver
+    # before the scene. A mesh that is loaded from a snapshot, that of a scene included, is a copy that
+    # follows nothing; Scene#set_shape gives its model one that does. Mesh and solver are destroyed in any
+    # order. When the body is gone the mesh keeps the form that it had last and is deformable by
     # Mesh#set_vertices, which returns ERROR_UNSUPPORTED before. A mesh that neither its handle nor a
     # model holds follows no more.
     # Threads: the functions above become edits of the mesh and of each scene that has a model of it.
@@ -111,24 +112,25 @@ module Gamephys
       Low.list(Plane) { |out, capacity, total| Low.gphys_mesh_get_hull_planes(opened, out, capacity, total) }
     end
 
-    # For each triangle of a hull the number of its face, by which Mesh#get_hull_planes lists the planes:
-    # ascending, from 0.
+    # For each triangle of a hull the index of its face in the list of Mesh#get_hull_planes, ascending
+    # from 0.
     # Cost: O(triangles). Since 1.1.
     # @raise [Error] for a mesh that is no hull (ERROR_UNSUPPORTED)
     def get_hull_faces
       Low.list(UInt32) { |out, capacity, total| Low.gphys_mesh_get_hull_faces(opened, out, capacity, total) }
     end
 
-    # Put other vertices in place of those of a deformable mesh: of a skinned character, or of cloth as
-    # Solver#get_positions writes it. All models of the mesh have the new form from then on, in every
-    # scene, and all answers have the bits of those of a mesh created of the new vertices. What fails
-    # leaves the mesh and the scenes as they were. A solver sees the new form at its next step, as a
+    # Replace the vertices of a deformable mesh, such as a skinned character, or cloth as
+    # Solver#get_positions writes it. All models of the mesh take the new form at once, in every scene,
+    # and all answers have the same bits as those of a mesh created from the new vertices. A call that
+    # fails leaves the mesh and the scenes as they were. A solver sees the new form at its next step, as a
     # surface that stands still.
     # Threads: an edit of the mesh and of every scene that has a model of it: not beside other calls on
     # these.
-    # Cost: O(vertices + triangles + log n for each model), some percent of a creation: the tree is
-    # refitted, and built again by parts where it has degraded. If the triangles have come apart so that
-    # their groups of eight have boxes of twice the area, once that of a creation. Allocates. Since 1.1.
+    # Cost: O(vertices + triangles + log n for each model), a few per cent of creating it: the tree is
+    # refitted, and parts that have degraded are rebuilt. If the triangles have moved apart so far that
+    # the boxes of their groups of eight have twice the area, once as much as creating it. Allocates.
+    # Since 1.1.
     # @param vertices elements of 3 floats, metres; copied
     # @raise [Error] if the mesh is not deformable (ERROR_UNSUPPORTED)
     # @raise [InvalidArgument] for a vertex that is not finite or too large, or if a model of the mesh
@@ -192,7 +194,7 @@ module Gamephys
     end
 
     # Whether each of the rays hits anything, as Mesh#raycast_any.
-    # Cost: that of as many single calls; less for rays whose neighbours go much the same way. Since 1.1.
+    # Cost: that of as many single calls; less if neighbouring rays are similar. Since 1.1.
     def raycast_any_batch(rays, out: nil)
       rays = Low.array(Ray, rays)
       count = Low.common(rays)
@@ -201,8 +203,8 @@ module Gamephys
       out
     end
 
-    # How far the rays come, and which triangles they hit: t and triangle of Gamephys.raycast_batch for
-    # the mesh, with the same bits, without the rest of a hit; model is 0.
+    # How far each of the rays goes, and which triangle it hits: t and triangle of Gamephys.raycast_batch
+    # for the mesh, with the same bits, without the rest of a hit; model is 0.
     # Cost: less than that of Gamephys.raycast_batch. Since 1.1.
     # @return a ray that hits nothing gets t = INFINITY and triangle = NO_TRIANGLE.
     def raycast_distance_batch(rays, out: nil)
@@ -244,10 +246,10 @@ module Gamephys
     # Create a scene without models. With a worker_count of n, all batch queries of the scene
     # (Camera#pick_batch too), and adding and moving many models, share their work among n threads; the
     # results have the same bits for every n. Without a task_runner n - 1 threads are started here and
-    # joined when the scene is destroyed. They serve one call at a time: calls made meanwhile do their own
-    # work. They take no signals but faults, and the floating-point settings of the thread that created
-    # them. In a child of fork they are gone: calls there run on one thread, as they do on a platform
-    # without threads (WebAssembly, unless built for shared memory), whatever is asked for.
+    # joined when the scene is destroyed. They serve one call at a time: calls made meanwhile run on their
+    # own thread alone. They take no signals but faults, and have the standard floating-point settings. In
+    # a child of fork they are gone: calls there run on one thread, as they do on a platform without
+    # threads (WebAssembly, unless built for shared memory), whatever is asked for.
     # Cost: O(reserve_models), and that of starting the threads.
     # @param desc nil: the defaults
     # @raise [OutOfMemory] also if the threads cannot be started
@@ -256,9 +258,9 @@ module Gamephys
       own(Pointer) { |made| Low.gphys_scene_create(Low.desc(Low::SceneDesc, :gphys_scene_desc_init, desc), made) }
     end
 
-    # Change the number of threads that share the calls of a scene, such as by a setting of the user's.
-    # They are those of its task_runner if it was created with one. In a child of fork they are started
-    # again. Answers keep their bits.
+    # Change the number of threads that share the calls of a scene, for example when the user changes a
+    # setting. They are those of its task_runner if it was created with one. In a child of fork they are
+    # started again. Answers keep their bits.
     # Cost: that of joining the former threads and starting others; allocates. Since 1.1.
     # @param workers as SceneDesc.worker_count
     # @raise [OutOfMemory] also if the threads cannot be started; the former ones are kept
@@ -275,8 +277,8 @@ module Gamephys
       UInt32.unpack(out_workers)
     end
 
-    # Move the point of the world that all coordinates of the scene count from, those that it is given and
-    # those that it returns. Models stay where they are in the world: the positions of those without a
+    # Move the point of the world that all coordinates of the scene are relative to, those passed to it
+    # and those that it returns. Models stay where they are in the world: the positions of those without a
     # parent become what they are from there, kept in double precision and rounded to float32 once,
     # however often the origin moves. For worlds beyond some kilometres: keep the origin near the camera,
     # and when the camera has gone a few kilometres, move it together with that of cameras and solvers.
@@ -395,7 +397,7 @@ module Gamephys
       Low.list(UInt32) { |out, capacity, total| Low.gphys_scene_get_roots(opened, out, capacity, total) }
     end
 
-    # Ids of the models that hang directly below one, ascending.
+    # Ids of the direct children of a model, ascending.
     # Cost: O(k log k).
     def get_children(model)
       Low.list(UInt32) { |out, capacity, total| Low.gphys_scene_get_children(opened, model, out, capacity, total) }
@@ -409,8 +411,8 @@ module Gamephys
       ModelInfo.unpack(out_info)
     end
 
-    # World box of a model, by which queries find it: holds it, and is at most 3 ulps and 2^-19 of the sum
-    # of its sizes wider. That of an empty mesh is its position.
+    # World box of a model, by which queries find it: contains the model, and is wider by at most 3 ulps
+    # and 2^-19 of the sum of its sizes. That of an empty mesh is its position.
     # Cost: O(1).
     # @return nil for a plane.
     def get_bounds(model)
@@ -447,10 +449,10 @@ module Gamephys
     # Scale a model's own shape along the three axes of the model, before its transform: a tree grows, a
     # unit box becomes a wall, a rock is stretched. Every query, and solvers, see the scaled shape;
     # normals are those of its surface. Children are not affected: they follow the transform, whose scale
-    # is one number. What is set replaces what was set before. A mesh or a hull is scaled exactly, without
-    # a copy: answers are those of a mesh of the scaled vertices. Of a box or a triangle each number is
-    # multiplied and rounded to float32. A sphere, capsule or plane, and an OBB whose own rotation is not
-    # the identity, take three equal numbers only.
+    # is one number. A new scale replaces the old one. A mesh or a hull is scaled exactly, without a copy:
+    # answers are those of a mesh of the scaled vertices. Of a box or a triangle each number is multiplied
+    # and rounded to float32. A sphere, capsule or plane, and an OBB whose own rotation is not the
+    # identity, take three equal numbers only.
     # Cost: as Scene#set_transform of a model without children. Models that have a scale take 16 bytes
     # more if they are meshes, else 52, up to the highest id. Queries of a scaled mesh or hull take 1 to
     # 11 % more; rays at a mesh that is flattened to a twentieth take 1.3 times those at a mesh of the
@@ -492,7 +494,7 @@ module Gamephys
       nil
     end
 
-    # Hang a model below another one, or below none (0).
+    # Make a model the child of another one, or of none (0).
     # Cost: O(depth of the tree of models), and as Scene#set_transform for what moves. Renews the octree
     # as far as there is memory.
     # @param keep_world 0: the local transform is kept, the model jumps; 1: the local transform is changed
@@ -537,8 +539,8 @@ module Gamephys
       out
     end
 
-    # World transforms of the models: those of all ancestors applied, rounded to float32. What queries
-    # answer is exact with respect to these.
+    # World transforms of the models: with those of all ancestors applied, rounded to float32. Answers of
+    # queries are exact with respect to these.
     # Cost: O(elements).
     # @param models the ids; an id may appear twice
     def get_world_transforms(models, out: nil)
@@ -568,8 +570,8 @@ module Gamephys
       out
     end
 
-    # How far the rays come, and what they meet: t, model and triangle of Scene#raycast_batch, with the
-    # same bits, without the rest of a hit. For lidars and images of depth.
+    # How far each of the rays goes, and what it hits: t, model and triangle of Scene#raycast_batch, with
+    # the same bits, without the rest of a hit. For lidars and depth images.
     # Cost: less than that of Scene#raycast_batch; shared among workers. Since 1.1.
     # @return a ray that hits nothing gets t = INFINITY, model = 0 and triangle = NO_TRIANGLE.
     def raycast_distance_batch(rays, layers: ALL_LAYERS, out: nil)
@@ -652,11 +654,12 @@ module Gamephys
       Low.ragged(UInt32, count) { |out, capacity, offsets| Low.gphys_scene_overlap_batch(opened, shapes.kind::KIND, shapes.pointer, shapes.stride, count, layers, out, capacity, offsets) }
     end
 
-    # Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its own
-    # box, ascending: for drawing. None that is seen is missed. More are listed near the frustum's edges:
-    # some per cent of models that are compact or not turned; of long or flat ones that are turned, whose
-    # world boxes are mostly empty, about a third, and as many again as are seen where they are as long as
-    # the view is wide. Scene#overlap sorts these out by testing the shapes.
+    # Ids of all models whose world box is not wholly outside any of a frustum's six planes or its own
+    # box, ascending: for drawing. No visible model is missed. Some invisible ones near the frustum's
+    # edges are listed, too: a few per cent more where models are compact or not rotated; about a third
+    # more where they are long or flat and rotated, so that their world boxes are mostly empty, and as
+    # many again as are visible where they are as long as the view is wide. Scene#overlap leaves these out
+    # by testing the shapes.
     # Cost: O(log n + k) expected.
     def cull(frustum, layers: ALL_LAYERS)
       Low.list(UInt32) { |out, capacity, total| Low.gphys_scene_cull(opened, Frustum.pack(frustum), layers, out, capacity, total) }
@@ -742,8 +745,8 @@ module Gamephys
     end
 
     # What a sphere, capsule, AABB or OBB overlaps, and how it gets out: an element for each model, and of
-    # a mesh one for each triangle, as Gamephys.penetration. Deepest first; those that are as deep by
-    # model, then triangle. Each is the way out of that one alone. The models are those of Scene#overlap.
+    # a mesh one for each triangle, as Gamephys.penetration. Deepest first; equal depths by model, then
+    # triangle. Each is the way out of that one alone. The models are those of Scene#overlap.
     # Cost: O(log n + k log k) expected.
     # @raise [Error] for other types (ERROR_UNSUPPORTED)
     def penetration(shape, layers: ALL_LAYERS)
@@ -765,7 +768,7 @@ module Gamephys
     # Cost: that of Scene#raycast for one ignored model. For each model that is met within the ray's
     # reach, besides: O(its depth below its root) with FILTER_SUBTREE if ignored_model has children; of m
     # ignored_models O(log m) if they are ascending, as all lists of the library are, else O(m). Whether
-    # they are takes O(m) a call. Where faces are left out, rays of a batch meet a mesh one by one.
+    # they are takes O(m) a call. Where faces are left out, a batch tests a mesh one ray at a time.
     # @param filter nil: the defaults
     # @return nil if nothing is found.
     # @raise [InvalidArgument] for unknown flags, or ignored_models nil with an ignored_count above 0
@@ -785,8 +788,8 @@ module Gamephys
       out
     end
 
-    # How far the rays come among the models that the filters see, as Scene#raycast_distance_batch: a
-    # lidar leaves out the robot that carries it.
+    # How far each of the rays goes among the models that its filter sees, as
+    # Scene#raycast_distance_batch: a lidar leaves out the robot that carries it.
     # Cost: less than that of Scene#raycast_filtered_batch; shared among workers. Since 1.1.
     # @param filters nil: the defaults
     def raycast_distance_filtered_batch(rays, filters = nil, out: nil)
@@ -915,7 +918,7 @@ module Gamephys
     end
 
     # First model that a moving sphere touches and the filter sees, as Scene#sweep_sphere: the sphere may
-    # be the bound of the ignored model itself.
+    # be the bounding sphere of the ignored model.
     # Cost: that of Scene#sweep_sphere, and for each model as Scene#raycast_filtered.
     # @param displacement metres; may be zero
     # @param filter nil: the defaults
@@ -938,8 +941,8 @@ module Gamephys
       out
     end
 
-    # First model that a sphere, capsule, AABB or OBB that moves touches and the filter sees, as
-    # Scene#sweep: a character leaves out its own model.
+    # First model that a moving sphere, capsule, AABB or OBB touches and the filter sees, as Scene#sweep:
+    # a character leaves out its own model.
     # Cost: that of Scene#sweep, and for each model as Scene#raycast_filtered.
     # @param displacement metres; may be zero
     # @param filter nil: the defaults
@@ -984,9 +987,9 @@ module Gamephys
       Low.ragged(Penetration, count) { |out, capacity, offsets| Low.gphys_scene_penetration_filtered_batch(opened, shapes.kind::KIND, shapes.pointer, shapes.stride, count, filters && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters), 0, out, capacity, offsets) }
     end
 
-    # Build the scene's octree anew, as good as that of one Scene#add_batch. Never needed: ids, answers
-    # and their bits stay as they are. Where many models were added one by one, such as a level that was
-    # streamed in, rays then take 0.5 to 0.9 of the time.
+    # Rebuild the scene's octree, as good as that of one Scene#add_batch. Never required: ids, answers and
+    # their bits do not change. Where many models were added one by one, such as a level that was streamed
+    # in, rays then take 0.5 to 0.9 of the time.
     # Cost: O(n log n), 0.15 to 0.45 us a model, less with workers; allocates. Since 1.1.
     # @raise [OutOfMemory] with nothing changed
     def rebuild_octree
@@ -997,8 +1000,8 @@ module Gamephys
     # Rebuild the octree in parts, one in each call, until it is as good as after Scene#rebuild_octree:
     # for levels that are streamed in while frames go on. Each Scene#add and Scene#remove does a part by
     # itself; these calls do the rest. Never needed: ids, answers and their bits stay as they are. Models
-    # may be added, moved and removed between the calls. An update of an eighth of them or more by one
-    # call starts again.
+    # may be added, moved and removed between the calls. A call that updates an eighth of them or more
+    # restarts it.
     # Cost: O(budget); allocates, until it is done about 130 bytes a model. Since 1.1.
     # @param budget how much work to do, as a number of models, of 0.3 to 1 us each. The work is the same
     #     on every machine and does not depend on time.
@@ -1035,11 +1038,11 @@ module Gamephys
     end
 
     # Copy the whole state out: the origin, models with their ids, parents, tags, layers, transforms and
-    # shapes, ids to come, and the octree. Workers and allocator are not in it.
+    # shapes, the order of future ids, and the octree. Workers and allocator are not in it.
     # Cost: O(n), some 80 bytes and 100 ns for each model, besides embedded meshes (Mesh#get_snapshot).
     # Allocates a few words for each different mesh.
-    # @param embed_meshes 1: meshes are in the snapshot, each once, which is then complete in itself: for
-    #     saved games and for other machines. 0: they are named by what they hold, and Scene#restore looks
+    # @param embed_meshes 1: meshes are in the snapshot, each once, so it is complete in itself: for saved
+    #     games and for other machines. 0: they are identified by their content, and Scene#restore looks
     #     for them: for undo, and rollback each frame.
     # @return the snapshot. Words are in the machine's byte order. Every later release of the same major
     #     version reads it.
@@ -1049,14 +1052,14 @@ module Gamephys
     end
 
     # Replace the whole state by that of a snapshot, of this or of another scene. Ids are those of the
-    # time of the snapshot, those to come included. All answers have the bits that they had then; a solver
-    # that was restored with its scene steps on with the same bits. On an error the scene is as before.
-    # Any words are safe, also those of a stranger: all that is used as a number or an index is checked
-    # first. Made-up words are refused, or taken as a scene like any other.
+    # time of the snapshot, and so are future ones. All answers have the bits that they had then; a solver
+    # that is restored with its scene continues with the same bits. On an error the scene is as before.
+    # Any words are safe, also from an untrusted source: all that is used as a number or an index is
+    # checked first. Forged words are refused, or taken as a scene like any other.
     # Cost: O(n), 150 to 700 ns for each model, besides embedded meshes (Mesh). Allocates.
     # @param library meshes that are not embedded are looked for among those that models of this scene
-    #     use, by what they hold: vertices and indices, so one that has been deformed since is to be put
-    #     back first. nil: among those that models of `scene` itself use, before it is restored.
+    #     use, by their content: vertices and indices. A mesh deformed since must get its old form back
+    #     first. nil: among those that models of `scene` itself use, before it is restored.
     # @raise [InvalidArgument] for words that are no snapshot of a scene, damaged, of a later format or of
     #     another byte order, and if a mesh is missing
     # @raise [OutOfMemory] if there is no room for it
@@ -1067,10 +1070,10 @@ module Gamephys
       nil
     end
 
-    # A hash of the whole state but the octree, the low half first; of a mesh it is what it holds that
-    # counts. Equal states have equal hashes on every machine; different ones differ with near certainty
-    # (not against an adversary). Compare it between machines that simulate the same, to see when they
-    # part.
+    # A hash of the whole state except the octree, the low half first; meshes count by their content.
+    # Equal states have equal hashes on every machine; different ones differ with near certainty (not
+    # against an adversary). Compare it between machines that run the same simulation, to detect when they
+    # diverge.
     # Cost: O(n), some 50 ns for each model.
     def get_hash
       out_hash = UInt32.room(2)
@@ -1109,7 +1112,7 @@ module Gamephys
       Float64.unpack_all(out_origin, 3)
     end
 
-    # See with a perspective projection; what is further away is smaller.
+    # Use a perspective projection: distant objects appear smaller.
     # Cost: O(1).
     # @param fov_y full vertical angle in radians, 1e-6 <= fov_y < pi
     # @param near_distance metres, > 0
@@ -1119,7 +1122,7 @@ module Gamephys
       nil
     end
 
-    # See with an orthographic projection; the distance changes no size.
+    # Use an orthographic projection: the distance does not change apparent size.
     # Cost: O(1).
     # @param height metres seen from top to bottom, >= 1e-6; the width follows from the viewport and is at
     #     most twice MAX_COORDINATE
@@ -1130,8 +1133,8 @@ module Gamephys
       nil
     end
 
-    # See with any projection matrix of the camera's depth range and direction (off-centre, oblique,
-    # another library's). It is not changed by Camera#set_viewport.
+    # Use any projection matrix of the camera's depth range and direction (off-centre, oblique, another
+    # library's). It is not changed by Camera#set_viewport.
     # Cost: O(1).
     # @raise [Error] if it has no inverse, or is too close to such a matrix to tell (ERROR_SINGULAR)
     # @raise [InvalidArgument] if a plane other than far lies at infinity, as it does when the matrix is
@@ -1141,8 +1144,8 @@ module Gamephys
       nil
     end
 
-    # As Camera#set_perspective, with an aspect of its own: the viewport stretches the image, as one of
-    # pixels that are not square, and does not change what is seen.
+    # As Camera#set_perspective, with a fixed aspect ratio: the image is stretched to the viewport, as
+    # with pixels that are not square, and the viewport does not change what is seen.
     # Cost: O(1). Since 1.1.
     # @param fov_y full vertical angle in radians, 1e-6 <= fov_y < pi
     # @param aspect width over height of what is seen, 1e-6 .. 1e6
@@ -1164,8 +1167,8 @@ module Gamephys
       nil
     end
 
-    # The viewport was resized. Perspective keeps fov_y, orthographic its height; it is refused if that
-    # makes the width more than twice MAX_COORDINATE.
+    # Set the size of the viewport. A perspective keeps fov_y, an orthographic projection its height; the
+    # call is refused if that makes the width more than twice MAX_COORDINATE.
     # Cost: O(1).
     # @param width pixels, 1e-3 .. 1e6
     # @param height pixels, 1e-3 .. 1e6
@@ -1226,7 +1229,8 @@ module Gamephys
       [Float32.unpack(out_x), Float32.unpack(out_y)]
     end
 
-    # Width over height of what is seen, as it was set or, with a matrix too, as the viewport has it.
+    # Width over height of what is seen: as it was set, or else, and always with a matrix, that of the
+    # viewport.
     # Cost: O(1). Since 1.1.
     # @return 1 if Camera#set_perspective_aspect or Camera#set_orthographic_size was the last to set the
     #     projection; 0 if it follows the viewport.
@@ -1324,7 +1328,7 @@ module Gamephys
     end
 
     # The matrix from world to camera: the transpose of the orthonormal world axes, and the position
-    # through them.
+    # transformed by it.
     # Cost: O(1).
     def get_view_matrix
       out_view = Mat4.room
@@ -1366,7 +1370,7 @@ module Gamephys
     end
 
     # Set a speed for each input of the orbit, in place of the two of Orbit, which Camera#set_orbit starts
-    # from. Input since the last update counts by the new ones.
+    # from. Input since the last update uses the new speeds.
     # Cost: O(1). Since 1.1.
     # @raise [Error] if the camera was never set to orbit (ERROR_UNSUPPORTED)
     def set_orbit_speeds(speeds)
@@ -1424,9 +1428,9 @@ module Gamephys
       nil
     end
 
-    # The seen volume, with origin at the camera's position and planes from its parameters: each number
-    # within 2 ulp; all functions of shapes take it. A user projection gives its planes by Gribb-Hartmann
-    # in double precision.
+    # The view frustum, with origin at the camera's position and planes from its parameters: each number
+    # within 2 ulp. All functions of shapes accept it. A user projection gives its planes by
+    # Gribb-Hartmann in double precision.
     # Cost: O(1).
     def get_frustum
       out_frustum = Frustum.room
@@ -1434,7 +1438,7 @@ module Gamephys
       Frustum.unpack(out_frustum)
     end
 
-    # World positions of the corners of the seen volume, in the order of Gamephys.frustum_corners.
+    # World positions of the corners of the view frustum, in the order of Gamephys.frustum_corners.
     # Cost: O(1).
     # @return nil with an infinite far plane, or a corner beyond the largest float.
     def get_corners
@@ -1512,10 +1516,10 @@ module Gamephys
 
     # The ray through a pixel, of unit direction, from the near plane on; t_max ends on the far plane
     # (INFINITY without one). With PICK_FROM_CENTRE that of a perspective starts at the camera's position.
-    # Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
-    # near as half an ulp of a direction can be. Where it starts is rounded to float32 besides, which
-    # moves it by half an ulp of the coordinates (not from the camera's position, which is one of floats);
-    # Camera#pick is not so limited.
+    # Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, within
+    # half an ulp of its direction. Its start is rounded to float32, too, which moves the ray by half an
+    # ulp of the coordinates (but not from the camera's position, which has float coordinates);
+    # Camera#pick is not limited in this way.
     # Cost: O(1).
     # @param pixel_x pixels; may lie outside the viewport
     # @param pixel_y pixels; may lie outside the viewport
@@ -1560,8 +1564,8 @@ module Gamephys
       out
     end
 
-    # Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
-    # rectangle, between near and far plane; exact shapes, ascending.
+    # Marquee: ids of all models in the pixel rectangle, hidden ones included, between near and far plane;
+    # tested by their exact shapes, ascending.
     # Cost: O(log n + k) expected.
     # @param x0 pixels, opposite corners in any order; may lie outside the viewport
     # @param y0 pixels, opposite corners in any order; may lie outside the viewport
@@ -1789,10 +1793,10 @@ module Gamephys
     # sleep_time seconds no particle was faster than sleep_speed and no rigid constraint strained by more
     # than sleep_strain; cloth, when its root mean square speed from step to step was no higher, no
     # particle ten times as fast, and strain, without a max_strain, at most 3 %. Its speed is then 0, it
-    # keeps its contacts, and a step costs it a look for models nearby. It wakes in the step before which
-    # a model came, went or moved as near as it could come in a step at 50 m/s, or one that it is attached
-    # to did, or the scene was exchanged; and at once by any change of its state, of gravity or of the
-    # origin.
+    # keeps its contacts, and a step costs it one query for models nearby. It wakes in the next step after
+    # a model within reach (as far as one could move in a step at 50 m/s) was added, removed or moved, or
+    # a model that it is attached to, or after the scene was replaced; and at once by any change of its
+    # state, of gravity or of the origin.
     # Cost: O(bodies).
     def get_sleeping
       Low.list(UInt32) { |out, capacity, total| Low.gphys_solver_get_sleeping(opened, out, capacity, total) }
@@ -1806,7 +1810,7 @@ module Gamephys
       nil
     end
 
-    # The settings of a body as they are; static_friction as it acts, friction at least.
+    # The present settings of a body; static_friction as it acts, at least friction.
     # Cost: O(1).
     def get_body_settings(body)
       out_settings = BodySettings.room
@@ -1837,8 +1841,7 @@ module Gamephys
       Low.list(UInt32) { |out, capacity, total| Low.gphys_solver_get_triangles(opened, body, out, capacity, total) }
     end
 
-    # The particle of a body nearest to a point, as it is to be grabbed: the lowest of those that are as
-    # near.
+    # The particle of a body nearest to a point, for example to grab it; of equally near ones the lowest.
     # Cost: O(1); O(particles) for NO_TRIANGLE. Since 1.1.
     # @param triangle as in a hit, nearest or penetration of the body's mesh: its corners are compared, of
     #     a rope the ends of the link, or the particle; NO_TRIANGLE: all particles
@@ -2013,8 +2016,8 @@ module Gamephys
     # effects of wind fields in cloth animations"); with C_L = C_D it is nearly the pressure on a plate,
     # along n; on a link of a rope -rho/2 C_D 2 r l |u'| u', u' the part of u across it, r the radius (the
     # cross-flow principle: Hoerner 1965, "Fluid-dynamic drag"); on a free particle -rho/2 C_D pi r^2 |u|
-    # u. Strong wind takes bodies along and never beyond: whatever the density, a substep does not reverse
-    # u.
+    # u. Strong wind carries bodies along but never overshoots: whatever the density, a substep does not
+    # reverse u.
     # Cost: O(1) a body; in each substep of cloth some 370 instructions a triangle, in each step of others
     # as many for each link or particle.
     # @param body 0: all bodies there are
@@ -2058,9 +2061,9 @@ module Gamephys
     # that is skinned to its character stays within max_distance of the skinned vertices and does not sink
     # into the body behind them. In the next step position and normal go evenly from the old target to the
     # new one, substep by substep; distances act at once. A target that is not set again stands still. A
-    # first target, and that of a particle which Solver#set_positions has moved since the last step, is at
-    # once where it is set: a teleport is that call and this one. A model that is teleported too sweeps
-    # through what is on its way: in that step the body collides with no layers
+    # first target, and that of a particle which Solver#set_positions has moved since the last step, takes
+    # effect at its new place at once: to teleport, make that call and this one. A model that is
+    # teleported too sweeps through what is on its way: set the body's layers to 0 for that step
     # (Solver#set_body_settings). max_distance 0 carries a particle: it is at its target, as if attached
     # there, and moves links with infinite mass; this also moves a pinned particle, which stays pinned, at
     # constant speed during a step. Otherwise particles that are pinned or attached are not moved. A
@@ -2070,7 +2073,7 @@ module Gamephys
     # behind one, the particle stays outside. Links yield to bounds that contradict them. What hangs from
     # a particle at its bounds is carried, in cloth and in ropes that are moved alone; ropes and free
     # particles that are joined, or collide with bodies, are put back particle by particle, and links
-    # beside these may be strained by the way of a substep. Wakes the body if a target changes.
+    # beside these may be strained by the motion of a substep. Wakes the body if a target changes.
     # Cost: O(elements); the first time O(particles), and it allocates. In each substep some 100 ns a
     # particle; ropes with targets are solved one by one, as those that touch models. Since 1.1.
     # @param first as in Solver#get_positions
@@ -2131,7 +2134,7 @@ module Gamephys
 
     # Keep two different particles of a body from being further apart than a length, like a string between
     # them: it pulls and never pushes. While it is slack it does nothing; when it becomes taut, and is
-    # rigid, the speed at which the particles part is lost and no other.
+    # rigid, only the speed at which the particles separate is lost.
     # Fails as Solver#add_distance.
     # It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
     # strained only when it is too long.
@@ -2144,9 +2147,9 @@ module Gamephys
       UInt32.unpack(out_constraint)
     end
 
-    # Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v
-    # beside its tension; one of Solver#add_max_distance never pushes. The decay depends on time, not on
-    # steps. Rigid constraints have nothing to damp.
+    # Damp a constraint that has compliance: when its ends separate at speed v, it pulls with damping * v
+    # in addition to its tension; one of Solver#add_max_distance never pushes. The decay depends on time,
+    # not on steps. Rigid constraints have nothing to damp.
     # Cost: as Solver#add_distance.
     # @param damping N s/m, >= 0; 0, which every constraint begins with: none
     # @raise [InvalidId] for a body or constraint that does not exist
@@ -2161,8 +2164,8 @@ module Gamephys
     # @param rest_volume m^3, > 0; negative: the present volume
     # @param compliance m^3 per pascal, >= 0: the volume that a pressure of one pascal takes; 0: as water,
     #     which keeps its volume; INFINITY: none, which ends the constraint
-    # @raise [Error] if the triangles do not close (each side is that of two triangles), are not all
-    #     turned the same way, or face inward when the present volume is asked for (ERROR_UNSUPPORTED)
+    # @raise [Error] if the triangles do not close (each side is that of two triangles), are not oriented
+    #     consistently, or face inward when the present volume is asked for (ERROR_UNSUPPORTED)
     def set_volume(body, rest_volume, compliance: 0)
       Low.check(Low.gphys_solver_set_volume(opened, body, rest_volume, compliance))
       nil
@@ -2179,7 +2182,7 @@ module Gamephys
       [Float32.unpack(out_volume), Float32.unpack(out_pressure)]
     end
 
-    # What was given to Solver#set_volume: m^3, of a negative volume that which there was, and m^3 per
+    # What was given to Solver#set_volume: m^3 (for a negative volume the one at that time), and m^3 per
     # pascal.
     # Cost: O(1). Since 1.1.
     # @raise [Error] if none is held (ERROR_UNSUPPORTED)
@@ -2190,7 +2193,7 @@ module Gamephys
       [Float32.unpack(out_rest_volume), Float32.unpack(out_compliance)]
     end
 
-    # End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body. The
+    # Remove a constraint of a body, even one created with it. Its id stays invalid. Wakes the body. The
     # triangles of cloth stay together: Solver#break_constraint tears them apart.
     # Cost: as Solver#add_distance; allocates.
     # @raise [InvalidId] for a body or constraint that does not exist, or no longer
@@ -2199,7 +2202,7 @@ module Gamephys
       nil
     end
 
-    # All constraints of a body, those of its builder included, by id.
+    # All constraints of a body, including those created with the body, by id.
     # Cost: O(constraints).
     def get_constraints(body)
       Low.list(ConstraintInfo) { |out, capacity, total| Low.gphys_solver_get_constraints(opened, body, out, capacity, total) }
@@ -2216,7 +2219,7 @@ module Gamephys
       out
     end
 
-    # What constraints are like.
+    # The present settings of constraints.
     # Cost: O(elements).
     # @param constraints the ids; one may appear twice
     def get_constraint_settings(body, constraints, out: nil)
@@ -2248,9 +2251,9 @@ module Gamephys
     # shapes are light in the middle. Particles that are pinned or attached stay where they are held: with
     # one the cluster swings about it, with two about the line through them, and with three that are not
     # on a line it does not move. Models that particles are attached to get the impulses. Contacts with
-    # models move the cluster as a whole, with friction; particles touch, not the faces between them, so
-    # these should be no further apart than the smallest thing that a cluster meets is thick. Of
-    # restitution a cluster shows only the share of the mass of the particles that touched. A shape is
+    # models move the cluster as a whole, with friction; only particles touch, not the faces between them,
+    # so they should be no further apart than the thickness of the thinnest thing that a cluster meets. Of
+    # its restitution a cluster shows only the share of the mass of the particles that touched. A shape is
     # matched once in each substep, after the links: then what hangs from it may be strained a little, and
     # clusters that share particles approach their shapes in eight passes. Bodies with clusters are solved
     # as cloth (SOLVE_GRAPH), ropes and free particles too. The rest positions of cloth are not changed by
@@ -2292,13 +2295,14 @@ module Gamephys
 
     # Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that
     # are equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved
-    # as one system, as stiff as one rope; a joined particle of cloth has all that hangs on it for
-    # inertia. Free particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined
-    # bodies are moved by one thread and fall asleep and wake together. A joint goes with either body.
+    # as one system, as stiff as one rope; a joined particle of cloth has the inertia of all that hangs on
+    # it. Free particles of a joined body are moved by the time scheme of ropes, no longer exactly. Joined
+    # bodies are moved by one thread and fall asleep and wake together. A joint is removed with either
+    # body.
     # Cost: the next step plans all joined ropes again. A link of them takes some three times as long as
     # one of a rope that is not joined. Allocates.
     # @param rest_length metres; 0: at the same place, as below 1e-9; negative: the present distance.
-    #     Particles that are not as far apart are drawn there within a step, and get the speed of that.
+    #     Particles at another distance are moved to it within a step, and get the speed of that motion.
     # @param compliance metres per newton, >= 0; 0 is rigid
     # @raise [InvalidArgument] for a particle that does not exist or twice the same body (see
     #     Solver#add_distance)
@@ -2353,7 +2357,7 @@ module Gamephys
     # Cost: O(particles + constraints); allocates. Since 1.1.
     # @return what came of it.
     # @raise [Error] and nothing has changed, for an edge where the cloth cannot part: of a triangle that
-    #     hangs together with no other (ERROR_UNSUPPORTED)
+    #     is connected to no other (ERROR_UNSUPPORTED)
     # @raise [Error] beyond 2^24 - 1 particles or constraints (ERROR_CAPACITY)
     def break_constraint(body, constraint)
       out_result = Break.room
@@ -2386,7 +2390,7 @@ module Gamephys
     # so the motion does not depend on the frame rate.
     # Cost: that of the steps made.
     # @param frame_time seconds, >= 0
-    # @return steps made. 0 <= fraction of a step still owed < 1, to blend drawings.
+    # @return steps made. 0 <= fraction of a step still owed < 1, to interpolate when drawing.
     # @raise [OutOfMemory] if there is none for the first step: nothing has changed. If there is none for
     #     a later one
     def advance(scene, frame_time)
@@ -2409,10 +2413,10 @@ module Gamephys
     # The substeps that a body took in the last step; 0 before its first. With SolverDesc.max_strain or
     # tolerance set, each body takes as many as its own motion needs: their length follows from what the
     # last step measured, the largest strain of its rigid constraints and the local error of the time
-    # scheme, both of which go with its square. It is at most quartered and grows by at most an eighth
-    # from one step to the next, so a sudden blow exceeds a target for a few steps, one of strain only
-    # where links of cloth cannot be relaxed below it. What cannot be met takes max_substeps. Where
-    # positions jump, by contacts, the error is that of the jump.
+    # scheme, both proportional to the square of that length. It is at most quartered and grows by at most
+    # an eighth from one step to the next, so a sudden impact exceeds a target for a few steps; one of
+    # strain only where links of cloth cannot be relaxed below it. A target that cannot be met takes
+    # max_substeps. Where positions jump, by contacts, the error is that of the jump.
     # Cost: O(1).
     def get_substeps(body)
       out_substeps = UInt32.room
@@ -2446,10 +2450,10 @@ module Gamephys
     end
 
     # Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in
-    # which they fell asleep. Divided by dt they are mean forces: what lies on a model presses it with its
-    # weight. A particle of cloth that touches several models at once gives to the one that it touches
-    # most. Models have no mass here; a body of yours much lighter than what hangs from it should be moved
-    # in small steps.
+    # which they fell asleep. Divided by dt they are mean forces: what lies on a model presses on it with
+    # its weight. A particle of cloth that touches several models at once gives its impulse to the one
+    # that it touches most. Models have no mass here; a body of yours much lighter than what hangs from it
+    # should be moved in small steps.
     # Cost: O(models touched); no allocation. The same bits for any number of workers.
     def get_impulses
       Low.list(Impulse) { |out, capacity, total| Low.gphys_solver_get_impulses(opened, out, capacity, total) }
@@ -2466,10 +2470,10 @@ module Gamephys
     end
 
     # Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
-    # time of the snapshot. Steps go on with the same bits as they did then, provided that the scene, too,
-    # is as it was. On an error the solver is as before. Any words are safe, also those of a stranger: all
-    # that is used as a number or an index is checked first. Made-up words are refused, or taken as a
-    # state whose numbers are in range.
+    # time of the snapshot. Steps continue with the same bits as they did then, provided that the scene,
+    # too, is as it was. On an error the solver is as before. Any words are safe, also from an untrusted
+    # source: all that is used as a number or an index is checked first. Forged words are refused, or
+    # taken as a state whose numbers are in range.
     # Cost: as Solver#get_snapshot; allocates.
     # @raise [InvalidArgument] for words that are no snapshot, damaged, of another version or byte order
     # @raise [OutOfMemory] if there is no room for it
@@ -2482,7 +2486,7 @@ module Gamephys
 
     # A hash of the whole state, the low half first. Equal states have equal hashes on every machine;
     # different ones differ with near certainty (not against an adversary). Compare it between machines
-    # that simulate the same, to see when they part.
+    # that run the same simulation, to detect when they diverge.
     # Cost: O(particles + constraints).
     def get_hash
       out_hash = UInt32.room(2)
@@ -2491,7 +2495,7 @@ module Gamephys
     end
   end
 
-  # Whether the shape fulfils the ranges beside its struct.
+  # Whether the fields of the shape are in the ranges stated beside its struct.
   # Cost: O(1).
   # @raise [InvalidArgument] and the error's message names the field
   def self.validate(shape)
@@ -2616,8 +2620,8 @@ module Gamephys
   # First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh. Triangles
   # and meshes are hit from both sides, and meshes are watertight: a ray through a shared edge or vertex
   # always meets one of the triangles there. Error: t within 1 ulp. No false miss and no false hit at
-  # all for spheres, triangles, meshes, AABBs and planes; for capsules none but within 2^-48 of the
-  # distance. An OBB is met where one larger or smaller by 2^-40 of the distance would be.
+  # all for spheres, triangles, meshes, AABBs and planes; for capsules only within 2^-48 of the
+  # distance. An OBB is hit as if it were larger or smaller by up to 2^-40 of the distance.
   # docs/accuracy.md has the bounds of all functions.
   # Cost: O(1); O(log n) expected for a mesh.
   # @return nil if nothing is found.
@@ -2629,7 +2633,7 @@ module Gamephys
 
   # First hits of the rays with one shape, as Gamephys.raycast. A ray that hits nothing gets t =
   # INFINITY, triangle = NO_TRIANGLE and zeros in its hits element.
-  # Cost: that of as many single calls; less for rays at a mesh whose neighbours go much the same way.
+  # Cost: that of as many single calls; less for rays at a mesh if neighbouring rays are similar.
   # @raise [Error] for a ray or a segment as the shape (ERROR_UNSUPPORTED)
   def self.raycast_batch(shape, rays, out: nil)
     rays = Low.array(Ray, rays)
@@ -2640,8 +2644,8 @@ module Gamephys
   end
 
   # First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly. A
-  # segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which then is
-  # met from no direction, the normal is zero.
+  # segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, for lack of a
+  # direction, the normal is zero.
   # Cost: as Gamephys.raycast.
   # @return nil if nothing is found.
   # @raise [Error] for a ray or a segment as the shape (ERROR_UNSUPPORTED)
@@ -2660,7 +2664,7 @@ module Gamephys
   #     the sphere's centre; in double precision its dot with the displacement is never above 0. Already
   #     overlapping: t = 0, HIT_INSIDE, and the normal may be along the displacement too; where the
   #     centre itself is in a solid, it is opposite to the displacement (zero if that is zero). A sphere
-  #     without radius gets the hit of the ray along its way. nil if nothing is found.
+  #     of radius 0 gets the hit of the ray along its path. nil if nothing is found.
   # @raise [Error] for a ray or a segment as the shape (ERROR_UNSUPPORTED)
   def self.sweep_sphere(shape, sphere, displacement)
     out_hit = Hit.room
@@ -2674,10 +2678,10 @@ module Gamephys
   # ulp of t. Point and normal are those of that contact.
   # Cost: O(1), 0.1 to 2 us, 3 to 20 us for a frustum; O(log n + k) expected for a mesh.
   # @param displacement metres; may be zero
-  # @return t, point and normal as in Gamephys.sweep_sphere, whose answers a sphere gets. The point is
-  #     one of those where the two touch, always the same. Already overlapping, but for a sphere: t = 0,
-  #     HIT_INSIDE, and point and normal of Gamephys.penetration; of a mesh that is no hull, those of
-  #     its first triangle. nil if nothing is found.
+  # @return t, point and normal as in Gamephys.sweep_sphere, which gives the answer for a sphere. The
+  #     point is one of those where the two touch, always the same. Already overlapping, except for a
+  #     sphere: t = 0, HIT_INSIDE, and point and normal of Gamephys.penetration; for a mesh that is not
+  #     a hull, those of its first triangle. nil if nothing is found.
   # @raise [Error] for a ray or a segment as the shape, for a frustum that is not the hull of its
   #     corners, unless a sphere moves, and for other types that move (ERROR_UNSUPPORTED)
   def self.sweep(shape, moving, displacement)
@@ -2709,15 +2713,15 @@ module Gamephys
   # translations of their own. Of a hull: out of all of it, and triangle is NO_TRIANGLE. A frustum must
   # be the hull of its corners (Gamephys.frustum_corners).
   # Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
-  # ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from the
-  # other shape. Added to float positions, the translation may leave an overlap of the spacing of floats
-  # there.
+  # ulp of depth; by 2^-32 where the centre or axis of a round solid is closer than that to the other
+  # shape. Added to float positions, the translation may leave an overlap as large as the spacing of
+  # floats there.
   # Cost: O(1), 0.1 to 1 us, 3 to 20 us for a frustum; O(log n + k) expected for a mesh. Boxes by
-  # separating axes (Gottschalk 1996), what is round by the distance of its core (Gilbert, Johnson,
+  # separating axes (Gottschalk 1996), round solids by the distance of their core (Gilbert, Johnson,
   # Keerthi 1988).
-  # @return depth and normal of the translation, which is their product; of several that are as short
-  #     one, always the same. The point of the solid that gets furthest in is point - depth * normal.
-  #     nil if nothing is found.
+  # @return depth and normal of the translation, which is their product; of several equally short ones
+  #     always the same one. The deepest point of the solid is point - depth * normal. nil if nothing is
+  #     found.
   # @raise [Error] for rays, segments, frusta that are not the hull of their corners, and for other
   #     types that move (ERROR_UNSUPPORTED)
   def self.penetration(shape, moving)
@@ -2744,9 +2748,9 @@ module Gamephys
   # The eight corners, each the intersection of three planes: near then far, each in the order
   # left-bottom, right-bottom, right-top, left-top. A frustum is the convex hull of its corners (the
   # intersections themselves, not rounded to floats) if each is within MAX_COORDINATE and in front of
-  # the three planes that do not meet there, by more than 2^-39 of its distance from origin: so unless
-  # it is empty, flat, unbounded or ends in a tip. Solids are swept against such a frustum and pushed
-  # out of it; for the bounds of their errors, origin counts as a corner.
+  # the three planes that do not meet there, by more than 2^-39 of its distance from origin; that is,
+  # unless it is empty, flat, unbounded or ends in a tip. Solids are swept against such a frustum and
+  # pushed out of it; for the bounds of their errors, origin counts as a corner.
   # Cost: O(1).
   # @return nil if three planes do not meet in a point (infinite far plane), or meet beyond the largest
   #     float.
@@ -2782,7 +2786,7 @@ module Gamephys
 
   # How far the axes of a matrix (its first three columns without the last row) are from orthonormal:
   # the largest |a_i . a_j - d_ij|, where d_ij is 1 for i = j, else 0. 0 for the identity, below 2^-22
-  # for the matrices that a camera gives, about 2e for axes that are too long by a share of e.
+  # for the matrices that a camera gives, about 2e for axes that are too long by a fraction e.
   # Cost: O(1). Since 1.1.
   # @param matrix elements within MAX_COORDINATE
   def self.mat4_orthonormality(matrix)
@@ -2792,7 +2796,7 @@ module Gamephys
   end
 
   # The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
-  # origin (0, 0, 0). A camera knows its frustum better: Camera#get_frustum.
+  # origin (0, 0, 0). For a camera, Camera#get_frustum is more precise.
   # Cost: O(1).
   # @param reverse_z 0: near has the low depth; 1: near has the high depth
   # @raise [Error] if the matrix has no inverse, or what it shows has no volume: its four near corners

@@ -227,7 +227,7 @@ module Gamephys
   end
   Nearest::FORMAT, Nearest::COUNT, Nearest::BYTES = 'L2f4L', 7, 28
 
-  # How far a ray comes: those fields of a Hit. Frozen.  Since 1.1.
+  # How far a ray goes and what it hits: fields of a Hit. Frozen.  Since 1.1.
   Distance = ::Struct.new(:t, :model, :triangle) do
     extend Value
 
@@ -300,7 +300,7 @@ module Gamephys
   end
   Orbit::FORMAT, Orbit::COUNT, Orbit::BYTES = 'f15', 15, 60
 
-  # What a unit of each input moves an orbit by; negative to turn one round. Frozen.  Since 1.1.
+  # What a unit of each input moves an orbit by; negative to invert one. Frozen.  Since 1.1.
   OrbitSpeeds = ::Struct.new(:rotate_x, :rotate_y, :zoom, :pan_x, :pan_y) do
     extend Value
 
@@ -372,7 +372,7 @@ module Gamephys
   end
   ConstraintInfo::FORMAT, ConstraintInfo::COUNT, ConstraintInfo::BYTES = 'L3f2', 5, 20
 
-  # What a constraint is like and may become. Frozen.
+  # The settings of a constraint. Frozen.
   ConstraintSettings = ::Struct.new(:rest_length, :compliance, :damping) do
     extend Value
 

@@ -148,8 +148,8 @@ public final class BodyDesc {
 
     /**
      * <pre>
-     * of what rests on a model, slower than a fall of 4e-4 radii; at least friction, or 0:
-     * as friction; default 0
+     * of particles at rest on a model, slower than after a fall of 4e-4 radii; at least
+     * friction, or 0: as friction; default 0
      * </pre>
      */
     public BodyDesc staticFriction(float value) {

@@ -51,7 +51,7 @@ public final class Camera extends Owned {
     }
 
     /**
-     * See with a perspective projection; what is further away is smaller.
+     * Use a perspective projection: distant objects appear smaller.
      * Cost: O(1).
      * @param fovY full vertical angle in radians, 1e-6 &lt;= fovY &lt; pi
      * @param nearDistance metres, &gt; 0
@@ -64,7 +64,7 @@ public final class Camera extends Owned {
     }
 
     /**
-     * See with an orthographic projection; the distance changes no size.
+     * Use an orthographic projection: the distance does not change apparent size.
      * Cost: O(1).
      * @param height metres seen from top to bottom, &gt;= 1e-6; the width follows from the viewport and is at
      *     most twice MAX_COORDINATE
@@ -78,8 +78,8 @@ public final class Camera extends Owned {
     }
 
     /**
-     * See with any projection matrix of the camera's depth range and direction (off-centre, oblique,
-     * another library's). It is not changed by Camera.setViewport.
+     * Use any projection matrix of the camera's depth range and direction (off-centre, oblique, another
+     * library's). It is not changed by Camera.setViewport.
      * Cost: O(1).
      * @throws GamephysException with ERROR_SINGULAR: if it has no inverse, or is too close to such a
      *     matrix to tell
@@ -94,8 +94,8 @@ public final class Camera extends Owned {
     }
 
     /**
-     * As Camera.setPerspective, with an aspect of its own: the viewport stretches the image, as one of
-     * pixels that are not square, and does not change what is seen.
+     * As Camera.setPerspective, with a fixed aspect ratio: the image is stretched to the viewport, as with
+     * pixels that are not square, and the viewport does not change what is seen.
      * Cost: O(1). Since 1.1.
      * @param fovY full vertical angle in radians, 1e-6 &lt;= fovY &lt; pi
      * @param aspect width over height of what is seen, 1e-6 .. 1e6
@@ -123,8 +123,8 @@ public final class Camera extends Owned {
     }
 
     /**
-     * The viewport was resized. Perspective keeps fovY, orthographic its height; it is refused if that
-     * makes the width more than twice MAX_COORDINATE.
+     * Set the size of the viewport. A perspective keeps fovY, an orthographic projection its height; the
+     * call is refused if that makes the width more than twice MAX_COORDINATE.
      * Cost: O(1).
      * @param width pixels, 1e-3 .. 1e6
      * @param height pixels, 1e-3 .. 1e6
@@ -213,7 +213,8 @@ public final class Camera extends Owned {
     public record AspectResult(float aspect, boolean isFixed) {}
 
     /**
-     * Width over height of what is seen, as it was set or, with a matrix too, as the viewport has it.
+     * Width over height of what is seen: as it was set, or else, and always with a matrix, that of the
+     * viewport.
      * Cost: O(1). Since 1.1.
      * @return 1 if Camera.setPerspectiveAspect or Camera.setOrthographicSize was the last to set the
      *     projection; 0 if it follows the viewport.
@@ -355,7 +356,7 @@ public final class Camera extends Owned {
 
     /**
      * The matrix from world to camera: the transpose of the orthonormal world axes, and the position
-     * through them.
+     * transformed by it.
      * Cost: O(1).
      */
     public Mat4 getViewMatrix() {
@@ -417,7 +418,7 @@ public final class Camera extends Owned {
 
     /**
      * Set a speed for each input of the orbit, in place of the two of Orbit, which Camera.setOrbit starts
-     * from. Input since the last update counts by the new ones.
+     * from. Input since the last update uses the new speeds.
      * Cost: O(1). Since 1.1.
      * @throws GamephysException with ERROR_UNSUPPORTED: if the camera was never set to orbit
      */
@@ -495,9 +496,9 @@ public final class Camera extends Owned {
     }
 
     /**
-     * The seen volume, with origin at the camera's position and planes from its parameters: each number
-     * within 2 ulp; all functions of shapes take it. A user projection gives its planes by Gribb-Hartmann
-     * in double precision.
+     * The view frustum, with origin at the camera's position and planes from its parameters: each number
+     * within 2 ulp. All functions of shapes accept it. A user projection gives its planes by
+     * Gribb-Hartmann in double precision.
      * Cost: O(1).
      */
     public Frustum getFrustum() {
@@ -509,7 +510,7 @@ public final class Camera extends Owned {
     }
 
     /**
-     * World positions of the corners of the seen volume, in the order of Gamephys.frustumCorners.
+     * World positions of the corners of the view frustum, in the order of Gamephys.frustumCorners.
      * Cost: O(1).
      * @return empty with an infinite far plane, or a corner beyond the largest float.
      */
@@ -623,10 +624,10 @@ public final class Camera extends Owned {
     /**
      * The ray through a pixel, of unit direction, from the near plane on; t_max ends on the far plane
      * (INFINITY without one). With PICK_FROM_CENTRE that of a perspective starts at the camera's position.
-     * Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
-     * near as half an ulp of a direction can be. Where it starts is rounded to float32 besides, which
-     * moves it by half an ulp of the coordinates (not from the camera's position, which is one of floats);
-     * Camera.pick is not so limited.
+     * Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, within
+     * half an ulp of its direction. Its start is rounded to float32, too, which moves the ray by half an
+     * ulp of the coordinates (but not from the camera's position, which has float coordinates);
+     * Camera.pick is not limited in this way.
      * Cost: O(1).
      * @param pixelX pixels; may lie outside the viewport
      * @param pixelY pixels; may lie outside the viewport
@@ -706,8 +707,8 @@ public final class Camera extends Owned {
     }
 
     /**
-     * Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
-     * rectangle, between near and far plane; exact shapes, ascending.
+     * Marquee: ids of all models in the pixel rectangle, hidden ones included, between near and far plane;
+     * tested by their exact shapes, ascending.
      * Cost: O(log n + k) expected.
      * @param x0 pixels, opposite corners in any order; may lie outside the viewport
      * @param y0 pixels, opposite corners in any order; may lie outside the viewport

@@ -5,7 +5,7 @@ import java.nio.ByteBuffer;
 
 /**
  * <pre>
- * What a constraint is like and may become. Frozen.
+ * The settings of a constraint. Frozen.
  * </pre>
  */
 public record ConstraintSettings(float restLength, float compliance, float damping) implements Value {

@@ -5,7 +5,7 @@ import java.nio.ByteBuffer;
 
 /**
  * <pre>
- * How far a ray comes: those fields of a Hit. Frozen.  Since 1.1.
+ * How far a ray goes and what it hits: fields of a Hit. Frozen.  Since 1.1.
  * </pre>
  */
 public record Distance(float t, int model, int triangle) implements Value {

@@ -76,7 +76,7 @@ public final class Gamephys extends GamephysBase {
     public static final int ALL_LAYERS = 0xffffffff;
 
     /**
-     * Whether the shape fulfils the ranges beside its struct.
+     * Whether the fields of the shape are in the ranges stated beside its struct.
      * Cost: O(1).
      * @throws GamephysException with ERROR_INVALID_ARGUMENT: and the exception's message names the field
      */
@@ -270,8 +270,8 @@ public final class Gamephys extends GamephysBase {
      * First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh. Triangles
      * and meshes are hit from both sides, and meshes are watertight: a ray through a shared edge or vertex
      * always meets one of the triangles there. Error: t within 1 ulp. No false miss and no false hit at
-     * all for spheres, triangles, meshes, AABBs and planes; for capsules none but within 2^-48 of the
-     * distance. An OBB is met where one larger or smaller by 2^-40 of the distance would be.
+     * all for spheres, triangles, meshes, AABBs and planes; for capsules only within 2^-48 of the
+     * distance. An OBB is hit as if it were larger or smaller by up to 2^-40 of the distance.
      * docs/accuracy.md has the bounds of all functions.
      * Cost: O(1); O(log n) expected for a mesh.
      * @return empty if nothing is found.
@@ -287,7 +287,7 @@ public final class Gamephys extends GamephysBase {
     /**
      * First hits of the rays with one shape, as Gamephys.raycast. A ray that hits nothing gets t =
      * INFINITY, triangle = NO_TRIANGLE and zeros in its hits element.
-     * Cost: that of as many single calls; less for rays at a mesh whose neighbours go much the same way.
+     * Cost: that of as many single calls; less for rays at a mesh if neighbouring rays are similar.
      * @throws GamephysException with ERROR_UNSUPPORTED: for a ray or a segment as the shape
      */
     public static Batch<Hit> raycastBatch(Shape shape, Batch<Ray> rays, Batch<Hit> out) {
@@ -307,8 +307,8 @@ public final class Gamephys extends GamephysBase {
 
     /**
      * First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly. A
-     * segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which then is
-     * met from no direction, the normal is zero.
+     * segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, for lack of a
+     * direction, the normal is zero.
      * Cost: as Gamephys.raycast.
      * @return empty if nothing is found.
      * @throws GamephysException with ERROR_UNSUPPORTED: for a ray or a segment as the shape
@@ -331,7 +331,7 @@ public final class Gamephys extends GamephysBase {
      *     the sphere's centre; in double precision its dot with the displacement is never above 0. Already
      *     overlapping: t = 0, HIT_INSIDE, and the normal may be along the displacement too; where the
      *     centre itself is in a solid, it is opposite to the displacement (zero if that is zero). A sphere
-     *     without radius gets the hit of the ray along its way. empty if nothing is found.
+     *     of radius 0 gets the hit of the ray along its path. empty if nothing is found.
      * @throws GamephysException with ERROR_UNSUPPORTED: for a ray or a segment as the shape
      */
     public static Optional<Hit> sweepSphere(Shape shape, Sphere sphere, Vec3 displacement) {
@@ -349,10 +349,10 @@ public final class Gamephys extends GamephysBase {
      * ulp of t. Point and normal are those of that contact.
      * Cost: O(1), 0.1 to 2 us, 3 to 20 us for a frustum; O(log n + k) expected for a mesh.
      * @param displacement metres; may be zero
-     * @return t, point and normal as in Gamephys.sweepSphere, whose answers a sphere gets. The point is
-     *     one of those where the two touch, always the same. Already overlapping, but for a sphere: t = 0,
-     *     HIT_INSIDE, and point and normal of Gamephys.penetration; of a mesh that is no hull, those of
-     *     its first triangle. empty if nothing is found.
+     * @return t, point and normal as in Gamephys.sweepSphere, which gives the answer for a sphere. The
+     *     point is one of those where the two touch, always the same. Already overlapping, except for a
+     *     sphere: t = 0, HIT_INSIDE, and point and normal of Gamephys.penetration; for a mesh that is not
+     *     a hull, those of its first triangle. empty if nothing is found.
      * @throws GamephysException with ERROR_UNSUPPORTED: for a ray or a segment as the shape, for a frustum
      *     that is not the hull of its corners, unless a sphere moves, and for other types that move
      */
@@ -394,15 +394,15 @@ public final class Gamephys extends GamephysBase {
      * translations of their own. Of a hull: out of all of it, and triangle is NO_TRIANGLE. A frustum must
      * be the hull of its corners (Gamephys.frustumCorners).
      * Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
-     * ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from the
-     * other shape. Added to float positions, the translation may leave an overlap of the spacing of floats
-     * there.
+     * ulp of depth; by 2^-32 where the centre or axis of a round solid is closer than that to the other
+     * shape. Added to float positions, the translation may leave an overlap as large as the spacing of
+     * floats there.
      * Cost: O(1), 0.1 to 1 us, 3 to 20 us for a frustum; O(log n + k) expected for a mesh. Boxes by
-     * separating axes (Gottschalk 1996), what is round by the distance of its core (Gilbert, Johnson,
+     * separating axes (Gottschalk 1996), round solids by the distance of their core (Gilbert, Johnson,
      * Keerthi 1988).
-     * @return depth and normal of the translation, which is their product; of several that are as short
-     *     one, always the same. The point of the solid that gets furthest in is point - depth * normal.
-     *     empty if nothing is found.
+     * @return depth and normal of the translation, which is their product; of several equally short ones
+     *     always the same one. The deepest point of the solid is point - depth * normal. empty if nothing
+     *     is found.
      * @throws GamephysException with ERROR_UNSUPPORTED: for rays, segments, frusta that are not the hull
      *     of their corners, and for other types that move
      */
@@ -440,9 +440,9 @@ public final class Gamephys extends GamephysBase {
      * The eight corners, each the intersection of three planes: near then far, each in the order
      * left-bottom, right-bottom, right-top, left-top. A frustum is the convex hull of its corners (the
      * intersections themselves, not rounded to floats) if each is within MAX_COORDINATE and in front of
-     * the three planes that do not meet there, by more than 2^-39 of its distance from origin: so unless
-     * it is empty, flat, unbounded or ends in a tip. Solids are swept against such a frustum and pushed
-     * out of it; for the bounds of their errors, origin counts as a corner.
+     * the three planes that do not meet there, by more than 2^-39 of its distance from origin; that is,
+     * unless it is empty, flat, unbounded or ends in a tip. Solids are swept against such a frustum and
+     * pushed out of it; for the bounds of their errors, origin counts as a corner.
      * Cost: O(1).
      * @return empty if three planes do not meet in a point (infinite far plane), or meet beyond the
      *     largest float.
@@ -490,7 +490,7 @@ public final class Gamephys extends GamephysBase {
     /**
      * How far the axes of a matrix (its first three columns without the last row) are from orthonormal:
      * the largest |a_i . a_j - d_ij|, where d_ij is 1 for i = j, else 0. 0 for the identity, below 2^-22
-     * for the matrices that a camera gives, about 2e for axes that are too long by a share of e.
+     * for the matrices that a camera gives, about 2e for axes that are too long by a fraction e.
      * Cost: O(1). Since 1.1.
      * @param matrix elements within MAX_COORDINATE
      */
@@ -503,7 +503,7 @@ public final class Gamephys extends GamephysBase {
 
     /**
      * The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
-     * origin (0, 0, 0). A camera knows its frustum better: Camera.getFrustum.
+     * origin (0, 0, 0). For a camera, Camera.getFrustum is more precise.
      * Cost: O(1).
      * @param reverseZ false: near has the low depth; true: near has the high depth
      * @throws GamephysException with ERROR_SINGULAR: if the matrix has no inverse, or what it shows has no

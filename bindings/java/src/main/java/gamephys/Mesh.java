@@ -6,8 +6,8 @@ import java.util.Optional;
 
 /**
  * <pre>
- * Build a mesh from copies of the arrays. Triangles of zero area are kept: they are met like the
- * segments or points that they are, and counted in the report. 0 triangles are allowed.
+ * Build a mesh from copies of the arrays. Triangles of zero area are kept: queries treat them as the
+ * segments or points that they are, and the report counts them. 0 triangles are allowed.
  * Throws GamephysException with ERROR_INVALID_ARGUMENT for an index out of range, an indexCount that
  * is no multiple of 3 or a bad vertex; Gamephys.meshCheck tells which.
  * Cost: O(n log n), about 1 us per triangle.
@@ -32,14 +32,14 @@ public final class Mesh extends Owned implements Shape {
 
     /**
      * <pre>
-     * Make the convex hull of points: a mesh that is solid, as spheres and boxes are. All that takes a
-     * mesh takes it: functions of shapes, models of scenes, snapshots, and solvers, whose particles stay
-     * outside and are pushed out. A ray that starts inside hits at t = 0 with HIT_INSIDE; one from outside
-     * hits the face through which it enters, `triangle` says where. Whether a ray hits and whether a point
-     * is inside is exact with respect to the points. Inside, the closest point is the point itself and
-     * triangle NO_TRIANGLE. Mesh.overlap lists the triangles of the surface; Mesh.raycastAll gives the
-     * first hit alone. The vertices are those points that are corners of the hull, in the order of the
-     * points, of equal ones the first. The triangles come face by face, all that lie in one plane being
+     * Make the convex hull of points: a mesh that is solid, as spheres and boxes are. It can be used
+     * wherever a mesh can: functions of shapes, models of scenes, snapshots, and solvers, whose particles
+     * stay outside and are pushed out. A ray that starts inside hits at t = 0 with HIT_INSIDE; one from
+     * outside hits the face through which it enters, `triangle` says where. Whether a ray hits and whether
+     * a point is inside is exact with respect to the points. Inside, the closest point is the point itself
+     * and triangle NO_TRIANGLE. Mesh.overlap lists the triangles of the surface; Mesh.raycastAll gives
+     * only the first hit. The vertices are the points that are corners of the hull, in their original
+     * order; of equal points the first. The triangles come face by face, all that lie in one plane being
      * one face; seen from outside their corners go counterclockwise where axes are right-handed, and the
      * normal cross(b - a, c - a) points out.
      *   - desc: deformable must be 0
@@ -48,7 +48,7 @@ public final class Mesh extends Owned implements Shape {
      * plane, which is decided exactly.
      * Throws GamephysException with ERROR_CAPACITY if the hull has more than 256 faces.
      * Throws GamephysException with ERROR_UNSUPPORTED if desc asks for a deformable mesh.
-     * Cost: O(pointCount * faces); allocates. Rays take O(log faces), the other questions up to O(faces).
+     * Cost: O(pointCount * faces); allocates. Rays take O(log faces), other queries up to O(faces).
      * Source: quickhull (Barber, Dobkin, Huhdanpaa 1996) with exact predicates. Since 1.1.
      * </pre>
      */
@@ -58,14 +58,14 @@ public final class Mesh extends Owned implements Shape {
 
     /**
      * <pre>
-     * Make the convex hull of points: a mesh that is solid, as spheres and boxes are. All that takes a
-     * mesh takes it: functions of shapes, models of scenes, snapshots, and solvers, whose particles stay
-     * outside and are pushed out. A ray that starts inside hits at t = 0 with HIT_INSIDE; one from outside
-     * hits the face through which it enters, `triangle` says where. Whether a ray hits and whether a point
-     * is inside is exact with respect to the points. Inside, the closest point is the point itself and
-     * triangle NO_TRIANGLE. Mesh.overlap lists the triangles of the surface; Mesh.raycastAll gives the
-     * first hit alone. The vertices are those points that are corners of the hull, in the order of the
-     * points, of equal ones the first. The triangles come face by face, all that lie in one plane being
+     * Make the convex hull of points: a mesh that is solid, as spheres and boxes are. It can be used
+     * wherever a mesh can: functions of shapes, models of scenes, snapshots, and solvers, whose particles
+     * stay outside and are pushed out. A ray that starts inside hits at t = 0 with HIT_INSIDE; one from
+     * outside hits the face through which it enters, `triangle` says where. Whether a ray hits and whether
+     * a point is inside is exact with respect to the points. Inside, the closest point is the point itself
+     * and triangle NO_TRIANGLE. Mesh.overlap lists the triangles of the surface; Mesh.raycastAll gives
+     * only the first hit. The vertices are the points that are corners of the hull, in their original
+     * order; of equal points the first. The triangles come face by face, all that lie in one plane being
      * one face; seen from outside their corners go counterclockwise where axes are right-handed, and the
      * normal cross(b - a, c - a) points out.
      *   - desc: deformable must be 0
@@ -74,7 +74,7 @@ public final class Mesh extends Owned implements Shape {
      * plane, which is decided exactly.
      * Throws GamephysException with ERROR_CAPACITY if the hull has more than 256 faces.
      * Throws GamephysException with ERROR_UNSUPPORTED if desc asks for a deformable mesh.
-     * Cost: O(pointCount * faces); allocates. Rays take O(log faces), the other questions up to O(faces).
+     * Cost: O(pointCount * faces); allocates. Rays take O(log faces), other queries up to O(faces).
      * Source: quickhull (Barber, Dobkin, Huhdanpaa 1996) with exact predicates. Since 1.1.
      * </pre>
      */
@@ -88,11 +88,12 @@ public final class Mesh extends Owned implements Shape {
 
     /**
      * <pre>
-     * Make a mesh of a snapshot: all its answers have the bits of the mesh that the snapshot was taken of.
-     * Any words are safe, also those of a stranger: vertices, indices and the tree are checked, and what
-     * follows from them is computed. Made-up words are refused, or taken as a mesh like any other; only
-     * what its report counts (triangles of zero area, open edges) is taken as it stands there.
-     *   - desc: with `deformable` the mesh takes new vertices, whatever the one in the snapshot did
+     * Make a mesh from a snapshot: all its answers have the same bits as those of the mesh in the
+     * snapshot. Any words are safe, also from an untrusted source: vertices, indices and the tree are
+     * checked, and what follows from them is computed. Forged words are refused, or taken as a mesh like
+     * any other; only the counts of its report (triangles of zero area, open edges) are taken from the
+     * words as they are.
+     *   - desc: with `deformable` the mesh takes new vertices, even if the one in the snapshot did not
      * Throws GamephysException with ERROR_INVALID_ARGUMENT for words that are no snapshot of a mesh,
      * damaged, of a later format or of another byte order.
      * Throws GamephysException with ERROR_UNSUPPORTED for a deformable hull.
@@ -105,11 +106,12 @@ public final class Mesh extends Owned implements Shape {
 
     /**
      * <pre>
-     * Make a mesh of a snapshot: all its answers have the bits of the mesh that the snapshot was taken of.
-     * Any words are safe, also those of a stranger: vertices, indices and the tree are checked, and what
-     * follows from them is computed. Made-up words are refused, or taken as a mesh like any other; only
-     * what its report counts (triangles of zero area, open edges) is taken as it stands there.
-     *   - desc: with `deformable` the mesh takes new vertices, whatever the one in the snapshot did
+     * Make a mesh from a snapshot: all its answers have the same bits as those of the mesh in the
+     * snapshot. Any words are safe, also from an untrusted source: vertices, indices and the tree are
+     * checked, and what follows from them is computed. Forged words are refused, or taken as a mesh like
+     * any other; only the counts of its report (triangles of zero area, open edges) are taken from the
+     * words as they are.
+     *   - desc: with `deformable` the mesh takes new vertices, even if the one in the snapshot did not
      * Throws GamephysException with ERROR_INVALID_ARGUMENT for words that are no snapshot of a mesh,
      * damaged, of a later format or of another byte order.
      * Throws GamephysException with ERROR_UNSUPPORTED for a deformable hull.
@@ -144,25 +146,25 @@ public final class Mesh extends Owned implements Shape {
 
     /**
      * <pre>
-     * Make a mesh that has the form of a body and follows it by itself: cloth, ropes and particles can be
-     * met by rays, picked, overlapped and culled as models of scenes (Scene.add with SHAPE_MESH; without a
-     * transform the model is where the body is) or asked by shape_* and mesh_* functions. Vertex p is
-     * particle p. Of cloth the mesh is the surface of its triangles, in the order of Solver.getTriangles.
-     * A rope is solid. Of its n particles, `triangle` t below n - 1 of a hit is the link from particle t
-     * to t + 1, a capsule of the smaller of their radii, there while a constraint holds them together; n -
-     * 1 + p is particle p, a sphere, there where no link beside it is as thick. Free particles are
-     * spheres, and `triangle` is the particle. Solver.getNearestParticle finds the particle of a hit. The
-     * mesh has the new form when Solver.step, Solver.advance, Solver.restore or an edit of the body
-     * returns. Cloth that tears (Break) takes its triangles along, whose numbers stay, and the mesh gets
-     * vertices for the new particles. A model that would leave the range of the world, and a torn mesh or
-     * one of less than 2^-32 m for which there is no memory, keep their form until they can follow.
-     * Solver.setOrigin moves the coordinates of the mesh, and the models back by as much: they stay where
-     * they are in the world, exactly if scenes have moved their origin before. Solvers do not collide with
-     * models of such meshes, nor wake by them: bodies meet by BodyDesc.body_layers. A restored body is
-     * followed if it has the id and the parts of the one that there was. Restore the solver before the
-     * scene. A mesh that is loaded from a snapshot, that of a scene included, is a copy that follows
-     * nothing; Scene.setShape gives its model one that does. Mesh and solver are destroyed in any order.
-     * When the body is gone the mesh keeps the form that it had last and is deformable by
+     * Make a mesh that has the form of a body and follows it automatically: cloth, ropes and particles can
+     * be hit by rays, picked, overlapped and culled as models of scenes (Scene.add with SHAPE_MESH;
+     * without a transform the model is where the body is) or queried by shape_* and mesh_* functions.
+     * Vertex p is particle p. For cloth the mesh is the surface of its triangles, in the order of
+     * Solver.getTriangles. A rope of n particles is solid. In a hit, `triangle` t below n - 1 is the link
+     * from particle t to t + 1, a capsule with the smaller of their radii, present while a constraint
+     * holds them together; n - 1 + p is particle p, a sphere, present where no link beside it is as thick.
+     * Free particles are spheres, and `triangle` is the particle. Solver.getNearestParticle finds the
+     * particle of a hit. The mesh has the new form when Solver.step, Solver.advance, Solver.restore or an
+     * edit of the body returns. When cloth tears (Break), its triangles keep their numbers, and the mesh
+     * gets vertices for the new particles. A model that would leave the range of the world, and a torn
+     * mesh or one of less than 2^-32 m for which there is no memory, keep their form until they can
+     * follow. Solver.setOrigin moves the coordinates of the mesh, and the models back by as much: they
+     * stay where they are in the world, exactly if scenes have moved their origin before. Bodies neither
+     * collide with models of such meshes nor wake because of them: BodyDesc.body_layers sets which bodies
+     * collide. A restored body is followed if it has the same id and parts as before. Restore the solver
+     * before the scene. A mesh that is loaded from a snapshot, that of a scene included, is a copy that
+     * follows nothing; Scene.setShape gives its model one that does. Mesh and solver are destroyed in any
+     * order. When the body is gone the mesh keeps the form that it had last and is deformable by
      * Mesh.setVertices, which returns ERROR_UNSUPPORTED before. A mesh that neither its handle nor a model
      * holds follows no more.
      * Threads: the functions above become edits of the mesh and of each scene that has a model of it.
@@ -177,25 +179,25 @@ public final class Mesh extends Owned implements Shape {
 
     /**
      * <pre>
-     * Make a mesh that has the form of a body and follows it by itself: cloth, ropes and particles can be
-     * met by rays, picked, overlapped and culled as models of scenes (Scene.add with SHAPE_MESH; without a
-     * transform the model is where the body is) or asked by shape_* and mesh_* functions. Vertex p is
-     * particle p. Of cloth the mesh is the surface of its triangles, in the order of Solver.getTriangles.
-     * A rope is solid. Of its n particles, `triangle` t below n - 1 of a hit is the link from particle t
-     * to t + 1, a capsule of the smaller of their radii, there while a constraint holds them together; n -
-     * 1 + p is particle p, a sphere, there where no link beside it is as thick. Free particles are
-     * spheres, and `triangle` is the particle. Solver.getNearestParticle finds the particle of a hit. The
-     * mesh has the new form when Solver.step, Solver.advance, Solver.restore or an edit of the body
-     * returns. Cloth that tears (Break) takes its triangles along, whose numbers stay, and the mesh gets
-     * vertices for the new particles. A model that would leave the range of the world, and a torn mesh or
-     * one of less than 2^-32 m for which there is no memory, keep their form until they can follow.
-     * Solver.setOrigin moves the coordinates of the mesh, and the models back by as much: they stay where
-     * they are in the world, exactly if scenes have moved their origin before. Solvers do not collide with
-     * models of such meshes, nor wake by them: bodies meet by BodyDesc.body_layers. A restored body is
-     * followed if it has the id and the parts of the one that there was. Restore the solver before the
-     * scene. A mesh that is loaded from a snapshot, that of a scene included, is a copy that follows
-     * nothing; Scene.setShape gives its model one that does. Mesh and solver are destroyed in any order.
-     * When the body is gone the mesh keeps the form that it had last and is deformable by
+     * Make a mesh that has the form of a body and follows it automatically: cloth, ropes and particles can
+     * be hit by rays, picked, overlapped and culled as models of scenes (Scene.add with SHAPE_MESH;
+     * without a transform the model is where the body is) or queried by shape_* and mesh_* functions.
+     * Vertex p is particle p. For cloth the mesh is the surface of its triangles, in the order of
+     * Solver.getTriangles. A rope of n particles is solid. In a hit, `triangle` t below n - 1 is the link
+     * from particle t to t + 1, a capsule with the smaller of their radii, present while a constraint
+     * holds them together; n - 1 + p is particle p, a sphere, present where no link beside it is as thick.
+     * Free particles are spheres, and `triangle` is the particle. Solver.getNearestParticle finds the
+     * particle of a hit. The mesh has the new form when Solver.step, Solver.advance, Solver.restore or an
+     * edit of the body returns. When cloth tears (Break), its triangles keep their numbers, and the mesh
+     * gets vertices for the new particles. A model that would leave the range of the world, and a torn
+     * mesh or one of less than 2^-32 m for which there is no memory, keep their form until they can
+     * follow. Solver.setOrigin moves the coordinates of the mesh, and the models back by as much: they
+     * stay where they are in the world, exactly if scenes have moved their origin before. Bodies neither
+     * collide with models of such meshes nor wake because of them: BodyDesc.body_layers sets which bodies
+     * collide. A restored body is followed if it has the same id and parts as before. Restore the solver
+     * before the scene. A mesh that is loaded from a snapshot, that of a scene included, is a copy that
+     * follows nothing; Scene.setShape gives its model one that does. Mesh and solver are destroyed in any
+     * order. When the body is gone the mesh keeps the form that it had last and is deformable by
      * Mesh.setVertices, which returns ERROR_UNSUPPORTED before. A mesh that neither its handle nor a model
      * holds follows no more.
      * Threads: the functions above become edits of the mesh and of each scene that has a model of it.
@@ -226,8 +228,8 @@ public final class Mesh extends Owned implements Shape {
     }
 
     /**
-     * For each triangle of a hull the number of its face, by which Mesh.getHullPlanes lists the planes:
-     * ascending, from 0.
+     * For each triangle of a hull the index of its face in the list of Mesh.getHullPlanes, ascending from
+     * 0.
      * Cost: O(triangles). Since 1.1.
      * @throws GamephysException with ERROR_UNSUPPORTED: for a mesh that is no hull
      */
@@ -240,16 +242,17 @@ public final class Mesh extends Owned implements Shape {
     }
 
     /**
-     * Put other vertices in place of those of a deformable mesh: of a skinned character, or of cloth as
-     * Solver.getPositions writes it. All models of the mesh have the new form from then on, in every
-     * scene, and all answers have the bits of those of a mesh created of the new vertices. What fails
+     * Replace the vertices of a deformable mesh, such as a skinned character, or cloth as
+     * Solver.getPositions writes it. All models of the mesh take the new form at once, in every scene, and
+     * all answers have the same bits as those of a mesh created from the new vertices. A call that fails
      * leaves the mesh and the scenes as they were. A solver sees the new form at its next step, as a
      * surface that stands still.
      * Threads: an edit of the mesh and of every scene that has a model of it: not beside other calls on
      * these.
-     * Cost: O(vertices + triangles + log n for each model), some percent of a creation: the tree is
-     * refitted, and built again by parts where it has degraded. If the triangles have come apart so that
-     * their groups of eight have boxes of twice the area, once that of a creation. Allocates. Since 1.1.
+     * Cost: O(vertices + triangles + log n for each model), a few per cent of creating it: the tree is
+     * refitted, and parts that have degraded are rebuilt. If the triangles have moved apart so far that
+     * the boxes of their groups of eight have twice the area, once as much as creating it. Allocates.
+     * Since 1.1.
      * @param vertices elements of 3 floats, metres; copied
      * @throws GamephysException with ERROR_UNSUPPORTED: if the mesh is not deformable
      * @throws GamephysException with ERROR_INVALID_ARGUMENT: for a vertex that is not finite or too large,
@@ -352,7 +355,7 @@ public final class Mesh extends Owned implements Shape {
 
     /**
      * Whether each of the rays hits anything, as Mesh.raycastAny.
-     * Cost: that of as many single calls; less for rays whose neighbours go much the same way. Since 1.1.
+     * Cost: that of as many single calls; less if neighbouring rays are similar. Since 1.1.
      */
     public Batch<Integer> raycastAnyBatch(Batch<Ray> rays, Batch<Integer> out) {
         int count = Low.common(rays.common());
@@ -369,8 +372,8 @@ public final class Mesh extends Owned implements Shape {
     }
 
     /**
-     * How far the rays come, and which triangles they hit: t and triangle of Gamephys.raycastBatch for the
-     * mesh, with the same bits, without the rest of a hit; model is 0.
+     * How far each of the rays goes, and which triangle it hits: t and triangle of Gamephys.raycastBatch
+     * for the mesh, with the same bits, without the rest of a hit; model is 0.
      * Cost: less than that of Gamephys.raycastBatch. Since 1.1.
      * @return a ray that hits nothing gets t = INFINITY and triangle = NO_TRIANGLE.
      */

@@ -5,7 +5,7 @@ import java.nio.ByteBuffer;
 
 /**
  * <pre>
- * What a unit of each input moves an orbit by; negative to turn one round. Frozen.  Since 1.1.
+ * What a unit of each input moves an orbit by; negative to invert one. Frozen.  Since 1.1.
  * </pre>
  */
 public record OrbitSpeeds(float rotateX, float rotateY, float zoom, float panX, float panY) implements Value {

@@ -6,8 +6,8 @@ import java.nio.ByteBuffer;
 
 /**
  * <pre>
- * Which models a query sees. Ids of models that are gone, or never were, leave out nothing and are no
- * error: what asked may have been removed since.
+ * Which models a query sees. Ids that name no model leave out nothing and are not an error: the
+ * model that asked may have been removed since.
  * </pre>
  */
 public final class QueryFilterDesc {

@@ -9,10 +9,10 @@ import java.util.Optional;
  * Create a scene without models. With a worker_count of n, all batch queries of the scene
  * (Camera.pickBatch too), and adding and moving many models, share their work among n threads; the
  * results have the same bits for every n. Without a task_runner n - 1 threads are started here and
- * joined when the scene is destroyed. They serve one call at a time: calls made meanwhile do their own
- * work. They take no signals but faults, and the floating-point settings of the thread that created
- * them. In a child of fork they are gone: calls there run on one thread, as they do on a platform
- * without threads (WebAssembly, unless built for shared memory), whatever is asked for.
+ * joined when the scene is destroyed. They serve one call at a time: calls made meanwhile run on their
+ * own thread alone. They take no signals but faults, and have the standard floating-point settings. In
+ * a child of fork they are gone: calls there run on one thread, as they do on a platform without
+ * threads (WebAssembly, unless built for shared memory), whatever is asked for.
  *   - desc: null: the defaults
  * Throws GamephysException with ERROR_OUT_OF_MEMORY also if the threads cannot be started.
  * Throws GamephysException with ERROR_CAPACITY if reserve_models is above 2^24 - 1.
@@ -33,9 +33,9 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * Change the number of threads that share the calls of a scene, such as by a setting of the user's.
-     * They are those of its task_runner if it was created with one. In a child of fork they are started
-     * again. Answers keep their bits.
+     * Change the number of threads that share the calls of a scene, for example when the user changes a
+     * setting. They are those of its task_runner if it was created with one. In a child of fork they are
+     * started again. Answers keep their bits.
      * Cost: that of joining the former threads and starting others; allocates. Since 1.1.
      * @param workers as SceneDesc.worker_count
      * @throws GamephysException with ERROR_OUT_OF_MEMORY: also if the threads cannot be started; the
@@ -60,8 +60,8 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * Move the point of the world that all coordinates of the scene count from, those that it is given and
-     * those that it returns. Models stay where they are in the world: the positions of those without a
+     * Move the point of the world that all coordinates of the scene are relative to, those passed to it
+     * and those that it returns. Models stay where they are in the world: the positions of those without a
      * parent become what they are from there, kept in double precision and rounded to float32 once,
      * however often the origin moves. For worlds beyond some kilometres: keep the origin near the camera,
      * and when the camera has gone a few kilometres, move it together with that of cameras and solvers.
@@ -263,7 +263,7 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * Ids of the models that hang directly below one, ascending.
+     * Ids of the direct children of a model, ascending.
      * Cost: O(k log k).
      */
     public Batch<Integer> getChildren(int model) {
@@ -287,8 +287,8 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * World box of a model, by which queries find it: holds it, and is at most 3 ulps and 2^-19 of the sum
-     * of its sizes wider. That of an empty mesh is its position.
+     * World box of a model, by which queries find it: contains the model, and is wider by at most 3 ulps
+     * and 2^-19 of the sum of its sizes. That of an empty mesh is its position.
      * Cost: O(1).
      * @return empty for a plane.
      */
@@ -338,10 +338,10 @@ public final class Scene extends SceneBase {
      * Scale a model's own shape along the three axes of the model, before its transform: a tree grows, a
      * unit box becomes a wall, a rock is stretched. Every query, and solvers, see the scaled shape;
      * normals are those of its surface. Children are not affected: they follow the transform, whose scale
-     * is one number. What is set replaces what was set before. A mesh or a hull is scaled exactly, without
-     * a copy: answers are those of a mesh of the scaled vertices. Of a box or a triangle each number is
-     * multiplied and rounded to float32. A sphere, capsule or plane, and an OBB whose own rotation is not
-     * the identity, take three equal numbers only.
+     * is one number. A new scale replaces the old one. A mesh or a hull is scaled exactly, without a copy:
+     * answers are those of a mesh of the scaled vertices. Of a box or a triangle each number is multiplied
+     * and rounded to float32. A sphere, capsule or plane, and an OBB whose own rotation is not the
+     * identity, take three equal numbers only.
      * Cost: as Scene.setTransform of a model without children. Models that have a scale take 16 bytes more
      * if they are meshes, else 52, up to the highest id. Queries of a scaled mesh or hull take 1 to 11 %
      * more; rays at a mesh that is flattened to a twentieth take 1.3 times those at a mesh of the scaled
@@ -397,7 +397,7 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * Hang a model below another one, or below none (0).
+     * Make a model the child of another one, or of none (0).
      * Cost: O(depth of the tree of models), and as Scene.setTransform for what moves. Renews the octree as
      * far as there is memory.
      * @param keepWorld false: the local transform is kept, the model jumps; true: the local transform is
@@ -469,8 +469,8 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * World transforms of the models: those of all ancestors applied, rounded to float32. What queries
-     * answer is exact with respect to these.
+     * World transforms of the models: with those of all ancestors applied, rounded to float32. Answers of
+     * queries are exact with respect to these.
      * Cost: O(elements).
      * @param models the ids; an id may appear twice
      */
@@ -530,8 +530,8 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * How far the rays come, and what they meet: t, model and triangle of Scene.raycastBatch, with the
-     * same bits, without the rest of a hit. For lidars and images of depth.
+     * How far each of the rays goes, and what it hits: t, model and triangle of Scene.raycastBatch, with
+     * the same bits, without the rest of a hit. For lidars and depth images.
      * Cost: less than that of Scene.raycastBatch; shared among workers. Since 1.1.
      * @return a ray that hits nothing gets t = INFINITY, model = 0 and triangle = NO_TRIANGLE.
      */
@@ -715,11 +715,12 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its own
-     * box, ascending: for drawing. None that is seen is missed. More are listed near the frustum's edges:
-     * some per cent of models that are compact or not turned; of long or flat ones that are turned, whose
-     * world boxes are mostly empty, about a third, and as many again as are seen where they are as long as
-     * the view is wide. Scene.overlap sorts these out by testing the shapes.
+     * Ids of all models whose world box is not wholly outside any of a frustum's six planes or its own
+     * box, ascending: for drawing. No visible model is missed. Some invisible ones near the frustum's
+     * edges are listed, too: a few per cent more where models are compact or not rotated; about a third
+     * more where they are long or flat and rotated, so that their world boxes are mostly empty, and as
+     * many again as are visible where they are as long as the view is wide. Scene.overlap leaves these out
+     * by testing the shapes.
      * Cost: O(log n + k) expected.
      */
     public Batch<Integer> cull(Frustum frustum, int layers) {
@@ -901,8 +902,8 @@ public final class Scene extends SceneBase {
 
     /**
      * What a sphere, capsule, AABB or OBB overlaps, and how it gets out: an element for each model, and of
-     * a mesh one for each triangle, as Gamephys.penetration. Deepest first; those that are as deep by
-     * model, then triangle. Each is the way out of that one alone. The models are those of Scene.overlap.
+     * a mesh one for each triangle, as Gamephys.penetration. Deepest first; equal depths by model, then
+     * triangle. Each is the way out of that one alone. The models are those of Scene.overlap.
      * Cost: O(log n + k log k) expected.
      * @throws GamephysException with ERROR_UNSUPPORTED: for other types
      */
@@ -946,7 +947,7 @@ public final class Scene extends SceneBase {
      * Cost: that of Scene.raycast for one ignored model. For each model that is met within the ray's
      * reach, besides: O(its depth below its root) with FILTER_SUBTREE if ignored_model has children; of m
      * ignored_models O(log m) if they are ascending, as all lists of the library are, else O(m). Whether
-     * they are takes O(m) a call. Where faces are left out, rays of a batch meet a mesh one by one.
+     * they are takes O(m) a call. Where faces are left out, a batch tests a mesh one ray at a time.
      * @param filter null: the defaults
      * @return empty if nothing is found.
      * @throws GamephysException with ERROR_INVALID_ARGUMENT: for unknown flags, or ignored_models null
@@ -989,8 +990,8 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * How far the rays come among the models that the filters see, as Scene.raycastDistanceBatch: a lidar
-     * leaves out the robot that carries it.
+     * How far each of the rays goes among the models that its filter sees, as Scene.raycastDistanceBatch:
+     * a lidar leaves out the robot that carries it.
      * Cost: less than that of Scene.raycastFilteredBatch; shared among workers. Since 1.1.
      * @param filters null: the defaults
      */
@@ -1275,7 +1276,7 @@ public final class Scene extends SceneBase {
 
     /**
      * First model that a moving sphere touches and the filter sees, as Scene.sweepSphere: the sphere may
-     * be the bound of the ignored model itself.
+     * be the bounding sphere of the ignored model.
      * Cost: that of Scene.sweepSphere, and for each model as Scene.raycastFiltered.
      * @param displacement metres; may be zero
      * @param filter null: the defaults
@@ -1319,8 +1320,8 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * First model that a sphere, capsule, AABB or OBB that moves touches and the filter sees, as
-     * Scene.sweep: a character leaves out its own model.
+     * First model that a moving sphere, capsule, AABB or OBB touches and the filter sees, as Scene.sweep:
+     * a character leaves out its own model.
      * Cost: that of Scene.sweep, and for each model as Scene.raycastFiltered.
      * @param displacement metres; may be zero
      * @param filter null: the defaults
@@ -1408,9 +1409,9 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * Build the scene's octree anew, as good as that of one Scene.addBatch. Never needed: ids, answers and
-     * their bits stay as they are. Where many models were added one by one, such as a level that was
-     * streamed in, rays then take 0.5 to 0.9 of the time.
+     * Rebuild the scene's octree, as good as that of one Scene.addBatch. Never required: ids, answers and
+     * their bits do not change. Where many models were added one by one, such as a level that was streamed
+     * in, rays then take 0.5 to 0.9 of the time.
      * Cost: O(n log n), 0.15 to 0.45 us a model, less with workers; allocates. Since 1.1.
      * @throws GamephysException with ERROR_OUT_OF_MEMORY: with nothing changed
      */
@@ -1424,8 +1425,8 @@ public final class Scene extends SceneBase {
      * Rebuild the octree in parts, one in each call, until it is as good as after Scene.rebuildOctree: for
      * levels that are streamed in while frames go on. Each Scene.add and Scene.remove does a part by
      * itself; these calls do the rest. Never needed: ids, answers and their bits stay as they are. Models
-     * may be added, moved and removed between the calls. An update of an eighth of them or more by one
-     * call starts again.
+     * may be added, moved and removed between the calls. A call that updates an eighth of them or more
+     * restarts it.
      * Cost: O(budget); allocates, until it is done about 130 bytes a model. Since 1.1.
      * @param budget how much work to do, as a number of models, of 0.3 to 1 us each. The work is the same
      *     on every machine and does not depend on time.
@@ -1480,11 +1481,11 @@ public final class Scene extends SceneBase {
 
     /**
      * Copy the whole state out: the origin, models with their ids, parents, tags, layers, transforms and
-     * shapes, ids to come, and the octree. Workers and allocator are not in it.
+     * shapes, the order of future ids, and the octree. Workers and allocator are not in it.
      * Cost: O(n), some 80 bytes and 100 ns for each model, besides embedded meshes (Mesh.getSnapshot).
      * Allocates a few words for each different mesh.
-     * @param embedMeshes true: meshes are in the snapshot, each once, which is then complete in itself:
-     *     for saved games and for other machines. false: they are named by what they hold, and
+     * @param embedMeshes true: meshes are in the snapshot, each once, so it is complete in itself: for
+     *     saved games and for other machines. false: they are identified by their content, and
      *     Scene.restore looks for them: for undo, and rollback each frame.
      * @return the snapshot. Words are in the machine's byte order. Every later release of the same major
      *     version reads it.
@@ -1500,14 +1501,14 @@ public final class Scene extends SceneBase {
 
     /**
      * Replace the whole state by that of a snapshot, of this or of another scene. Ids are those of the
-     * time of the snapshot, those to come included. All answers have the bits that they had then; a solver
-     * that was restored with its scene steps on with the same bits. On an error the scene is as before.
-     * Any words are safe, also those of a stranger: all that is used as a number or an index is checked
-     * first. Made-up words are refused, or taken as a scene like any other.
+     * time of the snapshot, and so are future ones. All answers have the bits that they had then; a solver
+     * that is restored with its scene continues with the same bits. On an error the scene is as before.
+     * Any words are safe, also from an untrusted source: all that is used as a number or an index is
+     * checked first. Forged words are refused, or taken as a scene like any other.
      * Cost: O(n), 150 to 700 ns for each model, besides embedded meshes (Mesh). Allocates.
      * @param library meshes that are not embedded are looked for among those that models of this scene
-     *     use, by what they hold: vertices and indices, so one that has been deformed since is to be put
-     *     back first. null: among those that models of `scene` itself use, before it is restored.
+     *     use, by their content: vertices and indices. A mesh deformed since must get its old form back
+     *     first. null: among those that models of `scene` itself use, before it is restored.
      * @throws GamephysException with ERROR_INVALID_ARGUMENT: for words that are no snapshot of a scene,
      *     damaged, of a later format or of another byte order, and if a mesh is missing
      * @throws GamephysException with ERROR_OUT_OF_MEMORY: if there is no room for it
@@ -1520,10 +1521,10 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * A hash of the whole state but the octree, the low half first; of a mesh it is what it holds that
-     * counts. Equal states have equal hashes on every machine; different ones differ with near certainty
-     * (not against an adversary). Compare it between machines that simulate the same, to see when they
-     * part.
+     * A hash of the whole state except the octree, the low half first; meshes count by their content.
+     * Equal states have equal hashes on every machine; different ones differ with near certainty (not
+     * against an adversary). Compare it between machines that run the same simulation, to detect when they
+     * diverge.
      * Cost: O(n), some 50 ns for each model.
      */
     public int[] getHash() {

@@ -42,7 +42,7 @@ public final class SceneDesc {
 
     /**
      * <pre>
-     * whose threads worker_count counts; null: the scene's own
+     * provides the worker_count threads; null: the scene's own
      * </pre>
      */
     public SceneDesc taskRunner(Pointer value) {
@@ -52,7 +52,7 @@ public final class SceneDesc {
 
     /**
      * <pre>
-     * threads for one call, its own included, at most 1024; 0 and 1: that alone
+     * threads for one call, including the caller's, at most 1024; 0 and 1: that alone
      * </pre>
      */
     public SceneDesc workerCount(int value) {

@@ -266,10 +266,10 @@ public final class Solver extends Owned {
      * sleep_time seconds no particle was faster than sleep_speed and no rigid constraint strained by more
      * than sleep_strain; cloth, when its root mean square speed from step to step was no higher, no
      * particle ten times as fast, and strain, without a max_strain, at most 3 %. Its speed is then 0, it
-     * keeps its contacts, and a step costs it a look for models nearby. It wakes in the step before which
-     * a model came, went or moved as near as it could come in a step at 50 m/s, or one that it is attached
-     * to did, or the scene was exchanged; and at once by any change of its state, of gravity or of the
-     * origin.
+     * keeps its contacts, and a step costs it one query for models nearby. It wakes in the next step after
+     * a model within reach (as far as one could move in a step at 50 m/s) was added, removed or moved, or
+     * a model that it is attached to, or after the scene was replaced; and at once by any change of its
+     * state, of gravity or of the origin.
      * Cost: O(bodies).
      */
     public Batch<Integer> getSleeping() {
@@ -292,7 +292,7 @@ public final class Solver extends Owned {
     }
 
     /**
-     * The settings of a body as they are; static_friction as it acts, friction at least.
+     * The present settings of a body; static_friction as it acts, at least friction.
      * Cost: O(1).
      */
     public BodySettings getBodySettings(int body) {
@@ -341,8 +341,7 @@ public final class Solver extends Owned {
     }
 
     /**
-     * The particle of a body nearest to a point, as it is to be grabbed: the lowest of those that are as
-     * near.
+     * The particle of a body nearest to a point, for example to grab it; of equally near ones the lowest.
      * Cost: O(1); O(particles) for NO_TRIANGLE. Since 1.1.
      * @param triangle as in a hit, nearest or penetration of the body's mesh: its corners are compared, of
      *     a rope the ends of the link, or the particle; NO_TRIANGLE: all particles
@@ -599,8 +598,8 @@ public final class Solver extends Owned {
      * effects of wind fields in cloth animations"); with C_L = C_D it is nearly the pressure on a plate,
      * along n; on a link of a rope -rho/2 C_D 2 r l |u'| u', u' the part of u across it, r the radius (the
      * cross-flow principle: Hoerner 1965, "Fluid-dynamic drag"); on a free particle -rho/2 C_D pi r^2 |u|
-     * u. Strong wind takes bodies along and never beyond: whatever the density, a substep does not reverse
-     * u.
+     * u. Strong wind carries bodies along but never overshoots: whatever the density, a substep does not
+     * reverse u.
      * Cost: O(1) a body; in each substep of cloth some 370 instructions a triangle, in each step of others
      * as many for each link or particle.
      * @param body 0: all bodies there are
@@ -663,19 +662,19 @@ public final class Solver extends Owned {
      * that is skinned to its character stays within maxDistance of the skinned vertices and does not sink
      * into the body behind them. In the next step position and normal go evenly from the old target to the
      * new one, substep by substep; distances act at once. A target that is not set again stands still. A
-     * first target, and that of a particle which Solver.setPositions has moved since the last step, is at
-     * once where it is set: a teleport is that call and this one. A model that is teleported too sweeps
-     * through what is on its way: in that step the body collides with no layers (Solver.setBodySettings).
-     * maxDistance 0 carries a particle: it is at its target, as if attached there, and moves links with
-     * infinite mass; this also moves a pinned particle, which stays pinned, at constant speed during a
-     * step. Otherwise particles that are pinned or attached are not moved. A particle that is out of its
-     * bounds at the end of a substep is put on the nearest place within both, without friction; its
-     * velocity across them is then that of the target. What lies within its bounds is not touched. Bounds
-     * act after constraints and before models: where a target is inside a model, or behind one, the
-     * particle stays outside. Links yield to bounds that contradict them. What hangs from a particle at
-     * its bounds is carried, in cloth and in ropes that are moved alone; ropes and free particles that are
-     * joined, or collide with bodies, are put back particle by particle, and links beside these may be
-     * strained by the way of a substep. Wakes the body if a target changes.
+     * first target, and that of a particle which Solver.setPositions has moved since the last step, takes
+     * effect at its new place at once: to teleport, make that call and this one. A model that is
+     * teleported too sweeps through what is on its way: set the body's layers to 0 for that step
+     * (Solver.setBodySettings). maxDistance 0 carries a particle: it is at its target, as if attached
+     * there, and moves links with infinite mass; this also moves a pinned particle, which stays pinned, at
+     * constant speed during a step. Otherwise particles that are pinned or attached are not moved. A
+     * particle that is out of its bounds at the end of a substep is put on the nearest place within both,
+     * without friction; its velocity across them is then that of the target. What lies within its bounds
+     * is not touched. Bounds act after constraints and before models: where a target is inside a model, or
+     * behind one, the particle stays outside. Links yield to bounds that contradict them. What hangs from
+     * a particle at its bounds is carried, in cloth and in ropes that are moved alone; ropes and free
+     * particles that are joined, or collide with bodies, are put back particle by particle, and links
+     * beside these may be strained by the motion of a substep. Wakes the body if a target changes.
      * Cost: O(elements); the first time O(particles), and it allocates. In each substep some 100 ns a
      * particle; ropes with targets are solved one by one, as those that touch models. Since 1.1.
      * @param first as in Solver.getPositions
@@ -775,7 +774,7 @@ public final class Solver extends Owned {
     /**
      * Keep two different particles of a body from being further apart than a length, like a string between
      * them: it pulls and never pushes. While it is slack it does nothing; when it becomes taut, and is
-     * rigid, the speed at which the particles part is lost and no other.
+     * rigid, only the speed at which the particles separate is lost.
      * Fails as Solver.addDistance.
      * It is a constraint like others: listed with maxLength as its restLength, removed as they are, and
      * strained only when it is too long.
@@ -797,9 +796,9 @@ public final class Solver extends Owned {
     }
 
     /**
-     * Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v
-     * beside its tension; one of Solver.addMaxDistance never pushes. The decay depends on time, not on
-     * steps. Rigid constraints have nothing to damp.
+     * Damp a constraint that has compliance: when its ends separate at speed v, it pulls with damping * v
+     * in addition to its tension; one of Solver.addMaxDistance never pushes. The decay depends on time,
+     * not on steps. Rigid constraints have nothing to damp.
      * Cost: as Solver.addDistance.
      * @param damping N s/m, &gt;= 0; 0, which every constraint begins with: none
      * @throws GamephysException with ERROR_INVALID_ID: for a body or constraint that does not exist
@@ -818,7 +817,7 @@ public final class Solver extends Owned {
      * @param compliance m^3 per pascal, &gt;= 0: the volume that a pressure of one pascal takes; 0: as water,
      *     which keeps its volume; INFINITY: none, which ends the constraint
      * @throws GamephysException with ERROR_UNSUPPORTED: if the triangles do not close (each side is that
-     *     of two triangles), are not all turned the same way, or face inward when the present volume is
+     *     of two triangles), are not oriented consistently, or face inward when the present volume is
      *     asked for
      */
     public void setVolume(int body, float restVolume, float compliance) {
@@ -853,7 +852,7 @@ public final class Solver extends Owned {
     public record VolumeSettingsResult(float restVolume, float compliance) {}
 
     /**
-     * What was given to Solver.setVolume: m^3, of a negative volume that which there was, and m^3 per
+     * What was given to Solver.setVolume: m^3 (for a negative volume the one at that time), and m^3 per
      * pascal.
      * Cost: O(1). Since 1.1.
      * @throws GamephysException with ERROR_UNSUPPORTED: if none is held
@@ -867,7 +866,7 @@ public final class Solver extends Owned {
     }
 
     /**
-     * End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body. The
+     * Remove a constraint of a body, even one created with it. Its id stays invalid. Wakes the body. The
      * triangles of cloth stay together: Solver.breakConstraint tears them apart.
      * Cost: as Solver.addDistance; allocates.
      * @throws GamephysException with ERROR_INVALID_ID: for a body or constraint that does not exist, or no
@@ -880,7 +879,7 @@ public final class Solver extends Owned {
     }
 
     /**
-     * All constraints of a body, those of its builder included, by id.
+     * All constraints of a body, including those created with the body, by id.
      * Cost: O(constraints).
      */
     public Batch<ConstraintInfo> getConstraints(int body) {
@@ -911,7 +910,7 @@ public final class Solver extends Owned {
     }
 
     /**
-     * What constraints are like.
+     * The present settings of constraints.
      * Cost: O(elements).
      * @param constraints the ids; one may appear twice
      */
@@ -952,9 +951,9 @@ public final class Solver extends Owned {
      * shapes are light in the middle. Particles that are pinned or attached stay where they are held: with
      * one the cluster swings about it, with two about the line through them, and with three that are not
      * on a line it does not move. Models that particles are attached to get the impulses. Contacts with
-     * models move the cluster as a whole, with friction; particles touch, not the faces between them, so
-     * these should be no further apart than the smallest thing that a cluster meets is thick. Of
-     * restitution a cluster shows only the share of the mass of the particles that touched. A shape is
+     * models move the cluster as a whole, with friction; only particles touch, not the faces between them,
+     * so they should be no further apart than the thickness of the thinnest thing that a cluster meets. Of
+     * its restitution a cluster shows only the share of the mass of the particles that touched. A shape is
      * matched once in each substep, after the links: then what hangs from it may be strained a little, and
      * clusters that share particles approach their shapes in eight passes. Bodies with clusters are solved
      * as cloth (SOLVE_GRAPH), ropes and free particles too. The rest positions of cloth are not changed by
@@ -1018,13 +1017,14 @@ public final class Solver extends Owned {
     /**
      * Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that
      * are equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved
-     * as one system, as stiff as one rope; a joined particle of cloth has all that hangs on it for
-     * inertia. Free particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined
-     * bodies are moved by one thread and fall asleep and wake together. A joint goes with either body.
+     * as one system, as stiff as one rope; a joined particle of cloth has the inertia of all that hangs on
+     * it. Free particles of a joined body are moved by the time scheme of ropes, no longer exactly. Joined
+     * bodies are moved by one thread and fall asleep and wake together. A joint is removed with either
+     * body.
      * Cost: the next step plans all joined ropes again. A link of them takes some three times as long as
      * one of a rope that is not joined. Allocates.
      * @param restLength metres; 0: at the same place, as below 1e-9; negative: the present distance.
-     *     Particles that are not as far apart are drawn there within a step, and get the speed of that.
+     *     Particles at another distance are moved to it within a step, and get the speed of that motion.
      * @param compliance metres per newton, &gt;= 0; 0 is rigid
      * @throws GamephysException with ERROR_INVALID_ARGUMENT: for a particle that does not exist or twice
      *     the same body (see Solver.addDistance)
@@ -1106,7 +1106,7 @@ public final class Solver extends Owned {
      * Cost: O(particles + constraints); allocates. Since 1.1.
      * @return what came of it.
      * @throws GamephysException with ERROR_UNSUPPORTED: and nothing has changed, for an edge where the
-     *     cloth cannot part: of a triangle that hangs together with no other
+     *     cloth cannot part: of a triangle that is connected to no other
      * @throws GamephysException with ERROR_CAPACITY: beyond 2^24 - 1 particles or constraints
      */
     public Break breakConstraint(int body, int constraint) {
@@ -1155,7 +1155,7 @@ public final class Solver extends Owned {
      * so the motion does not depend on the frame rate.
      * Cost: that of the steps made.
      * @param frameTime seconds, &gt;= 0
-     * @return steps made. 0 &lt;= fraction of a step still owed &lt; 1, to blend drawings.
+     * @return steps made. 0 &lt;= fraction of a step still owed &lt; 1, to interpolate when drawing.
      * @throws GamephysException with ERROR_OUT_OF_MEMORY: if there is none for the first step: nothing has
      *     changed. If there is none for a later one
      */
@@ -1185,10 +1185,10 @@ public final class Solver extends Owned {
      * The substeps that a body took in the last step; 0 before its first. With SolverDesc.max_strain or
      * tolerance set, each body takes as many as its own motion needs: their length follows from what the
      * last step measured, the largest strain of its rigid constraints and the local error of the time
-     * scheme, both of which go with its square. It is at most quartered and grows by at most an eighth
-     * from one step to the next, so a sudden blow exceeds a target for a few steps, one of strain only
-     * where links of cloth cannot be relaxed below it. What cannot be met takes max_substeps. Where
-     * positions jump, by contacts, the error is that of the jump.
+     * scheme, both proportional to the square of that length. It is at most quartered and grows by at most
+     * an eighth from one step to the next, so a sudden impact exceeds a target for a few steps; one of
+     * strain only where links of cloth cannot be relaxed below it. A target that cannot be met takes
+     * max_substeps. Where positions jump, by contacts, the error is that of the jump.
      * Cost: O(1).
      */
     public int getSubsteps(int body) {
@@ -1242,10 +1242,10 @@ public final class Solver extends Owned {
 
     /**
      * Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in
-     * which they fell asleep. Divided by dt they are mean forces: what lies on a model presses it with its
-     * weight. A particle of cloth that touches several models at once gives to the one that it touches
-     * most. Models have no mass here; a body of yours much lighter than what hangs from it should be moved
-     * in small steps.
+     * which they fell asleep. Divided by dt they are mean forces: what lies on a model presses on it with
+     * its weight. A particle of cloth that touches several models at once gives its impulse to the one
+     * that it touches most. Models have no mass here; a body of yours much lighter than what hangs from it
+     * should be moved in small steps.
      * Cost: O(models touched); no allocation. The same bits for any number of workers.
      */
     public Batch<Impulse> getImpulses() {
@@ -1274,10 +1274,10 @@ public final class Solver extends Owned {
 
     /**
      * Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
-     * time of the snapshot. Steps go on with the same bits as they did then, provided that the scene, too,
-     * is as it was. On an error the solver is as before. Any words are safe, also those of a stranger: all
-     * that is used as a number or an index is checked first. Made-up words are refused, or taken as a
-     * state whose numbers are in range.
+     * time of the snapshot. Steps continue with the same bits as they did then, provided that the scene,
+     * too, is as it was. On an error the solver is as before. Any words are safe, also from an untrusted
+     * source: all that is used as a number or an index is checked first. Forged words are refused, or
+     * taken as a state whose numbers are in range.
      * Cost: as Solver.getSnapshot; allocates.
      * @throws GamephysException with ERROR_INVALID_ARGUMENT: for words that are no snapshot, damaged, of
      *     another version or byte order
@@ -1293,7 +1293,7 @@ public final class Solver extends Owned {
     /**
      * A hash of the whole state, the low half first. Equal states have equal hashes on every machine;
      * different ones differ with near certainty (not against an adversary). Compare it between machines
-     * that simulate the same, to see when they part.
+     * that run the same simulation, to detect when they diverge.
      * Cost: O(particles + constraints).
      */
     public int[] getHash() {

@@ -42,7 +42,7 @@ public final class SolverDesc {
 
     /**
      * <pre>
-     * of one step, 1 .. 1000; default 8; with targets: of the first
+     * of one step, 1 .. 1000; default 8; with error targets: of the first step
      * </pre>
      */
     public SolverDesc substeps(int value) {
@@ -84,7 +84,7 @@ public final class SolverDesc {
 
     /**
      * <pre>
-     * whose threads worker_count counts; null: the solver's own
+     * provides the worker_count threads; null: the solver's own
      * </pre>
      */
     public SolverDesc taskRunner(Pointer value) {
@@ -94,7 +94,7 @@ public final class SolverDesc {
 
     /**
      * <pre>
-     * threads for one step, its own included, at most 1024; 0 and 1: that alone
+     * threads for one step, including the caller's, at most 1024; 0 and 1: that alone
      * </pre>
      */
     public SolverDesc workerCount(int value) {
@@ -150,7 +150,7 @@ public final class SolverDesc {
 
     /**
      * <pre>
-     * of rigid constraints, see Solver.getSubsteps; 0: none, of cloth 0.02; default 0
+     * of rigid constraints, see Solver.getSubsteps; 0: none, for cloth 0.02; default 0
      * </pre>
      */
     public SolverDesc maxStrain(float value) {
