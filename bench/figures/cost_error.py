@@ -4,7 +4,8 @@ import math
 import matplotlib.pyplot as plt
 from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter, NullLocator
 
-from marks import look, place_labels, shown
+from labels import place_labels
+from marks import look
 
 
 def front(points):
@@ -34,31 +35,33 @@ class ErrorAxis:
             self.low = min(self.low, self.high - 2)
         self.high = max(self.high, self.low + 2)
         self.zero = len(positive) < len(errors)  # whether there is one
-        self.gap = 0.28 * (self.high - self.low)
+        self.gap = 0.42 * (self.high - self.low)
 
     def __call__(self, error):
         return math.log10(error) if error > 0 else self.low - self.gap
 
     def dress(self, axes, format_decade):
+        """Limits and ticks; returns the height of the break, or None."""
         span = self.high - self.low
         step = max(1, round(span / 5))
         decades = list(range(self.low, self.high + 1, step))
-        axes.set_ylim(self.low - (1.55 * self.gap if self.zero else 0.1 * span), self.high + 0.16 * span)
+        axes.set_ylim(self.low - (1.7 * self.gap if self.zero else 0.1 * span), self.high + 0.16 * span)
         if not self.zero:
             axes.yaxis.set_major_locator(FixedLocator(decades))
             axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: format_decade(round(value))))
-            return
+            return None
         axes.yaxis.set_major_locator(FixedLocator([self.low - self.gap, *decades]))
         labels = {self.low - self.gap: "0", **{d: format_decade(d) for d in decades}}
         axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: labels.get(value, "")))
-        middle = self.low - 0.42 * self.gap
+        middle = self.low - 0.3 * self.gap
         axes.axhspan(axes.get_ylim()[0], middle, color="#f1f5f0", zorder=0)
         axes.axhline(middle, color="#888888", linewidth=1, linestyle=(0, (4, 3)))
         # The break of the axis itself.
-        for shift in (-0.05, 0.05):
-            axes.plot([-0.018, 0.018], [middle + (shift - .03) * self.gap * 2, middle + (shift + .03) * self.gap * 2],
+        for shift in (-0.033, 0.033):
+            axes.plot([-0.018, 0.018], [middle + (shift - .02) * self.gap * 2, middle + (shift + .02) * self.gap * 2],
                       color="black", linewidth=1, clip_on=False,
                       transform=axes.get_yaxis_transform())
+        return middle
 
 
 def panel(axes, title, points, cost_label, error_label, percent=False):
@@ -74,7 +77,7 @@ def panel(axes, title, points, cost_label, error_label, percent=False):
     axes.set_title(title, loc="left")
     axes.set_xlabel(cost_label)
     axes.set_ylabel(error_label)
-    scale.dress(axes, (lambda d: f"{100 * 10.0 ** d:.{max(0, -2 - d)}f} %") if percent else power)
+    middle = scale.dress(axes, (lambda d: f"{100 * 10.0 ** d:.{max(0, -2 - d)}f} %") if percent else power)
     line = front([(cost, error) for cost, _, error, _, _ in points])
     xs, ys = [line[0][0]], [axes.get_ylim()[1]]
     for cost, error in line:
@@ -87,18 +90,22 @@ def panel(axes, title, points, cost_label, error_label, percent=False):
         colour, marker = look(library)
         if slower > cost:
             axes.plot([cost, slower], [scale(error)] * 2, color=colour, linewidth=2, alpha=0.5, zorder=2)
-        axes.plot([cost], [scale(error)], marker=marker, color=colour, markeredgecolor="white", markeredgewidth=0.8, zorder=3)
+        axes.plot([cost], [scale(error)], marker=marker, color=colour, markeredgecolor="white", markeredgewidth=0.8,
+                  zorder=5 if library == "gamephys" else 3)
     axes.yaxis.set_minor_locator(NullLocator())
-    labels = [(cost, scale(error), label, look(library)[0]) for cost, _, error, library, label in points]
+    labels = [(cost, scale(error), label, look(library)[0], error == 0) for cost, _, error, library, label in points]
     bars = [(cost, scale(error), slower) for cost, slower, error, _, _ in points if slower > cost]
-    return axes, labels, bars, [list(zip(xs, ys))]
+    lines = [list(zip(xs, ys))]
+    if middle is not None:
+        lines.append([(x, middle) for x in axes.get_xlim()])
+    return axes, labels, bars, lines
 
 
 def figure(path, panels, cost_label, error_label, percent=False, columns=2):
     """Writes path.svg and path.png. panels: (title, points). error_label may be one for each panel. Returns the labels
     for which there was no room."""
     rows = -(-len(panels) // columns)
-    drawing, grid = plt.subplots(rows, columns, figsize=(6 * columns, 3.9 * rows), squeeze=False, layout="constrained")
+    drawing, grid = plt.subplots(rows, columns, figsize=(6 * columns, 4.4 * rows), squeeze=False, layout="constrained")
     places = [axes for row in grid for axes in row]
     for axes in places[len(panels):]:
         axes.axis("off")
