@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Times the library and others beside it.
-#   ./bench.sh                     the quick report, about five minutes: build/bench/report.md
-#   ./bench.sh --report [--quick]  the report in full, about an hour: docs/report.md, its figures and the README's table,
+#   ./bench.sh                     the quick report, a part of the work in about five minutes: build/bench/report.md.
+#                                  The same with --report --quick
+#   ./bench.sh --report            the report in full, about an hour: docs/report.md, its figures and the README's table,
 #                                  and what was measured in docs/accuracy.md and docs/solver_figures.md. An interrupted
-#                                  run goes on where it was; --quick is a part of the work, in five minutes, and leaves
-#                                  those two pages as they are.
+#                                  run goes on where it was
 #   ./bench.sh SUITE...            of scene mesh query update accuracy batches solver: build/bench/<suite>.csv with a
 #                                  plot beside each, the machine's description and ratios.md
 #   ./bench.sh energy              energy over a million steps, beside the book's integrators: build/bench/energy.csv and
@@ -29,16 +29,16 @@ fi
 usage="usage: ./bench.sh [--report] [--quick], ./bench.sh energy, or ./bench.sh [scene mesh query update accuracy batches solver] [--peers] [--quick]"
 report=
 readme=()
-[ $# -gt 0 ] || report=build/bench/report.md
 peers=OFF
 arguments=()
 suites=()
 solver=OFF
 batches=OFF
+[ $# -gt 0 ] || set -- --report --quick
 for argument in "$@"; do
     case $argument in
         --peers) peers=ON ;;
-        --report) report=docs/report.md readme=(README.md) ;;
+        --report) report=docs/report.md ;;
         --quick) arguments+=("$argument") ;;
         scene | mesh | query | update | accuracy) suites+=("$argument") ;;
         solver) solver=ON ;;
@@ -60,7 +60,8 @@ if [ -n "$report" ]; then
         exit 2
     fi
     peers=ON
-    [ $# -gt 0 ] || arguments=(--quick)
+    # What belongs to the repository is written by full runs only.
+    if [ ${#arguments[@]} -gt 0 ]; then report=build/bench/report.md; else readme=(README.md); fi
 fi
 
 source cmake/install_packages.sh
@@ -95,7 +96,7 @@ if [ -n "$report" ]; then
     describe_machine | tee "$work/machine.txt"
     python3 bench/run_report.py build/release/bench "$work" "${arguments[@]}"
     /usr/bin/python3 bench/make_report.py "$work" "$report" "$(dirname "$report")/images" "${readme[@]}"
-    if [ ${#readme[@]} -gt 0 ] && [ ${#arguments[@]} -eq 0 ]; then
+    if [ ${#readme[@]} -gt 0 ]; then
         python3 bench/accuracy.py "$work" docs/accuracy_scores.csv docs/accuracy.md
         python3 bench/report.py "$work" --docs-solver >docs/solver_figures.md
     fi
