@@ -3,6 +3,8 @@
 LOOKS = {
     "gamephys": ("#D55E00", "o"),
     "gamephys_float": ("#D55E00", "P"),
+    "gamephys_distance": ("#D55E00", "p"),
+    "gamephys_2_threads": ("#D55E00", "h"),
     "embree": ("#0072B2", "s"),
     "embree_robust": ("#0072B2", "D"),
     "embree_packets": ("#56B4E9", "s"),
@@ -16,7 +18,7 @@ LOOKS = {
     "jakobsen": ("#CC79A7", "v"),
 }
 NAMES = {
-    "gamephys_float": "gamephys, float tests", "embree": "Embree", "embree_robust": "Embree robust",
+    "gamephys_float": "gamephys, float tests", "gamephys_2_threads": "gamephys, two threads", "embree": "Embree", "embree_robust": "Embree robust",
     "embree_packets": "Embree packets", "embree_packets_robust": "Embree robust packets", "bullet": "Bullet",
     "gamephys_fresh": "built anew", "gamephys_plain": "without a filter", "gamephys_multiplied": "multiplied vertices",
     "gamephys_mesh": "as a mesh", "1_thread": "gamephys, one thread", "2_threads": "gamephys, two threads",
