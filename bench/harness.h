@@ -14,6 +14,8 @@
 #include <stdexcept>
 
 #include "implementation.h"
+#include "spread.h"
+#include "thread_counts.h"
 
 namespace bench {
 
@@ -31,7 +33,7 @@ struct Row {
     std::string suite, name, implementation;
     uint32_t n;
     double value;
-    double median;  // of the repetitions, whose fastest is value; 0: measured once
+    Spread spread;  // of the repetitions, whose fastest is value; of zeros: measured once
     std::string unit;
     double error;
     std::string error_unit;
@@ -43,11 +45,9 @@ public:
     std::map<std::string, double> seconds;
     std::map<std::string, std::vector<double>> all;
 
-    double median(const std::string& name) {
-        std::vector<double>& times = all[name];
-        if (times.empty()) return 0;
-        std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
-        return times[times.size() / 2];
+    Spread spread(const std::string& name) const {
+        const auto found = all.find(name);
+        return found == all.end() ? Spread{} : spread_of(found->second);
     }
 
     bool ReportContext(const Context&) override { return true; }
@@ -71,9 +71,17 @@ struct Entry {
     bool several_threads = false;
 };
 
-inline Entry on_two_threads() { return {"gamephys_2_threads", make_gamephys(2), true}; }
-/// Two callers that have nothing to do with one another, with half of the queries each: what the machine allows.
-inline Entry two_apart() { return {"gamephys_2_apart", make_gamephys(1, 2), true}; }
+inline void add_on_threads(std::vector<Entry>& entries) {
+    for (const uint32_t threads : thread_counts()) {
+        entries.push_back({"gamephys_" + std::to_string(threads) + "_threads", make_gamephys(threads), true});
+    }
+}
+/// Callers that have nothing to do with one another, with a part of the queries each: what the machine allows.
+inline void add_apart(std::vector<Entry>& entries) {
+    for (const uint32_t callers : thread_counts()) {
+        entries.push_back({"gamephys_" + std::to_string(callers) + "_apart", make_gamephys(1, callers), true});
+    }
+}
 
 inline std::vector<Entry> everybody([[maybe_unused]] bool moving = false) {
     std::vector<Entry> all;
@@ -153,7 +161,7 @@ public:
             const auto [error, error_unit] = check(*entry->implementation);
             const double scale = 1e9 / operations;
             add({suite, name, entry->name, n, fastest.seconds.at(entry->name) * scale,
-                 fastest.median(entry->name) * scale, "ns", error, error_unit});
+                 fastest.spread(entry->name).scaled(scale), "ns", error, error_unit});
         }
     }
 
@@ -171,11 +179,13 @@ public:
             if (!file) {
                 file = std::fopen((options_.directory + "/" + row.suite + ".csv").c_str(), "w");
                 if (!file) throw std::runtime_error("cannot write into " + options_.directory);
-                std::fputs("suite,case,implementation,n,value,unit,error,error_unit,median\n", file);
+                std::fputs(
+                    "suite,case,implementation,n,value,unit,error,error_unit,lower_quartile,median,upper_quartile\n",
+                    file);
             }
-            std::fprintf(file, "%s,%s,%s,%u,%.4g,%s,%.3g,%s,%.4g\n", row.suite.c_str(), row.name.c_str(),
+            std::fprintf(file, "%s,%s,%s,%u,%.4g,%s,%.3g,%s,%.4g,%.4g,%.4g\n", row.suite.c_str(), row.name.c_str(),
                          row.implementation.c_str(), row.n, row.value, row.unit.c_str(), row.error,
-                         row.error_unit.c_str(), row.median);
+                         row.error_unit.c_str(), row.spread.lower, row.spread.median, row.spread.upper);
         }
         for (const auto& file : files) std::fclose(file.second);
     }
@@ -324,7 +334,7 @@ inline void report_memory(Bench& bench, const std::string& suite, const std::str
     for (Entry& entry : entries) {
         if (!entry.implementation || entry.several_threads || entry.implementation->memory() == 0) continue;
         const auto add = [&](const std::string& what, uint64_t bytes) {
-            bench.add({suite, what + name, entry.name, n, static_cast<double>(bytes) / n, 0, "B", 0, "exact"});
+            bench.add({suite, what + name, entry.name, n, static_cast<double>(bytes) / n, {}, "B", 0, "exact"});
         };
         add("memory_", entry.implementation->memory());
         add("memory_peak_", entry.implementation->peak_memory());

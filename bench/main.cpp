@@ -70,13 +70,14 @@ void scene_suite(Bench& bench) {
         const float half = half_side(n);
         const std::vector<gphys_obb> content = boxes(n);
         std::vector<Entry> entries = everybody();
-        entries.push_back(on_two_threads());
+        add_on_threads(entries);
         bench.measure(
             "scene", "build_scene", n, entries, [&](Implementation& i) { return i.load(content) ? n : 0; }, unchecked);
         report_memory(bench, "scene", "scene", n, entries);
         add_packets(entries, content);
-        entries.push_back(two_apart());
-        entries.back().implementation->load(content);
+        const size_t loaded = entries.size();
+        add_apart(entries);
+        for (size_t i = loaded; i < entries.size(); ++i) entries[i].implementation->load(content);
         ray_cases(
             bench, "scene", "scene", n, half, entries, n, [&](const gphys_ray& r) { return reference(content, r); },
             true);
@@ -275,8 +276,8 @@ void query_suite(Bench& bench) {
         const std::vector<gphys_obb> content = boxes(n);
         const float half = half_side(n);
         std::vector<Entry> entries = everybody();
-        entries.push_back(on_two_threads());
-        entries.push_back(two_apart());
+        add_on_threads(entries);
+        add_apart(entries);
         load(entries, content);
         uint64_t expected = 0, total = 0;
         const auto run = [&](const std::string& name, double operations,

@@ -24,7 +24,7 @@ from cost_error import figure as cost_error_figure
 from marks import look
 from panels import answer_panels, hard_panels, ordinary_panels, solver_panels, usual
 from report import QUANTILES, latencies, read, tables
-from verdicts import against_fastest, against_most_exact, percent, sentences, summary
+from verdicts import against_fastest, against_most_exact, percent, sentences, summary, unstable_methods
 
 MARKS = ("<!-- summary: written by ./bench.sh --report -->\n", "<!-- end of summary -->\n")
 
@@ -100,7 +100,7 @@ Written by `./bench.sh --report{quick}`: in each part of the run the libraries d
 
 ## How to read the figures
 
-Each panel is one kind of work. Left is faster, down is more exact; both axes are logarithmic. The grey line is the Pareto front: the points that no other point beats in both. The band at the bottom, below the axis break, is *no error*. The bar to the right of a point reaches from the fastest repetition to the median. All times are of one thread, unless a label says two threads. "Distance only" is a call that returns no more than the distance. The number of objects is the measured one that is nearest to 100,000; the growth of times with it is in a figure of its own, and *Every row* has all numbers.
+Each panel is one kind of work. Left is faster, down is more exact; both axes are logarithmic. The grey line is the Pareto front: the points that no other point beats in both. The band at the bottom, below the axis break, is *no error*. A point is the fastest repetition, and its bar the middle half of the repetitions; of the solver, a point is the median frame, and its bar the middle half of the frames. All times are of one thread, unless a label says two threads. "Distance only" is a call that returns no more than the distance. The number of objects is the measured one that is nearest to 100,000; the growth of times with it is in a figure of its own, and *Every row* has all numbers.
 
 ## Ordinary work
 
@@ -127,11 +127,12 @@ On most of this input floating-point formulas fail; the first four panels are pl
 {hard}
 ## The solver
 
-The error is the largest strain of rigid links, or the distance from a reference solution; the cost is the time of a frame of 1/60 s. The number after a name is the number of substeps a frame, or of iterations for Bullet and Jakobsen. Cloth that falls on a mesh has a number of substeps, with the strain at the end; or `max_strain`, with the largest strain of the whole run and the time of the mean or the longest frame. No other library of the comparison has such cloth.
+The error is the largest strain of rigid links, or the distance from a reference solution; the cost is the time of a frame of 1/60 s. The number after a name is the number of substeps a frame, or of iterations for Bullet and Jakobsen. The Euler schemes have springs for links, as stiff as the substep allows. Cloth that falls on a mesh has a number of substeps, with the strain at the end; or `max_strain`, with the largest strain of the whole run and the time of the mean or the longest frame. No other library of the comparison has such cloth.
 
 ![Cost against error, solver](images/report_solver.png)
 
 {solver}
+{unstable}
 Energy over a million steps, beside the integrators of the *Game Physics Cookbook*. This figure does not depend on the machine; `./bench.sh energy` draws it.
 
 ![Energy over a million steps](images/energy.png)
@@ -163,7 +164,7 @@ gamephys is built with the flags that users get and called through its C interfa
 - "Built anew" is a scene built from the same boxes in one batch, compared with one that grew or changed by single calls.
 - "Without a filter" is the same query, compared with one that leaves out a model.
 - "Multiplied vertices" is a mesh whose vertices were multiplied by the scale, compared with a model that has that scale. "As a mesh" are the hulls as meshes, which have no inside.
-- "Two independent threads" each have half of the work: the limit of the machine. Culling, moving, saving and loading use one thread.
+- Independent threads have an equal part of the work each: the limit of the machine. Threads are those of gamephys: two, four and so on up to the number of processors. Culling, moving, saving and loading use one thread.
 
 What a call costs from each language is in [bindings.md](bindings.md).
 
@@ -205,7 +206,7 @@ def main():
                                 ordinary=sentences(ordinary, ordinary_errors, against_fastest),
                                 answers=sentences(answers, ["wrong answers"] * len(answers), against_fastest), right="; ".join(right) or "none",
                                 hard=sentences(hard, ["false answers"] * len(hard), against_fastest),
-                                solver=sentences(solver_work, solver_errors, against_most_exact),
+                                solver=sentences(solver_work, solver_errors, against_most_exact), unstable=unstable_methods(solver),
                                 rows=tables(suites, solver).replace("## ", "### ")))
     for readme in sys.argv[4:]:
         put_summary(Path(readme), "  \n".join(machine) + "\n\n" + summary(rows, solver))

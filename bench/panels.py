@@ -1,6 +1,6 @@
 """What the figures of cost against error show: panels of (title, points), from the rows of the benchmarks.
 
-A point is (cost, upper end of its bar or 0, error, library, label).
+A point is (cost, the ends of its bar or None, error, library, label).
 """
 import math
 import sys
@@ -40,8 +40,6 @@ ANSWERS = [
     ("A box swept at convex hulls", "hull_sweep_box"),
 ]
 COUNTED = ("overlap_sphere", "overlap_box", "hull_contains", "cull")
-# Settings of gamephys that are points of their own; others, such as a scene built anew, are in the tables.
-SETTINGS = ("gamephys", "gamephys_2_threads")
 # Panels of the solver: title, and the cases whose rows it has.
 SOLVER = {
     "Swinging chain: error after a second": ["chain_30"],
@@ -68,10 +66,16 @@ def usual(rows, case):
 
 
 def rows_of(rows, case):
-    """{implementation: row} at the usual number of objects: of other libraries, and of settings of gamephys."""
+    """{implementation: row} at the usual number of objects: of other libraries, and of gamephys with one
+    thread and several. Others of gamephys, such as a scene built anew, are in the tables."""
     by = rows.get((case, usual(rows, case)), {})
-    settings = SETTINGS[:1] if case in ONE_THREAD else SETTINGS
-    return {name: row for name, row in by.items() if not name.startswith("gamephys_") or name in settings}
+    return {name: row for name, row in by.items()
+            if not name.startswith("gamephys_") or (name.endswith("_threads") and case not in ONE_THREAD)}
+
+
+def bar(row):
+    """From the lower to the upper quartile of the repetitions, or None where there was one."""
+    return (row["lower_quartile"], row["upper_quartile"]) if row["upper_quartile"] > 0 else None
 
 
 def ordinary_panels(rows):
@@ -94,7 +98,7 @@ def ordinary_panels(rows):
                     continue
                 library = "gamephys_distance" if distance_only else name
                 label = f", {how or 'one call'}" if len(cases) > 1 and name == "gamephys" else ""
-                points.append((row["value"], row["median"], row["error"], library, shown(name) + label))
+                points.append((row["value"], bar(row), row["error"], library, shown(name) + label))
                 unit = row["error_unit"]
         if any(not library.startswith("gamephys") for *_, library, _ in points):
             panels.append((f"{title} ({n:,})", points))
@@ -106,7 +110,7 @@ def answer_panels(rows):
     """(panels, titles of the work in which nobody is wrong and whose error of distance is in the ordinary panels)"""
     panels, right = [], []
     for title, case in ANSWERS:
-        points = [(row["value"], row["median"], row["error"] if case in COUNTED or row["error_unit"] in WRONG else 0, name, shown(name))
+        points = [(row["value"], bar(row), row["error"] if case in COUNTED or row["error_unit"] in WRONG else 0, name, shown(name))
                   for name, row in rows_of(rows, case).items()]
         if not any(not name.startswith("gamephys") for *_, name, _ in points):
             continue
@@ -121,21 +125,31 @@ def hard_panels(rows):
     panels = []
     for case, title in HARD.items():
         by = rows.get((case, usual(rows, case)), {})
-        points = [(row["value"], row["median"], row["error"], name, shown(name)) for name, row in by.items()]
+        points = [(row["value"], bar(row), row["error"], name, shown(name)) for name, row in by.items()]
         if points:
             panels.append((title, points))
     return panels
 
 
+def solver_label(row):
+    return f"{shown(row['method'])} {SOLVER_SETTINGS.get(row['case'], row['substeps'])}".rstrip()
+
+
+def unstable(rows):
+    """{title of a panel: labels of the methods that are unstable there}"""
+    return {title: [solver_label(row) for row in rows if row["case"] in cases and row["strain_max"] == "inf"]
+            for title, cases in SOLVER.items()}
+
+
 def solver_points(rows, cases):
-    """The points of cases of the solver, and the label of their error."""
+    """The points of cases of the solver, without unstable methods, and the label of their error."""
     points, label = [], ""
     for case in cases:
         column, label = SOLVER_ERRORS.get(case, STRAIN)
         for row in rows:
-            if row["case"] == case and row[column]:
-                name = f"{shown(row['method'])} {SOLVER_SETTINGS.get(case, row['substeps'])}".rstrip()
-                points.append((float(row["ms"]), 0, float(row[column]), row["method"], name))
+            if row["case"] == case and row[column] and row["strain_max"] != "inf":
+                frames = (float(row["ms_lower_quartile"]), float(row["ms_upper_quartile"])) if row["ms_upper_quartile"] else None
+                points.append((float(row["ms"]), frames, float(row[column]), row["method"], solver_label(row)))
     return points, label
 
 

@@ -7,6 +7,7 @@ machine.txt. Every number comes from those files.
 """
 import csv
 import pathlib
+import re
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent / "figures"))
@@ -30,7 +31,7 @@ SOLVER_PAGE = """# Figures of the solver
 Written by `./bench.sh --report`. Each row is one case simulated by one method; [solver.md](solver.md) describes the cases.
 
 - **substeps** are those of a 60 Hz frame; iterations for Bullet and Jakobsen.
-- **ms a frame** is the processor time of the median frame. For one and two threads it is wall time; "two independent threads" have a solver each, and the time is that of both together.
+- **ms a frame** is the processor time of the median frame. For one and several threads it is wall time; independent threads have a solver each, and the time is that of all together.
 - **stretch** and **compression** are relative to the length of rigid links: the largest of the run for cases that begin in free space.
 - The error of particles is the depth of the deepest one in a box or the ground at the end; that of the chain is the distance from a reference solution after a second.
 - Frames differ in length by a rounding error, so that every frame is computed. In the rows with steps of equal length, steps that would change nothing are skipped ([solver.md](solver.md), "Steady bodies").
@@ -46,7 +47,7 @@ def read(directory):
         for path in sorted([*directory.glob(f"{suite}.csv"), *directory.glob(f"*/{suite}.csv")]):
             with path.open(newline="") as file:
                 for row in csv.DictReader(file):
-                    for field in ("value", "error", "median"):
+                    for field in ("value", "error", "lower_quartile", "median", "upper_quartile"):
                         row[field] = float(row[field] or 0)
                     suites.setdefault(suite, {}).setdefault((row["case"], int(row["n"])), {})[row["implementation"]] = row
     return suites
@@ -99,32 +100,39 @@ def latency_table(suites):
 
 
 def thread_table(suites, solver):
-    """The speed-up by a second thread, beside that of two independent threads: what the machine allows."""
-    rows = []
+    """The speed-up by several threads, beside that of as many independent threads: what the machine allows."""
+    found = []  # (work, objects, {number of threads and how: speed-up})
     for cases in suites.values():
         for (case, n), by in cases.items():
-            if {"gamephys", "gamephys_2_threads"} <= set(by) and case not in ONE_THREAD:
-                apart = by.get("gamephys_2_apart")
-                own = by["gamephys"]["value"]
-                rows.append([words(case), f"{n:,}", number(own / by["gamephys_2_threads"]["value"]),
-                             number(own / apart["value"]) if apart else ""])
-    ms = {(row["case"], row["method"]): float(row["ms"]) for row in solver}
-    for case, method in ms:
-        if method == "1_thread":
-            one = ms[case, method]
-            rows.append([SOLVER[case], "", number(one / ms[case, "2_threads"]), number(one / ms[case, "2_apart"])])
-    return table(["work", "objects", "speed-up by a second thread", "by two independent threads"], rows) if rows else ""
+            times = {name.removeprefix("gamephys_"): row["value"] for name, row in by.items()}
+            if case not in ONE_THREAD:
+                found.append((words(case), f"{n:,}", speed_ups(times, times.get("gamephys"))))
+    ms = {}
+    for row in solver:
+        ms.setdefault(row["case"], {})[row["method"]] = float(row["ms"])
+    found += [(SOLVER[case], "", speed_ups(times, times["1_thread"])) for case, times in ms.items() if "1_thread" in times]
+    counts = sorted({count for *_, ups in found for count, _ in ups})
+    columns = [(count, how) for count in counts for how in ("threads", "apart")]
+    rows = [[work, n, *(number(ups[key]) if key in ups else "" for key in columns)] for work, n, ups in found if ups]
+    heads = [f"{count} threads" if how == "threads" else f"{count} independent threads" for count, how in columns]
+    return table(["speed-up of work", "objects", *heads], rows) if rows else ""
+
+
+def speed_ups(times, one):
+    """{(number of threads, "threads" or "apart"): how many times as fast as one}"""
+    names = (re.fullmatch("([0-9]+)_(threads|apart)", name) for name in times)
+    return {(int(name[1]), name[2]): one / times[name[0]] for name in names if name}
 
 
 def tables(suites, solver=()):
     parts = [(title, ratios(suites.get(suite, {}))) for suite, title in TITLES.items()]
-    parts += [("Single calls", latency_table(suites)), ("A second thread", thread_table(suites, solver))]
+    parts += [("Single calls", latency_table(suites)), ("Several threads", thread_table(suites, solver))]
     return "".join(f"## {title}\n\n{rows}" for title, rows in parts if rows)
 
 
 def solver_page(directory):
     def percent(text):
-        return f"{100 * float(text):.2g} %" if text else ""
+        return "unstable" if text == "inf" else f"{100 * float(text):.2g} %" if text else ""
 
     measured = []
     for path in directory.glob("*/solver.csv"):

@@ -9,8 +9,13 @@
 #include <cstdio>
 #include <cstring>
 #include <functional>
+#include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <thread>
+
+#include "spread.h"
+#include "thread_counts.h"
 
 namespace bench {
 
@@ -121,7 +126,8 @@ double distance(gphys_vec3 a, gphys_vec3 b) {
     return std::hypot(static_cast<double>(a.x) - b.x, static_cast<double>(a.y) - b.y, static_cast<double>(a.z) - b.z);
 }
 
-/// Of rigid links: the largest stretch and compression, and the root mean square of both.
+/// Of rigid links: the largest stretch and compression, and the root mean square of both. The stretch is infinite where
+/// a method is unstable, so that links are a million times too long or are not numbers any more.
 struct Strain {
     double stretch = 0, compression = 0, rms = 0;
 
@@ -138,7 +144,7 @@ Strain strain_of(const System& system, const std::vector<gphys_vec3>& positions)
     for (const Link& link : system.links) {
         if (link.compliance > 0) continue;
         const double strain = distance(positions[link.a], positions[link.b]) / link.rest - 1;
-        result.stretch = std::max(result.stretch, strain);
+        result.stretch = std::max(result.stretch, strain < 1e6 ? strain : std::numeric_limits<double>::infinity());
         result.compression = std::max(result.compression, -strain);
         squares += strain * strain;
         ++count;
@@ -215,7 +221,7 @@ std::vector<gphys_vec3> reference(const System& system, double seconds) {
 }
 
 struct Contender {
-    const char* name;
+    std::string name;
     std::function<std::unique_ptr<Method>(const System&, uint32_t)> make;
     std::vector<uint32_t> efforts;
     bool several_threads = false;  // timed by the clock on the wall
@@ -227,15 +233,9 @@ double seconds_on_the_wall() {
     return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
 }
 
-double median(std::vector<double>& times) {
-    const auto middle = times.begin() + static_cast<long>(times.size() / 2);
-    std::nth_element(times.begin(), middle, times.end());
-    return *middle;
-}
-
-/// Of a frame of either of two solvers that have a thread each, by the clock: what both make together.
-double milliseconds_apart(const System& system, double seconds, uint32_t substeps) {
-    double frames_per_ms[2];
+/// Of a frame of solvers that have a thread each, by the clock: what they make together.
+double milliseconds_apart(const System& system, double seconds, uint32_t substeps, uint32_t solvers) {
+    std::vector<double> frames_per_ms(solvers);
     const auto move = [&](double& rate) {
         Gamephys solver(system, substeps, 1);
         std::vector<double> times;
@@ -244,12 +244,13 @@ double milliseconds_apart(const System& system, double seconds, uint32_t substep
             solver.step(frame_time(i));
             times.push_back(seconds_on_the_wall() - start);
         }
-        rate = 1e-3 / median(times);
+        rate = 1e-3 / spread_of(times).median;
     };
-    std::thread other(move, std::ref(frames_per_ms[1]));
+    std::vector<std::thread> others;
+    for (uint32_t i = 1; i < solvers; ++i) others.emplace_back(move, std::ref(frames_per_ms[i]));
     move(frames_per_ms[0]);
-    other.join();
-    return 1 / (frames_per_ms[0] + frames_per_ms[1]);
+    for (std::thread& other : others) other.join();
+    return 1 / std::accumulate(frames_per_ms.begin(), frames_per_ms.end(), 0.0);
 }
 
 class Table {
@@ -258,8 +259,10 @@ public:
     Table(const std::string& path, std::vector<std::string> wanted)
         : file_(std::fopen(path.c_str(), "w")), wanted_(std::move(wanted)) {
         if (!file_) throw std::runtime_error("cannot write " + path);
-        std::fputs("suite,case,method,substeps,ms,strain_max,strain_rms,energy_gain,position_error,compression_max\n",
-                   file_);
+        std::fputs(
+            "suite,case,method,substeps,ms,strain_max,strain_rms,energy_gain,position_error,compression_max,"
+            "ms_lower_quartile,ms_upper_quartile\n",
+            file_);
     }
     ~Table() { std::fclose(file_); }
 
@@ -273,9 +276,9 @@ public:
         }
     }
 
-    /// One thread, two of one solver, and two of which each has a solver of its own with the same bodies, so that
-    /// only the processor keeps them from being twice as fast. By turns, the best of several rounds: where processors
-    /// are shared, what one of several threads has to wait for differs from second to second.
+    /// One thread, several of one solver, and as many of which each has a solver of its own with the same bodies, so
+    /// that only the processor keeps them from being as many times as fast. By turns, the best of several rounds: where
+    /// processors are shared, what one of several threads has to wait for differs from second to second.
     void run_threads(const char* name, const System& system, double seconds, uint32_t substeps) {
         if (!wants(name)) return;
         const auto on_threads = [](uint32_t workers) {
@@ -283,21 +286,30 @@ public:
                 return std::make_unique<Gamephys>(bodies, effort, workers);
             };
         };
-        const Contender contenders[]{{"1_thread", on_threads(1), {}, true}, {"2_threads", on_threads(2), {}, true}};
-        constexpr int rounds = 5;
-        Row best[std::size(contenders)];
-        double apart = 0;
-        for (int round = 0; round < rounds; ++round) {
-            for (size_t i = 0; i < std::size(contenders); ++i) {
-                const Row row = measure(system, seconds, contenders[i], substeps, {});
-                if (round == 0 || row.ms < best[i].ms) best[i] = row;
-            }
-            const double ms = milliseconds_apart(system, seconds, substeps);
-            if (round == 0 || ms < apart) apart = ms;
+        const std::vector<uint32_t> counts = thread_counts();
+        std::vector<Contender> contenders{{"1_thread", on_threads(1), {}, true}};
+        for (const uint32_t n : counts) {
+            contenders.push_back({std::to_string(n) + "_threads", on_threads(n), {}, true});
         }
-        for (size_t i = 0; i < std::size(contenders); ++i) print(name, contenders[i], substeps, best[i]);
-        std::printf("%-18s %-10s %5u %9.3f ms\n", name, "2_apart", substeps, apart);
-        std::fprintf(file_, "solver,%s,2_apart,%u,%.4g,,,,\n", name, substeps, apart);
+        constexpr int rounds = 5;
+        std::vector<Row> best(contenders.size());
+        std::vector<double> apart(counts.size());
+        for (int round = 0; round < rounds; ++round) {
+            for (size_t i = 0; i < contenders.size(); ++i) {
+                const Row row = measure(system, seconds, contenders[i], substeps, {});
+                if (round == 0 || row.ms.median < best[i].ms.median) best[i] = row;
+            }
+            for (size_t i = 0; i < counts.size(); ++i) {
+                const double ms = milliseconds_apart(system, seconds, substeps, counts[i]);
+                if (round == 0 || ms < apart[i]) apart[i] = ms;
+            }
+        }
+        for (size_t i = 0; i < contenders.size(); ++i) print(name, contenders[i], substeps, best[i]);
+        for (size_t i = 0; i < counts.size(); ++i) {
+            const std::string method = std::to_string(counts[i]) + "_apart";
+            std::printf("%-18s %-10s %5u %9.3f ms\n", name, method.c_str(), substeps, apart[i]);
+            std::fprintf(file_, "solver,%s,%s,%u,%.4g,,,,\n", name, method.c_str(), substeps, apart[i]);
+        }
         std::fflush(stdout);
     }
 
@@ -359,7 +371,7 @@ public:
 
 private:
     struct Row {
-        double ms;
+        Spread ms;  // of the frames
         Strain strain;
         double gain;
         std::string error;
@@ -394,15 +406,17 @@ private:
             std::snprintf(text, sizeof text, "%.3g", std::sqrt(squares / static_cast<double>(truth.size())));
             error = text;
         }
-        return {median(times) * 1e3, strain, gain, error};
+        return {spread_of(times).scaled(1e3), strain, gain, error};
     }
 
     void print(const char* name, const Contender& contender, uint32_t effort, const Row& row) {
-        std::printf("%-18s %-10s %5u %9.3f ms   %s   energy %+9.2g   error %s\n", name, contender.name, effort, row.ms,
+        const char* method = contender.name.c_str();
+        std::printf("%-18s %-10s %5u %9.3f ms   %s   energy %+9.2g   error %s\n", name, method, effort, row.ms.median,
                     described(row.strain).c_str(), row.gain, row.error.c_str());
         std::fflush(stdout);
-        std::fprintf(file_, "solver,%s,%s,%u,%.4g,%.4g,%.4g,%.4g,%s,%.4g\n", name, contender.name, effort, row.ms,
-                     row.strain.stretch, row.strain.rms, row.gain, row.error.c_str(), row.strain.compression);
+        std::fprintf(file_, "solver,%s,%s,%u,%.4g,%.4g,%.4g,%.4g,%s,%.4g,%.4g,%.4g\n", name, method, effort,
+                     row.ms.median, row.strain.stretch, row.strain.rms, row.gain, row.error.c_str(),
+                     row.strain.compression, row.ms.lower, row.ms.upper);
     }
 
     static std::string described(const Strain& strain) {
@@ -432,10 +446,12 @@ int run(int argc, char** argv) {
         if (argv[i][0] != '-') wanted.emplace_back(argv[i]);
     }
     Table table(directory + "/solver.csv", wanted);
-    const auto everybody = [&](std::vector<uint32_t> substeps, std::vector<uint32_t> xpbd_substeps) {
+    const auto everybody = [&](std::vector<uint32_t> substeps, const std::vector<uint32_t>& baseline_substeps) {
         std::vector<Contender> all{{"gamephys", make_gamephys_solver, std::move(substeps)},
                                    {"jakobsen", make_jakobsen, {50}},
-                                   {"xpbd", make_xpbd, std::move(xpbd_substeps)}};
+                                   {"xpbd", make_xpbd, baseline_substeps},
+                                   {"explicit_euler", make_explicit_euler, baseline_substeps},
+                                   {"semi_implicit_euler", make_semi_implicit_euler, baseline_substeps}};
 #ifdef GAMEPHYS_BENCH_PEERS
         all.push_back({"bullet", make_bullet_soft, {10, 50}});
 #endif

@@ -45,6 +45,9 @@ std::unique_ptr<Method> make_gamephys_solver(const System& system, uint32_t subs
 std::unique_ptr<Method> make_jakobsen(const System& system, uint32_t iterations);
 /// Macklin et al. 2016 and 2019: a single projection of each link per substep.
 std::unique_ptr<Method> make_xpbd(const System& system, uint32_t substeps);
+/// Springs as stiff as the substeps allow. Positions move by the old velocities, or by the new ones.
+std::unique_ptr<Method> make_explicit_euler(const System& system, uint32_t substeps);
+std::unique_ptr<Method> make_semi_implicit_euler(const System& system, uint32_t substeps);
 #ifdef GAMEPHYS_BENCH_PEERS
 std::unique_ptr<Method> make_bullet_soft(const System& system, uint32_t iterations);
 #endif

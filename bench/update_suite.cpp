@@ -29,7 +29,7 @@ void rays_beside_fresh(Bench& bench, const std::string& name, Entry used, const 
 void report_calls(Bench& bench, const std::string& name, uint32_t n, const CallTimes& times) {
     const std::pair<const char*, double> quantiles[] = {{"_p50", 0.5}, {"_p99", 0.99}, {"_p99_9", 0.999}, {"_max", 1}};
     for (const auto& [suffix, part] : quantiles) {
-        bench.add({"update", name + suffix, "gamephys", n, times.quantile(part), 0, "ns", 0, "unchecked"});
+        bench.add({"update", name + suffix, "gamephys", n, times.quantile(part), {}, "ns", 0, "unchecked"});
     }
 }
 
@@ -149,7 +149,7 @@ void update_of_many(Bench& bench) {
         frames.push_back(content);
     }
     std::vector<Entry> entries = everybody(true);
-    entries.push_back(on_two_threads());
+    add_on_threads(entries);
     load(entries, boxes(n));
     size_t frame = 0;
     bench.measure(

@@ -1,8 +1,8 @@
 """What one pays and what one gets: a sentence for each panel of a figure, and the table of all kinds of work.
 
-A point is (cost, upper end of its bar or 0, error, library, label), as in panels.py.
+A point is (cost, the ends of its bar or None, error, library, label), as in panels.py.
 """
-from panels import WRONG, rows_of, solver_points, usual
+from panels import WRONG, rows_of, solver_points, unstable, usual
 from marks import shown
 from report import number, table
 
@@ -46,6 +46,10 @@ SOLVER_SUMMARY = [
 ]
 
 
+def cost(point):
+    return point[0]
+
+
 def percent(share):
     return "0" if share == 0 else f"{100 * share:.2g} %"
 
@@ -83,7 +87,7 @@ def against_fastest(points, label):
     same_work = [point for point in own if point[3] == "gamephys"]
     if not same_work or not others:
         return None
-    show, best, fastest = writer(label), min(same_work), min(others)
+    show, best, fastest = writer(label), min(same_work, key=cost), min(others, key=cost)
     text = f"{best[4]} takes {times(best[0] / fastest[0])} the time of {fastest[4]}, the fastest other; "
     if fastest[2] == best[2]:
         what = label if label.endswith("answers") else "an error"
@@ -91,7 +95,8 @@ def against_fastest(points, label):
     text += f"its {NOUNS.get(label, label)} is {show(best[2])} instead of {show(fastest[2])}."
     exact = [point for point in others if point[2] <= best[2]]
     if exact:
-        text += f" {min(exact)[4]}, as exact, takes {number(min(exact)[0] / best[0])} times its time."
+        other = min(exact, key=cost)
+        text += f" {other[4]}, as exact, takes {number(other[0] / best[0])} times its time."
     return text
 
 
@@ -102,23 +107,29 @@ def pair(points):
     if not own or not others:
         return None
     other = min(others, key=lambda point: (point[2], point[0]))
-    return min((point for point in own if point[2] <= other[2]), default=min(own, key=lambda point: (point[2], point[0]))), other
+    exact = [point for point in own if point[2] <= other[2]]
+    return min(exact, key=cost) if exact else min(own, key=lambda point: (point[2], point[0])), other
 
 
 def against_most_exact(points, label):
     both = pair(points)
     if not both:
         return None
-    (cost, _, error, _, name), (its_cost, _, its_error, _, its_name) = both
-    show = writer(label)
-    return (f"{name} takes {times(cost / its_cost)} the time of {its_name}, the most exact other; its {NOUNS.get(label, label)} is "
-            f"{show(error)} instead of {show(its_error)}.")
+    show, (best, other) = writer(label), both
+    return (f"{best[4]} takes {times(best[0] / other[0])} the time of {other[4]}, the most exact other; its {NOUNS.get(label, label)} is "
+            f"{show(best[2])} instead of {show(other[2])}.")
 
 
 def sentences(panels, labels, compare):
     """A list with a sentence for each panel; labels are those of the error axes."""
     found = [(title, compare(points, label)) for (title, points), label in zip(panels, labels)]
     return "".join(f"- **{title}**: {text}\n" for title, text in found if text)
+
+
+def unstable_methods(rows):
+    """A sentence about the methods of the solver that have no points."""
+    parts = [f"{', '.join(names)} ({title})" for title, names in unstable(rows).items() if names]
+    return f"Unstable, and therefore without a point: {'; '.join(parts)}.\n" if parts else ""
 
 
 def verdict(ratio, own, other):

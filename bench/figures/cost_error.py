@@ -65,7 +65,7 @@ class ErrorAxis:
 
 
 def panel(axes, title, points, cost_label, error_label, percent=False):
-    """points: (cost, slower cost or 0, error, library, label). Returns what place_labels needs."""
+    """points: (cost, the ends of its bar or None, error, library, label). Returns what place_labels needs."""
     scale = ErrorAxis([error for _, _, error, _, _ in points], percent)
     axes.set_xscale("log")
     costs = [cost for cost, *_ in points]
@@ -86,15 +86,15 @@ def panel(axes, title, points, cost_label, error_label, percent=False):
     xs.append(axes.get_xlim()[1])
     ys.append(ys[-1])
     axes.plot(xs, ys, color="#bbbbbb", linewidth=1.4, zorder=1)
-    for cost, slower, error, library, _ in points:
+    for cost, bar, error, library, _ in points:
         colour, marker = look(library)
-        if slower > cost:
-            axes.plot([cost, slower], [scale(error)] * 2, color=colour, linewidth=2, alpha=0.5, zorder=2)
+        if bar:
+            axes.plot(bar, [scale(error)] * 2, color=colour, linewidth=3, alpha=0.5, solid_capstyle="butt", zorder=2)
         axes.plot([cost], [scale(error)], marker=marker, color=colour, markeredgecolor="white", markeredgewidth=0.8,
                   zorder=5 if library == "gamephys" else 3)
     axes.yaxis.set_minor_locator(NullLocator())
     labels = [(cost, scale(error), label, look(library)[0], error == 0) for cost, _, error, library, label in points]
-    bars = [(cost, scale(error), slower) for cost, slower, error, _, _ in points if slower > cost]
+    bars = [(bar[0], scale(error), bar[1]) for _, bar, error, _, _ in points if bar]
     lines = [list(zip(xs, ys))]
     if middle is not None:
         lines.append([(x, middle) for x in axes.get_xlim()])

@@ -49,7 +49,7 @@ def apart(point, box):
 
 
 def named(points):
-    return [(cost, 1.1 * cost, error, name.split(",")[0], name) for name, cost, error in points]
+    return [(cost, (1.02 * cost, 1.1 * cost), error, name.split(",")[0], name) for name, cost, error in points]
 
 
 class Figures(unittest.TestCase):
@@ -90,12 +90,12 @@ class Figures(unittest.TestCase):
         self.assertEqual(len(drawn.leaders), len(CAMERA_AT_MESH))
 
     def test_labels_of_points_at_one_place_do_not_overlap(self):
-        drawn = Drawn([(100, 130, 1e-6, "embree", f"library number {i}") for i in range(6)])
+        drawn = Drawn([(100, (110, 130), 1e-6, "embree", f"library number {i}") for i in range(6)])
         self.assertEqual(len(drawn.boxes), 6)
         self.check_labels(drawn)
 
     def test_a_label_without_room_is_named(self):
-        drawn = Drawn([(100, 0, 1e-6, "embree", f"library number {i}") for i in range(100)])
+        drawn = Drawn([(100, None, 1e-6, "embree", f"library number {i}") for i in range(100)])
         self.assertGreater(len(drawn.lost), 10)
         self.assertEqual(len(drawn.lost) + len(drawn.boxes), 100)
 
