@@ -21,6 +21,7 @@ from matplotlib.ticker import FuncFormatter
 sys.path.insert(0, str(Path(__file__).parent / "figures"))
 from cases import CALLS
 from cost_error import figure as cost_error_figure
+from languages import languages
 from marks import look
 from panels import answer_panels, hard_panels, ordinary_panels, solver_panels, usual
 from report import QUANTILES, latencies, read, tables
@@ -147,6 +148,9 @@ Each call is timed alone, in three runs, of which the fastest counts. So these a
 
 ![Latency of single calls](images/report_latency.png)
 
+## Languages
+
+{languages}
 ## All kinds of work
 
 gamephys compared with the fastest other library that gave no wrong answer, or with the fastest if each gave some: then its error is the share of them. Ratios are gamephys divided by the other: below 1 gamephys is faster, or more exact. The error is as in *Ordinary work*; it is empty where nothing is answered. Of solvers, which have several settings, the row has the most exact other and the fastest setting of gamephys that is as exact. Green is faster and at least as exact, red is slower or less exact.
@@ -165,8 +169,6 @@ gamephys is built with the flags that users get and called through its C interfa
 - "Without a filter" is the same query, compared with one that leaves out a model.
 - "Multiplied vertices" is a mesh whose vertices were multiplied by the scale, compared with a model that has that scale. "As a mesh" are the hulls as meshes, which have no inside.
 - Independent threads have an equal part of the work each: the limit of the machine. Threads are those of gamephys: two, four and so on up to the number of processors. Culling, moving, saving and loading use one thread.
-
-What a call costs from each language is in [bindings.md](bindings.md).
 
 [What limits the speed](limits_of_speed.md) explains the rows in which gamephys is slower.
 
@@ -202,7 +204,7 @@ def main():
     quick = any(line.startswith("Work: a part") for line in machine)
     busy = ", so times are too long and ratios less certain: repeat it on a quiet machine" if load_average > 0.7 * os.cpu_count() else ""
     page.write_text(PAGE.format(machine="  \n".join(machine) + "  ", minutes=math.ceil(seconds / 60), load=load_average, busy=busy,
-                                quick=" --quick" if quick else "", summary=summary(rows, solver),
+                                quick=" --quick" if quick else "", summary=summary(rows, solver), languages=languages(directory, images),
                                 ordinary=sentences(ordinary, ordinary_errors, against_fastest),
                                 answers=sentences(answers, ["wrong answers"] * len(answers), against_fastest), right="; ".join(right) or "none",
                                 hard=sentences(hard, ["false answers"] * len(hard), against_fastest),

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Measures for the report, part by part: run_report.py PROGRAMS DIRECTORY [--quick]
 
-PROGRAMS is the folder of the benchmarks. Each part writes its rows into DIRECTORY/PART; a part that is there already,
+PROGRAMS is the folder of the benchmarks in a build; calls from other languages are measured if the build has their
+packages. Each part writes its rows into DIRECTORY/PART; a part that is there already,
 measured by the same programs, is not measured again, so an interrupted run goes on where it was. On a terminal a line
 shows how far it is and how long it will take; otherwise each part that is done gets a line.
 """
@@ -20,7 +21,10 @@ SOLVER = {"chain_30": True, "rope_1e3": True, "rope_1e6": False, "ropes_1000x30"
           "drape_within_2_percent": False}
 
 
-def parts(quick):
+OVERHEAD = Path(__file__).resolve().parent.parent / "bindings/overhead/measure.py"
+
+
+def parts(quick, commands):
     """(name, program, arguments, seconds that it takes on a machine of two cores: for the first estimate)"""
     sizes = {1000: 15, 10000: 25} if quick else {1000: 65, 10000: 75, 100000: 340, 1000000: 430, 4000000: 260}
     extra = ["--quick"] if quick else []
@@ -30,7 +34,10 @@ def parts(quick):
     solver = [(f"solver_{case}", "gamephys_bench_solver", [case, *extra], 10 if quick else 25)
               for case, is_quick in SOLVER.items() if is_quick or not quick]
     # What the first figures show comes first, for those who look before the end.
-    return found + ordinary[:1] + solver + ordinary[1:]
+    found += ordinary[:1] + solver + ordinary[1:]
+    if commands.exists():
+        found.append(("overhead", OVERHEAD, [str(commands), *extra], 15 if quick else 75))
+    return found
 
 
 def fingerprint(programs):
@@ -89,7 +96,7 @@ def main():
         for folder in directory.glob("*/took.json"):
             shutil.rmtree(folder.parent)
         mark.write_text(now)
-    todo = parts(quick)
+    todo = parts(quick, programs.parent / "bindings/overheads.txt")
     kept = {name for name, *_ in todo if (directory / name / "took.json").exists()}
     progress = Progress(len(todo))
     expected, passed = sum(part[3] for part in todo if part[0] not in kept), 0.0
