@@ -89,12 +89,13 @@ def panel(axes, title, points, cost_label, error_label, percent=False):
     for cost, bar, error, library, _ in points:
         colour, marker = look(library)
         if bar:
-            axes.plot(bar, [scale(error)] * 2, color=colour, linewidth=3, alpha=0.5, solid_capstyle="butt", zorder=2)
+            axes.plot(bar, [scale(error)] * 2, color=colour, linewidth=4, alpha=0.5, solid_capstyle="butt", zorder=2)
+            axes.plot([min(cost, bar[0]), max(cost, bar[1])], [scale(error)] * 2, color=colour, linewidth=1, zorder=2)
         axes.plot([cost], [scale(error)], marker=marker, color=colour, markeredgecolor="white", markeredgewidth=0.8,
                   zorder=5 if library == "gamephys" else 3)
     axes.yaxis.set_minor_locator(NullLocator())
     labels = [(cost, scale(error), label, look(library)[0], error == 0) for cost, _, error, library, label in points]
-    bars = [(bar[0], scale(error), bar[1]) for _, bar, error, _, _ in points if bar]
+    bars = [(min(cost, bar[0]), scale(error), max(cost, bar[1])) for cost, bar, error, _, _ in points if bar]
     lines = [list(zip(xs, ys))]
     if middle is not None:
         lines.append([(x, middle) for x in axes.get_xlim()])

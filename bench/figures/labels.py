@@ -46,8 +46,8 @@ def apart(point, box):
 
 
 def same_place(point, other):
-    """Whether the marks of two points cover each other."""
-    return abs(point[0] - other[0]) + abs(point[1] - other[1]) < 8
+    """Whether nobody can tell the marks of two points apart."""
+    return abs(point[0] - other[0]) + abs(point[1] - other[1]) < 4
 
 
 def leader_from(box, point):
@@ -96,7 +96,7 @@ class Panel:
         leader = None if clear and not label.always_led else leader_from(box, label.at)
         cost = own + (0 if clear else 8) + 0.02 * abs(label.at[0] - (box.x0 + box.x1) / 2)
         if foreign < own:
-            cost += 30 + own - foreign
+            cost += 50 + own - foreign
         cost += 12 * sum(line.intersects_bbox(padded(box, 1, 1), filled=False) for line in self.lines)
         if leader:
             cost += 60 * sum(leader.intersects_bbox(mark, filled=False) for mark, point in zip(self.marks, self.points)

@@ -75,7 +75,7 @@ class Figures(unittest.TestCase):
             nearest = min(apart(point, box) for other, point in drawn.points.items() if other != label)
             self.assertTrue(led or apart(own, box) <= nearest, f"{label} is nearer to the point of another")
             for leader in drawn.leaders:  # those to the same place may go behind
-                crossed = Path(leader).intersects_bbox(box) and math.dist(leader[1], own) > 8
+                crossed = Path(leader).intersects_bbox(box) and math.dist(leader[1], own) > 4
                 self.assertFalse(crossed, f"a line goes through {label}")
 
     def test_labels_of_crowded_points_tell_which_is_theirs(self):
