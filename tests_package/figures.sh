@@ -1,6 +1,9 @@
 #!/usr/bin/env bash
-# The figures of the report: labels do not overlap, and none is lost silently. 77: matplotlib is not installed.
+# The report: its tables and sentences say what was measured; labels of figures do not overlap, and none is lost
+# silently. 77: matplotlib is not installed.
 source "$SOURCE/tests_package/common.sh"
 python=/usr/bin/python3
 [ -x $python ] || python=python3
-PYTHONDONTWRITEBYTECODE=1 exec $python "$SOURCE/bench/figures/test_figures.py"
+export PYTHONDONTWRITEBYTECODE=1
+$python "$SOURCE/bench/test_report.py"
+exec $python "$SOURCE/bench/figures/test_figures.py"
