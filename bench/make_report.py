@@ -101,7 +101,7 @@ Written by `./bench.sh --report{quick}`: in each part of the run the libraries d
 
 ## How to read the figures
 
-Each panel is one kind of work. Left is faster, down is more exact; both axes are logarithmic. The grey line is the Pareto front: the points that no other point beats in both. The band at the bottom, below the axis break, is *no error*. A point is the fastest repetition, and its bar the middle half of the repetitions; of the solver, a point is the median frame, and its bar the middle half of the frames. All times are of one thread, unless a label says two threads. "Distance only" is a call that returns no more than the distance. The number of objects is the measured one that is nearest to 100,000; the growth of times with it is in a figure of its own, and *Every row* has all numbers.
+Each panel is one kind of work. Left is faster, down is more exact; both axes are logarithmic. The grey line is the Pareto front: the points that no other point beats in both. The band at the bottom, below the axis break, is *no error*. A point is the fastest repetition, and its bar the middle half of the repetitions; of the solver, a point is the median frame, and its bar the middle half of the frames. All times are of one thread, unless a label has a number of threads. "Distance only" is a call that returns no more than the distance. The number of objects is the measured one that is nearest to 100,000; the growth of times with it is in a figure of its own, and *Every row* has all numbers.
 
 ## Ordinary work
 

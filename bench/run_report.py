@@ -31,7 +31,7 @@ def parts(quick, commands):
     found = [(f"scene_{n}", "gamephys_bench", ["scene", f"--objects={n}", *extra], seconds) for n, seconds in sizes.items()]
     suites = {"accuracy": (25, 230), "mesh": (15, 390), "query": (25, 330), "update": (15, 480)}
     ordinary = [(suite, "gamephys_bench", [suite, *extra], seconds[not quick]) for suite, seconds in suites.items()]
-    solver = [(f"solver_{case}", "gamephys_bench_solver", [case, *extra], 10 if quick else 25)
+    solver = [(f"solver_{case}", "gamephys_bench_solver", [case, *extra], 12 if quick else 35)
               for case, is_quick in SOLVER.items() if is_quick or not quick]
     # What the first figures show comes first, for those who look before the end.
     found += ordinary[:1] + solver + ordinary[1:]

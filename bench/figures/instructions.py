@@ -24,7 +24,7 @@ def main():
     parts = list(rows)[:5]
     embree = next(name for name in rows if name.startswith("Embree"))
     plt.style.use(str(Path(__file__).parent / "style.mplstyle"))
-    drawing, axes = plt.subplots(figsize=(10, 4.4), layout="constrained")
+    drawing, axes = plt.subplots(figsize=(10, 5.4), layout="constrained")
     for i in range(len(columns)):
         left = 0
         for part, colour in zip(parts, COLOURS):
