@@ -54,7 +54,8 @@ class Summary(unittest.TestCase):
 
 
 class Panels(unittest.TestCase):
-    rays = {("scene_ray_rows", 100000): {"gamephys": row(140, 0), "gamephys_2_threads": row(80, 0), "gamephys_2_apart": row(70, 0),
+    rays = {("scene_ray_rows", 100000): {"gamephys": row(140, 0), "gamephys_2_threads": row(80, 0), "gamephys_16_threads": row(20, 0),
+                                         "gamephys_2_apart": row(70, 0),
                                          "embree": row(310, 4e-7), "embree_packets": row(100, 4e-7), "bullet": row(9000, 0.02, "WRONG_FRACTION")},
             ("scene_single_rows", 100000): {"gamephys": row(450, 0), "embree": row(300, 4e-7)},
             ("scene_distance_camera", 100000): {"gamephys": row(130, 0), "gamephys_2_threads": row(70, 0)}}
@@ -63,7 +64,7 @@ class Panels(unittest.TestCase):
         (panel,), labels = ordinary_panels(self.rays)
         self.assertEqual(panel[0], "A ray of a camera at boxes (100,000)")
         self.assertEqual({label for *_, label in panel[1]},
-                         {"gamephys, batch", "gamephys, one call", "gamephys, distance only, in tiles", "gamephys, 2 threads", "Embree",
+                         {"gamephys, batch", "gamephys, one call", "gamephys, distance only, in tiles", "gamephys, 16 threads", "Embree",
                           "Embree packets"})
         self.assertEqual([cost for cost, *_, label in panel[1] if label == "Embree"], [300])
         self.assertEqual(labels, ["largest relative error"])
@@ -72,7 +73,7 @@ class Panels(unittest.TestCase):
         panels, right = answer_panels({**self.rays, ("nearest_box", 100000): {"gamephys": row(600, 0), "embree": row(1200, 7e-5)}})
         self.assertEqual([title for title, _ in panels], ["A ray of a camera at boxes (100,000)"])
         errors = {label: error for _, _, error, _, label in panels[0][1]}
-        self.assertEqual(errors, {"gamephys": 0, "gamephys, 2 threads": 0, "Embree": 0, "Embree packets": 0, "Bullet": 0.02})
+        self.assertEqual(errors, {"gamephys": 0, "gamephys, 16 threads": 0, "Embree": 0, "Embree packets": 0, "Bullet": 0.02})
         self.assertEqual(right, ["the nearest box to a point"])
 
     def test_unstable_methods_have_no_point_and_are_named(self):

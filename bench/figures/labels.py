@@ -6,7 +6,7 @@ from matplotlib.colors import to_hex, to_rgb
 from matplotlib.path import Path
 from matplotlib.transforms import Bbox
 
-ATTEMPTS = 40  # orders in which the labels of a panel choose their places
+ATTEMPTS = 40  # orders in which the labels of a panel choose their places; up to ten times as many if some find none
 
 
 @dataclass
@@ -123,18 +123,19 @@ def fits(place, chosen):
 
 def choose(choices):
     """A place of each label, or None, such that all fit together: the cheapest of several attempts, in each of which
-    the labels choose one after the other."""
+    the labels choose one after the other. As long as some find no place, others try places that are not their best."""
     shuffled, best, best_cost = random.Random(1), None, None
     order = sorted(range(len(choices)), key=lambda i: len(choices[i]))
-    for _ in range(ATTEMPTS):
+    for attempt in range(10 * ATTEMPTS):
         chosen = {}
         for i in order:
-            chosen[i] = next((place for place in choices[i] if fits(place, [other for other in chosen.values() if other])), None)
+            places = choices[i] if attempt < ATTEMPTS else sorted(choices[i], key=lambda place: place.cost * shuffled.uniform(1, 3))
+            chosen[i] = next((place for place in places if fits(place, [other for other in chosen.values() if other])), None)
         cost = (sum(place is None for place in chosen.values()), sum(place.cost for place in chosen.values() if place))
         if best is None or cost < best_cost:
             best, best_cost = chosen, cost
-        if cost[0] > 20:
-            break  # far too many for any order
+        if cost[0] > 20 or (attempt >= ATTEMPTS and best_cost[0] == 0):
+            break  # far too many for any order, or done
         order = shuffled.sample(order, len(order))
     return [best[i] for i in range(len(choices))]
 

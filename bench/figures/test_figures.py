@@ -25,6 +25,8 @@ CAMERA_AT_MESH = [("gamephys", 64.4, 0), ("gamephys_float", 90, 0), ("embree", 1
                   ("embree_packets", 31.5, 0), ("embree_packets_robust", 28.6, 0), ("bullet", 1250, 0)]
 CALLS_AT_MESH = [("gamephys", 223, 0), ("gamephys, one call", 344, 0), ("embree", 266, 3.5e-7), ("embree_robust", 310, 2.4e-7),
                  ("bullet", 3480, 3.5e-7)]
+NO_ROOM_AT_FIRST = [("gamephys", 181, 0), ("gamephys_float", 134, 0), ("embree", 275, 0), ("embree_robust", 113, 0),
+                    ("embree_packets", 71, 0), ("embree_packets_robust", 86, 0), ("bullet", 8600, 2.3e-2)]
 SWARM = [(f"embree, {column} {row}", 100 * 1.35 ** column, 1e-6 * 4.0 ** row) for column in range(4) for row in range(3)]
 
 
@@ -79,7 +81,7 @@ class Figures(unittest.TestCase):
                 self.assertFalse(crossed, f"a line goes through {label}")
 
     def test_labels_of_crowded_points_tell_which_is_theirs(self):
-        for points in (CAMERA_AT_BOXES, CAMERA_AT_MESH, CALLS_AT_MESH, SWARM):
+        for points in (CAMERA_AT_BOXES, CAMERA_AT_MESH, CALLS_AT_MESH, NO_ROOM_AT_FIRST, SWARM):
             with self.subTest(points=points):
                 drawn = Drawn(named(points))
                 self.assertEqual(len(drawn.boxes), len(points))
