@@ -97,11 +97,11 @@ PAGE = """# Report: speed against error
 {machine}
 Measured in: {minutes:.0f} minutes; load average of other programs up to {load:.1f}{busy}
 
-Written by `./bench.sh --report{quick}`: in each part of the run the libraries did the same work, interleaved. Run it on your machine to replace the page.
+Written by `./bench.sh --report{quick}`: in each part of the run the libraries did the same work, interleaved. Run it to regenerate this page for your machine.
 
 ## How to read the figures
 
-Each panel is one kind of work. Left is faster, down is more exact; both axes are logarithmic. The grey line is the Pareto front: the points that no other point beats in both. The band at the bottom, below the axis break, is *no error*. A point is the fastest repetition, and its bar the middle half of the repetitions; of the solver, a point is the median frame, and its bar the middle half of the frames. All times are of one thread, unless a label has a number of threads. "Distance only" is a call that returns no more than the distance. The number of objects is the measured one that is nearest to 100,000; the growth of times with it is in a figure of its own, and *Every row* has all numbers.
+Each panel is one kind of work. Points further left are faster, points lower down are more exact; both axes are logarithmic. The grey line is the Pareto front: the points that no other point beats in both respects. The band at the bottom, below the axis break, is *no error*. A point is the fastest repetition, and its bar the middle half of the repetitions; of the solver, a point is the median frame, and its bar the middle half of the frames. All times are of one thread, unless a label has a number of threads. "Distance only" is a call that returns no more than the distance. The number of objects is the measured one closest to 100,000; *Growth* shows how times grow with it, and *Every row* has all numbers.
 
 ## Ordinary work
 
@@ -121,7 +121,7 @@ Work in which no library gave a wrong answer: {right}.
 
 ## Hard cases
 
-On most of this input floating-point formulas fail; the first four panels are plain work beside it. The error is the share of wrong answers: a false hit or a missed one. The truth is known because the input consists of whole numbers, or because no ray leaves a closed surface.
+On most of this input floating-point formulas fail; the first four panels show ordinary work for comparison. The error is the share of wrong answers: false or missed hits. The correct answer is known because the input consists of whole numbers, or because no ray leaves a closed surface.
 
 ![Cost against false answers, hard cases](images/report_hard.png)
 
@@ -162,18 +162,18 @@ The time of gamephys, and its ratio to that of each other library. † marks lib
 
 gamephys is built with the flags that users get and called through its C interface, in batches where they exist. The time ends when the answers are in memory. The box tests that a user writes for Embree are compiled for this processor; Embree's packets have sixteen rays and its flag for coherent rays.
 
-- Rays of a camera come in tiles of 8 by 8 pixels, or row by row. A mesh is taken by itself, or as the only model of a scene; other libraries have it without a scene.
+- Rays of a camera come in tiles of 8 by 8 pixels, or row by row. A mesh is queried by itself, or as the only model of a scene; other libraries use it without a scene.
 - Memory is all that was allocated through the libraries' allocator hooks, plus the boxes that Embree's tests read.
 - "Linear scan of blocks" tests a box around each 64 neighbouring boxes first.
 - "Built anew" is a scene built from the same boxes in one batch, compared with one that grew or changed by single calls.
 - "Without a filter" is the same query, compared with one that leaves out a model.
-- "Multiplied vertices" is a mesh whose vertices were multiplied by the scale, compared with a model that has that scale. "As a mesh" are the hulls as meshes, which have no inside.
+- "Multiplied vertices" is a mesh whose vertices were multiplied by the scale, compared with a model that has that scale. "As a mesh" means that the hulls are surface meshes, which have no inside.
 - Independent threads have an equal part of the work each: the limit of the machine. Threads are those of gamephys: two, four and so on up to the number of processors. Culling, moving, saving and loading use one thread.
 
 [What limits the speed](limits_of_speed.md) explains the rows in which gamephys is slower.
 
 {rows}
-Each figure exists as SVG, too, beside the PNG. [accuracy.md](accuracy.md) has the promises, [solver.md](solver.md) the solver's cases.
+An SVG of each figure is stored beside the PNG. [accuracy.md](accuracy.md) states the error bounds, [solver.md](solver.md) describes the solver's cases.
 """
 
 # The part of the README between its marks.
