@@ -1,4 +1,4 @@
-/* Queries with a filter, which leaves out models. A player stands in a corridor along
+/* Queries with a filter, which leaves out models. A player is in a corridor along
  * x, a capsule with a radius of 0.5 m at the origin, who carries a lamp in front of
  * him. A guard of the same size is 5 m ahead of him, and behind the guard is a wall,
  * from x = 10 on and 3 m high. */
@@ -281,7 +281,7 @@ static void sweep_sphere_batch(const gphys_scene* scene, gphys_model_id guard,
     EXPECT(hits[0].model == wall && hits[1].t == INFINITY);
 }
 
-/* The guard walks 8 m along x: his own capsule moves, and he does not stand in his own
+/* The guard walks 8 m along x: his own capsule moves, and he is not in his own
  * way. */
 static void sweep(const gphys_scene* scene, gphys_model_id guard, gphys_model_id wall) {
     const gphys_capsule body = {{5, 0.5f, 0}, {5, 1.5f, 0}, 0.5f};
