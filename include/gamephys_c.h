@@ -62,7 +62,7 @@
  *            stride at least the element's size, both multiples of 4.
  *            All elements are checked before any output is written. Item i of a batch is bit for
  *            bit what the single call would give.
- * Memory     Queries allocate nothing. Nothing that the library returns has to be freed except
+ * Memory     Queries of scenes, meshes and shapes allocate nothing. Nothing that the library returns has to be freed except
  *            handles. Arrays are copied in and copied out, never kept.
  * Threads    Different objects: any threads. One object: functions that take it as const may run
  *            at the same time; all others need external synchronisation. No thread is started unless a
@@ -1513,7 +1513,7 @@ GPHYS_API gphys_status gphys_scene_penetration_filtered_batch(const gphys_scene*
 
 /** Rebuild the scene's octree, as good as that of one gphys_scene_add_batch. Never required: ids, answers and their
  *  bits do not change. Where many models were added one by one, such as a level that was streamed in, rays then take
- *  0.5 to 0.9 of the time.
+ *  0.6 to 0.95 of the time.
  *  @return GPHYS_ERROR_OUT_OF_MEMORY, with nothing changed
  *  Cost: O(n log n), 0.15 to 0.45 us a model, less with workers; allocates.  Since 1.1. */
 GPHYS_API gphys_status gphys_scene_rebuild_octree(gphys_scene* scene);
@@ -1521,7 +1521,7 @@ GPHYS_API gphys_status gphys_scene_rebuild_octree(gphys_scene* scene);
  *  that are streamed in while frames go on. Each gphys_scene_add and gphys_scene_remove does a part by itself; these
  *  calls do the rest. Never needed: ids, answers and their bits stay as they are. Models may be added, moved and
  * removed between the calls. A call that updates an eighth of them or more restarts it.
- *  @param budget    how much work to do, as a number of models, of 0.3 to 1 us each. The work is the same on every
+ *  @param budget    how much work to do, as a number of models, of 0.3 to 3 us each. The work is the same on every
  *                   machine and does not depend on time.
  *  @param out_done  1: nothing is left to do, since fewer than one in 64 models were added one by one; 0: call again
  *  @return GPHYS_ERROR_OUT_OF_MEMORY: the octree is as before, and the next call begins again
@@ -2078,7 +2078,7 @@ typedef struct gphys_body_desc {
     float breaking_force;   /* of each constraint, newtons, >= 0; 0: none breaks; default 0; see gphys_break */
 } gphys_body_desc;
 /* Woven cloth drapes because it shears and bends easily, and by default sheets do neither: on round or sharp models
- * their rigid constraints cannot all hold, and a sheet keeps moving by millimetres a second. A sheet nearly comes to
+ * their rigid constraints cannot all hold, and a sheet keeps moving by centimetres a second. A sheet nearly comes to
  * rest there with shear_compliance and bend_compliance of about 1 / (m w^2), where m = mass / (columns * rows) and
  * w = 30 rad/s, and a damping of 1 or 2 per second. It hangs with more strain beside its pins; curtains and
  * capes do better with damping alone. docs/solver.md has measured both. */
@@ -2620,7 +2620,7 @@ typedef uint32_t gphys_joint_id;
  *  @param compliance   metres per newton, >= 0; 0 is rigid
  *  @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same body (see
  *          gphys_solver_add_distance); GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints
- *  Cost: the next step plans all joined ropes again. A link of them takes some three times as long as one
+ *  Cost: the next step plans all joined ropes again. A link of them takes about 2.5 times as long as one
  *  of a rope that is not joined. Allocates. */
 GPHYS_API gphys_status gphys_solver_join(gphys_solver* solver, gphys_body_id body_a, uint32_t particle_a,
                                          gphys_body_id body_b, uint32_t particle_b, float rest_length, float compliance,

@@ -1063,7 +1063,7 @@ public:
 
     // Rebuild the scene's octree, as good as that of one Scene::add_batch. Never required: ids, answers
     // and their bits do not change. Where many models were added one by one, such as a level that was
-    // streamed in, rays then take 0.5 to 0.9 of the time.
+    // streamed in, rays then take 0.6 to 0.95 of the time.
     // Throws Error with GPHYS_ERROR_OUT_OF_MEMORY with nothing changed.
     // Cost: O(n log n), 0.15 to 0.45 us a model, less with workers; allocates. Since 1.1.
     void rebuild_octree() {
@@ -1075,7 +1075,7 @@ public:
     // itself; these calls do the rest. Never needed: ids, answers and their bits stay as they are. Models
     // may be added, moved and removed between the calls. A call that updates an eighth of them or more
     // restarts it.
-    //   - budget: how much work to do, as a number of models, of 0.3 to 1 us each. The work is the same on
+    //   - budget: how much work to do, as a number of models, of 0.3 to 3 us each. The work is the same on
     //     every machine and does not depend on time.
     // Result: 1: nothing is left to do, since fewer than one in 64 models were added one by one; 0: call
     // again.
@@ -2281,7 +2281,7 @@ public:
     // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same
     // body (see Solver::add_distance).
     // Throws Error with GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints.
-    // Cost: the next step plans all joined ropes again. A link of them takes some three times as long as
+    // Cost: the next step plans all joined ropes again. A link of them takes about 2.5 times as long as
     // one of a rope that is not joined. Allocates.
     gphys_joint_id join(gphys_body_id body_a, uint32_t particle_a, gphys_body_id body_b, uint32_t particle_b, float rest_length, float compliance) {
         gphys_joint_id out_joint{};

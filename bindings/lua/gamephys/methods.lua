@@ -1086,7 +1086,7 @@ end
 
 --- Rebuild the scene's octree, as good as that of one Scene:add_batch. Never required: ids, answers and
 --- their bits do not change. Where many models were added one by one, such as a level that was streamed
---- in, rays then take 0.5 to 0.9 of the time.
+--- in, rays then take 0.6 to 0.95 of the time.
 --- Cost: O(n log n), 0.15 to 0.45 us a model, less with workers; allocates. Since 1.1.
 --- @raise status ERROR_OUT_OF_MEMORY: with nothing changed
 function Scene:rebuild_octree()
@@ -1101,7 +1101,7 @@ do
     --- may be added, moved and removed between the calls. A call that updates an eighth of them or more
     --- restarts it.
     --- Cost: O(budget); allocates, until it is done about 130 bytes a model. Since 1.1.
-    --- @param budget how much work to do, as a number of models, of 0.3 to 1 us each. The work is the same
+    --- @param budget how much work to do, as a number of models, of 0.3 to 3 us each. The work is the same
     ---     on every machine and does not depend on time.
     --- @return 1: nothing is left to do, since fewer than one in 64 models were added one by one; 0: call
     ---     again.
@@ -2409,7 +2409,7 @@ do
     --- it. Free particles of a joined body are moved by the time scheme of ropes, no longer exactly. Joined
     --- bodies are moved by one thread and fall asleep and wake together. A joint is removed with either
     --- body.
-    --- Cost: the next step plans all joined ropes again. A link of them takes some three times as long as
+    --- Cost: the next step plans all joined ropes again. A link of them takes about 2.5 times as long as
     --- one of a rope that is not joined. Allocates.
     --- @param rest_length metres; 0: at the same place, as below 1e-9; negative: the present distance.
     ---     Particles at another distance are moved to it within a step, and get the speed of that motion.

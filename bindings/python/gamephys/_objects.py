@@ -1158,7 +1158,7 @@ class Scene(Models):
     def rebuild_octree(self) -> None:
         """Rebuild the scene's octree, as good as that of one Scene.add_batch. Never required: ids, answers
         and their bits do not change. Where many models were added one by one, such as a level that was
-        streamed in, rays then take 0.5 to 0.9 of the time.
+        streamed in, rays then take 0.6 to 0.95 of the time.
         Cost: O(n log n), 0.15 to 0.45 us a model, less with workers; allocates. Since 1.1.
 
         Raises:
@@ -1174,7 +1174,7 @@ class Scene(Models):
         Cost: O(budget); allocates, until it is done about 130 bytes a model. Since 1.1.
 
         Args:
-            budget: how much work to do, as a number of models, of 0.3 to 1 us each. The work is the
+            budget: how much work to do, as a number of models, of 0.3 to 3 us each. The work is the
                 same on every machine and does not depend on time.
 
         Returns:
@@ -2544,7 +2544,7 @@ class Solver(Object):
         all that hangs on it. Free particles of a joined body are moved by the time scheme of ropes, no
         longer exactly. Joined bodies are moved by one thread and fall asleep and wake together. A joint
         is removed with either body.
-        Cost: the next step plans all joined ropes again. A link of them takes some three times as long
+        Cost: the next step plans all joined ropes again. A link of them takes about 2.5 times as long
         as one of a rope that is not joined. Allocates.
 
         Args:

@@ -1411,7 +1411,7 @@ public final class Scene extends SceneBase {
     /**
      * Rebuild the scene's octree, as good as that of one Scene.addBatch. Never required: ids, answers and
      * their bits do not change. Where many models were added one by one, such as a level that was streamed
-     * in, rays then take 0.5 to 0.9 of the time.
+     * in, rays then take 0.6 to 0.95 of the time.
      * Cost: O(n log n), 0.15 to 0.45 us a model, less with workers; allocates. Since 1.1.
      * @throws GamephysException with ERROR_OUT_OF_MEMORY: with nothing changed
      */
@@ -1428,7 +1428,7 @@ public final class Scene extends SceneBase {
      * may be added, moved and removed between the calls. A call that updates an eighth of them or more
      * restarts it.
      * Cost: O(budget); allocates, until it is done about 130 bytes a model. Since 1.1.
-     * @param budget how much work to do, as a number of models, of 0.3 to 1 us each. The work is the same
+     * @param budget how much work to do, as a number of models, of 0.3 to 3 us each. The work is the same
      *     on every machine and does not depend on time.
      * @return 1: nothing is left to do, since fewer than one in 64 models were added one by one; 0: call
      *     again.
