@@ -62,8 +62,8 @@
  *            stride at least the element's size, both multiples of 4.
  *            All elements are checked before any output is written. Item i of a batch is bit for
  *            bit what the single call would give.
- * Memory     Queries of scenes, meshes and shapes allocate nothing. Nothing that the library returns has to be freed except
- *            handles. Arrays are copied in and copied out, never kept.
+ * Memory     Queries of scenes, meshes and shapes allocate nothing. Nothing that the library returns
+ *            has to be freed except handles. Arrays are copied in and copied out, never kept.
  * Threads    Different objects: any threads. One object: functions that take it as const may run
  *            at the same time; all others need external synchronisation. No thread is started unless a
  *            worker_count asks for it (gphys_scene_create and gphys_solver_create say which calls
