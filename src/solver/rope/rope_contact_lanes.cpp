@@ -117,8 +117,9 @@ void RopeContactLanes<lanes>::gather_constants(uint32_t lane, Body& body) {
 template <int lanes>
 void RopeContactLanes<lanes>::gather_prediction(uint32_t lane) {
     const RopeStepper& rope = *lanes_[lane].rope;
-    const Body& body = rope.body();
+    Body& body = rope.body();
     const uint32_t* const particles = particles_of(body.plan);
+    if (!body.constraints.attachments.empty()) set_targets(body, body.plan.chains[0]);
     const History& history = body.history;
     const double h = rope.advance(), before = history.earlier_step;
     const double extrapolation = before > 0 ? h * h / (2 * before) : 0;
@@ -139,7 +140,7 @@ void RopeContactLanes<lanes>::gather_prediction(uint32_t lane) {
         mass += node.mass[lane];
         if (i == links_of(body.plan)) continue;
         const double target = body.rope.target[body.plan.chains[0].first_link + i];
-        if (node.present[lane] != 0 && node.target[lane] != target) set_target(node, lane, target);  // if it yields
+        if (node.present[lane] != 0 && node.target[lane] != target) set_target(node, lane, target);
         longest = std::max(longest, node.target[lane]);
         node.tension[lane] = body.rope.tension[body.plan.chains[0].first_link + i];
     }

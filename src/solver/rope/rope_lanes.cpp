@@ -12,6 +12,16 @@ bool is_between_pins(const Particles& particles) {
     return std::count(particles.inverse_mass.begin(), particles.inverse_mass.end(), 0.0) > 1;
 }
 
+bool is_carried(const Constraints& constraints) {
+    return std::any_of(constraints.attachments.begin(), constraints.attachments.end(),
+                       [](const Attachment& attachment) { return attachment.begin != attachment.end; });
+}
+
+bool is_stretched(const Body& body, const Chain& chain) {
+    const double* const rest = body.plan.rest.data() + chain.first_link;
+    return !std::equal(rest, rest + chain.link_count, body.rope.target.data() + chain.first_link);
+}
+
 double* numbers_of(Vector<Vec3>& vectors) {
     static_assert(sizeof(Vec3) == 3 * sizeof(double));
     return reinterpret_cast<double*>(vectors.data());
@@ -49,6 +59,7 @@ public:
 
     void gather() {
         std::fill_n(frequency_squared_, lanes, 0.0);
+        std::fill_n(varies_, lanes, false);
         for (size_t i = 0; i < chains(); ++i) gather_chain(i);
     }
     /// Call after gather: chooses the lanes whose substeps have two stages.
@@ -105,6 +116,8 @@ private:
             const Chain& chain = plan.chains[i];
             if (is_between_pins(bodies_[lane]->particles)) {
                 set_targets(*bodies_[lane], chain);
+                varies_[lane] =
+                    varies_[lane] || (is_carried(bodies_[lane]->constraints) && is_stretched(*bodies_[lane], chain));
             } else {
                 ropes[lane].target = plan.rest.data() + chain.first_link;
             }
@@ -187,7 +200,6 @@ private:
         const auto move_part = [&](double advance, bool trapezoid) {
             const double begin = fraction;
             fraction += advance / step_.whole.step_time;
-
             RopeScheme<lanes> part;
             for (uint32_t lane = 0; lane < lanes; ++lane) set_scheme(part, lane, advance, trapezoid);
             if (trapezoid) add_loads(chain, part.h, wanted, begin);  // its explicit part is as long
@@ -222,9 +234,10 @@ private:
         earlier_step_[lane] = advance;
     }
 
-    /// Whether the rope has stayed in its region, and Newton's method has not failed.
+    /// Whether the rope has stayed in its region, its lengths are those of the whole step, and Newton's method has not
+    /// failed.
     bool stays_undisturbed(uint32_t lane) const {
-        if (bounds_.failed[lane] != 0) return false;
+        if (bounds_.failed[lane] != 0 || varies_[lane]) return false;
         for (int k = 0; k < 3; ++k) {
             constexpr double range = GPHYS_MAX_COORDINATE;
             if (bounds_.low[k][lane] < -range || bounds_.high[k][lane] > range) return false;
@@ -258,6 +271,7 @@ private:
     const RopeStepSettings& step_;
     Body* bodies_[lanes];
     double frequency_squared_[lanes], earlier_step_[lanes];
+    bool varies_[lanes];  // whether the lengths that links can have depend on where models take their pins
     RopeBounds<lanes> bounds_;
     bool moved_ = false;
 };

@@ -31,8 +31,7 @@ double largest_strain(const Body& body, const Vector<Vec3>& positions);
 /// long, these share the unavoidable stretch in proportion to their lengths. So they do in a rope that yields.
 void set_targets(Body& body, const Chain& chain);
 /// Call after the prediction and RopeContacts::begin. `contacts`: those in the equations, or null. Restores lengths, or
-/// lets the rope yield. Returns whether the
-/// rope has been displaced, so that its contacts must begin again.
+/// lets the rope yield. Returns whether the rope has been displaced, so that its contacts must begin again.
 bool begin_stretched(Body& body, RopeContacts* contacts, const CollisionContext& around, const TimeScheme& scheme);
 /// Call after the last iteration: if Newton's method has torn a rope apart that yields, it stays where it was. Returns
 /// whether it does.
