@@ -22,5 +22,5 @@ inline double now() {
 constexpr float frame = 1.0f / 60;  // s
 
 /// The time of frame i of 60 a second. Frames differ by a rounding error, so that the solver computes each: it leaves
-/// out a step of the same length as the last one that would change nothing (docs/solver.md).
+/// out a step of the same length as the last one that would change nothing (docs/solver/rest.md).
 inline float frame_time(long i) { return i % 2 == 0 ? frame : std::nextafter(frame, 1.0f); }

@@ -34,7 +34,7 @@ Written by `./bench.sh --report`. Each row is one case simulated by one method; 
 - **ms a frame** is the processor time of the median frame. For one and several threads it is wall time; independent threads have a solver each, and the time is that of all together.
 - **stretch** and **compression** are relative to the length of rigid links: the largest of the run for cases that begin in free space.
 - The error of particles is the depth of the deepest one in a box or the ground at the end; that of the chain is the distance from a reference solution after a second.
-- Frames differ in length by a rounding error, so that every frame is computed. In the rows with steps of equal length, steps that would change nothing are skipped ([solver.md](solver.md), "Steady bodies").
+- Frames differ in length by a rounding error, so that every frame is computed. In the rows with steps of equal length, steps that would change nothing are skipped ([Steady bodies](solver/rest.md#steady-bodies)).
 - Cloth within 2 % strain has `max_strain` set: the row has the mean of all frames of ten seconds and its average substeps, or the longest frame and the maximum of substeps.
 
 """

@@ -15,6 +15,8 @@ from reference import MACROS, Reference
 
 GUIDE = ["first_scene", "queries", "camera", "batches", "large_worlds", "threads", "solver", "saving", "engine", "web",
          "robot", "cluster"]
+HOW = ["bvh", "exactness"]
+SOLVER = ["ropes", "cloth", "rest", "particles", "features", "performance", "limits", "experiments"]
 COMING_FROM = ["bullet", "jolt", "box3d", "embree", "three_raycaster", "trimesh", "cookbook"]
 CHAPTERS = [
     ("Guide", [f"docs/guide/{page}" for page in GUIDE]),
@@ -22,7 +24,8 @@ CHAPTERS = [
     ("Reference", ["reference/index"]),
     ("Languages", ["docs/bindings", *(f"bindings/{name}/README" for name in
                    ("cpp", "python", "javascript", "rust", "go", "csharp", "java", "lua", "ruby"))]),
-    ("How it works", ["docs/architecture", "docs/code_paths", "docs/solver", "docs/limits_of_speed"]),
+    ("How it works", ["docs/architecture", *(f"docs/how/{page}" for page in HOW), "docs/limits_of_speed", "docs/code_paths"]),
+    ("How the solver works", ["docs/solver", *(f"docs/solver/{page}" for page in SOLVER)]),
     ("Measurements", ["docs/report", "docs/solver_figures", "docs/accuracy"]),
     ("Project", ["docs/reliability", "docs/functions", "docs/releasing", "CHANGELOG", "CONTRIBUTING"]),
 ]
@@ -104,7 +107,7 @@ def index():
 def main():
     source, output = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
     missing = [page for page in PAGES if page != "reference/index" and not (source / f"{page}.md").exists()]
-    unlisted = [path.stem for path in [*source.glob("docs/*.md"), *source.glob("docs/guide/*.md"), *source.glob("docs/coming_from/*.md")]
+    unlisted = [path.stem for folder in ("", "guide/", "coming_from/", "how/", "solver/") for path in source.glob(f"docs/{folder}*.md")
                 if f"{path.relative_to(source).with_suffix('')}" not in PAGES]
     if missing or unlisted:
         sys.exit(f"missing pages: {missing}; pages that are in no chapter: {unlisted}")
