@@ -2265,7 +2265,7 @@ GPHYS_API gphys_status gphys_solver_get_positions(const gphys_solver* solver, gp
                                                   uint32_t count, gphys_vec3* out_positions, uint32_t out_stride);
 /** Move particles at once and without collision on the way; velocities stay as they are. Wakes the body.
  *  @param first, count  as in gphys_solver_get_positions
- *  @param positions     metres; a stride of 0 moves all to one place
+ *  @param positions     metres, count elements; a stride of 0 is refused for more than one
  *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_set_positions(gphys_solver* solver, gphys_body_id body, uint32_t first,
                                                   uint32_t count, const gphys_vec3* positions, uint32_t stride);

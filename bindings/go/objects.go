@@ -3516,7 +3516,6 @@ func (o *Solver) Positions(body BodyID, first uint32, positions []Vec3) (err err
 // Move particles at once and without collision on the way; velocities stay as they are. Wakes the
 // body.
 //   - first: as in Solver.Positions
-//   - positions: metres
 // Cost: O(elements).
 func (o *Solver) SetPositions(body BodyID, first uint32, positions []Vec3) (err error) {
 	self, err := o.open()

@@ -1685,8 +1685,7 @@ export class Solver {
     /** Move particles at once and without collision on the way; velocities stay as they are. Wakes the
      * body.
      * Cost: O(elements).
-     * @param first - as in Solver.getPositions
-     * @param positions - metres */
+     * @param first - as in Solver.getPositions */
     setPositions(body: number, first: number, positions: Elements): void;
     /** How fast the particles are, m/s.
      * Cost: O(count).

@@ -1891,7 +1891,6 @@ public:
     // Move particles at once and without collision on the way; velocities stay as they are. Wakes the
     // body.
     //   - first: as in Solver::get_positions
-    //   - positions: metres
     // Cost: O(elements).
     void set_positions(gphys_body_id body, uint32_t first, Span<const Vec3> positions) {
         const uint32_t count = common_size({positions.sizes()});

@@ -2443,7 +2443,6 @@ public sealed partial class Solver : IDisposable {
     /// body.
     /// Cost: O(elements).</summary>
     /// <param name="first">as in Solver.GetPositions</param>
-    /// <param name="positions">metres</param>
     public unsafe void SetPositions(uint body, uint first, ReadOnlySpan<Vec3> positions) {
         var count = CommonLength(-1, positions.Length);
         fixed (Vec3* positions_ = &MemoryMarshal.GetReference(positions))

@@ -1976,7 +1976,6 @@ end
 --- body.
 --- Cost: O(elements).
 --- @param first as in Solver:get_positions
---- @param positions metres
 function Solver:set_positions(body, first, positions)
     local positions, positions_count, positions_stride = to_array(Vec3, positions)
     local count = common(positions_count)

@@ -2090,8 +2090,7 @@ class Solver(Object):
         Cost: O(elements).
 
         Args:
-            first: as in Solver.get_positions
-            positions: metres"""
+            first: as in Solver.get_positions"""
         positions_ = array_of(positions, low.vec3_dtype)
         count = common_length(positions_)
         check(low.gphys_solver_set_positions(self._handle, body, first, count, positions_.address, positions_.stride))

@@ -2442,7 +2442,6 @@ impl Solver {
     /// Cost: O(elements).
     ///
     /// * `first`: as in `Solver::get_positions`
-    /// * `positions`: metres
     pub fn set_positions<'a>(&mut self, body: BodyId, first: u32, positions: impl Into<Batch<'a, Vec3>>) -> Result<()> {
         let positions = positions.into();
         let count = common_length(&[positions.length])?;

@@ -1869,7 +1869,6 @@ module Gamephys
     # body.
     # Cost: O(elements).
     # @param first as in Solver#get_positions
-    # @param positions metres
     def set_positions(body, first, positions)
       positions = Low.array(Vec3, positions)
       count = Low.common(positions)

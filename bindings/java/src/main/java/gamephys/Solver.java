@@ -382,7 +382,6 @@ public final class Solver extends Owned {
      * body.
      * Cost: O(elements).
      * @param first as in Solver.getPositions
-     * @param positions metres
      */
     public void setPositions(int body, int first, Batch<Vec3> positions) {
         int count = Low.common(positions.common());
