@@ -72,7 +72,7 @@ def measure(program, arguments, folder, is_first):
     work = folder.with_name(folder.name + ".part")
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
-    load = os.getloadavg()[0] - (0 if is_first else 1)
+    load = 0 if is_first else os.getloadavg()[0] - 1  # at first that of the programs' own compilation
     start = time.monotonic()
     with (work / "log.txt").open("w") as log:
         status = subprocess.run([program, *arguments, f"--out={work}"], stdout=log, stderr=subprocess.STDOUT).returncode
@@ -80,7 +80,7 @@ def measure(program, arguments, folder, is_first):
         print(file=sys.stderr)
         sys.exit(f"{program.name} {' '.join(arguments)} failed:\n{(work / 'log.txt').read_text()[-2000:]}")
     took = time.monotonic() - start
-    # What others did to the machine: one is this run itself, which has just measured another part unless it begins.
+    # What others did to the machine: one is this run itself.
     (work / "took.json").write_text(json.dumps({"seconds": took, "load": max(load, os.getloadavg()[0] - 1)}))
     shutil.rmtree(folder, ignore_errors=True)
     work.rename(folder)
