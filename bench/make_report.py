@@ -24,7 +24,7 @@ from cost_error import figure as cost_error_figure
 from languages import languages
 from marks import look
 from panels import answer_panels, hard_panels, ordinary_panels, solver_panels, usual
-from report import QUANTILES, latencies, read, tables
+from report import QUANTILES, latencies, linked_from, read, tables
 from verdicts import against_fastest, against_most_exact, percent, sentences, summary, unstable_methods
 
 MARKS = ("<!-- summary: written by ./bench.sh --report -->\n", "<!-- end of summary -->\n")
@@ -224,13 +224,14 @@ def main():
     machine = (directory / "machine.txt").read_text().splitlines()
     quick = any(line.startswith("Work: a part") for line in machine)
     busy = ", so times are too long and ratios less certain: repeat it on a quiet machine" if load_average > 0.7 * os.cpu_count() else ""
-    page.write_text(PAGE.format(machine="  \n".join(machine) + "  ", minutes=math.ceil(seconds / 60), load=load_average, busy=busy,
-                                quick=" --quick" if quick else "", summary=summary(rows, solver), languages=languages(directory, images),
-                                ordinary=sentences(ordinary, ordinary_errors, against_fastest),
-                                answers=sentences(answers, ["wrong answers"] * len(answers), against_fastest), right="; ".join(right) or "none",
-                                hard=sentences(hard, ["false answers"] * len(hard), against_fastest),
-                                solver=sentences(solver_work, solver_errors, against_most_exact), unstable=unstable_methods(solver),
-                                rows=tables(suites, solver).replace("## ", "### ")))
+    text = PAGE.format(machine="  \n".join(machine) + "  ", minutes=math.ceil(seconds / 60), load=load_average, busy=busy,
+                       quick=" --quick" if quick else "", summary=summary(rows, solver), languages=languages(directory, images),
+                       ordinary=sentences(ordinary, ordinary_errors, against_fastest),
+                       answers=sentences(answers, ["wrong answers"] * len(answers), against_fastest), right="; ".join(right) or "none",
+                       hard=sentences(hard, ["false answers"] * len(hard), against_fastest),
+                       solver=sentences(solver_work, solver_errors, against_most_exact), unstable=unstable_methods(solver),
+                       rows=tables(suites, solver).replace("## ", "### "))
+    page.write_text(linked_from(page, text))
     for readme in sys.argv[4:]:
         put_summary(Path(readme), README.format(machine="  \n".join(machine), summary=summary(rows, solver), **worst_on_hard_input(hard)))
 

@@ -6,6 +6,7 @@ gamephys / time of the other. --docs-solver prints docs/solver_figures.md instea
 machine.txt. Every number comes from those files.
 """
 import csv
+import os
 import pathlib
 import re
 import sys
@@ -56,6 +57,18 @@ def read(directory):
 def number(value):
     """Three digits, without an exponent."""
     return f"{value:,.0f}" if value >= 100 else f"{value:.3g}"
+
+
+def linked_from(page, text):
+    """The text of docs/report.md for a page that may be in another folder: links to what only docs has lead there."""
+    docs = pathlib.Path(__file__).resolve().parent.parent / "docs"
+
+    def target(match):
+        name = match[1]
+        if (page.parent / name).exists() or not (docs / name).exists():
+            return match[0]
+        return f"]({os.path.relpath(docs / name, page.parent.resolve())}"
+    return re.sub(r"\]\(([\w./]+)", target, text)
 
 
 def table(head, rows):

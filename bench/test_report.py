@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """What the tables and sentences of the report promise: test_report.py"""
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
 from panels import answer_panels, ordinary_panels, solver_panels, unstable
-from report import thread_table
+from report import linked_from, thread_table
 from verdicts import against_fastest, against_most_exact, sentences, summary, unstable_methods, verdict
 
 
@@ -98,6 +99,23 @@ class Sentences(unittest.TestCase):
         self.assertEqual(sentences(panels, labels, against_most_exact),
                          "- **Rope of 1000 links, weight of 1000 links**: gamephys 2 takes 0.01 times the time of XPBD 1000, the most exact "
                          "other; its largest strain is 0.01 % instead of 4 %.\n")
+
+
+class Links(unittest.TestCase):
+    text = "[speed](limits_of_speed.md#culling), ![energy](images/energy.png), ![drawn](images/drawn.png), [below](#every-row)"
+
+    def test_a_page_in_another_folder_leads_to_docs_for_what_it_lacks(self):
+        with tempfile.TemporaryDirectory() as folder:
+            page = Path(folder) / "report.md"
+            (page.parent / "images").mkdir()
+            (page.parent / "images/drawn.png").touch()
+            targets = [part.split(")")[0] for part in linked_from(page, self.text).split("](")[1:]]
+            self.assertTrue((page.parent.resolve() / targets[0].removesuffix("#culling")).is_file())
+            self.assertTrue((page.parent.resolve() / targets[1]).is_file())
+            self.assertEqual(targets[2:], ["images/drawn.png", "#every-row"])
+
+    def test_the_page_of_docs_stays_as_it_is(self):
+        self.assertEqual(linked_from(Path(__file__).parent.parent / "docs/report.md", self.text), self.text)
 
 
 class Threads(unittest.TestCase):

@@ -87,7 +87,10 @@ for number in 1 2 3 4 5 6 7 8; do
     mkdir "$work/$number"
     "$program" --preset $number --size 480x360 --frames 2 --record "$work/$number" >"$work/log" 2>&1 || fail "preset $number"
 done
-"$here/variance.py" 23 "$work"/[1-8]/frame00001.png || fail "a preset is not drawn"
+# Pillow comes with the system's Python, which need not be the first of the path.
+python=/usr/bin/python3
+[ -x $python ] || python=python3
+$python "$here/variance.py" 23 "$work"/[1-8]/frame00001.png || fail "a preset is not drawn"
 
 # A mesh that is dropped on the window is shown in the preset that is there, if that has a mesh; else in the first.
 dropped_on() {
