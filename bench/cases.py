@@ -17,7 +17,7 @@ RAYS = {
 CHANGES = {
     "adds_random": "boxes added at random", "adds_sorted": "boxes added from left to right", "adds_line": "boxes added in a line",
     "adds_rows": "boxes added row by row", "adds_one_place": "boxes added at one place", "churn": "boxes removed and added",
-    "moves": "small moves", "jumps": "jumps",
+    "moves": "small moves", "jumps": "jumps", "drift": "steady motion, a call for each move",
 }
 # Single calls whose latency is measured.
 CALLS = {

@@ -64,6 +64,47 @@ float squared_distance(const gphys_vec3& at, V point) {
     return dot(d, d);
 }
 
+/// The buffers of a mesh, which a user reads in callbacks.
+struct Surface {
+    struct Corners {
+        V a, b, c;
+    };
+
+    Corners operator[](uint32_t triangle) const {
+        const auto corner = [&](uint32_t k) {
+            const gphys_vec3& p = vertices[indices[3 * triangle + k]];
+            return V{p.x, p.y, p.z};
+        };
+        return {corner(0), corner(1), corner(2)};
+    }
+
+    const gphys_vec3* vertices;
+    const uint32_t* indices;
+};
+/// By the region of the plane that the point is above (Ericson, "Real-time collision detection", 5.1.5).
+float squared_distance(const Surface::Corners& t, V point) {
+    const V ab = t.b - t.a, ac = t.c - t.a, from_a = point - t.a, from_b = point - t.b, from_c = point - t.c;
+    const auto beyond = [&](V offset) { return dot(offset, offset); };
+    const auto beside = [&](V from, V edge, float part) {
+        return beyond({from.x - edge.x * part, from.y - edge.y * part, from.z - edge.z * part});
+    };
+    const float ab_a = dot(ab, from_a), ac_a = dot(ac, from_a);
+    if (ab_a <= 0 && ac_a <= 0) return beyond(from_a);
+    const float ab_b = dot(ab, from_b), ac_b = dot(ac, from_b);
+    if (ab_b >= 0 && ac_b <= ab_b) return beyond(from_b);
+    const float of_c = ab_a * ac_b - ab_b * ac_a;
+    if (of_c <= 0 && ab_a >= 0 && ab_b <= 0) return beside(from_a, ab, ab_a / (ab_a - ab_b));
+    const float ab_c = dot(ab, from_c), ac_c = dot(ac, from_c);
+    if (ac_c >= 0 && ab_c <= ac_c) return beyond(from_c);
+    const float of_b = ab_c * ac_a - ab_a * ac_c;
+    if (of_b <= 0 && ac_a >= 0 && ac_c <= 0) return beside(from_a, ac, ac_a / (ac_a - ac_c));
+    const float of_a = ab_b * ac_c - ab_c * ac_b;
+    const float to_c = ac_b - ab_b, to_b = ab_c - ac_c;
+    if (of_a <= 0 && to_c >= 0 && to_b >= 0) return beside(from_b, t.c - t.b, to_c / (to_c + to_b));
+    const float scale = 1 / (of_a + of_b + of_c), v = of_b * scale, w = of_c * scale;
+    return beyond({from_a.x - ab.x * v - ac.x * w, from_a.y - ab.y * v - ac.y * w, from_a.z - ab.z * v - ac.z * w});
+}
+
 /// By the fifteen axes of Gottschalk, Lin and Manocha 1996 that may separate them, those of the world first: most
 /// boxes that do not touch are found by these.
 bool aabb_touches(const Box& box, V center, V half_extents) {
@@ -230,7 +271,6 @@ public:
 
     bool load(const std::vector<gphys_vec3>& points) override {
         start();
-        boxes_.clear();
         points_ = points;
         RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
         rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(points_.size()));
@@ -242,7 +282,11 @@ public:
 
     bool load(const Triangles& mesh) override {
         start();
-        finish(triangles(mesh));
+        RTCGeometry geometry = triangles(mesh);
+        surface_.vertices =
+            static_cast<const gphys_vec3*>(rtcGetGeometryBufferData(geometry, RTC_BUFFER_TYPE_VERTEX, 0));
+        surface_.indices = static_cast<const uint32_t*>(rtcGetGeometryBufferData(geometry, RTC_BUFFER_TYPE_INDEX, 0));
+        finish(geometry);
         return true;
     }
 
@@ -316,13 +360,12 @@ public:
     }
 
     bool nearest(const std::vector<gphys_vec3>& points) override {
-        if (boxes_.empty() && points_.empty()) return false;
-        answers_.resize(points.size());
-        for (size_t i = 0; i < points.size(); ++i) {
-            answers_[i] = boxes_.empty() ? nearest_of(points_, points[i]) : nearest_of(boxes_, points[i]);
-        }
-        return true;
+        if (wants_packets()) return false;
+        if (surface_.indices) return nearest_of(surface_, points);
+        if (!boxes_.empty()) return nearest_of(boxes_, points);
+        return !points_.empty() && nearest_of(points_, points);
     }
+    bool nearest_singly(const std::vector<gphys_vec3>& points) override { return nearest(points); }
 
     bool segments(const std::vector<gphys_segment>& segments) override {
         if (mode_ == EmbreeMode::packets) return false;
@@ -383,11 +426,17 @@ public:
     }
 
 private:
+    template <class Objects>
+    bool nearest_of(const Objects& objects, const std::vector<gphys_vec3>& points) {
+        answers_.clear();
+        for (const gphys_vec3& point : points) answers_.push_back(nearest_of(objects, point));
+        return true;
+    }
     /// The ball of a point query shrinks to each object that is nearer.
-    template <class Object>
-    Answer nearest_of(const std::vector<Object>& objects, gphys_vec3 point) const {
+    template <class Objects>
+    Answer nearest_of(const Objects& objects, gphys_vec3 point) const {
         struct Found {
-            const std::vector<Object>& objects;
+            const Objects& objects;
             V point;
             float squared;
             uint32_t object;
@@ -481,6 +530,8 @@ private:
         release(scene_);
         if (!boxes_.empty()) heap_.add(-static_cast<int64_t>(boxes_.size() * sizeof boxes_[0]));
         boxes_ = {};
+        points_ = {};
+        surface_ = {};
         heap_.forget_peak();
         scene_ = rtcNewScene(device_);
         instances_ = false;
@@ -537,6 +588,7 @@ private:
     std::vector<Box> boxes_;
     Heap heap_;
     std::vector<gphys_vec3> points_;
+    Surface surface_{};
     EmbreeMode mode_;
     bool instances_ = false;
 };

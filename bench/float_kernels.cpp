@@ -77,7 +77,7 @@ void walk_rays(const BvhNode* nodes, uint32_t root, const TrianglePacket* packet
         }
         return (1u << size) - 1;
     };
-    traverse_interleaved<ClosestHit>(nodes, root, probe_of, limits, count, visit, prefetch_of);
+    traverse_interleaved<ClosestHit, RayTest>(nodes, root, probe_of, limits, count, visit, prefetch_of);
 }
 
 }  // namespace

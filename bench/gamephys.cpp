@@ -190,10 +190,25 @@ public:
         hits_.clear();
         distances_.clear();
         by_callers(points, [&](uint32_t, const gphys_vec3* some, uint32_t n) {
-            check(gphys_scene_nearest_batch(scene_, some, sizeof *some, n, std::numeric_limits<float>::infinity(),
-                                            GPHYS_ALL_LAYERS, nearest_.data() + (some - points.data()),
-                                            sizeof nearest_[0]));
+            gphys_nearest* const out = nearest_.data() + (some - points.data());
+            check(
+                mesh_
+                    ? gphys_shape_closest_point_batch(GPHYS_SHAPE_MESH, mesh_, some, sizeof *some, n, out, sizeof *out)
+                    : gphys_scene_nearest_batch(scene_, some, sizeof *some, n, std::numeric_limits<float>::infinity(),
+                                                GPHYS_ALL_LAYERS, out, sizeof *out));
         });
+        return true;
+    }
+    bool nearest_singly(const std::vector<gphys_vec3>& points) override {
+        if (callers_ != 1 || worker_count_ != 1) return false;
+        nearest_.resize(points.size());
+        hits_.clear();
+        distances_.clear();
+        for (size_t i = 0; i < points.size(); ++i) {
+            check(mesh_ ? gphys_shape_closest_point(GPHYS_SHAPE_MESH, mesh_, &points[i], &nearest_[i])
+                        : gphys_scene_nearest(scene_, &points[i], std::numeric_limits<float>::infinity(),
+                                              GPHYS_ALL_LAYERS, &nearest_[i]));
+        }
         return true;
     }
 
@@ -270,7 +285,9 @@ public:
             if (is_model) check(gphys_scene_get_info(scene_, distance.model, &info));
             found.push_back({distance.t, mesh_ ? distance.triangle : is_model ? info.tag : no_object});
         }
-        for (const gphys_nearest& near : nearest_) found.push_back({near.distance, near.model ? near.tag : no_object});
+        for (const gphys_nearest& near : nearest_) {
+            found.push_back({near.distance, mesh_ ? near.triangle : near.model ? near.tag : no_object});
+        }
         for (const gphys_hit& hit : hits_) {
             found.push_back({hit.t, mesh_ ? hit.triangle : hit.model ? hit.tag : no_object});
         }

@@ -113,6 +113,7 @@ public:
     virtual bool closest_singly(const std::vector<gphys_ray>&) { return false; }
     virtual bool any_singly(const std::vector<gphys_ray>&, std::vector<int32_t>&) { return false; }
     virtual bool nearest(const std::vector<gphys_vec3>&) { return false; }
+    virtual bool nearest_singly(const std::vector<gphys_vec3>&) { return false; }
     /// t is a part of the way.
     virtual bool segments(const std::vector<gphys_segment>&) { return false; }
     virtual bool sweeps(const std::vector<Sweep>&) { return false; }
@@ -181,6 +182,7 @@ Answer reference(const Triangles&, const std::vector<Stretched>&, const gphys_ra
 /// Of a point: the nearest and its distance.
 Answer reference(const std::vector<gphys_obb>&, const gphys_vec3&);
 Answer reference(const std::vector<gphys_vec3>&, const gphys_vec3&);
+Answer reference(const Triangles&, const gphys_vec3&);
 Answer reference(const std::vector<gphys_obb>&, const gphys_segment&);
 Answer reference(const std::vector<gphys_obb>&, const Sweep&);
 

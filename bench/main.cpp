@@ -216,6 +216,33 @@ void stretched_meshes(Bench& bench) {
             [&](const gphys_ray& r) { return reference(prop, flat, r); });
 }
 
+/// Queries with one answer each, against the loop in double precision.
+template <class Query, class Content>
+void answer_case(Bench& bench, const std::string& suite, const std::string& name, uint32_t n,
+                 std::vector<Entry>& entries, const Content& content, const std::vector<Query>& queries,
+                 bool (Implementation::*ask)(const std::vector<Query>&)) {
+    if (!bench.wants(name, n)) return;
+    const Sample<Query> sample(queries, n, [&](const Query& query) { return reference(content, query); });
+    Implementation& first = *entries.front().implementation;
+    (first.*ask)(queries);
+    demand_variety(name, queries, first.answers());
+    std::vector<Query> part;  // where all would take minutes
+    for (size_t i = 0; i < queries.size(); i += 50) part.push_back(queries[i]);
+    const auto task = [&](Implementation& i) -> double {
+        const std::vector<Query>& its_queries = i.is_slow() ? part : queries;
+        return (i.*ask)(its_queries) ? static_cast<double>(its_queries.size()) : 0;
+    };
+    bench.measure(suite, name, n, entries, task, answers_right(sample, ask));
+}
+
+/// In a batch, and a call for each.
+template <class Content>
+void nearest_cases(Bench& bench, const std::string& suite, const std::string& name, uint32_t n,
+                   std::vector<Entry>& entries, const Content& content, const std::vector<gphys_vec3>& points) {
+    answer_case(bench, suite, name, n, entries, content, points, &Implementation::nearest);
+    answer_case(bench, suite, name + "_single", n, entries, content, points, &Implementation::nearest_singly);
+}
+
 void mesh_suite(Bench& bench) {
     for (const int level : bench.sizes().size() > 2 ? std::vector<int>{6, 8} : std::vector<int>{5}) {
         const Triangles mesh = bumpy_sphere(level);
@@ -226,6 +253,8 @@ void mesh_suite(Bench& bench) {
             [&](Implementation& i) { return i.load(mesh) ? mesh.count() : 0; }, unchecked);
         report_memory(bench, "mesh", "mesh", mesh.count(), entries);
         save_and_load(bench, "mesh", "mesh", mesh.count(), entries);
+        nearest_cases(bench, "mesh", "mesh_nearest_scan", mesh.count(), entries, mesh, points_near(mesh, 100000));
+        nearest_cases(bench, "mesh", "mesh_nearest_random", mesh.count(), entries, mesh, query_points(1.1f, 20000));
         add_packets(entries, mesh);
         const auto truth = [&](const gphys_ray& r) { return reference(mesh, r); };
         ray_cases(bench, "mesh", "mesh", mesh.count(), 1.1f, entries, mesh.count(), truth, true);
@@ -251,25 +280,6 @@ Check same_count(const uint64_t& expected, const std::function<bool(Implementati
     };
 }
 
-/// Queries with one answer each, against the loop in double precision.
-template <class Query, class Content>
-void answer_case(Bench& bench, const std::string& name, std::vector<Entry>& entries, const Content& content,
-                 const std::vector<Query>& queries, bool (Implementation::*ask)(const std::vector<Query>&)) {
-    const auto n = static_cast<uint32_t>(content.size());
-    if (!bench.wants(name, n)) return;
-    const Sample<Query> sample(queries, n, [&](const Query& query) { return reference(content, query); });
-    Implementation& first = *entries.front().implementation;
-    (first.*ask)(queries);
-    demand_variety(name, queries, first.answers());
-    std::vector<Query> part;  // where all would take minutes
-    for (size_t i = 0; i < queries.size(); i += 50) part.push_back(queries[i]);
-    const auto task = [&](Implementation& i) -> double {
-        const std::vector<Query>& its_queries = i.is_slow() ? part : queries;
-        return (i.*ask)(its_queries) ? static_cast<double>(its_queries.size()) : 0;
-    };
-    bench.measure("query", name, n, entries, task, answers_right(sample, ask));
-}
-
 void query_suite(Bench& bench) {
     for (const uint32_t n : bench.sizes()) {
         if (n < 10000 || !bench.wants(n)) continue;
@@ -293,9 +303,10 @@ void query_suite(Bench& bench) {
         const std::vector<gphys_aabb> blocks = query_boxes(half, 10000, 5);
         run("overlap_box", static_cast<double>(blocks.size()),
             [&](Implementation& i, uint64_t& sum) { return i.overlap(blocks, sum); });
-        answer_case(bench, "nearest_box", entries, content, query_points(half, 100000), &Implementation::nearest);
-        answer_case(bench, "segment", entries, content, query_segments(half, 100000, 10), &Implementation::segments);
-        answer_case(bench, "sweep_sphere", entries, content, query_sweeps(half, 100000, 0.1f, 10),
+        nearest_cases(bench, "query", "nearest_box", n, entries, content, query_points(half, 100000));
+        answer_case(bench, "query", "segment", n, entries, content, query_segments(half, 100000, 10),
+                    &Implementation::segments);
+        answer_case(bench, "query", "sweep_sphere", n, entries, content, query_sweeps(half, 100000, 0.1f, 10),
                     &Implementation::sweeps);
         const gphys_frustum frustum = view(half);
         for (const bool in_blocks : {false, true}) {
@@ -307,7 +318,7 @@ void query_suite(Bench& bench) {
         for (const gphys_obb& box : content) points.push_back(box.center);
         std::vector<Entry> of_points = everybody();
         load(of_points, points);
-        answer_case(bench, "nearest_point", of_points, points, query_points(half, 100000), &Implementation::nearest);
+        nearest_cases(bench, "query", "nearest_point", n, of_points, points, query_points(half, 100000));
     }
     solid_cases(bench);
 }

@@ -43,6 +43,7 @@ public:
         }
         return true;
     }
+    bool nearest_singly(const std::vector<gphys_vec3>& points) override { return nearest(points); }
 
 private:
     Cloud cloud_;

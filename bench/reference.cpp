@@ -155,6 +155,33 @@ Answer reference(const std::vector<gphys_obb>& boxes, const gphys_segment& segme
 
 Answer reference(const std::vector<gphys_obb>& boxes, const Sweep& sweep) { return first_of(boxes, sweep, sweep_box); }
 
+/// The least of the distances to the edges, and to the plane where the foot of the point is inside all edges.
+Answer reference(const Triangles& mesh, const gphys_vec3& point) {
+    double best = infinity;
+    uint32_t triangle = no_object;
+    for (uint32_t i = 0; i < mesh.count(); ++i) {
+        V corner[3];
+        for (int k = 0; k < 3; ++k) corner[k] = v(mesh.vertices[mesh.indices[3 * i + k]]) - v(point);
+        const V normal = cross(corner[1] - corner[0], corner[2] - corner[0]);
+        double squared = infinity;
+        bool inside = true;
+        for (int k = 0; k < 3; ++k) {
+            const V a = corner[k], along = corner[(k + 1) % 3] - a;
+            const double t = std::clamp(-dot(a, along) / dot(along, along), 0.0, 1.0);
+            const V q{a.x + t * along.x, a.y + t * along.y, a.z + t * along.z};
+            squared = std::min(squared, dot(q, q));
+            inside = inside && dot(normal, cross(a, corner[(k + 1) % 3])) >= 0;
+        }
+        const double height = dot(normal, corner[0]);
+        if (inside) squared = std::min(squared, height * height / dot(normal, normal));
+        if (squared < best) {
+            best = squared;
+            triangle = i;
+        }
+    }
+    return {static_cast<float>(std::sqrt(best)), triangle};
+}
+
 Answer reference(const std::vector<gphys_obb>& boxes, const gphys_vec3& point) {
     return first_of(boxes, point, [](const gphys_vec3& p, const gphys_obb& box) { return distance(v(p), box); });
 }

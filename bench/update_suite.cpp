@@ -79,7 +79,8 @@ void churn(Bench& bench, uint32_t n) {
     }
 }
 
-/// A thousand frames in which all boxes move a little, or one in a hundred jumps.
+/// A thousand frames in which all boxes move a little, or one in a hundred jumps; and frames in which all boxes go
+/// straight on, moved by a call each.
 void moves(Bench& bench, uint32_t n) {
     if (bench.wants("after_moves", n)) {
         std::vector<gphys_obb> content = boxes(n);
@@ -90,6 +91,18 @@ void moves(Bench& bench, uint32_t n) {
             used.implementation->move_all(content);
         }
         rays_beside_fresh(bench, "after_moves", std::move(used), content, bench.ray_count(n));
+    }
+    if (bench.wants("after_drift", n)) {
+        std::vector<gphys_obb> content = boxes(n);
+        Drift drift(n, half_side(n));
+        Entry used{"gamephys", make_gamephys(1)};
+        used.implementation->load(content);
+        const uint32_t frames = bench.quick() ? 100 : std::clamp(30000000 / n, 30u, 600u);
+        for (uint32_t frame = 0; frame < frames; ++frame) {
+            drift.step(content);
+            for (uint32_t i = 0; i < n; ++i) used.implementation->move_some(content, i, 1);
+        }
+        rays_beside_fresh(bench, "after_drift", std::move(used), content, bench.ray_count(n));
     }
     if (!bench.wants("after_jumps", n)) return;
     std::vector<gphys_obb> content = boxes(n);

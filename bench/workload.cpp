@@ -126,6 +126,21 @@ void jiggle(std::vector<gphys_obb>& boxes, uint64_t frame) {
     }
 }
 
+Drift::Drift(size_t count, float half_side) : velocities_(count), half_side_(half_side) {
+    Random random(101);
+    for (gphys_vec3& v : velocities_) v = random.point(0.2f);
+}
+
+void Drift::step(std::vector<gphys_obb>& boxes) {
+    for (size_t i = 0; i < boxes.size(); ++i) {
+        for (float gphys_vec3::*const axis : {&gphys_vec3::x, &gphys_vec3::y, &gphys_vec3::z}) {
+            float &at = boxes[i].center.*axis, &velocity = velocities_[i].*axis;
+            at += velocity;
+            if (std::fabs(at) > half_side_) velocity = std::copysign(velocity, -at);
+        }
+    }
+}
+
 std::vector<Arrangement> arrangements(uint32_t n) {
     const std::vector<gphys_obb> random = boxes(n);
     std::vector<Arrangement> all(5, {"", random});
@@ -223,6 +238,17 @@ std::vector<gphys_vec3> query_points(float half_side, uint32_t count) {
     Random random(41);
     std::vector<gphys_vec3> result(count);
     for (gphys_vec3& p : result) p = random.point(half_side);
+    return result;
+}
+
+std::vector<gphys_vec3> points_near(const Triangles& mesh, uint32_t count) {
+    Random random(47);
+    std::vector<gphys_vec3> result(count);
+    for (gphys_vec3& p : result) {
+        const gphys_vec3& vertex =
+            mesh.vertices[mesh.indices[static_cast<size_t>(random.next() % mesh.indices.size())]];
+        p = vertex + random.direction() * random.uniform(0, 0.01f);
+    }
     return result;
 }
 

@@ -46,6 +46,18 @@ std::vector<Stretched> forest(uint32_t n);
 /// A step of random motion for all boxes; at most 0.1 m and a few degrees.
 void jiggle(std::vector<gphys_obb>& boxes, uint64_t frame);
 
+/// Steady motion: each box has a velocity of its own, at most 0.2 m a step along each axis, and turns back at the
+/// border.
+class Drift {
+public:
+    Drift(size_t count, float half_side);
+    void step(std::vector<gphys_obb>& boxes);
+
+private:
+    std::vector<gphys_vec3> velocities_;
+    float half_side_;
+};
+
 /// Boxes in the order in which they are added one by one, as worlds are made: at random places, sorted along an axis,
 /// along a line, row by row of a floor, all at one place.
 struct Arrangement {
@@ -64,6 +76,8 @@ std::vector<gphys_ray> rays_at(const std::vector<gphys_obb>& boxes, uint32_t cou
 
 /// Long rays from outside the cube to random points of it.
 std::vector<gphys_ray> random_rays(float half_side, uint32_t count);
+/// Points within a hundredth of the mesh's size of its surface, as those of a scan of it.
+std::vector<gphys_vec3> points_near(const Triangles& mesh, uint32_t count);
 /// The rays of a camera outside the cube that sees all of it, in tiles of 8 by 8 pixels.
 std::vector<gphys_ray> camera_rays(float half_side, uint32_t width, uint32_t height);
 std::vector<gphys_sphere> query_spheres(float half_side, uint32_t count, float radius);

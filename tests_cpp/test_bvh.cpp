@@ -265,6 +265,9 @@ void compare_rays(const Bvh8& tree, const Boxes& boxes, std::vector<Ray> rays) {
 }
 
 void compare_queries(const Bvh8& tree, const Boxes& boxes, test::Random& random, Kind kind, int rounds) {
+    std::vector<Vec3> points;
+    std::vector<double> limits;
+    std::vector<uint32_t> nearest_items;
     for (int round = 0; round < rounds; ++round) {
         QueryCounts counts;
         compare_ray(tree, boxes, random_ray(random, boxes, kind), 0, counts);
@@ -306,8 +309,8 @@ void compare_queries(const Bvh8& tree, const Boxes& boxes, test::Random& random,
         }
 
         const Vec3 point{query.min[0], query.max[1], query.min[2]};
-        double nearest = random.index(2) ? infinity : random.uniform(0, 50);
-        double expected = nearest;
+        const double limit = random.index(2) ? infinity : random.uniform(0, 50);
+        double nearest = limit, expected = limit;
         uint32_t nearest_item = Bvh8::none, expected_item = Bvh8::none;
         std::feclearexcept(FE_ALL_EXCEPT);
         tree.nearest(point, nearest, [&](uint32_t item, double& max_distance) {
@@ -326,6 +329,9 @@ void compare_queries(const Bvh8& tree, const Boxes& boxes, test::Random& random,
             }
         }
         REQUIRE(nearest_item == expected_item);
+        points.push_back(point);
+        limits.push_back(limit);
+        nearest_items.push_back(nearest_item);
 
         const Frustum frustum = random_frustum(random, boxes, kind);
         std::map<uint32_t, bool> seen;
@@ -339,6 +345,19 @@ void compare_queries(const Bvh8& tree, const Boxes& boxes, test::Random& random,
             if (side < 1 && seen.count(item)) REQUIRE_FALSE(seen[item]);
         }
     }
+
+    std::vector<uint32_t> nearest_of_many(points.size(), Bvh8::none);
+    std::feclearexcept(FE_ALL_EXCEPT);
+    const auto count = static_cast<uint32_t>(points.size());
+    tree.nearest_many(points.data(), count, limits.data(), [&](uint32_t i, uint32_t item) {
+        const double d = distance_of(boxes.at(item), points[i]);
+        if (d < limits[i] || (d == limits[i] && item < nearest_of_many[i])) {
+            limits[i] = d;
+            nearest_of_many[i] = item;
+        }
+    });
+    REQUIRE(std::fetestexcept(trapped_exceptions) == 0);
+    REQUIRE(nearest_of_many == nearest_items);
 }
 
 void require_sound(const Bvh8& tree, const Boxes& boxes) {

@@ -62,7 +62,7 @@ TEST_CASE("distances of a packet's triangles are bounded from below, and closely
             const Vec3 centre = Vec3{offset, -0.7 * offset, 0.3 * offset} * size;
             if (max_component(abs(centre)) + size > 9e14) continue;
             INFO("size " << size << ", offset " << offset);
-            int near_count = 0, close_count = 0;
+            int near_count = 0, close_count = 0, lanes = 0, close_alone = 0;
             for (int i = 0; i < 1000; ++i) {
                 const Packet of(few_triangles(random, centre, size));
                 // From everywhere, above a face, and on it.
@@ -80,12 +80,21 @@ TEST_CASE("distances of a packet's triangles are bounded from below, and closely
                     const float of_box = near.distance[0];  // a packet's first triangle is always there
                     if (found == 1) near_kernels(isa).measure(near, probe);
                     REQUIRE(std::fetestexcept(trapped) == 0);
+                    float distances[8];
+                    const uint32_t within = near_kernels(isa).lanes_within(*packet, probe, distances);
+                    REQUIRE(std::fetestexcept(trapped) == 0);
+                    REQUIRE((within & ~packet->lanes()) == 0);
                     for (int lane = 0; lane < 8; ++lane) {
                         if (packet->index[lane] == TrianglePacket::none) {
                             REQUIRE((found == 0 || near.distance[lane] == infinity));
+                            REQUIRE(distances[lane] == infinity);
                             continue;
                         }
                         const double distance = length(closest_point(packet->triangle(lane), point) - point);
+                        REQUIRE(distances[lane] <= distance * (1 + 1e-12));
+                        REQUIRE(((within >> lane & 1) != 0) == (distances[lane] <= probe.radius));
+                        close_alone += distances[lane] >= distance - 4e-6 * extent(*of.mesh, point) - 1e-30;
+                        ++lanes;
                         const bool kept = found == 1 && near.distance[lane] < infinity;
                         REQUIRE((kept || distance > radius));
                         if (!kept) continue;
@@ -99,6 +108,7 @@ TEST_CASE("distances of a packet's triangles are bounded from below, and closely
             }
             REQUIRE(near_count > 3000);
             REQUIRE(close_count > 0.95 * near_count);  // a thin one's normal is mostly rounding
+            REQUIRE(close_alone > 0.95 * lanes);
         }
     }
 }

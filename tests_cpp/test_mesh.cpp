@@ -6,6 +6,7 @@
 #include <memory>
 #include <set>
 
+#include "mesh/closest_search.h"
 #include "meshes.h"
 #include "test.h"
 
@@ -384,6 +385,32 @@ TEST_CASE("the closest point of a mesh is, bit for bit, that of all triangles") 
                 REQUIRE(triangle == expected);
                 REQUIRE(same_bits(out, expected_point));
             }
+        }
+    }
+}
+
+TEST_CASE("the closest points of many are, bit for bit, those of each") {
+    test::Random random(6);
+    for (const NamedArrays& named : hard_meshes()) {
+        INFO(named.name);
+        const MeshHolder mesh = hold(named.arrays);
+        for (uint32_t count = 1; count <= Mesh::points_at_once; count += 9) {
+            std::vector<Vec3> points(count), closest(count), expected(count);
+            std::vector<uint32_t> triangles(count, GPHYS_NO_TRIANGLE), expected_triangles(count, GPHYS_NO_TRIANGLE);
+            for (Vec3& point : points) {
+                point = centre_of(named) + random.direction() * random.uniform(0, 3 * named.size);
+            }
+            std::feclearexcept(FE_ALL_EXCEPT);
+            mesh->closest_point_many(points.data(), count, [&](uint32_t i, Vec3 point, uint32_t triangle) {
+                closest[i] = point;
+                triangles[i] = triangle;
+            });
+            REQUIRE(std::fetestexcept(trapped_exceptions) == 0);
+            for (uint32_t i = 0; i < count; ++i) {
+                mesh->closest_point(points[i], infinity, expected[i], expected_triangles[i]);
+                REQUIRE(same_bits(closest[i], expected[i]));
+            }
+            REQUIRE(triangles == expected_triangles);
         }
     }
 }

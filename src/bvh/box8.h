@@ -133,6 +133,7 @@ private:
 
 /// Finds the boxes near a point, by a lower bound of their squared distance.
 struct PointProbe {
+    PointProbe() = default;
     PointProbe(Vec3 point, const Box& root);
 
     float limit(double max_distance) const;

@@ -91,6 +91,7 @@ private:
 ///     distance_squared = sum over axes of max(min[k] - point[k], point[k] - max[k], 0)^2
 class PointTest {
 public:
+    PointTest() = default;
     explicit PointTest(const PointProbe& probe) {
         for (int k = 0; k < 3; ++k) {
             low_[k] = splat(probe.low[k]);

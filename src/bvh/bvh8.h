@@ -109,7 +109,12 @@ public:
     /// Visits roughly nearest first. visit(item, max_distance) may lower max_distance; a negative one ends the query.
     template <class Visit>
     void nearest(Vec3 point, double max_distance, Visit&& visit, ItemMemory items = {}) const;
-    /// The same with weights; the probe was made for bounds().
+    /// The same for up to `points_at_once` points, interleaved. visit(number, item) may lower reaches[number], the
+    /// greatest distance from points[number].
+    static constexpr uint32_t points_at_once = bvh_max_rays;
+    template <class Visit>
+    void nearest_many(const Vec3* points, uint32_t count, double* reaches, Visit&& visit, ItemMemory items = {}) const;
+    /// The same as nearest with weights; the probe was made for bounds().
     template <class Visit>
     void nearest(const WeightedPointProbe& probe, double max_distance, Visit&& visit) const;
     /// visit(item, wholly_inside), visit(items, count, wholly_inside) or visit(items, count) returns false to end the
@@ -181,7 +186,8 @@ private:
 
     class Builder;
     class Renewal;
-    enum class Change { addition, removal, move };
+    /// A relocation is a move to where the item's leaf may not be the best one, or to another leaf.
+    enum class Change { addition, removal, move, relocation };
 
     /// An empty tree that is to replace another. It does not renew itself.
     struct Replacement {};
@@ -251,7 +257,8 @@ private:
     void rebuild_around(uint32_t item) noexcept;
     void rebuild_next_part(uint32_t changes);
 
-    /// Whether more than one in so many items has been inserted since the last build of all.
+    /// Whether more than one in so many items has been inserted since the last build of all, or one in twice as many
+    /// relocated.
     bool is_worn(uint32_t one_in) const { return size_ > max_rebuilt_items && added_ > size_ / one_in; }
     void begin_renewal();
     void cancel_renewal() noexcept;
@@ -259,8 +266,10 @@ private:
     void renew_gradually(uint32_t item, Change change) noexcept;
     /// Call after each change of a single item.
     void note_change(uint32_t item, Change change) noexcept {
-        added_ += change == Change::addition;
-        if (renews_itself_ && (renewal_ || change == Change::addition)) renew_gradually(item, change);
+        // A relocation leaves a gap behind as well.
+        added_ += change == Change::addition ? 1 : change == Change::relocation ? 2 : 0;
+        const bool wears = change == Change::addition || change == Change::relocation;
+        if (renews_itself_ && (renewal_ || wears)) renew_gradually(item, change);
     }
 
     uint32_t level_of(uint32_t index) const;
@@ -293,7 +302,7 @@ private:
     uint32_t cursor_ = 0, budget_ = 0;
     uint32_t rebuilds_ = 0;
 
-    uint32_t added_ = 0;  // items that were inserted one by one since the last build of all
+    uint32_t added_ = 0;  // items that were inserted or relocated one by one since the last build of all
     const bool renews_itself_ = true;
     Renewal* renewal_ = nullptr;  // null: none is in progress
     uint32_t paid_work_ = 0;      // of the renewal, not done yet

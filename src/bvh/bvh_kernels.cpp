@@ -52,14 +52,14 @@ void closest_hit(const BvhNode* nodes, uint32_t root, const Probe& probe, float 
 
 template <class Order>
 void many_rays(const BvhNode* nodes, uint32_t root, const RayProbe* probes, const float* limits, uint32_t count,
-               bool is_packet, const BvhRayVisitor& to) {
+               bool is_packet, const BvhPairsVisitor& to) {
     const auto probe_of = [&](uint32_t ray) -> const RayProbe& { return probes[ray]; };
     const auto visit = [&](const uint32_t* rays, const uint32_t* items, uint32_t some, float* new_limits) {
         return to.visit(to.context, rays, items, some, new_limits);
     };
     const auto prefetch_of = [&](uint32_t item) GPHYS_INLINE_LAMBDA { prefetch_item(to.items, item); };
     const auto interleaved = [&](const float* present_limits) {
-        traverse_interleaved<Order>(nodes, root, probe_of, present_limits, count, visit, prefetch_of);
+        traverse_interleaved<Order, RayTest>(nodes, root, probe_of, present_limits, count, visit, prefetch_of);
     };
     if (!is_packet) return interleaved(limits);
     PacketLimits of_all(count, [&](uint32_t ray) { return limits[ray]; });
@@ -77,6 +77,16 @@ void many_rays(const BvhNode* nodes, uint32_t root, const RayProbe* probes, cons
         [&](uint32_t group, uint32_t mask, uint32_t item) { visits.add(group, mask, item); }, [&] { visits.flush(); },
         prefetch_of);
     if (!done) interleaved(of_all.limits);
+}
+
+void closest_of_points(const BvhNode* nodes, uint32_t root, const PointProbe* probes, const float* limits,
+                       uint32_t count, const BvhPairsVisitor& to) {
+    traverse_interleaved<ClosestHit, PointTest>(
+        nodes, root, [&](uint32_t point) -> const PointProbe& { return probes[point]; }, limits, count,
+        [&](const uint32_t* points, const uint32_t* items, uint32_t some, float* new_limits) {
+            return to.visit(to.context, points, items, some, new_limits);
+        },
+        [&](uint32_t item) GPHYS_INLINE_LAMBDA { prefetch_item(to.items, item); });
 }
 
 void any_hit(const BvhNode* nodes, uint32_t root, const RayProbe& probe, float limit, const BvhVisitor& to) {
@@ -152,6 +162,7 @@ extern const BvhKernels bvh_kernels{
     many_rays<ClosestHit>,
     many_rays<AnyHit>,
     closest_hit<PointTest, PointProbe>,
+    closest_of_points,
     closest_hit<WeightedPointTest, WeightedPointProbe>,
     any_hit,
     overlap<BoxTest, Box>,

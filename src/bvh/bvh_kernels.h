@@ -3,7 +3,7 @@
 //
 // - ordered_traversal.h      one query, nearest first: closest hit of a ray, nearest item of a point
 // - unordered_traversal.h    one query, depth first: any hit of a ray
-// - interleaved_traversal.h  many rays, independently; one computes while others wait for memory
+// - interleaved_traversal.h  many rays or points, independently; one computes while others wait for memory
 // - packet_traversal.h       many coherent rays, together
 // - overlap_traversal.h      boxes, balls and frusta, one or several
 // - pair_traversal.h         two trees
@@ -29,10 +29,10 @@ struct BvhVisitor {
     ItemMemory items;
 };
 
-/// Visitor of a traversal with many rays.
-struct BvhRayVisitor {
-    /// Pairs rays[k], items[k] for k < count <= 8. Bit k of the result: rays[k] has the new limit limits[k].
-    uint32_t (*visit)(void* context, const uint32_t* rays, const uint32_t* items, uint32_t count, float* limits);
+/// Visitor of a traversal by many queries: rays or points.
+struct BvhPairsVisitor {
+    /// Pairs queries[k], items[k] for k < count <= 8. Bit k of the result: queries[k] has the new limit limits[k].
+    uint32_t (*visit)(void* context, const uint32_t* queries, const uint32_t* items, uint32_t count, float* limits);
     void* context;
     ItemMemory items;
 };
@@ -75,11 +75,13 @@ struct BvhKernels {
     void (*ray)(const BvhNode* nodes, uint32_t root, const RayProbe& probe, float limit, const BvhVisitor& to);
     /// Closest hits of many rays. is_packet: at most RayPackets::max_rays, with the same signs of direction.
     void (*rays)(const BvhNode* nodes, uint32_t root, const RayProbe* probes, const float* limits, uint32_t count,
-                 bool is_packet, const BvhRayVisitor& to);
+                 bool is_packet, const BvhPairsVisitor& to);
     /// Any hits: the visitor ends a ray by a negative limit, or does not change its limit.
     void (*rays_any)(const BvhNode* nodes, uint32_t root, const RayProbe* probes, const float* limits, uint32_t count,
-                     bool is_packet, const BvhRayVisitor& to);
+                     bool is_packet, const BvhPairsVisitor& to);
     void (*point)(const BvhNode* nodes, uint32_t root, const PointProbe& probe, float limit, const BvhVisitor& to);
+    void (*points)(const BvhNode* nodes, uint32_t root, const PointProbe* probes, const float* limits, uint32_t count,
+                   const BvhPairsVisitor& to);
     void (*weighted_point)(const BvhNode* nodes, uint32_t root, const WeightedPointProbe& probe, float limit,
                            const BvhVisitor& to);
     // Unordered traversals.

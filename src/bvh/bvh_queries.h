@@ -143,6 +143,39 @@ void Bvh8::nearest(Vec3 point, double max_distance, Visit&& visit, ItemMemory it
 }
 
 template <class Visit>
+void Bvh8::nearest_many(const Vec3* points, uint32_t count, double* reaches, Visit&& visit, ItemMemory items) const {
+    if (root_ == none) return;
+    struct Context {
+        Context(double* r, Visit& v) : reaches(r), visit(v) {}
+
+        PointProbe probes[points_at_once];
+        double* reaches;
+        Visit& visit;
+    };
+    Context state(reaches, visit);
+    float limits[points_at_once];
+    for (uint32_t i = 0; i < count; ++i) {
+        state.probes[i] = PointProbe(points[i], bounds_);
+        limits[i] = state.probes[i].limit(reaches[i]);
+    }
+    const auto visit_pairs = [](void* context, const uint32_t* numbers, const uint32_t* some, uint32_t size,
+                                float* new_limits) {
+        Context& c = *static_cast<Context*>(context);
+        uint32_t nearer = 0;
+        for (uint32_t k = 0; k < size; ++k) {
+            double& reach = c.reaches[numbers[k]];
+            const double before = reach;
+            c.visit(numbers[k], some[k]);
+            if (reach == before) continue;
+            new_limits[k] = c.probes[numbers[k]].limit(reach);
+            nearer |= 1u << k;
+        }
+        return nearer;
+    };
+    kernels_.points(nodes_.data(), root_, state.probes, limits, count, {visit_pairs, &state, items});
+}
+
+template <class Visit>
 void Bvh8::nearest(const WeightedPointProbe& probe, double max_distance, Visit&& visit) const {
     if (root_ == none) return;
     traverse_to_bound(kernels_.weighted_point, probe, max_distance, probe.limit(max_distance), visit, {});

@@ -423,18 +423,20 @@ void Bvh8::remove(uint32_t item) noexcept {
 /// Reinserts the item if its new box is apart from its leaf's, or if the leaf has degraded; else refits.
 void Bvh8::update(uint32_t item, const Box& box) noexcept {
     const uint32_t leaf = item_lane_[item] / 8;
-    const bool stays_near = overlaps(box_of(leaf), box), jumps = !overlaps(this->box(item), box);
+    const bool stays_near = overlaps(box_of(leaf), box);
+    bool is_relocated = !overlaps(this->box(item), box);
     nodes_[leaf].boxes.set_lane(static_cast<int>(item_lane_[item] % 8), box);
     if ((!stays_near || degraded(leaf)) && try_reserve_nodes(1)) {
         reinsert_small_leaf(reinsert(item));
+        is_relocated = true;
     } else {
         refit_upward(leaf);
         // The leaf may not be the best one for the new place: counts as an insertion.
-        for (uint32_t above = nodes_[leaf].parent; jumps && above != none; above = nodes_[above].parent)
+        for (uint32_t above = nodes_[leaf].parent; is_relocated && above != none; above = nodes_[above].parent)
             ++nodes_[above].added;
     }
     rebuild_around(item);
-    note_change(item, jumps ? Change::addition : Change::move);
+    note_change(item, is_relocated ? Change::relocation : Change::move);
 }
 
 void Bvh8::clear() noexcept {

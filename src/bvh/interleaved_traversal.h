@@ -1,10 +1,10 @@
-// Interleaved traversal, for kernels: many rays traverse the tree independently, and while one waits for memory, others
-// continue. Each ray is a state machine (ordered_traversal.h). Before a ray is suspended, its next node or item is
-// prefetched (asynchronous memory access chaining: Kocberber, Falsafi, Grot 2015).
+// Interleaved traversal, for kernels: many queries traverse the tree independently, and while one waits for memory,
+// others continue. Each query is a ray or a point, and a state machine (ordered_traversal.h). Before it is suspended,
+// its next node or item is prefetched (asynchronous memory access chaining: Kocberber, Falsafi, Grot 2015).
 //
-// Several rays take a step together: their arithmetic is independent, and loops with a fixed number of rounds have
-// predictable branches. All rays of a group leave their nodes before any is suspended: whether the next step is a node
-// or an item is an unpredictable branch, and one that is resolved early costs less.
+// Several queries take a step together: their arithmetic is independent, and loops with a fixed number of rounds have
+// predictable branches. All queries of a group leave their nodes before any is suspended: whether the next step is a
+// node or an item is an unpredictable branch, and one that is resolved early costs less.
 #pragma once
 
 #include <type_traits>
@@ -15,16 +15,16 @@
 
 namespace gphys::GPHYS_ISA {
 
-/// Order is ClosestHit or AnyHit. probe_of(ray) gives a RayProbe. visit(rays, items, count, limits) gets up to eight
-/// pairs, as BvhRayVisitor does; prefetch_of(item) precedes it for each.
-template <class Order, class ProbeOf, class Visit, class PrefetchOf>
+/// Order is ClosestHit or AnyHit. Test is made from probe_of(query). visit(queries, items, count, limits) gets up to
+/// eight pairs, as BvhPairsVisitor does; prefetch_of(item) precedes it for each.
+template <class Order, class Test, class ProbeOf, class Visit, class PrefetchOf>
 void traverse_interleaved(const BvhNode* nodes, uint32_t root, const ProbeOf& probe_of, const float* limits,
                           uint32_t count, const Visit& visit, const PrefetchOf& prefetch_of) {
-    constexpr uint32_t task_count = 16;                 // rays in flight
-    constexpr uint32_t node_group = 4, item_group = 8;  // rays that take a step together
+    constexpr uint32_t task_count = 16;                 // queries in flight
+    constexpr uint32_t node_group = 4, item_group = 8;  // queries that take a step together
     struct alignas(64) Task {
-        RayTest test;
-        uint32_t ray;
+        Test test;
+        uint32_t query;
         const BvhNode* here;  // the present node, or the last one
         NodeHits hits;
         Order traversal;
@@ -47,13 +47,13 @@ void traverse_interleaved(const BvhNode* nodes, uint32_t root, const ProbeOf& pr
     };
     static_assert(task_count == 1 << 4);
     Queue at_node{tasks}, at_item{tasks};
-    uint32_t next_ray = 0;
+    uint32_t next_query = 0;
     const auto begin = [&](Task& task) {
-        while (next_ray < count && !(limits[next_ray] >= 0)) ++next_ray;
-        if (next_ray == count) return;
-        task.ray = next_ray++;
-        task.test = RayTest(probe_of(task.ray));
-        task.traversal.begin(root, limits[task.ray], stacks[&task - tasks]);
+        while (next_query < count && !(limits[next_query] >= 0)) ++next_query;
+        if (next_query == count) return;
+        task.query = next_query++;
+        task.test = Test(probe_of(task.query));
+        task.traversal.begin(root, limits[task.query], stacks[&task - tasks]);
         task.here = &node_at(nodes, root);
         at_node.add(task);
     };
@@ -85,14 +85,14 @@ void traverse_interleaved(const BvhNode* nodes, uint32_t root, const ProbeOf& pr
     };
     const auto visit_items = [&](uint32_t size) {
         Task* now[item_group];
-        uint32_t rays[item_group], items[item_group];
+        uint32_t queries[item_group], items[item_group];
         float new_limits[item_group];
         for (uint32_t i = 0; i < size; ++i) {
             now[i] = &at_item.pop();
-            rays[i] = now[i]->ray;
+            queries[i] = now[i]->query;
             items[i] = now[i]->traversal.item();
         }
-        for (uint32_t moved = visit(rays, items, size, new_limits); moved != 0; moved &= moved - 1) {
+        for (uint32_t moved = visit(queries, items, size, new_limits); moved != 0; moved &= moved - 1) {
             const int i = lowest_bit(moved);
             now[i]->traversal.set_limit(new_limits[i]);
         }

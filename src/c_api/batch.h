@@ -58,19 +58,18 @@ void cast_by_tiles(const Scene& scene, const ImageTiles& tiles, RayOf&& ray_of, 
     });
 }
 
-/// cast(first, count, filter) for the rays of a tile, which belong to `items`: with layers once, with filters in groups
-/// of max_ray_filters.
-template <class Cast>
-void cast_by(uint32_t layers, const uint32_t*, uint32_t count, const Cast& cast) {
-    cast(0, count, layers);
+/// query(first, count, filter) for parts of `items`: with layers once, with filters in groups of max_batch_filters.
+template <class Query>
+void query_by(uint32_t layers, const uint32_t*, uint32_t count, const Query& query) {
+    query(0, count, layers);
 }
-template <class Cast>
-void cast_by(const Filters& filters, const uint32_t* items, uint32_t count, const Cast& cast) {
-    QueryFilter storage[max_ray_filters];
-    const uint32_t at_once = filters.is_one() ? count : max_ray_filters;
+template <class Query>
+void query_by(const Filters& filters, const uint32_t* items, uint32_t count, const Query& query) {
+    QueryFilter storage[max_batch_filters];
+    const uint32_t at_once = filters.is_one() ? count : max_batch_filters;
     for (uint32_t first = 0; first < count; first += at_once) {
         const uint32_t some = std::min(at_once, count - first);
-        cast(first, some, filters.of(items + first, some, storage));
+        query(first, some, filters.of(items + first, some, storage));
     }
 }
 
@@ -105,7 +104,7 @@ void raycast_each(const Scene& scene, const Strided<T>& in, uint32_t floats, uin
                           answers[k] = &out[items[k]];
                           set_missed(*answers[k]);
                       }
-                      cast_by(filter, items, size, [&](uint32_t first, uint32_t some, const auto& by) {
+                      query_by(filter, items, size, [&](uint32_t first, uint32_t some, const auto& by) {
                           cast_many(scene, rays + first, some, by, answers + first);
                       });
                   });

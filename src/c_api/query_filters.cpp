@@ -73,7 +73,7 @@ const QueryFilter& Filters::of(uint32_t item, QueryFilter& storage) const noexce
     return storage;
 }
 
-RayFilters Filters::of(const uint32_t* items, uint32_t count, QueryFilter* storage) const noexcept {
+BatchFilters Filters::of(const uint32_t* items, uint32_t count, QueryFilter* storage) const noexcept {
     if (is_one()) return {&one_, 0};
     for (uint32_t i = 0; i < count; ++i) of(items[i], storage[i]);
     return {storage, 1};

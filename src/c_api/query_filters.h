@@ -20,7 +20,7 @@ public:
     // `storage` receives the filter.
 
     const QueryFilter& of(uint32_t item, QueryFilter& storage) const noexcept;
-    RayFilters of(const uint32_t* items, uint32_t count, QueryFilter* storage) const noexcept;
+    BatchFilters of(const uint32_t* items, uint32_t count, QueryFilter* storage) const noexcept;
 
 private:
     gphys_status read_desc_of(uint32_t item, gphys_query_filter_desc& desc) const noexcept;

@@ -150,7 +150,7 @@ gphys_status scene_raycast_any_batch(const gphys_scene* scene, const gphys_ray* 
     const ImageTiles tiles(ray.beginnings<float>(), ray_coordinates, count);
     cast_by_tiles(*unwrap(scene), tiles, ray_of, prefetch_elements(ray, out),
                   [&](Ray* tile, const uint32_t* items, uint32_t size) {
-                      cast_by(filter, items, size, [&](uint32_t first, uint32_t some, const auto& by) {
+                      query_by(filter, items, size, [&](uint32_t first, uint32_t some, const auto& by) {
                           const uint64_t hit_mask = unwrap(scene)->raycast_any_many(tile + first, some, by);
                           for (uint32_t k = 0; k < some; ++k) {
                               out[items[first + k]] = static_cast<int32_t>(hit_mask >> k & 1);
@@ -315,11 +315,23 @@ gphys_status scene_nearest_batch(const gphys_scene* scene, const gphys_vec3* poi
     GPHYS_TRY(check_outputs("out_nearest", out_nearest, out_stride, count));
     const Strided<gphys_vec3> point(points, point_stride);
     const StridedOut<gphys_nearest> out(out_nearest, out_stride);
-    for_each_item(workers, count, [&](uint32_t i) {
-        QueryFilter storage;
-        gphys_nearest nearest = no_nearest;
-        unwrap(scene)->nearest(widen(point[i]), max_distance, filter_of(filter, i, storage), nearest);
-        out[i] = nearest;
+    constexpr uint32_t at_once = Scene::points_at_once;
+    for_each_chunk(workers, count, batch_chunk, [&](uint32_t begin, uint32_t end) {
+        for (uint32_t first = begin; first < end; first += at_once) {
+            const uint32_t size = std::min(at_once, end - first);
+            Vec3 from[at_once];
+            uint32_t items[at_once];
+            gphys_nearest found[at_once];
+            for (uint32_t k = 0; k < size; ++k) {
+                from[k] = widen(point[first + k]);
+                items[k] = first + k;
+                found[k] = no_nearest;
+            }
+            query_by(filter, items, size, [&](uint32_t part, uint32_t some, const auto& by) {
+                unwrap(scene)->nearest_many(from + part, some, max_distance, by, found + part);
+            });
+            for (uint32_t k = 0; k < size; ++k) out[first + k] = found[k];
+        }
     });
     return GPHYS_OK;
 }

@@ -1,6 +1,6 @@
 // gphys_shape_*: queries with a point and a shape, and with two shapes.
 #include "c_api/shape_input.h"
-#include "mesh/mesh.h"
+#include "mesh/closest_search.h"
 
 namespace gphys {
 namespace {
@@ -67,6 +67,29 @@ bool nearest(const Shape& shape, Vec3 point, gphys_nearest& out) {
 }
 bool nearest(const Target& target, Vec3 point, gphys_nearest& out) {
     return std::visit([&](const auto& t) { return nearest(t, point, out); }, target);
+}
+
+/// out[i] for points[i]; no_nearest if there is none.
+void nearest_many(const Mesh& mesh, const Strided<gphys_vec3>& points, uint32_t count,
+                  const StridedOut<gphys_nearest>& out) {
+    constexpr uint32_t at_once = Mesh::points_at_once;
+    for (uint32_t first = 0; first < count; first += at_once) {
+        const uint32_t size = std::min(at_once, count - first);
+        Vec3 from[at_once];
+        for (uint32_t k = 0; k < size; ++k) {
+            from[k] = widen(points[first + k]);
+            out[first + k] = no_nearest;
+        }
+        mesh.closest_point_many(from, size, [&](uint32_t k, Vec3 closest, uint32_t triangle) {
+            out[first + k] = to_nearest(closest, distance(closest, from[k]), triangle);
+        });
+    }
+}
+void nearest_many(const Target& target, const Strided<gphys_vec3>& points, uint32_t count,
+                  const StridedOut<gphys_nearest>& out) {
+    for (uint32_t i = 0; i < count; ++i) {
+        if (!nearest(target, widen(points[i]), out[i])) out[i] = no_nearest;
+    }
 }
 
 bool overlaps(const ShapeOrMesh& a, const ShapeOrMesh& b) {
@@ -160,9 +183,8 @@ gphys_status gphys_shape_closest_point_batch(gphys_shape_type type, const void* 
         GPHYS_TRY(check_points(points, point_stride, count));
         const Strided<gphys_vec3> each(points, point_stride);
         const StridedOut<gphys_nearest> out(out_nearest, out_stride);
-        for (uint32_t i = 0; i < count; ++i) {
-            if (!nearest(target, widen(each[i]), out[i])) out[i] = no_nearest;
-        }
+        const Mesh* const* const mesh = std::get_if<const Mesh*>(&target);
+        mesh ? nearest_many(**mesh, each, count, out) : nearest_many(target, each, count, out);
         return GPHYS_OK;
     });
 }

@@ -10,6 +10,7 @@
 #include "foundation/exact.h"
 #include "geometry/faces.h"
 #include "geometry/raycast_box.h"
+#include "mesh/closest_search.h"
 
 namespace gphys {
 
@@ -50,6 +51,7 @@ Mesh::Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_m
            Isa isa, bool deformable)
     : memory(hooks),
       kernels_(mesh_kernels(isa)),
+      near_kernels_(near_kernels(isa)),
       report_(report),
       bvh_(&memory, isa),
       rays_root_(Box()),
@@ -399,9 +401,7 @@ bool Mesh::raycast_any(const Ray& ray) const {
 }
 
 bool Mesh::closest_point(Vec3 point, double max_distance, Vec3& out, uint32_t& triangle, const AxisScale& axes) const {
-    return closest_point(
-        point, max_distance, [](Vec3, double squared) { return reported(std::sqrt(squared)); },
-        [](double distance) { return limit_of_ties(distance); }, out, triangle, axes);
+    return closest_point(point, max_distance, reported_distance, limit_of_reported, out, triangle, axes);
 }
 
 bool Mesh::sweep_point_at_hull(const Ray& way, Hit& hit, const AxisScale& axes) const {

@@ -23,6 +23,7 @@
 #include "mesh/mesh_ray.h"
 #include "mesh/mesh_snapshot.h"
 #include "mesh/mesh_users.h"
+#include "mesh/near_kernels.h"
 
 namespace gphys {
 
@@ -140,6 +141,11 @@ public:
     template <class DistanceOf, class LimitOf>
     bool closest_point(Vec3 point, double max_distance, const DistanceOf& distance_of, const LimitOf& limit_of,
                        Vec3& out, uint32_t& triangle, const AxisScale& axes = {}) const;
+    /// The first form for up to points_at_once points, without a limit or scales: found(i, point, triangle) for each
+    /// that has a closest point.
+    static constexpr uint32_t points_at_once = Bvh8::points_at_once;
+    template <class Found>
+    void closest_point_many(const Vec3* points, uint32_t count, Found&& found) const;
     /// On surfaces, `faces` selects the sides of triangles that can be hit.
     bool sweep(const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties = Ties::as_reported,
                const AxisScale& axes = {}, Faces faces = {}) const;
@@ -274,6 +280,8 @@ private:
     template <class Visit>
     void cross_all(const Ray& ray, Visit&& visit) const;
     template <class DistanceOf, class LimitOf>
+    class ClosestSearch;
+    template <class DistanceOf, class LimitOf>
     bool find_closest(Vec3 point, double max_distance, const DistanceOf& distance_of, const LimitOf& limit_of,
                       Vec3& out, uint32_t& triangle, const AxisScale& axes) const;
     /// The first triangle hit by a moving solid whose bounding box has half extents `half` around `middle`.
@@ -299,6 +307,7 @@ private:
 
     mutable std::atomic<uint32_t> holds_{1};
     const MeshKernels& kernels_;
+    const NearKernels& near_kernels_;
     gphys_mesh_report report_;
     Vector<gphys_vec3> vertices_{&memory};
     Vector<uint32_t> indices_{&memory};
@@ -384,64 +393,6 @@ void Mesh::cross_all(const Ray& ray, Visit&& visit) const {
         });
         return prepared.limit;
     });
-}
-
-template <class DistanceOf, class LimitOf>
-bool Mesh::closest_point(Vec3 point, double max_distance, const DistanceOf& distance_of, const LimitOf& limit_of,
-                         Vec3& out, uint32_t& triangle, const AxisScale& axes) const {
-    if (contains(point, axes)) {
-        out = point;
-        triangle = GPHYS_NO_TRIANGLE;
-        return true;
-    }
-    if (!magnified_) return find_closest(point, max_distance, distance_of, limit_of, out, triangle, axes);
-    const double by = magnification_;
-    const bool found = magnified_->find_closest(
-        point * by, max_distance * by,
-        [&](Vec3 candidate, double squared) { return distance_of(candidate / by, squared / (by * by)); },
-        [&](auto distance) { return limit_of(distance) * by; }, out, triangle, axes);
-    if (found) out = out / by;
-    return found;
-}
-
-template <class DistanceOf, class LimitOf>
-bool Mesh::find_closest(Vec3 point, double max_distance, const DistanceOf& distance_of, const LimitOf& limit_of,
-                        Vec3& out, uint32_t& triangle, const AxisScale& axes) const {
-    if (packets_.empty()) return false;
-    auto least = std::numeric_limits<decltype(distance_of(point, 0.0))>::infinity();
-    uint32_t nearest = GPHYS_NO_TRIANGLE;
-    const auto visit = [&](uint32_t number, double& bound, const auto& near) {
-        const TrianglePacket& packet = packets_[number];
-        for_each_lane(lanes_by(packet, [&] { return near(packet, bound); }), [&](int lane) {
-            const Vec3 candidate =
-                with_item(packet, lane, axes, [&](const auto& item) { return gphys::closest_point(item, point); });
-            const double squared = length_squared(candidate - point);
-            if (squared > bound * bound) return true;
-            const auto distance = distance_of(candidate, squared);
-            if (distance < least || (distance == least && packet.index[lane] < nearest)) {
-                least = distance;
-                nearest = packet.index[lane];
-                out = candidate;
-                bound = std::min(bound, limit_of(least));
-            }
-            return true;
-        });
-    };
-    if (axes.is_one()) {
-        const PointProbe probe(point, bounds());
-        const auto near = [&](const TrianglePacket& packet, double bound) {
-            return kernels_.lanes_near(packet, probe, probe.limit(bound));
-        };
-        bvh_.nearest(point, max_distance, [&](uint32_t number, double& bound) { visit(number, bound, near); });
-    } else {
-        const WeightedPointProbe probe(axes.inverse(point), axes.by, bounds());
-        const auto near = [&](const TrianglePacket& packet, double bound) {
-            return kernels_.lanes_near_weighted(packet, probe, probe.limit(bound));
-        };
-        bvh_.nearest(probe, max_distance, [&](uint32_t number, double& bound) { visit(number, bound, near); });
-    }
-    triangle = nearest;
-    return nearest != GPHYS_NO_TRIANGLE;
 }
 
 template <class Visit>

@@ -1,6 +1,8 @@
 // Queries of a placed mesh: transforms to its local space and back, with bounds for the rounding (mesh_instance.h).
 #include "mesh/mesh_instance.h"
 
+#include "mesh/closest_search.h"
+
 namespace gphys {
 
 namespace {
@@ -118,7 +120,7 @@ bool closest_point(const MeshInstance& instance, Vec3 point, double max_distance
         const bool near = squared <= max_distance * max_distance;
         return near ? reported(std::sqrt(squared)) : std::numeric_limits<float>::infinity();
     };
-    const auto limit_of_reported = [&](double distance) { return within(limit_of_ties(distance)); };
+    const auto limit_of_world = [&](double distance) { return within(limit_of_ties(distance)); };
     const auto as_computed = [](Vec3, double squared) { return squared; };
     const auto limit_of_computed = [](double squared) { return std::sqrt(squared) * (1 + 0x1p-50); };
     const auto find = [&](const auto& distance_of, const auto& limit_of) {
@@ -126,7 +128,7 @@ bool closest_point(const MeshInstance& instance, Vec3 point, double max_distance
                                            instance.axes);
     };
     const bool found =
-        ties == Ties::as_reported ? find(as_reported, limit_of_reported) : find(as_computed, limit_of_computed);
+        ties == Ties::as_reported ? find(as_reported, limit_of_world) : find(as_computed, limit_of_computed);
     if (found) out = world.apply(out);
     return found;
 }

@@ -189,7 +189,7 @@ void walk_rays(const BvhNode* nodes, uint32_t root, const TrianglePacket* packet
         }
         return moved;
     };
-    traverse_interleaved<Order>(nodes, root, probe_of, limits, count, visit, prefetch_of);
+    traverse_interleaved<Order, RayTest>(nodes, root, probe_of, limits, count, visit, prefetch_of);
 }
 
 template <class Place>
@@ -251,26 +251,15 @@ uint32_t lanes_along(const TrianglePacket& packet, const RayProbe& probe, float 
     return RayTest(probe).hits(boxes_of(packet), limit, entry) & used_lanes(packet);
 }
 
-template <class Test, class Probe>
-uint32_t lanes_near(const TrianglePacket& packet, const Probe& probe, float limit) {
+uint32_t lanes_near_weighted(const TrianglePacket& packet, const WeightedPointProbe& probe, float limit) {
     Float8 distance_squared;
-    return Test(probe).hits(boxes_of(packet), limit, distance_squared) & used_lanes(packet);
+    return WeightedPointTest(probe).hits(boxes_of(packet), limit, distance_squared) & used_lanes(packet);
 }
 
 }  // namespace
 
-extern const MeshKernels mesh_kernels{prepare,
-                                      prepare_placed,
-                                      walk_ray,
-                                      cast_ray<ClosestHit>,
-                                      cast_ray<AnyHit>,
-                                      walk_rays<ClosestHit>,
-                                      walk_rays<AnyHit>,
-                                      hits,
-                                      lanes_in_box,
-                                      lanes_along,
-                                      lanes_near<PointTest, PointProbe>,
-                                      lanes_near<WeightedPointTest, WeightedPointProbe>,
-                                      placed_hits};
+extern const MeshKernels mesh_kernels{
+    prepare,           prepare_placed, walk_ray,     cast_ray<ClosestHit>, cast_ray<AnyHit>,    walk_rays<ClosestHit>,
+    walk_rays<AnyHit>, hits,           lanes_in_box, lanes_along,          lanes_near_weighted, placed_hits};
 
 }  // namespace gphys::GPHYS_ISA

@@ -49,7 +49,6 @@ struct MeshKernels {
     // The lanes of one packet whose boxes overlap the query.
     uint32_t (*lanes_in_box)(const TrianglePacket& packet, const Box& box);
     uint32_t (*lanes_along)(const TrianglePacket& packet, const RayProbe& probe, float limit);
-    uint32_t (*lanes_near)(const TrianglePacket& packet, const PointProbe& probe, float limit);
     uint32_t (*lanes_near_weighted)(const TrianglePacket& packet, const WeightedPointProbe& probe, float limit);
     /// As hits, for a mesh at `world` with a uniform scale.
     uint64_t (*placed_hits)(const PreparedRay* rays, const NearestCrossing* nearest, uint32_t count,

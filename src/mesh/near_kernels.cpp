@@ -28,11 +28,15 @@ struct Corners {
     Vec<Float8> a, b, c;
 
     /// Relative to the point, times `scale`.
-    Corners(const TrianglePacket& packet, const NearProbe& probe, float scale)
+    GPHYS_INLINE Corners(const TrianglePacket& packet, const NearProbe& probe, float scale)
         : a(corner(packet, probe, scale, 0)), b(corner(packet, probe, scale, 1)), c(corner(packet, probe, scale, 2)) {}
 
+    /// The largest sum of the magnitudes of a corner's coordinates.
+    Float8 extent() const { return max(max(sum(abs(a)), sum(abs(b))), sum(abs(c))); }
+    void scale(Float8 by) { a = a * by, b = b * by, c = c * by; }
+
 private:
-    static Vec<Float8> corner(const TrianglePacket& packet, const NearProbe& probe, float scale, int k) {
+    GPHYS_INLINE static Vec<Float8> corner(const TrianglePacket& packet, const NearProbe& probe, float scale, int k) {
         const auto relative = [&](int axis) {
             return (load(packet.corner[k][axis]) - splat(probe.base[axis]) - splat(probe.offset[axis])) * splat(scale);
         };
@@ -41,7 +45,7 @@ private:
 };
 
 /// The point of an edge closest to the origin, and its squared distance.
-inline Vec<Float8> nearest_on_edge(const Vec<Float8>& from, const Vec<Float8>& along, Float8& squared) {
+GPHYS_INLINE Vec<Float8> nearest_on_edge(const Vec<Float8>& from, const Vec<Float8>& along, Float8& squared) {
     const Float8 t = (splat(0) - dot(from, along)) / max(dot(along, along), splat(tiny));
     const Vec<Float8> nearest = from + along * min(max(t, splat(0)), splat(1));
     squared = dot(nearest, nearest);
@@ -51,7 +55,7 @@ inline Vec<Float8> nearest_on_edge(const Vec<Float8>& from, const Vec<Float8>& a
 /// A lower bound of the distance from the origin. It holds for any vector q, however inaccurate and however thin the
 /// triangle: the triangle is beyond the plane normal to q through the corner that is lowest along q. It is tight if q
 /// is the closest point.
-Float8 distance_at_least(const Corners& t) {
+GPHYS_INLINE Float8 distance_at_least(const Corners& t) {
     const Vec<Float8> ab = t.b - t.a, ac = t.c - t.a;
     Float8 squared, other;
     Vec<Float8> nearest = nearest_on_edge(t.a, ab, squared);
@@ -123,6 +127,19 @@ void measure(NearPacket& near, const NearProbe& probe) {
     near.measured = 1;
 }
 
+uint32_t lanes_within(const TrianglePacket& packet, const NearProbe& probe, float* distances) {
+    Corners corners(packet, probe, 1);
+    const Float8 extent = max(corners.extent() * splat(1 + 0x1p-20f), splat(tiny));
+    corners.scale(splat(1) / extent);
+    const uint32_t used = used_lanes(packet);
+    const Float8 distance = max(distance_at_least(corners), splat(0)) * (extent * splat(shortened));
+    store(distances, distance);
+    for (uint32_t rest = ~used & 0xff; rest != 0; rest &= rest - 1) {
+        distances[lowest_bit(rest)] = std::numeric_limits<float>::infinity();
+    }
+    return bits(distance <= splat(probe.radius)) & used;
+}
+
 uint32_t cull(NearPacket* packets, uint32_t count, const NearProbe& probe, const HalfSpaceProbe& plane,
               uint32_t* open) {
     const Vec<Float8> normal{splat(plane.normal[0]), splat(plane.normal[1]), splat(plane.normal[2])};
@@ -161,6 +178,6 @@ float nearest(const NearPacket* packets, uint32_t count, uint32_t& place) {
 
 }  // namespace
 
-const NearKernels near_kernels = {find, measure, cull, nearest};
+const NearKernels near_kernels = {find, measure, lanes_within, cull, nearest};
 
 }  // namespace gphys::GPHYS_ISA

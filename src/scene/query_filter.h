@@ -59,19 +59,19 @@ struct QueryFilter {
     Faces faces;  // sides of surfaces that rays and sweeps hit
 };
 
-/// Filters of several rays: the same for all if step is 0, else one for each.
-struct RayFilters {
+/// Filters of several items of a batch: the same for all if step is 0, else one for each.
+struct BatchFilters {
     const QueryFilter* first;
     uint32_t step;
 
-    const QueryFilter& of(uint32_t ray) const { return first[ray * step]; }
+    const QueryFilter& of(uint32_t item) const { return first[item * step]; }
 };
 
-/// Rays of a batch if each has its own filter. More would need too much stack.
-constexpr uint32_t max_ray_filters = 16;
+/// Items of a batch that are queried at once if each has its own filter. More would need too much stack.
+constexpr uint32_t max_batch_filters = 16;
 
-inline uint32_t filter_of_ray(uint32_t layers, uint32_t) { return layers; }
-inline const QueryFilter& filter_of_ray(const RayFilters& filters, uint32_t ray) { return filters.of(ray); }
+inline uint32_t filter_of_item(uint32_t layers, uint32_t) { return layers; }
+inline const QueryFilter& filter_of_item(const BatchFilters& filters, uint32_t item) { return filters.of(item); }
 
 inline Faces faces_of(uint32_t) { return {}; }
 inline Faces faces_of(const QueryFilter& filter) { return filter.faces; }
@@ -82,7 +82,7 @@ inline Ray filtered(Ray ray, const QueryFilter& filter) {
     return ray;
 }
 inline void filter_rays(Ray*, uint32_t, uint32_t) {}
-inline void filter_rays(Ray* rays, uint32_t count, const RayFilters& filters) {
+inline void filter_rays(Ray* rays, uint32_t count, const BatchFilters& filters) {
     for (uint32_t i = 0; i < count; ++i) rays[i].faces = filters.of(i).faces;
 }
 

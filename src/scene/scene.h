@@ -143,15 +143,16 @@ public:
     /// Closest hits of up to rays_at_once rays. Lowers rays[i].t_max to the hit. Without a hit, *out[i] is unchanged.
     static constexpr uint32_t rays_at_once = Bvh8::rays_at_once;
     void raycast_many(Ray* rays, uint32_t count, uint32_t layers, gphys_hit* const* out) const;
-    void raycast_many(Ray* rays, uint32_t count, const RayFilters& filters, gphys_hit* const* out) const;
+    void raycast_many(Ray* rays, uint32_t count, const BatchFilters& filters, gphys_hit* const* out) const;
     /// The same without points and normals.
     void raycast_distance_many(Ray* rays, uint32_t count, uint32_t layers, gphys_distance* const* out) const;
-    void raycast_distance_many(Ray* rays, uint32_t count, const RayFilters& filters, gphys_distance* const* out) const;
+    void raycast_distance_many(Ray* rays, uint32_t count, const BatchFilters& filters,
+                               gphys_distance* const* out) const;
     bool raycast_any(const Ray& ray, uint32_t layers) const;
     bool raycast_any(const Ray& ray, const QueryFilter& filter) const;
     /// The same for many rays: bit i of the result is for ray i.
     uint64_t raycast_any_many(Ray* rays, uint32_t count, uint32_t layers) const;
-    uint64_t raycast_any_many(Ray* rays, uint32_t count, const RayFilters& filters) const;
+    uint64_t raycast_any_many(Ray* rays, uint32_t count, const BatchFilters& filters) const;
     void raycast_all(const Ray& ray, uint32_t layers, Smallest<gphys_hit, FirstHit>& out) const;
     void raycast_all(const Ray& ray, const QueryFilter& filter, Smallest<gphys_hit, FirstHit>& out) const;
     /// `candidates`: the result of find_candidates for the shape, or null.
@@ -163,6 +164,12 @@ public:
     void find_candidates(const Shape* shapes, uint32_t count, uint32_t layers, OverlapItems* candidates) const;
     gphys_status nearest(Vec3 point, double max_distance, uint32_t layers, gphys_nearest& out) const;
     gphys_status nearest(Vec3 point, double max_distance, const QueryFilter& filter, gphys_nearest& out) const;
+    /// The same for up to points_at_once points. Without a model in reach, out[i] is unchanged.
+    static constexpr uint32_t points_at_once = Bvh8::points_at_once;
+    void nearest_many(const Vec3* points, uint32_t count, double max_distance, uint32_t layers,
+                      gphys_nearest* out) const;
+    void nearest_many(const Vec3* points, uint32_t count, double max_distance, const BatchFilters& filters,
+                      gphys_nearest* out) const;
     gphys_status sweep(const Sphere& moving, Vec3 displacement, uint32_t layers, gphys_hit& out) const;
     gphys_status sweep(const Sphere& moving, Vec3 displacement, const QueryFilter& filter, gphys_hit& out) const;
     /// For a moving sphere, capsule or box.
@@ -256,12 +263,13 @@ private:
     static uint32_t layers_of(uint32_t layers) { return layers; }
     static uint32_t layers_of(const QueryFilter& filter) { return filter.layers; }
 
-    // The queries. Filter is uint32_t (layers) or QueryFilter; Filters is uint32_t or RayFilters.
+    // The queries. Filter is uint32_t (layers) or QueryFilter; Filters is uint32_t or BatchFilters.
     template <class T>
     class Storage;
     template <class Answer>
     class FirstHitOfRay;
     class LargeMeshes;
+    class NearestOfPoint;
     template <class Filter>
     gphys_status raycast_by(const Ray& ray, const Filter& filter, gphys_hit& out) const;
     /// Answer is gphys_hit or gphys_distance.
@@ -281,6 +289,9 @@ private:
                     const OverlapItems* candidates) const;
     template <class Filter>
     gphys_status nearest_by(Vec3 point, double max_distance, const Filter& filter, gphys_nearest& out) const;
+    template <class Filters>
+    void nearest_many_by(const Vec3* points, uint32_t count, double max_distance, const Filters& filters,
+                         gphys_nearest* out) const;
     template <class Filter>
     gphys_status sweep_by(const Sphere& moving, Vec3 displacement, const Filter& filter, gphys_hit& out) const;
     template <class Filter>

@@ -1,4 +1,4 @@
-// Overlap, nearest, sphere sweep and culling in the scene. Each query goes through the list of unbounded models and
+// Overlap, sphere sweep and culling in the scene. Each query goes through the list of unbounded models and
 // traverses the BVH. It tests each candidate conservatively, then exactly if undecided, and lowers the limit by which
 // the traversal prunes. Results are ordered by what is reported, so they do not depend on the order of traversal.
 #include <cmath>
@@ -19,16 +19,6 @@ bool overlaps_shape(const MeshInstance& instance, const Shape& query) { return o
 template <class Primitive>
 bool overlaps_shape(const Primitive& shape, const Shape& query) {
     return overlaps(Shape(shape), query);
-}
-
-bool closest_point_of(const MeshInstance& instance, Vec3 point, double max_distance, Vec3& out, uint32_t& triangle) {
-    return closest_point(instance, point, max_distance, out, triangle);
-}
-template <class Primitive>
-bool closest_point_of(const Primitive& shape, Vec3 point, double, Vec3& out, uint32_t& triangle) {
-    triangle = GPHYS_NO_TRIANGLE;
-    out = closest_point(shape, point);
-    return true;
 }
 
 /// Sweep of a sphere against the sides of surfaces that the filter allows.
@@ -187,37 +177,6 @@ void Scene::overlap_by(const Shape& query, const Filter& filter, Smallest<gphys_
 }
 
 template <class Filter>
-gphys_status Scene::nearest_by(Vec3 point, double max_distance, const Filter& filter, gphys_nearest& out) const {
-    const ConservativePoint conservative_point(point);
-    BestCandidate best;
-    double reach = max_distance;
-    Vec3 closest, candidate;
-    uint32_t closest_triangle = GPHYS_NO_TRIANGLE, triangle = GPHYS_NO_TRIANGLE;
-    const auto conservative = [&](const auto& shape) { return only_no(conservative_point(shape, reach)); };
-    const auto exact = [&](const auto& shape) { return closest_point_of(shape, point, reach, candidate, triangle); };
-    const auto test = [&](uint32_t slot) {
-        if (!may_pass(filter, slot) || !decide(filter, slot, conservative, exact)) return;
-        const double square = length_squared(candidate - point);
-        if (square > reach * reach) return;
-        const float distance = reported(std::sqrt(square));
-        if (!best.is_beaten_by(distance, slot, ids_)) return;
-        best = {distance, slot};
-        reach = std::min(max_distance, limit_of_ties<double>(distance));
-        closest = candidate;
-        closest_triangle = triangle;
-    };
-    for (const uint32_t slot : unbounded_) test(slot);
-    const auto visit = [&](uint32_t slot, double& within) {
-        test(slot);
-        within = reach;
-    };
-    bvh_.nearest(point, reach, visit, model_memory());
-    if (!best.exists()) return GPHYS_NO_HIT;
-    out = to_nearest(closest, best.value, closest_triangle, ids_.id(best.slot), tags_[best.slot]);
-    return GPHYS_OK;
-}
-
-template <class Filter>
 gphys_status Scene::sweep_by(const Sphere& moving, Vec3 displacement, const Filter& filter, gphys_hit& out) const {
     Hit first, hit;
     BestCandidate best;
@@ -299,13 +258,6 @@ void Scene::overlap(const Shape& shape, uint32_t layers, Smallest<gphys_model_id
 void Scene::overlap(const Shape& shape, const QueryFilter& filter, Smallest<gphys_model_id>& out,
                     const OverlapItems* candidates) const {
     overlap_by(shape, filter, out, candidates);
-}
-
-gphys_status Scene::nearest(Vec3 point, double max_distance, uint32_t layers, gphys_nearest& out) const {
-    return nearest_by(point, max_distance, layers, out);
-}
-gphys_status Scene::nearest(Vec3 point, double max_distance, const QueryFilter& filter, gphys_nearest& out) const {
-    return nearest_by(point, max_distance, filter, out);
 }
 
 gphys_status Scene::sweep(const Sphere& moving, Vec3 displacement, uint32_t layers, gphys_hit& out) const {

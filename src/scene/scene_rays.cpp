@@ -169,7 +169,7 @@ private:
     static bool all_pass(const Scene& scene, uint32_t slot, uint32_t, uint32_t layers) {
         return scene.may_pass(layers, slot);
     }
-    static bool all_pass(const Scene& scene, uint32_t slot, uint32_t count, const RayFilters& filters) {
+    static bool all_pass(const Scene& scene, uint32_t slot, uint32_t count, const BatchFilters& filters) {
         for (uint32_t i = 0; i < (filters.step == 0 ? 1 : count); ++i) {
             if (!scene.may_pass(filters.of(i), slot) || !scene.passes(filters.of(i), slot)) return false;
         }
@@ -248,7 +248,7 @@ public:
         static_assert(offsetof(Model, world) == 0 && offsetof(Model, shape) == shape_at * sizeof(float));
         for (uint32_t k = 0; k < count; ++k) {
             const Model& model = scene.models_[slots[k]];
-            const bool passes_mask = scene.may_pass(filter_of_ray(filters, numbers[k]), slots[k]);
+            const bool passes_mask = scene.may_pass(filter_of_item(filters, numbers[k]), slots[k]);
             of_type_[model.type()] |= uint32_t{passes_mask && !large.contains(slots[k])} << k;
         }
     }
@@ -393,7 +393,7 @@ GPHYS_NOINLINE void Scene::raycast_bvh_by(Ray* rays, uint32_t count, const Filte
             using Answers = std::conditional_t<std::is_same_v<Answer, gphys_distance>, float[8], Hits8>;
             undecided &= ~hits_by_kernels<Answers>(pairs, rays, [&](uint32_t k, const auto& hits) {
                 const auto hit_of = [&](uint32_t model, uint32_t tag) { return answer_of(hits, k, model, tag); };
-                shorter |= uint32_t{first[numbers[k]]->accept_if_seen(filter_of_ray(filters, numbers[k]), slots[k],
+                shorter |= uint32_t{first[numbers[k]]->accept_if_seen(filter_of_item(filters, numbers[k]), slots[k],
                                                                       reported_t(hits, k), hit_of)}
                            << k;
             });
@@ -404,7 +404,7 @@ GPHYS_NOINLINE void Scene::raycast_bvh_by(Ray* rays, uint32_t count, const Filte
         for (; undecided != 0; undecided &= undecided - 1) {
             const auto k = static_cast<uint32_t>(lowest_bit(undecided));
             First& of = *first[numbers[k]];
-            if (!passes(filter_of_ray(filters, numbers[k]), slots[k])) continue;
+            if (!passes(filter_of_item(filters, numbers[k]), slots[k])) continue;
             const Shape* placed = shared.place(slots[k]);
             if (!(placed ? of.test(slots[k], *placed) : of.test(slots[k]))) continue;
             shorter |= 1u << k;
@@ -419,7 +419,7 @@ template <class Filters, class Answer>
 void Scene::raycast_many_by(Ray* rays, uint32_t count, const Filters& filters, Answer* const* out) const {
     Storage<FirstHitOfRay<Answer>> first[rays_at_once];
     filter_rays(rays, count, filters);
-    for (uint32_t i = 0; i < count; ++i) first[i].make(*this, rays[i], filter_of_ray(filters, i), *out[i]);
+    for (uint32_t i = 0; i < count; ++i) first[i].make(*this, rays[i], filter_of_item(filters, i), *out[i]);
     const LargeMeshes large(
         *this, rays, count, filters,
         [](const MeshInstance& mesh, const Ray* of, uint32_t some, const auto& hit) {
@@ -464,7 +464,7 @@ uint64_t Scene::raycast_any_many_by(Ray* rays, uint32_t count, const Filters& fi
     uint64_t hits = 0;
     filter_rays(rays, count, filters);
     for (uint32_t i = 0; i < count; ++i) {
-        if (!hits_unbounded(rays[i], filter_of_ray(filters, i))) continue;
+        if (!hits_unbounded(rays[i], filter_of_item(filters, i))) continue;
         hits |= uint64_t{1} << i;
         // A negative t_max excludes the ray from the traversals.
         rays[i].t_max = -1;
@@ -483,9 +483,9 @@ uint64_t Scene::raycast_any_many_by(Ray* rays, uint32_t count, const Filters& fi
     const auto visit = [&](const uint32_t* numbers, const uint32_t* slots, uint32_t size) {
         const EightPairs pairs(*this, numbers, slots, size, filters, large);
         const TriStates8 results = conservative.test(pairs);
-        const auto passes_filter = [&](uint32_t k) { return passes(filter_of_ray(filters, numbers[k]), slots[k]); };
+        const auto passes_filter = [&](uint32_t k) { return passes(filter_of_item(filters, numbers[k]), slots[k]); };
         uint32_t done = results.yes;
-        if constexpr (std::is_same_v<Filters, RayFilters>) {
+        if constexpr (std::is_same_v<Filters, BatchFilters>) {
             for (uint32_t rest = done; rest != 0; rest &= rest - 1) {
                 const auto k = static_cast<uint32_t>(lowest_bit(rest));
                 if (!passes_filter(k)) done &= ~(1u << k);
@@ -537,14 +537,14 @@ gphys_status Scene::raycast(const Ray& ray, const QueryFilter& filter, gphys_hit
 void Scene::raycast_many(Ray* rays, uint32_t count, uint32_t layers, gphys_hit* const* out) const {
     raycast_many_by(rays, count, layers, out);
 }
-void Scene::raycast_many(Ray* rays, uint32_t count, const RayFilters& filters, gphys_hit* const* out) const {
+void Scene::raycast_many(Ray* rays, uint32_t count, const BatchFilters& filters, gphys_hit* const* out) const {
     raycast_many_by(rays, count, filters, out);
 }
 
 void Scene::raycast_distance_many(Ray* rays, uint32_t count, uint32_t layers, gphys_distance* const* out) const {
     raycast_many_by(rays, count, layers, out);
 }
-void Scene::raycast_distance_many(Ray* rays, uint32_t count, const RayFilters& filters,
+void Scene::raycast_distance_many(Ray* rays, uint32_t count, const BatchFilters& filters,
                                   gphys_distance* const* out) const {
     raycast_many_by(rays, count, filters, out);
 }
@@ -555,7 +555,7 @@ bool Scene::raycast_any(const Ray& ray, const QueryFilter& filter) const { retur
 uint64_t Scene::raycast_any_many(Ray* rays, uint32_t count, uint32_t layers) const {
     return raycast_any_many_by(rays, count, layers);
 }
-uint64_t Scene::raycast_any_many(Ray* rays, uint32_t count, const RayFilters& filters) const {
+uint64_t Scene::raycast_any_many(Ray* rays, uint32_t count, const BatchFilters& filters) const {
     return raycast_any_many_by(rays, count, filters);
 }
 
