@@ -2264,6 +2264,9 @@ GPHYS_API gphys_status gphys_solver_get_nearest_particle(const gphys_solver* sol
 GPHYS_API gphys_status gphys_solver_get_positions(const gphys_solver* solver, gphys_body_id body, uint32_t first,
                                                   uint32_t count, gphys_vec3* out_positions, uint32_t out_stride);
 /** Move particles at once and without collision on the way; velocities stay as they are. Wakes the body.
+ *  Pinned particles that are moved alone pull the others: during the next step they go evenly from where they
+ *  were to their new places, as attached ones do. They are placed at once before the body's first step, or if a
+ *  free particle of the body is placed as well.
  *  @param first, count  as in gphys_solver_get_positions
  *  @param positions     metres, count elements; a stride of 0 is refused for more than one
  *  Cost: O(count). */

@@ -3514,7 +3514,9 @@ func (o *Solver) Positions(body BodyID, first uint32, positions []Vec3) (err err
 }
 
 // Move particles at once and without collision on the way; velocities stay as they are. Wakes the
-// body.
+// body. Pinned particles that are moved alone pull the others: during the next step they go evenly
+// from where they were to their new places, as attached ones do. They are placed at once before the
+// body's first step, or if a free particle of the body is placed as well.
 //   - first: as in Solver.Positions
 // Cost: O(elements).
 func (o *Solver) SetPositions(body BodyID, first uint32, positions []Vec3) (err error) {

@@ -1683,7 +1683,9 @@ export class Solver {
      *     ERROR_INVALID_ARGUMENT */
     getPositions(body: number, first: number, count: number, out?: Elements): Records<number[]>;
     /** Move particles at once and without collision on the way; velocities stay as they are. Wakes the
-     * body.
+     * body. Pinned particles that are moved alone pull the others: during the next step they go evenly
+     * from where they were to their new places, as attached ones do. They are placed at once before the
+     * body's first step, or if a free particle of the body is placed as well.
      * Cost: O(elements).
      * @param first - as in Solver.getPositions */
     setPositions(body: number, first: number, positions: Elements): void;

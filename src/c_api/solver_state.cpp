@@ -303,11 +303,11 @@ gphys_status gphys_solver_get_attachments(const gphys_solver* solver, gphys_body
         GPHYS_REQUIRE_POINTERS(solver);
         GPHYS_TRY(unwrap(solver)->check(body));
         GPHYS_TRY(check_list("out_attachments", out_attachments, capacity, out_total));
-        const Vector<Attachment>& attachments = unwrap(solver)->body(body).constraints.attachments;
-        const uint32_t total = static_cast<uint32_t>(attachments.size());
-        for (uint32_t i = 0; i < std::min(total, capacity); ++i) {
-            const Attachment& from = attachments[i];
-            out_attachments[i] = {from.particle, from.model, narrow(from.local)};
+        uint32_t total = 0;
+        for (const Attachment& from : unwrap(solver)->body(body).constraints.attachments) {
+            if (from.model == 0) continue;
+            if (total < capacity) out_attachments[total] = {from.particle, from.model, narrow(from.local)};
+            ++total;
         }
         return listed(total, capacity, out_total);
     });

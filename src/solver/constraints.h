@@ -37,12 +37,13 @@ struct ChangedLink {
     uint32_t damped = none, limit = none;  // and in its lists of such
 };
 
-/// A particle that follows a model.
+/// A pinned particle that follows a model, or that the caller has moved: then it has no model, and goes to its new
+/// place evenly during the next step.
 struct Attachment {
     uint32_t particle;
-    gphys_model_id model;
-    Vec3 local;       // in the model's coordinates
-    Vec3 begin, end;  // where it stands at the beginning and at the end of the current step
+    gphys_model_id model;  // 0: moved by the caller
+    Vec3 local;            // in the model's coordinates
+    Vec3 begin, end;       // where it stands at the beginning and at the end of the current step
 };
 
 /// How a particle is joined to constraints. The exclusive or of their slots leads along a chain
@@ -68,6 +69,7 @@ struct Constraints {
     Vector<Attachment> attachments;       // by particle
 };
 
+/// Of a particle that follows a model or was moved; else null.
 inline const Attachment* find_attachment(const Constraints& constraints, uint32_t particle) {
     const auto before = [](const Attachment& attachment, uint32_t p) { return attachment.particle < p; };
     const auto at = std::lower_bound(constraints.attachments.begin(), constraints.attachments.end(), particle, before);

@@ -14,6 +14,7 @@ struct History {
     Vector<Vec3> predicted;  // predicted positions without constraints
     Vector<Vec3> start, start_velocity, earlier, earlier_velocity;
     double earlier_step = 0;  // seconds between the two; 0 if the caller or a contact has interrupted the motion
+    bool placed = true;       // whether the caller has placed free particles since the last step, or there was none
     bool in_stages = false;   // whether the substeps of the step under way have two stages (TR-BDF2)
 };
 

@@ -126,6 +126,7 @@ void update_plan(Body& body) {
     if (!plan.pins_packed) {
         pack_reach_limits(body.cloth.reach, body.particles.size());
         mark_attached(body.cloth.batches, body.constraints, body.particles.size());
+        list_pinned_spans(body.cloth, plan, body.particles);
         plan.pins_packed = true;
     }
 }

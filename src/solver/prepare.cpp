@@ -20,7 +20,9 @@ namespace gphys {
 
 namespace {
 
-bool is_dangling(const Attachment& attachment, const Scene* scene) { return scene && !scene->has(attachment.model); }
+bool is_dangling(const Attachment& attachment, const Scene* scene) {
+    return scene && attachment.model != 0 && !scene->has(attachment.model);
+}
 
 bool has_dangling(const Constraints& constraints, const Scene* scene) {
     return std::any_of(constraints.attachments.begin(), constraints.attachments.end(),
@@ -42,8 +44,12 @@ void release_dangling(Body& body, const Scene* scene) {
 }
 
 /// Sets the beginning and the end of the motion of attached particles in this step.
-void aim_attachments(Constraints& constraints, const Particles& particles, const Scene* scene) {
+void aim_attachments(Constraints& constraints, Particles& particles, const Scene* scene) {
     for (Attachment& attachment : constraints.attachments) {
+        if (attachment.model == 0) {
+            particles.position[attachment.particle] = attachment.begin;
+            continue;
+        }
         attachment.begin = attachment.end = particles.position[attachment.particle];
         if (!scene) continue;
         Vec3 ignored;
@@ -218,10 +224,14 @@ static void reserve_balls(Body& body, const Scene& scene, const Vector<MovedMode
     body.flight.surroundings = sum | 1;  // 0: not known
 }
 
-/// How far models take the particles attached to them in the step.
+/// How far pinned particles go in the step.
 static double way_to_models(const Body& body, const Scene& scene) {
     double longest = 0;
     for (const Attachment& attachment : body.constraints.attachments) {
+        if (attachment.model == 0) {
+            longest = std::max(longest, distance(attachment.begin, attachment.end));
+            continue;
+        }
         const Vec3 there = scene.world_transform(attachment.model).apply(attachment.local);
         longest = std::max(longest, distance(body.particles.position[attachment.particle], there));
     }

@@ -61,7 +61,7 @@ uint64_t neighbourhood(const Body& body, const Scene* scene, Visit&& visit) {
 bool attachments_moved(const Constraints& constraints, const Scene* scene) {
     return scene &&
            std::any_of(constraints.attachments.begin(), constraints.attachments.end(), [&](const Attachment& a) {
-               return !scene->has(a.model) || scene->world_transform(a.model).apply(a.local) != a.end;
+               return a.model == 0 || !scene->has(a.model) || scene->world_transform(a.model).apply(a.local) != a.end;
            });
 }
 

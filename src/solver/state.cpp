@@ -2,6 +2,7 @@
 // allocate first, and then wake the body.
 #include "solver/state.h"
 #include "foundation/strided.h"
+#include "solver/quads.h"
 #include "solver/solver.h"
 
 namespace gphys {
@@ -15,6 +16,23 @@ namespace {
 
 bool before(const Attachment& attachment, uint32_t particle) { return attachment.particle < particle; }
 
+void remove_moved_pins(Constraints& constraints) {
+    Vector<Attachment>& all = constraints.attachments;
+    all.erase(std::remove_if(all.begin(), all.end(), [](const Attachment& each) { return each.model == 0; }),
+              all.end());
+}
+
+/// Unless the pin follows a model. Memory was reserved before.
+void move_pin(Body& body, uint32_t particle, Vec3 to) {
+    Vector<Attachment>& all = body.constraints.attachments;
+    const auto at = std::lower_bound(all.begin(), all.end(), particle, before);
+    if (at == all.end() || at->particle != particle) {
+        all.insert(at, {particle, 0, {}, body.particles.position[particle], to});
+    } else if (at->model == 0) {
+        at->end = to;
+    }
+}
+
 void hold(Particles& particles, uint32_t particle) {
     particles.inverse_mass[particle] = 0;
     particles.velocity[particle] = {};
@@ -24,9 +42,34 @@ void hold(Particles& particles, uint32_t particle) {
 
 void set_positions(Body& body, uint32_t first, uint32_t count, const gphys_vec3* positions, uint32_t stride) {
     const Strided<gphys_vec3> from(positions, stride);
-    for (uint32_t i = 0; i < count; ++i) body.particles.position[first + i] = widen(from[i]);
+    bool placed = body.history.placed;
+    for (uint32_t p = first; p < first + count && !placed; ++p) placed = !body.particles.pinned(p);
+    if (placed) {
+        remove_moved_pins(body.constraints);
+        body.history.placed = true;
+        interrupt(body);
+    } else {
+        reserve_more(body.constraints.attachments, count);
+        wake(body);
+    }
+    for (uint32_t i = 0; i < count; ++i) {
+        const Vec3 to = widen(from[i]);
+        if (!placed) move_pin(body, first + i, to);
+        body.particles.position[first + i] = to;
+    }
     restart_targets(body, first, count);
-    interrupt(body);
+}
+
+void end_moved_pins(Body& body) {
+    body.history.placed = false;
+    for (const Attachment& attachment : body.constraints.attachments) {
+        if (attachment.model != 0) continue;
+        body.particles.velocity[attachment.particle] = {};
+        for (Vector<float>* motion : {&body.cloth.state.moved, &body.cloth.state.velocity_before}) {
+            if (!motion->empty()) put(&(*motion)[4 * size_t{attachment.particle}], {}, 0);
+        }
+    }
+    remove_moved_pins(body.constraints);
 }
 
 /// A pinned particle has no speed.
@@ -98,7 +141,8 @@ void set_pinned(Body& body, uint32_t first, uint32_t count, bool pinned) {
 }
 
 bool is_attached(const Constraints& constraints, uint32_t particle) {
-    return find_attachment(constraints, particle) != nullptr;
+    const Attachment* const attachment = find_attachment(constraints, particle);
+    return attachment && attachment->model != 0;
 }
 
 void attach(Body& body, uint32_t particle, gphys_model_id model, Vec3 local) {

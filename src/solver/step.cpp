@@ -41,6 +41,7 @@
 #include "solver/rope/rope.h"
 #include "solver/rope/rope_contact_lanes.h"
 #include "solver/solver.h"
+#include "solver/state.h"
 #include "solver/state_range.h"
 
 namespace gphys {
@@ -318,6 +319,7 @@ void Solver::simulate(const Scene* scene, double dt, bool first) {
     });
     each_divided(
         [&](const ActiveBody& active) { end_body_step(state_.bodies[active.slot], scene, dt, active.substeps); });
+    for (const ActiveBody& active : active_) end_moved_pins(state_.bodies[active.slot]);
     state_.near_models.swap(next_near_models_);
     particle_contacts_.end_step(islands_);
     add_impulses();

@@ -1889,7 +1889,9 @@ public:
     }
 
     // Move particles at once and without collision on the way; velocities stay as they are. Wakes the
-    // body.
+    // body. Pinned particles that are moved alone pull the others: during the next step they go evenly
+    // from where they were to their new places, as attached ones do. They are placed at once before the
+    // body's first step, or if a free particle of the body is placed as well.
     //   - first: as in Solver::get_positions
     // Cost: O(elements).
     void set_positions(gphys_body_id body, uint32_t first, Span<const Vec3> positions) {

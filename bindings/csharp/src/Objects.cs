@@ -2440,7 +2440,9 @@ public sealed partial class Solver : IDisposable {
     }
 
     /// <summary>Move particles at once and without collision on the way; velocities stay as they are. Wakes the
-    /// body.
+    /// body. Pinned particles that are moved alone pull the others: during the next step they go evenly
+    /// from where they were to their new places, as attached ones do. They are placed at once before the
+    /// body's first step, or if a free particle of the body is placed as well.
     /// Cost: O(elements).</summary>
     /// <param name="first">as in Solver.GetPositions</param>
     public unsafe void SetPositions(uint body, uint first, ReadOnlySpan<Vec3> positions) {

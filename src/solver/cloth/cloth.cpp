@@ -90,6 +90,7 @@ void predict_cloth(Body& body, const CollisionContext& around, double h) {
     follow_models(body.constraints, around, cloth.state, cloth.in_chains);
     aim_targets(body, around);
     carry_by_targets(body.targets, cloth.state);
+    stretch_taut_spans(cloth);
 }
 
 void solve_cloth(Body& body) {

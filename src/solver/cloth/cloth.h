@@ -10,11 +10,12 @@
 #include "solver/cloth/cloth_state.h"
 #include "solver/cloth/clusters.h"
 #include "solver/cloth/contact_cache.h"
-#include "solver/contact/moving_colliders.h"
 #include "solver/cloth/reach_limits.h"
 #include "solver/cloth/relax_links.h"
 #include "solver/cloth/rigid_links.h"
+#include "solver/cloth/taut_spans.h"
 #include "solver/cloth/volume.h"
+#include "solver/contact/moving_colliders.h"
 #include "solver/joints/tether_inertia.h"
 
 namespace gphys {
@@ -28,6 +29,7 @@ struct Cloth {
           rigid(memory),
           reach(memory),
           batches(memory),
+          taut(memory),
           state(memory),
           shares(memory),
           tethers(memory),
@@ -44,6 +46,7 @@ struct Cloth {
     RigidLinks rigid;  // of the plan, whatever is pinned
     ReachLimits reach;
     ClothBatches batches;
+    TautSpans taut;
     // Of the step under way:
     ClothState state;
     ClothShares shares;

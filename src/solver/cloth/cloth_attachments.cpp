@@ -13,7 +13,6 @@ void follow_models(const Constraints& constraints, const CollisionContext& aroun
     const MovedModel* moved = nullptr;
     Transform now;
     for (const Attachment& attachment : constraints.attachments) {
-        if (attachment.begin == attachment.end) continue;
         Vec3 next = attachment.begin + (attachment.end - attachment.begin) * around.end;
         if (attachment.model != model) {
             model = attachment.model;

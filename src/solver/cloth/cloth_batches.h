@@ -48,7 +48,7 @@ struct ClothBatches {
     Vector<float> stiffness;    // 1 / (compliance * average mass); 0 for rigid links and absent ones
     bool elastic = false;       // whether any link stores energy
     Vector<DampedInCloth> damped;
-    Vector<float> target;  // rest, with the lengths of damped links in this substep; empty if no link is damped
+    Vector<float> target;  // rest, with the lengths that damped links and taut rows aim at; empty if there are none
     Vector<LimitInCloth> limits;
     uint32_t longest = 0;    // links
     double link_length = 0;  // metres, the average

@@ -23,7 +23,7 @@ ClothChains undamped(const ClothBatches& batches) {
 
 ClothChains chains_of(const ClothBatches& batches) {
     ClothChains chains = undamped(batches);
-    if (!batches.damped.empty()) chains.rest = batches.target.data();
+    if (!batches.target.empty()) chains.rest = batches.target.data();
     return chains;
 }
 

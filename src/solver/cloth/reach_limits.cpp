@@ -46,7 +46,8 @@ void add_straight_limits(Vector<ReachLimit>& limits, const Vector<uint32_t>& anc
 }
 
 ClothLimits packed(const ReachLimits& reach) {
-    return {reach.limited.data(), reach.anchors.data(), reach.distances.data()};
+    const Vector<float>& distances = reach.stretched.empty() ? reach.distances : reach.stretched;
+    return {reach.limited.data(), reach.anchors.data(), distances.data()};
 }
 
 }  // namespace
@@ -92,6 +93,7 @@ void pack_reach_limits(ReachLimits& reach, uint32_t particles) {
     reach.limited.clear();
     reach.anchors.clear();
     reach.distances.clear();
+    reach.stretched.clear();
     reach.ranks.assign(1, 0);
     for (uint32_t r = 0; r < ranks; ++r) {
         for (size_t i = 0; i < reach.limits.size(); ++i) {

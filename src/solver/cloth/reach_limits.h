@@ -22,13 +22,20 @@ struct ReachLimit {
 /// The paths from pins, the limits that follow from them, and these in the layout of the kernels.
 struct ReachLimits {
     explicit ReachLimits(std::pmr::memory_resource* memory)
-        : paths(memory), limits(memory), limited(memory), anchors(memory), ranks(memory), distances(memory) {}
+        : paths(memory),
+          limits(memory),
+          limited(memory),
+          anchors(memory),
+          ranks(memory),
+          distances(memory),
+          stretched(memory) {}
 
     Vector<PinPath> paths;  // ascending; empty if they are not known
     Vector<ReachLimit> limits;
     Vector<uint32_t> limited, anchors;  // particles
     Vector<uint32_t> ranks;             // in them: the first of each rank, and the end; a rank has no particle twice
     Vector<float> distances;
+    Vector<float> stretched;  // distances of taut cloth (taut_spans.h); empty if no row is between pins
 };
 
 /// The plan must be current. Throws std::bad_alloc.

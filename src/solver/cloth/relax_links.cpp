@@ -11,6 +11,8 @@
 // to the neighbours.
 #include "solver/cloth/relax_links.h"
 #include "solver/body.h"
+#include "solver/cloth/cloth_chains.h"
+#include "solver/cloth/leave_plane.h"
 #include "solver/quads.h"
 
 namespace gphys {
@@ -52,6 +54,8 @@ public:
 
     /// Lists them in `strained`; returns the largest strain.
     double find_strained(uint32_t& count);
+    /// The largest shortening of a listed link, relative to its length.
+    double largest_shortening(uint32_t count) const;
     /// One pass over `strained`, which afterwards lists the links of all moved particles. Adds the work that forces
     /// have lost.
     void relax_listed(uint32_t& count, double& lost);
@@ -74,7 +78,7 @@ private:
 double Relaxer::find_strained(uint32_t& count) {
     const ClothKernels& kernels = cloth_kernels(chosen_isa());
     const KeptLinks& kept = relaxation_.kept;
-    const ClothChains chains{batches_.particles.data(), batches_.rest.data(), batches_.softness.data(), nullptr};
+    const ClothChains chains{batches_.particles.data(), chains_of(batches_).rest, batches_.softness.data(), nullptr};
     const float part = static_cast<float>(relaxed_part * relaxation_.most_strain);
     const uint32_t kinds = relaxation_.braces_yield ? ChainBatch::threads : ChainBatch::threads | ChainBatch::braces;
     uint32_t listed = 0;
@@ -91,6 +95,15 @@ double Relaxer::find_strained(uint32_t& count) {
         if (yields(link)) continue;
         relaxation_.strained[count++] = number;
         largest = std::max(largest, std::fabs(error_of(state_, link)) / link.rest);
+    }
+    return largest;
+}
+
+double Relaxer::largest_shortening(uint32_t count) const {
+    double largest = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+        const KeptLinks::Link& link = relaxation_.kept.links[relaxation_.strained[i]];
+        largest = std::max(largest, -error_of(state_, link) / link.rest);
     }
     return largest;
 }
@@ -167,6 +180,7 @@ std::optional<double> relax_links(Body& body, bool collides, double h) {
     while (passes < most_passes) {
         const double largest = relaxer.find_strained(count);
         if (count == 0 || largest <= relaxation.most_strain - rounding) break;
+        if (passes == 0 && !collides) leave_plane(body.cloth, relaxer.largest_shortening(count));
         for (; passes < most_passes && count > 0; ++passes) {
             if (work < count) return lost;
             work -= count;

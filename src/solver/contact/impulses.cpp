@@ -51,6 +51,7 @@ void add_parts(Body& body) {
 
 void add_impulse(Vector<ModelImpulse>& sums, const CollisionContext& around, gphys_model_id model, Vec3 point,
                  Vec3 impulse, Vec3 moment) {
+    if (model == 0) return;  // of a pin that the caller moves
     ModelImpulse* const sum = sum_for(sums, model, around.scene->tag(model));
     if (!sum) return;
     sum->linear += impulse;

@@ -88,6 +88,7 @@ void visit_body(Archive& archive, Body& body) {
     archive.array(body.history.start);
     archive.array(body.history.start_velocity);
     archive.value(body.history.earlier_step);
+    archive.flag(body.history.placed);
     archive.flag(body.contacts.has_contact);
     archive.value(body.cloth.balance.lost);
     archive.array(body.contacts.points);
