@@ -13,12 +13,14 @@
 #if defined(__unix__) && !defined(__EMSCRIPTEN__) && !defined(__SANITIZE_ADDRESS__)
 #include <pthread.h>
 
-/* What the header states under "Threads". The thread sanitizer puts room between the variables of a function, and code
- * that is not optimised gives each its own place. */
+/* The header states 96 KiB under "Threads". GCC takes up to 7 % more of it for ARM than for x86-64. The thread
+ * sanitizer puts room between the variables of a function, and code that is not optimised gives each its own place. */
 #if defined(__SANITIZE_THREAD__) || !defined(__OPTIMIZE__)
-enum { STATED = 1 << 20 };
+enum { MOST = 1 << 20 };
+#elif defined(__x86_64__) && !defined(__clang__)
+enum { MOST = 89 << 10 };
 #else
-enum { STATED = 96 << 10 };
+enum { MOST = 96 << 10 };
 #endif
 /* Room that the system needs at the top of a thread's stack, for its own variables among them. */
 enum { SYSTEM = 16 << 10, ROOM = 4 << 20, PAINT = 0xa5 };
@@ -350,7 +352,7 @@ static void no_call_takes_more_stack_than_is_stated(void** unused) {
     for (i = 0; i < sizeof groups / sizeof groups[0]; ++i) {
         const size_t taken = depth(&groups[i], &w) - empty;
         if (getenv("GPHYS_PRINT_STACK")) printf("%-14s %6lu\n", groups[i].name, (unsigned long)taken);
-        if (taken > STATED) fail_msg("%s: %lu bytes of stack", groups[i].name, (unsigned long)taken);
+        if (taken > MOST) fail_msg("%s: %lu bytes of stack", groups[i].name, (unsigned long)taken);
     }
 }
 

@@ -63,6 +63,8 @@ private:
     }
     /// Lists the regions in which particles may hit something, and those in which friction holds all of them.
     void list_obstacles(const Collider& collider, const Aabb& region, uint32_t first, uint32_t count);
+    /// Moves the particles of the block, without regard to targets.
+    void move_block(uint32_t first, uint32_t count);
     void fly_one(const Collider* collider, uint32_t p, uint32_t obstacle);
     void keep_to_targets(uint32_t first, uint32_t count);
     void fly_freely(uint32_t p);
@@ -310,6 +312,13 @@ void FreeFlight::fly_block(const CollisionContext& around, uint32_t first, uint3
     substeps_left_ = left;
     follow_models(body_, around.end, h_, first, first + count);
     begin_friction(body_, gravity_, first, first + count);
+    move_block(first, count);
+    if (!body_.targets.empty()) keep_to_targets(first, count);
+    end_friction(body_, first, first + count);
+}
+
+/// A collider takes 12 KB of stack: that of this function is gone when keep_to_targets makes its own.
+void FreeFlight::move_block(uint32_t first, uint32_t count) {
     if (body_.particles.forced) {
         for (uint32_t i = 0; i < count; ++i) put(acceleration_ + size_t{3} * i, flight_of(first + i).acceleration);
     }
@@ -354,7 +363,7 @@ void FreeFlight::fly_block(const CollisionContext& around, uint32_t first, uint3
         if (overlapping == 0) continue;
         if (group < groups.count && resting_on_[group] != no_obstacle && !any_rests(first + begin, first + end)) {
             const bool till_end = holds_till_end(first + begin, first + end);
-            const Vec3 gained = gravity_ * (till_end ? whole_.reach * left : whole_.reach);
+            const Vec3 gained = gravity_ * (till_end ? whole_.reach * substeps_left_ : whole_.reach);
             collider->hold(body_, first + begin, end - begin, resting_on_[group], way, gained);
             for (uint32_t i = begin; i < end && till_end; ++i) planes_->set_rests(first + i);
             continue;
@@ -364,8 +373,6 @@ void FreeFlight::fly_block(const CollisionContext& around, uint32_t first, uint3
             fly_one(hits ? &*collider : nullptr, first + i, obstacle_of_[i]);
         }
     }
-    if (!body_.targets.empty()) keep_to_targets(first, count);
-    end_friction(body_, first, first + count);
 }
 
 }  // namespace
