@@ -27,8 +27,10 @@ export async function memory() {
 
     const { instance } = await instantiate({
         env: { emscripten_notify_memory_growth: () => base && renew(), __call_sighandler() {} },
-        // All that it asks of a system is the environment, and there is none.
+        // It asks a system for the environment, and there is none, and for the time where several threads work, and there
+        // is one.
         wasi_snapshot_preview1: {
+            clock_time_get: () => NOT_SUPPORTED,
             environ_sizes_get: () => NOT_SUPPORTED,
             environ_get: () => NOT_SUPPORTED,
             proc_exit(code) {
