@@ -250,9 +250,10 @@ static void creation(world* w) {
     ok(gphys_solver_create(NULL, &w->solver));
 }
 
-/* Particles, a rope and cloth that fall on all of it, joined. */
+/* Particles that targets pull through models, a rope and cloth that fall on all of it, joined. */
 static void steps(world* w) {
     static gphys_vec3 points[512];
+    static gphys_animation_target targets[512];
     gphys_body_desc desc;
     gphys_body_id particles, rope, cloth;
     gphys_joint_id joint;
@@ -262,9 +263,13 @@ static void steps(world* w) {
     desc.radius = 0.05f;
     for (i = 0; i < 512; ++i) {
         const gphys_vec3 p = {uniform(-15, 15), uniform(0, 9), uniform(-15, 15)};
+        const gphys_animation_target target = {
+            {uniform(-15, 15), uniform(0, 9), uniform(-15, 15)}, {0, 1, 0}, 1, INFINITY};
         points[i] = p;
+        targets[i] = target;
     }
     ok(gphys_solver_add_particles(w->solver, &desc, points, sizeof points[0], 512, &particles));
+    ok(gphys_solver_set_animation_targets(w->solver, particles, 0, 512, targets, sizeof targets[0]));
     for (i = 0; i < 64; ++i) {
         const gphys_vec3 p = {(float)i / 8, 8, 0};
         points[i] = p;
