@@ -2142,7 +2142,8 @@ GPHYS_API gphys_status gphys_solver_add_cloth_mesh(gphys_solver* solver, const g
                                                    gphys_body_id* out_body);
 /** Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in the
  *  last step are no longer listed.
- *  Cost: O(particles + constraints of the body), and O(joints of the solver). */
+ *  Cost: O(particles + constraints of the body), O(joints of the solver), and O(bodies that gave impulses to the
+ *  same models). */
 GPHYS_API gphys_status gphys_solver_remove_body(gphys_solver* solver, gphys_body_id body);
 /** Ids of all bodies, ascending. Kept when too many: the lowest. Cost: O(bodies). */
 GPHYS_API gphys_status gphys_solver_get_bodies(const gphys_solver* solver, gphys_body_id* out_bodies, uint32_t capacity,

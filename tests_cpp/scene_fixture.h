@@ -17,6 +17,7 @@ public:
     gphys_allocator hooks() { return {allocate, release, this}; }
 
     size_t live_bytes = 0, allocations = 0;
+    size_t taken_bytes = 0;  // so far, given back or not
     /// The allocation, counted from 0, that fails; all later ones succeed.
     size_t failing = SIZE_MAX;
 
@@ -25,6 +26,7 @@ private:
         CountedMemory& self = *static_cast<CountedMemory*>(user);
         if (self.allocations++ == self.failing) return nullptr;
         self.live_bytes += size;
+        self.taken_bytes += size;
         return ::operator new(size, std::align_val_t(alignment));
     }
     static void release(void* user, void* memory, size_t size, size_t alignment) {

@@ -376,7 +376,11 @@ TEST_CASE("a snapshot's joints join particles of two bodies that are there") {
         state.joint_ids.reserve(1);
         for (int i = 0; i < 3; ++i) state.ids.add();
         state.joint_ids.add();
-        state.bodies.assign(3, bodies.rope());
+        state.bodies.add_slots(3);
+        for (uint32_t slot = 0; slot < 3; ++slot) {
+            state.bodies.put(slot, new_body(&memory));
+            state.bodies[slot] = bodies.rope();
+        }
         state.ids.remove(state.ids.id(2));
         state.joints.push_back({0, 3, 1, 0, 1, 0, {}});
         change(state);

@@ -3,7 +3,7 @@
 #include <functional>
 #include <set>
 
-#include "solver/body.h"
+#include "solver/body_table.h"
 #include "solver/joints/elimination_order.h"
 #include "solver/joints/joints.h"
 #include "solver_world.h"
@@ -179,14 +179,16 @@ namespace {
 
 /// A hub and its neighbours, all of them free particles.
 struct Star {
-    gphys::Vector<gphys::Body> bodies;
+    gphys::Memory memory{nullptr};
+    gphys::BodyTable bodies{&memory};
     gphys::Vector<gphys::Joint> joints;
     gphys::JointSystem system{std::pmr::get_default_resource()};
     static constexpr double h = 0.002;
 
     Star(uint32_t neighbours, uint64_t seed, bool pinned) {
         test::Random random(seed);
-        bodies.emplace_back(std::pmr::get_default_resource());
+        bodies.reserve_slot();
+        bodies.put(0, gphys::new_body(&memory));
         gphys::Body& body = bodies[0];
         for (uint32_t i = 0; i <= neighbours; ++i) {
             const Vec3 at = i == 0 ? Vec3{} : random.direction() * random.uniform(0.5, 2);

@@ -3349,7 +3349,8 @@ func (o *Solver) AddClothMesh(mesh *Mesh, transform *Transform, desc *BodyDesc) 
 
 // Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in
 // the last step are no longer listed.
-// Cost: O(particles + constraints of the body), and O(joints of the solver).
+// Cost: O(particles + constraints of the body), O(joints of the solver), and O(bodies that gave
+// impulses to the same models).
 func (o *Solver) RemoveBody(body BodyID) (err error) {
 	self, err := o.open()
 	if err != nil {

@@ -1635,7 +1635,8 @@ export class Solver {
     addClothMesh(mesh: Mesh, transform?: Given<Transform> | null, desc?: Partial<BodyDesc> | null): number;
     /** Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in
      * the last step are no longer listed.
-     * Cost: O(particles + constraints of the body), and O(joints of the solver). */
+     * Cost: O(particles + constraints of the body), O(joints of the solver), and O(bodies that gave
+     * impulses to the same models). */
     removeBody(body: number): void;
     /** Ids of all bodies, ascending.
      * Cost: O(bodies). */

@@ -6,8 +6,10 @@
 namespace gphys {
 namespace {
 
-Body make_body(gphys_body_kind kind, const gphys_body_desc& desc, uint32_t count, std::pmr::memory_resource* memory) {
-    Body body(memory);
+BodyOwner make_body(gphys_body_kind kind, const gphys_body_desc& desc, uint32_t count,
+                    std::pmr::memory_resource* memory) {
+    BodyOwner made = new_body(memory);
+    Body& body = *made;
     body.kind = kind;
     body.settings = {desc.damping, desc.friction, std::max(desc.friction, desc.static_friction), desc.restitution,
                      desc.layers};
@@ -21,14 +23,14 @@ Body make_body(gphys_body_kind kind, const gphys_body_desc& desc, uint32_t count
     body.particles.inverse_mass.assign(count, 1 / mass);
     body.particles.radius.assign(count, desc.radius);
     body.constraints.links.resize(count);
-    return body;
+    return made;
 }
 
-Body make_body(gphys_body_kind kind, const gphys_body_desc& desc, const gphys_vec3* positions, uint32_t stride,
-               uint32_t count, std::pmr::memory_resource* memory) {
-    Body body = make_body(kind, desc, count, memory);
+BodyOwner make_body(gphys_body_kind kind, const gphys_body_desc& desc, const gphys_vec3* positions, uint32_t stride,
+                    uint32_t count, std::pmr::memory_resource* memory) {
+    BodyOwner body = make_body(kind, desc, count, memory);
     const Strided<gphys_vec3> from(positions, stride);
-    for (uint32_t p = 0; p < count; ++p) body.particles.position[p] = widen(from[p]);
+    for (uint32_t p = 0; p < count; ++p) body->particles.position[p] = widen(from[p]);
     return body;
 }
 
@@ -63,18 +65,12 @@ gphys_status link_grid(Body& body, uint32_t columns, uint32_t rows, uint32_t du,
 
 }  // namespace
 
-gphys_status Solver::insert(Body&& body, gphys_body_id& out) {
+gphys_status Solver::insert(BodyOwner body, gphys_body_id& out) {
     if (!state_.ids.reserve(1)) return fail(GPHYS_ERROR_CAPACITY, "the solver would have more than 2^24 - 1 bodies");
-    reserve_more(state_.bodies, 1);
-    if (body.settings.self_collision) body.contacts.self.placed = body.particles.position;
-    const gphys_body_id id = state_.ids.add();
-    const uint32_t slot = IdTable::slot_of(id);
-    if (slot == state_.bodies.size()) {
-        state_.bodies.push_back(std::move(body));
-    } else {
-        state_.bodies[slot] = std::move(body);
-    }
-    out = id;
+    state_.bodies.reserve_slot();
+    if (body->settings.self_collision) body->contacts.self.placed = body->particles.position;
+    out = state_.ids.add();
+    state_.bodies.put(IdTable::slot_of(out), std::move(body));
     return GPHYS_OK;
 }
 
@@ -85,7 +81,8 @@ gphys_status Solver::add_particles(const gphys_body_desc& desc, const gphys_vec3
 
 gphys_status Solver::add_rope(const gphys_body_desc& desc, const gphys_vec3* positions, uint32_t stride, uint32_t count,
                               double link_length, gphys_body_id& out) {
-    Body body = make_body(GPHYS_BODY_ROPE, desc, positions, stride, count, &memory);
+    BodyOwner made = make_body(GPHYS_BODY_ROPE, desc, positions, stride, count, &memory);
+    Body& body = *made;
     for (uint32_t p = 0; p + 1 < count; ++p) {
         gphys_constraint_id ignored;
         const gphys_status status =
@@ -93,7 +90,7 @@ gphys_status Solver::add_rope(const gphys_body_desc& desc, const gphys_vec3* pos
         if (status != GPHYS_OK) return status;
     }
     set_breaking_force(body, desc);
-    return insert(std::move(body), out);
+    return insert(std::move(made), out);
 }
 
 gphys_status Solver::add_cloth(const gphys_body_desc& desc, Vec3 corner, Vec3 edge_u, Vec3 edge_v, uint32_t columns,
@@ -106,7 +103,8 @@ gphys_status Solver::add_cloth(const gphys_body_desc& desc, Vec3 corner, Vec3 ed
     if (edges > IdTable::capacity)
         return fail(GPHYS_ERROR_CAPACITY, "the body would have more than 2^24 - 1 constraints");
 
-    Body body = make_body(GPHYS_BODY_CLOTH, desc, columns * rows, &memory);
+    BodyOwner made = make_body(GPHYS_BODY_CLOTH, desc, columns * rows, &memory);
+    Body& body = *made;
     for (uint32_t row = 0; row < rows; ++row) {
         for (uint32_t column = 0; column < columns; ++column) {
             body.particles.position[row * columns + column] = corner +
@@ -146,7 +144,7 @@ gphys_status Solver::add_cloth(const gphys_body_desc& desc, Vec3 corner, Vec3 ed
         if (status != GPHYS_OK) return status;
     }
     set_breaking_force(body, desc);
-    return insert(std::move(body), out);
+    return insert(std::move(made), out);
 }
 
 namespace {
@@ -166,7 +164,8 @@ struct Side3 {
 gphys_status Solver::add_cloth_mesh(const gphys_body_desc& desc, const Mesh& mesh, const Transform& placement,
                                     gphys_body_id& out) {
     const uint32_t count = static_cast<uint32_t>(mesh.vertices().size());
-    Body body = make_body(GPHYS_BODY_CLOTH, desc, count, &memory);
+    BodyOwner made = make_body(GPHYS_BODY_CLOTH, desc, count, &memory);
+    Body& body = *made;
     for (uint32_t p = 0; p < count; ++p) body.particles.position[p] = placement.apply(widen(mesh.vertices()[p]));
     body.cloth.sheet.triangles.assign(mesh.indices().begin(), mesh.indices().end());
 
@@ -193,7 +192,7 @@ gphys_status Solver::add_cloth_mesh(const gphys_body_desc& desc, const Mesh& mes
         }
     }
     set_breaking_force(body, desc);
-    return insert(std::move(body), out);
+    return insert(std::move(made), out);
 }
 
 gphys_status Solver::remove(gphys_body_id id) {
@@ -202,8 +201,9 @@ gphys_status Solver::remove(gphys_body_id id) {
     meshes_.let_go(id);
     remove_joints_of(IdTable::slot_of(id));
     state_.ids.remove(id);
-    state_.bodies[IdTable::slot_of(id)] = Body(&memory);
-    add_impulses();
+    const uint32_t slot = IdTable::slot_of(id);
+    impulse_sums_.remove(slot, state_.bodies[slot].contacts.impulses);
+    state_.bodies.remove(slot);
     return GPHYS_OK;
 }
 

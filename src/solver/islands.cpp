@@ -17,8 +17,8 @@ namespace gphys {
 void Solver::unite_near_bodies(DisjointSets& sets, double dt) {
     swept_bounds_.clear();
     for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
+        if (!state_.ids.live(slot) || state_.bodies[slot].settings.body_layers == 0) continue;
         const Body& body = state_.bodies[slot];
-        if (!state_.ids.live(slot) || body.settings.body_layers == 0) continue;
         Aabb box{body.particles.position[0], body.particles.position[0]};
         double fastest = 0, radius = 0;
         for (uint32_t p = 0; p < body.particles.size(); ++p) {

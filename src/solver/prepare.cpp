@@ -121,10 +121,8 @@ void Solver::prepare(const Scene* scene, double dt) {
         if (scene) reserve_flight_planes();
         state_.near_models.reserve(next_near_models_.capacity());  // the two are swapped
         size_t impulse_count = 0;
-        for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot)
-            impulse_count += state_.bodies[slot].contacts.impulses.capacity();
-        body_impulses_.reserve(impulse_count);
-        impulses_.reserve(impulse_count);
+        for (const Body& body : state_.bodies) impulse_count += body.contacts.impulses.capacity();
+        impulse_sums_.reserve(impulse_count);
         reserve_breaks();
     } catch (...) {
         for (Undo& undo : undo_) undo.apply(state_.bodies[undo.slot]);

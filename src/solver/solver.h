@@ -3,6 +3,7 @@
 // bodies that influence each other.
 //
 //   body.h             what a body is composed of; each part is declared by its owner
+//   body_table.h       the bodies by slot
 //   builders.cpp       adding and removing bodies
 //   state.cpp          changes of particles by the caller; moving the origin
 //   constraints.cpp    adding and removing constraints
@@ -61,7 +62,9 @@
 #include "foundation/workers.h"
 #include "scene/scene.h"
 #include "solver/body_meshes.h"
+#include "solver/body_table.h"
 #include "solver/contact/collision.h"
+#include "solver/contact/impulse_sums.h"
 #include "solver/contact/particle_contacts.h"
 #include "solver/islands.h"
 #include "solver/joints/joined_motion.h"
@@ -83,14 +86,14 @@ constexpr double fastest_model = 50;
 
 /// All state that the next step depends on, except the scene. Snapshots contain it.
 struct SolverState {
-    explicit SolverState(std::pmr::memory_resource* memory)
+    explicit SolverState(Memory* memory)
         : ids(memory), bodies(memory), joint_ids(memory), joints(memory), near_models(memory) {}
 
     SolverSettings settings;
     Vec3 origin;             // in the world, of all coordinates
     double accumulator = 0;  // seconds that advance has not simulated yet, less than a step
     IdTable ids;
-    Vector<Body> bodies;  // by slot
+    BodyTable bodies;
     IdTable joint_ids;
     Vector<Joint> joints;             // by slot
     Vector<PlacedModel> near_models;  // models near the bodies, where they were at the last step
@@ -267,17 +270,6 @@ private:
         Extent extent;
     };
 
-    /// The impulse of one body on one model.
-    struct BodyImpulse {
-        gphys_model_id model;
-        uint32_t slot;
-        const ModelImpulse* impulse;
-
-        bool operator<(const BodyImpulse& other) const {
-            return model != other.model ? model < other.model : slot < other.slot;
-        }
-    };
-
     /// What prepare has changed in a body and snapshots hold, to restore it if the step runs out of memory.
     struct Undo {
         Undo(uint32_t slot_, const Body& body, std::pmr::memory_resource* memory)
@@ -296,7 +288,7 @@ private:
         Vector<ReachLimit> reach_limits;  // if they have been planned again
     };
 
-    gphys_status insert(Body&& body, gphys_body_id& out);
+    gphys_status insert(BodyOwner body, gphys_body_id& out);
     /// The first step of a frame clears the list of breaks.
     void simulate(const Scene* scene, double dt, bool first);
     void update_meshes(Vec3 shift = {}) noexcept;
@@ -357,9 +349,7 @@ private:
     ThreadArena scratch_memory_{&memory};
     Vector<RopeScratch> rope_scratch_{&memory};    // by worker
     Vector<FlightPlanes> flight_planes_{&memory};  // by worker, from the first step beside a scene on
-    /// Impulses of the last step: by model and body, and by model.
-    Vector<BodyImpulse> body_impulses_{&memory};
-    Vector<ModelImpulse> impulses_{&memory};
+    ImpulseSums impulse_sums_{&memory};            // of the last step
     /// By slot of a body: the root of its set (union-find), whether the set of that root is awake, and whether it is in
     /// an island.
     Vector<uint32_t> set_of_{&memory};

@@ -60,9 +60,9 @@ gphys_solver_stats Solver::stats(gphys_body_id id) const {
 
 void Solver::impulses(Smallest<gphys_impulse, ImpulseOrder>& out) const {
     const auto narrowed = [](Vec3 v) { return gphys_vec3{to_float(v.x), to_float(v.y), to_float(v.z)}; };
-    for (const ModelImpulse& given : impulses_) {
+    impulse_sums_.each([&](const ModelImpulse& given) {
         out.add({given.model, given.tag, narrowed(given.linear), narrowed(given.angular)});
-    }
+    });
 }
 
 void Solver::body_contacts(Smallest<gphys_body_contact, BodyContactOrder>& out) const {

@@ -326,24 +326,13 @@ void Solver::simulate(const Scene* scene, double dt, bool first) {
     break_overloaded(dt);
 }
 
-/// Sums the impulses of all bodies by model, in the order of the bodies. Uses reserved memory.
+/// Uses reserved memory.
 void Solver::add_impulses() {
-    body_impulses_.clear();
-    impulses_.clear();
+    impulse_sums_.clear();
     for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
-        if (!state_.ids.live(slot)) continue;
-        for (const ModelImpulse& part : state_.bodies[slot].contacts.impulses)
-            body_impulses_.push_back({part.model, slot, &part});
+        if (state_.ids.live(slot)) impulse_sums_.add(slot, state_.bodies[slot].contacts.impulses);
     }
-    std::sort(body_impulses_.begin(), body_impulses_.end());
-    for (const BodyImpulse& part : body_impulses_) {
-        if (impulses_.empty() || impulses_.back().model != part.model) {
-            impulses_.push_back(*part.impulse);
-        } else {
-            impulses_.back().linear += part.impulse->linear;
-            impulses_.back().angular += part.impulse->angular;
-        }
-    }
+    impulse_sums_.sum();
 }
 
 void Solver::advance(const Scene* scene, double frame_time, uint32_t& steps) {

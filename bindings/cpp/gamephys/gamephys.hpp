@@ -1806,7 +1806,8 @@ public:
 
     // Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in
     // the last step are no longer listed.
-    // Cost: O(particles + constraints of the body), and O(joints of the solver).
+    // Cost: O(particles + constraints of the body), O(joints of the solver), and O(bodies that gave
+    // impulses to the same models).
     void remove_body(gphys_body_id body) {
         check(gphys_solver_remove_body(handle(), body));
     }

@@ -2317,7 +2317,8 @@ public sealed partial class Solver : IDisposable {
 
     /// <summary>Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in
     /// the last step are no longer listed.
-    /// Cost: O(particles + constraints of the body), and O(joints of the solver).</summary>
+    /// Cost: O(particles + constraints of the body), O(joints of the solver), and O(bodies that gave
+    /// impulses to the same models).</summary>
     public unsafe void RemoveBody(uint body) {
         Check(Low.gphys_solver_remove_body(Handle, body));
     }

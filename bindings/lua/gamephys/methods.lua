@@ -1879,7 +1879,8 @@ end
 
 --- Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in
 --- the last step are no longer listed.
---- Cost: O(particles + constraints of the body), and O(joints of the solver).
+--- Cost: O(particles + constraints of the body), O(joints of the solver), and O(bodies that gave
+--- impulses to the same models).
 function Solver:remove_body(body)
     check(C.gphys_solver_remove_body(opened(self), body))
 end

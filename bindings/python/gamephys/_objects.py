@@ -2001,7 +2001,8 @@ class Solver(Object):
     def remove_body(self, body: int) -> None:
         """Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave
         in the last step are no longer listed.
-        Cost: O(particles + constraints of the body), and O(joints of the solver)."""
+        Cost: O(particles + constraints of the body), O(joints of the solver), and O(bodies that gave
+        impulses to the same models)."""
         check(low.gphys_solver_remove_body(self._handle, body))
 
     def get_bodies(self) -> np.ndarray:

@@ -2338,7 +2338,8 @@ impl Solver {
     /// Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in
     /// the last step are no longer listed.
     ///
-    /// Cost: O(particles + constraints of the body), and O(joints of the solver).
+    /// Cost: O(particles + constraints of the body), O(joints of the solver), and O(bodies that gave
+    /// impulses to the same models).
     pub fn remove_body(&mut self, body: BodyId) -> Result<()> {
         check(unsafe { sys::gphys_solver_remove_body(self.handle.as_ptr(), body) })
     }

@@ -1,7 +1,7 @@
 // Contacts between bodies: the ranges of islands, joined to one list (body_contacts.h).
 #include "solver/contact/body_contacts.h"
 
-#include "solver/body.h"
+#include "solver/body_table.h"
 #include "solver/islands.h"
 
 namespace gphys {
@@ -36,7 +36,7 @@ void BodyContacts::reserve(uint32_t particles) {
     sorted_counts_.resize(particles);
 }
 
-void BodyContacts::begin_step(const IdTable& ids, const Vector<Body>& bodies, uint32_t moving) noexcept {
+void BodyContacts::begin_step(const IdTable& ids, const BodyTable& bodies, uint32_t moving) noexcept {
     const auto wakes = [&](gphys_body_id id) { return !ids.has(id) || !bodies[IdTable::slot_of(id)].sleep.asleep; };
     const auto begin = contacts_.begin(), end = begin + static_cast<ptrdiff_t>(listed_);
     const auto kept = std::remove_if(

@@ -11,7 +11,7 @@
 
 namespace gphys {
 
-struct Body;
+class BodyTable;
 struct Island;
 
 /// Two particles that touched. Their bodies are in the order of their slots.
@@ -61,7 +61,7 @@ public:
     void reserve(uint32_t particles);
     /// Call when nothing can fail any more and all bodies that the step moves are awake. `moving`: their particles that
     /// may collide, which have the first ranges.
-    void begin_step(const IdTable& ids, const Vector<Body>& bodies, uint32_t moving) noexcept;
+    void begin_step(const IdTable& ids, const BodyTable& bodies, uint32_t moving) noexcept;
     IslandContacts of_island(uint32_t first_particle, uint32_t particles);
     /// Call after the step.
     void end_step(const Vector<Island>& islands);

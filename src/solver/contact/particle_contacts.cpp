@@ -83,7 +83,7 @@ void list_linked(Body& body) {
     }
 }
 
-void ParticleContacts::reserve(const Vector<Body>& bodies, Vector<Island>& islands,
+void ParticleContacts::reserve(const BodyTable& bodies, Vector<Island>& islands,
                                const Vector<uint32_t>& island_bodies) {
     uint32_t total = 0, most = 0, groups = 0;
     for (Island& island : islands) {
@@ -110,8 +110,7 @@ void ParticleContacts::reserve(const Vector<Body>& bodies, Vector<Island>& islan
     listed_.reserve(most);
 }
 
-void ParticleContacts::begin_step(const IdTable& ids, const Vector<Body>& bodies,
-                                  const Vector<Island>& islands) noexcept {
+void ParticleContacts::begin_step(const IdTable& ids, const BodyTable& bodies, const Vector<Island>& islands) noexcept {
     uint32_t moving = 0;
     for (const Island& island : islands) moving += island.colliding_count;
     listed_.begin_step(ids, bodies, moving);
@@ -136,8 +135,7 @@ ParticleContacts::Range ParticleContacts::range(const Island& island) {
             listed_.of_island(island.first_particle, island.colliding_count)};
 }
 
-void ParticleContacts::begin(const Island& island, const IdTable& ids, const Vector<Body>& bodies,
-                             const uint32_t* slots) {
+void ParticleContacts::begin(const Island& island, const IdTable& ids, const BodyTable& bodies, const uint32_t* slots) {
     const Range range = this->range(island);
     Particle* next = range.particles;
     for (uint32_t i = 0; i < island.body_count; ++i) {
@@ -157,7 +155,7 @@ void ParticleContacts::begin(const Island& island, const IdTable& ids, const Vec
     range.listed.clear();
 }
 
-void ParticleContacts::gather(const Range& range, const Vector<Body>& bodies) const {
+void ParticleContacts::gather(const Range& range, const BodyTable& bodies) const {
     share_particles(range, [&](uint32_t first, uint32_t end) {
         for (uint32_t i = first; i < end; ++i) {
             Particle& p = range.particles[i];
@@ -172,7 +170,7 @@ void ParticleContacts::gather(const Range& range, const Vector<Body>& bodies) co
 }
 
 /// Returns whether many pairs overlap deeply: more than one contact in one_deep_of.
-bool ParticleContacts::find_contacts(const Range& range, const Vector<Body>& bodies, double bounce_threshold,
+bool ParticleContacts::find_contacts(const Range& range, const BodyTable& bodies, double bounce_threshold,
                                      double h) const {
     fill_groups(range, &Group::contacts, contacts_per_particle, [&](Group& group, uint32_t begin, uint32_t room) {
         uint32_t found = 0;
@@ -359,7 +357,7 @@ void correct_moved(const Particle* first, const Particle* end, Body& body, const
 
 /// Calls visit(body, first, end) for the bodies of an island that collide with others, and their particles.
 template <class Visit>
-void ParticleContacts::each_body(const Island& island, Vector<Body>& bodies, const uint32_t* slots, Visit&& visit) {
+void ParticleContacts::each_body(const Island& island, BodyTable& bodies, const uint32_t* slots, Visit&& visit) {
     Particle* first = range(island).particles;
     for (uint32_t i = 0; i < island.body_count; ++i) {
         Body& body = bodies[slots[i]];
@@ -417,7 +415,7 @@ void ParticleContacts::sweep(const Range& range, Solve&& solve) {
     }
 }
 
-ParticleContacts::Found ParticleContacts::solve_contacts(const Island& island, const Vector<Body>& bodies,
+ParticleContacts::Found ParticleContacts::solve_contacts(const Island& island, const BodyTable& bodies,
                                                          double bounce_threshold, double h) {
     const Range range = this->range(island);
     gather(range, bodies);
@@ -429,7 +427,7 @@ ParticleContacts::Found ParticleContacts::solve_contacts(const Island& island, c
     return {any, any_deep};
 }
 
-void ParticleContacts::solve_positions(const Island& island, Vector<Body>& bodies, const uint32_t* slots,
+void ParticleContacts::solve_positions(const Island& island, BodyTable& bodies, const uint32_t* slots,
                                        const CollisionContext& around, Vec3 gravity, double h) {
     const double bounce_threshold = find_bounce_threshold(gravity, h);
     const Found contacts = solve_contacts(island, bodies, bounce_threshold, h);
@@ -458,7 +456,7 @@ void ParticleContacts::solve_positions(const Island& island, Vector<Body>& bodie
     });
 }
 
-void ParticleContacts::solve_velocities(const Island& island, Vector<Body>& bodies, const uint32_t* slots) {
+void ParticleContacts::solve_velocities(const Island& island, BodyTable& bodies, const uint32_t* slots) {
     const Range range = this->range(island);
     share_particles(range, [&](uint32_t first, uint32_t end) {
         for (uint32_t i = first; i < end; ++i) {
@@ -491,7 +489,7 @@ void ParticleContacts::solve_velocities(const Island& island, Vector<Body>& bodi
     });
 }
 
-void ParticleContacts::solve_final_positions(const Island& island, Vector<Body>& bodies, const uint32_t* slots,
+void ParticleContacts::solve_final_positions(const Island& island, BodyTable& bodies, const uint32_t* slots,
                                              const CollisionContext& around, Vec3 gravity, double h) {
     const double bounce_threshold = find_bounce_threshold(gravity, h);
     if (!solve_contacts(island, bodies, bounce_threshold, h).any) return;

@@ -22,7 +22,7 @@
 
 #include "foundation/math.h"
 #include "foundation/team.h"
-#include "solver/body.h"
+#include "solver/body_table.h"
 #include "solver/contact/body_contacts.h"
 #include "solver/islands.h"
 
@@ -44,9 +44,9 @@ public:
           listed_(memory) {}
 
     /// Call before a step, for all islands. Sets their ranges. Throws std::bad_alloc.
-    void reserve(const Vector<Body>& bodies, Vector<Island>& islands, const Vector<uint32_t>& island_bodies);
+    void reserve(const BodyTable& bodies, Vector<Island>& islands, const Vector<uint32_t>& island_bodies);
     /// Call when nothing can fail any more, and after the step.
-    void begin_step(const IdTable& ids, const Vector<Body>& bodies, const Vector<Island>& islands) noexcept;
+    void begin_step(const IdTable& ids, const BodyTable& bodies, const Vector<Island>& islands) noexcept;
     void end_step(const Vector<Island>& islands) { listed_.end_step(islands); }
 
     /// Whether a team can share the work on the contacts of so many particles.
@@ -58,14 +58,14 @@ public:
     void clear_list() { listed_.clear(); }
 
     // For one island; the data of others are not accessed.
-    void begin(const Island& island, const IdTable& ids, const Vector<Body>& bodies, const uint32_t* slots);
+    void begin(const Island& island, const IdTable& ids, const BodyTable& bodies, const uint32_t* slots);
     /// Call when all bodies are predicted: separates pairs in contact, with friction. h: seconds of the substep.
-    void solve_positions(const Island& island, Vector<Body>& bodies, const uint32_t* slots,
-                         const CollisionContext& around, Vec3 gravity, double h);
+    void solve_positions(const Island& island, BodyTable& bodies, const uint32_t* slots, const CollisionContext& around,
+                         Vec3 gravity, double h);
     /// Call at the end of the substep: restitution and friction of pairs in contact.
-    void solve_velocities(const Island& island, Vector<Body>& bodies, const uint32_t* slots);
+    void solve_velocities(const Island& island, BodyTable& bodies, const uint32_t* slots);
     /// Call after the last substep: separates pairs that constraints have made overlap.
-    void solve_final_positions(const Island& island, Vector<Body>& bodies, const uint32_t* slots,
+    void solve_final_positions(const Island& island, BodyTable& bodies, const uint32_t* slots,
                                const CollisionContext& around, Vec3 gravity, double h);
 
 private:
@@ -153,19 +153,19 @@ private:
     }
     Range range(const Island& island);
     template <class Visit>
-    void each_body(const Island& island, Vector<Body>& bodies, const uint32_t* slots, Visit&& visit);
+    void each_body(const Island& island, BodyTable& bodies, const uint32_t* slots, Visit&& visit);
     template <class Visit>
     static void share_particles(const Range& range, Visit&& visit);
     template <class Emit>
     static bool fill_groups(const Range& range, Items Group::*items, uint32_t per_particle, Emit&& emit);
     template <class Solve>
     static void sweep(const Range& range, Solve&& solve);
-    void gather(const Range& range, const Vector<Body>& bodies) const;
+    void gather(const Range& range, const BodyTable& bodies) const;
     bool list_is_valid(const Range& range) const;
-    void find_pairs(const Range& range, const Vector<Body>& bodies) const;
-    bool find_contacts(const Range& range, const Vector<Body>& bodies, double bounce_threshold, double h) const;
+    void find_pairs(const Range& range, const BodyTable& bodies) const;
+    bool find_contacts(const Range& range, const BodyTable& bodies, double bounce_threshold, double h) const;
     void add_impulses(const Range& range, double Contact::*change, double rate) const;
-    Found solve_contacts(const Island& island, const Vector<Body>& bodies, double bounce_threshold, double h);
+    Found solve_contacts(const Island& island, const BodyTable& bodies, double bounce_threshold, double h);
 
     Vector<Particle> particles_;
     Vector<Pair> pairs_;

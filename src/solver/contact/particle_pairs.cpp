@@ -82,7 +82,7 @@ bool ParticleContacts::list_is_valid(const Range& range) const {
 /// The search for the pairs of one list.
 class ParticleContacts::PairSearch {
 public:
-    PairSearch(const Range& range, const Vector<Body>& bodies) : range_(range), bodies_(bodies) {}
+    PairSearch(const Range& range, const BodyTable& bodies) : range_(range), bodies_(bodies) {}
 
     void run();
 
@@ -111,7 +111,7 @@ private:
     }
 
     const Range& range_;
-    const Vector<Body>& bodies_;
+    const BodyTable& bodies_;
     Grid grid_{1};
     double largest_reach_ = 0;
     Aabb box_{};  // of the particles
@@ -361,7 +361,7 @@ void ParticleContacts::PairSearch::run() {
     fill_crowded();
 }
 
-void ParticleContacts::find_pairs(const Range& range, const Vector<Body>& bodies) const {
+void ParticleContacts::find_pairs(const Range& range, const BodyTable& bodies) const {
     PairSearch(range, bodies).run();
 }
 

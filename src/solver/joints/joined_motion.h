@@ -1,7 +1,7 @@
 // One substep of joined bodies.
 #pragma once
 
-#include "solver/body.h"
+#include "solver/body_table.h"
 #include "solver/joints/joints.h"
 
 namespace gphys {
@@ -10,7 +10,7 @@ struct CollisionContext;
 
 /// Bodies that are joined, directly or through others, and the systems of their joints.
 struct Joined {
-    Vector<Body>& bodies;
+    BodyTable& bodies;
     Vector<Joint>& joints;
     const uint32_t *slots_begin, *slots_end;  // of the bodies, ascending
     Vector<JointSystem>& all_systems;

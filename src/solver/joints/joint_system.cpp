@@ -8,13 +8,13 @@
 // Why not block elimination over a forest with loop closures: for trees it would come close to rope_direct.cpp. But
 // joints that close loops would need an additional dense system, where SparseLdl includes them in its order. It would
 // also change the bits of all trees.
-#include "solver/body.h"
+#include "solver/body_table.h"
 #include "solver/contact/impulses.h"
 #include "solver/joints/elimination_order.h"
 #include "solver/joints/joints.h"
 #include "solver/rope/rope.h"
-#include "solver/rope/stretched_ropes.h"
 #include "solver/rope/rope_kernels.h"
+#include "solver/rope/stretched_ropes.h"
 #include "solver/state_range.h"
 #include "solver/time_scheme.h"
 
@@ -128,7 +128,7 @@ void JointSystem::plan() {
     solution_.resize(scalar);
 }
 
-void JointSystem::gather(const Vector<Body>& bodies, const Vector<Joint>& joints, double h) {
+void JointSystem::gather(const BodyTable& bodies, const Vector<Joint>& joints, double h) {
     for (Node& node : nodes_) {
         const Body& body = bodies[node.body];
         const double step = TimeScheme(h, body.history.earlier_step).step(body.settings.damping);
@@ -165,7 +165,7 @@ double JointSystem::elastic_energy() const {
     return sum;
 }
 
-void JointSystem::scatter(Vector<Body>& bodies) const {
+void JointSystem::scatter(BodyTable& bodies) const {
     for (const Node& node : nodes_) {
         Body& body = bodies[node.body];
         if (!node.free) continue;
@@ -181,7 +181,7 @@ void JointSystem::scatter(Vector<Body>& bodies) const {
     }
 }
 
-void JointSystem::scatter_tensions(Vector<Body>& bodies, Vector<Joint>& joints) const {
+void JointSystem::scatter_tensions(BodyTable& bodies, Vector<Joint>& joints) const {
     for (const Link& link : links_) {
         // The initial guess of the next solution must be finite.
         const double tension = is_finite(link.tension) ? link.tension : 0;
@@ -194,7 +194,7 @@ void JointSystem::scatter_tensions(Vector<Body>& bodies, Vector<Joint>& joints) 
     }
 }
 
-void JointSystem::add_anchor_impulses(Vector<Body>& bodies, const CollisionContext& around, double h) const {
+void JointSystem::add_anchor_impulses(BodyTable& bodies, const CollisionContext& around, double h) const {
     for (const Link& link : links_) {
         if (link.owner != of_joint) continue;  // chains add their own
         const Node &a = nodes_[link.a], &b = nodes_[link.b];

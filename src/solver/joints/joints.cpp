@@ -78,7 +78,7 @@ struct Part {
 
 /// Union-find over the parts that joints and branches unite.
 struct Partition {
-    const Vector<Body>& bodies;
+    const BodyTable& bodies;
     Vector<Part> parts;       // sorted
     Vector<uint32_t> parent;  // of DisjointSets
 

@@ -16,7 +16,7 @@
 
 namespace gphys {
 
-struct Body;
+class BodyTable;
 struct CollisionContext;
 
 /// |position of b - position of a| = rest + compliance * tension. The ends are in different bodies.
@@ -77,11 +77,11 @@ public:
     const Node& node(uint32_t i) const { return nodes_[i]; }
 
     /// Copies the predicted state of a substep from the bodies, and the solved one back.
-    void gather(const Vector<Body>& bodies, const Vector<Joint>& joints, double h);
-    void scatter(Vector<Body>& bodies) const;
-    void scatter_tensions(Vector<Body>& bodies, Vector<Joint>& joints) const;
+    void gather(const BodyTable& bodies, const Vector<Joint>& joints, double h);
+    void scatter(BodyTable& bodies) const;
+    void scatter_tensions(BodyTable& bodies, Vector<Joint>& joints) const;
     /// Adds the tensions of joints at attached particles to the impulses of their models.
-    void add_anchor_impulses(Vector<Body>& bodies, const CollisionContext& around, double h) const;
+    void add_anchor_impulses(BodyTable& bodies, const CollisionContext& around, double h) const;
     /// Applies a force, newtons, to a node during the substep under way. Then the solution is outdated.
     void apply_force(uint32_t node, Vec3 force) {
         nodes_[node].predicted += force / nodes_[node].weight;

@@ -222,10 +222,11 @@ const char* read(Reader& archive, SolverState& state) {
     visit_globals(archive, state);
     if (!archive.good()) return cut_short;
     if (const char* wrong = defect_of_globals(state)) return wrong;
+    state.bodies.add_slots(state.ids.slots());
     for (uint32_t slot = 0; slot < state.ids.slots(); ++slot) {
-        state.bodies.emplace_back(state.bodies.get_allocator().resource());
         if (!state.ids.live(slot)) continue;
-        Body& body = state.bodies.back();
+        state.bodies.put(slot, new_body(state.bodies.memory()));
+        Body& body = state.bodies[slot];
         visit_body(archive, body);
         if (!archive.good()) return cut_short;
         if (const char* wrong = defect(body)) return wrong;
@@ -292,8 +293,7 @@ gphys_status Solver::restore(const uint32_t* words, uint32_t count) {
     if (const char* wrong = read(archive, restored)) return rejected(wrong);
     size_t given = 0;
     for (const Body& body : restored.bodies) given += body.contacts.impulses.size();
-    body_impulses_.reserve(given);
-    impulses_.reserve(given);
+    impulse_sums_.reserve(given);
     const Vec3 shift = state_.origin - restored.origin;
     state_ = std::move(restored);
     add_impulses();

@@ -241,7 +241,8 @@ public final class Solver extends Owned {
     /**
      * Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in
      * the last step are no longer listed.
-     * Cost: O(particles + constraints of the body), and O(joints of the solver).
+     * Cost: O(particles + constraints of the body), O(joints of the solver), and O(bodies that gave
+     * impulses to the same models).
      */
     public void removeBody(int body) {
         int status = Low.gphys_solver_remove_body(opened(), body);
