@@ -1,4 +1,4 @@
-// Bodies that come and go beside many others, as in effects.
+// Bodies that come and go beside many others, and bodies of a single particle: what an effect or a volley consists of.
 #include <algorithm>
 #include <cstring>
 #include <deque>
@@ -11,6 +11,8 @@ using namespace test;
 
 namespace {
 
+bool same_bits(const gphys_vec3& a, const gphys_vec3& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
 std::vector<gphys_impulse> impulses(const gphys_solver* solver) {
     std::vector<gphys_impulse> out(100);
     uint32_t total = 0;
@@ -18,6 +20,23 @@ std::vector<gphys_impulse> impulses(const gphys_solver* solver) {
     out.resize(total);
     return out;
 }
+
+/// Points that fall past a box, and some that fly into it.
+struct Volley {
+    std::vector<gphys_vec3> places, velocities;
+
+    Volley() {
+        Random random(5);
+        for (int i = 0; i < 43; ++i) {
+            places.push_back(random.point(3));
+            velocities.push_back(random.point(i % 3 == 0 ? 20 : 2));
+        }
+    }
+    void set(const World& world, gphys_body_id body, uint32_t first) const {
+        const uint32_t count = world.stats(body).particle_count;
+        REQUIRE(gphys_solver_set_velocities(world.solver, body, 0, count, &velocities[first], 12) == GPHYS_OK);
+    }
+};
 
 }  // namespace
 
@@ -79,4 +98,56 @@ TEST_CASE("a removed body's impulses leave the sums as if it had never been ther
         REQUIRE(now.size() <= 2);
     }
     CHECK(impulses(world.solver).empty());
+}
+
+TEST_CASE("bodies of any number of particles fly with the same bits") {
+    const Volley volley;
+    const gphys_aabb box{{-1, -1, -1}, {1, 1, 1}};
+    const uint32_t all = static_cast<uint32_t>(volley.places.size());
+    for (const int surroundings : {0, 1, 2}) {  // no scene, an empty one, a box
+        World whole, parts;
+        std::vector<gphys_body_id> bodies;
+        for (World* world : {&whole, &parts}) {
+            if (surroundings == 2) world->model(GPHYS_SHAPE_AABB, &box);
+        }
+        gphys_body_desc desc = World::body_desc();
+        desc.damping = 0.1f;
+        desc.restitution = 0.5f;
+        const gphys_body_id together = whole.particles(volley.places, desc);
+        volley.set(whole, together, 0);
+        std::vector<uint32_t> firsts;
+        for (uint32_t first = 0, size = 1; first < all; first += size, size = size % 9 + 1) {
+            const auto begin = volley.places.begin() + first, end = begin + std::min(size, all - first);
+            firsts.push_back(first);
+            bodies.push_back(parts.particles({begin, end}, desc));
+            volley.set(parts, bodies.back(), first);
+        }
+        for (int i = 0; i < 60; ++i) {
+            for (World* world : {&whole, &parts}) {
+                REQUIRE(gphys_solver_step(world->solver, surroundings > 0 ? world->scene : nullptr, 1 / 60.0f) ==
+                        GPHYS_OK);
+            }
+        }
+        const std::vector<gphys_vec3> expected = whole.positions(together);
+        for (size_t i = 0; i < bodies.size(); ++i) {
+            const std::vector<gphys_vec3> found = parts.positions(bodies[i]);
+            for (size_t p = 0; p < found.size(); ++p) {
+                CAPTURE(surroundings, i, p);
+                REQUIRE(same_bits(found[p], expected[firsts[i] + p]));
+            }
+        }
+    }
+}
+
+TEST_CASE("a force takes a particle to models that gravity would not take it to") {
+    World world(8, {0, 0, 0});
+    const gphys_aabb wall{{5, -1, -1}, {20, 1, 1}};
+    world.model(GPHYS_SHAPE_AABB, &wall);
+    const gphys_body_id body = world.particles({{0, 0, 0}}, point_mass(0.1f, 0, 0));
+    const gphys_vec3 force{80000, 0, 0};  // 11 m in a step
+    REQUIRE(gphys_solver_set_forces(world.solver, body, 0, 1, &force, 12) == GPHYS_OK);
+    world.step(1 / 60.0f);
+    const double x = world.position(body).x;
+    CHECK(x > 4.89);
+    CHECK(x < 4.9);
 }

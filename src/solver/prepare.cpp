@@ -167,14 +167,11 @@ void Solver::prepare_body(uint32_t slot, const Scene* scene, double dt) {
         body.particles.smallest_radius = *smallest;
         body.particles.largest_radius = *largest;
     }
-    if (is_divided(body)) {
-        const uint32_t parts = (body.particles.size() + part_size - 1) / part_size;
-        while (body.contacts.parts.size() < parts) body.contacts.parts.emplace_back(&memory);
-    } else {
-        body.contacts.parts.clear();
-    }
+    const uint32_t parts = is_divided(body) ? (body.particles.size() + part_size - 1) / part_size : 0;
+    if (parts == 0) body.contacts.parts.clear();
+    while (body.contacts.parts.size() < parts) body.contacts.parts.emplace_back(&memory);
     active_.push_back({body.particles.size(), slot, substeps_of(body, state_.settings, dt),
-                       static_cast<uint32_t>(plan.chains.size()), is_plain_rope(body), is_plain_rope(body),
+                       static_cast<uint32_t>(plan.chains.size()), parts, is_plain_rope(body), is_plain_rope(body),
                        restarts(body.history, body.contacts)});
 }
 
@@ -351,8 +348,7 @@ void Solver::find_disturbed(const Scene& scene) {
 bool Solver::is_worth_sharing(const ActiveBody& active, size_t particles) const {
     constexpr size_t least_links = 20000;
     const Plan& plan = state_.bodies[active.slot].plan;
-    return plan.method == GPHYS_SOLVE_GRAPH && plan.rest.size() >= least_links &&
-           size_t{active.size} * workers_.count() > particles;
+    return plan.rest.size() >= least_links && size_t{active.size} * workers_.count() > particles;
 }
 
 void Solver::reserve_flight_planes() {
@@ -398,14 +394,17 @@ void Solver::make_tasks() {
             while (next < active_.size() && next - i < in_group && joins(active_[next])) ++next;
             if (next - i > 1) in_contact_lanes = std::max<size_t>(in_contact_lanes, first.size);
         }
-        Cloth& cloth = state_.bodies[first.slot].cloth;
-        cloth.shares.on_trial = workers_.count() > 1 && is_worth_sharing(first, particles);
-        const bool shared = cloth.shares.on_trial && cloth.shares.trial.is_shared();
-        if (shared) cloth.batches.rows.resize(size_t{cloth_row_floats} * cloth.batches.longest * workers_.count());
-        const uint32_t parts = static_cast<uint32_t>(state_.bodies[first.slot].contacts.parts.size());
-        for (uint32_t part = 0; part < parts; ++part) tasks_.push_back({i, 1, false, part});
-        if (parts == 0) tasks_.push_back({i, next - i, shared, 0});
-        if (state_.bodies[first.slot].plan.method != GPHYS_SOLVE_DIRECT) continue;
+        const gphys_solve_method method = state_.bodies[first.slot].plan.method;
+        bool shared = false;
+        if (method == GPHYS_SOLVE_GRAPH) {
+            Cloth& cloth = state_.bodies[first.slot].cloth;
+            cloth.shares.on_trial = workers_.count() > 1 && is_worth_sharing(first, particles);
+            shared = cloth.shares.on_trial && cloth.shares.trial.is_shared();
+            if (shared) cloth.batches.rows.resize(size_t{cloth_row_floats} * cloth.batches.longest * workers_.count());
+        }
+        for (uint32_t part = 0; part < first.parts; ++part) tasks_.push_back({i, 1, false, part});
+        if (first.parts == 0) tasks_.push_back({i, next - i, shared, 0});
+        if (method != GPHYS_SOLVE_DIRECT) continue;
         alone = std::max<size_t>(alone, first.size);
         if (next - i > 1) in_lanes = std::max<size_t>(in_lanes, first.size);
     }

@@ -224,6 +224,7 @@ private:
     struct ActiveBody {
         uint32_t size, slot, substeps;
         uint32_t chains;                 // of its constraints
+        uint32_t parts;                  // into which its particles are divided; 0: it is moved as a whole
         bool plain = false;              // a rope that the kernels support
         bool undisturbed = false;        // a plain rope that hits nothing while it stays in `reachable`
         bool restarts = false;           // of undisturbed ropes: the time scheme does, after an interruption

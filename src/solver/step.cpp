@@ -194,9 +194,12 @@ void Solver::move_body(const ActiveBody& active, uint32_t worker, const Scene* s
     }
     begin_body_step(active, scene, dt);
     if (body.plan.method == GPHYS_SOLVE_FREE) {
+        // Gravity and drag do not take particles out of `search_box`; forces and targets may.
+        const bool alone = !active.near_models() && !body.particles.forced && body.targets.empty();
+        const Scene* const around = alone ? nullptr : scene;
         body.particles.extent =
-            fly_through(body, 0, body.particles.size(), {body.contacts.impulses, body.contacts.has_contact}, whole,
-                        gravity, substeps, flight_planes(worker, scene));
+            fly_through(body, 0, body.particles.size(), {body.contacts.impulses, body.contacts.has_contact},
+                        {around, &moved_models_, dt, 0, 1}, gravity, substeps, flight_planes(worker, around));
     } else {
         ClothShares& shares = body.cloth.shares;
         std::chrono::steady_clock::time_point begin;
@@ -286,7 +289,7 @@ void Solver::simulate(const Scene* scene, double dt, bool first) {
     begin_step(scene);
     const auto each_divided = [&](auto&& visit) {
         for (const ActiveBody& active : active_) {
-            if (!active.in_island && !state_.bodies[active.slot].contacts.parts.empty()) visit(active);
+            if (!active.in_island && active.parts > 0) visit(active);
         }
     };
     each_divided([&](const ActiveBody& active) { begin_body_step(active, scene, dt); });
@@ -306,7 +309,7 @@ void Solver::simulate(const Scene* scene, double dt, bool first) {
             }
             const Task& task = tasks_[i - islands_.size()];
             if (task.shared) continue;
-            if (!state_.bodies[active_[task.first].slot].contacts.parts.empty()) {
+            if (active_[task.first].parts > 0) {
                 move_part(task, worker, scene, dt);
             } else if (active_[task.first].undisturbed) {
                 move_undisturbed(task, worker, scene, dt);

@@ -5,15 +5,14 @@
 // overlap the boxes of nearby models are moved eight at a time (flight_kernels.cpp). The others are moved one by one,
 // from one impact to the next. Neighbours in a body, such as particles that an emitter has made together, are mostly
 // neighbours in space.
-#include <optional>
-
+#include "solver/particles/free_flight.h"
+#include "foundation/made_later.h"
 #include "solver/contact/collision.h"
 #include "solver/contact/friction.h"
 #include "solver/motion.h"
 #include "solver/particles/flight.h"
 #include "solver/particles/flight_kernels.h"
 #include "solver/particles/flight_planes.h"
-#include "solver/particles/free_flight.h"
 
 namespace gphys {
 namespace {
@@ -25,6 +24,10 @@ constexpr int most_bounces = 8;
 constexpr uint32_t block_size = FlightPlanes::most_particles, block_groups = block_size / flight_group;
 // Boxes around nearby models. Groups are not tested against more than this.
 constexpr uint32_t most_obstacles = 48;
+
+// Those of no particles. Bodies of a few, such as projectiles, would spend most of their time on calls of the kernels.
+constexpr FlightBounds no_bounds{
+    {infinity, infinity, infinity}, {-infinity, -infinity, -infinity}, {0, 0, 0}, {0, 0, 0}};
 
 void put(double* to, Vec3 v) { to[0] = v.x, to[1] = v.y, to[2] = v.z; }
 Vec3 get(const double (&from)[3]) { return {from[0], from[1], from[2]}; }
@@ -220,8 +223,8 @@ void FreeFlight::fly_among(const Collider& collider, uint32_t p) {
 }
 
 FlightBounds FreeFlight::bound(const FlightGroups& groups, uint32_t first, uint32_t count) const {
-    FlightBounds bounds;
-    kernels_.bound(groups, bounds);
+    FlightBounds bounds = no_bounds;
+    if (groups.count > 0) kernels_.bound(groups, bounds);
     for (uint32_t p = first + groups.count * flight_group; p < first + count; ++p) {
         const Vec3 way = flight_of(p).displacement(body_.particles.velocity[p], whole_);
         for (int k = 0; k < 3; ++k) {
@@ -292,7 +295,7 @@ void FreeFlight::keep_to_targets(uint32_t first, uint32_t count) {
     if (longest == 0) return;
     const double room = 2 * body_.particles.largest_radius + longest;
     const Vec3 reach{room, room, room};
-    std::optional<Collider> collider;
+    MadeLater<Collider> collider;
     if (collides(body_, around_))
         collider.emplace(around_, body_, gphys::bounds(Aabb{ways.box.min - reach, ways.box.max + reach}), accumulator_);
     each_outside([&](uint32_t p, Vec3 at, Vec3 place, const TargetBounds& out_of) {
@@ -330,12 +333,14 @@ void FreeFlight::move_block(uint32_t first, uint32_t count) {
                               whole_.kept,
                               whole_.reach,
                               whole_.fall};
-    const FlightBounds bounds = bound(groups, first, count);
+    // Of less than a group nothing is moved by the kernel, so without models nothing depends on the bounds.
+    const bool may_collide = collides(body_, around_);
+    const FlightBounds bounds = may_collide || groups.count > 0 ? bound(groups, first, count) : no_bounds;
     const Aabb region{get(bounds.low), get(bounds.high)};
     known_ = max_component(max(abs(region.min), abs(region.max))) <= GPHYS_MAX_COORDINATE;
     obstacle_count_ = 0;
-    std::optional<Collider> collider;
-    if (collides(body_, around_)) {
+    MadeLater<Collider> collider;
+    if (may_collide) {
         // Twice the length of a path, because a bounce may turn it back.
         const double room =
             2 * body_.particles.largest_radius + length(get(bounds.furthest)) + length(get(bounds.fastest)) * h_;
@@ -349,13 +354,15 @@ void FreeFlight::move_block(uint32_t first, uint32_t count) {
         }
     }
     // Particles that must not be moved by the kernel, or whose paths are not known to be clear, are moved one by one.
-    std::fill_n(overlapping_, groups.count, known_ ? uint8_t{0} : uint8_t{0xff});
-    for (uint32_t i = 0; i < count; ++i) {
-        if (body_.particles.pinned(first + i))
-            overlapping_[i / flight_group] |= static_cast<uint8_t>(1 << i % flight_group);
+    if (collider) std::fill_n(obstacle_of_, count, several_obstacles);
+    if (groups.count > 0) {
+        std::fill_n(overlapping_, groups.count, known_ ? uint8_t{0} : uint8_t{0xff});
+        for (uint32_t i = 0; i < groups.count * flight_group; ++i) {
+            if (body_.particles.pinned(first + i))
+                overlapping_[i / flight_group] |= static_cast<uint8_t>(1 << i % flight_group);
+        }
+        kernels_.fly(groups, obstacles_, known_ ? obstacle_count_ : 0, {overlapping_, obstacle_of_, resting_on_});
     }
-    std::fill_n(obstacle_of_, count, several_obstacles);
-    kernels_.fly(groups, obstacles_, known_ ? obstacle_count_ : 0, {overlapping_, obstacle_of_, resting_on_});
     const Vec3 way = gravity_ * whole_.fall;
     for (uint32_t group = 0; group <= groups.count; ++group) {
         const uint32_t begin = group * flight_group, end = std::min(count, begin + flight_group);
@@ -370,7 +377,11 @@ void FreeFlight::move_block(uint32_t first, uint32_t count) {
         }
         for (uint32_t i = begin; i < end; ++i) {
             const bool hits = collider && (overlapping >> (i - begin) & 1);
-            fly_one(hits ? &*collider : nullptr, first + i, obstacle_of_[i]);
+            if (hits) {
+                fly_one(&*collider, first + i, obstacle_of_[i]);
+            } else {
+                fly_one(nullptr, first + i, several_obstacles);
+            }
         }
     }
 }
@@ -396,8 +407,8 @@ Extent extent_of(Body& body, uint32_t first, uint32_t end) {
                               1,
                               0,
                               0};
-    FlightBounds bounds;
-    flight_kernels(chosen_isa()).bound(groups, bounds);
+    FlightBounds bounds = no_bounds;
+    if (groups.count > 0) flight_kernels(chosen_isa()).bound(groups, bounds);
     Extent extent{{get(bounds.low), get(bounds.high)}, get(bounds.fastest)};
     for (uint32_t p = first + groups.count * flight_group; p < end; ++p) {
         extent.add({{body.particles.position[p], body.particles.position[p]}, abs(body.particles.velocity[p])});
