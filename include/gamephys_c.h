@@ -1971,7 +1971,8 @@ typedef struct gphys_solver_desc {
     const gphys_task_runner* task_runner; /* provides the worker_count threads; NULL: the solver's own */
     uint32_t worker_count; /* threads for one step, including the caller's, at most 1024; 0 and 1: that alone */
     float sleep_speed;     /* m/s, see gphys_solver_get_sleeping; 0: bodies never sleep; default 0 */
-    float sleep_strain;    /* of rigid constraints, |length / rest length - 1|; default 0.01 */
+    float sleep_strain;    /* of rigid constraints, |length / rest length - 1|; those of rest length 0 are measured by
+                              the mean rest length of the body's rigid constraints; default 0.01 */
     float sleep_time;      /* seconds; default 0.5 */
     float max_strain;      /* of rigid constraints, see gphys_solver_get_substeps; 0: none, for cloth 0.02; default 0 */
     float tolerance;       /* target of positions: metres of error that a second of motion adds; 0: none; default 0 */
@@ -2131,7 +2132,7 @@ GPHYS_API gphys_status gphys_solver_add_cloth(gphys_solver* solver, const gphys_
                                               gphys_body_id* out_body);
 /** Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
  *  with GPHYS_CLOTH_BEND one across each inner edge, whose ids come after those of the edges. Vertices at the same
- *  place stay separate.
+ *  place stay separate: an edge shorter than 1e-9 m, as at the poles of many imported balls, has a rest length of 0.
  *  @param desc       NULL: the defaults
  *  @param transform  places the mesh; NULL is the identity
  *  @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies;
@@ -2462,7 +2463,7 @@ GPHYS_API gphys_status gphys_solver_get_attachments(const gphys_solver* solver, 
                                                     uint32_t* out_total);
 
 /** Hold two different particles of a body at a distance.
- *  @param rest_length  metres, >= 0; negative: the present distance
+ *  @param rest_length  metres, >= 0; negative: the present distance. Below 1e-9 m it counts as 0.
  *  @param compliance   metres per newton, >= 0; 0 is rigid
  *  @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one;
  *          GPHYS_ERROR_CAPACITY beyond 2^24 - 1 constraints of a body
@@ -2473,7 +2474,7 @@ GPHYS_API gphys_status gphys_solver_add_distance(gphys_solver* solver, gphys_bod
 /** Keep two different particles of a body from being further apart than a length, like a string between
  *  them: it pulls and never pushes. While it is slack it does nothing; when it becomes taut, and is
  *  rigid, only the speed at which the particles separate is lost.
- *  @param max_length  metres, >= 0; negative: the present distance
+ *  @param max_length  metres, >= 0; negative: the present distance. Below 1e-9 m it counts as 0.
  *  @param compliance  metres per newton, >= 0, of what it yields beyond that; 0 is rigid
  *  @return as gphys_solver_add_distance
  *  It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
@@ -2550,7 +2551,7 @@ GPHYS_API gphys_status gphys_solver_get_constraint_kinds(const gphys_solver* sol
 
 /** The settings of a constraint. Frozen. */
 typedef struct gphys_constraint_settings {
-    float rest_length; /* metres, >= 0; negative, when it is set: the present distance */
+    float rest_length; /* metres, >= 0, below 1e-9 as 0; negative, when it is set: the present distance */
     float compliance;  /* metres per newton, >= 0; 0 is rigid */
     float damping;     /* N s/m, >= 0, of what has compliance; see gphys_solver_set_constraint_damping */
 } gphys_constraint_settings;
@@ -2754,7 +2755,7 @@ typedef struct gphys_solver_stats {
     uint32_t pinned_count; /* pinned or attached */
     uint32_t constraint_count;
     uint32_t contact_count; /* particle and model pairs that touched in the last step, 4 a particle at most */
-    float strain_max;       /* largest |length / rest length - 1| of rigid constraints */
+    float strain_max;       /* largest |length / rest length - 1| of rigid constraints whose rest length is not 0 */
     float strain_rms;       /* root mean square of the same */
     float kinetic_energy;   /* joules */
     float potential_energy; /* joules: of gravity, 0 at the solver's origin, of stretch and of held volumes */

@@ -3322,7 +3322,8 @@ func (o *Solver) AddCloth(corner Vec3, edgeU Vec3, edgeV Vec3, columns uint32, r
 
 // Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and with
 // ClothBend one across each inner edge, whose ids come after those of the edges. Vertices at the same
-// place stay separate.
+// place stay separate: an edge shorter than 1e-9 m, as at the poles of many imported balls, has a rest
+// length of 0.
 //   - desc: nil: the defaults
 //   - transform: places the mesh; nil is the identity
 // The error is ErrCapacity beyond 2^24 - 1 particles or bodies.
@@ -3944,7 +3945,7 @@ func (o *Solver) Attachments(body BodyID) (result []Attachment, err error) {
 }
 
 // Hold two different particles of a body at a distance.
-//   - restLength: metres, >= 0; negative: the present distance
+//   - restLength: metres, >= 0; negative: the present distance. Below 1e-9 m it counts as 0.
 //   - compliance: metres per newton, >= 0; 0 is rigid
 // The error is ErrInvalidArgument for a particle that does not exist or twice the same one.
 // The error is ErrCapacity beyond 2^24 - 1 constraints of a body.
@@ -3969,7 +3970,7 @@ func (o *Solver) AddDistance(body BodyID, particleA uint32, particleB uint32, re
 // Fails as Solver.AddDistance.
 // It is a constraint like others: listed with maxLength as its restLength, removed as they are, and
 // strained only when it is too long.
-//   - maxLength: metres, >= 0; negative: the present distance
+//   - maxLength: metres, >= 0; negative: the present distance. Below 1e-9 m it counts as 0.
 //   - compliance: metres per newton, >= 0, of what it yields beyond that; 0 is rigid
 // Cost: as Solver.AddDistance.
 func (o *Solver) AddMaxDistance(body BodyID, particleA uint32, particleB uint32, maxLength float32, compliance float32) (constraint ConstraintID, err error) {

@@ -574,7 +574,8 @@ type SolverDesc struct {
 	WorkerCount uint32
 	// m/s, see Solver.Sleeping; 0: bodies never sleep; default 0
 	SleepSpeed float32
-	// of rigid constraints, |length / rest length - 1|; default 0.01
+	// of rigid constraints, |length / rest length - 1|; those of rest length 0 are measured by
+	// the mean rest length of the body's rigid constraints; default 0.01
 	SleepStrain float32
 	// seconds; default 0.5
 	SleepTime float32
@@ -725,7 +726,7 @@ type ConstraintInfo struct {
 
 // The settings of a constraint. Frozen.
 type ConstraintSettings struct {
-	// metres, >= 0; negative, when it is set: the present distance
+	// metres, >= 0, below 1e-9 as 0; negative, when it is set: the present distance
 	RestLength float32
 	// metres per newton, >= 0; 0 is rigid
 	Compliance float32
@@ -773,7 +774,7 @@ type SolverStats struct {
 	ConstraintCount uint32
 	// particle and model pairs that touched in the last step, 4 a particle at most
 	ContactCount uint32
-	// largest |length / rest length - 1| of rigid constraints
+	// largest |length / rest length - 1| of rigid constraints whose rest length is not 0
 	StrainMax float32
 	// root mean square of the same
 	StrainRms float32

@@ -361,7 +361,8 @@ export interface SolverDesc {
     worker_count: number;
     /** m/s, see Solver.getSleeping; 0: bodies never sleep; default 0 */
     sleep_speed: number;
-    /** of rigid constraints, |length / rest length - 1|; default 0.01 */
+    /** of rigid constraints, |length / rest length - 1|; those of rest length 0 are measured by
+     * the mean rest length of the body's rigid constraints; default 0.01 */
     sleep_strain: number;
     /** seconds; default 0.5 */
     sleep_time: number;
@@ -502,7 +503,7 @@ export interface ConstraintInfo {
 }
 /** The settings of a constraint. Frozen. */
 export interface ConstraintSettings {
-    /** metres, >= 0; negative, when it is set: the present distance */
+    /** metres, >= 0, below 1e-9 as 0; negative, when it is set: the present distance */
     rest_length: number;
     /** metres per newton, >= 0; 0 is rigid */
     compliance: number;
@@ -547,7 +548,7 @@ export interface SolverStats {
     constraint_count: number;
     /** particle and model pairs that touched in the last step, 4 a particle at most */
     contact_count: number;
-    /** largest |length / rest length - 1| of rigid constraints */
+    /** largest |length / rest length - 1| of rigid constraints whose rest length is not 0 */
     strain_max: number;
     /** root mean square of the same */
     strain_rms: number;
@@ -1625,7 +1626,8 @@ export class Solver {
     addCloth(corner: Given<number[]>, edge_u: Given<number[]>, edge_v: Given<number[]>, columns: number, rows: number, desc?: Partial<BodyDesc> | null): number;
     /** Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and with
      * CLOTH_BEND one across each inner edge, whose ids come after those of the edges. Vertices at the same
-     * place stay separate.
+     * place stay separate: an edge shorter than 1e-9 m, as at the poles of many imported balls, has a rest
+     * length of 0.
      * Cost: O(n log n).
      * @param desc - null: the defaults
      * @param transform - places the mesh; null is the identity
@@ -1829,7 +1831,7 @@ export class Solver {
     getAttachments(body: number): Records<Attachment>;
     /** Hold two different particles of a body at a distance.
      * Cost: O(1); the next step plans the body again, O(constraints).
-     * @param rest_length - metres, >= 0; negative: the present distance
+     * @param rest_length - metres, >= 0; negative: the present distance. Below 1e-9 m it counts as 0.
      * @param compliance - metres per newton, >= 0; 0 is rigid
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: for a particle that does not exist or twice the same
      *     one
@@ -1842,7 +1844,7 @@ export class Solver {
      * It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
      * strained only when it is too long.
      * Cost: as Solver.addDistance.
-     * @param max_length - metres, >= 0; negative: the present distance
+     * @param max_length - metres, >= 0; negative: the present distance. Below 1e-9 m it counts as 0.
      * @param compliance - metres per newton, >= 0, of what it yields beyond that; 0 is rigid */
     addMaxDistance(body: number, particle_a: number, particle_b: number, max_length: number, compliance: number): number;
     /** Damp a constraint that has compliance: when its ends separate at speed v, it pulls with damping * v

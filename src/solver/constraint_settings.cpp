@@ -69,9 +69,8 @@ void set_constraint_settings(Body& body, const gphys_constraint_id* ids, const g
         if (was_rigid != (constraint.compliance == 0))
             body.cloth.sheet.rest_position.clear(), body.plan.reach_current = false;
         const double rest = from[i].rest_length;
-        change_length(
-            body, slot,
-            rest < 0 ? distance(body.particles.position[constraint.a], body.particles.position[constraint.b]) : rest);
+        const double present = distance(body.particles.position[constraint.a], body.particles.position[constraint.b]);
+        change_length(body, slot, counted_length(rest < 0 ? present : rest));
     }
     body.plan.described = false;
     body.cloth.rigid.forget();

@@ -24,6 +24,7 @@ gphys_status add_constraint(Body& body, const DistanceConstraint& constraint, gp
     wake(body);
     DistanceConstraint added = constraint;
     if (added.rest < 0) added.rest = distance(body.particles.position[added.a], body.particles.position[added.b]);
+    added.rest = counted_length(added.rest);
     out = body.constraints.ids.id(insert_constraint(body, added, in_plan));
     interrupt(body);
     return GPHYS_OK;

@@ -19,6 +19,11 @@ struct DistanceConstraint {
     uint64_t limit;  // 1: a maximum distance, which pulls and never pushes; 64 bits, so that there is no padding
 };
 
+/// A rest length as it is stored. Below a nanometre, the smallest skin of particles, it counts as 0: the rounding of
+/// the places of a mesh's vertices is no length that a strain could be relative to.
+constexpr double shortest_length = 1e-9;
+inline double counted_length(double rest) { return rest < shortest_length ? 0 : rest; }
+
 inline uint32_t other_end(const DistanceConstraint& constraint, uint32_t particle) {
     return constraint.a == particle ? constraint.b : constraint.a;
 }

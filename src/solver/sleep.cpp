@@ -40,13 +40,23 @@ bool is_hardly_strained(const Body& body, double strain) {
             return link.brace || (link.limit && error < 0) || std::fabs(error) <= strain * link.rest;
         });
     }
+    double sum = 0, largest_gap = 0;  // of rest lengths; of the links without a length
+    uint32_t count = 0;
     for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
         if (!body.constraints.ids.live(slot)) continue;
         const DistanceConstraint& c = body.constraints.by_slot[slot];
         if (c.compliance > 0) continue;
-        if (std::fabs(excess(body.particles, c)) > strain * c.rest) return false;
+        const double error = std::fabs(excess(body.particles, c));
+        sum += c.rest;
+        ++count;
+        if (c.rest == 0) {
+            largest_gap = std::max(largest_gap, error);
+        } else if (error > strain * c.rest) {
+            return false;
+        }
     }
-    return true;
+    // A link without a length is never exactly so long. It may be off by as much as the others.
+    return largest_gap == 0 || largest_gap * count <= strain * sum;
 }
 
 /// Calls visit(model) for the models in the box of a sleeping body.

@@ -1791,7 +1791,8 @@ public:
 
     // Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and with
     // GPHYS_CLOTH_BEND one across each inner edge, whose ids come after those of the edges. Vertices at
-    // the same place stay separate.
+    // the same place stay separate: an edge shorter than 1e-9 m, as at the poles of many imported balls,
+    // has a rest length of 0.
     //   - desc: nullptr: the defaults
     //   - transform: places the mesh; nullptr is the identity
     // Throws Error with GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies.
@@ -2109,7 +2110,7 @@ public:
     }
 
     // Hold two different particles of a body at a distance.
-    //   - rest_length: metres, >= 0; negative: the present distance
+    //   - rest_length: metres, >= 0; negative: the present distance. Below 1e-9 m it counts as 0.
     //   - compliance: metres per newton, >= 0; 0 is rigid
     // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same
     // one.
@@ -2127,7 +2128,7 @@ public:
     // Fails as Solver::add_distance.
     // It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
     // strained only when it is too long.
-    //   - max_length: metres, >= 0; negative: the present distance
+    //   - max_length: metres, >= 0; negative: the present distance. Below 1e-9 m it counts as 0.
     //   - compliance: metres per newton, >= 0, of what it yields beyond that; 0 is rigid
     // Cost: as Solver::add_distance.
     gphys_constraint_id add_max_distance(gphys_body_id body, uint32_t particle_a, uint32_t particle_b, float max_length, float compliance) {

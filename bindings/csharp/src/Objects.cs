@@ -2299,7 +2299,8 @@ public sealed partial class Solver : IDisposable {
 
     /// <summary>Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and with
     /// ClothBend one across each inner edge, whose ids come after those of the edges. Vertices at the same
-    /// place stay separate.
+    /// place stay separate: an edge shorter than 1e-9 m, as at the poles of many imported balls, has a rest
+    /// length of 0.
     /// Cost: O(n log n).</summary>
     /// <param name="desc">null: the defaults</param>
     /// <param name="transform">places the mesh; null is the identity</param>
@@ -2701,7 +2702,8 @@ public sealed partial class Solver : IDisposable {
 
     /// <summary>Hold two different particles of a body at a distance.
     /// Cost: O(1); the next step plans the body again, O(constraints).</summary>
-    /// <param name="restLength">metres, &gt;= 0; negative: the present distance</param>
+    /// <param name="restLength">metres, &gt;= 0; negative: the present distance. Below 1e-9 m it counts as
+    /// 0.</param>
     /// <param name="compliance">metres per newton, &gt;= 0; 0 is rigid</param>
     /// <exception cref="GamephysException">Status.ErrorInvalidArgument: for a particle that does not exist
     /// or twice the same one</exception>
@@ -2720,7 +2722,8 @@ public sealed partial class Solver : IDisposable {
     /// It is a constraint like others: listed with maxLength as its restLength, removed as they are, and
     /// strained only when it is too long.
     /// Cost: as Solver.AddDistance.</summary>
-    /// <param name="maxLength">metres, &gt;= 0; negative: the present distance</param>
+    /// <param name="maxLength">metres, &gt;= 0; negative: the present distance. Below 1e-9 m it counts as
+    /// 0.</param>
     /// <param name="compliance">metres per newton, &gt;= 0, of what it yields beyond that; 0 is
     /// rigid</param>
     public unsafe uint AddMaxDistance(uint body, uint particleA, uint particleB, float maxLength, float compliance = 0) {

@@ -684,7 +684,10 @@ public partial struct SolverDesc {
     public uint WorkerCount;
     /// <summary>m/s, see Solver.GetSleeping; 0: bodies never sleep; default 0</summary>
     public float SleepSpeed;
-    /// <summary>of rigid constraints, |length / rest length - 1|; default 0.01</summary>
+    /// <summary>
+    /// of rigid constraints, |length / rest length - 1|; those of rest length 0 are measured by
+    /// the mean rest length of the body's rigid constraints; default 0.01
+    /// </summary>
     public float SleepStrain;
     /// <summary>seconds; default 0.5</summary>
     public float SleepTime;
@@ -868,7 +871,7 @@ public partial struct ConstraintInfo {
 /// <summary>The settings of a constraint. Frozen.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public partial struct ConstraintSettings {
-    /// <summary>metres, &gt;= 0; negative, when it is set: the present distance</summary>
+    /// <summary>metres, &gt;= 0, below 1e-9 as 0; negative, when it is set: the present distance</summary>
     public float RestLength;
     /// <summary>metres per newton, &gt;= 0; 0 is rigid</summary>
     public float Compliance;
@@ -921,7 +924,7 @@ public partial struct SolverStats {
     public uint ConstraintCount;
     /// <summary>particle and model pairs that touched in the last step, 4 a particle at most</summary>
     public uint ContactCount;
-    /// <summary>largest |length / rest length - 1| of rigid constraints</summary>
+    /// <summary>largest |length / rest length - 1| of rigid constraints whose rest length is not 0</summary>
     public float StrainMax;
     /// <summary>root mean square of the same</summary>
     public float StrainRms;

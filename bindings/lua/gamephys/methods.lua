@@ -1864,7 +1864,8 @@ do
     local out_body = uint32_t.array(1)
     --- Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and with
     --- CLOTH_BEND one across each inner edge, whose ids come after those of the edges. Vertices at the same
-    --- place stay separate.
+    --- place stay separate: an edge shorter than 1e-9 m, as at the poles of many imported balls, has a rest
+    --- length of 0.
     --- Cost: O(n log n).
     --- @param desc nil: the defaults
     --- @param transform places the mesh; nil is the identity
@@ -2223,7 +2224,7 @@ do
     local out_constraint = uint32_t.array(1)
     --- Hold two different particles of a body at a distance.
     --- Cost: O(1); the next step plans the body again, O(constraints).
-    --- @param rest_length metres, >= 0; negative: the present distance
+    --- @param rest_length metres, >= 0; negative: the present distance. Below 1e-9 m it counts as 0.
     --- @param compliance metres per newton, >= 0; 0 is rigid
     --- @raise status ERROR_INVALID_ARGUMENT: for a particle that does not exist or twice the same one
     --- @raise status ERROR_CAPACITY: beyond 2^24 - 1 constraints of a body
@@ -2242,7 +2243,7 @@ do
     --- It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
     --- strained only when it is too long.
     --- Cost: as Solver:add_distance.
-    --- @param max_length metres, >= 0; negative: the present distance
+    --- @param max_length metres, >= 0; negative: the present distance. Below 1e-9 m it counts as 0.
     --- @param compliance metres per newton, >= 0, of what it yields beyond that; 0 is rigid
     function Solver:add_max_distance(body, particle_a, particle_b, max_length, compliance)
         check(C.gphys_solver_add_max_distance(opened(self), body, particle_a, particle_b, max_length, compliance, out_constraint))

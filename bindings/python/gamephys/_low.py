@@ -476,7 +476,7 @@ class SolverDesc(Desc, Structure):
     task_runner: int | None  # provides the worker_count threads; None: the solver's own
     worker_count: int  # threads for one step, including the caller's, at most 1024; 0 and 1: that alone
     sleep_speed: float  # m/s, see Solver.get_sleeping; 0: bodies never sleep; default 0
-    sleep_strain: float  # of rigid constraints, |length / rest length - 1|; default 0.01
+    sleep_strain: float  # of rigid constraints, |length / rest length - 1|; those of rest length 0 are measured by the mean rest length of the body's rigid constraints; default 0.01
     sleep_time: float  # seconds; default 0.5
     max_strain: float  # of rigid constraints, see Solver.get_substeps; 0: none, for cloth 0.02; default 0
     tolerance: float  # target of positions: metres of error that a second of motion adds; 0: none; default 0
@@ -613,7 +613,7 @@ ConstraintInfo.dtype = constraint_info_dtype
 
 class ConstraintSettings(Value, Structure):
     """The settings of a constraint. Frozen."""
-    rest_length: float  # metres, >= 0; negative, when it is set: the present distance
+    rest_length: float  # metres, >= 0, below 1e-9 as 0; negative, when it is set: the present distance
     compliance: float  # metres per newton, >= 0; 0 is rigid
     damping: float  # N s/m, >= 0, of what has compliance; see Solver.set_constraint_damping
     _fields_ = [("rest_length", c_float), ("compliance", c_float), ("damping", c_float)]
@@ -662,7 +662,7 @@ class SolverStats(Value, Structure):
     pinned_count: int  # pinned or attached
     constraint_count: int
     contact_count: int  # particle and model pairs that touched in the last step, 4 a particle at most
-    strain_max: float  # largest |length / rest length - 1| of rigid constraints
+    strain_max: float  # largest |length / rest length - 1| of rigid constraints whose rest length is not 0
     strain_rms: float  # root mean square of the same
     kinetic_energy: float  # joules
     potential_energy: float  # joules: of gravity, 0 at the solver's origin, of stretch and of held volumes

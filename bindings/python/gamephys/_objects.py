@@ -1981,7 +1981,8 @@ class Solver(Object):
     def add_cloth_mesh(self, mesh: Mesh | None, transform: low.Transform | None = None, desc: low.BodyDesc | None = None) -> int:
         """Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
         with CLOTH_BEND one across each inner edge, whose ids come after those of the edges. Vertices at
-        the same place stay separate.
+        the same place stay separate: an edge shorter than 1e-9 m, as at the poles of many imported
+        balls, has a rest length of 0.
         Cost: O(n log n).
 
         Args:
@@ -2354,7 +2355,7 @@ class Solver(Object):
         Cost: O(1); the next step plans the body again, O(constraints).
 
         Args:
-            rest_length: metres, >= 0; negative: the present distance
+            rest_length: metres, >= 0; negative: the present distance. Below 1e-9 m it counts as 0.
             compliance: metres per newton, >= 0; 0 is rigid
 
         Raises:
@@ -2374,7 +2375,7 @@ class Solver(Object):
         Cost: as Solver.add_distance.
 
         Args:
-            max_length: metres, >= 0; negative: the present distance
+            max_length: metres, >= 0; negative: the present distance. Below 1e-9 m it counts as 0.
             compliance: metres per newton, >= 0, of what it yields beyond that; 0 is rigid"""
         out_constraint = ctypes.c_uint32()
         check(low.gphys_solver_add_max_distance(self._handle, body, particle_a, particle_b, max_length, compliance, ctypes.byref(out_constraint)))

@@ -2319,7 +2319,8 @@ impl Solver {
 
     /// Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and with
     /// `CLOTH_BEND` one across each inner edge, whose ids come after those of the edges. Vertices at the
-    /// same place stay separate.
+    /// same place stay separate: an edge shorter than 1e-9 m, as at the poles of many imported balls, has a
+    /// rest length of 0.
     ///
     /// Cost: O(n log n).
     ///
@@ -2723,7 +2724,7 @@ impl Solver {
     ///
     /// Cost: O(1); the next step plans the body again, O(constraints).
     ///
-    /// * `rest_length`: metres, >= 0; negative: the present distance
+    /// * `rest_length`: metres, >= 0; negative: the present distance. Below 1e-9 m it counts as 0.
     /// * `compliance`: metres per newton, >= 0; 0 is rigid
     ///
     /// # Errors
@@ -2744,7 +2745,7 @@ impl Solver {
     ///
     /// Cost: as `Solver::add_distance`.
     ///
-    /// * `max_length`: metres, >= 0; negative: the present distance
+    /// * `max_length`: metres, >= 0; negative: the present distance. Below 1e-9 m it counts as 0.
     /// * `compliance`: metres per newton, >= 0, of what it yields beyond that; 0 is rigid
     pub fn add_max_distance(&mut self, body: BodyId, particle_a: u32, particle_b: u32, max_length: f32, compliance: f32) -> Result<ConstraintId> {
         let mut out_constraint = ConstraintId::default();

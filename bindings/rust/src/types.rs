@@ -658,7 +658,8 @@ pub struct SolverDesc {
     pub worker_count: u32,
     /// m/s, see `Solver::get_sleeping`; 0: bodies never sleep; default 0
     pub sleep_speed: f32,
-    /// of rigid constraints, |length / rest length - 1|; default 0.01
+    /// of rigid constraints, |length / rest length - 1|; those of rest length 0 are measured by
+    /// the mean rest length of the body's rigid constraints; default 0.01
     pub sleep_strain: f32,
     /// seconds; default 0.5
     pub sleep_time: f32,
@@ -827,7 +828,7 @@ pub struct ConstraintInfo {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct ConstraintSettings {
-    /// metres, >= 0; negative, when it is set: the present distance
+    /// metres, >= 0, below 1e-9 as 0; negative, when it is set: the present distance
     pub rest_length: f32,
     /// metres per newton, >= 0; 0 is rigid
     pub compliance: f32,
@@ -881,7 +882,7 @@ pub struct SolverStats {
     pub constraint_count: u32,
     /// particle and model pairs that touched in the last step, 4 a particle at most
     pub contact_count: u32,
-    /// largest |length / rest length - 1| of rigid constraints
+    /// largest |length / rest length - 1| of rigid constraints whose rest length is not 0
     pub strain_max: f32,
     /// root mean square of the same
     pub strain_rms: f32,

@@ -1,7 +1,6 @@
 // Adding and removing joints, and partitioning bodies and joints into systems of equations.
 #include "solver/joints/joints.h"
 
-#include "solver/rope/rope_kernels.h"
 #include "solver/solver.h"
 #include "solver/state.h"
 
@@ -16,12 +15,16 @@ gphys_status Solver::join(gphys_body_id body_a, uint32_t particle_a, gphys_body_
     interrupt(a);
     interrupt(b);
     if (rest < 0) rest = distance(a.particles.position[particle_a], b.particles.position[particle_b]);
-    if (rest < rope_shortest) rest = 0;
     out = state_.joint_ids.add();
     const uint32_t slot = IdTable::slot_of(out);
     if (slot == state_.joints.size()) state_.joints.emplace_back();
-    state_.joints[slot] = {
-        IdTable::slot_of(body_a), particle_a, IdTable::slot_of(body_b), particle_b, rest, compliance, {}};
+    state_.joints[slot] = {IdTable::slot_of(body_a),
+                           particle_a,
+                           IdTable::slot_of(body_b),
+                           particle_b,
+                           counted_length(rest),
+                           compliance,
+                           {}};
     joints_current_ = false;
     return GPHYS_OK;
 }

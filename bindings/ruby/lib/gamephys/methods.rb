@@ -1762,7 +1762,8 @@ module Gamephys
 
     # Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and with
     # CLOTH_BEND one across each inner edge, whose ids come after those of the edges. Vertices at the same
-    # place stay separate.
+    # place stay separate: an edge shorter than 1e-9 m, as at the poles of many imported balls, has a rest
+    # length of 0.
     # Cost: O(n log n).
     # @param desc nil: the defaults
     # @param transform places the mesh; nil is the identity
@@ -2124,7 +2125,7 @@ module Gamephys
 
     # Hold two different particles of a body at a distance.
     # Cost: O(1); the next step plans the body again, O(constraints).
-    # @param rest_length metres, >= 0; negative: the present distance
+    # @param rest_length metres, >= 0; negative: the present distance. Below 1e-9 m it counts as 0.
     # @param compliance metres per newton, >= 0; 0 is rigid
     # @raise [InvalidArgument] for a particle that does not exist or twice the same one
     # @raise [Error] beyond 2^24 - 1 constraints of a body (ERROR_CAPACITY)
@@ -2141,7 +2142,7 @@ module Gamephys
     # It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
     # strained only when it is too long.
     # Cost: as Solver#add_distance.
-    # @param max_length metres, >= 0; negative: the present distance
+    # @param max_length metres, >= 0; negative: the present distance. Below 1e-9 m it counts as 0.
     # @param compliance metres per newton, >= 0, of what it yields beyond that; 0 is rigid
     def add_max_distance(body, particle_a, particle_b, max_length, compliance: 0)
       out_constraint = UInt32.room

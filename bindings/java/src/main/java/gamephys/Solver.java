@@ -212,7 +212,8 @@ public final class Solver extends Owned {
     /**
      * Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and with
      * CLOTH_BEND one across each inner edge, whose ids come after those of the edges. Vertices at the same
-     * place stay separate.
+     * place stay separate: an edge shorter than 1e-9 m, as at the poles of many imported balls, has a rest
+     * length of 0.
      * Cost: O(n log n).
      * @param desc null: the defaults
      * @param transform places the mesh; null is the identity
@@ -754,7 +755,7 @@ public final class Solver extends Owned {
     /**
      * Hold two different particles of a body at a distance.
      * Cost: O(1); the next step plans the body again, O(constraints).
-     * @param restLength metres, &gt;= 0; negative: the present distance
+     * @param restLength metres, &gt;= 0; negative: the present distance. Below 1e-9 m it counts as 0.
      * @param compliance metres per newton, &gt;= 0; 0 is rigid
      * @throws GamephysException with ERROR_INVALID_ARGUMENT: for a particle that does not exist or twice
      *     the same one
@@ -781,7 +782,7 @@ public final class Solver extends Owned {
      * It is a constraint like others: listed with maxLength as its restLength, removed as they are, and
      * strained only when it is too long.
      * Cost: as Solver.addDistance.
-     * @param maxLength metres, &gt;= 0; negative: the present distance
+     * @param maxLength metres, &gt;= 0; negative: the present distance. Below 1e-9 m it counts as 0.
      * @param compliance metres per newton, &gt;= 0, of what it yields beyond that; 0 is rigid
      */
     public int addMaxDistance(int body, int particleA, int particleB, float maxLength, float compliance) {

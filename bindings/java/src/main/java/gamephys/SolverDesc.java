@@ -122,7 +122,8 @@ public final class SolverDesc {
 
     /**
      * <pre>
-     * of rigid constraints, |length / rest length - 1|; default 0.01
+     * of rigid constraints, |length / rest length - 1|; those of rest length 0 are measured by
+     * the mean rest length of the body's rigid constraints; default 0.01
      * </pre>
      */
     public SolverDesc sleepStrain(float value) {
