@@ -1185,7 +1185,10 @@ GPHYS_API gphys_status gphys_scene_cull_batch(const gphys_scene* scene, const gp
 /** The model nearest to a point, and its closest point.
  *  @param max_distance  metres, >= 0, INFINITY allowed; a model at exactly this distance counts
  *  @return GPHYS_OK or GPHYS_NO_HIT
- *  Cost: O(log n) expected. */
+ *  Cost: O(log n) expected if all models are in the layers. Otherwise those that are not, and are nearer than the
+ *  answer, are visited in vain, until it is faster to test all models in the layers. That takes time for them, for
+ *  n / 64 words, and for 64 words where one of 64 consecutive models is in the layers. So the nearest of 10 or of 1000
+ *  among 100 000 models takes some 3 us, and of 100 some 15 us. */
 GPHYS_API gphys_status gphys_scene_nearest(const gphys_scene* scene, const gphys_vec3* point, float max_distance,
                                            uint32_t layers, gphys_nearest* out_nearest);
 /** The models nearest to count points, as gphys_scene_nearest; a point with none gets model = 0 and
@@ -1425,7 +1428,8 @@ GPHYS_API gphys_status gphys_scene_cull_filtered_batch(const gphys_scene* scene,
  *  @param max_distance  metres, >= 0, INFINITY allowed; a model at exactly this distance counts
  *  @param filter        NULL: the defaults
  *  @return GPHYS_OK or GPHYS_NO_HIT
- *  Cost: as gphys_scene_raycast_filtered. */
+ *  Cost: that of gphys_scene_nearest, and for each model as gphys_scene_raycast_filtered; each ignored model that is
+ *  nearer than the answer is visited. */
 GPHYS_API gphys_status gphys_scene_nearest_filtered(const gphys_scene* scene, const gphys_vec3* point,
                                                     float max_distance, const gphys_query_filter_desc* filter,
                                                     gphys_nearest* out_nearest);

@@ -1294,7 +1294,11 @@ func (o *Scene) CullBatch(frusta []Frustum, layers uint32) (result Ragged[ModelI
 // The model nearest to a point, and its closest point.
 //   - maxDistance: metres, >= 0, INFINITY allowed; a model at exactly this distance counts
 // Result: found is false if nothing is found.
-// Cost: O(log n) expected.
+// Cost: O(log n) expected if all models are in the layers. Otherwise those that are not, and are
+// nearer than the answer, are visited in vain, until it is faster to test all models in the layers.
+// That takes time for them, for n / 64 words, and for 64 words where one of 64 consecutive models is
+// in the layers. So the nearest of 10 or of 1000 among 100 000 models takes some 3 us, and of 100 some
+// 15 us.
 func (o *Scene) Nearest(point Vec3, maxDistance float32, layers uint32) (nearest Nearest, found bool, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1752,7 +1756,8 @@ func (o *Scene) CullFilteredBatch(frusta []Frustum, filters *QueryFilterDesc) (r
 //   - maxDistance: metres, >= 0, INFINITY allowed; a model at exactly this distance counts
 //   - filter: nil: the defaults
 // Result: found is false if nothing is found.
-// Cost: as Scene.RaycastFiltered.
+// Cost: that of Scene.Nearest, and for each model as Scene.RaycastFiltered; each ignored model that is
+// nearer than the answer is visited.
 func (o *Scene) NearestFiltered(point Vec3, maxDistance float32, filter *QueryFilterDesc) (nearest Nearest, found bool, err error) {
 	self, err := o.open()
 	if err != nil {

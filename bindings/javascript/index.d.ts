@@ -1028,7 +1028,11 @@ export class Scene {
      * Cost: that of as many single calls; shared among workers. Since 1.1. */
     cullBatch(frusta: Elements, layers?: number): { values: Records<number>; offsets: Uint32Array };
     /** The model nearest to a point, and its closest point.
-     * Cost: O(log n) expected.
+     * Cost: O(log n) expected if all models are in the layers. Otherwise those that are not, and are
+     * nearer than the answer, are visited in vain, until it is faster to test all models in the layers.
+     * That takes time for them, for n / 64 words, and for 64 words where one of 64 consecutive models is
+     * in the layers. So the nearest of 10 or of 1000 among 100 000 models takes some 3 us, and of 100 some
+     * 15 us.
      * @param max_distance - metres, >= 0, INFINITY allowed; a model at exactly this distance counts
      * @returns null if nothing is found. */
     nearest(point: Given<number[]>, max_distance: number, layers?: number): Nearest | null;
@@ -1141,7 +1145,8 @@ export class Scene {
     cullFilteredBatch(frusta: Elements, filters?: Partial<QueryFilterDesc> | null): { values: Records<number>; offsets: Uint32Array };
     /** The model nearest to a point that the filter sees, as Scene.nearest: the nearest other model, if the
      * one at the point is left out.
-     * Cost: as Scene.raycastFiltered.
+     * Cost: that of Scene.nearest, and for each model as Scene.raycastFiltered; each ignored model that is
+     * nearer than the answer is visited.
      * @param max_distance - metres, >= 0, INFINITY allowed; a model at exactly this distance counts
      * @param filter - null: the defaults
      * @returns null if nothing is found. */

@@ -110,7 +110,7 @@ public:
     template <class Visit>
     void nearest(Vec3 point, double max_distance, Visit&& visit, ItemMemory items = {}) const;
     /// The same for up to `points_at_once` points, interleaved. visit(number, item) may lower reaches[number], the
-    /// greatest distance from points[number].
+    /// greatest distance from points[number]; a negative one ends the query of that point.
     static constexpr uint32_t points_at_once = bvh_max_rays;
     template <class Visit>
     void nearest_many(const Vec3* points, uint32_t count, double* reaches, Visit&& visit, ItemMemory items = {}) const;

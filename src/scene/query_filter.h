@@ -73,6 +73,10 @@ constexpr uint32_t max_batch_filters = 16;
 inline uint32_t filter_of_item(uint32_t layers, uint32_t) { return layers; }
 inline const QueryFilter& filter_of_item(const BatchFilters& filters, uint32_t item) { return filters.of(item); }
 
+/// Items with the same number share a filter; numbers are below the number of items.
+inline uint32_t filter_number(uint32_t, uint32_t) { return 0; }
+inline uint32_t filter_number(const BatchFilters& filters, uint32_t item) { return item * filters.step; }
+
 inline Faces faces_of(uint32_t) { return {}; }
 inline Faces faces_of(const QueryFilter& filter) { return filter.faces; }
 /// The ray with the filter's faces.

@@ -30,6 +30,7 @@
 #include "scene/bounds_kernels.h"
 #include "scene/conservative_shape.h"
 #include "scene/hit_kernels.h"
+#include "scene/layer_blocks.h"
 #include "scene/model_scale.h"
 #include "scene/query_filter.h"
 #include "scene/scene_kernels.h"
@@ -262,6 +263,9 @@ private:
     bool is_below(uint32_t slot, uint32_t top) const;
     static uint32_t layers_of(uint32_t layers) { return layers; }
     static uint32_t layers_of(const QueryFilter& filter) { return filter.layers; }
+    /// visit(slot) for each model in one of the layers, by slot. Does not use the BVH.
+    template <class Visit>
+    void for_each_in_layers(uint32_t layers, Visit&& visit) const;
 
     // The queries. Filter is uint32_t (layers) or QueryFilter; Filters is uint32_t or BatchFilters.
     template <class T>
@@ -270,6 +274,7 @@ private:
     class FirstHitOfRay;
     class LargeMeshes;
     class NearestOfPoint;
+    class RejectedCandidates;
     template <class Filter>
     gphys_status raycast_by(const Ray& ray, const Filter& filter, gphys_hit& out) const;
     /// Answer is gphys_hit or gphys_distance.
@@ -435,6 +440,7 @@ private:
     LargeArray<uint32_t> tags_{&memory};          // by slot
     LargeArray<ShapeTail> shape_tails_{&memory};  // by slot, up to the last that has one
     Pool<Family> families_{&memory};
+    LayerBlocks layer_blocks_{&memory};
     Bvh8 bvh_{&memory, chosen_isa(), &workers_};  // items are slots
     Vec3 origin_;                                 // of all coordinates, in the world
     LargeArray<WorldPlace> places_{&memory};      // by slot, for models without a parent; empty before set_origin

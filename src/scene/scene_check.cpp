@@ -68,6 +68,14 @@ const char* Scene::defect() const {
     if (families != families_.size()) return "records of families are miscounted";
     if (linked_children != counted_children) return "a child is missing from its parent's list";
 
+    for (uint32_t first = 0; first < ids_.slots(); first += LayerBlocks::block_slots) {
+        LayerCounts counts;
+        for (uint32_t slot = first; slot < std::min(first + LayerBlocks::block_slots, ids_.slots()); ++slot) {
+            if (ids_.live(slot)) counts.add(models_[slot].layers);
+        }
+        if (!layer_blocks_.agrees(first / LayerBlocks::block_slots, counts)) return "layers are miscounted";
+    }
+
     // Models of a cycle are not reached from any root.
     uint32_t reached = 0;
     for (uint32_t slot = 0; slot < ids_.slots(); ++slot) {

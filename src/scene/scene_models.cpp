@@ -30,6 +30,7 @@ Scene::Scene(const gphys_allocator* hooks, uint32_t reserve_models, uint32_t wor
     ids_.reserve(slots);
     models_.reserve(slots);
     tags_.reserve(slots);
+    layer_blocks_.reserve(slots);
     bvh_.reserve(slots);
 }
 
@@ -152,6 +153,7 @@ gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shap
     const size_t slots_needed = *std::max_element(slots.begin(), slots.end()) + size_t{1};
     grow(models_, slots_needed);
     grow(tags_, slots_needed);
+    layer_blocks_.grow(slots_needed);
     reserve_shapes(type, is_scaled, slots_needed);
     const bool bounded = type != GPHYS_SHAPE_PLANE;
     if (!bounded) reserve_more(unbounded_, count);
@@ -200,6 +202,7 @@ gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shap
     common_layers_ = is_empty ? 0 : size() == 0 ? common_layers : common_layers_ & common_layers;
     for (uint32_t i = 0; i < count; ++i) {
         out_models[i] = ids_.add();
+        layer_blocks_.add(slots[i], descs[i].layers);
         if (!bounded) list_unbounded(slots[i]);
         if (type == GPHYS_SHAPE_MESH) list_large_mesh(slots[i]);
         if (descs[i].parent != 0) {
@@ -300,6 +303,7 @@ gphys_status Scene::remove(const gphys_model_id* models, uint32_t count) {
 }
 
 void Scene::remove_slot(uint32_t slot) {
+    layer_blocks_.remove(slot, models_[slot].layers);
     while (models_[slot].has_family() && family(slot).first_child != none) {
         const uint32_t child = family(slot).first_child;
         family(child).local = models_[child].world;
@@ -379,6 +383,7 @@ void Scene::clear() {
         release_shape(IdTable::slot_of(model));
         ids_.remove(model);
     });
+    layer_blocks_.clear();
     families_.clear();
     places_.clear();
     unscaled_.clear();
@@ -389,7 +394,10 @@ void Scene::clear() {
 gphys_status Scene::set_layers(gphys_model_id model, uint32_t layers) {
     const gphys_status status = check(model);
     if (status != GPHYS_OK) return status;
-    models_[IdTable::slot_of(model)].layers = layers;
+    const uint32_t slot = IdTable::slot_of(model);
+    layer_blocks_.remove(slot, models_[slot].layers);
+    layer_blocks_.add(slot, layers);
+    models_[slot].layers = layers;
     common_layers_ &= layers;
     return GPHYS_OK;
 }

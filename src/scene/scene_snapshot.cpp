@@ -132,6 +132,7 @@ struct Scene::Contents {
         : ids(memory),
           models(memory),
           tags(memory),
+          layer_blocks(memory),
           shape_tails(memory),
           families(memory),
           unscaled(memory),
@@ -141,6 +142,7 @@ struct Scene::Contents {
     IdTable ids;
     LargeArray<Model> models;
     LargeArray<uint32_t> tags;
+    LayerBlocks layer_blocks;
     LargeArray<ShapeTail> shape_tails;
     Pool<Family> families;
     LargeArray<Unscaled> unscaled;
@@ -156,6 +158,7 @@ void Scene::swap_contents(Contents& other) noexcept {
     std::swap(ids_, other.ids);
     models_.swap(other.models);
     tags_.swap(other.tags);
+    layer_blocks_.swap(other.layer_blocks);
     shape_tails_.swap(other.shape_tails);
     std::swap(families_, other.families);
     unscaled_.swap(other.unscaled);
@@ -327,6 +330,7 @@ const char* Scene::read_models(Reader& reader, const HeldMeshes& meshes, uint32_
     const uint32_t slots = ids_.slots();
     models_.resize(slots);
     tags_.resize(slots);
+    layer_blocks_.grow(slots);
     const bool placed = (parts & has_places) != 0;
     if (placed) places_.resize(slots);
     Vector<uint32_t> parents(slots, none, &memory);
@@ -350,6 +354,7 @@ const char* Scene::read_models(Reader& reader, const HeldMeshes& meshes, uint32_
         Model& model = models_[slot];
         model.world = words.local;
         model.layers = words.layers;
+        layer_blocks_.add(slot, words.layers);
         model.family = no_family;
         common_layers_ &= words.layers;
         const char* wrong = with_type(static_cast<gphys_shape_type>(words.type), [&](auto shape) -> const char* {

@@ -771,7 +771,11 @@ public:
     // The model nearest to a point, and its closest point.
     //   - max_distance: metres, >= 0, INFINITY allowed; a model at exactly this distance counts
     // Result: std::nullopt if nothing is found.
-    // Cost: O(log n) expected.
+    // Cost: O(log n) expected if all models are in the layers. Otherwise those that are not, and are
+    // nearer than the answer, are visited in vain, until it is faster to test all models in the layers.
+    // That takes time for them, for n / 64 words, and for 64 words where one of 64 consecutive models is
+    // in the layers. So the nearest of 10 or of 1000 among 100 000 models takes some 3 us, and of 100 some
+    // 15 us.
     std::optional<Nearest> nearest(const Vec3& point, float max_distance, uint32_t layers = GPHYS_ALL_LAYERS) const {
         Nearest out_nearest{};
         if (!found(gphys_scene_nearest(handle(), &point, max_distance, layers, &out_nearest))) return std::nullopt;
@@ -979,7 +983,8 @@ public:
     //   - max_distance: metres, >= 0, INFINITY allowed; a model at exactly this distance counts
     //   - filter: nullptr: the defaults
     // Result: std::nullopt if nothing is found.
-    // Cost: as Scene::raycast_filtered.
+    // Cost: that of Scene::nearest, and for each model as Scene::raycast_filtered; each ignored model that
+    // is nearer than the answer is visited.
     std::optional<Nearest> nearest_filtered(const Vec3& point, float max_distance, const QueryFilterDesc* filter = nullptr) const {
         Nearest out_nearest{};
         if (!found(gphys_scene_nearest_filtered(handle(), &point, max_distance, filter, &out_nearest))) return std::nullopt;

@@ -924,7 +924,11 @@ public sealed partial class Scene : IDisposable {
     }
 
     /// <summary>The model nearest to a point, and its closest point.
-    /// Cost: O(log n) expected.</summary>
+    /// Cost: O(log n) expected if all models are in the layers. Otherwise those that are not, and are
+    /// nearer than the answer, are visited in vain, until it is faster to test all models in the layers.
+    /// That takes time for them, for n / 64 words, and for 64 words where one of 64 consecutive models is
+    /// in the layers. So the nearest of 10 or of 1000 among 100 000 models takes some 3 us, and of 100 some
+    /// 15 us.</summary>
     /// <param name="maxDistance">metres, &gt;= 0, INFINITY allowed; a model at exactly this distance
     /// counts</param>
     /// <returns>null if nothing is found.</returns>
@@ -1283,7 +1287,8 @@ public sealed partial class Scene : IDisposable {
 
     /// <summary>The model nearest to a point that the filter sees, as Scene.Nearest: the nearest other model, if the
     /// one at the point is left out.
-    /// Cost: as Scene.RaycastFiltered.</summary>
+    /// Cost: that of Scene.Nearest, and for each model as Scene.RaycastFiltered; each ignored model that is
+    /// nearer than the answer is visited.</summary>
     /// <param name="maxDistance">metres, &gt;= 0, INFINITY allowed; a model at exactly this distance
     /// counts</param>
     /// <param name="filter">null: the defaults</param>

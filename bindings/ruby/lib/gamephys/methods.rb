@@ -676,7 +676,11 @@ module Gamephys
     end
 
     # The model nearest to a point, and its closest point.
-    # Cost: O(log n) expected.
+    # Cost: O(log n) expected if all models are in the layers. Otherwise those that are not, and are
+    # nearer than the answer, are visited in vain, until it is faster to test all models in the layers.
+    # That takes time for them, for n / 64 words, and for 64 words where one of 64 consecutive models is
+    # in the layers. So the nearest of 10 or of 1000 among 100 000 models takes some 3 us, and of 100 some
+    # 15 us.
     # @param max_distance metres, >= 0, INFINITY allowed; a model at exactly this distance counts
     # @return nil if nothing is found.
     def nearest(point, max_distance: Float::INFINITY, layers: ALL_LAYERS)
@@ -896,7 +900,8 @@ module Gamephys
 
     # The model nearest to a point that the filter sees, as Scene#nearest: the nearest other model, if the
     # one at the point is left out.
-    # Cost: as Scene#raycast_filtered.
+    # Cost: that of Scene#nearest, and for each model as Scene#raycast_filtered; each ignored model that
+    # is nearer than the answer is visited.
     # @param max_distance metres, >= 0, INFINITY allowed; a model at exactly this distance counts
     # @param filter nil: the defaults
     # @return nil if nothing is found.
