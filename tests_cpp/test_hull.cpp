@@ -667,9 +667,7 @@ TEST_CASE("a scene answers for hulls as a look at each of them does") {
         const Vec3 point = widen(random.point(20));
         const Sphere ball{point, random.uniform(0, 1)};
         std::vector<gphys_model_id> found(models.size()), expected;
-        Smallest<gphys_model_id> list(found.data(), static_cast<uint32_t>(found.size()));
-        scene.overlap(ball, GPHYS_ALL_LAYERS, list);
-        found.resize(list.finish());
+        found.resize(scene.overlap(ball, GPHYS_ALL_LAYERS, found.data(), static_cast<uint32_t>(found.size())));
         float nearest = std::numeric_limits<float>::infinity();
         for (size_t m = 0; m < models.size(); ++m) {
             const Transform world = widen(places[m]);

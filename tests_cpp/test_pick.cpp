@@ -58,9 +58,7 @@ void set_up(Camera& camera, test::Random& random, int kind) {
 std::vector<gphys_model_id> in_rectangle(const Camera& camera, const Scene& scene, double x0, double y0, double x1,
                                          double y1, uint32_t layers) {
     std::vector<gphys_model_id> out(1000);
-    Smallest<gphys_model_id> models(out.data(), 1000);
-    pick_rectangle(camera, scene, x0, y0, x1, y1, layers, models);
-    out.resize(models.finish());
+    out.resize(pick_rectangle(camera, scene, x0, y0, x1, y1, layers, out.data(), 1000));
     return out;
 }
 

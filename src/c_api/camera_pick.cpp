@@ -61,9 +61,9 @@ gphys_status camera_pick_rectangle(const gphys_camera* camera, const gphys_scene
     GPHYS_TRY(check_origins(camera, scene));
     GPHYS_TRY(check_rectangle(x0, y0, x1, y1));
     GPHYS_TRY(check_list("out_models", out_models, capacity, out_total));
-    Smallest<gphys_model_id> models(out_models, capacity);
-    pick_rectangle(*unwrap(camera), *unwrap(scene), x0, y0, x1, y1, filter, models);
-    return listed(models.finish(), capacity, out_total);
+    const uint32_t total =
+        pick_rectangle(*unwrap(camera), *unwrap(scene), x0, y0, x1, y1, filter, out_models, capacity);
+    return listed(total, capacity, out_total);
 }
 
 template <class Filter>

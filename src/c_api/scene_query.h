@@ -83,10 +83,10 @@ void list_overlaps(const Scene& scene, gphys_shape_type type, const Strided<char
     // The layers only select what is prefetched, so those of the first filter suffice.
     if (valid) scene.find_candidates(queries, count, layers_of(filter_of(filter, first, storage)), candidates);
     for (uint32_t k = 0; k < count; ++k) {
-        const auto add_all = [&](auto& models) {
-            if (valid) scene.overlap(queries[k], filter_of(filter, first + k, storage), models, candidates + k);
-        };
-        list_of(first + k, smallest_of<gphys_model_id, std::less<gphys_model_id>>(add_all));
+        list_of(first + k, [&](gphys_model_id* out, uint32_t room) {
+            if (!valid) return uint32_t{0};
+            return scene.overlap(queries[k], filter_of(filter, first + k, storage), out, room, candidates + k);
+        });
     }
 }
 
@@ -229,9 +229,8 @@ gphys_status scene_overlap(const gphys_scene* scene, gphys_shape_type type, cons
     Shape query;
     GPHYS_TRY(read_shape(type, shape, query));
     GPHYS_TRY(check_list("out_models", out_models, capacity, out_total));
-    Smallest<gphys_model_id> models(out_models, capacity);
-    unwrap(scene)->overlap(query, filter, models);
-    return listed(models.finish(), capacity, out_total);
+    const uint32_t total = unwrap(scene)->overlap(query, filter, out_models, capacity);
+    return listed(total, capacity, out_total);
 }
 
 template <class Filter>

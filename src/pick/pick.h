@@ -19,9 +19,9 @@ gphys_status pick(const Camera& camera, const Scene& scene, double pixel_x, doub
 
 /// The models whose shapes overlap the frustum of a rectangle of pixels.
 template <class Filter>
-void pick_rectangle(const Camera& camera, const Scene& scene, double x0, double y0, double x1, double y1,
-                    const Filter& filter, Smallest<gphys_model_id>& out) {
-    scene.overlap(camera.frustum_of_pixels(x0, y0, x1, y1), filter, out);
+uint32_t pick_rectangle(const Camera& camera, const Scene& scene, double x0, double y0, double x1, double y1,
+                        const Filter& filter, gphys_model_id* out, uint32_t capacity) {
+    return scene.overlap(camera.frustum_of_pixels(x0, y0, x1, y1), filter, out, capacity);
 }
 
 /// The models whose AABBs overlap the frustum of the camera.

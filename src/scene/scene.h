@@ -156,11 +156,12 @@ public:
     uint64_t raycast_any_many(Ray* rays, uint32_t count, const BatchFilters& filters) const;
     void raycast_all(const Ray& ray, uint32_t layers, Smallest<gphys_hit, FirstHit>& out) const;
     void raycast_all(const Ray& ray, const QueryFilter& filter, Smallest<gphys_hit, FirstHit>& out) const;
+    /// Writes the lowest `capacity` ids, ascending; returns the number of all. The rest of `out` is scratch.
     /// `candidates`: the result of find_candidates for the shape, or null.
-    void overlap(const Shape& shape, uint32_t layers, Smallest<gphys_model_id>& out,
-                 const OverlapItems* candidates = nullptr) const;
-    void overlap(const Shape& shape, const QueryFilter& filter, Smallest<gphys_model_id>& out,
-                 const OverlapItems* candidates = nullptr) const;
+    uint32_t overlap(const Shape& shape, uint32_t layers, gphys_model_id* out, uint32_t capacity,
+                     const OverlapItems* candidates = nullptr) const;
+    uint32_t overlap(const Shape& shape, const QueryFilter& filter, gphys_model_id* out, uint32_t capacity,
+                     const OverlapItems* candidates = nullptr) const;
     /// The first step of overlap(), interleaved for 1 to OverlapItems::max_queries shapes of one type.
     void find_candidates(const Shape* shapes, uint32_t count, uint32_t layers, OverlapItems* candidates) const;
     gphys_status nearest(Vec3 point, double max_distance, uint32_t layers, gphys_nearest& out) const;
@@ -290,8 +291,8 @@ private:
     template <class Filter>
     void raycast_all_by(const Ray& ray, const Filter& filter, Smallest<gphys_hit, FirstHit>& out) const;
     template <class Filter>
-    void overlap_by(const Shape& shape, const Filter& filter, Smallest<gphys_model_id>& out,
-                    const OverlapItems* candidates) const;
+    uint32_t overlap_by(const Shape& shape, const Filter& filter, gphys_model_id* out, uint32_t capacity,
+                        const OverlapItems* candidates) const;
     template <class Filter>
     gphys_status nearest_by(Vec3 point, double max_distance, const Filter& filter, gphys_nearest& out) const;
     template <class Filters>
@@ -305,6 +306,9 @@ private:
     void penetration_by(const Shape& moving, const Filter& filter, DeepestPenetrations& out) const;
     template <class Filter>
     uint32_t cull_by(const Frustum& frustum, const Filter& filter, gphys_model_id* out, uint32_t capacity) const;
+    template <class FindAll>
+    bool list_by_set(const FindAll& find_all, gphys_model_id* out, uint32_t capacity, uint32_t& total) const;
+    uint32_t finish(Smallest<gphys_model_id>& found, gphys_model_id* out, uint32_t capacity) const;
 
     class EightPairs;
     class ConservativeRays;

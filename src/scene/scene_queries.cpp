@@ -106,9 +106,44 @@ void Scene::find_candidates(const Shape* shapes, uint32_t count, uint32_t layers
         shapes[0]);
 }
 
+/// Lists the ids of the slots that find_all(add) adds, each once, in ascending order; find_all returns their number. A
+/// sort of thousands of ids takes longer than the query, so a bit set of slots sorts them (slot_set.h), behind them in
+/// `out`. Returns false if `out` has no room for both: its contents are then undefined.
+template <class FindAll>
+bool Scene::list_by_set(const FindAll& find_all, gphys_model_id* out, uint32_t capacity, uint32_t& total) const {
+    const uint32_t beyond = SlotSet::room_for(ids_.slots());
+    if (capacity <= beyond) return false;
+    SlotSet slots(out + (capacity - beyond + SlotSet::spare), ids_.slots());
+    total = find_all([&](uint32_t slot) { slots.add(slot); });
+    if (total > capacity - beyond) return false;
+    slots.list(slot_set_kernels_, ids_.ids(), out);
+    // The order of ids differs from that of slots where slots were reused: generations differ. Counts instead of
+    // stopping at the first: the loop is vectorised.
+    uint32_t descents = 0;
+    for (uint32_t i = 1; i < total; ++i) descents += out[i] < out[i - 1];
+    if (descents != 0) std::sort(out, out + total);
+    return true;
+}
+
+/// As found.finish(), faster for many ids. `found` writes to `out`.
+uint32_t Scene::finish(Smallest<gphys_model_id>& found, gphys_model_id* out, uint32_t capacity) const {
+    // From here on a set takes less time than a sort. The words of a large one take time even if they are zero.
+    constexpr uint32_t least = 256, most_words_of_each = 8;
+    uint32_t total = found.total();
+    if (total < least || SlotSet::words_for(ids_.slots()) / most_words_of_each > total) return found.finish();
+    if (total > capacity || capacity - total < SlotSet::room_for(ids_.slots())) return found.finish();
+    const auto find_again = [&](const auto& add) {
+        for (uint32_t i = 0; i < total; ++i) add(IdTable::slot_of(out[i]));
+        return total;
+    };
+    list_by_set(find_again, out, capacity, total);
+    return total;
+}
+
 template <class Filter>
-void Scene::overlap_by(const Shape& query, const Filter& filter, Smallest<gphys_model_id>& out,
-                       const OverlapItems* candidates) const {
+uint32_t Scene::overlap_by(const Shape& query, const Filter& filter, gphys_model_id* out_ids, uint32_t capacity,
+                           const OverlapItems* candidates) const {
+    Smallest<gphys_model_id> out(out_ids, capacity);
     const uint32_t layers = layers_of(filter);
     const auto exact = [&](const auto& shape) { return overlaps_shape(shape, query); };
     std::visit(
@@ -174,6 +209,7 @@ void Scene::overlap_by(const Shape& query, const Filter& filter, Smallest<gphys_
             }
         },
         query);
+    return finish(out, out_ids, capacity);
 }
 
 template <class Filter>
@@ -230,34 +266,20 @@ uint32_t Scene::cull_by(const Frustum& frustum, const Filter& filter, gphys_mode
         return total;
     };
 
-    // A sort of thousands of ids takes longer than the query. If the output array has space after the results, a bit
-    // set of their slots sorts them (slot_set.h).
-    const uint32_t beyond = SlotSet::words_for(ids_.slots()) + SlotSet::spare;
-    if (capacity > beyond) {
-        SlotSet slots(out + (capacity - beyond + SlotSet::spare), ids_.slots());
-        const uint32_t total = find([&](uint32_t slot) { slots.add(slot); });
-        if (total <= capacity - beyond) {
-            slots.list(slot_set_kernels_, ids_.ids(), out);
-            // The order of ids differs from that of slots where slots were reused: generations differ. Counts instead
-            // of stopping at the first: the loop is vectorised.
-            uint32_t descents = 0;
-            for (uint32_t i = 1; i < total; ++i) descents += out[i] < out[i - 1];
-            if (descents != 0) std::sort(out, out + total);
-            return total;
-        }
-    }
+    uint32_t total = 0;
+    if (list_by_set(find, out, capacity, total)) return total;
     Smallest<gphys_model_id> lowest(out, capacity);
     find([&](uint32_t slot) { lowest.add(ids_.id(slot)); });
     return lowest.finish();
 }
 
-void Scene::overlap(const Shape& shape, uint32_t layers, Smallest<gphys_model_id>& out,
-                    const OverlapItems* candidates) const {
-    overlap_by(shape, layers, out, candidates);
+uint32_t Scene::overlap(const Shape& shape, uint32_t layers, gphys_model_id* out, uint32_t capacity,
+                        const OverlapItems* candidates) const {
+    return overlap_by(shape, layers, out, capacity, candidates);
 }
-void Scene::overlap(const Shape& shape, const QueryFilter& filter, Smallest<gphys_model_id>& out,
-                    const OverlapItems* candidates) const {
-    overlap_by(shape, filter, out, candidates);
+uint32_t Scene::overlap(const Shape& shape, const QueryFilter& filter, gphys_model_id* out, uint32_t capacity,
+                        const OverlapItems* candidates) const {
+    return overlap_by(shape, filter, out, capacity, candidates);
 }
 
 gphys_status Scene::sweep(const Sphere& moving, Vec3 displacement, uint32_t layers, gphys_hit& out) const {

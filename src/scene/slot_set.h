@@ -14,6 +14,8 @@ public:
     static uint32_t words_for(uint32_t slots) { return slots / 32 + 1; }
     /// Elements that list() may write after the last one.
     static constexpr uint32_t spare = 8;
+    /// The elements that an array needs beyond the listed ones to hold the set, too.
+    static uint32_t room_for(uint32_t slots) { return spare + words_for(slots); }
 
     SlotSet(uint32_t* words, uint32_t slots) : words_(words), slots_(slots) {
         std::fill(words_, words_ + words_for(slots), 0);

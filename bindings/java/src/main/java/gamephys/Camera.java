@@ -709,7 +709,7 @@ public final class Camera extends Owned {
     /**
      * Marquee: ids of all models in the pixel rectangle, hidden ones included, between near and far plane;
      * tested by their exact shapes, ascending.
-     * Cost: O(log n + k) expected.
+     * Cost: that of Scene.overlap.
      * @param x0 pixels, opposite corners in any order; may lie outside the viewport
      * @param y0 pixels, opposite corners in any order; may lie outside the viewport
      * @param x1 pixels, opposite corners in any order; may lie outside the viewport
