@@ -62,27 +62,6 @@ double time_of_impact(Vec3 from, Vec3 to, double reach) {
 
 }  // namespace
 
-void list_linked(Body& body) {
-    const uint32_t n = body.particles.size();
-    body.contacts.self.linked_begin.clear();  // marks the list as missing, in case memory runs out
-    body.contacts.self.linked.resize(2 * size_t{body.constraints.ids.size()});
-    body.contacts.self.linked_begin.assign(size_t{n} + 1, 0);
-    for (uint32_t p = 0; p < n; ++p)
-        body.contacts.self.linked_begin[p + 1] = body.contacts.self.linked_begin[p] + body.constraints.links[p].degree;
-    for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
-        if (!body.constraints.ids.live(slot)) continue;
-        const DistanceConstraint& c = body.constraints.by_slot[slot];
-        body.contacts.self.linked[body.contacts.self.linked_begin[c.a]++] = c.b;
-        body.contacts.self.linked[body.contacts.self.linked_begin[c.b]++] = c.a;
-    }
-    for (uint32_t p = n; p > 0; --p) body.contacts.self.linked_begin[p] = body.contacts.self.linked_begin[p - 1];
-    body.contacts.self.linked_begin[0] = 0;
-    for (uint32_t p = 0; p < n; ++p) {
-        std::sort(body.contacts.self.linked.begin() + body.contacts.self.linked_begin[p],
-                  body.contacts.self.linked.begin() + body.contacts.self.linked_begin[p + 1]);
-    }
-}
-
 void ParticleContacts::reserve(const BodyTable& bodies, Vector<Island>& islands,
                                const Vector<uint32_t>& island_bodies) {
     uint32_t total = 0, most = 0, groups = 0;
