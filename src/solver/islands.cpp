@@ -152,6 +152,7 @@ void Solver::move_colliding(const Island& island, const Joined& joined, const Co
             Body& body = state_.bodies[slots[i]];
             if (!body.plan.joined) end_move(body, within, gravity, part);
         }
+        particle_contacts_.move_loads(island, state_.bodies, slots, within, gravity, part);
         end_joined(joined, within, gravity, part);
         particle_contacts_.solve_velocities(island, state_.bodies, slots);
     };

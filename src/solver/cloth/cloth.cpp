@@ -38,8 +38,10 @@ void reserve_cloth(Body& body, bool collides) {
     cloth.shares.reserve(particles, floats, cloth.batches.chains.size());
     if (cloth.relaxation.most_strain > 0) cloth.relaxation.reserve(cloth.batches.rest.size());
     if (!body.constraints.attachments.empty()) cloth.in_chains.pulls.resize(floats);
-    if (!body.targets.empty() || body.plan.joined || collides) cloth.in_chains.reserve(floats);
-    if (body.plan.joined) cloth.tethers.reserve(floats);
+    const bool may_be_loaded = body.settings.body_layers != 0 && !body.plan.joined;
+    if (!body.targets.empty() || body.plan.joined || may_be_loaded || collides) cloth.in_chains.reserve(floats);
+    if (body.plan.joined || may_be_loaded) cloth.tethers.reserve(floats);
+    if (may_be_loaded) reserve_loads(cloth.loads, particles);
     if (cloth.volume.held) cloth.volume.gradient.resize(particles);
     if (!cloth.clusters.empty()) reserve_clusters(cloth.clusters, particles);
     if (!collides) return;
@@ -109,31 +111,42 @@ void solve_cloth(Body& body) {
     // Before the chains, which need the volume for their shape, and after them, because they leave an error in it.
     cloth.volume.multiplier = 0;
     correct_volume();
-    solve_colours(cloth.batches, cloth.shares.team,
-                  [&](const ChainBatch& batch, const ClothChains& chains, float* rows) {
-                      float* const at = cloth.state.at.data();
-                      const ClothSurfaces surfaces{in_chains.normals.data(), in_chains.pulls.data()};
-                      if (body.plan.joined) {
-                          const ClothTethers tethers{cloth.tethers.diagonal.data(), cloth.tethers.off.data(), surfaces,
-                                                     has_contact};
-                          kernels.solve_joined(at, tethers, chains, batch, rows);
-                      } else if (has_contact) {
-                          kernels.solve_with_contacts(at, surfaces, chains, batch, rows);
-                      } else if (batch.attached) {
-                          kernels.solve_pulling(at, in_chains.pulls.data(), chains, batch, rows);
-                      } else {
-                          kernels.solve(at, chains, batch, rows);
-                      }
-                      if (body.breaking.possible()) note_pulls(body.breaking, batch, rows);
-                  });
+    const bool loaded = cloth.loads.any();
+    if (loaded) note_places(cloth.loads, cloth.state);
+    for (int sweep = 0; sweep < (loaded ? ContactLoads::sweeps : 1); ++sweep) {
+        const auto solve = [&](const ChainBatch& batch, const ClothChains& chains, float* rows) {
+            // The force of an elastic link acts once.
+            if (sweep > 0 && batch.elastic) return;
+            float* const at = cloth.state.at.data();
+            const ClothSurfaces surfaces{in_chains.normals.data(), in_chains.pulls.data()};
+            if (body.plan.joined || loaded) {
+                const ClothTethers tethers{cloth.tethers.diagonal.data(), cloth.tethers.off.data(), surfaces,
+                                           has_contact};
+                kernels.solve_joined(at, tethers, chains, batch, rows);
+            } else if (has_contact) {
+                kernels.solve_with_contacts(at, surfaces, chains, batch, rows);
+            } else if (batch.attached) {
+                kernels.solve_pulling(at, in_chains.pulls.data(), chains, batch, rows);
+            } else {
+                kernels.solve(at, chains, batch, rows);
+            }
+            if (body.breaking.possible()) note_pulls(body.breaking, batch, rows, sweep > 0);
+        };
+        solve_colours(cloth.batches, cloth.shares.team, solve, [&] {
+            if (loaded) move_loads(cloth.loads, cloth.state);
+        });
+    }
     correct_volume();
     if (!cloth.clusters.empty()) solve_clusters(body, pulls_count || body.plan.joined);
     if (contacts.any_active()) save_positions(contacts, cloth.state);
+    if (loaded) note_places(cloth.loads, cloth.state);
     if (body.constraints.attachments.empty()) {
         apply_reach_limits(cloth.reach, cloth.state, cloth.shares.team);
     } else {
         apply_reach_limits(cloth.reach, cloth.state, in_chains.pulls.data());
     }
+    // The limits of a particle act one after the other, and would pull it aside under its load.
+    if (loaded) restore_places(cloth.loads, cloth.state);
 }
 
 void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, double h) {

@@ -10,6 +10,7 @@
 #include "solver/cloth/cloth_state.h"
 #include "solver/cloth/clusters.h"
 #include "solver/cloth/contact_cache.h"
+#include "solver/cloth/contact_loads.h"
 #include "solver/cloth/reach_limits.h"
 #include "solver/cloth/relax_links.h"
 #include "solver/cloth/rigid_links.h"
@@ -33,6 +34,7 @@ struct Cloth {
           state(memory),
           shares(memory),
           tethers(memory),
+          loads(memory),
           in_chains(memory),
           relaxation(memory),
           volume(memory),
@@ -52,6 +54,7 @@ struct Cloth {
     ClothShares shares;
     ClothBalance balance;
     TetherInertia tethers;
+    ContactLoads loads;
     ChainContacts in_chains;
     Relaxation relaxation;
     Volume volume;

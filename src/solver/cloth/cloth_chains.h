@@ -22,9 +22,10 @@ double add_stored_in_links(double sum, const ClothBatches& batches, const ClothS
 /// One sweep over the chains and limits, without contacts.
 void project_links(ClothBatches& batches, const ReachLimits& reach, ClothState& state, Team* team);
 
-/// Calls solve(batch, chains, rows) for each batch: colours one after the other, the batches of a colour in any order.
-template <class Solve>
-void solve_colours(ClothBatches& batches, Team* team, Solve&& solve) {
+/// Calls solve(batch, chains, rows) for each batch: colours one after the other, the batches of a colour in any order;
+/// and solved() after each colour.
+template <class Solve, class Solved>
+void solve_colours(ClothBatches& batches, Team* team, Solve&& solve, Solved&& solved) {
     const ClothChains chains = chains_of(batches);
     for (size_t colour = 0; colour + 1 < batches.colours.size(); ++colour) {
         const uint32_t first = batches.colours[colour], end = batches.colours[colour + 1];
@@ -32,7 +33,13 @@ void solve_colours(ClothBatches& batches, Team* team, Solve&& solve) {
             solve(batches.chains[first + i], chains,
                   &batches.rows[size_t{cloth_row_floats} * batches.longest * member]);
         });
+        solved();
     }
+}
+
+template <class Solve>
+void solve_colours(ClothBatches& batches, Team* team, Solve&& solve) {
+    solve_colours(batches, team, solve, [] {});
 }
 
 }  // namespace gphys

@@ -30,6 +30,8 @@ constexpr double relaxed_part = 0.5;
 // Fraction of the inverse mass of a particle that friction holds. With all of it, the passes would move cloth down a
 // slope step by step. Links between two such particles still get their lengths back.
 constexpr double held_part = 0.1;
+// The same of a particle under a heavy load, which passes do not move: it would be pulled into the load.
+constexpr double loaded_part = 0.01;
 // Relative rounding of a length in float32.
 constexpr double rounding = 0x1p-23;
 
@@ -48,6 +50,7 @@ public:
           targets_(body.targets),
           batches_(body.cloth.batches),
           relaxation_(body.cloth.relaxation),
+          loads_(body.cloth.loads),
           has_contact_(body.contacts.has_contact),
           collides_(collides),
           h_(h) {}
@@ -71,6 +74,7 @@ private:
     const AnimationTargets& targets_;
     const ClothBatches& batches_;
     Relaxation& relaxation_;
+    const ContactLoads& loads_;
     const bool has_contact_, collides_;
     const double h_;
 };
@@ -135,7 +139,8 @@ bool Relaxer::relax(const KeptLinks::Link& link, double& lost) {
     const double length = gphys::length(along), error = length - link.rest;
     if (std::fabs(error) < relaxed_part * relaxation_.most_strain * link.rest) return false;
     const auto weight_of = [&](uint32_t p, const float* at) {
-        return collides_ && is_held(contacts_, p) ? held_part * at[3] : at[3];
+        if (loads_.any() && loads_.is_loaded[p]) return loaded_part * at[3];
+        return collides_ && is_held(contacts_, p) ? held_part * at[3] : double{at[3]};
     };
     const double weight_a = weight_of(link.a, a), weight_b = weight_of(link.b, b), weight = weight_a + weight_b;
     if (length == 0 || weight == 0 || (link.limit && error < 0)) return false;

@@ -346,26 +346,134 @@ void ParticleContacts::each_body(const Island& island, BodyTable& bodies, const 
     }
 }
 
-/// For pairs of different bodies that have been separated in this substep: adds `change` of their contact, times
-/// `rate`, to their impulse.
-void ParticleContacts::add_impulses(const Range& range, double Contact::*change, double rate) const {
+/// Calls visit(pair, contact) for the contacts between different bodies.
+template <class Visit>
+void ParticleContacts::each_between_bodies(const Range& range, Visit&& visit) {
     for (const Group* group = range.groups; group != range.groups + range.group_count; ++group) {
         Pair* pair = range.pairs + group->pairs.begin;
         for (uint32_t i = 0; i < group->contacts.count; ++i) {
             const Contact& contact = range.contacts[group->contacts.begin + i];
-            const Particle &a = range.particles[contact.a], &b = range.particles[contact.b];
             // Contacts are in the order of the pairs.
             while (pair->a != contact.a || pair->b != contact.b) ++pair;
-            if (!(contact.separation > 0) || a.body == b.body) continue;
-            if (pair->listed == IslandContacts::none)
-                pair->listed = range.listed.add({a.id, a.number, b.id, b.number, {}, 0});
-            if (pair->listed == IslandContacts::none) continue;
-            BodyContact& listed = range.listed[pair->listed];
-            listed.normal = narrow(contact.normal);
-            const double more = contact.*change * rate / (a.inverse_mass + b.inverse_mass);
-            if (more > 0) listed.impulse = to_float(static_cast<double>(listed.impulse) + more);
+            if (range.particles[contact.a].body != range.particles[contact.b].body) visit(*pair, contact);
         }
     }
+}
+
+/// Adds an impulse, newton seconds, to that of a pair in the list. The normal goes from its first particle to the
+/// second.
+void ParticleContacts::add_to_list(const Range& range, Pair& pair, Vec3 normal, double impulse) {
+    const Particle &a = range.particles[pair.a], &b = range.particles[pair.b];
+    if (pair.listed == IslandContacts::none) pair.listed = range.listed.add({a.id, a.number, b.id, b.number, {}, 0});
+    if (pair.listed == IslandContacts::none) return;
+    BodyContact& listed = range.listed[pair.listed];
+    listed.normal = narrow(normal);
+    if (impulse > 0) listed.impulse = to_float(static_cast<double>(listed.impulse) + impulse);
+}
+
+/// For pairs of different bodies that have been separated in this substep: adds `change` of their contact, times
+/// `rate`, to their impulse.
+void ParticleContacts::add_impulses(const Range& range, double Contact::*change, double rate) const {
+    each_between_bodies(range, [&](Pair& pair, const Contact& contact) {
+        if (!(contact.separation > 0)) return;
+        const double inverse_mass = range.particles[contact.a].inverse_mass + range.particles[contact.b].inverse_mass;
+        add_to_list(range, pair, contact.normal, contact.*change * rate / inverse_mass);
+    });
+}
+
+/// Finds the heavy particles that press on cloth. Contacts with a small gap count, too: where a heavy particle has
+/// given cloth its own velocity, contacts open and close from substep to substep.
+void ParticleContacts::load_cloth(const Island& island, const Range& range, BodyTable& bodies, const uint32_t* slots,
+                                  Vec3 gravity, double h) {
+    // A load is at least as many times heavier: what is lighter gives way by itself.
+    constexpr double heavy = 4;
+    // Across the normal a particle takes at most as many times its own mass. With none, chains between heavy particles
+    // would correct their lengths by moving these aside. With all, cloth would not slide under its load.
+    constexpr double most_across = 100;
+    const auto may_be_loaded = [](const Body& body) {
+        return is_graph(body) && !body.plan.joined && !body.cloth.loads.is_loaded.empty();
+    };
+    bool free = false, loadable = false;
+    for (uint32_t i = 0; i < island.body_count; ++i) {
+        free = free || moves_freely(bodies[slots[i]]);
+        loadable = loadable || may_be_loaded(bodies[slots[i]]);
+    }
+    if (!free || !loadable) return;
+    const auto load = [&](const Pair& pair, uint32_t on, uint32_t by, Vec3 normal) {
+        Particle& of = range.particles[by];
+        const Particle& particle = range.particles[on];
+        Body& body = bodies[particle.body];
+        if (!may_be_loaded(body) || !moves_freely(bodies[of.body]) || !(of.inverse_mass > 0)) return;
+        if (particle.inverse_mass < heavy * of.inverse_mass || body.cloth.loads.is_loaded[particle.number]) return;
+        body.cloth.loads.is_loaded[particle.number] = 1;
+        body.cloth.loads.all.push_back({by, particle.number, static_cast<uint32_t>(&pair - range.pairs), normal});
+        ++of.loads;
+    };
+    each_between_bodies(range, [&](const Pair& pair, const Contact& contact) {
+        load(pair, contact.a, contact.b, contact.normal);
+        load(pair, contact.b, contact.a, -contact.normal);
+    });
+    for (uint32_t i = 0; i < island.body_count; ++i) {
+        Body& body = bodies[slots[i]];
+        ContactLoads& loads = body.cloth.loads;
+        if (!loads.any()) continue;
+        std::sort(loads.all.begin(), loads.all.end(), [](const ContactLoad& a, const ContactLoad& b) {
+            return a.by != b.by ? a.by < b.by : a.particle < b.particle;
+        });
+        for (uint32_t k = 0; k < loads.all.size(); ++k) {
+            ContactLoad& share = loads.all[k];
+            const Particle& by = range.particles[share.by];
+            const Particles& others = bodies[by.body].particles;
+            if (k == 0 || loads.heavy.back().by != share.by)
+                loads.heavy.push_back({share.by, 1 / (by.inverse_mass * body.cloth.state.average_mass),
+                                       place_of(bodies[by.body], by.number) - body.cloth.state.origin,
+                                       others.velocity[by.number],
+                                       gravity + others.force[by.number] * by.inverse_mass});
+            loads.heavy.back().end = k + 1;
+            share.along = loads.heavy.back().mass / by.loads;
+            share.across =
+                std::min(share.along, most_across * body.cloth.state.acceleration[4 * size_t{share.particle} + 3]);
+        }
+        begin_loads(body, h);
+    }
+}
+
+void ParticleContacts::move_loads(const Island& island, BodyTable& bodies, const uint32_t* slots,
+                                  const CollisionContext& around, Vec3 gravity, double h) {
+    const Range range = this->range(island);
+    bool loaded = false;
+    for (uint32_t i = 0; i < island.body_count; ++i) loaded = loaded || bodies[slots[i]].cloth.loads.any();
+    if (!loaded) return;
+    each_body(island, bodies, slots, [&](Body& body, Particle* first, Particle* end) {
+        if (!moves_freely(body)) return;
+        for (Particle* p = first; p != end; ++p) p->at = p->uncorrected = place_of(body, p->number);
+    });
+    for (uint32_t i = 0; i < island.body_count; ++i) {
+        ContactLoads& loads = bodies[slots[i]].cloth.loads;
+        if (!loads.any()) continue;
+        // It may press on several bodies, one of which has moved it.
+        for (HeavyParticle& heavy : loads.heavy) {
+            const Particle& by = range.particles[heavy.by];
+            heavy.velocity = bodies[by.body].particles.velocity[by.number];
+        }
+        accelerate_loads(bodies[slots[i]], h);
+        for (const HeavyParticle& heavy : loads.heavy) {
+            Particle& by = range.particles[heavy.by];
+            by.at += heavy.moved;
+            by.loads = 0;
+            bodies[by.body].particles.velocity[by.number] = heavy.velocity;
+        }
+        for (const ContactLoad& share : loads.all) {
+            Pair& pair = range.pairs[share.pair];
+            const double impulse = share.impulse * bodies[slots[i]].cloth.state.average_mass;
+            if (impulse > 0) add_to_list(range, pair, pair.b == share.by ? share.normal : -share.normal, impulse);
+        }
+        clear_loads(loads);
+    }
+    const double bounce_threshold = find_bounce_threshold(gravity, h);
+    each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
+        if (moves_freely(body)) correct_moved(first, end, body, around, bounce_threshold);
+    });
 }
 
 /// Gauss-Seidel sweeps: solve(contact, its particles), colour after colour. A processor overlaps the work on the
@@ -421,6 +529,7 @@ void ParticleContacts::solve_positions(const Island& island, BodyTable& bodies, 
         }
     }
     each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
+        body.cloth.loads.closed = body.cloth.balance.closed;
         if (body.contacts.near) body.cloth.balance.closed = false;  // others do work
         if (!contacts.any) return;
         if (!moves_freely(body)) {
@@ -433,6 +542,7 @@ void ParticleContacts::solve_positions(const Island& island, BodyTable& bodies, 
             each_moved(first, end, [&](uint32_t p, Vec3 change) { body.particles.velocity[p] += change / h; });
         correct_moved(first, end, body, around, bounce_threshold);
     });
+    if (contacts.any && !contacts.deep && island.body_count > 1) load_cloth(island, range, bodies, slots, gravity, h);
 }
 
 void ParticleContacts::solve_velocities(const Island& island, BodyTable& bodies, const uint32_t* slots) {

@@ -62,6 +62,9 @@ public:
     /// Call when all bodies are predicted: separates pairs in contact, with friction. h: seconds of the substep.
     void solve_positions(const Island& island, BodyTable& bodies, const uint32_t* slots, const CollisionContext& around,
                          Vec3 gravity, double h);
+    /// Call when the links are solved: moves the heavy particles that press on cloth (cloth/contact_loads.h).
+    void move_loads(const Island& island, BodyTable& bodies, const uint32_t* slots, const CollisionContext& around,
+                    Vec3 gravity, double h);
     /// Call at the end of the substep: restitution and friction of pairs in contact.
     void solve_velocities(const Island& island, BodyTable& bodies, const uint32_t* slots);
     /// Call after the last substep: separates pairs that constraints have made overlap.
@@ -79,6 +82,7 @@ private:
         Vec3 list_position;  // position at which the list was made
         uint32_t body, number;
         gphys_body_id id;
+        uint32_t loads;  // of a heavy particle: on how many particles of cloth it presses
 
         double reach() const { return radius + margin; }
     };
@@ -164,6 +168,11 @@ private:
     bool list_is_valid(const Range& range) const;
     void find_pairs(const Range& range, const BodyTable& bodies) const;
     bool find_contacts(const Range& range, const BodyTable& bodies, double bounce_threshold, double h) const;
+    template <class Visit>
+    static void each_between_bodies(const Range& range, Visit&& visit);
+    static void add_to_list(const Range& range, Pair& pair, Vec3 normal, double impulse);
+    static void load_cloth(const Island& island, const Range& range, BodyTable& bodies, const uint32_t* slots,
+                           Vec3 gravity, double h);
     void add_impulses(const Range& range, double Contact::*change, double rate) const;
     Found solve_contacts(const Island& island, const BodyTable& bodies, double bounce_threshold, double h);
 

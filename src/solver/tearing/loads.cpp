@@ -50,11 +50,14 @@ void add_chain_loads(Body& body, const TimeScheme& scheme) {
     }
 }
 
-void note_pulls(Breaking& breaking, const ChainBatch& batch, float* rows) {
+void note_pulls(Breaking& breaking, const ChainBatch& batch, float* rows, bool again) {
     constexpr uint32_t lanes = 8;
     cloth_kernels(chosen_isa()).find_tensions(rows, batch.link_count);
-    for (uint32_t j = 0; j < batch.link_count; ++j)
-        std::copy_n(rows + cloth_row_floats * j, lanes, &breaking.pull[lanes * size_t{batch.first_link + j}]);
+    for (uint32_t j = 0; j < batch.link_count; ++j) {
+        const float* const row = rows + cloth_row_floats * j;
+        float* const pull = &breaking.pull[lanes * size_t{batch.first_link + j}];
+        for (uint32_t lane = 0; lane < lanes; ++lane) pull[lane] = again ? pull[lane] + row[lane] : row[lane];
+    }
 }
 
 void add_cloth_loads(Body& body, const TimeScheme& scheme) {
