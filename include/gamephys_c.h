@@ -2630,7 +2630,7 @@ typedef uint32_t gphys_joint_id;
  *  @param compliance   metres per newton, >= 0; 0 is rigid
  *  @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same body (see
  *          gphys_solver_add_distance); GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints
- *  Cost: the next step plans all joined ropes again. A link of them takes about 2.5 times as long as one
+ *  Cost: the next step plans all joined ropes again. A link of them takes 2.5 to 4 times as long as one
  *  of a rope that is not joined. Allocates. */
 GPHYS_API gphys_status gphys_solver_join(gphys_solver* solver, gphys_body_id body_a, uint32_t particle_a,
                                          gphys_body_id body_b, uint32_t particle_b, float rest_length, float compliance,

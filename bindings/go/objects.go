@@ -4255,8 +4255,8 @@ func (o *Solver) ClusterParticles(body BodyID, cluster ClusterID) (result []uint
 // The error is ErrInvalidArgument for a particle that does not exist or twice the same body (see
 // Solver.AddDistance).
 // The error is ErrCapacity beyond 2^24 - 1 joints.
-// Cost: the next step plans all joined ropes again. A link of them takes about 2.5 times as long as
-// one of a rope that is not joined. Allocates.
+// Cost: the next step plans all joined ropes again. A link of them takes 2.5 to 4 times as long as one
+// of a rope that is not joined. Allocates.
 func (o *Solver) Join(bodyA BodyID, particleA uint32, bodyB BodyID, particleB uint32, restLength float32, compliance float32) (joint JointID, err error) {
 	self, err := o.open()
 	if err != nil {

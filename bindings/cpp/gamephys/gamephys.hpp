@@ -2290,8 +2290,8 @@ public:
     // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same
     // body (see Solver::add_distance).
     // Throws Error with GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints.
-    // Cost: the next step plans all joined ropes again. A link of them takes about 2.5 times as long as
-    // one of a rope that is not joined. Allocates.
+    // Cost: the next step plans all joined ropes again. A link of them takes 2.5 to 4 times as long as one
+    // of a rope that is not joined. Allocates.
     gphys_joint_id join(gphys_body_id body_a, uint32_t particle_a, gphys_body_id body_b, uint32_t particle_b, float rest_length, float compliance) {
         gphys_joint_id out_joint{};
         check(gphys_solver_join(handle(), body_a, particle_a, body_b, particle_b, rest_length, compliance, &out_joint));

@@ -2928,8 +2928,8 @@ public sealed partial class Solver : IDisposable {
     /// it. Free particles of a joined body are moved by the time scheme of ropes, no longer exactly. Joined
     /// bodies are moved by one thread and fall asleep and wake together. A joint is removed with either
     /// body.
-    /// Cost: the next step plans all joined ropes again. A link of them takes about 2.5 times as long as
-    /// one of a rope that is not joined. Allocates.</summary>
+    /// Cost: the next step plans all joined ropes again. A link of them takes 2.5 to 4 times as long as one
+    /// of a rope that is not joined. Allocates.</summary>
     /// <param name="restLength">metres; 0: at the same place, as below 1e-9; negative: the present
     /// distance. Particles at another distance are moved to it within a step, and get the speed of that
     /// motion.</param>

@@ -2553,8 +2553,8 @@ class Solver(Object):
         all that hangs on it. Free particles of a joined body are moved by the time scheme of ropes, no
         longer exactly. Joined bodies are moved by one thread and fall asleep and wake together. A joint
         is removed with either body.
-        Cost: the next step plans all joined ropes again. A link of them takes about 2.5 times as long
-        as one of a rope that is not joined. Allocates.
+        Cost: the next step plans all joined ropes again. A link of them takes 2.5 to 4 times as long as
+        one of a rope that is not joined. Allocates.
 
         Args:
             rest_length: metres; 0: at the same place, as below 1e-9; negative: the present distance.

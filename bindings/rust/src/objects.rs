@@ -2942,8 +2942,8 @@ impl Solver {
     /// bodies are moved by one thread and fall asleep and wake together. A joint is removed with either
     /// body.
     ///
-    /// Cost: the next step plans all joined ropes again. A link of them takes about 2.5 times as long as
-    /// one of a rope that is not joined. Allocates.
+    /// Cost: the next step plans all joined ropes again. A link of them takes 2.5 to 4 times as long as one
+    /// of a rope that is not joined. Allocates.
     ///
     /// * `rest_length`: metres; 0: at the same place, as below 1e-9; negative: the present distance.
     ///   Particles at another distance are moved to it within a step, and get the speed of that motion.

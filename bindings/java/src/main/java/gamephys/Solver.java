@@ -1024,8 +1024,8 @@ public final class Solver extends Owned {
      * it. Free particles of a joined body are moved by the time scheme of ropes, no longer exactly. Joined
      * bodies are moved by one thread and fall asleep and wake together. A joint is removed with either
      * body.
-     * Cost: the next step plans all joined ropes again. A link of them takes about 2.5 times as long as
-     * one of a rope that is not joined. Allocates.
+     * Cost: the next step plans all joined ropes again. A link of them takes 2.5 to 4 times as long as one
+     * of a rope that is not joined. Allocates.
      * @param restLength metres; 0: at the same place, as below 1e-9; negative: the present distance.
      *     Particles at another distance are moved to it within a step, and get the speed of that motion.
      * @param compliance metres per newton, &gt;= 0; 0 is rigid
