@@ -15,9 +15,9 @@ struct TautSheet {
     gphys_body_id sheet;
     std::vector<gphys_vec3> places;
 
-    TautSheet(const gphys_solver_desc& desc, bool all_edges)
+    TautSheet(const gphys_solver_desc& desc, bool all_edges, const gphys_body_desc& cloth = World::body_desc())
         : world(desc),
-          sheet(world.cloth({-1.5f, 0, -0.5f}, {3, 0, 0}, {0, 0, 1}, columns, rows)),
+          sheet(world.cloth({-1.5f, 0, -0.5f}, {3, 0, 0}, {0, 0, 1}, columns, rows, cloth)),
           places(world.positions(sheet)) {
         for (uint32_t p = 0; p < columns * rows; ++p) {
             const uint32_t column = p % columns, row = p / columns;
@@ -63,6 +63,26 @@ TEST_CASE("a sheet whose pins are farther apart than it is long shares the stret
             REQUIRE(taut.world.stats(taut.sheet).strain_max < 0.02);
         }
     }
+}
+
+TEST_CASE("a taut sheet that is released on one side has its lengths again") {
+    gphys_body_desc damped = World::body_desc();
+    damped.damping = 2;
+    TautSheet taut(World::desc(), false, damped);
+    for (int frame = 0; frame < 60; ++frame) {
+        if (frame <= 30) taut.pull(0.02 * frame / 30);
+        taut.world.step(dt);
+    }
+    REQUIRE(taut.world.stats(taut.sheet).strain_rms > 0.005);
+    for (uint32_t row = 0; row < rows; ++row) {
+        REQUIRE(gphys_solver_set_pinned(taut.world.solver, taut.sheet, row * columns, 1, 0) == GPHYS_OK);
+    }
+    for (int frame = 0; frame < 300; ++frame) taut.world.step(dt);
+    // It hangs still.
+    REQUIRE(taut.world.stats(taut.sheet).strain_max < 0.002);
+    double lowest = 0;
+    for (const gphys_vec3& p : taut.world.positions(taut.sheet)) lowest = std::min(lowest, double{p.y});
+    REQUIRE(lowest == Approx(-3).epsilon(0.002));
 }
 
 TEST_CASE("a banner whose bar rises and stops hangs again as long as it is") {

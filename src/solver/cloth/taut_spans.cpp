@@ -11,11 +11,20 @@ constexpr uint32_t lanes = 8;
 // The lengths that links aim at are shorter than the row by this part, so that the row pulls its pins together.
 constexpr double tautness = 1e-4;
 
+/// Of links that were in taut rows.
+void restore_lengths(Cloth& cloth) {
+    KeptLinks& kept = cloth.relaxation.kept;
+    for (size_t place = 0; place < kept.by_place.size(); ++place) {
+        if (kept.by_place[place] != KeptLinks::none) kept.links[kept.by_place[place]].rest = cloth.batches.rest[place];
+    }
+}
+
 }  // namespace
 
 void list_pinned_spans(Cloth& cloth, const Plan& plan, const Particles& particles) {
     Vector<PinnedSpan>& spans = cloth.taut.spans;
     spans.clear();
+    if (cloth.taut.stretch != 1) restore_lengths(cloth);
     cloth.taut.stretch = 1;
     for (size_t colour = 0; colour + 1 < plan.colours.size(); ++colour) {
         for (uint32_t i = plan.colours[colour]; i < plan.colours[colour + 1]; ++i) {
@@ -36,9 +45,12 @@ void list_pinned_spans(Cloth& cloth, const Plan& plan, const Particles& particle
             }
         }
     }
-    if (spans.empty()) return;
-    cloth.batches.target = cloth.batches.rest;
-    cloth.reach.stretched = cloth.reach.distances;
+    if (!spans.empty() || !cloth.batches.damped.empty()) {
+        cloth.batches.target = cloth.batches.rest;
+    } else {
+        cloth.batches.target.clear();
+    }
+    if (!spans.empty()) cloth.reach.stretched = cloth.reach.distances;
 }
 
 void stretch_taut_spans(Cloth& cloth) {
