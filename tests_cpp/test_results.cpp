@@ -13,7 +13,8 @@ TEST_CASE("Smallest keeps the smallest values in ascending order, whatever the o
     for (uint32_t count = 0; count < 40; ++count) {
         for (uint32_t capacity = 0; capacity < 45; ++capacity) {
             std::vector<uint32_t> values(count);
-            for (uint32_t& value : values) value = 0x8888888u * random.index(30);  // from 0 to almost 2^32
+            uint32_t next = 0;
+            for (uint32_t& value : values) value = 0x8888888u * random.index(30) + next++;  // from 0 to almost 2^32
             std::vector<uint32_t> out(capacity + 1, 12345);
             Smallest<uint32_t> smallest(capacity ? out.data() : nullptr, capacity);
             for (uint32_t value : values) smallest.add(value);
@@ -35,7 +36,7 @@ TEST_CASE("Smallest leaves out what it is told not to add") {
             std::vector<uint32_t> added, out(capacity + 1, 12345);
             Smallest<uint32_t> smallest(capacity ? out.data() : nullptr, capacity);
             for (uint32_t i = 0; i < count; ++i) {
-                const uint32_t value = random.index(50);
+                const uint32_t value = random.index(50) << 8 | i;
                 const bool is_one = random.index(3) > 0;
                 smallest.add_if(is_one, value);
                 if (is_one) added.push_back(value);
@@ -58,6 +59,33 @@ TEST_CASE("Smallest takes any order") {
     REQUIRE((out[0] == 9 && out[1] == 9 && out[2] == 7));
 }
 
+TEST_CASE("distinct values are sorted, whatever their number and range") {
+    test::Random random(6);
+    for (const uint32_t count : {0u, 1u, 2u, 31u, 33u, 100u, 1000u, 200000u}) {
+        for (const uint32_t bits : {1u, 7u, 16u, 17u, 18u, 21u, 26u, 32u}) {
+            for (const uint32_t common : {0u, 0x01000000u, 0xffff0000u}) {
+                INFO(count << " of " << bits << " bits");
+                const uint32_t mask = bits == 32 ? ~0u : (1u << bits) - 1;
+                std::vector<uint32_t> values(count);
+                for (uint32_t& value : values) value = (random.index(~0u) & mask) | common;
+                for (uint32_t i = 0; i < count / 2; ++i) values[i] = (i & mask) | common;
+                std::sort(values.begin(), values.end());
+                values.erase(std::unique(values.begin(), values.end()), values.end());
+                std::vector<uint32_t> mixed;
+                for (const uint32_t value : values) {
+                    mixed.push_back(value);
+                    std::swap(mixed.back(), mixed[random.index(static_cast<uint32_t>(mixed.size()))]);
+                }
+                mixed.push_back(12345);
+                sort_distinct(mixed.data(), static_cast<uint32_t>(values.size()));
+                REQUIRE(mixed.back() == 12345);
+                mixed.pop_back();
+                REQUIRE(mixed == values);
+            }
+        }
+    }
+}
+
 TEST_CASE("a set of slots lists their entries by ascending slots, on any instruction set, and spares what is behind") {
     test::Random random(5);
     for (int round = 0; round < 300; ++round) {
@@ -74,11 +102,14 @@ TEST_CASE("a set of slots lists their entries by ascending slots, on any instruc
             std::vector<uint32_t> words(SlotSet::words_for(slots), ~0u);
             SlotSet set(words.data(), slots);
             for (const uint32_t slot : added) set.add(slot);
-            std::vector<uint32_t> out(added.size() + SlotSet::spare + 1, untouched);
-            const uint32_t* const end = set.list(slot_set_kernels(isa), entries.data(), out.data());
-            REQUIRE(end == out.data() + added.size());
-            REQUIRE(std::equal(expected.begin(), expected.end(), out.begin()));
-            REQUIRE(out.back() == untouched);
+            for (const size_t more : {0, 1, 40}) {
+                std::vector<uint32_t> out(added.size() + more + 1, untouched);
+                const auto room = static_cast<uint32_t>(added.size() + more);
+                const uint32_t* const end = set.list(slot_set_kernels(isa), entries.data(), out.data(), room);
+                REQUIRE(end == out.data() + added.size());
+                REQUIRE(std::equal(expected.begin(), expected.end(), out.begin()));
+                REQUIRE(out.back() == untouched);
+            }
         }
     }
 }

@@ -7,6 +7,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "foundation/sort_distinct.h"
+
 namespace gphys {
 
 /// Keeps the `capacity` smallest of all values added. The array is filled first. Then it is a max-heap, and each
@@ -48,41 +50,18 @@ public:
     const T& largest() const { return out_[0]; }
     uint32_t total() const { return total_; }
 
-    /// Sorts the kept values; returns the number of added ones (saturating).
+    /// Sorts the kept values; returns the number of added ones (saturating). Unsigned values must differ.
     uint32_t finish() {
         const uint32_t count = std::min(total_, capacity_);
-        if constexpr (std::is_unsigned_v<T> && std::is_same_v<Less, std::less<T>>) {
-            if (count <= few) {
-                sort_few(count);
-                return total_;
-            }
+        if constexpr (std::is_same_v<T, uint32_t> && std::is_same_v<Less, std::less<T>>) {
+            sort_distinct(out_, count);
+        } else {
+            std::sort(out_, out_ + count, less_);
         }
-        std::sort(out_, out_ + count, less_);
         return total_;
     }
 
 private:
-    static constexpr uint32_t few = 32;
-
-    /// Rank sort: each value goes to the index that is the number of smaller ones. More comparisons than std::sort, but
-    /// vectorized and without branches. Equal values go to the same index; the gaps behind are then filled with copies.
-    void sort_few(uint32_t count) {
-        constexpr uint32_t at_once = 8;
-        using Signed = std::make_signed_t<T>;  // SIMD registers compare signed integers
-        constexpr T sign = T{1} << std::numeric_limits<Signed>::digits;
-        Signed values[few];
-        std::fill_n(values, few, std::numeric_limits<Signed>::max());
-        for (uint32_t i = 0; i < count; ++i) values[i] = static_cast<Signed>(out_[i] ^ sign);
-        std::fill_n(out_, count, T{0});
-        const uint32_t end = (count + at_once - 1) / at_once * at_once;
-        for (uint32_t i = 0; i < count; ++i) {
-            uint32_t place = 0;
-            for (uint32_t j = 0; j < end; ++j) place += values[j] < values[i];
-            out_[place] = static_cast<T>(values[i]) ^ sign;
-        }
-        for (uint32_t i = 1; i < count; ++i) out_[i] = std::max(out_[i], out_[i - 1]);
-    }
-
     T* out_;
     uint32_t capacity_;
     uint32_t total_ = 0;

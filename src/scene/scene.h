@@ -308,7 +308,6 @@ private:
     uint32_t cull_by(const Frustum& frustum, const Filter& filter, gphys_model_id* out, uint32_t capacity) const;
     template <class FindAll>
     bool list_by_set(const FindAll& find_all, gphys_model_id* out, uint32_t capacity, uint32_t& total) const;
-    uint32_t finish(Smallest<gphys_model_id>& found, gphys_model_id* out, uint32_t capacity) const;
 
     class EightPairs;
     class ConservativeRays;

@@ -106,40 +106,6 @@ void Scene::find_candidates(const Shape* shapes, uint32_t count, uint32_t layers
         shapes[0]);
 }
 
-/// Lists the ids of the slots that find_all(add) adds, each once, in ascending order; find_all returns their number. A
-/// sort of thousands of ids takes longer than the query, so a bit set of slots sorts them (slot_set.h), behind them in
-/// `out`. Returns false if `out` has no room for both: its contents are then undefined.
-template <class FindAll>
-bool Scene::list_by_set(const FindAll& find_all, gphys_model_id* out, uint32_t capacity, uint32_t& total) const {
-    const uint32_t beyond = SlotSet::room_for(ids_.slots());
-    if (capacity <= beyond) return false;
-    SlotSet slots(out + (capacity - beyond + SlotSet::spare), ids_.slots());
-    total = find_all([&](uint32_t slot) { slots.add(slot); });
-    if (total > capacity - beyond) return false;
-    slots.list(slot_set_kernels_, ids_.ids(), out);
-    // The order of ids differs from that of slots where slots were reused: generations differ. Counts instead of
-    // stopping at the first: the loop is vectorised.
-    uint32_t descents = 0;
-    for (uint32_t i = 1; i < total; ++i) descents += out[i] < out[i - 1];
-    if (descents != 0) std::sort(out, out + total);
-    return true;
-}
-
-/// As found.finish(), faster for many ids. `found` writes to `out`.
-uint32_t Scene::finish(Smallest<gphys_model_id>& found, gphys_model_id* out, uint32_t capacity) const {
-    // From here on a set takes less time than a sort. The words of a large one take time even if they are zero.
-    constexpr uint32_t least = 256, most_words_of_each = 8;
-    uint32_t total = found.total();
-    if (total < least || SlotSet::words_for(ids_.slots()) / most_words_of_each > total) return found.finish();
-    if (total > capacity || capacity - total < SlotSet::room_for(ids_.slots())) return found.finish();
-    const auto find_again = [&](const auto& add) {
-        for (uint32_t i = 0; i < total; ++i) add(IdTable::slot_of(out[i]));
-        return total;
-    };
-    list_by_set(find_again, out, capacity, total);
-    return total;
-}
-
 template <class Filter>
 uint32_t Scene::overlap_by(const Shape& query, const Filter& filter, gphys_model_id* out_ids, uint32_t capacity,
                            const OverlapItems* candidates) const {
@@ -209,7 +175,7 @@ uint32_t Scene::overlap_by(const Shape& query, const Filter& filter, gphys_model
             }
         },
         query);
-    return finish(out, out_ids, capacity);
+    return out.finish();
 }
 
 template <class Filter>
@@ -240,6 +206,28 @@ gphys_status Scene::sweep_by(const Sphere& moving, Vec3 displacement, const Filt
     return GPHYS_OK;
 }
 
+/// Lists the ids of the slots that find_all(add) adds, each once, in ascending order; find_all returns their number. A
+/// bit set of slots sorts them while they are found (slot_set.h). That of a large scene has its words behind the ids,
+/// in `out`. Returns false if `out` has no room: its contents are then undefined.
+template <class FindAll>
+bool Scene::list_by_set(const FindAll& find_all, gphys_model_id* out, uint32_t capacity, uint32_t& total) const {
+    constexpr uint32_t words_on_stack = 4096;
+    uint32_t on_stack[words_on_stack];
+    const uint32_t words = SlotSet::words_for(ids_.slots()), behind = words <= words_on_stack ? 0 : words;
+    if (capacity <= behind) return false;
+    const uint32_t room = capacity - behind;
+    SlotSet slots(behind == 0 ? on_stack : out + room, ids_.slots());
+    total = find_all([&](uint32_t slot) { slots.add(slot); });
+    if (total > room) return false;
+    slots.list(slot_set_kernels_, ids_.ids(), out, room);
+    // The order of ids differs from that of slots where slots were reused: generations differ. Counts instead of
+    // stopping at the first: the loop is vectorised.
+    uint32_t descents = 0;
+    for (uint32_t i = 1; i < total; ++i) descents += out[i] < out[i - 1];
+    if (descents != 0) sort_distinct(out, total);
+    return true;
+}
+
 template <class Filter>
 uint32_t Scene::cull_by(const Frustum& frustum, const Filter& filter, gphys_model_id* out, uint32_t capacity) const {
     const bool all_in_layers = (common_layers_ & layers_of(filter)) != 0;
@@ -266,6 +254,7 @@ uint32_t Scene::cull_by(const Frustum& frustum, const Filter& filter, gphys_mode
         return total;
     };
 
+    if (capacity == 0) return find([](uint32_t) {});
     uint32_t total = 0;
     if (list_by_set(find, out, capacity, total)) return total;
     Smallest<gphys_model_id> lowest(out, capacity);

@@ -372,7 +372,7 @@ def list_of(call, arguments, dtype):
         check(status)
         if status != _INCOMPLETE:
             return array[:total.value]
-        capacity = total.value + total.value // 8 + 64  # with room in which long lists of ids are put in order
+        capacity = total.value
 
 
 def ragged_of(call, arguments, dtype, count):
