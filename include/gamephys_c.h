@@ -2413,8 +2413,8 @@ typedef struct gphys_animation_target {
  *  In the next step position and normal go evenly from the old target to the new one, substep by substep; distances
  *  act at once. A target that is not set again stands still. A first target, and that of a particle which
  *  gphys_solver_set_positions has moved since the last step, takes effect at its new place at once: to teleport, make
- *  that call and this one. A model that is teleported too sweeps through what is on its way: set the body's layers to
- *  0 for that step (gphys_solver_set_body_settings).
+ *  that call and this one. If the body is attached to a model that jumps (gphys_solver_step), this call alone is
+ *  enough.
  *  max_distance 0 carries a particle: it is at its target, as if attached there, and moves links with infinite mass;
  *  this also moves a pinned particle, which stays pinned, at constant speed during a step. Otherwise particles that are
  *  pinned or attached are not moved. A particle that is out of its bounds at the end of a substep is put on the nearest
@@ -2441,7 +2441,9 @@ GPHYS_API gphys_status gphys_solver_get_animation_targets(const gphys_solver* so
                                                           gphys_animation_target* out_targets, uint32_t out_stride);
 
 /** Fix a particle to a model: it follows the model's transform in each step, and is released when
- *  the model is gone. Steps must then be given this scene.
+ *  the model is gone. Steps must then be given this scene. If the model jumps (gphys_solver_step), the whole body goes
+ *  with it as if it were rigid, and its velocities turn with it: a cape stays on a character that respawns. Bodies with
+ *  other pinned particles, joints, or attachments to models that go elsewhere do not, nor do bodies without constraints.
  *  @param scene        of the same origin as the solver; not modified
  *  @param local_point  metres, in the model's coordinates; NULL: where the particle is now
  *  @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist
@@ -2721,7 +2723,10 @@ GPHYS_API gphys_status gphys_solver_get_breaks(const gphys_solver* solver, gphys
  *  @param scene  to collide with and to follow attachments; NULL: none. Not modified.
  *  @param dt     seconds, 1e-6 .. 0.5
  *  Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
- *  through particles. Allocates when what it steps has changed.
+ *  through particles. A model moves evenly from its place at the last step to its present one, unless it jumps: it turns
+ *  by a right angle or more, its velocity changes by more than 50 m/s to more than that, or its surface does by a change
+ *  of scale. One that jumps is not swept and gives no speed. What is then within a solid is pushed out slowly; what is
+ *  then behind a plane or a mesh stays there. Allocates when what it steps has changed.
  *  Cost: O(particles + constraints) a substep, and a scene query for particles near models; O(1) and a scene query for
  *  a body that the last step, of the same dt, left exactly as it was. */
 GPHYS_API gphys_status gphys_solver_step(gphys_solver* solver, const gphys_scene* scene, float dt);

@@ -145,15 +145,19 @@ TEST_CASE("a snapshot's models are in order, each in a place") {
         state.near_models.assign(models.begin(), models.end());
         return defect_of_globals(state) == nullptr;
     };
-    const gphys_transform unit{{0, 0, 0}, {0, 0, 0, 1}, 1};
-    CHECK(taken({{1, unit}, {2, unit}, {9, unit}}));
-    CHECK_FALSE(taken({{1, unit}, {1, unit}}));
-    CHECK_FALSE(taken({{2, unit}, {1, unit}}));
+    const auto placed = [](gphys_model_id model, gphys_transform at = {{0, 0, 0}, {0, 0, 0, 1}, 1},
+                           gphys_vec3 velocity = {0, 0, 0}) {
+        return PlacedModel{model, at, velocity};
+    };
+    CHECK(taken({placed(1), placed(2), placed(9)}));
+    CHECK_FALSE(taken({placed(1), placed(1)}));
+    CHECK_FALSE(taken({placed(2), placed(1)}));
     const float far = 4 * GPHYS_MAX_COORDINATE, further = std::nextafter(far, HUGE_VALF);
-    CHECK(taken({{1, {{far, -far, far}, {0, 0, 0, 1}, 1}}}));
-    CHECK_FALSE(taken({{1, {{further, 0, 0}, {0, 0, 0, 1}, 1}}}));
-    CHECK_FALSE(taken({{1, {{0, 0, 0}, {0, 0, 0, 0.9f}, 1}}}));
-    CHECK_FALSE(taken({{1, {{0, 0, 0}, {0, 0, 0, 1}, 0}}}));
+    CHECK(taken({placed(1, {{far, -far, far}, {0, 0, 0, 1}, 1}, {1e20f, 0, 0})}));
+    CHECK_FALSE(taken({placed(1, {{further, 0, 0}, {0, 0, 0, 1}, 1})}));
+    CHECK_FALSE(taken({placed(1, {{0, 0, 0}, {0, 0, 0, 0.9f}, 1})}));
+    CHECK_FALSE(taken({placed(1, {{0, 0, 0}, {0, 0, 0, 1}, 0})}));
+    CHECK_FALSE(taken({placed(1, {{0, 0, 0}, {0, 0, 0, 1}, 1}, {HUGE_VALF, 0, 0})}));
 }
 
 TEST_CASE("a snapshot's arrays of a body have the lengths that belong together") {

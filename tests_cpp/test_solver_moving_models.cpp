@@ -211,7 +211,7 @@ TEST_CASE("the bounds of a motion contain the model at each time of it, and hard
         if (grows) second.scale = random.uniform_float(0.5f, 2);
         const gphys_model_id model = world.model(GPHYS_SHAPE_AABB, &box, &second);
         const Scene& scene = *unwrap(world.scene);
-        const MovedModel moved(scene, {model, first});
+        const MovedModel moved(scene, {model, first, {}});
         REQUIRE(moved.bounded);
         Aabb all = widen(moved.swept), seen{all.max, all.min};
         for (int k = 0; k <= 40; ++k) {

@@ -194,6 +194,7 @@ void Solver::begin_step(const Scene* scene) noexcept {
         if (body.sleep.asleep) wake(body);
         if (active.in_island) body.steady.place = body.steady.state = 0;  // not compared after this step
         body.plan.edits = 0;
+        if (active.jumps) move_rigidly(body, *motion_of_jump(body, *scene, state_.near_models, model_time_));
         aim_attachments(body.constraints, body.particles, scene);
         begin_targets(body);
         begin_loads(body);
@@ -233,6 +234,31 @@ static double way_to_models(const Body& body, const Scene& scene) {
     return longest;
 }
 
+/// Adds a model to those whose places are known in the next step.
+void Solver::see(const Scene& scene, gphys_model_id model) {
+    next_near_models_.push_back({model, scene.world(model), {}});
+}
+
+void Solver::see_attached_models(const Scene* scene, const Constraints& constraints) {
+    if (!scene) return;
+    gphys_model_id last = 0;
+    for (const Attachment& attachment : constraints.attachments) {
+        if (attachment.model == last || !scene->has(attachment.model)) continue;
+        see(*scene, attachment.model);
+        last = attachment.model;
+    }
+}
+
+/// Those near bodies that have moved since the last step. One that has jumped is as if it had always been there.
+void Solver::list_moved_models(const Scene& scene) {
+    for (const PlacedModel& before : state_.near_models) {
+        if (!scene.has(before.model)) continue;
+        const gphys_transform& now = scene.world(before.model);
+        if (std::memcmp(&now, &before.world, sizeof now) == 0 || has_jumped(scene, before, model_time_)) continue;
+        moved_models_.emplace_back(scene, before);
+    }
+}
+
 /// The broad phase: lists the models near the bodies with their transforms, and those that have moved since the last
 /// step.
 void Solver::list_near_models(const Scene& scene, double dt) {
@@ -255,35 +281,41 @@ void Solver::list_near_models(const Scene& scene, double dt) {
     for (ActiveBody& active : active_) {
         Body& body = state_.bodies[active.slot];
         const double fastest = active.fastest = length(body.particles.extent->fastest);
-        const Aabb box = body.particles.extent->box;
+        Aabb box = body.particles.extent->box;
         body.particles.extent.reset();
+        double way = 0;
+        if (const auto motion = motion_of_jump(body, scene, state_.near_models, model_time_)) {
+            active.jumps = active.restarts = true;
+            const Vec3 middle = motion->apply((box.min + box.max) / 2);
+            const Vec3 half = abs(motion->rotation) * ((box.max - box.min) / 2);
+            box = {middle - half, middle + half};
+            way = model_time_ * fastest_model;
+        } else {
+            way = way_to_models(body, scene);
+        }
         // Metres: twice what a particle can move in this step. `search_box` adds what a model can move.
         const double margin = 2 * body.particles.largest_radius +
-                              2 * dt * (fastest + dt * length(state_.settings.gravity)) + way_to_targets(body) +
-                              way_to_models(body, scene);
+                              2 * dt * (fastest + dt * length(state_.settings.gravity)) + way_to_targets(body) + way;
         const auto enlarged = [&](double by) {
             return bounds(Aabb{box.min - Vec3{by, by, by}, box.max + Vec3{by, by, by}});
         };
         active.reachable = enlarged(margin);
         active.search_box = body.steady.search_box = enlarged(margin + dt * fastest_model);
     }
-    for (const PlacedModel& before : state_.near_models) {
-        if (!scene.has(before.model)) continue;
-        const gphys_transform& now = scene.world(before.model);
-        if (std::memcmp(&now, &before.world, sizeof now) != 0) moved_models_.emplace_back(scene, before);
-    }
+    list_moved_models(scene);
     for (ActiveBody& active : active_) {
         Body& body = state_.bodies[active.slot];
         const size_t before = next_near_models_.size();
         bool meshes = false;
         each_near_model(scene, active.search_box, body.settings.layers, [&](gphys_model_id model) {
-            next_near_models_.push_back({model, scene.world(model)});
+            see(scene, model);
             meshes = meshes || scene.mesh(model);
             // find_disturbed handles models that have moved.
             if (active.undisturbed && scene.overlaps_box(model, active.reachable)) active.undisturbed = false;
         });
         reserve_balls(body, scene, moved_models_, active.search_box, meshes);
         active.near_model_count = static_cast<uint32_t>(next_near_models_.size() - before);
+        see_attached_models(&scene, body.constraints);
         if (active.near_model_count == 0) continue;
         const uint32_t least = substeps_near_models(body.cloth, state_.settings, active.fastest, dt);
         active.substeps = std::max(active.substeps, least);
@@ -292,6 +324,12 @@ void Solver::list_near_models(const Scene& scene, double dt) {
     const auto same = [](const PlacedModel& a, const PlacedModel& b) { return a.model == b.model; };
     next_near_models_.erase(std::unique(next_near_models_.begin(), next_near_models_.end(), same),
                             next_near_models_.end());
+    for (PlacedModel& now : next_near_models_) {
+        const PlacedModel* const before = find_placed(state_.near_models, now.model);
+        if (!before) continue;
+        const Vec3 way = widen(now.world.position) - widen(before->world.position);
+        now.velocity = narrow(way / model_time_);
+    }
     find_disturbed(scene);
     for (const ActiveBody& active : active_) {
         Body& body = state_.bodies[active.slot];

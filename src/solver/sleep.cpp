@@ -111,8 +111,9 @@ void rest(Body& body, const Scene* scene, const SolverSettings& settings, double
 bool Solver::stays_asleep(const Body& body, const Scene* scene) {
     if (!body.sleep.asleep) return false;
     // Its models are tracked like those of other bodies: if one moves and wakes it, its former place is known.
-    const auto see = [&](gphys_model_id model) { next_near_models_.push_back({model, scene->world(model)}); };
-    return neighbourhood(body, scene, see) == body.sleep.neighbourhood && !attachments_moved(body.constraints, scene);
+    see_attached_models(scene, body.constraints);
+    return neighbourhood(body, scene, [&](gphys_model_id model) { see(*scene, model); }) == body.sleep.neighbourhood &&
+           !attachments_moved(body.constraints, scene);
 }
 
 void Solver::set_gravity(Vec3 gravity) {

@@ -68,6 +68,7 @@
 #include "solver/contact/particle_contacts.h"
 #include "solver/islands.h"
 #include "solver/joints/joined_motion.h"
+#include "solver/jumps.h"
 #include "solver/particles/flight_planes.h"
 #include "solver/rope/rope_lanes.h"
 #include "solver/rope/rope_stepper.h"
@@ -78,11 +79,6 @@ namespace gphys {
 constexpr double usual_cloth_strain = 0.02;
 constexpr uint32_t most_substeps = 1000;
 constexpr float shortest_step = 1e-6f, longest_step = 0.5f;  // seconds
-
-/// m/s. The broad phase finds a model up to this fast before it hits a particle at rest, so that the model is swept
-/// along its path. A faster one only hits what is where it arrives. A larger value makes a step track more models
-/// around each body.
-constexpr double fastest_model = 50;
 
 /// All state that the next step depends on, except the scene. Snapshots contain it.
 struct SolverState {
@@ -235,6 +231,7 @@ private:
         uint32_t moved_model_count = 0;  // models that have moved and come into search_box
         bool models_move = false;        // whether some of them come into `reachable`
         bool in_island = false;          // moved by the task of an island
+        bool jumps = false;              // with a model that it is attached to
 
         bool near_models() const { return near_model_count > 0 || models_move; }
         /// Whether its equations are solved in the kernels, together with contacts (RopeContactLanes).
@@ -292,6 +289,9 @@ private:
     gphys_status insert(BodyOwner body, gphys_body_id& out);
     /// The first step of a frame clears the list of breaks.
     void simulate(const Scene* scene, double dt, bool first);
+    void see(const Scene& scene, gphys_model_id model);
+    void see_attached_models(const Scene* scene, const Constraints& constraints);
+    void list_moved_models(const Scene& scene);
     void update_meshes(Vec3 shift = {}) noexcept;
     void prepare(const Scene* scene, double dt);
     void prepare_body(uint32_t slot, const Scene* scene, double dt);
@@ -342,6 +342,7 @@ private:
     SolverState state_{&memory};
     /// The next state_.near_models, with the present places; and those of state_.near_models that have moved since.
     Vector<PlacedModel> next_near_models_{&memory};
+    double model_time_ = 0;  // seconds in which the models have moved since the last step: of a step, or of a frame
     Vector<MovedModel> moved_models_{&memory};
     Vector<ActiveBody> active_{&memory};
     Vector<Undo> undo_{&memory};

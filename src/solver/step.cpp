@@ -279,6 +279,7 @@ void Solver::update_meshes(Vec3 shift) noexcept {
 }
 
 void Solver::step(const Scene* scene, double dt) {
+    model_time_ = dt;
     simulate(scene, dt, true);
     update_meshes();
 }
@@ -344,6 +345,8 @@ void Solver::advance(const Scene* scene, double frame_time, uint32_t& steps) {
     const double time = state_.accumulator + frame_time, length = state_.settings.fixed_step;
     const double due = std::floor(time / length + 1e-6);
     const uint32_t wanted = static_cast<uint32_t>(std::min<double>(due, state_.settings.max_steps));
+    // The caller has moved the models once for the whole frame.
+    model_time_ = std::clamp(frame_time, length, state_.settings.max_steps * length);
     for (steps = 0; steps < wanted; ++steps) {
         try {
             simulate(scene, length, steps == 0);

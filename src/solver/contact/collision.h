@@ -18,6 +18,7 @@ class FlightPlanes;
 struct PlacedModel {
     gphys_model_id model;
     gphys_transform world;
+    gphys_vec3 velocity;  // m/s, from the step before
 
     bool operator<(const PlacedModel& other) const { return model < other.model; }
 };

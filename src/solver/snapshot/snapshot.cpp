@@ -16,7 +16,7 @@ namespace {
 
 constexpr uint32_t magic = 0x6770686e;
 // Version of the list below: increase it when that changes.
-constexpr uint32_t format = 8;
+constexpr uint32_t format = 9;
 
 /// Arrays that few bodies have. They come last, in the order of their keys: the key, which is the array and the slot of
 /// the body, and the elements; of clusters their ids come before. A snapshot without them is as it was before there
@@ -28,7 +28,7 @@ static_assert(IdTable::capacity < 1u << slot_bits);
 // Copied byte by byte, so they must have no padding.
 static_assert(sizeof(Vec3) == 24 && sizeof(DistanceConstraint) == 40 && sizeof(LengthChange) == 16 &&
               sizeof(Attachment) == 80 && sizeof(AnimationTarget) == 120 && sizeof(ClusterMember) == 32);
-static_assert(sizeof(ContactPoint) == 32 && sizeof(ModelImpulse) == 56 && sizeof(PlacedModel) == 36 &&
+static_assert(sizeof(ContactPoint) == 32 && sizeof(ModelImpulse) == 56 && sizeof(PlacedModel) == 48 &&
               sizeof(Chain) == 12 && sizeof(ReachLimit) == 16);
 static_assert(sizeof(Joint) == 56);
 

@@ -208,7 +208,7 @@ bool is_reach_limit(const Particles& particles, const ReachLimit& limit) {
 bool is_placed(const PlacedModel& model) {
     gphys_transform world = model.world;
     world.position = {0, 0, 0};
-    return is_earlier_place(widen(model.world.position)) && !defect(world);
+    return is_earlier_place(widen(model.world.position)) && is_speed(widen(model.velocity)) && !defect(world);
 }
 
 }  // namespace
