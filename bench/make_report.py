@@ -25,7 +25,7 @@ from languages import languages
 from marks import look
 from panels import answer_panels, hard_panels, ordinary_panels, solver_panels, usual
 from report import QUANTILES, latencies, linked_from, read, tables
-from verdicts import against_fastest, against_most_exact, percent, sentences, summary, unstable_methods
+from verdicts import against_fastest, against_most_exact, hard_input, sentences, summary, unstable_methods
 
 MARKS = ("<!-- summary: written by ./bench.sh --report -->\n", "<!-- end of summary -->\n")
 
@@ -180,22 +180,11 @@ An SVG of each figure is stored beside the PNG. [accuracy.md](accuracy.md) state
 README = """{machine}
 
 {summary}
-On hard input up to {others} of other libraries' answers are wrong, and {own} of gamephys. Left is faster, down is more exact, and the band at the bottom is *no wrong answer*:
+On hard input other libraries give wrong answers; the largest share is {others}, of {library} in *{title}*. gamephys gives {own}. In these panels it takes {least} to {most} times the time of the fastest other library: [each case](docs/report.md#hard-cases). Left is faster, down is more exact, and the band at the bottom is *no wrong answer*:
 
-![Cost against false answers on hard cases: gamephys has {own}; others have up to {others}](docs/images/report_hard.png)
+![Cost against false answers on hard cases: gamephys has {own}, the worst other {others}](docs/images/report_hard.png)
 
 """
-
-
-def worst_on_hard_input(panels):
-    """The largest shares of false answers, in words."""
-    worst = {}
-    for _, points in panels:
-        for _, _, error, library, _ in points:
-            if library != "gamephys_float":
-                whose = "own" if library == "gamephys" else "others"
-                worst[whose] = max(error, worst.get(whose, 0))
-    return {whose: percent(error) if error else "none" for whose, error in worst.items()}
 
 
 def put_summary(readme, text):
@@ -233,7 +222,7 @@ def main():
                        rows=tables(suites, solver).replace("## ", "### "))
     page.write_text(linked_from(page, text))
     for readme in sys.argv[4:]:
-        put_summary(Path(readme), README.format(machine="  \n".join(machine), summary=summary(rows, solver), **worst_on_hard_input(hard)))
+        put_summary(Path(readme), README.format(machine="  \n".join(machine), summary=summary(rows, solver), **hard_input(hard)))
 
 
 main()

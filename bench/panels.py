@@ -87,15 +87,15 @@ def ordinary_panels(rows):
     panels, labels = [], []
     for title, cases in ORDINARY:
         points, n, unit = [], 0, ""
-        single = {name for case, what in cases if not what for name in rows_of(rows, case)}
+        batch = {name for case, what in cases if what == "batch" for name in rows_of(rows, case)}
         for case, how in cases:
             n = usual(rows, case) or n
             for name, row in rows_of(rows, case).items():
                 if row["unit"] != "ns" or row["error_unit"] in WRONG:
                     continue
                 own = name.startswith("gamephys")
-                if how == "batch" and name in single and not own and "packets" not in name:
-                    continue  # a loop of single calls, which the other case has
+                if not how and name in batch and not own:
+                    continue  # a loop of single calls, as in the batch, whose row the tables compare too
                 distance_only = how.startswith("distance only")
                 if distance_only and name != "gamephys":
                     continue

@@ -8,7 +8,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parent))
 from panels import answer_panels, ordinary_panels, solver_panels, unstable
 from report import linked_from, thread_table
-from verdicts import against_fastest, against_most_exact, sentences, summary, unstable_methods, verdict
+from verdicts import against_fastest, against_most_exact, hard_input, sentences, summary, unstable_methods, verdict
 
 
 def row(value, error, unit="relative"):
@@ -67,7 +67,7 @@ class Panels(unittest.TestCase):
         self.assertEqual({label for *_, label in panel[1]},
                          {"gamephys, batch", "gamephys, one call", "gamephys, distance only, in tiles", "gamephys, 16 threads", "Embree",
                           "Embree packets"})
-        self.assertEqual([cost for cost, *_, label in panel[1] if label == "Embree"], [300])
+        self.assertEqual([cost for cost, *_, label in panel[1] if label == "Embree"], [310])
         self.assertEqual(labels, ["largest relative error"])
 
     def test_answers_have_packets_and_leave_out_work_in_which_all_are_right(self):
@@ -92,7 +92,12 @@ class Sentences(unittest.TestCase):
                   (100, None, 0.5, "gamephys_float", "gamephys, float tests")]
         self.assertEqual(against_fastest(points, "false answers"),
                          "gamephys takes 1.5 times the time of Embree, the fastest other; its share of false answers is 0 instead of 5 %. "
-                         "Bullet, as exact, takes 3 times its time.")
+                         "It takes 0.333 times the time of Bullet, the fastest that is as exact.")
+
+    def test_of_hard_input(self):
+        panels = [("Tangents", [(300, None, 0, "gamephys", "gamephys"), (200, None, 0.05, "embree", "Embree"), (900, None, 0.4, "bullet", "Bullet")]),
+                  ("Corners", [(100, None, 0, "gamephys", "gamephys"), (200, None, 0, "fcl", "FCL"), (50, None, 1, "gamephys_float", "float tests")])]
+        self.assertEqual(hard_input(panels), {"others": "40 %", "library": "Bullet", "title": "Tangents", "own": "none", "least": "0.5", "most": "1.5"})
 
     def test_of_the_solver(self):
         panels, labels = solver_panels(ROPE)

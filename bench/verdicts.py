@@ -74,9 +74,10 @@ def writer(label):
     return (lambda error: f"{plain(error)} m" if error else "0") if label.endswith(", m") else plain
 
 
-def times(ratio):
-    """A ratio of times in words that go before "the time of"."""
-    return "as much as" if 0.98 < ratio < 1.02 else f"{number(ratio)} times"
+def takes(point, other):
+    """What a point costs beside another one."""
+    ratio = point[0] / other[0]
+    return f"takes as long as {other[4]}" if 0.98 < ratio < 1.02 else f"takes {number(ratio)} times the time of {other[4]}"
 
 
 def split(points):
@@ -92,7 +93,7 @@ def against_fastest(points, label):
     if not same_work or not others:
         return None
     show, best, fastest = writer(label), min(same_work, key=cost), min(others, key=cost)
-    text = f"{best[4]} takes {times(best[0] / fastest[0])} the time of {fastest[4]}, the fastest other; "
+    text = f"{best[4]} {takes(best, fastest)}, the fastest other; "
     if fastest[2] == best[2]:
         what = label if label.endswith("answers") else "an error"
         return text + (f"neither has {what}." if best[2] == 0 else f"both have {what}, {show(best[2])}.")
@@ -100,7 +101,7 @@ def against_fastest(points, label):
     exact = [point for point in others if point[2] <= best[2]]
     if exact:
         other = min(exact, key=cost)
-        text += f" {other[4]}, as exact, takes {number(other[0] / best[0])} times its time."
+        text += f" It {takes(best, other)}, the fastest that is as exact."
     return text
 
 
@@ -120,14 +121,23 @@ def against_most_exact(points, label):
     if not both:
         return None
     show, (best, other) = writer(label), both
-    return (f"{best[4]} takes {times(best[0] / other[0])} the time of {other[4]}, the most exact other; its {NOUNS.get(label, label)} is "
-            f"{show(best[2])} instead of {show(other[2])}.")
+    return f"{best[4]} {takes(best, other)}, the most exact other; its {NOUNS.get(label, label)} is {show(best[2])} instead of {show(other[2])}."
 
 
 def sentences(panels, labels, compare):
     """A list with a sentence for each panel; labels are those of the error axes."""
     found = [(title, compare(points, label)) for (title, points), label in zip(panels, labels)]
     return "".join(f"- **{title}**: {text}\n" for title, text in found if text)
+
+
+def hard_input(panels):
+    """What the README says of hard input: the largest share of false answers, its library and panel, and the range of times."""
+    both = [(title, *split(points)) for title, points in panels]
+    mistakes = max(point[2] for _, own, _ in both for point in own)
+    share, library, title = max(((point[2], point[4], title) for title, _, others in both for point in others), key=lambda found: found[0])
+    ratios = [min(own, key=cost)[0] / min(others, key=cost)[0] for _, own, others in both if own and others]
+    return {"others": percent(share), "library": library, "title": title, "own": percent(mistakes) if mistakes else "none",
+            "least": number(min(ratios)), "most": number(max(ratios))}
 
 
 def unstable_methods(rows):
