@@ -61,7 +61,8 @@
  *            several particles. An input stride must be 0 or at least the element's size, an output
  *            stride at least the element's size, both multiples of 4.
  *            All elements are checked before any output is written. Item i of a batch is bit for
- *            bit what the single call would give.
+ *            bit what the single call would give. No element of an output may share memory with an
+ *            element of an input.
  * Memory     Queries of scenes, meshes and shapes allocate nothing. Nothing that the library returns
  *            has to be freed except handles. Arrays are copied in and copied out, never kept.
  * Threads    Different objects: any threads. One object: functions that take it as const may run
@@ -116,7 +117,7 @@ enum {
     GPHYS_ERROR_INVALID_ID = -2,       /* no such model, body, constraint or joint, or no longer */
     GPHYS_ERROR_STRUCT_SIZE = -3,      /* a desc not initialised, or newer than this library */
     GPHYS_ERROR_OUT_OF_MEMORY = -4,
-    GPHYS_ERROR_CAPACITY = -5,    /* more than 2^24 - 1 models or bodies */
+    GPHYS_ERROR_CAPACITY = -5,    /* more than a limit, 2^24 - 1 unless the function says another */
     GPHYS_ERROR_CYCLE = -6,       /* a model would become its own ancestor */
     GPHYS_ERROR_UNSUPPORTED = -7, /* the operation has no meaning for this kind of shape */
     GPHYS_ERROR_SINGULAR = -8,    /* a matrix without an inverse */
@@ -155,9 +156,10 @@ typedef void (*gphys_task)(void* context, uint32_t index);
 /** The caller's own threads (a job system). run calls task(context, 0) .. task(context, count - 1),
  *  each once, in any order, on any threads, several at a time or not, and returns when all have
  *  returned. It is called on the thread that called the library, and by several threads at the same time
- *  if several call the library. The struct is copied at creation. A function in C++ may throw, if no call of task
- *  begins after that; the thread that called the library waits for those under way and does what is
- *  left, and the results are the same. */
+ *  if several call the library. It must not call functions of the scene or solver whose work it runs.
+ *  The struct is copied at creation. A function in C++ may throw, if no call of task begins after that; the
+ *  thread that called the library waits for those under way and does what is left, and the results are the
+ *  same. */
 typedef struct gphys_task_runner {
     void (*run)(void* user, gphys_task task, void* context, uint32_t count);
     void* user;
@@ -637,12 +639,12 @@ GPHYS_API gphys_status gphys_mesh_create(const gphys_mesh_desc* desc, const floa
 /** Make the convex hull of points: a mesh that is solid, as spheres and boxes are. It can be used wherever a mesh can:
  *  gphys_shape_* functions, models of scenes, snapshots, and solvers, whose particles stay outside and are pushed out.
  *  A ray that starts inside hits at t = 0 with GPHYS_HIT_INSIDE; one from outside hits the face through which it
- * enters, `triangle` says where. Whether a ray hits and whether a point is inside is exact with respect to the points.
- * Inside, the closest point is the point itself and triangle GPHYS_NO_TRIANGLE. gphys_mesh_overlap lists the triangles
- * of the surface; gphys_mesh_raycast_all gives only the first hit. The vertices are the points that are corners of
- * the hull, in their original order; of equal points the first. The triangles come face by face, all that lie in one
- * plane being one face; seen from outside their corners go counterclockwise where axes are right-handed, and the normal
- * cross(b - a, c - a) points out.
+ *  enters, `triangle` says where. Whether a ray hits and whether a point is inside is exact with respect to the points.
+ *  Inside, the closest point is the point itself and triangle GPHYS_NO_TRIANGLE. gphys_mesh_overlap lists the triangles
+ *  of the surface; gphys_mesh_raycast_all gives only the first hit. The vertices are the points that are corners of
+ *  the hull, in their original order; of equal points the first. The triangles come face by face, all that lie in one
+ *  plane being one face; seen from outside their corners go counterclockwise where axes are right-handed, and the
+ *  normal cross(b - a, c - a) points out.
  *  @param desc          may be NULL; deformable must be 0
  *  @param points        point_count elements of 3 floats, metres; copied
  *  @param point_stride  bytes between points, at least 12
@@ -654,7 +656,7 @@ GPHYS_API gphys_status gphys_mesh_create(const gphys_mesh_desc* desc, const floa
 GPHYS_API gphys_status gphys_mesh_create_hull(const gphys_mesh_desc* desc, const float* points, uint32_t point_stride,
                                               uint32_t point_count, gphys_mesh** out_mesh);
 /** The planes of a hull's faces: normals are unit and point out, within float32 rounding. Kept when too many: the
- * first.
+ *  first.
  *  @return GPHYS_ERROR_UNSUPPORTED for a mesh that is no hull
  *  Cost: O(faces).  Since 1.1. */
 GPHYS_API gphys_status gphys_mesh_get_hull_planes(const gphys_mesh* mesh, gphys_plane* out_planes, uint32_t capacity,
@@ -773,7 +775,8 @@ GPHYS_API gphys_status gphys_mesh_raycast_distance_batch(const gphys_mesh* mesh,
 GPHYS_API gphys_status gphys_mesh_overlap(const gphys_mesh* mesh, gphys_shape_type type, const void* shape,
                                           uint32_t* out_triangles, uint32_t capacity, uint32_t* out_total);
 
-/** How an octree is made up. Frozen. */
+/** How an octree is made up: a tree of boxes around the models of a scene or the triangles of a mesh, with at most
+ *  eight children a node (a bounding volume hierarchy). It has no cells, and no size or depth to choose. Frozen. */
 typedef struct gphys_octree_stats {
     uint32_t item_count;      /* models or triangles in the tree */
     uint32_t unbounded_count; /* models of infinite extent, kept beside the tree */
@@ -854,6 +857,7 @@ GPHYS_API void gphys_scene_destroy(gphys_scene* scene);
  *  Cost: that of joining the former threads and starting others; allocates.  Since 1.1. */
 GPHYS_API gphys_status gphys_scene_set_worker_count(gphys_scene* scene, uint32_t workers);
 /** How many threads share the calls of a scene: 1 or more, 1 on a platform without threads.
+ *  In a child of fork it is still the number that was set, though calls run on one thread.
  *  Cost: O(1).  Since 1.1. */
 GPHYS_API gphys_status gphys_scene_get_worker_count(const gphys_scene* scene, uint32_t* out_workers);
 
@@ -1001,8 +1005,8 @@ GPHYS_API gphys_status gphys_scene_set_shape(gphys_scene* scene, gphys_model_id 
 
 /** Scale a model's own shape along the three axes of the model, before its transform: a tree grows, a unit box
  *  becomes a wall, a rock is stretched. Every query, and solvers, see the scaled shape; normals are those of
- *  its surface. Children are not affected: they follow the transform, whose scale is one number. A new
- *  scale replaces the old one.
+ *  its surface. Children and attached particles (gphys_solver_attach) are not affected: they follow the transform,
+ *  whose scale is one number. A new scale replaces the old one.
  *    A mesh or a hull is scaled exactly, without a copy: answers are those of a mesh of the scaled vertices.
  *  Of a box or a triangle each number is multiplied and rounded to float32. A sphere, capsule or plane, and an
  *  OBB whose own rotation is not the identity, take three equal numbers only.
@@ -1525,7 +1529,7 @@ GPHYS_API gphys_status gphys_scene_rebuild_octree(gphys_scene* scene);
 /** Rebuild the octree in parts, one in each call, until it is as good as after gphys_scene_rebuild_octree: for levels
  *  that are streamed in while frames go on. Each gphys_scene_add and gphys_scene_remove does a part by itself; these
  *  calls do the rest. Never needed: ids, answers and their bits stay as they are. Models may be added, moved and
- * removed between the calls. A call that updates an eighth of them or more restarts it.
+ *  removed between the calls. A call that updates an eighth of them or more restarts it.
  *  @param budget    how much work to do, as a number of models, of 0.3 to 3 us each. The work is the same on every
  *                   machine and does not depend on time.
  *  @param out_done  1: nothing is left to do, since fewer than one in 64 models were added one by one; 0: call again
@@ -1571,8 +1575,9 @@ GPHYS_API gphys_status gphys_scene_get_snapshot(const gphys_scene* scene, int32_
 GPHYS_API gphys_status gphys_scene_restore(gphys_scene* scene, const gphys_scene* library, const uint32_t* words,
                                            uint32_t count);
 /** A hash of the whole state except the octree, the low half first; meshes count by their content. Equal states have
- * equal hashes on every machine; different ones differ with near certainty (not against an adversary). Compare it
- * between machines that run the same simulation, to detect when they diverge. Cost: O(n), some 50 ns for each model. */
+ *  equal hashes on every machine; different ones differ with near certainty (not against an adversary). Compare it
+ *  between machines that run the same simulation, to detect when they diverge.
+ *  Cost: O(n), some 50 ns for each model. */
 GPHYS_API gphys_status gphys_scene_get_hash(const gphys_scene* scene, uint32_t out_hash[2]);
 
 /* ------------------------------------------------------------------------------------------
@@ -2441,11 +2446,13 @@ GPHYS_API gphys_status gphys_solver_get_animation_targets(const gphys_solver* so
                                                           gphys_animation_target* out_targets, uint32_t out_stride);
 
 /** Fix a particle to a model: it follows the model's transform in each step, and is released when
- *  the model is gone. Steps must then be given this scene. If the model jumps (gphys_solver_step), the whole body goes
- *  with it as if it were rigid, and its velocities turn with it: a cape stays on a character that respawns. Bodies with
- *  other pinned particles, joints, or attachments to models that go elsewhere do not, nor do bodies without constraints.
+ *  the model is gone. Steps must then be given this scene; in a step without one the particle stays where it is.
+ *  If the model jumps (gphys_solver_step), the whole body goes with it as if it were rigid, and its velocities turn with
+ *  it: a cape stays on a character that respawns. Bodies with other pinned particles, joints, or attachments to models
+ *  that go elsewhere do not, nor do bodies without constraints.
  *  @param scene        of the same origin as the solver; not modified
- *  @param local_point  metres, in the model's coordinates; NULL: where the particle is now
+ *  @param local_point  in the model's coordinates, to which its transform applies, with the transform's scale, and not
+ *                      gphys_scene_set_scale; NULL: where the particle is now
  *  @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist
  *  Cost: O(1); allocates. */
 GPHYS_API gphys_status gphys_solver_attach(gphys_solver* solver, const gphys_scene* scene, gphys_body_id body,
@@ -2459,7 +2466,7 @@ GPHYS_API gphys_status gphys_solver_detach(gphys_solver* solver, gphys_body_id b
 typedef struct gphys_attachment {
     uint32_t particle;
     gphys_model_id model;
-    gphys_vec3 local_point; /* metres, in the model's coordinates */
+    gphys_vec3 local_point; /* in the model's coordinates, as for gphys_solver_attach */
 } gphys_attachment;
 
 /** The attachments of a body, by particle. One to a model that is gone is listed until the next step. Kept when too

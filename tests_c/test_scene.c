@@ -19,6 +19,20 @@ static void assert_invalid(gphys_status status) {
     assert_true(gphys_last_error()[0] != 0);
 }
 
+static void messages_of_a_single_addition_name_its_parameters(void** state) {
+    gphys_scene* scene = NULL;
+    gphys_model_id model;
+    gphys_transform at = identity;
+    (void)state;
+    at.scale = -1;
+    assert_int_equal(gphys_scene_create(NULL, &scene), GPHYS_OK);
+    assert_invalid(gphys_scene_add(scene, GPHYS_SHAPE_AABB, &unit_box, &at, NULL, &model));
+    assert_non_null(strstr(gphys_last_error(), "gphys_scene_add: transform.scale -1"));
+    assert_invalid(gphys_scene_add(scene, GPHYS_SHAPE_MESH, NULL, NULL, NULL, &model));
+    assert_string_equal(gphys_last_error(), "gphys_scene_add: shape is null");
+    gphys_scene_destroy(scene);
+}
+
 /* The scene still holds just the two models, where they were. */
 static void assert_untouched(gphys_scene* scene, const gphys_model_id models[2]) {
     gphys_model_id found[4];
@@ -650,6 +664,7 @@ static void a_batch_gives_each_model_its_own_desc(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(messages_of_a_single_addition_name_its_parameters),
         cmocka_unit_test(descs_have_defaults_and_a_size),
         cmocka_unit_test(creation_checks_its_arguments),
         cmocka_unit_test(an_origin_is_checked_kept_and_returned),

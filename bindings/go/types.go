@@ -24,7 +24,7 @@ const (
 	// a desc not initialised, or newer than this library
 	ErrStructSize Status = -3
 	ErrOutOfMemory Status = -4
-	// more than 2^24 - 1 models or bodies
+	// more than a limit, 2^24 - 1 unless the function says another
 	ErrCapacity Status = -5
 	// a model would become its own ancestor
 	ErrCycle Status = -6
@@ -409,7 +409,8 @@ type MeshInfo struct {
 	FollowsBody int32
 }
 
-// How an octree is made up. Frozen.
+// How an octree is made up: a tree of boxes around the models of a scene or the triangles of a mesh, with at most
+// eight children a node (a bounding volume hierarchy). It has no cells, and no size or depth to choose. Frozen.
 type OctreeStats struct {
 	// models or triangles in the tree
 	ItemCount uint32
@@ -709,7 +710,7 @@ type AnimationTarget struct {
 type Attachment struct {
 	Particle uint32
 	Model ModelID
-	// metres, in the model's coordinates
+	// in the model's coordinates, as for Solver.Attach
 	LocalPoint Vec3
 }
 

@@ -25,7 +25,7 @@ gphys_status check_shapes(const Workers& workers, gphys_shape_type type, const v
                           uint32_t count) {
     switch (type) {
         case GPHYS_SHAPE_MESH:
-            GPHYS_REQUIRE_POINTERS(shapes);
+            GPHYS_REQUIRE(shapes, "shape is null");
             return check_mesh_stride("shape_stride", stride);
         case GPHYS_SHAPE_FRUSTUM:
         case GPHYS_SHAPE_RAY:
@@ -194,7 +194,10 @@ gphys_status gphys_model_desc_init(gphys_model_desc* desc, uint32_t size) {
 gphys_status gphys_scene_add(gphys_scene* scene, gphys_shape_type type, const void* shape,
                              const gphys_transform* transform, const gphys_model_desc* desc,
                              gphys_model_id* out_model) {
-    return guarded(__func__, [&] { return add_models(scene, type, shape, 0, transform, 0, desc, 0, 1, out_model); });
+    return guarded(__func__, [&]() -> gphys_status {
+        if (transform) GPHYS_REQUIRE_VALID(*transform);
+        return add_models(scene, type, shape, 0, transform, 0, desc, 0, 1, out_model);
+    });
 }
 
 gphys_status gphys_scene_add_batch(gphys_scene* scene, gphys_shape_type type, const void* shapes, uint32_t shape_stride,

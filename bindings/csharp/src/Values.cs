@@ -19,7 +19,7 @@ public enum Status {
     /// <summary>a desc not initialised, or newer than this library</summary>
     ErrorStructSize = -3,
     ErrorOutOfMemory = -4,
-    /// <summary>more than 2^24 - 1 models or bodies</summary>
+    /// <summary>more than a limit, 2^24 - 1 unless the function says another</summary>
     ErrorCapacity = -5,
     /// <summary>a model would become its own ancestor</summary>
     ErrorCycle = -6,
@@ -186,9 +186,10 @@ public partial struct Allocator {
 /// The caller's own threads (a job system). run calls task(context, 0) .. task(context, count - 1),
 /// each once, in any order, on any threads, several at a time or not, and returns when all have
 /// returned. It is called on the thread that called the library, and by several threads at the same time
-/// if several call the library. The struct is copied at creation. A function in C++ may throw, if no call of task
-/// begins after that; the thread that called the library waits for those under way and does what is
-/// left, and the results are the same.
+/// if several call the library. It must not call functions of the scene or solver whose work it runs.
+/// The struct is copied at creation. A function in C++ may throw, if no call of task begins after that; the
+/// thread that called the library waits for those under way and does what is left, and the results are the
+/// same.
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public partial struct TaskRunner {
@@ -457,7 +458,10 @@ public partial struct MeshInfo {
     public int FollowsBody;
 }
 
-/// <summary>How an octree is made up. Frozen.</summary>
+/// <summary>
+/// How an octree is made up: a tree of boxes around the models of a scene or the triangles of a mesh, with at most
+/// eight children a node (a bounding volume hierarchy). It has no cells, and no size or depth to choose. Frozen.
+/// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public partial struct OctreeStats {
     /// <summary>models or triangles in the tree</summary>
@@ -852,7 +856,7 @@ public partial struct AnimationTarget {
 public partial struct Attachment {
     public uint Particle;
     public uint Model;
-    /// <summary>metres, in the model's coordinates</summary>
+    /// <summary>in the model's coordinates, as for Solver.Attach</summary>
     public Vec3 LocalPoint;
 }
 

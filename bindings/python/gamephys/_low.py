@@ -16,7 +16,7 @@ ERROR_INVALID_ARGUMENT = -1  # null, NaN, infinite, out of range, wrong stride, 
 ERROR_INVALID_ID = -2  # no such model, body, constraint or joint, or no longer
 ERROR_STRUCT_SIZE = -3  # a desc not initialised, or newer than this library
 ERROR_OUT_OF_MEMORY = -4
-ERROR_CAPACITY = -5  # more than 2^24 - 1 models or bodies
+ERROR_CAPACITY = -5  # more than a limit, 2^24 - 1 unless the function says another
 ERROR_CYCLE = -6  # a model would become its own ancestor
 ERROR_UNSUPPORTED = -7  # the operation has no meaning for this kind of shape
 ERROR_SINGULAR = -8  # a matrix without an inverse
@@ -341,7 +341,8 @@ MeshInfo.dtype = mesh_info_dtype
 
 
 class OctreeStats(Value, Structure):
-    """How an octree is made up. Frozen."""
+    """How an octree is made up: a tree of boxes around the models of a scene or the triangles of a mesh, with at most
+    eight children a node (a bounding volume hierarchy). It has no cells, and no size or depth to choose. Frozen."""
     item_count: int  # models or triangles in the tree
     unbounded_count: int  # models of infinite extent, kept beside the tree
     node_count: int
@@ -589,7 +590,7 @@ class Attachment(Value, Structure):
     """A particle that is attached to a model. Frozen.  Since 1.1."""
     particle: int
     model: int
-    local_point: Vec3  # metres, in the model's coordinates
+    local_point: Vec3  # in the model's coordinates, as for Solver.attach
     _fields_ = [("particle", c_uint32), ("model", c_uint32), ("local_point", Vec3)]
 
 

@@ -21,7 +21,7 @@ impl Status {
     /// a desc not initialised, or newer than this library
     pub const ERROR_STRUCT_SIZE: Status = Status(-3);
     pub const ERROR_OUT_OF_MEMORY: Status = Status(-4);
-    /// more than 2^24 - 1 models or bodies
+    /// more than a limit, 2^24 - 1 unless the function says another
     pub const ERROR_CAPACITY: Status = Status(-5);
     /// a model would become its own ancestor
     pub const ERROR_CYCLE: Status = Status(-6);
@@ -231,9 +231,10 @@ pub struct Allocator {
 /// The caller's own threads (a job system). run calls task(context, 0) .. task(context, count - 1),
 /// each once, in any order, on any threads, several at a time or not, and returns when all have
 /// returned. It is called on the thread that called the library, and by several threads at the same time
-/// if several call the library. The struct is copied at creation. A function in C++ may throw, if no call of task
-/// begins after that; the thread that called the library waits for those under way and does what is
-/// left, and the results are the same.
+/// if several call the library. It must not call functions of the scene or solver whose work it runs.
+/// The struct is copied at creation. A function in C++ may throw, if no call of task begins after that; the
+/// thread that called the library waits for those under way and does what is left, and the results are the
+/// same.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct TaskRunner {
@@ -479,7 +480,8 @@ pub struct MeshInfo {
     pub follows_body: i32,
 }
 
-/// How an octree is made up. Frozen.
+/// How an octree is made up: a tree of boxes around the models of a scene or the triangles of a mesh, with at most
+/// eight children a node (a bounding volume hierarchy). It has no cells, and no size or depth to choose. Frozen.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct OctreeStats {
@@ -807,7 +809,7 @@ pub struct AnimationTarget {
 pub struct Attachment {
     pub particle: u32,
     pub model: ModelId,
-    /// metres, in the model's coordinates
+    /// in the model's coordinates, as for `Solver::attach`
     pub local_point: Vec3,
 }
 

@@ -263,7 +263,8 @@ module Gamephys
   end
   MeshInfo::FORMAT, MeshInfo::COUNT, MeshInfo::BYTES = 'lL2l2', 5, 20
 
-  # How an octree is made up. Frozen.
+  # How an octree is made up: a tree of boxes around the models of a scene or the triangles of a mesh, with at most
+  # eight children a node (a bounding volume hierarchy). It has no cells, and no size or depth to choose. Frozen.
   OctreeStats = ::Struct.new(:item_count, :unbounded_count, :node_count, :leaf_count, :depth, :rebuilds, :cost, :memory_bytes) do
     extend Value
 

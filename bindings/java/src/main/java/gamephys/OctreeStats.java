@@ -5,7 +5,8 @@ import java.nio.ByteBuffer;
 
 /**
  * <pre>
- * How an octree is made up. Frozen.
+ * How an octree is made up: a tree of boxes around the models of a scene or the triangles of a mesh, with at most
+ * eight children a node (a bounding volume hierarchy). It has no cells, and no size or depth to choose. Frozen.
  * </pre>
  */
 public record OctreeStats(int itemCount, int unboundedCount, int nodeCount, int leafCount, int depth, int rebuilds, float cost, int memoryBytes) implements Value {
