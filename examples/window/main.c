@@ -322,6 +322,12 @@ static void usage(void) {
     exit(2);
 }
 
+/* Without a display SDL may draw into memory, where nobody sees it. Who names a driver wants that. */
+static int has_display(void) {
+    const char* driver = SDL_GetCurrentVideoDriver();
+    return getenv("SDL_VIDEODRIVER") || (strcmp(driver, "offscreen") != 0 && strcmp(driver, "dummy") != 0);
+}
+
 int main(int argc, char** argv) {
     static const struct option known[] = {
         {"preset", required_argument, NULL, 'p'}, {"size", required_argument, NULL, 's'},
@@ -351,6 +357,10 @@ int main(int argc, char** argv) {
 
     if (SDL_Init(SDL_INIT_VIDEO) != 0) {
         fprintf(stderr, "window: no window can be opened: %s\n", SDL_GetError());
+        return 1;
+    }
+    if (!has_display()) {
+        fprintf(stderr, "window: there is no display; SDL_VIDEODRIVER=offscreen draws without one, for --record\n");
         return 1;
     }
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);

@@ -29,6 +29,12 @@ status=0
 ! grep -q 'OpenGL 3.3 is not available' "$work/log" || exit 77
 [ $status -eq 0 ] || fail "the window ends with $status"
 
+# Without a display it ends with a message.
+status=0
+env -u DISPLAY -u WAYLAND_DISPLAY -u SDL_VIDEODRIVER timeout 60 "$program" >"$work/log" 2>&1 || status=$?
+[ $status -eq 1 ] || fail "without a display the window ends with $status"
+grep -q '^window: ' "$work/log" || fail "without a display the window says nothing"
+
 # wait_for PATTERN: until the program has printed it.
 wait_for() {
     for ((i = 0; i < 600; ++i)); do
