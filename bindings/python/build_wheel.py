@@ -19,7 +19,7 @@ Name: gamephys
 Version: {version}
 Summary: A 3D scene library: ray casts, overlap and nearest queries, culling, picking, ropes and cloth
 Description-Content-Type: text/markdown
-Keywords: physics,3d,raycast,bvh,cloth,rope,verlet
+Keywords: physics,3d,raycast,bvh,cloth,rope
 Author: The gamephys authors
 License-Expression: MIT
 License-File: LICENSE

@@ -15,7 +15,7 @@ class Gamephys(ConanFile):
     name = "gamephys"
     description = "3D scene queries, camera, ropes and cloth behind a stable C interface"
     license = "MIT"
-    topics = ("physics", "raycast", "bvh", "cloth", "verlet")
+    topics = ("physics", "raycast", "bvh", "cloth")
     package_type = "library"
     settings = "os", "arch", "compiler", "build_type"
     options = {"shared": [True, False], "fPIC": [True, False]}
