@@ -322,7 +322,7 @@ static void usage(void) {
     exit(2);
 }
 
-/* Without a display SDL may draw into memory, where nobody sees it. Who names a driver wants that. */
+/* Without a display SDL may draw into memory, where nobody sees it. Whoever sets SDL_VIDEODRIVER wants that. */
 static int has_display(void) {
     const char* driver = SDL_GetCurrentVideoDriver();
     return getenv("SDL_VIDEODRIVER") || (strcmp(driver, "offscreen") != 0 && strcmp(driver, "dummy") != 0);
