@@ -5,6 +5,9 @@ SHAPES = ("sphere", "capsule", "aabb", "obb", "plane", "triangle", "frustum", "m
 # Structs that users build: they get a constructor.
 BUILT = tuple(f"gphys_{s}" for s in SHAPES if s not in ("mesh", "frustum")) + ("gphys_vec3", "gphys_quat", "gphys_transform")
 
+# Masks of bits, which languages with signed numbers write as ~1 or 1 << 31, too.
+MASKS = ("layers", "body_layers", "flags", "cloth_flags")
+
 # Fields of descs that are not for users to set.
 OF_THE_DESC = ("struct_size", "reserved")
 

@@ -1,11 +1,21 @@
 """Python: ctypes structs, numpy dtypes, prototypes, and a method for each function."""
 from ._docs import Language, outcome, paragraphs, translated, wrapped
-from ._names import ANSWERS, BUILT, SHAPES, base_type, calls, camel, counted_array, creations, element, other_creations, plain
+from ._names import (ANSWERS, BUILT, MASKS, OF_THE_DESC, SHAPES, base_type, calls, camel, counted_array, creations, element,
+                     other_creations, plain)
 
 NUMBERS = {"float": "c_float", "int32_t": "c_int32", "uint32_t": "c_uint32", "size_t": "c_size_t"}
 DTYPES = {"float": "<f4", "double": "<f8", "int32_t": "<i4", "uint32_t": "<u4"}
+SCALARS = {"float": "np.float32", "double": "np.float64", "int32_t": "np.int32", "uint32_t": "np.uint32"}
 # Structs that are nothing but numbers of one meaning become the last axis of an array.
 VECTORS = {"gphys_vec3": 3, "gphys_quat": 4, "gphys_mat4": 16}
+# What a field is that its struct is built without; the others are 0.
+IDENTITY = "(0, 0, 0, 1)"
+UNSAID = {("ray", "t_max"): 'float("inf")', ("quat", "w"): "1", ("transform", "rotation"): IDENTITY,
+          ("transform", "scale"): "1", ("obb", "rotation"): IDENTITY}
+# The shapes that functions take, where they do not take all.
+MODELS = [s for s in SHAPES if s not in ("frustum", "ray", "segment")]
+MOVING = ["sphere", "capsule", "aabb", "obb"]
+TAKEN = {"scene_add": MODELS, "scene_set_shape": MODELS}
 
 HEADER = '''"""Generated from gamephys_api.json by bindings/generate.py. Not for editing."""
 '''
@@ -21,7 +31,55 @@ def ctype(api, name):
 def hint(api, name):
     base = base_type(api, name)
     return {"float": "float", "int32_t": "int", "uint32_t": "int", "size_t": "int"}.get(
-        base, "int | None" if "*" in base else camel(base))
+        base, "int | None" if "*" in base else f"Field[{camel(base)}]" if name in VECTORS else camel(base))
+
+
+def given_hint(api, f):
+    """The type of a field as callers give it."""
+    return "VectorLike" if f["type"] in VECTORS else "bool" if f["type"] == "int32_t" else hint(api, f["type"])
+
+
+def struct_doc(struct):
+    """The comment of a struct, and of its fields."""
+    fields = [f for f in struct["fields"] if f["name"] not in OF_THE_DESC]
+    lines = [struct["doc"] or f"{camel(struct['name'])}: {', '.join(f['name'] for f in fields)}."]
+    if any(f["doc"] for f in fields):
+        lines += ["", "Fields:"]
+    for f in fields:
+        lines += wrapped(f["doc"], 110, f"    {f['name']}: ", "        ") if f["doc"] else []
+    return "\n".join(lines)
+
+
+def constructor(api, struct):
+    """Builds the struct from its fields: numbers are written at once, whatever else is given takes the way that says
+    what is wrong with it."""
+    def unsaid(f):
+        zero = "(0, 0, 0)" if f["type"] in VECTORS else "0"
+        return UNSAID.get((plain(struct["name"]), f["name"]), zero)
+
+    fields = struct["fields"]
+    words = [f"{f['name']}: {given_hint(api, f)} = {unsaid(f)}" for f in fields]
+    lines, numbers = [], []
+    for f in fields:
+        if f["type"] in VECTORS:
+            parts = [f"{f['name']}_{axis}" for axis in "xyzw"[:VECTORS[f["type"]]]]
+            lines.append(f"            {', '.join(parts)} = {f['name']}")
+            numbers += parts
+        else:
+            numbers.append(f["name"])
+    named = ", ".join(f"{f['name']}={f['name']}" for f in fields)
+    return [f"    def __init__(self, {', '.join(words)}) -> None:", "        try:", *lines,
+            f"            _pack_{len(numbers)}(self, 0, {', '.join(numbers)})", "        except NOT_NUMBERS:",
+            f"            self._set({named})"]
+
+
+def desc_constructor(api, struct):
+    fields = [f for f in struct["fields"] if f["name"] not in OF_THE_DESC]
+    words = [f"{f['name']}: {given_hint(api, f).replace(' | None', '')} | None = None" for f in fields]
+    lines = [f"    def __init__(self, *, {', '.join(words)}) -> None:", "        self._start()"]
+    for f in fields:
+        lines += [f"        if {f['name']} is not None:", f"            self.{f['name']} = {f['name']}"]
+    return lines
 
 
 def docstring(text, indent):
@@ -45,8 +103,10 @@ def dtype_entry(api, f):
 
 def low_level(api):
     out = [HEADER, "from __future__ import annotations\n",
-           "from ctypes import Structure, c_char_p, c_float, c_int32, c_size_t, c_uint32, c_void_p\n",
-           "from numpy import dtype\n", "from ._runtime import Built, Desc, Value, function, needs\n"]
+           "from ctypes import POINTER, Array, Structure, c_char_p, c_float, c_int32, c_size_t, c_uint32, c_void_p",
+           "from struct import Struct", "from typing import Any\n", "from numpy import dtype\n",
+           "from ._runtime import (NOT_NUMBERS, Built, Desc, Field, Value, Vector, VectorLike, function, needs, shape_types,",
+           "                       struct)\n"]
     for enum in api["enums"]:
         for value in enum["values"]:
             out.append(f"{plain(value['name'])} = {value['value']}" + (f"  # {' '.join(value['doc'].split())}"
@@ -54,40 +114,60 @@ def low_level(api):
         out.append("")
     for name, value in api["constants"].items():
         out.append(f"{plain(name)} = {value.rstrip('u') if value.startswith('0x') else value.rstrip('f')}")
-    out.append("\nneeds(VERSION_MAJOR, VERSION_MINOR)")
+    out.append("\nneeds(VERSION_MAJOR, VERSION_MINOR)\n")
+    widths = {sum(VECTORS.get(f["type"], 1) for f in s["fields"]) for s in api["structs"] if s["name"] in BUILT}
+    out += [f'_pack_{width} = Struct("{width}f").pack_into' for width in sorted(widths)]
+    structs = []
     for struct in api["structs"]:
         name = struct["name"]
         if name in ("gphys_allocator", "gphys_task_runner"):
             continue
+        structs.append(camel(name))
         desc = name.endswith("_desc")
-        out.append(f"\n\nclass {camel(name)}({'Desc' if desc else 'Built' if name in BUILT else 'Value'}, Structure):")
-        out.append(docstring(struct["doc"], "    ").rstrip("\n")) if struct["doc"] else None
+        vector = name in BUILT and name in VECTORS
+        base = "Desc" if desc else "Built" if name in BUILT else "Value"
+        out.append(f"\n\n@struct\nclass {camel(name)}({'Vector, Array[c_float]' if vector else f'{base}, Structure'}):")
+        out.append(docstring(struct_doc(struct), "    "))
+        out.append("    __slots__ = ()")
         for f in struct["fields"]:
-            kind = hint(api, f["type"]) if f["count"] == 1 else "object"
-            comment = f"  # {' '.join(f['doc'].split())}" if f["doc"] else ""
-            out.append(f"    {f['name']}: {kind}{comment}")
+            kind = hint(api, f["type"]) if f["count"] == 1 else "Any"
+            out.append(f"    {f['name']}: {kind}")
         fields = ", ".join('("%s", %s%s)' % (f["name"], ctype(api, f["type"]), f" * {f['count']}" if f["count"] > 1 else "")
                            for f in struct["fields"])
-        out.append(f"    _fields_ = [{fields}]")
+        out += ["    _type_ = c_float", f"    _length_ = {VECTORS[name]}"] if vector else [f"    _fields_ = [{fields}]"]
+        if desc or name in BUILT:
+            out += ["", *(desc_constructor(api, struct) if desc else constructor(api, struct))]
         if not any("*" in base_type(api, f["type"]) for f in struct["fields"]):
             width = VECTORS.get(name)
             entries = ", ".join(dtype_entry(api, f) for f in struct["fields"])
-            out.append(f'\n\n{plain(name)}_dtype = ' + (f'dtype(("<f4", ({width},)))' if width else f"dtype([{entries}])"))
+            out.append(f'\n\n{plain(name)}_dtype: dtype[Any] = ' + (f'dtype(("<f4", ({width},)))' if width else f"dtype([{entries}])"))
             out.append(f"{camel(name)}.dtype = {plain(name)}_dtype")
+            structs.append(f"{plain(name)}_dtype")
     out.append("\n")
     for f in api["functions"]:
         arguments = []
         for p in f["parameters"]:
             base = base_type(api, p["type"])
-            arguments.append(NUMBERS.get(base, "c_void_p"))
+            arguments.append(f"POINTER({camel(element(p))})" if by_pointer(api, p) else NUMBERS.get(base, "c_void_p"))
         returns = {"const char *": "c_char_p", "void": "None"}.get(f["returns"], ctype(api, f["returns"]))
         out.append(f'{f["name"]} = function("{f["name"]}", {returns}, [{", ".join(arguments)}])')
     inits = [s["name"] for s in api["structs"] if s["name"].endswith("_desc")]
     for name in inits:
         out.append(f"{camel(name)}._init = {name}_init")
     shapes = ", ".join(f"{camel(s)}: SHAPE_{s.upper()}" for s in SHAPES if s != "mesh")
-    out.append(f"\nshape_types = {{{shapes}}}")
+    out.append(f"\nshape_types.update({{{shapes}}})")
+    names = [plain(v["name"]) for e in api["enums"] for v in e["values"]] + [plain(name) for name in api["constants"]]
+    out.append(exported(names + structs))
     return "\n".join(line for line in out if line is not None) + "\n"
+
+
+def exported(names):
+    return "\n".join(["\n__all__ = [", *wrapped(" ".join(f'"{name}",' for name in names), 110, "    ", "    "), "]"])
+
+
+def by_pointer(api, p):
+    """One struct that the function reads: ctypes takes the struct itself."""
+    return p["role"] == "in" and not p.get("count") and base_type(api, element(p)) not in DTYPES
 
 
 def default(p):
@@ -97,14 +177,26 @@ def default(p):
         return 'float("inf")'
     if p["name"] in ("desc", "descs", "filter", "filters", "transform", "transforms", "local_point"):
         return "None"
+    if p["role"] == "count":
+        return "None"
+    if p["name"] == "pinned":
+        return "True"
     return "0" if p["name"] in ("tolerance", "link_length", "compliance", "first") else None
 
 
-def input_hint(api, p):
+def shapes_hint(call, p):
+    """The shapes that the parameter may be, all in one word or one by one."""
+    taken = MOVING if p["name"] == "moving" else TAKEN.get(plain(call.function["name"]))
+    return " | ".join("Mesh" if s == "mesh" else f"low.{camel(s)}" for s in taken) if taken else "Shape"
+
+
+def input_hint(api, call, p):
     if p["role"] == "shape":
-        return "Shape"
+        return shapes_hint(call, p)
+    if p["role"] == "array" and element(p) == "void":
+        return "ArrayLike | Mesh"
     if p["role"] == "array" and element(p).endswith("_desc"):
-        return f"np.ndarray | Sequence[low.{camel(element(p))}] | low.{camel(element(p))} | None"
+        return f"NDArray[np.void] | Sequence[low.{camel(element(p))}] | low.{camel(element(p))} | None"
     if p["role"] == "array":
         return "ArrayLike | None" if p["name"] == "transforms" else "ArrayLike"
     if p["role"] == "handle":
@@ -113,16 +205,25 @@ def input_hint(api, p):
         return "ArrayLike"
     if p["role"] == "in":
         kind = camel(element(p))
-        return f"low.{kind} | None" if kind.endswith("Desc") or default(p) else f"low.{kind} | Sequence"
-    return hint(api, p["type"])
+        either = f"low.{kind}" if kind.endswith("Desc") else {"gphys_mat4": "low.Mat4 | ArrayLike"}.get(
+            element(p), "VectorLike" if element(p) in VECTORS else f"low.{kind} | StructLike")
+        return either + (" | None" if p.get("nullable") or default(p) else "")
+    if p["role"] == "count":
+        return "int | None"
+    return "bool" if p["type"] == "int32_t" else hint(api, p["type"])
+
+
+def array_hint(api, of):
+    base = base_type(api, of)
+    return f"NDArray[{'np.float32' if of in VECTORS else SCALARS.get(base, 'np.void')}]"
 
 
 def output_hint(api, p):
-    if p["role"] == "ragged":
-        return "tuple[np.ndarray, np.ndarray]"
-    if p["role"] in ("list", "out_array") or p.get("count"):
-        return "np.ndarray"
     of = element(p)
+    if p["role"] == "ragged":
+        return f"tuple[{array_hint(api, of)}, NDArray[np.uint32]]"
+    if p["role"] in ("list", "out_array") or p.get("count") or of == "gphys_mat4":
+        return array_hint(api, of)
     if of == "int32_t":
         return "bool"
     return hint(api, of) if base_type(api, of) in NUMBERS else f"low.{camel(of)}"
@@ -140,10 +241,21 @@ def signature(api, call, first):
         optional = optional and default(p) is not None
         p["default"] = default(p) if optional else None
     for p in call.inputs:
-        words.append(f"{p['name']}: {input_hint(api, p)}" + (f" = {p['default']}" if p["default"] else ""))
+        words.append(f"{p['name']}: {input_hint(api, call, p)}" + (f" = {p['default']}" if p["default"] else ""))
     if any(p["role"] == "out_array" for p in call.outputs):
-        words += ["*", "out: np.ndarray | None = None"]
+        words += ["*", "out: NDArray[Any] | None = None"]
     return ", ".join(words)
+
+
+def checked(api, p):
+    """The statement that refuses what a number cannot be. Most are of the right type, which costs least to ask."""
+    name, base = p["name"], base_type(api, p["type"])
+    if base == "float":
+        return f'if type({name}) is not float: {name} = number({name}, "{name}")'
+    if p["type"] == "int32_t":
+        return f'if type({name}) is not bool: {name} = flag({name}, "{name}")'
+    check, bits = ("mask", 32) if name in MASKS else ("whole", 32) if base == "uint32_t" else ("value", 31)
+    return f'if type({name}) is not int or {name} >> {bits}: {name} = {check}({name}, "{name}")'
 
 
 def body(api, call, self_handle):
@@ -159,13 +271,18 @@ def body(api, call, self_handle):
             arguments.append(f"{name}_")
         elif role == "shape":
             lines.append(f"{parameters[i - 1]['name']}_, {name}_ = shape_of({name})")
-            arguments.append(f"{name}_.address")
+            arguments.append(f"{name}_")
         elif role == "in" and p.get("count"):
             lines.append(f"{name}_ = numbers_of({name}, {numpy_type(api, element(p))}, {p['count']})")
             arguments.append(f"{name}_.address")
+        elif role == "in" and element(p) == "gphys_mat4":
+            lines.append(f'{name}_ = matrix_of({name}, low.Mat4, "{name}")')
+            arguments.append(f"{name}_")
         elif role == "in":
-            lines.append(f"{name}_ = value_of({name}, low.{camel(element(p))})")
-            arguments.append(f"{name}_.address")
+            kind = f"low.{camel(element(p))}"
+            same = f"{name} is None" if p.get("nullable") else f"type({name}) is {kind}"
+            lines.append(f'{name}_ = {name} if {same} else value_of({name}, {kind}, "{name}")')
+            arguments.append(f"{name}_")
         elif role == "array":
             if element(p) == "void":
                 lines.append(f"{parameters[i - 1]['name']}_, {name}_ = shapes_of({name})")
@@ -185,6 +302,7 @@ def body(api, call, self_handle):
             arrays = [q for q in parameters if q["role"] == "array"]
             if not arrays:
                 length = name
+                lines += [f"if {name} is None: {name} = self._rest(body, first)", checked(api, p)]
                 arguments.append(name)
             elif name == "count":
                 length = "count"
@@ -205,7 +323,10 @@ def body(api, call, self_handle):
             arguments.append(f"ctypes.byref({name})" if not p.get("count") else f"{name}.ctypes.data")
         elif role in ("capacity", "total", "offsets", "list", "ragged"):
             continue
+        elif role == "new":
+            arguments.append(name)
         else:
+            lines.append(checked(api, p))
             arguments.append(name)
     # The length is known when all arrays are, and room for results is made when the length is.
     arrays = [line for line in lines if isinstance(line, str)]
@@ -221,6 +342,8 @@ def result_of(api, p):
         return "out_.array"
     if p.get("count"):
         return p["name"]
+    if of == "gphys_mat4":
+        return f"matrix({p['name']})"
     if of == "int32_t":
         return f"bool({p['name']}.value)"
     return f"{p['name']}.value" if base_type(api, of) in NUMBERS else p["name"]
@@ -256,29 +379,35 @@ def method(api, call, indent, first):
     return text + f"{inner}check({invoke})\n{inner}return {result}\n"
 
 
+# What an object can do besides calling one function of the library.
+BASES = {"gphys_scene": "Models", "gphys_solver": "Bodies"}
+
+
 def objects(api):
     out = [HEADER + '''from __future__ import annotations
 
 import ctypes
-from typing import Sequence, Union
+from typing import Any, Sequence, Union
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from . import _low as low
-from ._runtime import (Models, Object, array_of, check, common_length, descs_of, found, handle_of, list_of,
-                       numbers_of, ragged_of, result_array, shape_of, shapes_of, value_of)
+from ._runtime import (Bodies, Models, Object, StructLike, VectorLike, array_of, check, common_length, descs_of, flag,
+                       found, handle_of, list_of, mask, matrix, matrix_of, number, numbers_of, ragged_of, result_array,
+                       shape_of, shapes_of, value, value_of, whole)
 ''']
     made = creations(api)
     methods = list(calls(api))
     for handle in api["handles"]:
         creation = made[handle]
-        out.append(f"\n\nclass {camel(handle)}({'Models' if handle == 'gphys_scene' else 'Object'}):")
+        out.append(f"\n\nclass {camel(handle)}({BASES.get(handle, 'Object')}):")
         doc = docstring(creation.function["doc"], "    ").rstrip("\n")
         out.append(doc) if doc else None
-        out.append(f"    _destroy = low.{handle}_destroy\n")
+        out.append(f"    _destroy = low.{handle}_destroy")
+        out.append("    _shape_type = low.SHAPE_MESH\n" if handle == "gphys_mesh" else "")
         lines, arguments = body(api, creation, None)
-        out.append(f"    def __init__({signature(api, creation, 'self')}):")
+        out.append(f"    def __init__({signature(api, creation, 'self')}) -> None:")
         out += [f"        {line}" for line in lines]
         arguments = ["ctypes.byref(handle)" if a == creation.function["parameters"][-1]["name"] else a for a in arguments]
         out.append("        handle = ctypes.c_void_p()")
@@ -292,6 +421,7 @@ from ._runtime import (Models, Object, array_of, check, common_length, descs_of,
             out.append(f"    @classmethod\n    def {c.name}({signature(api, c, 'cls')}) -> {camel(handle)}:\n" +
                        docstring(c.function["doc"], "        ") + "".join(f"        {line}\n" for line in lines))
         out += [method(api, call, "    ", "self") for call in methods if call.owner == handle]
+    out.append(exported([*map(camel, api["handles"]), "Shape", *(call.name for call in methods if not call.owner)]))
     out.append("\nShape = Union[%s]\n" % ", ".join(
         "Mesh" if s == "mesh" else f"low.{camel(s)}" for s in SHAPES))
     out += ["\n" + method(api, call, "", "") for call in methods if not call.owner]

@@ -24,7 +24,7 @@ Author: The gamephys authors
 License-Expression: MIT
 License-File: LICENSE
 Requires-Python: >=3.9
-Requires-Dist: numpy
+Requires-Dist: numpy>=1.21
 
 {readme}"""
 
@@ -61,7 +61,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     version = _version()
     info = f"gamephys-{version}.dist-info"
     files = {f"gamephys/{path.name}": path.read_bytes() for path in sorted((HERE / "gamephys").glob("*.py"))}
-    files["gamephys/py.typed"] = b""
+    files["gamephys/py.typed"] = (HERE / "gamephys" / "py.typed").read_bytes()
     with tempfile.TemporaryDirectory() as folder:
         library = _library(folder)
         name = {".dll": "gamephys.dll", ".dylib": "libgamephys.1.dylib"}.get(library.suffix, "libgamephys.so.1")

@@ -22,13 +22,13 @@ __version__ = f"{_version >> 16}.{_version >> 8 & 255}.{_version & 255}"
 
 def status_name(status: int) -> str:
     """Name of a status, such as "GPHYS_NO_HIT"."""
-    return _low.gphys_status_name(status).decode()
+    return str(_low.gphys_status_name(status).decode())
 
 
 def default_orbit() -> _low.Orbit:
     """The orbit settings that the library starts from."""
     orbit = _low.Orbit()
-    _check(_low.gphys_orbit_init(_ctypes.addressof(orbit)))
+    _check(_low.gphys_orbit_init(_ctypes.byref(orbit)))
     return orbit
 
 
@@ -37,6 +37,5 @@ def transform(shape: _Any, by: _Any) -> _Any:
     kind, memory = _shape_of(shape)
     result: _Any = _low.Obb if kind in (_low.SHAPE_AABB, _low.SHAPE_MESH) else type(shape)
     moved = result()
-    _check(_low.gphys_shape_transform(kind, memory.address, _value_of(by, _low.Transform).address,
-                                      _ctypes.addressof(moved)))
+    _check(_low.gphys_shape_transform(kind, memory, _value_of(by, _low.Transform, "by"), _ctypes.byref(moved)))
     return moved

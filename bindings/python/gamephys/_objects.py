@@ -2,14 +2,15 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Sequence, Union
+from typing import Any, Sequence, Union
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from . import _low as low
-from ._runtime import (Models, Object, array_of, check, common_length, descs_of, found, handle_of, list_of,
-                       numbers_of, ragged_of, result_array, shape_of, shapes_of, value_of)
+from ._runtime import (Bodies, Models, Object, StructLike, VectorLike, array_of, check, common_length, descs_of, flag,
+                       found, handle_of, list_of, mask, matrix, matrix_of, number, numbers_of, ragged_of, result_array,
+                       shape_of, shapes_of, value, value_of, whole)
 
 
 
@@ -22,13 +23,14 @@ class Mesh(Object):
         InvalidArgument: for an index out of range, an index_count that is no multiple of 3 or a bad
             vertex; gamephys.mesh_check tells which"""
     _destroy = low.gphys_mesh_destroy
+    _shape_type = low.SHAPE_MESH
 
-    def __init__(self, vertices: ArrayLike, indices: ArrayLike, desc: low.MeshDesc | None = None):
-        desc_ = value_of(desc, low.MeshDesc)
+    def __init__(self, vertices: ArrayLike, indices: ArrayLike, desc: low.MeshDesc | None = None) -> None:
+        desc_ = desc if desc is None else value_of(desc, low.MeshDesc, "desc")
         vertices_ = array_of(vertices, "<f4", 3)
         indices_ = array_of(indices, "<u4")
         handle = ctypes.c_void_p()
-        check(low.gphys_mesh_create(desc_.address, vertices_.address, vertices_.stride, vertices_.length, indices_.address, indices_.numbers, ctypes.byref(handle)))
+        check(low.gphys_mesh_create(desc_, vertices_.address, vertices_.stride, vertices_.length, indices_.address, indices_.numbers, ctypes.byref(handle)))
         self._own(handle.value)
 
     @classmethod
@@ -55,10 +57,10 @@ class Mesh(Object):
                 exactly
             Error, status ERROR_CAPACITY: if the hull has more than 256 faces
             Error, status ERROR_UNSUPPORTED: if desc asks for a deformable mesh"""
-        desc_ = value_of(desc, low.MeshDesc)
+        desc_ = desc if desc is None else value_of(desc, low.MeshDesc, "desc")
         points_ = array_of(points, "<f4", 3)
         handle = ctypes.c_void_p()
-        check(low.gphys_mesh_create_hull(desc_.address, points_.address, points_.stride, points_.length, ctypes.byref(handle)))
+        check(low.gphys_mesh_create_hull(desc_, points_.address, points_.stride, points_.length, ctypes.byref(handle)))
         made = cls.__new__(cls)
         made._own(handle.value)
         return made
@@ -79,10 +81,10 @@ class Mesh(Object):
             InvalidArgument: for words that are no snapshot of a mesh, damaged, of a later format or of
                 another byte order
             Error, status ERROR_UNSUPPORTED: for a deformable hull"""
-        desc_ = value_of(desc, low.MeshDesc)
+        desc_ = desc if desc is None else value_of(desc, low.MeshDesc, "desc")
         words_ = array_of(words, "<u4")
         handle = ctypes.c_void_p()
-        check(low.gphys_mesh_create_from_snapshot(desc_.address, words_.address, words_.length, ctypes.byref(handle)))
+        check(low.gphys_mesh_create_from_snapshot(desc_, words_.address, words_.length, ctypes.byref(handle)))
         made = cls.__new__(cls)
         made._own(handle.value)
         return made
@@ -99,6 +101,7 @@ class Mesh(Object):
 
         Raises:
             Error, status ERROR_UNSUPPORTED: if the model's shape is no mesh"""
+        if type(model) is not int or model >> 32: model = whole(model, "model")
         handle = ctypes.c_void_p()
         check(low.gphys_scene_get_mesh(handle_of(scene, Scene), model, ctypes.byref(handle)))
         made = cls.__new__(cls)
@@ -135,14 +138,15 @@ class Mesh(Object):
 
         Args:
             desc: the mesh is deformable whatever it says"""
-        desc_ = value_of(desc, low.MeshDesc)
+        desc_ = desc if desc is None else value_of(desc, low.MeshDesc, "desc")
+        if type(body) is not int or body >> 32: body = whole(body, "body")
         handle = ctypes.c_void_p()
-        check(low.gphys_mesh_create_from_body(desc_.address, handle_of(solver, Solver), body, ctypes.byref(handle)))
+        check(low.gphys_mesh_create_from_body(desc_, handle_of(solver, Solver), body, ctypes.byref(handle)))
         made = cls.__new__(cls)
         made._own(handle.value)
         return made
 
-    def get_hull_planes(self) -> np.ndarray:
+    def get_hull_planes(self) -> NDArray[np.void]:
         """The planes of a hull's faces: normals are unit and point out, within float32 rounding.
         Cost: O(faces). Since 1.1.
 
@@ -150,7 +154,7 @@ class Mesh(Object):
             Error, status ERROR_UNSUPPORTED: for a mesh that is no hull"""
         return list_of(low.gphys_mesh_get_hull_planes, (self._handle,), low.plane_dtype)
 
-    def get_hull_faces(self) -> np.ndarray:
+    def get_hull_faces(self) -> NDArray[np.uint32]:
         """For each triangle of a hull the index of its face in the list of Mesh.get_hull_planes, ascending
         from 0.
         Cost: O(triangles). Since 1.1.
@@ -196,17 +200,17 @@ class Mesh(Object):
         check(low.gphys_mesh_get_report(self._handle, ctypes.byref(out_report)))
         return out_report
 
-    def get_vertices(self) -> np.ndarray:
+    def get_vertices(self) -> NDArray[np.float32]:
         """Copy the vertices out, in metres and in their original order.
         Cost: O(vertices)."""
         return list_of(low.gphys_mesh_get_vertices, (self._handle,), low.vec3_dtype)
 
-    def get_indices(self) -> np.ndarray:
+    def get_indices(self) -> NDArray[np.uint32]:
         """Copy the indices out, three for each triangle, in their original order.
         Cost: O(n)."""
         return list_of(low.gphys_mesh_get_indices, (self._handle,), "<u4")
 
-    def get_snapshot(self) -> np.ndarray:
+    def get_snapshot(self) -> NDArray[np.uint32]:
         """Copy a mesh out with its tree, from which Mesh makes it without building the tree.
         Threads: any.
         Cost: O(n), some 24 bytes and 5 ns for each triangle; no allocation.
@@ -219,21 +223,21 @@ class Mesh(Object):
             Error, status ERROR_CAPACITY: beyond 2^32 - 1 words"""
         return list_of(low.gphys_mesh_get_snapshot, (self._handle,), "<u4")
 
-    def raycast_all(self, ray: low.Ray | Sequence) -> np.ndarray:
+    def raycast_all(self, ray: low.Ray | StructLike) -> NDArray[np.void]:
         """All hits of a ray, by t, then triangle. A ray through a shared edge hits both triangles.
         Cost: O(log n + k) expected."""
-        ray_ = value_of(ray, low.Ray)
-        return list_of(low.gphys_mesh_raycast_all, (self._handle, ray_.address,), low.hit_dtype)
+        ray_ = ray if type(ray) is low.Ray else value_of(ray, low.Ray, "ray")
+        return list_of(low.gphys_mesh_raycast_all, (self._handle, ray_,), low.hit_dtype)
 
-    def raycast_any(self, ray: low.Ray | Sequence) -> bool:
+    def raycast_any(self, ray: low.Ray | StructLike) -> bool:
         """Whether a ray hits anything; cheaper than the closest hit.
         Cost: O(log n) expected."""
-        ray_ = value_of(ray, low.Ray)
+        ray_ = ray if type(ray) is low.Ray else value_of(ray, low.Ray, "ray")
         out_hit = ctypes.c_int32()
-        check(low.gphys_mesh_raycast_any(self._handle, ray_.address, ctypes.byref(out_hit)))
+        check(low.gphys_mesh_raycast_any(self._handle, ray_, ctypes.byref(out_hit)))
         return bool(out_hit.value)
 
-    def raycast_any_batch(self, rays: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
+    def raycast_any_batch(self, rays: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[np.int32]:
         """Whether each of the rays hits anything, as Mesh.raycast_any.
         Cost: that of as many single calls; less if neighbouring rays are similar. Since 1.1."""
         rays_ = array_of(rays, low.ray_dtype)
@@ -242,7 +246,7 @@ class Mesh(Object):
         check(low.gphys_mesh_raycast_any_batch(self._handle, rays_.address, rays_.stride, count, out_.address, out_.stride))
         return out_.array
 
-    def raycast_distance_batch(self, rays: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
+    def raycast_distance_batch(self, rays: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """How far each of the rays goes, and which triangle it hits: t and triangle of
         gamephys.raycast_batch for the mesh, with the same bits, without the rest of a hit; model is 0.
         Cost: less than that of gamephys.raycast_batch. Since 1.1.
@@ -255,7 +259,7 @@ class Mesh(Object):
         check(low.gphys_mesh_raycast_distance_batch(self._handle, rays_.address, rays_.stride, count, out_.address, out_.stride))
         return out_.array
 
-    def overlap(self, shape: Shape) -> np.ndarray:
+    def overlap(self, shape: Shape) -> NDArray[np.uint32]:
         """Indices of all triangles that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
         ascending.
         Cost: O(log n + k) expected.
@@ -263,7 +267,7 @@ class Mesh(Object):
         Raises:
             Error, status ERROR_UNSUPPORTED: for other types of shapes"""
         type_, shape_ = shape_of(shape)
-        return list_of(low.gphys_mesh_overlap, (self._handle, type_, shape_.address,), "<u4")
+        return list_of(low.gphys_mesh_overlap, (self._handle, type_, shape_,), "<u4")
 
     def get_octree_stats(self) -> low.OctreeStats:
         """How the mesh's octree is made up.
@@ -272,7 +276,7 @@ class Mesh(Object):
         check(low.gphys_mesh_get_octree_stats(self._handle, ctypes.byref(out_stats)))
         return out_stats
 
-    def get_octree_boxes(self) -> np.ndarray:
+    def get_octree_boxes(self) -> NDArray[np.void]:
         """Boxes of the mesh's octree, each parent before its children.
         Cost: O(nodes)."""
         return list_of(low.gphys_mesh_get_octree_boxes, (self._handle,), low.octree_box_dtype)
@@ -297,10 +301,10 @@ class Scene(Models):
         Error, status ERROR_CAPACITY: if reserve_models is above 2^24 - 1"""
     _destroy = low.gphys_scene_destroy
 
-    def __init__(self, desc: low.SceneDesc | None = None):
-        desc_ = value_of(desc, low.SceneDesc)
+    def __init__(self, desc: low.SceneDesc | None = None) -> None:
+        desc_ = desc if desc is None else value_of(desc, low.SceneDesc, "desc")
         handle = ctypes.c_void_p()
-        check(low.gphys_scene_create(desc_.address, ctypes.byref(handle)))
+        check(low.gphys_scene_create(desc_, ctypes.byref(handle)))
         self._own(handle.value)
 
     def set_worker_count(self, workers: int) -> None:
@@ -314,6 +318,7 @@ class Scene(Models):
 
         Raises:
             OutOfMemory: also if the threads cannot be started; the former ones are kept"""
+        if type(workers) is not int or workers >> 32: workers = whole(workers, "workers")
         check(low.gphys_scene_set_worker_count(self._handle, workers))
 
     def get_worker_count(self) -> int:
@@ -342,14 +347,14 @@ class Scene(Models):
         origin_ = numbers_of(origin, "<f8", 3)
         check(low.gphys_scene_set_origin(self._handle, origin_.address))
 
-    def get_origin(self) -> np.ndarray:
+    def get_origin(self) -> NDArray[np.float64]:
         """Where in the world the scene's coordinates count from.
         Cost: O(1)."""
         out_origin = np.empty(3, "<f8")
         check(low.gphys_scene_get_origin(self._handle, out_origin.ctypes.data))
         return out_origin
 
-    def add(self, shape: Shape, transform: low.Transform | None = None, desc: low.ModelDesc | None = None) -> int:
+    def add(self, shape: low.Sphere | low.Capsule | low.Aabb | low.Obb | low.Plane | low.Triangle | Mesh, transform: low.Transform | StructLike | None = None, desc: low.ModelDesc | None = None) -> int:
         """Add a model.
         Cost: O(log n) amortised.
 
@@ -365,13 +370,13 @@ class Scene(Models):
             InvalidId: for a stale parent
             Error, status ERROR_CAPACITY: beyond 2^24 - 1 models"""
         type_, shape_ = shape_of(shape)
-        transform_ = value_of(transform, low.Transform)
-        desc_ = value_of(desc, low.ModelDesc)
+        transform_ = transform if transform is None else value_of(transform, low.Transform, "transform")
+        desc_ = desc if desc is None else value_of(desc, low.ModelDesc, "desc")
         out_model = ctypes.c_uint32()
-        check(low.gphys_scene_add(self._handle, type_, shape_.address, transform_.address, desc_.address, ctypes.byref(out_model)))
+        check(low.gphys_scene_add(self._handle, type_, shape_, transform_, desc_, ctypes.byref(out_model)))
         return out_model.value
 
-    def add_batch(self, shapes: ArrayLike, transforms: ArrayLike | None = None, desc: low.ModelDesc | None = None, *, out: np.ndarray | None = None) -> np.ndarray:
+    def add_batch(self, shapes: ArrayLike | Mesh, transforms: ArrayLike | None = None, desc: low.ModelDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.uint32]:
         """Add the models of one type, all or none, as Scene.add does one.
         Fails as Scene.add.
         Cost: O(elements log n), less with workers; a rebuild of the octree, O(n log n), where their
@@ -383,13 +388,13 @@ class Scene(Models):
             desc: for all; None: no parent, layer 1, tag 0"""
         type_, shapes_ = shapes_of(shapes)
         transforms_ = array_of(transforms, low.transform_dtype)
-        desc_ = value_of(desc, low.ModelDesc)
+        desc_ = desc if desc is None else value_of(desc, low.ModelDesc, "desc")
         count = common_length(shapes_, transforms_)
         out_ = result_array(out, count, "<u4")
-        check(low.gphys_scene_add_batch(self._handle, type_, shapes_.address, shapes_.stride, transforms_.address, transforms_.stride, count, desc_.address, out_.address))
+        check(low.gphys_scene_add_batch(self._handle, type_, shapes_.address, shapes_.stride, transforms_.address, transforms_.stride, count, desc_, out_.address))
         return out_.array
 
-    def add_described_batch(self, shapes: ArrayLike, transforms: ArrayLike | None = None, descs: np.ndarray | Sequence[low.ModelDesc] | low.ModelDesc | None = None, *, out: np.ndarray | None = None) -> np.ndarray:
+    def add_described_batch(self, shapes: ArrayLike | Mesh, transforms: ArrayLike | None = None, descs: NDArray[np.void] | Sequence[low.ModelDesc] | low.ModelDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.uint32]:
         """Add the models of one type, all or none, each with a desc of its own.
         Fails as Scene.add; ERROR_STRUCT_SIZE as for a single desc.
         Cost: as Scene.add_batch.
@@ -410,6 +415,7 @@ class Scene(Models):
     def remove(self, model: int) -> None:
         """Remove a model. Its children stay where they are in the world and lose their parent.
         Cost: O(log n) amortised, and O(1) a child. Renews the octree as far as there is memory."""
+        if type(model) is not int or model >> 32: model = whole(model, "model")
         check(low.gphys_scene_remove(self._handle, model))
 
     def remove_batch(self, models: ArrayLike) -> None:
@@ -425,6 +431,7 @@ class Scene(Models):
     def remove_subtree(self, model: int) -> None:
         """Remove a model and all its descendants.
         Cost: O(log n) amortised for each. Renews the octree as far as there is memory."""
+        if type(model) is not int or model >> 32: model = whole(model, "model")
         check(low.gphys_scene_remove_subtree(self._handle, model))
 
     def clear(self) -> None:
@@ -435,27 +442,30 @@ class Scene(Models):
     def has(self, model: int) -> bool:
         """Whether an id names a model of this scene.
         Cost: O(1)."""
+        if type(model) is not int or model >> 32: model = whole(model, "model")
         status = low.gphys_scene_has(self._handle, model)
         return status != low.ERROR_INVALID_ID and found(status)
 
-    def get_models(self) -> np.ndarray:
+    def get_models(self) -> NDArray[np.uint32]:
         """Ids of all models, ascending.
         Cost: O(n)."""
         return list_of(low.gphys_scene_get_models, (self._handle,), "<u4")
 
-    def get_roots(self) -> np.ndarray:
+    def get_roots(self) -> NDArray[np.uint32]:
         """Ids of all models without a parent, ascending.
         Cost: O(n)."""
         return list_of(low.gphys_scene_get_roots, (self._handle,), "<u4")
 
-    def get_children(self, model: int) -> np.ndarray:
+    def get_children(self, model: int) -> NDArray[np.uint32]:
         """Ids of the direct children of a model, ascending.
         Cost: O(k log k)."""
+        if type(model) is not int or model >> 32: model = whole(model, "model")
         return list_of(low.gphys_scene_get_children, (self._handle, model,), "<u4")
 
     def get_info(self, model: int) -> low.ModelInfo:
         """Kind, parent, layers, tag and number of children of a model.
         Cost: O(1)."""
+        if type(model) is not int or model >> 32: model = whole(model, "model")
         out_info = low.ModelInfo()
         check(low.gphys_scene_get_info(self._handle, model, ctypes.byref(out_info)))
         return out_info
@@ -467,6 +477,7 @@ class Scene(Models):
 
         Returns:
             None for a plane."""
+        if type(model) is not int or model >> 32: model = whole(model, "model")
         out_bounds = low.Aabb()
         return out_bounds if found(low.gphys_scene_get_bounds(self._handle, model, ctypes.byref(out_bounds))) else None
 
@@ -479,7 +490,7 @@ class Scene(Models):
         out_bounds = low.Aabb()
         return out_bounds if found(low.gphys_scene_get_scene_bounds(self._handle, ctypes.byref(out_bounds))) else None
 
-    def set_shape(self, model: int, shape: Shape) -> None:
+    def set_shape(self, model: int, shape: low.Sphere | low.Capsule | low.Aabb | low.Obb | low.Plane | low.Triangle | Mesh) -> None:
         """Give a model another shape, or another mesh, of any type that Scene.add takes: a character
         crouches, a level of detail changes, a wall breaks. Its id, parent, children, tag, layers, scale
         and transforms stay. Sleeping bodies near it wake, and particles that are inside then come out
@@ -495,10 +506,11 @@ class Scene(Models):
                 have the model's scale (Scene.set_scale)
             InvalidArgument: also if the model would leave the range of the world
             OutOfMemory:"""
+        if type(model) is not int or model >> 32: model = whole(model, "model")
         type_, shape_ = shape_of(shape)
-        check(low.gphys_scene_set_shape(self._handle, model, type_, shape_.address))
+        check(low.gphys_scene_set_shape(self._handle, model, type_, shape_))
 
-    def set_scale(self, model: int, scale: low.Vec3 | Sequence) -> None:
+    def set_scale(self, model: int, scale: VectorLike) -> None:
         """Scale a model's own shape along the three axes of the model, before its transform: a tree grows,
         a unit box becomes a wall, a rock is stretched. Every query, and solvers, see the scaled shape;
         normals are those of its surface. Children and attached particles (Solver.attach) are not
@@ -522,12 +534,14 @@ class Scene(Models):
                 number times that of a mesh's world transform is not from 1e-15 to 1e15, or if the model
                 would leave the range of the world
             OutOfMemory:"""
-        scale_ = value_of(scale, low.Vec3)
-        check(low.gphys_scene_set_scale(self._handle, model, scale_.address))
+        if type(model) is not int or model >> 32: model = whole(model, "model")
+        scale_ = scale if type(scale) is low.Vec3 else value_of(scale, low.Vec3, "scale")
+        check(low.gphys_scene_set_scale(self._handle, model, scale_))
 
     def get_scale(self, model: int) -> low.Vec3:
         """The scale of a model's own shape, 1 1 1 unless another was set.
         Cost: O(1)."""
+        if type(model) is not int or model >> 32: model = whole(model, "model")
         out_scale = low.Vec3()
         check(low.gphys_scene_get_scale(self._handle, model, ctypes.byref(out_scale)))
         return out_scale
@@ -539,6 +553,8 @@ class Scene(Models):
 
         Args:
             layers: any mask; 0: no query sees it"""
+        if type(model) is not int or model >> 32: model = whole(model, "model")
+        if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         check(low.gphys_scene_set_layers(self._handle, model, layers))
 
     def set_tag(self, model: int, tag: int) -> None:
@@ -547,9 +563,11 @@ class Scene(Models):
 
         Args:
             tag: any number of the caller's"""
+        if type(model) is not int or model >> 32: model = whole(model, "model")
+        if type(tag) is not int or tag >> 32: tag = whole(tag, "tag")
         check(low.gphys_scene_set_tag(self._handle, model, tag))
 
-    def set_parent(self, model: int, parent: int, keep_world: int) -> None:
+    def set_parent(self, model: int, parent: int, keep_world: bool) -> None:
         """Make a model the child of another one, or of none (0).
         Cost: O(depth of the tree of models), and as Scene.set_transform for what moves. Renews the
         octree as far as there is memory.
@@ -560,9 +578,12 @@ class Scene(Models):
 
         Raises:
             Error, status ERROR_CYCLE: if parent is the model or one of its descendants"""
+        if type(model) is not int or model >> 32: model = whole(model, "model")
+        if type(parent) is not int or parent >> 32: parent = whole(parent, "parent")
+        if type(keep_world) is not bool: keep_world = flag(keep_world, "keep_world")
         check(low.gphys_scene_set_parent(self._handle, model, parent, keep_world))
 
-    def set_transform(self, model: int, transform: low.Transform | None = None) -> None:
+    def set_transform(self, model: int, transform: low.Transform | StructLike | None = None) -> None:
         """Set a model's local transform. Descendants follow.
         Cost: O(log n) for each model that moves. Renews the octree as far as there is memory.
 
@@ -571,8 +592,9 @@ class Scene(Models):
 
         Raises:
             InvalidArgument: also if it, or a descendant, would leave the range of the world"""
-        transform_ = value_of(transform, low.Transform)
-        check(low.gphys_scene_set_transform(self._handle, model, transform_.address))
+        if type(model) is not int or model >> 32: model = whole(model, "model")
+        transform_ = transform if type(transform) is low.Transform else value_of(transform, low.Transform, "transform")
+        check(low.gphys_scene_set_transform(self._handle, model, transform_))
 
     def set_transforms(self, models: ArrayLike, transforms: ArrayLike | None = None) -> None:
         """Set the local transforms of many models, all or none; a model that appears twice gets the last.
@@ -588,7 +610,7 @@ class Scene(Models):
         count = common_length(models_, transforms_)
         check(low.gphys_scene_set_transforms(self._handle, models_.address, transforms_.address, transforms_.stride, count))
 
-    def get_transforms(self, models: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
+    def get_transforms(self, models: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """Local transforms of the models, as they were set: relative to the parent.
         Cost: O(elements).
 
@@ -600,7 +622,7 @@ class Scene(Models):
         check(low.gphys_scene_get_transforms(self._handle, models_.address, count, out_.address, out_.stride))
         return out_.array
 
-    def get_world_transforms(self, models: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
+    def get_world_transforms(self, models: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """World transforms of the models: with those of all ancestors applied, rounded to float32. Answers
         of queries are exact with respect to these.
         Cost: O(elements).
@@ -613,27 +635,29 @@ class Scene(Models):
         check(low.gphys_scene_get_world_transforms(self._handle, models_.address, count, out_.address, out_.stride))
         return out_.array
 
-    def raycast(self, ray: low.Ray | Sequence, layers: int = low.ALL_LAYERS) -> low.Hit | None:
+    def raycast(self, ray: low.Ray | StructLike, layers: int = low.ALL_LAYERS) -> low.Hit | None:
         """Closest model on a ray; the fields are exact as in gamephys.raycast.
         Cost: O(log n) expected; no allocation.
 
         Returns:
             None if nothing is found."""
-        ray_ = value_of(ray, low.Ray)
+        ray_ = ray if type(ray) is low.Ray else value_of(ray, low.Ray, "ray")
+        if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         out_hit = low.Hit()
-        return out_hit if found(low.gphys_scene_raycast(self._handle, ray_.address, layers, ctypes.byref(out_hit))) else None
+        return out_hit if found(low.gphys_scene_raycast(self._handle, ray_, layers, ctypes.byref(out_hit))) else None
 
-    def raycast_batch(self, rays: ArrayLike, layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
+    def raycast_batch(self, rays: ArrayLike, layers: int = low.ALL_LAYERS, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """Closest models on the rays, as Scene.raycast; a ray that hits nothing gets model = 0 and t =
         INFINITY.
         Cost: at most that of as many single calls; shared among workers."""
         rays_ = array_of(rays, low.ray_dtype)
+        if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         count = common_length(rays_)
         out_ = result_array(out, count, low.hit_dtype)
         check(low.gphys_scene_raycast_batch(self._handle, rays_.address, rays_.stride, count, layers, out_.address, out_.stride))
         return out_.array
 
-    def raycast_distance_batch(self, rays: ArrayLike, layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
+    def raycast_distance_batch(self, rays: ArrayLike, layers: int = low.ALL_LAYERS, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """How far each of the rays goes, and what it hits: t, model and triangle of Scene.raycast_batch,
         with the same bits, without the rest of a hit. For lidars and depth images.
         Cost: less than that of Scene.raycast_batch; shared among workers. Since 1.1.
@@ -641,65 +665,72 @@ class Scene(Models):
         Returns:
             a ray that hits nothing gets t = INFINITY, model = 0 and triangle = NO_TRIANGLE."""
         rays_ = array_of(rays, low.ray_dtype)
+        if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         count = common_length(rays_)
         out_ = result_array(out, count, low.distance_dtype)
         check(low.gphys_scene_raycast_distance_batch(self._handle, rays_.address, rays_.stride, count, layers, out_.address, out_.stride))
         return out_.array
 
-    def raycast_any(self, ray: low.Ray | Sequence, layers: int = low.ALL_LAYERS) -> bool:
+    def raycast_any(self, ray: low.Ray | StructLike, layers: int = low.ALL_LAYERS) -> bool:
         """Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
         Cost: O(log n) expected."""
-        ray_ = value_of(ray, low.Ray)
+        ray_ = ray if type(ray) is low.Ray else value_of(ray, low.Ray, "ray")
+        if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         out_hit = ctypes.c_int32()
-        check(low.gphys_scene_raycast_any(self._handle, ray_.address, layers, ctypes.byref(out_hit)))
+        check(low.gphys_scene_raycast_any(self._handle, ray_, layers, ctypes.byref(out_hit)))
         return bool(out_hit.value)
 
-    def raycast_any_batch(self, rays: ArrayLike, layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
+    def raycast_any_batch(self, rays: ArrayLike, layers: int = low.ALL_LAYERS, *, out: NDArray[Any] | None = None) -> NDArray[np.int32]:
         """Whether each of the rays meets anything, as Scene.raycast_any.
         Cost: at most that of as many single calls; shared among workers."""
         rays_ = array_of(rays, low.ray_dtype)
+        if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         count = common_length(rays_)
         out_ = result_array(out, count, "<i4")
         check(low.gphys_scene_raycast_any_batch(self._handle, rays_.address, rays_.stride, count, layers, out_.address, out_.stride))
         return out_.array
 
-    def raycast_all(self, ray: low.Ray | Sequence, layers: int = low.ALL_LAYERS) -> np.ndarray:
+    def raycast_all(self, ray: low.Ray | StructLike, layers: int = low.ALL_LAYERS) -> NDArray[np.void]:
         """Every model that a ray meets, each once with its first hit, by t, then id.
         Cost: O(log n + k log k) expected."""
-        ray_ = value_of(ray, low.Ray)
-        return list_of(low.gphys_scene_raycast_all, (self._handle, ray_.address, layers,), low.hit_dtype)
+        ray_ = ray if type(ray) is low.Ray else value_of(ray, low.Ray, "ray")
+        if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
+        return list_of(low.gphys_scene_raycast_all, (self._handle, ray_, layers,), low.hit_dtype)
 
-    def raycast_all_batch(self, rays: ArrayLike, layers: int = low.ALL_LAYERS) -> tuple[np.ndarray, np.ndarray]:
+    def raycast_all_batch(self, rays: ArrayLike, layers: int = low.ALL_LAYERS) -> tuple[NDArray[np.void], NDArray[np.uint32]]:
         """Every model that each of the rays meets, as Scene.raycast_all: the hits of ray i are at
         hits[offsets[i]] up to offsets[i + 1].
         The contents of hits behind the last hit are unspecified.
         Cost: that of as many single calls; shared among workers."""
         rays_ = array_of(rays, low.ray_dtype)
+        if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         count = common_length(rays_)
         return ragged_of(low.gphys_scene_raycast_all_batch, (self._handle, rays_.address, rays_.stride, count, layers,), low.hit_dtype, count)
 
-    def segment_test(self, segment: low.Segment | Sequence, layers: int = low.ALL_LAYERS) -> low.Hit | None:
+    def segment_test(self, segment: low.Segment | StructLike, layers: int = low.ALL_LAYERS) -> low.Hit | None:
         """Closest model along a segment from a to b, both included; t in 0..1. Fields as in
         gamephys.segment_test.
         Cost: O(log n) expected.
 
         Returns:
             None if nothing is found."""
-        segment_ = value_of(segment, low.Segment)
+        segment_ = segment if type(segment) is low.Segment else value_of(segment, low.Segment, "segment")
+        if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         out_hit = low.Hit()
-        return out_hit if found(low.gphys_scene_segment_test(self._handle, segment_.address, layers, ctypes.byref(out_hit))) else None
+        return out_hit if found(low.gphys_scene_segment_test(self._handle, segment_, layers, ctypes.byref(out_hit))) else None
 
-    def segment_test_batch(self, segments: ArrayLike, layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
+    def segment_test_batch(self, segments: ArrayLike, layers: int = low.ALL_LAYERS, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """Closest models along the segments, as Scene.segment_test; one that hits nothing gets model = 0
         and t = INFINITY.
         Cost: that of as many single calls; shared among workers."""
         segments_ = array_of(segments, low.segment_dtype)
+        if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         count = common_length(segments_)
         out_ = result_array(out, count, low.hit_dtype)
         check(low.gphys_scene_segment_test_batch(self._handle, segments_.address, segments_.stride, count, layers, out_.address, out_.stride))
         return out_.array
 
-    def overlap(self, shape: Shape, layers: int = low.ALL_LAYERS) -> np.ndarray:
+    def overlap(self, shape: Shape, layers: int = low.ALL_LAYERS) -> NDArray[np.uint32]:
         """Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum, as
         gamephys.overlaps, ascending.
         Cost: O(log n + k) expected, and O(k log k) to order hundreds of ids. Room in models for n / 32
@@ -708,9 +739,10 @@ class Scene(Models):
         Raises:
             Error, status ERROR_UNSUPPORTED: for other types of shapes"""
         type_, shape_ = shape_of(shape)
-        return list_of(low.gphys_scene_overlap, (self._handle, type_, shape_.address, layers,), "<u4")
+        if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
+        return list_of(low.gphys_scene_overlap, (self._handle, type_, shape_, layers,), "<u4")
 
-    def overlap_batch(self, shapes: ArrayLike, layers: int = low.ALL_LAYERS) -> tuple[np.ndarray, np.ndarray]:
+    def overlap_batch(self, shapes: ArrayLike | Mesh, layers: int = low.ALL_LAYERS) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
         """Ids of all models that each of the shapes of one type overlaps, as Scene.overlap: those of shape
         i are at models[offsets[i]] up to offsets[i + 1], as in Scene.raycast_all_batch.
         Cost: at most that of as many single calls; shared among workers.
@@ -718,10 +750,11 @@ class Scene(Models):
         Raises:
             Error, status ERROR_UNSUPPORTED: as there"""
         type_, shapes_ = shapes_of(shapes)
+        if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         count = common_length(shapes_)
         return ragged_of(low.gphys_scene_overlap_batch, (self._handle, type_, shapes_.address, shapes_.stride, count, layers,), "<u4", count)
 
-    def cull(self, frustum: low.Frustum | Sequence, layers: int = low.ALL_LAYERS) -> np.ndarray:
+    def cull(self, frustum: low.Frustum | StructLike, layers: int = low.ALL_LAYERS) -> NDArray[np.uint32]:
         """Ids of all models whose world box is not wholly outside any of a frustum's six planes or its own
         box, ascending: for drawing. No visible model is missed. Some invisible ones near the frustum's
         edges are listed, too: a few per cent more where models are compact or not rotated; about a
@@ -729,19 +762,21 @@ class Scene(Models):
         and as many again as are visible where they are as long as the view is wide. Scene.overlap
         leaves these out by testing the shapes.
         Cost: O(log n + k) expected."""
-        frustum_ = value_of(frustum, low.Frustum)
-        return list_of(low.gphys_scene_cull, (self._handle, frustum_.address, layers,), "<u4")
+        frustum_ = frustum if type(frustum) is low.Frustum else value_of(frustum, low.Frustum, "frustum")
+        if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
+        return list_of(low.gphys_scene_cull, (self._handle, frustum_, layers,), "<u4")
 
-    def cull_batch(self, frusta: ArrayLike, layers: int = low.ALL_LAYERS) -> tuple[np.ndarray, np.ndarray]:
+    def cull_batch(self, frusta: ArrayLike, layers: int = low.ALL_LAYERS) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
         """Ids of the models in each of count frusta, as Scene.cull: for split screens, cascades of shadow
         maps, faces of a cube map, many sensors. Those of frustum i are at models[offsets[i]] up to
         offsets[i + 1], as in Scene.raycast_all_batch.
         Cost: that of as many single calls; shared among workers. Since 1.1."""
         frusta_ = array_of(frusta, low.frustum_dtype)
+        if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         count = common_length(frusta_)
         return ragged_of(low.gphys_scene_cull_batch, (self._handle, frusta_.address, frusta_.stride, count, layers,), "<u4", count)
 
-    def nearest(self, point: low.Vec3 | Sequence, max_distance: float = float("inf"), layers: int = low.ALL_LAYERS) -> low.Nearest | None:
+    def nearest(self, point: VectorLike, max_distance: float = float("inf"), layers: int = low.ALL_LAYERS) -> low.Nearest | None:
         """The model nearest to a point, and its closest point.
         Cost: O(log n) expected if all models are in the layers. Otherwise those that are not, and are
         nearer than the answer, are visited in vain, until it is faster to test all models in the
@@ -754,11 +789,13 @@ class Scene(Models):
 
         Returns:
             None if nothing is found."""
-        point_ = value_of(point, low.Vec3)
+        point_ = point if type(point) is low.Vec3 else value_of(point, low.Vec3, "point")
+        if type(max_distance) is not float: max_distance = number(max_distance, "max_distance")
+        if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         out_nearest = low.Nearest()
-        return out_nearest if found(low.gphys_scene_nearest(self._handle, point_.address, max_distance, layers, ctypes.byref(out_nearest))) else None
+        return out_nearest if found(low.gphys_scene_nearest(self._handle, point_, max_distance, layers, ctypes.byref(out_nearest))) else None
 
-    def nearest_batch(self, points: ArrayLike, max_distance: float = float("inf"), layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
+    def nearest_batch(self, points: ArrayLike, max_distance: float = float("inf"), layers: int = low.ALL_LAYERS, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """The models nearest to the points, as Scene.nearest; a point with none gets model = 0 and
         distance = INFINITY.
         Cost: that of as many single calls; shared among workers.
@@ -766,12 +803,14 @@ class Scene(Models):
         Args:
             max_distance: metres, >= 0, INFINITY allowed, for all points"""
         points_ = array_of(points, low.vec3_dtype)
+        if type(max_distance) is not float: max_distance = number(max_distance, "max_distance")
+        if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         count = common_length(points_)
         out_ = result_array(out, count, low.nearest_dtype)
         check(low.gphys_scene_nearest_batch(self._handle, points_.address, points_.stride, count, max_distance, layers, out_.address, out_.stride))
         return out_.array
 
-    def sweep_sphere(self, sphere: low.Sphere | Sequence, displacement: low.Vec3 | Sequence, layers: int = low.ALL_LAYERS) -> low.Hit | None:
+    def sweep_sphere(self, sphere: low.Sphere | StructLike, displacement: VectorLike, layers: int = low.ALL_LAYERS) -> low.Hit | None:
         """First model that a sphere touches while it moves by displacement; t in 0..1. Fields as in
         gamephys.sweep_sphere.
         Cost: O(log n + k) expected, k the models that the swept box touches.
@@ -781,12 +820,13 @@ class Scene(Models):
 
         Returns:
             None if nothing is found."""
-        sphere_ = value_of(sphere, low.Sphere)
-        displacement_ = value_of(displacement, low.Vec3)
+        sphere_ = sphere if type(sphere) is low.Sphere else value_of(sphere, low.Sphere, "sphere")
+        displacement_ = displacement if type(displacement) is low.Vec3 else value_of(displacement, low.Vec3, "displacement")
+        if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         out_hit = low.Hit()
-        return out_hit if found(low.gphys_scene_sweep_sphere(self._handle, sphere_.address, displacement_.address, layers, ctypes.byref(out_hit))) else None
+        return out_hit if found(low.gphys_scene_sweep_sphere(self._handle, sphere_, displacement_, layers, ctypes.byref(out_hit))) else None
 
-    def sweep_sphere_batch(self, spheres: ArrayLike, displacements: ArrayLike, layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
+    def sweep_sphere_batch(self, spheres: ArrayLike, displacements: ArrayLike, layers: int = low.ALL_LAYERS, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """First models that the spheres touch while each moves by its displacement, as Scene.sweep_sphere;
         one that touches nothing gets model = 0 and t = INFINITY.
         Cost: that of as many single calls; shared among workers.
@@ -795,12 +835,13 @@ class Scene(Models):
             displacements: metres"""
         spheres_ = array_of(spheres, low.sphere_dtype)
         displacements_ = array_of(displacements, low.vec3_dtype)
+        if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         count = common_length(spheres_, displacements_)
         out_ = result_array(out, count, low.hit_dtype)
         check(low.gphys_scene_sweep_sphere_batch(self._handle, spheres_.address, spheres_.stride, displacements_.address, displacements_.stride, count, layers, out_.address, out_.stride))
         return out_.array
 
-    def sweep(self, shape: Shape, displacement: low.Vec3 | Sequence, layers: int = low.ALL_LAYERS) -> low.Hit | None:
+    def sweep(self, shape: Shape, displacement: VectorLike, layers: int = low.ALL_LAYERS) -> low.Hit | None:
         """First model that a sphere, capsule, AABB or OBB touches while it moves by displacement, without
         turning; t in 0..1. Fields as in gamephys.sweep.
         Cost: O(log n + k) expected, k the models that the swept box touches.
@@ -814,11 +855,12 @@ class Scene(Models):
         Raises:
             Error, status ERROR_UNSUPPORTED: for other types"""
         type_, shape_ = shape_of(shape)
-        displacement_ = value_of(displacement, low.Vec3)
+        displacement_ = displacement if type(displacement) is low.Vec3 else value_of(displacement, low.Vec3, "displacement")
+        if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         out_hit = low.Hit()
-        return out_hit if found(low.gphys_scene_sweep(self._handle, type_, shape_.address, displacement_.address, layers, ctypes.byref(out_hit))) else None
+        return out_hit if found(low.gphys_scene_sweep(self._handle, type_, shape_, displacement_, layers, ctypes.byref(out_hit))) else None
 
-    def sweep_batch(self, shapes: ArrayLike, displacements: ArrayLike, layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
+    def sweep_batch(self, shapes: ArrayLike | Mesh, displacements: ArrayLike, layers: int = low.ALL_LAYERS, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """First models that the shapes of one type touch while each moves by its displacement, as
         Scene.sweep; one that touches nothing gets model = 0 and t = INFINITY.
         Cost: that of as many single calls; shared among workers.
@@ -830,12 +872,13 @@ class Scene(Models):
             Error, status ERROR_UNSUPPORTED: as Scene.sweep"""
         type_, shapes_ = shapes_of(shapes)
         displacements_ = array_of(displacements, low.vec3_dtype)
+        if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         count = common_length(shapes_, displacements_)
         out_ = result_array(out, count, low.hit_dtype)
         check(low.gphys_scene_sweep_batch(self._handle, type_, shapes_.address, shapes_.stride, displacements_.address, displacements_.stride, count, layers, out_.address, out_.stride))
         return out_.array
 
-    def penetration(self, shape: Shape, layers: int = low.ALL_LAYERS) -> np.ndarray:
+    def penetration(self, shape: Shape, layers: int = low.ALL_LAYERS) -> NDArray[np.void]:
         """What a sphere, capsule, AABB or OBB overlaps, and how it gets out: an element for each model,
         and of a mesh one for each triangle, as gamephys.penetration. Deepest first; equal depths by
         model, then triangle. Each is the way out of that one alone. The models are those of
@@ -845,9 +888,10 @@ class Scene(Models):
         Raises:
             Error, status ERROR_UNSUPPORTED: for other types"""
         type_, shape_ = shape_of(shape)
-        return list_of(low.gphys_scene_penetration, (self._handle, type_, shape_.address, layers,), low.penetration_dtype)
+        if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
+        return list_of(low.gphys_scene_penetration, (self._handle, type_, shape_, layers,), low.penetration_dtype)
 
-    def penetration_batch(self, shapes: ArrayLike, layers: int = low.ALL_LAYERS) -> tuple[np.ndarray, np.ndarray]:
+    def penetration_batch(self, shapes: ArrayLike | Mesh, layers: int = low.ALL_LAYERS) -> tuple[NDArray[np.void], NDArray[np.uint32]]:
         """What each of the shapes of one type overlaps, and how it gets out, as Scene.penetration: the
         ways out of shape i are at penetrations[offsets[i]] up to offsets[i + 1], as in
         Scene.raycast_all_batch. So a crowd of characters is pushed out in one call.
@@ -856,10 +900,11 @@ class Scene(Models):
         Raises:
             Error, status ERROR_UNSUPPORTED: as Scene.penetration"""
         type_, shapes_ = shapes_of(shapes)
+        if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         count = common_length(shapes_)
         return ragged_of(low.gphys_scene_penetration_batch, (self._handle, type_, shapes_.address, shapes_.stride, count, layers,), low.penetration_dtype, count)
 
-    def raycast_filtered(self, ray: low.Ray | Sequence, filter: low.QueryFilterDesc | None = None) -> low.Hit | None:
+    def raycast_filtered(self, ray: low.Ray | StructLike, filter: low.QueryFilterDesc | None = None) -> low.Hit | None:
         """Closest model on a ray that the filter sees, as Scene.raycast.
         Cost: that of Scene.raycast for one ignored model. For each model that is met within the ray's
         reach, besides: O(its depth below its root) with FILTER_SUBTREE if ignored_model has children;
@@ -875,25 +920,25 @@ class Scene(Models):
 
         Raises:
             InvalidArgument: for unknown flags, or ignored_models None with an ignored_count above 0"""
-        ray_ = value_of(ray, low.Ray)
-        filter_ = value_of(filter, low.QueryFilterDesc)
+        ray_ = ray if type(ray) is low.Ray else value_of(ray, low.Ray, "ray")
+        filter_ = filter if filter is None else value_of(filter, low.QueryFilterDesc, "filter")
         out_hit = low.Hit()
-        return out_hit if found(low.gphys_scene_raycast_filtered(self._handle, ray_.address, filter_.address, ctypes.byref(out_hit))) else None
+        return out_hit if found(low.gphys_scene_raycast_filtered(self._handle, ray_, filter_, ctypes.byref(out_hit))) else None
 
-    def raycast_filtered_batch(self, rays: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: np.ndarray | None = None) -> np.ndarray:
+    def raycast_filtered_batch(self, rays: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """Closest models on the rays that the filters see, as Scene.raycast_batch.
         Cost: at most that of as many calls of Scene.raycast_filtered; shared among workers.
 
         Args:
             filters: None: the defaults"""
         rays_ = array_of(rays, low.ray_dtype)
-        filters_ = value_of(filters, low.QueryFilterDesc)
+        filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
         count = common_length(rays_)
         out_ = result_array(out, count, low.hit_dtype)
-        check(low.gphys_scene_raycast_filtered_batch(self._handle, rays_.address, rays_.stride, count, filters_.address, 0, out_.address, out_.stride))
+        check(low.gphys_scene_raycast_filtered_batch(self._handle, rays_.address, rays_.stride, count, filters_, 0, out_.address, out_.stride))
         return out_.array
 
-    def raycast_distance_filtered_batch(self, rays: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: np.ndarray | None = None) -> np.ndarray:
+    def raycast_distance_filtered_batch(self, rays: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """How far each of the rays goes among the models that its filter sees, as
         Scene.raycast_distance_batch: a lidar leaves out the robot that carries it.
         Cost: less than that of Scene.raycast_filtered_batch; shared among workers. Since 1.1.
@@ -901,60 +946,60 @@ class Scene(Models):
         Args:
             filters: None: the defaults"""
         rays_ = array_of(rays, low.ray_dtype)
-        filters_ = value_of(filters, low.QueryFilterDesc)
+        filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
         count = common_length(rays_)
         out_ = result_array(out, count, low.distance_dtype)
-        check(low.gphys_scene_raycast_distance_filtered_batch(self._handle, rays_.address, rays_.stride, count, filters_.address, 0, out_.address, out_.stride))
+        check(low.gphys_scene_raycast_distance_filtered_batch(self._handle, rays_.address, rays_.stride, count, filters_, 0, out_.address, out_.stride))
         return out_.array
 
-    def raycast_any_filtered(self, ray: low.Ray | Sequence, filter: low.QueryFilterDesc | None = None) -> bool:
+    def raycast_any_filtered(self, ray: low.Ray | StructLike, filter: low.QueryFilterDesc | None = None) -> bool:
         """Whether a ray meets anything that the filter sees, as Scene.raycast_any: line of sight between
         two models that both are left out.
         Cost: as Scene.raycast_filtered.
 
         Args:
             filter: None: the defaults"""
-        ray_ = value_of(ray, low.Ray)
-        filter_ = value_of(filter, low.QueryFilterDesc)
+        ray_ = ray if type(ray) is low.Ray else value_of(ray, low.Ray, "ray")
+        filter_ = filter if filter is None else value_of(filter, low.QueryFilterDesc, "filter")
         out_hit = ctypes.c_int32()
-        check(low.gphys_scene_raycast_any_filtered(self._handle, ray_.address, filter_.address, ctypes.byref(out_hit)))
+        check(low.gphys_scene_raycast_any_filtered(self._handle, ray_, filter_, ctypes.byref(out_hit)))
         return bool(out_hit.value)
 
-    def raycast_any_filtered_batch(self, rays: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: np.ndarray | None = None) -> np.ndarray:
+    def raycast_any_filtered_batch(self, rays: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.int32]:
         """Whether each of the rays meets anything that its filter sees, as Scene.raycast_any_batch.
         Cost: at most that of as many single calls; shared among workers.
 
         Args:
             filters: None: the defaults"""
         rays_ = array_of(rays, low.ray_dtype)
-        filters_ = value_of(filters, low.QueryFilterDesc)
+        filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
         count = common_length(rays_)
         out_ = result_array(out, count, "<i4")
-        check(low.gphys_scene_raycast_any_filtered_batch(self._handle, rays_.address, rays_.stride, count, filters_.address, 0, out_.address, out_.stride))
+        check(low.gphys_scene_raycast_any_filtered_batch(self._handle, rays_.address, rays_.stride, count, filters_, 0, out_.address, out_.stride))
         return out_.array
 
-    def raycast_all_filtered(self, ray: low.Ray | Sequence, filter: low.QueryFilterDesc | None = None) -> np.ndarray:
+    def raycast_all_filtered(self, ray: low.Ray | StructLike, filter: low.QueryFilterDesc | None = None) -> NDArray[np.void]:
         """Every model that a ray meets and the filter sees, as Scene.raycast_all.
         Cost: that of Scene.raycast_all, and for each model as Scene.raycast_filtered.
 
         Args:
             filter: None: the defaults"""
-        ray_ = value_of(ray, low.Ray)
-        filter_ = value_of(filter, low.QueryFilterDesc)
-        return list_of(low.gphys_scene_raycast_all_filtered, (self._handle, ray_.address, filter_.address,), low.hit_dtype)
+        ray_ = ray if type(ray) is low.Ray else value_of(ray, low.Ray, "ray")
+        filter_ = filter if filter is None else value_of(filter, low.QueryFilterDesc, "filter")
+        return list_of(low.gphys_scene_raycast_all_filtered, (self._handle, ray_, filter_,), low.hit_dtype)
 
-    def raycast_all_filtered_batch(self, rays: ArrayLike, filters: low.QueryFilterDesc | None = None) -> tuple[np.ndarray, np.ndarray]:
+    def raycast_all_filtered_batch(self, rays: ArrayLike, filters: low.QueryFilterDesc | None = None) -> tuple[NDArray[np.void], NDArray[np.uint32]]:
         """Every model that each of the rays meets and its filter sees, as Scene.raycast_all_batch.
         Cost: that of as many single calls; shared among workers.
 
         Args:
             filters: None: the defaults"""
         rays_ = array_of(rays, low.ray_dtype)
-        filters_ = value_of(filters, low.QueryFilterDesc)
+        filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
         count = common_length(rays_)
-        return ragged_of(low.gphys_scene_raycast_all_filtered_batch, (self._handle, rays_.address, rays_.stride, count, filters_.address, 0,), low.hit_dtype, count)
+        return ragged_of(low.gphys_scene_raycast_all_filtered_batch, (self._handle, rays_.address, rays_.stride, count, filters_, 0,), low.hit_dtype, count)
 
-    def segment_test_filtered(self, segment: low.Segment | Sequence, filter: low.QueryFilterDesc | None = None) -> low.Hit | None:
+    def segment_test_filtered(self, segment: low.Segment | StructLike, filter: low.QueryFilterDesc | None = None) -> low.Hit | None:
         """Closest model along a segment that the filter sees, as Scene.segment_test.
         Cost: as Scene.raycast_filtered.
 
@@ -963,25 +1008,25 @@ class Scene(Models):
 
         Returns:
             None if nothing is found."""
-        segment_ = value_of(segment, low.Segment)
-        filter_ = value_of(filter, low.QueryFilterDesc)
+        segment_ = segment if type(segment) is low.Segment else value_of(segment, low.Segment, "segment")
+        filter_ = filter if filter is None else value_of(filter, low.QueryFilterDesc, "filter")
         out_hit = low.Hit()
-        return out_hit if found(low.gphys_scene_segment_test_filtered(self._handle, segment_.address, filter_.address, ctypes.byref(out_hit))) else None
+        return out_hit if found(low.gphys_scene_segment_test_filtered(self._handle, segment_, filter_, ctypes.byref(out_hit))) else None
 
-    def segment_test_filtered_batch(self, segments: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: np.ndarray | None = None) -> np.ndarray:
+    def segment_test_filtered_batch(self, segments: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """Closest models along the segments that the filters see, as Scene.segment_test_batch.
         Cost: that of as many single calls; shared among workers.
 
         Args:
             filters: None: the defaults"""
         segments_ = array_of(segments, low.segment_dtype)
-        filters_ = value_of(filters, low.QueryFilterDesc)
+        filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
         count = common_length(segments_)
         out_ = result_array(out, count, low.hit_dtype)
-        check(low.gphys_scene_segment_test_filtered_batch(self._handle, segments_.address, segments_.stride, count, filters_.address, 0, out_.address, out_.stride))
+        check(low.gphys_scene_segment_test_filtered_batch(self._handle, segments_.address, segments_.stride, count, filters_, 0, out_.address, out_.stride))
         return out_.array
 
-    def overlap_filtered(self, shape: Shape, filter: low.QueryFilterDesc | None = None) -> np.ndarray:
+    def overlap_filtered(self, shape: Shape, filter: low.QueryFilterDesc | None = None) -> NDArray[np.uint32]:
         """Ids of all models that overlap a shape and that the filter sees, as Scene.overlap.
         Cost: that of Scene.overlap, and for each model as Scene.raycast_filtered.
 
@@ -991,10 +1036,10 @@ class Scene(Models):
         Raises:
             Error, status ERROR_UNSUPPORTED: for types of shapes that Scene.overlap does not take"""
         type_, shape_ = shape_of(shape)
-        filter_ = value_of(filter, low.QueryFilterDesc)
-        return list_of(low.gphys_scene_overlap_filtered, (self._handle, type_, shape_.address, filter_.address,), "<u4")
+        filter_ = filter if filter is None else value_of(filter, low.QueryFilterDesc, "filter")
+        return list_of(low.gphys_scene_overlap_filtered, (self._handle, type_, shape_, filter_,), "<u4")
 
-    def overlap_filtered_batch(self, shapes: ArrayLike, filters: low.QueryFilterDesc | None = None) -> tuple[np.ndarray, np.ndarray]:
+    def overlap_filtered_batch(self, shapes: ArrayLike | Mesh, filters: low.QueryFilterDesc | None = None) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
         """Ids of all models that each of the shapes of one type overlaps and its filter sees, as
         Scene.overlap_batch.
         Cost: at most that of as many single calls; shared among workers.
@@ -1005,22 +1050,22 @@ class Scene(Models):
         Raises:
             Error, status ERROR_UNSUPPORTED: as there"""
         type_, shapes_ = shapes_of(shapes)
-        filters_ = value_of(filters, low.QueryFilterDesc)
+        filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
         count = common_length(shapes_)
-        return ragged_of(low.gphys_scene_overlap_filtered_batch, (self._handle, type_, shapes_.address, shapes_.stride, count, filters_.address, 0,), "<u4", count)
+        return ragged_of(low.gphys_scene_overlap_filtered_batch, (self._handle, type_, shapes_.address, shapes_.stride, count, filters_, 0,), "<u4", count)
 
-    def cull_filtered(self, frustum: low.Frustum | Sequence, filter: low.QueryFilterDesc | None = None) -> np.ndarray:
+    def cull_filtered(self, frustum: low.Frustum | StructLike, filter: low.QueryFilterDesc | None = None) -> NDArray[np.uint32]:
         """Ids of all models in a frustum, by their world boxes, that the filter sees, as Scene.cull: a
         player's own head, say, is not drawn.
         Cost: that of Scene.cull, and for each model as Scene.raycast_filtered.
 
         Args:
             filter: None: the defaults"""
-        frustum_ = value_of(frustum, low.Frustum)
-        filter_ = value_of(filter, low.QueryFilterDesc)
-        return list_of(low.gphys_scene_cull_filtered, (self._handle, frustum_.address, filter_.address,), "<u4")
+        frustum_ = frustum if type(frustum) is low.Frustum else value_of(frustum, low.Frustum, "frustum")
+        filter_ = filter if filter is None else value_of(filter, low.QueryFilterDesc, "filter")
+        return list_of(low.gphys_scene_cull_filtered, (self._handle, frustum_, filter_,), "<u4")
 
-    def cull_filtered_batch(self, frusta: ArrayLike, filters: low.QueryFilterDesc | None = None) -> tuple[np.ndarray, np.ndarray]:
+    def cull_filtered_batch(self, frusta: ArrayLike, filters: low.QueryFilterDesc | None = None) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
         """Ids of the models in each of count frusta that its filter sees, as Scene.cull_batch: each
         player's view leaves out the player's own head.
         Cost: that of as many single calls; shared among workers. Since 1.1.
@@ -1028,11 +1073,11 @@ class Scene(Models):
         Args:
             filters: None: the defaults"""
         frusta_ = array_of(frusta, low.frustum_dtype)
-        filters_ = value_of(filters, low.QueryFilterDesc)
+        filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
         count = common_length(frusta_)
-        return ragged_of(low.gphys_scene_cull_filtered_batch, (self._handle, frusta_.address, frusta_.stride, count, filters_.address, 0,), "<u4", count)
+        return ragged_of(low.gphys_scene_cull_filtered_batch, (self._handle, frusta_.address, frusta_.stride, count, filters_, 0,), "<u4", count)
 
-    def nearest_filtered(self, point: low.Vec3 | Sequence, max_distance: float = float("inf"), filter: low.QueryFilterDesc | None = None) -> low.Nearest | None:
+    def nearest_filtered(self, point: VectorLike, max_distance: float = float("inf"), filter: low.QueryFilterDesc | None = None) -> low.Nearest | None:
         """The model nearest to a point that the filter sees, as Scene.nearest: the nearest other model, if
         the one at the point is left out.
         Cost: that of Scene.nearest, and for each model as Scene.raycast_filtered; each ignored model
@@ -1044,12 +1089,13 @@ class Scene(Models):
 
         Returns:
             None if nothing is found."""
-        point_ = value_of(point, low.Vec3)
-        filter_ = value_of(filter, low.QueryFilterDesc)
+        point_ = point if type(point) is low.Vec3 else value_of(point, low.Vec3, "point")
+        if type(max_distance) is not float: max_distance = number(max_distance, "max_distance")
+        filter_ = filter if filter is None else value_of(filter, low.QueryFilterDesc, "filter")
         out_nearest = low.Nearest()
-        return out_nearest if found(low.gphys_scene_nearest_filtered(self._handle, point_.address, max_distance, filter_.address, ctypes.byref(out_nearest))) else None
+        return out_nearest if found(low.gphys_scene_nearest_filtered(self._handle, point_, max_distance, filter_, ctypes.byref(out_nearest))) else None
 
-    def nearest_filtered_batch(self, points: ArrayLike, max_distance: float = float("inf"), filters: low.QueryFilterDesc | None = None, *, out: np.ndarray | None = None) -> np.ndarray:
+    def nearest_filtered_batch(self, points: ArrayLike, max_distance: float = float("inf"), filters: low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """The models nearest to the points that the filters see, as Scene.nearest_batch.
         Cost: that of as many single calls; shared among workers.
 
@@ -1057,13 +1103,14 @@ class Scene(Models):
             max_distance: metres, >= 0, INFINITY allowed, for all points
             filters: None: the defaults"""
         points_ = array_of(points, low.vec3_dtype)
-        filters_ = value_of(filters, low.QueryFilterDesc)
+        if type(max_distance) is not float: max_distance = number(max_distance, "max_distance")
+        filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
         count = common_length(points_)
         out_ = result_array(out, count, low.nearest_dtype)
-        check(low.gphys_scene_nearest_filtered_batch(self._handle, points_.address, points_.stride, count, max_distance, filters_.address, 0, out_.address, out_.stride))
+        check(low.gphys_scene_nearest_filtered_batch(self._handle, points_.address, points_.stride, count, max_distance, filters_, 0, out_.address, out_.stride))
         return out_.array
 
-    def sweep_sphere_filtered(self, sphere: low.Sphere | Sequence, displacement: low.Vec3 | Sequence, filter: low.QueryFilterDesc | None = None) -> low.Hit | None:
+    def sweep_sphere_filtered(self, sphere: low.Sphere | StructLike, displacement: VectorLike, filter: low.QueryFilterDesc | None = None) -> low.Hit | None:
         """First model that a moving sphere touches and the filter sees, as Scene.sweep_sphere: the sphere
         may be the bounding sphere of the ignored model.
         Cost: that of Scene.sweep_sphere, and for each model as Scene.raycast_filtered.
@@ -1074,13 +1121,13 @@ class Scene(Models):
 
         Returns:
             None if nothing is found."""
-        sphere_ = value_of(sphere, low.Sphere)
-        displacement_ = value_of(displacement, low.Vec3)
-        filter_ = value_of(filter, low.QueryFilterDesc)
+        sphere_ = sphere if type(sphere) is low.Sphere else value_of(sphere, low.Sphere, "sphere")
+        displacement_ = displacement if type(displacement) is low.Vec3 else value_of(displacement, low.Vec3, "displacement")
+        filter_ = filter if filter is None else value_of(filter, low.QueryFilterDesc, "filter")
         out_hit = low.Hit()
-        return out_hit if found(low.gphys_scene_sweep_sphere_filtered(self._handle, sphere_.address, displacement_.address, filter_.address, ctypes.byref(out_hit))) else None
+        return out_hit if found(low.gphys_scene_sweep_sphere_filtered(self._handle, sphere_, displacement_, filter_, ctypes.byref(out_hit))) else None
 
-    def sweep_sphere_filtered_batch(self, spheres: ArrayLike, displacements: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: np.ndarray | None = None) -> np.ndarray:
+    def sweep_sphere_filtered_batch(self, spheres: ArrayLike, displacements: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """First models that count moving spheres touch and the filters see, as Scene.sweep_sphere_batch.
         Cost: that of as many single calls; shared among workers.
 
@@ -1089,13 +1136,13 @@ class Scene(Models):
             filters: None: the defaults"""
         spheres_ = array_of(spheres, low.sphere_dtype)
         displacements_ = array_of(displacements, low.vec3_dtype)
-        filters_ = value_of(filters, low.QueryFilterDesc)
+        filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
         count = common_length(spheres_, displacements_)
         out_ = result_array(out, count, low.hit_dtype)
-        check(low.gphys_scene_sweep_sphere_filtered_batch(self._handle, spheres_.address, spheres_.stride, displacements_.address, displacements_.stride, count, filters_.address, 0, out_.address, out_.stride))
+        check(low.gphys_scene_sweep_sphere_filtered_batch(self._handle, spheres_.address, spheres_.stride, displacements_.address, displacements_.stride, count, filters_, 0, out_.address, out_.stride))
         return out_.array
 
-    def sweep_filtered(self, shape: Shape, displacement: low.Vec3 | Sequence, filter: low.QueryFilterDesc | None = None) -> low.Hit | None:
+    def sweep_filtered(self, shape: Shape, displacement: VectorLike, filter: low.QueryFilterDesc | None = None) -> low.Hit | None:
         """First model that a moving sphere, capsule, AABB or OBB touches and the filter sees, as
         Scene.sweep: a character leaves out its own model.
         Cost: that of Scene.sweep, and for each model as Scene.raycast_filtered.
@@ -1110,12 +1157,12 @@ class Scene(Models):
         Raises:
             Error, status ERROR_UNSUPPORTED: for other types"""
         type_, shape_ = shape_of(shape)
-        displacement_ = value_of(displacement, low.Vec3)
-        filter_ = value_of(filter, low.QueryFilterDesc)
+        displacement_ = displacement if type(displacement) is low.Vec3 else value_of(displacement, low.Vec3, "displacement")
+        filter_ = filter if filter is None else value_of(filter, low.QueryFilterDesc, "filter")
         out_hit = low.Hit()
-        return out_hit if found(low.gphys_scene_sweep_filtered(self._handle, type_, shape_.address, displacement_.address, filter_.address, ctypes.byref(out_hit))) else None
+        return out_hit if found(low.gphys_scene_sweep_filtered(self._handle, type_, shape_, displacement_, filter_, ctypes.byref(out_hit))) else None
 
-    def sweep_filtered_batch(self, shapes: ArrayLike, displacements: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: np.ndarray | None = None) -> np.ndarray:
+    def sweep_filtered_batch(self, shapes: ArrayLike | Mesh, displacements: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """First models that count moving shapes of one type touch and the filters see, as
         Scene.sweep_batch.
         Cost: that of as many single calls; shared among workers.
@@ -1128,13 +1175,13 @@ class Scene(Models):
             Error, status ERROR_UNSUPPORTED: as Scene.sweep"""
         type_, shapes_ = shapes_of(shapes)
         displacements_ = array_of(displacements, low.vec3_dtype)
-        filters_ = value_of(filters, low.QueryFilterDesc)
+        filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
         count = common_length(shapes_, displacements_)
         out_ = result_array(out, count, low.hit_dtype)
-        check(low.gphys_scene_sweep_filtered_batch(self._handle, type_, shapes_.address, shapes_.stride, displacements_.address, displacements_.stride, count, filters_.address, 0, out_.address, out_.stride))
+        check(low.gphys_scene_sweep_filtered_batch(self._handle, type_, shapes_.address, shapes_.stride, displacements_.address, displacements_.stride, count, filters_, 0, out_.address, out_.stride))
         return out_.array
 
-    def penetration_filtered(self, shape: Shape, filter: low.QueryFilterDesc | None = None) -> np.ndarray:
+    def penetration_filtered(self, shape: Shape, filter: low.QueryFilterDesc | None = None) -> NDArray[np.void]:
         """What a sphere, capsule, AABB or OBB overlaps and the filter sees, and how it gets out, as
         Scene.penetration.
         Cost: that of Scene.penetration, and for each model as Scene.raycast_filtered.
@@ -1145,10 +1192,10 @@ class Scene(Models):
         Raises:
             Error, status ERROR_UNSUPPORTED: for other types"""
         type_, shape_ = shape_of(shape)
-        filter_ = value_of(filter, low.QueryFilterDesc)
-        return list_of(low.gphys_scene_penetration_filtered, (self._handle, type_, shape_.address, filter_.address,), low.penetration_dtype)
+        filter_ = filter if filter is None else value_of(filter, low.QueryFilterDesc, "filter")
+        return list_of(low.gphys_scene_penetration_filtered, (self._handle, type_, shape_, filter_,), low.penetration_dtype)
 
-    def penetration_filtered_batch(self, shapes: ArrayLike, filters: low.QueryFilterDesc | None = None) -> tuple[np.ndarray, np.ndarray]:
+    def penetration_filtered_batch(self, shapes: ArrayLike | Mesh, filters: low.QueryFilterDesc | None = None) -> tuple[NDArray[np.void], NDArray[np.uint32]]:
         """What each of the shapes of one type overlaps and its filter sees, and how it gets out, as
         Scene.penetration_batch: each character leaves out its own model.
         Cost: that of as many single calls; shared among workers. Since 1.1.
@@ -1159,9 +1206,9 @@ class Scene(Models):
         Raises:
             Error, status ERROR_UNSUPPORTED: as Scene.penetration"""
         type_, shapes_ = shapes_of(shapes)
-        filters_ = value_of(filters, low.QueryFilterDesc)
+        filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
         count = common_length(shapes_)
-        return ragged_of(low.gphys_scene_penetration_filtered_batch, (self._handle, type_, shapes_.address, shapes_.stride, count, filters_.address, 0,), low.penetration_dtype, count)
+        return ragged_of(low.gphys_scene_penetration_filtered_batch, (self._handle, type_, shapes_.address, shapes_.stride, count, filters_, 0,), low.penetration_dtype, count)
 
     def rebuild_octree(self) -> None:
         """Rebuild the scene's octree, as good as that of one Scene.add_batch. Never required: ids, answers
@@ -1191,6 +1238,7 @@ class Scene(Models):
 
         Raises:
             OutOfMemory: : the octree is as before, and the next call begins again"""
+        if type(budget) is not int or budget >> 32: budget = whole(budget, "budget")
         out_done = ctypes.c_int32()
         check(low.gphys_scene_maintain_octree(self._handle, budget, ctypes.byref(out_done)))
         return bool(out_done.value)
@@ -1202,7 +1250,7 @@ class Scene(Models):
         check(low.gphys_scene_get_octree_stats(self._handle, ctypes.byref(out_stats)))
         return out_stats
 
-    def get_octree_boxes(self) -> np.ndarray:
+    def get_octree_boxes(self) -> NDArray[np.void]:
         """Boxes of the scene's octree, each parent before its children.
         Cost: O(nodes)."""
         return list_of(low.gphys_scene_get_octree_boxes, (self._handle,), low.octree_box_dtype)
@@ -1216,7 +1264,7 @@ class Scene(Models):
             Error, status ERROR_INTERNAL: and the error's message says what is wrong"""
         check(low.gphys_scene_validate(self._handle))
 
-    def get_snapshot(self, embed_meshes: int) -> np.ndarray:
+    def get_snapshot(self, embed_meshes: bool) -> NDArray[np.uint32]:
         """Copy the whole state out: the origin, models with their ids, parents, tags, layers, transforms
         and shapes, the order of future ids, and the octree. Workers and allocator are not in it.
         Cost: O(n), some 80 bytes and 100 ns for each model, besides embedded meshes
@@ -1233,6 +1281,7 @@ class Scene(Models):
 
         Raises:
             Error, status ERROR_CAPACITY: beyond 2^32 - 1 words"""
+        if type(embed_meshes) is not bool: embed_meshes = flag(embed_meshes, "embed_meshes")
         return list_of(low.gphys_scene_get_snapshot, (self._handle, embed_meshes,), "<u4")
 
     def restore(self, library: Scene | None, words: ArrayLike) -> None:
@@ -1256,7 +1305,7 @@ class Scene(Models):
         count = common_length(words_)
         check(low.gphys_scene_restore(self._handle, handle_of(library, Scene), words_.address, count))
 
-    def get_hash(self) -> np.ndarray:
+    def get_hash(self) -> NDArray[np.uint32]:
         """A hash of the whole state except the octree, the low half first; meshes count by their content.
         Equal states have equal hashes on every machine; different ones differ with near certainty (not
         against an adversary). Compare it between machines that run the same simulation, to detect when
@@ -1276,10 +1325,10 @@ class Camera(Object):
         desc: None: the defaults"""
     _destroy = low.gphys_camera_destroy
 
-    def __init__(self, desc: low.CameraDesc | None = None):
-        desc_ = value_of(desc, low.CameraDesc)
+    def __init__(self, desc: low.CameraDesc | None = None) -> None:
+        desc_ = desc if desc is None else value_of(desc, low.CameraDesc, "desc")
         handle = ctypes.c_void_p()
-        check(low.gphys_camera_create(desc_.address, ctypes.byref(handle)))
+        check(low.gphys_camera_create(desc_, ctypes.byref(handle)))
         self._own(handle.value)
 
     def set_origin(self, origin: ArrayLike) -> None:
@@ -1293,7 +1342,7 @@ class Camera(Object):
         origin_ = numbers_of(origin, "<f8", 3)
         check(low.gphys_camera_set_origin(self._handle, origin_.address))
 
-    def get_origin(self) -> np.ndarray:
+    def get_origin(self) -> NDArray[np.float64]:
         """Where in the world the camera's coordinates count from, metres.
         Cost: O(1)."""
         out_origin = np.empty(3, "<f8")
@@ -1308,6 +1357,9 @@ class Camera(Object):
             fov_y: full vertical angle in radians, 1e-6 <= fov_y < pi
             near_distance: metres, > 0
             far_distance: metres, > near_distance; INFINITY allowed"""
+        if type(fov_y) is not float: fov_y = number(fov_y, "fov_y")
+        if type(near_distance) is not float: near_distance = number(near_distance, "near_distance")
+        if type(far_distance) is not float: far_distance = number(far_distance, "far_distance")
         check(low.gphys_camera_set_perspective(self._handle, fov_y, near_distance, far_distance))
 
     def set_orthographic(self, height: float, near_distance: float, far_distance: float) -> None:
@@ -1318,9 +1370,12 @@ class Camera(Object):
             height: metres seen from top to bottom, >= 1e-6; the width follows from the viewport and is
                 at most twice MAX_COORDINATE
             near_distance, far_distance: metres; far at least 1e-6 above near, which may be negative"""
+        if type(height) is not float: height = number(height, "height")
+        if type(near_distance) is not float: near_distance = number(near_distance, "near_distance")
+        if type(far_distance) is not float: far_distance = number(far_distance, "far_distance")
         check(low.gphys_camera_set_orthographic(self._handle, height, near_distance, far_distance))
 
-    def set_projection(self, projection: low.Mat4 | Sequence) -> None:
+    def set_projection(self, projection: low.Mat4 | ArrayLike) -> None:
         """Use any projection matrix of the camera's depth range and direction (off-centre, oblique,
         another library's). It is not changed by Camera.set_viewport.
         Cost: O(1).
@@ -1329,8 +1384,8 @@ class Camera(Object):
             Error, status ERROR_SINGULAR: if it has no inverse, or is too close to such a matrix to tell
             InvalidArgument: if a plane other than far lies at infinity, as it does when the matrix is
                 for another depth range, or one lies beyond MAX_COORDINATE"""
-        projection_ = value_of(projection, low.Mat4)
-        check(low.gphys_camera_set_projection(self._handle, projection_.address))
+        projection_ = matrix_of(projection, low.Mat4, "projection")
+        check(low.gphys_camera_set_projection(self._handle, projection_))
 
     def set_perspective_aspect(self, fov_y: float, aspect: float, near_distance: float, far_distance: float) -> None:
         """As Camera.set_perspective, with a fixed aspect ratio: the image is stretched to the viewport, as
@@ -1342,6 +1397,10 @@ class Camera(Object):
             aspect: width over height of what is seen, 1e-6 .. 1e6
             near_distance: metres, > 0
             far_distance: metres, > near_distance; INFINITY allowed"""
+        if type(fov_y) is not float: fov_y = number(fov_y, "fov_y")
+        if type(aspect) is not float: aspect = number(aspect, "aspect")
+        if type(near_distance) is not float: near_distance = number(near_distance, "near_distance")
+        if type(far_distance) is not float: far_distance = number(far_distance, "far_distance")
         check(low.gphys_camera_set_perspective_aspect(self._handle, fov_y, aspect, near_distance, far_distance))
 
     def set_orthographic_size(self, width: float, height: float, near_distance: float, far_distance: float) -> None:
@@ -1351,6 +1410,10 @@ class Camera(Object):
         Args:
             width, height: metres seen from left to right and from top to bottom, >= 1e-6
             near_distance, far_distance: metres; far at least 1e-6 above near, which may be negative"""
+        if type(width) is not float: width = number(width, "width")
+        if type(height) is not float: height = number(height, "height")
+        if type(near_distance) is not float: near_distance = number(near_distance, "near_distance")
+        if type(far_distance) is not float: far_distance = number(far_distance, "far_distance")
         check(low.gphys_camera_set_orthographic_size(self._handle, width, height, near_distance, far_distance))
 
     def set_viewport(self, width: float, height: float) -> None:
@@ -1360,6 +1423,8 @@ class Camera(Object):
 
         Args:
             width, height: pixels, 1e-3 .. 1e6"""
+        if type(width) is not float: width = number(width, "width")
+        if type(height) is not float: height = number(height, "height")
         check(low.gphys_camera_set_viewport(self._handle, width, height))
 
     def set_viewport_origin(self, x: float, y: float) -> None:
@@ -1369,12 +1434,15 @@ class Camera(Object):
 
         Args:
             x, y: pixels of the window, of the viewport's top left corner"""
+        if type(x) is not float: x = number(x, "x")
+        if type(y) is not float: y = number(y, "y")
         check(low.gphys_camera_set_viewport_origin(self._handle, x, y))
 
     def set_pick_start(self, start: int) -> None:
         """Where the rays of a perspective begin, for all functions that pick. From the near plane at
         creation; rays of other projections always begin there.
         Cost: O(1). Since 1.1."""
+        if type(start) is not int or start >> 31: start = value(start, "start")
         check(low.gphys_camera_set_pick_start(self._handle, start))
 
     def get_projection(self) -> tuple[int, float, float, float]:
@@ -1450,18 +1518,18 @@ class Camera(Object):
         check(low.gphys_camera_get_conventions(self._handle, ctypes.byref(out_handedness), ctypes.byref(out_depth_range), ctypes.byref(out_reverse_z)))
         return out_handedness.value, out_depth_range.value, bool(out_reverse_z.value)
 
-    def set_transform(self, position: low.Vec3 | Sequence, rotation: low.Quat | Sequence) -> None:
+    def set_transform(self, position: VectorLike, rotation: VectorLike) -> None:
         """Place the camera.
         Cost: O(1).
 
         Args:
             position: metres, of its centre
             rotation: from its own axes to those of the world"""
-        position_ = value_of(position, low.Vec3)
-        rotation_ = value_of(rotation, low.Quat)
-        check(low.gphys_camera_set_transform(self._handle, position_.address, rotation_.address))
+        position_ = position if type(position) is low.Vec3 else value_of(position, low.Vec3, "position")
+        rotation_ = rotation if type(rotation) is low.Quat else value_of(rotation, low.Quat, "rotation")
+        check(low.gphys_camera_set_transform(self._handle, position_, rotation_))
 
-    def set_world_matrix(self, world: low.Mat4 | Sequence) -> None:
+    def set_world_matrix(self, world: low.Mat4 | ArrayLike) -> None:
         """Place it by a world matrix (camera to world). The axes are made orthonormal (the view direction
         kept, then up), so that a matrix which drifted is corrected.
         Cost: O(1).
@@ -1469,10 +1537,10 @@ class Camera(Object):
         Raises:
             Error, status ERROR_SINGULAR: if the axes do not span space
             InvalidArgument: if they mirror or the last row is not 0 0 0 1"""
-        world_ = value_of(world, low.Mat4)
-        check(low.gphys_camera_set_world_matrix(self._handle, world_.address))
+        world_ = matrix_of(world, low.Mat4, "world")
+        check(low.gphys_camera_set_world_matrix(self._handle, world_))
 
-    def set_view_matrix(self, view: low.Mat4 | Sequence) -> None:
+    def set_view_matrix(self, view: low.Mat4 | ArrayLike) -> None:
         """Place it by a view matrix (world to camera): by the world matrix that is its inverse, as
         Camera.set_world_matrix. That of Camera.get_view_matrix puts a camera back within 2^-22 of its
         distance from the origin and 2^-22 rad.
@@ -1482,20 +1550,20 @@ class Camera(Object):
             Error, status ERROR_SINGULAR: if the axes do not span space
             InvalidArgument: if they mirror, the last row is not 0 0 0 1, or the camera would be beyond
                 MAX_COORDINATE"""
-        view_ = value_of(view, low.Mat4)
-        check(low.gphys_camera_set_view_matrix(self._handle, view_.address))
+        view_ = matrix_of(view, low.Mat4, "view")
+        check(low.gphys_camera_set_view_matrix(self._handle, view_))
 
-    def look_at(self, eye: low.Vec3 | Sequence, target: low.Vec3 | Sequence, up: low.Vec3 | Sequence) -> None:
+    def look_at(self, eye: VectorLike, target: VectorLike, up: VectorLike) -> None:
         """Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
         chosen in its place, always the same for the same input.
         Cost: O(1).
 
         Raises:
             InvalidArgument: if eye equals target or up is zero"""
-        eye_ = value_of(eye, low.Vec3)
-        target_ = value_of(target, low.Vec3)
-        up_ = value_of(up, low.Vec3)
-        check(low.gphys_camera_look_at(self._handle, eye_.address, target_.address, up_.address))
+        eye_ = eye if type(eye) is low.Vec3 else value_of(eye, low.Vec3, "eye")
+        target_ = target if type(target) is low.Vec3 else value_of(target, low.Vec3, "target")
+        up_ = up if type(up) is low.Vec3 else value_of(up, low.Vec3, "up")
+        check(low.gphys_camera_look_at(self._handle, eye_, target_, up_))
 
     def get_transform(self) -> tuple[low.Vec3, low.Quat]:
         """The camera's position, in metres, and its rotation, rounded to float32.
@@ -1505,41 +1573,41 @@ class Camera(Object):
         check(low.gphys_camera_get_transform(self._handle, ctypes.byref(out_position), ctypes.byref(out_rotation)))
         return out_position, out_rotation
 
-    def get_world_matrix(self) -> low.Mat4:
+    def get_world_matrix(self) -> NDArray[np.float32]:
         """The matrix from camera to world.
         Cost: O(1)."""
         out_world = low.Mat4()
         check(low.gphys_camera_get_world_matrix(self._handle, ctypes.byref(out_world)))
-        return out_world
+        return matrix(out_world)
 
-    def get_view_matrix(self) -> low.Mat4:
+    def get_view_matrix(self) -> NDArray[np.float32]:
         """The matrix from world to camera: the transpose of the orthonormal world axes, and the position
         transformed by it.
         Cost: O(1)."""
         out_view = low.Mat4()
         check(low.gphys_camera_get_view_matrix(self._handle, ctypes.byref(out_view)))
-        return out_view
+        return matrix(out_view)
 
-    def get_projection_matrix(self) -> low.Mat4:
+    def get_projection_matrix(self) -> NDArray[np.float32]:
         """The matrix from camera to clip space.
         Cost: O(1)."""
         out_projection = low.Mat4()
         check(low.gphys_camera_get_projection_matrix(self._handle, ctypes.byref(out_projection)))
-        return out_projection
+        return matrix(out_projection)
 
-    def get_view_projection_matrix(self) -> low.Mat4:
+    def get_view_projection_matrix(self) -> NDArray[np.float32]:
         """Projection * view, multiplied in double precision and rounded once.
         Cost: O(1)."""
         out_view_projection = low.Mat4()
         check(low.gphys_camera_get_view_projection_matrix(self._handle, ctypes.byref(out_view_projection)))
-        return out_view_projection
+        return matrix(out_view_projection)
 
-    def set_orbit(self, orbit: low.Orbit | Sequence) -> None:
+    def set_orbit(self, orbit: low.Orbit | StructLike) -> None:
         """Start orbiting with these settings; places the camera at once and drops pending input. An angle
         or a distance outside its limits is brought inside.
         Cost: O(1)."""
-        orbit_ = value_of(orbit, low.Orbit)
-        check(low.gphys_camera_set_orbit(self._handle, orbit_.address))
+        orbit_ = orbit if type(orbit) is low.Orbit else value_of(orbit, low.Orbit, "orbit")
+        check(low.gphys_camera_set_orbit(self._handle, orbit_))
 
     def get_orbit(self) -> low.Orbit:
         """The present settings, angles and distance of the orbit.
@@ -1551,15 +1619,15 @@ class Camera(Object):
         check(low.gphys_camera_get_orbit(self._handle, ctypes.byref(out_orbit)))
         return out_orbit
 
-    def set_orbit_speeds(self, speeds: low.OrbitSpeeds | Sequence) -> None:
+    def set_orbit_speeds(self, speeds: low.OrbitSpeeds | StructLike) -> None:
         """Set a speed for each input of the orbit, in place of the two of Orbit, which Camera.set_orbit
         starts from. Input since the last update uses the new speeds.
         Cost: O(1). Since 1.1.
 
         Raises:
             Error, status ERROR_UNSUPPORTED: if the camera was never set to orbit"""
-        speeds_ = value_of(speeds, low.OrbitSpeeds)
-        check(low.gphys_camera_set_orbit_speeds(self._handle, speeds_.address))
+        speeds_ = speeds if type(speeds) is low.OrbitSpeeds else value_of(speeds, low.OrbitSpeeds, "speeds")
+        check(low.gphys_camera_set_orbit_speeds(self._handle, speeds_))
 
     def get_orbit_speeds(self) -> low.OrbitSpeeds:
         """The present speeds of the orbit's inputs.
@@ -1581,6 +1649,8 @@ class Camera(Object):
 
         Raises:
             Error, status ERROR_UNSUPPORTED: if the camera was never set to orbit"""
+        if type(units_x) is not float: units_x = number(units_x, "units_x")
+        if type(units_y) is not float: units_y = number(units_y, "units_y")
         check(low.gphys_camera_orbit_rotate(self._handle, units_x, units_y))
 
     def orbit_zoom(self, units: float) -> None:
@@ -1593,6 +1663,7 @@ class Camera(Object):
 
         Raises:
             Error, status ERROR_UNSUPPORTED: if the camera was never set to orbit"""
+        if type(units) is not float: units = number(units, "units")
         check(low.gphys_camera_orbit_zoom(self._handle, units))
 
     def orbit_pan(self, units_right: float, units_up: float) -> None:
@@ -1605,6 +1676,8 @@ class Camera(Object):
 
         Raises:
             Error, status ERROR_UNSUPPORTED: if the camera was never set to orbit"""
+        if type(units_right) is not float: units_right = number(units_right, "units_right")
+        if type(units_up) is not float: units_up = number(units_up, "units_up")
         check(low.gphys_camera_orbit_pan(self._handle, units_right, units_up))
 
     def orbit_update(self) -> None:
@@ -1625,7 +1698,7 @@ class Camera(Object):
         check(low.gphys_camera_get_frustum(self._handle, ctypes.byref(out_frustum)))
         return out_frustum
 
-    def get_corners(self) -> np.ndarray | None:
+    def get_corners(self) -> NDArray[np.float32] | None:
         """World positions of the corners of the view frustum, in the order of gamephys.frustum_corners.
         Cost: O(1).
 
@@ -1644,11 +1717,15 @@ class Camera(Object):
         Raises:
             InvalidArgument: if the rectangle has no area, or a side of what a matrix shows in it lies
                 at infinity or beyond MAX_COORDINATE"""
+        if type(x0) is not float: x0 = number(x0, "x0")
+        if type(y0) is not float: y0 = number(y0, "y0")
+        if type(x1) is not float: x1 = number(x1, "x1")
+        if type(y1) is not float: y1 = number(y1, "y1")
         out_frustum = low.Frustum()
         check(low.gphys_camera_get_rectangle_frustum(self._handle, x0, y0, x1, y1, ctypes.byref(out_frustum)))
         return out_frustum
 
-    def get_rectangle_corners(self, x0: float, y0: float, x1: float, y1: float) -> np.ndarray | None:
+    def get_rectangle_corners(self, x0: float, y0: float, x1: float, y1: float) -> NDArray[np.float32] | None:
         """World positions of the corners of what is seen in a rectangle of pixels, as Camera.get_corners.
         Cost: O(1). Since 1.1.
 
@@ -1657,10 +1734,14 @@ class Camera(Object):
 
         Returns:
             None as Camera.get_corners."""
+        if type(x0) is not float: x0 = number(x0, "x0")
+        if type(y0) is not float: y0 = number(y0, "y0")
+        if type(x1) is not float: x1 = number(x1, "x1")
+        if type(y1) is not float: y1 = number(y1, "y1")
         out_corners = np.empty(8, low.vec3_dtype)
         return out_corners if found(low.gphys_camera_get_rectangle_corners(self._handle, x0, y0, x1, y1, out_corners.ctypes.data)) else None
 
-    def project(self, point: low.Vec3 | Sequence) -> low.Vec3 | None:
+    def project(self, point: VectorLike) -> low.Vec3 | None:
         """World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the
         viewport; z is the depth in the camera's range.
         Cost: O(1).
@@ -1668,11 +1749,11 @@ class Camera(Object):
         Returns:
             None if the point is not in front of the camera's centre (no image), or its image lies
                 beyond the range of coordinates."""
-        point_ = value_of(point, low.Vec3)
+        point_ = point if type(point) is low.Vec3 else value_of(point, low.Vec3, "point")
         out_pixel = low.Vec3()
-        return out_pixel if found(low.gphys_camera_project(self._handle, point_.address, ctypes.byref(out_pixel))) else None
+        return out_pixel if found(low.gphys_camera_project(self._handle, point_, ctypes.byref(out_pixel))) else None
 
-    def project_batch(self, points: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
+    def project_batch(self, points: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[np.float32]:
         """Pixels of count world points, as Camera.project; a point without an image gets x = y = z =
         INFINITY.
         Cost: O(elements).
@@ -1685,18 +1766,18 @@ class Camera(Object):
         check(low.gphys_camera_project_batch(self._handle, points_.address, points_.stride, count, out_.address, out_.stride))
         return out_.array
 
-    def unproject(self, pixel: low.Vec3 | Sequence) -> low.Vec3 | None:
+    def unproject(self, pixel: VectorLike) -> low.Vec3 | None:
         """Pixel and depth to world point: the inverse of Camera.project.
         Cost: O(1).
 
         Returns:
             None for the depth of an infinite far plane, and for points beyond that or beyond the range
                 of coordinates."""
-        pixel_ = value_of(pixel, low.Vec3)
+        pixel_ = pixel if type(pixel) is low.Vec3 else value_of(pixel, low.Vec3, "pixel")
         out_point = low.Vec3()
-        return out_point if found(low.gphys_camera_unproject(self._handle, pixel_.address, ctypes.byref(out_point))) else None
+        return out_point if found(low.gphys_camera_unproject(self._handle, pixel_, ctypes.byref(out_point))) else None
 
-    def unproject_batch(self, pixels: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
+    def unproject_batch(self, pixels: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[np.float32]:
         """World points of the pixels with depth, as Camera.unproject; one at infinity gets x = y = z =
         INFINITY.
         Cost: O(elements).
@@ -1724,15 +1805,21 @@ class Camera(Object):
         Returns:
             None if the line of sight does not meet the near plane (user projections), or would begin
                 beyond MAX_COORDINATE."""
+        if type(pixel_x) is not float: pixel_x = number(pixel_x, "pixel_x")
+        if type(pixel_y) is not float: pixel_y = number(pixel_y, "pixel_y")
         out_ray = low.Ray()
         return out_ray if found(low.gphys_camera_pick_ray(self._handle, pixel_x, pixel_y, ctypes.byref(out_ray))) else None
 
-    def pick_rays(self, x: int, y: int, width: int, height: int, *, out: np.ndarray | None = None) -> np.ndarray:
+    def pick_rays(self, x: int, y: int, width: int, height: int, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """Rays for a rectangle of pixel centres, as Camera.pick_ray, row by row.
         Cost: O(width * height).
 
         Args:
             x, y, width, height: pixels; width * height rays, fewer than 2^32"""
+        if type(x) is not int or x >> 32: x = whole(x, "x")
+        if type(y) is not int or y >> 32: y = whole(y, "y")
+        if type(width) is not int or width >> 32: width = whole(width, "width")
+        if type(height) is not int or height >> 32: height = whole(height, "height")
         out_ = result_array(out, width * height, low.ray_dtype)
         check(low.gphys_camera_pick_rays(self._handle, x, y, width, height, out_.address, out_.stride))
         return out_.array
@@ -1747,10 +1834,13 @@ class Camera(Object):
 
         Returns:
             None if nothing is found."""
+        if type(pixel_x) is not float: pixel_x = number(pixel_x, "pixel_x")
+        if type(pixel_y) is not float: pixel_y = number(pixel_y, "pixel_y")
+        if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         out_hit = low.Hit()
         return out_hit if found(low.gphys_camera_pick(self._handle, handle_of(scene, Scene), pixel_x, pixel_y, layers, ctypes.byref(out_hit))) else None
 
-    def pick_batch(self, scene: Scene | None, pixels: ArrayLike, layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
+    def pick_batch(self, scene: Scene | None, pixels: ArrayLike, layers: int = low.ALL_LAYERS, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """The models under the pixels, as Camera.pick; a pixel without one gets model = 0 and t =
         INFINITY.
         Cost: at most that of as many single calls; shared among the scene's workers.
@@ -1758,12 +1848,13 @@ class Camera(Object):
         Args:
             pixels: x, y pairs of floats"""
         pixels_ = array_of(pixels, "<f4", 2)
+        if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         count = common_length(pixels_)
         out_ = result_array(out, count, low.hit_dtype)
         check(low.gphys_camera_pick_batch(self._handle, handle_of(scene, Scene), pixels_.address, pixels_.stride, count, layers, out_.address, out_.stride))
         return out_.array
 
-    def pick_rectangle(self, scene: Scene | None, x0: float, y0: float, x1: float, y1: float, layers: int = low.ALL_LAYERS) -> np.ndarray:
+    def pick_rectangle(self, scene: Scene | None, x0: float, y0: float, x1: float, y1: float, layers: int = low.ALL_LAYERS) -> NDArray[np.uint32]:
         """Marquee: ids of all models in the pixel rectangle, hidden ones included, between near and far
         plane; tested by their exact shapes, ascending.
         Cost: that of Scene.overlap.
@@ -1773,11 +1864,17 @@ class Camera(Object):
 
         Raises:
             InvalidArgument: if the rectangle has no area"""
+        if type(x0) is not float: x0 = number(x0, "x0")
+        if type(y0) is not float: y0 = number(y0, "y0")
+        if type(x1) is not float: x1 = number(x1, "x1")
+        if type(y1) is not float: y1 = number(y1, "y1")
+        if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         return list_of(low.gphys_camera_pick_rectangle, (self._handle, handle_of(scene, Scene), x0, y0, x1, y1, layers,), "<u4")
 
-    def cull(self, scene: Scene | None, layers: int = low.ALL_LAYERS) -> np.ndarray:
+    def cull(self, scene: Scene | None, layers: int = low.ALL_LAYERS) -> NDArray[np.uint32]:
         """Ids of the models to draw: Scene.cull with the camera's frustum.
         Cost: O(log n + k) expected."""
+        if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         return list_of(low.gphys_camera_cull, (self._handle, handle_of(scene, Scene), layers,), "<u4")
 
     def pick_filtered(self, scene: Scene | None, pixel_x: float, pixel_y: float, filter: low.QueryFilterDesc | None = None) -> low.Hit | None:
@@ -1790,11 +1887,13 @@ class Camera(Object):
 
         Returns:
             None if nothing is found."""
-        filter_ = value_of(filter, low.QueryFilterDesc)
+        if type(pixel_x) is not float: pixel_x = number(pixel_x, "pixel_x")
+        if type(pixel_y) is not float: pixel_y = number(pixel_y, "pixel_y")
+        filter_ = filter if filter is None else value_of(filter, low.QueryFilterDesc, "filter")
         out_hit = low.Hit()
-        return out_hit if found(low.gphys_camera_pick_filtered(self._handle, handle_of(scene, Scene), pixel_x, pixel_y, filter_.address, ctypes.byref(out_hit))) else None
+        return out_hit if found(low.gphys_camera_pick_filtered(self._handle, handle_of(scene, Scene), pixel_x, pixel_y, filter_, ctypes.byref(out_hit))) else None
 
-    def pick_filtered_batch(self, scene: Scene | None, pixels: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: np.ndarray | None = None) -> np.ndarray:
+    def pick_filtered_batch(self, scene: Scene | None, pixels: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """The models under the pixels that the filters see, as Camera.pick_batch.
         Cost: at most that of as many single calls; shared among the scene's workers.
 
@@ -1802,13 +1901,13 @@ class Camera(Object):
             pixels: x, y pairs of floats
             filters: None: the defaults"""
         pixels_ = array_of(pixels, "<f4", 2)
-        filters_ = value_of(filters, low.QueryFilterDesc)
+        filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
         count = common_length(pixels_)
         out_ = result_array(out, count, low.hit_dtype)
-        check(low.gphys_camera_pick_filtered_batch(self._handle, handle_of(scene, Scene), pixels_.address, pixels_.stride, count, filters_.address, 0, out_.address, out_.stride))
+        check(low.gphys_camera_pick_filtered_batch(self._handle, handle_of(scene, Scene), pixels_.address, pixels_.stride, count, filters_, 0, out_.address, out_.stride))
         return out_.array
 
-    def pick_rectangle_filtered(self, scene: Scene | None, x0: float, y0: float, x1: float, y1: float, filter: low.QueryFilterDesc | None = None) -> np.ndarray:
+    def pick_rectangle_filtered(self, scene: Scene | None, x0: float, y0: float, x1: float, y1: float, filter: low.QueryFilterDesc | None = None) -> NDArray[np.uint32]:
         """Marquee: ids of all models in the pixel rectangle that the filter sees, as
         Camera.pick_rectangle.
         Cost: as Scene.overlap_filtered.
@@ -1816,21 +1915,25 @@ class Camera(Object):
         Args:
             x0, y0, x1, y1: pixels; opposite corners, in any order
             filter: None: the defaults"""
-        filter_ = value_of(filter, low.QueryFilterDesc)
-        return list_of(low.gphys_camera_pick_rectangle_filtered, (self._handle, handle_of(scene, Scene), x0, y0, x1, y1, filter_.address,), "<u4")
+        if type(x0) is not float: x0 = number(x0, "x0")
+        if type(y0) is not float: y0 = number(y0, "y0")
+        if type(x1) is not float: x1 = number(x1, "x1")
+        if type(y1) is not float: y1 = number(y1, "y1")
+        filter_ = filter if filter is None else value_of(filter, low.QueryFilterDesc, "filter")
+        return list_of(low.gphys_camera_pick_rectangle_filtered, (self._handle, handle_of(scene, Scene), x0, y0, x1, y1, filter_,), "<u4")
 
-    def cull_filtered(self, scene: Scene | None, filter: low.QueryFilterDesc | None = None) -> np.ndarray:
+    def cull_filtered(self, scene: Scene | None, filter: low.QueryFilterDesc | None = None) -> NDArray[np.uint32]:
         """Ids of the models to draw that the filter sees: Scene.cull_filtered with the camera's frustum.
         Cost: as Scene.cull_filtered.
 
         Args:
             filter: None: the defaults"""
-        filter_ = value_of(filter, low.QueryFilterDesc)
-        return list_of(low.gphys_camera_cull_filtered, (self._handle, handle_of(scene, Scene), filter_.address,), "<u4")
+        filter_ = filter if filter is None else value_of(filter, low.QueryFilterDesc, "filter")
+        return list_of(low.gphys_camera_cull_filtered, (self._handle, handle_of(scene, Scene), filter_,), "<u4")
 
 
 
-class Solver(Object):
+class Solver(Bodies):
     """Create a solver without bodies. With a worker_count of n, n threads share the bodies of a step;
     the results have the same bits for every n. Threads are started, joined and lost as those of
     Scene.
@@ -1843,10 +1946,10 @@ class Solver(Object):
         OutOfMemory: also if the threads cannot be started"""
     _destroy = low.gphys_solver_destroy
 
-    def __init__(self, desc: low.SolverDesc | None = None):
-        desc_ = value_of(desc, low.SolverDesc)
+    def __init__(self, desc: low.SolverDesc | None = None) -> None:
+        desc_ = desc if desc is None else value_of(desc, low.SolverDesc, "desc")
         handle = ctypes.c_void_p()
-        check(low.gphys_solver_create(desc_.address, ctypes.byref(handle)))
+        check(low.gphys_solver_create(desc_, ctypes.byref(handle)))
         self._own(handle.value)
 
     def set_worker_count(self, workers: int) -> None:
@@ -1859,6 +1962,7 @@ class Solver(Object):
 
         Raises:
             OutOfMemory: also if the threads cannot be started; the former ones are kept"""
+        if type(workers) is not int or workers >> 32: workers = whole(workers, "workers")
         check(low.gphys_solver_set_worker_count(self._handle, workers))
 
     def get_worker_count(self) -> int:
@@ -1883,21 +1987,21 @@ class Solver(Object):
         origin_ = numbers_of(origin, "<f8", 3)
         check(low.gphys_solver_set_origin(self._handle, origin_.address))
 
-    def get_origin(self) -> np.ndarray:
+    def get_origin(self) -> NDArray[np.float64]:
         """Where in the world the particles' coordinates count from, metres.
         Cost: O(1)."""
         out_origin = np.empty(3, "<f8")
         check(low.gphys_solver_get_origin(self._handle, out_origin.ctypes.data))
         return out_origin
 
-    def set_gravity(self, gravity: low.Vec3 | Sequence) -> None:
+    def set_gravity(self, gravity: VectorLike) -> None:
         """Change the acceleration of all particles, from the next step on. Wakes all bodies if it changes.
         Cost: O(bodies).
 
         Args:
             gravity: m/s^2; may be zero"""
-        gravity_ = value_of(gravity, low.Vec3)
-        check(low.gphys_solver_set_gravity(self._handle, gravity_.address))
+        gravity_ = gravity if type(gravity) is low.Vec3 else value_of(gravity, low.Vec3, "gravity")
+        check(low.gphys_solver_set_gravity(self._handle, gravity_))
 
     def set_substeps(self, substeps: int) -> None:
         """Change the number of substeps of a step. More substeps: smaller errors, proportionally more
@@ -1908,6 +2012,7 @@ class Solver(Object):
 
         Args:
             substeps: 1 .. 1000"""
+        if type(substeps) is not int or substeps >> 32: substeps = whole(substeps, "substeps")
         check(low.gphys_solver_set_substeps(self._handle, substeps))
 
     def get_settings(self) -> low.SolverSettings:
@@ -1917,13 +2022,13 @@ class Solver(Object):
         check(low.gphys_solver_get_settings(self._handle, ctypes.byref(out_settings)))
         return out_settings
 
-    def set_settings(self, settings: low.SolverSettings | Sequence) -> None:
+    def set_settings(self, settings: low.SolverSettings | StructLike) -> None:
         """Change all settings, from the next step on. Read them, change some, and give them back. Bodies
         wake if gravity or the settings of sleep change. Time that Solver.advance owes beyond the new
         fixed_step is dropped.
         Cost: O(bodies)."""
-        settings_ = value_of(settings, low.SolverSettings)
-        check(low.gphys_solver_set_settings(self._handle, settings_.address))
+        settings_ = settings if type(settings) is low.SolverSettings else value_of(settings, low.SolverSettings, "settings")
+        check(low.gphys_solver_set_settings(self._handle, settings_))
 
     def add_particles(self, positions: ArrayLike, desc: low.BodyDesc | None = None) -> int:
         """Add a body of particles without constraints.
@@ -1935,11 +2040,11 @@ class Solver(Object):
 
         Raises:
             Error, status ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies"""
-        desc_ = value_of(desc, low.BodyDesc)
+        desc_ = desc if desc is None else value_of(desc, low.BodyDesc, "desc")
         positions_ = array_of(positions, low.vec3_dtype)
         out_body = ctypes.c_uint32()
         count = common_length(positions_)
-        check(low.gphys_solver_add_particles(self._handle, desc_.address, positions_.address, positions_.stride, count, ctypes.byref(out_body)))
+        check(low.gphys_solver_add_particles(self._handle, desc_, positions_.address, positions_.stride, count, ctypes.byref(out_body)))
         return out_body.value
 
     def add_rope(self, positions: ArrayLike, link_length: float = 0, desc: low.BodyDesc | None = None) -> int:
@@ -1954,14 +2059,15 @@ class Solver(Object):
 
         Raises:
             Error, status ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies"""
-        desc_ = value_of(desc, low.BodyDesc)
+        desc_ = desc if desc is None else value_of(desc, low.BodyDesc, "desc")
         positions_ = array_of(positions, low.vec3_dtype)
+        if type(link_length) is not float: link_length = number(link_length, "link_length")
         out_body = ctypes.c_uint32()
         count = common_length(positions_)
-        check(low.gphys_solver_add_rope(self._handle, desc_.address, positions_.address, positions_.stride, count, link_length, ctypes.byref(out_body)))
+        check(low.gphys_solver_add_rope(self._handle, desc_, positions_.address, positions_.stride, count, link_length, ctypes.byref(out_body)))
         return out_body.value
 
-    def add_cloth(self, corner: low.Vec3 | Sequence, edge_u: low.Vec3 | Sequence, edge_v: low.Vec3 | Sequence, columns: int, rows: int, desc: low.BodyDesc | None = None) -> int:
+    def add_cloth(self, corner: VectorLike, edge_u: VectorLike, edge_v: VectorLike, columns: int, rows: int, desc: low.BodyDesc | None = None) -> int:
         """Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
         corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v. Its constraints, in the
         order of their ids, are those from row to row, those from column to column, both diagonals
@@ -1978,15 +2084,17 @@ class Solver(Object):
         Raises:
             InvalidArgument: if the edges are parallel or zero
             Error, status ERROR_CAPACITY: beyond 2^24 - 1 particles, links or bodies"""
-        desc_ = value_of(desc, low.BodyDesc)
-        corner_ = value_of(corner, low.Vec3)
-        edge_u_ = value_of(edge_u, low.Vec3)
-        edge_v_ = value_of(edge_v, low.Vec3)
+        desc_ = desc if desc is None else value_of(desc, low.BodyDesc, "desc")
+        corner_ = corner if type(corner) is low.Vec3 else value_of(corner, low.Vec3, "corner")
+        edge_u_ = edge_u if type(edge_u) is low.Vec3 else value_of(edge_u, low.Vec3, "edge_u")
+        edge_v_ = edge_v if type(edge_v) is low.Vec3 else value_of(edge_v, low.Vec3, "edge_v")
+        if type(columns) is not int or columns >> 32: columns = whole(columns, "columns")
+        if type(rows) is not int or rows >> 32: rows = whole(rows, "rows")
         out_body = ctypes.c_uint32()
-        check(low.gphys_solver_add_cloth(self._handle, desc_.address, corner_.address, edge_u_.address, edge_v_.address, columns, rows, ctypes.byref(out_body)))
+        check(low.gphys_solver_add_cloth(self._handle, desc_, corner_, edge_u_, edge_v_, columns, rows, ctypes.byref(out_body)))
         return out_body.value
 
-    def add_cloth_mesh(self, mesh: Mesh | None, transform: low.Transform | None = None, desc: low.BodyDesc | None = None) -> int:
+    def add_cloth_mesh(self, mesh: Mesh | None, transform: low.Transform | StructLike | None = None, desc: low.BodyDesc | None = None) -> int:
         """Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
         with CLOTH_BEND one across each inner edge, whose ids come after those of the edges. Vertices at
         the same place stay separate: an edge shorter than 1e-9 m, as at the poles of many imported
@@ -2001,10 +2109,10 @@ class Solver(Object):
             Error, status ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies
             Error, status ERROR_UNSUPPORTED: for a mesh made from a rope or from particles, which has no
                 triangles"""
-        desc_ = value_of(desc, low.BodyDesc)
-        transform_ = value_of(transform, low.Transform)
+        desc_ = desc if desc is None else value_of(desc, low.BodyDesc, "desc")
+        transform_ = transform if transform is None else value_of(transform, low.Transform, "transform")
         out_body = ctypes.c_uint32()
-        check(low.gphys_solver_add_cloth_mesh(self._handle, desc_.address, handle_of(mesh, Mesh), transform_.address, ctypes.byref(out_body)))
+        check(low.gphys_solver_add_cloth_mesh(self._handle, desc_, handle_of(mesh, Mesh), transform_, ctypes.byref(out_body)))
         return out_body.value
 
     def remove_body(self, body: int) -> None:
@@ -2012,14 +2120,15 @@ class Solver(Object):
         in the last step are no longer listed.
         Cost: O(particles + constraints of the body), O(joints of the solver), and O(bodies that gave
         impulses to the same models)."""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
         check(low.gphys_solver_remove_body(self._handle, body))
 
-    def get_bodies(self) -> np.ndarray:
+    def get_bodies(self) -> NDArray[np.uint32]:
         """Ids of all bodies, ascending.
         Cost: O(bodies)."""
         return list_of(low.gphys_solver_get_bodies, (self._handle,), "<u4")
 
-    def get_sleeping(self) -> np.ndarray:
+    def get_sleeping(self) -> NDArray[np.uint32]:
         """Ids of the bodies that are asleep, ascending. A body falls asleep at the end of a step when for
         sleep_time seconds no particle was faster than sleep_speed and no rigid constraint strained by
         more than sleep_strain; cloth, when its root mean square speed from step to step was no higher,
@@ -2037,36 +2146,41 @@ class Solver(Object):
 
         Args:
             body: 0: all"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
         check(low.gphys_solver_wake(self._handle, body))
 
     def get_body_settings(self, body: int) -> low.BodySettings:
         """The present settings of a body; static_friction as it acts, at least friction.
         Cost: O(1)."""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
         out_settings = low.BodySettings()
         check(low.gphys_solver_get_body_settings(self._handle, body, ctypes.byref(out_settings)))
         return out_settings
 
-    def set_body_settings(self, body: int, settings: low.BodySettings | Sequence) -> None:
+    def set_body_settings(self, body: int, settings: low.BodySettings | StructLike) -> None:
         """Change all settings of a body, from the next step on: read them, change some, and give them
         back. Wakes the body.
         Cost: O(1); O(particles) when self_collision changes, and it allocates."""
-        settings_ = value_of(settings, low.BodySettings)
-        check(low.gphys_solver_set_body_settings(self._handle, body, settings_.address))
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        settings_ = settings if type(settings) is low.BodySettings else value_of(settings, low.BodySettings, "settings")
+        check(low.gphys_solver_set_body_settings(self._handle, body, settings_))
 
     def get_body_info(self, body: int) -> low.BodyInfo:
         """What a body is made of and how it is solved.
         Cost: O(1); after a change of constraints O(particles), and it allocates."""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
         out_info = low.BodyInfo()
         check(low.gphys_solver_get_body_info(self._handle, body, ctypes.byref(out_info)))
         return out_info
 
-    def get_triangles(self, body: int) -> np.ndarray:
+    def get_triangles(self, body: int) -> NDArray[np.uint32]:
         """Particle numbers of a cloth's triangles, three each, for drawing. Where cloth tears (Break) they
         change, and their number does not.
         Cost: O(triangles)."""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
         return list_of(low.gphys_solver_get_triangles, (self._handle, body,), "<u4")
 
-    def get_nearest_particle(self, body: int, triangle: int, point: low.Vec3 | Sequence) -> int:
+    def get_nearest_particle(self, body: int, triangle: int, point: VectorLike) -> int:
         """The particle of a body nearest to a point, for example to grab it; of equally near ones the
         lowest.
         Cost: O(1); O(particles) for NO_TRIANGLE. Since 1.1.
@@ -2078,18 +2192,24 @@ class Solver(Object):
 
         Raises:
             InvalidArgument: also if the mesh has no such triangle"""
-        point_ = value_of(point, low.Vec3)
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        if type(triangle) is not int or triangle >> 32: triangle = whole(triangle, "triangle")
+        point_ = point if type(point) is low.Vec3 else value_of(point, low.Vec3, "point")
         out_particle = ctypes.c_uint32()
-        check(low.gphys_solver_get_nearest_particle(self._handle, body, triangle, point_.address, ctypes.byref(out_particle)))
+        check(low.gphys_solver_get_nearest_particle(self._handle, body, triangle, point_, ctypes.byref(out_particle)))
         return out_particle.value
 
-    def get_positions(self, body: int, first: int, count: int, *, out: np.ndarray | None = None) -> np.ndarray:
+    def get_positions(self, body: int, first: int = 0, count: int | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.float32]:
         """Where the particles are, metres.
         Cost: O(count).
 
         Args:
             first, count: the particles first .. first + count - 1; a range beyond the body is
                 ERROR_INVALID_ARGUMENT"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        if type(first) is not int or first >> 32: first = whole(first, "first")
+        if count is None: count = self._rest(body, first)
+        if type(count) is not int or count >> 32: count = whole(count, "count")
         out_ = result_array(out, count, low.vec3_dtype)
         check(low.gphys_solver_get_positions(self._handle, body, first, count, out_.address, out_.stride))
         return out_.array
@@ -2103,11 +2223,13 @@ class Solver(Object):
 
         Args:
             first: as in Solver.get_positions"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        if type(first) is not int or first >> 32: first = whole(first, "first")
         positions_ = array_of(positions, low.vec3_dtype)
         count = common_length(positions_)
         check(low.gphys_solver_set_positions(self._handle, body, first, count, positions_.address, positions_.stride))
 
-    def get_velocities(self, body: int, first: int, count: int, *, out: np.ndarray | None = None) -> np.ndarray:
+    def get_velocities(self, body: int, first: int = 0, count: int | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.float32]:
         """How fast the particles are, m/s.
         Cost: O(count).
 
@@ -2116,6 +2238,10 @@ class Solver(Object):
 
         Returns:
             0 of what is pinned and stands still."""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        if type(first) is not int or first >> 32: first = whole(first, "first")
+        if count is None: count = self._rest(body, first)
+        if type(count) is not int or count >> 32: count = whole(count, "count")
         out_ = result_array(out, count, low.vec3_dtype)
         check(low.gphys_solver_get_velocities(self._handle, body, first, count, out_.address, out_.stride))
         return out_.array
@@ -2128,16 +2254,22 @@ class Solver(Object):
         Args:
             first: as in Solver.get_positions
             velocities: m/s"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        if type(first) is not int or first >> 32: first = whole(first, "first")
         velocities_ = array_of(velocities, low.vec3_dtype)
         count = common_length(velocities_)
         check(low.gphys_solver_set_velocities(self._handle, body, first, count, velocities_.address, velocities_.stride))
 
-    def get_masses(self, body: int, first: int, count: int, *, out: np.ndarray | None = None) -> np.ndarray:
+    def get_masses(self, body: int, first: int = 0, count: int | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.float32]:
         """Masses of particles, kg. That of a pinned particle is what it has when it is released.
         Cost: O(count).
 
         Args:
             first, count: as in Solver.get_positions"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        if type(first) is not int or first >> 32: first = whole(first, "first")
+        if count is None: count = self._rest(body, first)
+        if type(count) is not int or count >> 32: count = whole(count, "count")
         out_ = result_array(out, count, "<f4")
         check(low.gphys_solver_get_masses(self._handle, body, first, count, out_.address, out_.stride))
         return out_.array
@@ -2150,16 +2282,22 @@ class Solver(Object):
         Args:
             first: as in Solver.get_positions
             masses: kg, > 0"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        if type(first) is not int or first >> 32: first = whole(first, "first")
         masses_ = array_of(masses, "<f4")
         count = common_length(masses_)
         check(low.gphys_solver_set_masses(self._handle, body, first, count, masses_.address, masses_.stride))
 
-    def get_radii(self, body: int, first: int, count: int, *, out: np.ndarray | None = None) -> np.ndarray:
+    def get_radii(self, body: int, first: int = 0, count: int | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.float32]:
         """Collision radii of particles, metres.
         Cost: O(count).
 
         Args:
             first, count: as in Solver.get_positions"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        if type(first) is not int or first >> 32: first = whole(first, "first")
+        if count is None: count = self._rest(body, first)
+        if type(count) is not int or count >> 32: count = whole(count, "count")
         out_ = result_array(out, count, "<f4")
         check(low.gphys_solver_get_radii(self._handle, body, first, count, out_.address, out_.stride))
         return out_.array
@@ -2171,16 +2309,22 @@ class Solver(Object):
         Args:
             first: as in Solver.get_positions
             radii: metres, >= 0"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        if type(first) is not int or first >> 32: first = whole(first, "first")
         radii_ = array_of(radii, "<f4")
         count = common_length(radii_)
         check(low.gphys_solver_set_radii(self._handle, body, first, count, radii_.address, radii_.stride))
 
-    def get_friction_factors(self, body: int, first: int, count: int, *, out: np.ndarray | None = None) -> np.ndarray:
+    def get_friction_factors(self, body: int, first: int = 0, count: int | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.float32]:
         """Friction factors of particles; 1 until they are set.
         Cost: O(count). Since 1.1.
 
         Args:
             first, count: as in Solver.get_positions"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        if type(first) is not int or first >> 32: first = whole(first, "first")
+        if count is None: count = self._rest(body, first)
+        if type(count) is not int or count >> 32: count = whole(count, "count")
         out_ = result_array(out, count, "<f4")
         check(low.gphys_solver_get_friction_factors(self._handle, body, first, count, out_.address, out_.stride))
         return out_.array
@@ -2196,16 +2340,22 @@ class Solver(Object):
         Args:
             first: as in Solver.get_positions
             factors: >= 0"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        if type(first) is not int or first >> 32: first = whole(first, "first")
         factors_ = array_of(factors, "<f4")
         count = common_length(factors_)
         check(low.gphys_solver_set_friction_factors(self._handle, body, first, count, factors_.address, factors_.stride))
 
-    def get_forces(self, body: int, first: int, count: int, *, out: np.ndarray | None = None) -> np.ndarray:
+    def get_forces(self, body: int, first: int = 0, count: int | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.float32]:
         """The forces that were set for particles, newtons.
         Cost: O(count).
 
         Args:
             first, count: as in Solver.get_positions"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        if type(first) is not int or first >> 32: first = whole(first, "first")
+        if count is None: count = self._rest(body, first)
+        if type(count) is not int or count >> 32: count = whole(count, "count")
         out_ = result_array(out, count, low.vec3_dtype)
         check(low.gphys_solver_get_forces(self._handle, body, first, count, out_.address, out_.stride))
         return out_.array
@@ -2218,21 +2368,27 @@ class Solver(Object):
         Args:
             first: as in Solver.get_positions
             forces: newtons"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        if type(first) is not int or first >> 32: first = whole(first, "first")
         forces_ = array_of(forces, low.vec3_dtype)
         count = common_length(forces_)
         check(low.gphys_solver_set_forces(self._handle, body, first, count, forces_.address, forces_.stride))
 
-    def get_pinned(self, body: int, first: int, count: int, *, out: np.ndarray | None = None) -> np.ndarray:
+    def get_pinned(self, body: int, first: int = 0, count: int | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.int32]:
         """Which particles are pinned or attached.
         Cost: O(count).
 
         Args:
             first, count: as in Solver.get_positions"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        if type(first) is not int or first >> 32: first = whole(first, "first")
+        if count is None: count = self._rest(body, first)
+        if type(count) is not int or count >> 32: count = whole(count, "count")
         out_ = result_array(out, count, "<i4")
         check(low.gphys_solver_get_pinned(self._handle, body, first, count, out_.address, out_.stride))
         return out_.array
 
-    def set_pinned(self, body: int, first: int, count: int, pinned: int) -> None:
+    def set_pinned(self, body: int, first: int = 0, count: int | None = None, pinned: bool = True) -> None:
         """Pin or release particles. A pinned particle stays where it is put and moves only by
         Solver.set_positions, or with an animation target of max_distance 0; else its speed is 0. Both
         pinning and releasing end an attachment.
@@ -2241,9 +2397,14 @@ class Solver(Object):
         Args:
             first, count: as in Solver.get_positions
             pinned: True: pin; False: release"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        if type(first) is not int or first >> 32: first = whole(first, "first")
+        if count is None: count = self._rest(body, first)
+        if type(count) is not int or count >> 32: count = whole(count, "count")
+        if type(pinned) is not bool: pinned = flag(pinned, "pinned")
         check(low.gphys_solver_set_pinned(self._handle, body, first, count, pinned))
 
-    def set_wind(self, body: int, wind: low.Wind | Sequence) -> None:
+    def set_wind(self, body: int, wind: low.Wind | StructLike) -> None:
         """Put a body into moving air. Until this is called there is none. Wakes the body. With u the
         velocity relative to the air, the force is on a triangle of cloth -rho/2 A |u| ((C_D cos a - C_L
         cos^2 a) u + C_L (u . n) n), cos a = |u . n| / |u|, the first term not below 0: drag as A cos a,
@@ -2259,12 +2420,14 @@ class Solver(Object):
         Args:
             body: 0: all bodies there are
             wind: of density 0: no air"""
-        wind_ = value_of(wind, low.Wind)
-        check(low.gphys_solver_set_wind(self._handle, body, wind_.address))
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        wind_ = wind if type(wind) is low.Wind else value_of(wind, low.Wind, "wind")
+        check(low.gphys_solver_set_wind(self._handle, body, wind_))
 
     def get_wind(self, body: int) -> low.Wind:
         """The air around a body as it was set; zeros if it was not.
         Cost: O(1)."""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
         out_wind = low.Wind()
         check(low.gphys_solver_get_wind(self._handle, body, ctypes.byref(out_wind)))
         return out_wind
@@ -2277,16 +2440,22 @@ class Solver(Object):
         Args:
             first: as in Solver.get_positions
             velocities: m/s"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        if type(first) is not int or first >> 32: first = whole(first, "first")
         velocities_ = array_of(velocities, low.vec3_dtype)
         count = common_length(velocities_)
         check(low.gphys_solver_set_air_velocities(self._handle, body, first, count, velocities_.address, velocities_.stride))
 
-    def get_air_velocities(self, body: int, first: int, count: int, *, out: np.ndarray | None = None) -> np.ndarray:
+    def get_air_velocities(self, body: int, first: int = 0, count: int | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.float32]:
         """Velocities of the air at particles, m/s, beside that of Wind.
         Cost: O(count).
 
         Args:
             first, count: as in Solver.get_positions"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        if type(first) is not int or first >> 32: first = whole(first, "first")
+        if count is None: count = self._rest(body, first)
+        if type(count) is not int or count >> 32: count = whole(count, "count")
         out_ = result_array(out, count, low.vec3_dtype)
         check(low.gphys_solver_get_air_velocities(self._handle, body, first, count, out_.address, out_.stride))
         return out_.array
@@ -2316,21 +2485,27 @@ class Solver(Object):
         Args:
             first: as in Solver.get_positions
             targets: max_distance and backstop INFINITY: no target any more"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        if type(first) is not int or first >> 32: first = whole(first, "first")
         targets_ = array_of(targets, low.animation_target_dtype)
         count = common_length(targets_)
         check(low.gphys_solver_set_animation_targets(self._handle, body, first, count, targets_.address, targets_.stride))
 
-    def get_animation_targets(self, body: int, first: int, count: int, *, out: np.ndarray | None = None) -> np.ndarray:
+    def get_animation_targets(self, body: int, first: int = 0, count: int | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """Animation targets of particles as they were set; 0 and INFINITY of what has none.
         Cost: O(count). Since 1.1.
 
         Args:
             first, count: as in Solver.get_positions"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        if type(first) is not int or first >> 32: first = whole(first, "first")
+        if count is None: count = self._rest(body, first)
+        if type(count) is not int or count >> 32: count = whole(count, "count")
         out_ = result_array(out, count, low.animation_target_dtype)
         check(low.gphys_solver_get_animation_targets(self._handle, body, first, count, out_.address, out_.stride))
         return out_.array
 
-    def attach(self, scene: Scene | None, body: int, particle: int, model: int, local_point: low.Vec3 | None = None) -> None:
+    def attach(self, scene: Scene | None, body: int, particle: int, model: int, local_point: VectorLike | None = None) -> None:
         """Fix a particle to a model: it follows the model's transform in each step, and is released when
         the model is gone. Steps must then be given this scene; in a step without one the particle stays
         where it is.
@@ -2343,8 +2518,11 @@ class Solver(Object):
 
         Raises:
             InvalidArgument: for a particle that does not exist"""
-        local_point_ = value_of(local_point, low.Vec3)
-        check(low.gphys_solver_attach(self._handle, handle_of(scene, Scene), body, particle, model, local_point_.address))
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        if type(particle) is not int or particle >> 32: particle = whole(particle, "particle")
+        if type(model) is not int or model >> 32: model = whole(model, "model")
+        local_point_ = local_point if local_point is None else value_of(local_point, low.Vec3, "local_point")
+        check(low.gphys_solver_attach(self._handle, handle_of(scene, Scene), body, particle, model, local_point_))
 
     def detach(self, body: int, particle: int) -> None:
         """Release an attached particle.
@@ -2352,12 +2530,15 @@ class Solver(Object):
 
         Raises:
             InvalidArgument: if it is not attached, or does not exist"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        if type(particle) is not int or particle >> 32: particle = whole(particle, "particle")
         check(low.gphys_solver_detach(self._handle, body, particle))
 
-    def get_attachments(self, body: int) -> np.ndarray:
+    def get_attachments(self, body: int) -> NDArray[np.void]:
         """The attachments of a body, by particle. One to a model that is gone is listed until the next
         step.
         Cost: O(attachments). Since 1.1."""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
         return list_of(low.gphys_solver_get_attachments, (self._handle, body,), low.attachment_dtype)
 
     def add_distance(self, body: int, particle_a: int, particle_b: int, rest_length: float, compliance: float = 0) -> int:
@@ -2371,6 +2552,11 @@ class Solver(Object):
         Raises:
             InvalidArgument: for a particle that does not exist or twice the same one
             Error, status ERROR_CAPACITY: beyond 2^24 - 1 constraints of a body"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        if type(particle_a) is not int or particle_a >> 32: particle_a = whole(particle_a, "particle_a")
+        if type(particle_b) is not int or particle_b >> 32: particle_b = whole(particle_b, "particle_b")
+        if type(rest_length) is not float: rest_length = number(rest_length, "rest_length")
+        if type(compliance) is not float: compliance = number(compliance, "compliance")
         out_constraint = ctypes.c_uint32()
         check(low.gphys_solver_add_distance(self._handle, body, particle_a, particle_b, rest_length, compliance, ctypes.byref(out_constraint)))
         return out_constraint.value
@@ -2387,6 +2573,11 @@ class Solver(Object):
         Args:
             max_length: metres, >= 0; negative: the present distance. Below 1e-9 m it counts as 0.
             compliance: metres per newton, >= 0, of what it yields beyond that; 0 is rigid"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        if type(particle_a) is not int or particle_a >> 32: particle_a = whole(particle_a, "particle_a")
+        if type(particle_b) is not int or particle_b >> 32: particle_b = whole(particle_b, "particle_b")
+        if type(max_length) is not float: max_length = number(max_length, "max_length")
+        if type(compliance) is not float: compliance = number(compliance, "compliance")
         out_constraint = ctypes.c_uint32()
         check(low.gphys_solver_add_max_distance(self._handle, body, particle_a, particle_b, max_length, compliance, ctypes.byref(out_constraint)))
         return out_constraint.value
@@ -2402,6 +2593,9 @@ class Solver(Object):
 
         Raises:
             InvalidId: for a body or constraint that does not exist"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        if type(constraint) is not int or constraint >> 32: constraint = whole(constraint, "constraint")
+        if type(damping) is not float: damping = number(damping, "damping")
         check(low.gphys_solver_set_constraint_damping(self._handle, body, constraint, damping))
 
     def set_volume(self, body: int, rest_volume: float, compliance: float = 0) -> None:
@@ -2418,6 +2612,9 @@ class Solver(Object):
             Error, status ERROR_UNSUPPORTED: if the triangles do not close (each side is that of two
                 triangles), are not oriented consistently, or face inward when the present volume is
                 asked for"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        if type(rest_volume) is not float: rest_volume = number(rest_volume, "rest_volume")
+        if type(compliance) is not float: compliance = number(compliance, "compliance")
         check(low.gphys_solver_set_volume(self._handle, body, rest_volume, compliance))
 
     def get_volume(self, body: int) -> tuple[float, float]:
@@ -2427,6 +2624,7 @@ class Solver(Object):
 
         Raises:
             Error, status ERROR_UNSUPPORTED: if none is held"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
         out_volume = ctypes.c_float()
         out_pressure = ctypes.c_float()
         check(low.gphys_solver_get_volume(self._handle, body, ctypes.byref(out_volume), ctypes.byref(out_pressure)))
@@ -2439,6 +2637,7 @@ class Solver(Object):
 
         Raises:
             Error, status ERROR_UNSUPPORTED: if none is held"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
         out_rest_volume = ctypes.c_float()
         out_compliance = ctypes.c_float()
         check(low.gphys_solver_get_volume_settings(self._handle, body, ctypes.byref(out_rest_volume), ctypes.byref(out_compliance)))
@@ -2451,31 +2650,36 @@ class Solver(Object):
 
         Raises:
             InvalidId: for a body or constraint that does not exist, or no longer"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        if type(constraint) is not int or constraint >> 32: constraint = whole(constraint, "constraint")
         check(low.gphys_solver_remove_constraint(self._handle, body, constraint))
 
-    def get_constraints(self, body: int) -> np.ndarray:
+    def get_constraints(self, body: int) -> NDArray[np.void]:
         """All constraints of a body, including those created with the body, by id.
         Cost: O(constraints)."""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
         return list_of(low.gphys_solver_get_constraints, (self._handle, body,), low.constraint_info_dtype)
 
-    def get_constraint_kinds(self, body: int, constraints: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
+    def get_constraint_kinds(self, body: int, constraints: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[np.int32]:
         """Which constraints keep a length, and which a maximum.
         Cost: O(elements). Since 1.1.
 
         Args:
             constraints: the ids; one may appear twice"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
         constraints_ = array_of(constraints, "<u4")
         count = common_length(constraints_)
         out_ = result_array(out, count, "<i4")
         check(low.gphys_solver_get_constraint_kinds(self._handle, body, constraints_.address, count, out_.address, out_.stride))
         return out_.array
 
-    def get_constraint_settings(self, body: int, constraints: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
+    def get_constraint_settings(self, body: int, constraints: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """The present settings of constraints.
         Cost: O(elements).
 
         Args:
             constraints: the ids; one may appear twice"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
         constraints_ = array_of(constraints, "<u4")
         count = common_length(constraints_)
         out_ = result_array(out, count, low.constraint_settings_dtype)
@@ -2491,6 +2695,7 @@ class Solver(Object):
 
         Args:
             constraints: the ids; one that appears twice gets the last"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
         constraints_ = array_of(constraints, "<u4")
         settings_ = array_of(settings, low.constraint_settings_dtype)
         count = common_length(constraints_, settings_)
@@ -2523,6 +2728,7 @@ class Solver(Object):
             InvalidArgument: for a particle that does not exist or appears twice
             Error, status ERROR_CAPACITY: beyond 2^24 - 1 clusters of a body, or that many particles in
                 them"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
         particles_ = array_of(particles, "<u4")
         out_cluster = ctypes.c_uint32()
         count = common_length(particles_)
@@ -2535,19 +2741,24 @@ class Solver(Object):
 
         Raises:
             InvalidId: for a body or cluster that does not exist, or no longer"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        if type(cluster) is not int or cluster >> 32: cluster = whole(cluster, "cluster")
         check(low.gphys_solver_remove_cluster(self._handle, body, cluster))
 
-    def get_clusters(self, body: int) -> np.ndarray:
+    def get_clusters(self, body: int) -> NDArray[np.uint32]:
         """All clusters of a body, by id.
         Cost: O(clusters). Since 1.1."""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
         return list_of(low.gphys_solver_get_clusters, (self._handle, body,), "<u4")
 
-    def get_cluster_particles(self, body: int, cluster: int) -> np.ndarray:
+    def get_cluster_particles(self, body: int, cluster: int) -> NDArray[np.uint32]:
         """The particles of a cluster, in the order in which they were given.
         Cost: O(particles of the cluster). Since 1.1.
 
         Raises:
             InvalidId: for a body or cluster that does not exist, or no longer"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        if type(cluster) is not int or cluster >> 32: cluster = whole(cluster, "cluster")
         return list_of(low.gphys_solver_get_cluster_particles, (self._handle, body, cluster,), "<u4")
 
     def join(self, body_a: int, particle_a: int, body_b: int, particle_b: int, rest_length: float, compliance: float = 0) -> int:
@@ -2570,6 +2781,12 @@ class Solver(Object):
             InvalidArgument: for a particle that does not exist or twice the same body (see
                 Solver.add_distance)
             Error, status ERROR_CAPACITY: beyond 2^24 - 1 joints"""
+        if type(body_a) is not int or body_a >> 32: body_a = whole(body_a, "body_a")
+        if type(particle_a) is not int or particle_a >> 32: particle_a = whole(particle_a, "particle_a")
+        if type(body_b) is not int or body_b >> 32: body_b = whole(body_b, "body_b")
+        if type(particle_b) is not int or particle_b >> 32: particle_b = whole(particle_b, "particle_b")
+        if type(rest_length) is not float: rest_length = number(rest_length, "rest_length")
+        if type(compliance) is not float: compliance = number(compliance, "compliance")
         out_joint = ctypes.c_uint32()
         check(low.gphys_solver_join(self._handle, body_a, particle_a, body_b, particle_b, rest_length, compliance, ctypes.byref(out_joint)))
         return out_joint.value
@@ -2580,14 +2797,16 @@ class Solver(Object):
 
         Raises:
             InvalidId: for a joint that does not exist, or no longer"""
+        if type(joint) is not int or joint >> 32: joint = whole(joint, "joint")
         check(low.gphys_solver_unjoin(self._handle, joint))
 
-    def get_joints(self, body: int) -> np.ndarray:
+    def get_joints(self, body: int) -> NDArray[np.void]:
         """Joints of a body, by id.
         Cost: O(joints of the solver).
 
         Args:
             body: 0: of all bodies"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
         return list_of(low.gphys_solver_get_joints, (self._handle, body,), low.joint_info_dtype)
 
     def set_breaking_forces(self, body: int, constraints: ArrayLike, forces: ArrayLike) -> None:
@@ -2598,12 +2817,13 @@ class Solver(Object):
         Args:
             constraints: the ids; one that appears twice gets the last
             forces: newtons, >= 0; 0: never breaks, as all that are added to a body later"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
         constraints_ = array_of(constraints, "<u4")
         forces_ = array_of(forces, "<f4")
         count = common_length(constraints_, forces_)
         check(low.gphys_solver_set_breaking_forces(self._handle, body, constraints_.address, forces_.address, forces_.stride, count))
 
-    def get_breaking_forces(self, body: int, constraints: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
+    def get_breaking_forces(self, body: int, constraints: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[np.float32]:
         """What Solver.set_breaking_forces or BodyDesc.breaking_force has set; 0: never breaks.
         Cost: O(elements). Since 1.1.
 
@@ -2612,6 +2832,7 @@ class Solver(Object):
 
         Returns:
             newtons."""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
         constraints_ = array_of(constraints, "<u4")
         count = common_length(constraints_)
         out_ = result_array(out, count, "<f4")
@@ -2630,11 +2851,13 @@ class Solver(Object):
             Error, status ERROR_UNSUPPORTED: and nothing has changed, for an edge where the cloth cannot
                 part: of a triangle that is connected to no other
             Error, status ERROR_CAPACITY: beyond 2^24 - 1 particles or constraints"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
+        if type(constraint) is not int or constraint >> 32: constraint = whole(constraint, "constraint")
         out_result = low.Break()
         check(low.gphys_solver_break_constraint(self._handle, body, constraint, ctypes.byref(out_result)))
         return out_result
 
-    def get_breaks(self) -> np.ndarray:
+    def get_breaks(self) -> NDArray[np.void]:
         """Constraints that broke in the last Solver.step or Solver.advance, in its order: for sounds,
         dust, and to know that a body has more particles. Not those that the caller broke. They are not
         part of snapshots: after Solver.restore there are none.
@@ -2652,6 +2875,7 @@ class Solver(Object):
         Args:
             scene: to collide with and to follow attachments; None: none. Not modified.
             dt: seconds, 1e-6 .. 0.5"""
+        if type(dt) is not float: dt = number(dt, "dt")
         check(low.gphys_solver_step(self._handle, handle_of(scene, Scene), dt))
 
     def advance(self, scene: Scene | None, frame_time: float) -> tuple[int, float]:
@@ -2668,6 +2892,7 @@ class Solver(Object):
         Raises:
             OutOfMemory: if there is none for the first step: nothing has changed. If there is none for
                 a later one"""
+        if type(frame_time) is not float: frame_time = number(frame_time, "frame_time")
         out_steps = ctypes.c_uint32()
         out_leftover = ctypes.c_float()
         check(low.gphys_solver_advance(self._handle, handle_of(scene, Scene), frame_time, ctypes.byref(out_steps), ctypes.byref(out_leftover)))
@@ -2694,6 +2919,7 @@ class Solver(Object):
         cannot be met takes max_substeps. Where positions jump, by contacts, the error is that of the
         jump.
         Cost: O(1)."""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
         out_substeps = ctypes.c_uint32()
         check(low.gphys_solver_get_substeps(self._handle, body, ctypes.byref(out_substeps)))
         return out_substeps.value
@@ -2704,16 +2930,17 @@ class Solver(Object):
 
         Args:
             body: 0: all bodies together"""
+        if type(body) is not int or body >> 32: body = whole(body, "body")
         out_stats = low.SolverStats()
         check(low.gphys_solver_get_stats(self._handle, body, ctypes.byref(out_stats)))
         return out_stats
 
-    def get_contacts(self) -> np.ndarray:
+    def get_contacts(self) -> NDArray[np.void]:
         """Contacts of the last step by body, particle, model.
         Cost: O(contacts)."""
         return list_of(low.gphys_solver_get_contacts, (self._handle,), low.contact_dtype)
 
-    def get_body_contacts(self) -> np.ndarray:
+    def get_body_contacts(self) -> NDArray[np.void]:
         """Contacts between bodies in the last step, of any substep, by body_a, particle_a, body_b,
         particle_b: for sounds, damage and sparks. Of sleeping bodies those of the step in which they
         fell asleep. Contacts with a body that was removed are no longer listed. They are not part of
@@ -2723,7 +2950,7 @@ class Solver(Object):
         Cost: O(contacts); no allocation. The same bits for any number of workers. Since 1.1."""
         return list_of(low.gphys_solver_get_body_contacts, (self._handle,), low.body_contact_dtype)
 
-    def get_impulses(self) -> np.ndarray:
+    def get_impulses(self) -> NDArray[np.void]:
         """Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the
         step in which they fell asleep. Divided by dt they are mean forces: what lies on a model presses
         on it with its weight. A particle of cloth that touches several models at once gives its impulse
@@ -2732,7 +2959,7 @@ class Solver(Object):
         Cost: O(models touched); no allocation. The same bits for any number of workers."""
         return list_of(low.gphys_solver_get_impulses, (self._handle,), low.impulse_dtype)
 
-    def get_snapshot(self) -> np.ndarray:
+    def get_snapshot(self) -> NDArray[np.uint32]:
         """Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and
         impulses, time that Solver.advance still owes. The scene, workers and allocator are not in it.
         Cost: O(particles + constraints), some 50 words for each.
@@ -2760,7 +2987,7 @@ class Solver(Object):
         count = common_length(words_)
         check(low.gphys_solver_restore(self._handle, words_.address, count))
 
-    def get_hash(self) -> np.ndarray:
+    def get_hash(self) -> NDArray[np.uint32]:
         """A hash of the whole state, the low half first. Equal states have equal hashes on every machine;
         different ones differ with near certainty (not against an adversary). Compare it between
         machines that run the same simulation, to detect when they diverge.
@@ -2769,6 +2996,14 @@ class Solver(Object):
         check(low.gphys_solver_get_hash(self._handle, out_hash.ctypes.data))
         return out_hash
 
+
+__all__ = [
+    "Mesh", "Scene", "Camera", "Solver", "Shape", "validate", "bounds", "contains", "contains_batch",
+    "closest_point", "closest_point_batch", "segment_closest_points", "overlaps", "overlaps_batch",
+    "classify_plane", "classify_frustum", "raycast", "raycast_batch", "segment_test", "sweep_sphere", "sweep",
+    "sweep_batch", "penetration", "penetration_batch", "frustum_corners", "planes_intersection",
+    "planes_intersection_batch", "mat4_orthonormality", "frustum_from_matrix", "mesh_check",
+]
 
 Shape = Union[low.Sphere, low.Capsule, low.Aabb, low.Obb, low.Plane, low.Triangle, low.Frustum, Mesh, low.Ray, low.Segment]
 
@@ -2780,7 +3015,7 @@ def validate(shape: Shape) -> None:
     Raises:
         InvalidArgument: and the error's message names the field"""
     type_, shape_ = shape_of(shape)
-    check(low.gphys_shape_validate(type_, shape_.address))
+    check(low.gphys_shape_validate(type_, shape_))
 
 
 def bounds(shape: Shape) -> low.Aabb | None:
@@ -2792,10 +3027,10 @@ def bounds(shape: Shape) -> low.Aabb | None:
             extends to infinity; for an empty mesh or frustum."""
     type_, shape_ = shape_of(shape)
     out_bounds = low.Aabb()
-    return out_bounds if found(low.gphys_shape_bounds(type_, shape_.address, ctypes.byref(out_bounds))) else None
+    return out_bounds if found(low.gphys_shape_bounds(type_, shape_, ctypes.byref(out_bounds))) else None
 
 
-def contains(shape: Shape, point: low.Vec3 | Sequence, tolerance: float = 0) -> bool:
+def contains(shape: Shape, point: VectorLike, tolerance: float = 0) -> bool:
     """Whether the point is within tolerance metres of the shape (solid or surface). With tolerance 0
     the answer is exact: on the plane, on the segment, inside the box (an OBB's axes are those of
     its rotation in double precision). Others are as gamephys.overlaps with a sphere.
@@ -2804,13 +3039,14 @@ def contains(shape: Shape, point: low.Vec3 | Sequence, tolerance: float = 0) -> 
     Args:
         tolerance: metres, >= 0"""
     type_, shape_ = shape_of(shape)
-    point_ = value_of(point, low.Vec3)
+    point_ = point if type(point) is low.Vec3 else value_of(point, low.Vec3, "point")
+    if type(tolerance) is not float: tolerance = number(tolerance, "tolerance")
     out_contains = ctypes.c_int32()
-    check(low.gphys_shape_contains(type_, shape_.address, point_.address, tolerance, ctypes.byref(out_contains)))
+    check(low.gphys_shape_contains(type_, shape_, point_, tolerance, ctypes.byref(out_contains)))
     return bool(out_contains.value)
 
 
-def contains_batch(shape: Shape, points: ArrayLike, tolerance: float = 0, *, out: np.ndarray | None = None) -> np.ndarray:
+def contains_batch(shape: Shape, points: ArrayLike, tolerance: float = 0, *, out: NDArray[Any] | None = None) -> NDArray[np.int32]:
     """Whether each of the points is within tolerance metres of one shape, as gamephys.contains.
     Cost: that of as many single calls.
 
@@ -2818,13 +3054,14 @@ def contains_batch(shape: Shape, points: ArrayLike, tolerance: float = 0, *, out
         tolerance: metres, >= 0, for all points"""
     type_, shape_ = shape_of(shape)
     points_ = array_of(points, low.vec3_dtype)
+    if type(tolerance) is not float: tolerance = number(tolerance, "tolerance")
     count = common_length(points_)
     out_ = result_array(out, count, "<i4")
-    check(low.gphys_shape_contains_batch(type_, shape_.address, points_.address, points_.stride, count, tolerance, out_.address, out_.stride))
+    check(low.gphys_shape_contains_batch(type_, shape_, points_.address, points_.stride, count, tolerance, out_.address, out_.stride))
     return out_.array
 
 
-def closest_point(shape: Shape, point: low.Vec3 | Sequence) -> low.Nearest | None:
+def closest_point(shape: Shape, point: VectorLike) -> low.Nearest | None:
     """The point of the shape that is closest to the given point: the point itself inside a solid.
     Error: 1 ulp of the largest coordinate per axis, the distance 1 ulp and 2^-40 of the largest
     coordinate difference. If several are equally close, one of them, always the same. For a ray, t
@@ -2834,12 +3071,12 @@ def closest_point(shape: Shape, point: low.Vec3 | Sequence) -> low.Nearest | Non
     Returns:
         None only for an empty mesh or an empty frustum."""
     type_, shape_ = shape_of(shape)
-    point_ = value_of(point, low.Vec3)
+    point_ = point if type(point) is low.Vec3 else value_of(point, low.Vec3, "point")
     out_nearest = low.Nearest()
-    return out_nearest if found(low.gphys_shape_closest_point(type_, shape_.address, point_.address, ctypes.byref(out_nearest))) else None
+    return out_nearest if found(low.gphys_shape_closest_point(type_, shape_, point_, ctypes.byref(out_nearest))) else None
 
 
-def closest_point_batch(shape: Shape, points: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
+def closest_point_batch(shape: Shape, points: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
     """The points of one shape that are closest to each of the points, as gamephys.closest_point. An
     element for which there is none gets distance INFINITY.
     Cost: that of as many single calls."""
@@ -2847,23 +3084,23 @@ def closest_point_batch(shape: Shape, points: ArrayLike, *, out: np.ndarray | No
     points_ = array_of(points, low.vec3_dtype)
     count = common_length(points_)
     out_ = result_array(out, count, low.nearest_dtype)
-    check(low.gphys_shape_closest_point_batch(type_, shape_.address, points_.address, points_.stride, count, out_.address, out_.stride))
+    check(low.gphys_shape_closest_point_batch(type_, shape_, points_.address, points_.stride, count, out_.address, out_.stride))
     return out_.array
 
 
-def segment_closest_points(a: low.Segment | Sequence, b: low.Segment | Sequence) -> tuple[low.Vec3, low.Vec3, float]:
+def segment_closest_points(a: low.Segment | StructLike, b: low.Segment | StructLike) -> tuple[low.Vec3, low.Vec3, float]:
     """The closest points of two segments and their distance. Parallel segments have many: the first
     along a, always the same.
     Cost: O(1).
 
     Returns:
         metres."""
-    a_ = value_of(a, low.Segment)
-    b_ = value_of(b, low.Segment)
+    a_ = a if type(a) is low.Segment else value_of(a, low.Segment, "a")
+    b_ = b if type(b) is low.Segment else value_of(b, low.Segment, "b")
     out_a = low.Vec3()
     out_b = low.Vec3()
     out_distance = ctypes.c_float()
-    check(low.gphys_segment_closest_points(a_.address, b_.address, ctypes.byref(out_a), ctypes.byref(out_b), ctypes.byref(out_distance)))
+    check(low.gphys_segment_closest_points(a_, b_, ctypes.byref(out_a), ctypes.byref(out_b), ctypes.byref(out_distance)))
     return out_a, out_b, out_distance.value
 
 
@@ -2880,11 +3117,11 @@ def overlaps(a: Shape, b: Shape) -> bool:
     a_type_, a_ = shape_of(a)
     b_type_, b_ = shape_of(b)
     out_overlaps = ctypes.c_int32()
-    check(low.gphys_shape_overlaps(a_type_, a_.address, b_type_, b_.address, ctypes.byref(out_overlaps)))
+    check(low.gphys_shape_overlaps(a_type_, a_, b_type_, b_, ctypes.byref(out_overlaps)))
     return bool(out_overlaps.value)
 
 
-def overlaps_batch(a: ArrayLike, b: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
+def overlaps_batch(a: ArrayLike | Mesh, b: ArrayLike | Mesh, *, out: NDArray[Any] | None = None) -> NDArray[np.int32]:
     """Whether the shapes of each of the pairs overlap, as gamephys.overlaps: pair i is a[i] against
     b[i].
     Cost: that of as many single calls.
@@ -2902,7 +3139,7 @@ def overlaps_batch(a: ArrayLike, b: ArrayLike, *, out: np.ndarray | None = None)
     return out_.array
 
 
-def classify_plane(shape: Shape, plane: low.Plane | Sequence) -> tuple[int, float]:
+def classify_plane(shape: Shape, plane: low.Plane | StructLike) -> tuple[int, float]:
     """Classify a sphere, capsule, AABB, OBB or triangle against a plane.
     Cost: O(1).
 
@@ -2913,14 +3150,14 @@ def classify_plane(shape: Shape, plane: low.Plane | Sequence) -> tuple[int, floa
     Raises:
         Error, status ERROR_UNSUPPORTED: for other types of shapes"""
     type_, shape_ = shape_of(shape)
-    plane_ = value_of(plane, low.Plane)
+    plane_ = plane if type(plane) is low.Plane else value_of(plane, low.Plane, "plane")
     out_side = ctypes.c_int32()
     out_signed_distance = ctypes.c_float()
-    check(low.gphys_shape_classify_plane(type_, shape_.address, plane_.address, ctypes.byref(out_side), ctypes.byref(out_signed_distance)))
+    check(low.gphys_shape_classify_plane(type_, shape_, plane_, ctypes.byref(out_side), ctypes.byref(out_signed_distance)))
     return out_side.value, out_signed_distance.value
 
 
-def classify_frustum(shape: Shape, frustum: low.Frustum | Sequence) -> int:
+def classify_frustum(shape: Shape, frustum: low.Frustum | StructLike) -> int:
     """Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means that
     no point is shared, inside that the frustum holds the whole shape.
     Cost: O(1).
@@ -2928,13 +3165,13 @@ def classify_frustum(shape: Shape, frustum: low.Frustum | Sequence) -> int:
     Raises:
         Error, status ERROR_UNSUPPORTED: for other types of shapes"""
     type_, shape_ = shape_of(shape)
-    frustum_ = value_of(frustum, low.Frustum)
+    frustum_ = frustum if type(frustum) is low.Frustum else value_of(frustum, low.Frustum, "frustum")
     out_side = ctypes.c_int32()
-    check(low.gphys_shape_classify_frustum(type_, shape_.address, frustum_.address, ctypes.byref(out_side)))
+    check(low.gphys_shape_classify_frustum(type_, shape_, frustum_, ctypes.byref(out_side)))
     return out_side.value
 
 
-def raycast(shape: Shape, ray: low.Ray | Sequence) -> low.Hit | None:
+def raycast(shape: Shape, ray: low.Ray | StructLike) -> low.Hit | None:
     """First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh.
     Triangles and meshes are hit from both sides, and meshes are watertight: a ray through a shared
     edge or vertex always meets one of the triangles there. Error: t within 1 ulp. No false miss and
@@ -2949,12 +3186,12 @@ def raycast(shape: Shape, ray: low.Ray | Sequence) -> low.Hit | None:
     Raises:
         Error, status ERROR_UNSUPPORTED: for a ray or a segment as the shape"""
     type_, shape_ = shape_of(shape)
-    ray_ = value_of(ray, low.Ray)
+    ray_ = ray if type(ray) is low.Ray else value_of(ray, low.Ray, "ray")
     out_hit = low.Hit()
-    return out_hit if found(low.gphys_shape_raycast(type_, shape_.address, ray_.address, ctypes.byref(out_hit))) else None
+    return out_hit if found(low.gphys_shape_raycast(type_, shape_, ray_, ctypes.byref(out_hit))) else None
 
 
-def raycast_batch(shape: Shape, rays: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
+def raycast_batch(shape: Shape, rays: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
     """First hits of the rays with one shape, as gamephys.raycast. A ray that hits nothing gets t =
     INFINITY, triangle = NO_TRIANGLE and zeros in its hits element.
     Cost: that of as many single calls; less for rays at a mesh if neighbouring rays are similar.
@@ -2965,11 +3202,11 @@ def raycast_batch(shape: Shape, rays: ArrayLike, *, out: np.ndarray | None = Non
     rays_ = array_of(rays, low.ray_dtype)
     count = common_length(rays_)
     out_ = result_array(out, count, low.hit_dtype)
-    check(low.gphys_shape_raycast_batch(type_, shape_.address, rays_.address, rays_.stride, count, out_.address, out_.stride))
+    check(low.gphys_shape_raycast_batch(type_, shape_, rays_.address, rays_.stride, count, out_.address, out_.stride))
     return out_.array
 
 
-def segment_test(shape: Shape, segment: low.Segment | Sequence) -> low.Hit | None:
+def segment_test(shape: Shape, segment: low.Segment | StructLike) -> low.Hit | None:
     """First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly. A
     segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, for lack
     of a direction, the normal is zero.
@@ -2981,12 +3218,12 @@ def segment_test(shape: Shape, segment: low.Segment | Sequence) -> low.Hit | Non
     Raises:
         Error, status ERROR_UNSUPPORTED: for a ray or a segment as the shape"""
     type_, shape_ = shape_of(shape)
-    segment_ = value_of(segment, low.Segment)
+    segment_ = segment if type(segment) is low.Segment else value_of(segment, low.Segment, "segment")
     out_hit = low.Hit()
-    return out_hit if found(low.gphys_shape_segment_test(type_, shape_.address, segment_.address, ctypes.byref(out_hit))) else None
+    return out_hit if found(low.gphys_shape_segment_test(type_, shape_, segment_, ctypes.byref(out_hit))) else None
 
 
-def sweep_sphere(shape: Shape, sphere: low.Sphere | Sequence, displacement: low.Vec3 | Sequence) -> low.Hit | None:
+def sweep_sphere(shape: Shape, sphere: low.Sphere | StructLike, displacement: VectorLike) -> low.Hit | None:
     """First contact of a sphere that moves by displacement with a sphere, capsule, AABB, OBB, plane,
     triangle, frustum or mesh.
     Error: as if the radius were off by 2^-40 of the largest coordinate difference, and 1 ulp of t.
@@ -3007,13 +3244,13 @@ def sweep_sphere(shape: Shape, sphere: low.Sphere | Sequence, displacement: low.
     Raises:
         Error, status ERROR_UNSUPPORTED: for a ray or a segment as the shape"""
     type_, shape_ = shape_of(shape)
-    sphere_ = value_of(sphere, low.Sphere)
-    displacement_ = value_of(displacement, low.Vec3)
+    sphere_ = sphere if type(sphere) is low.Sphere else value_of(sphere, low.Sphere, "sphere")
+    displacement_ = displacement if type(displacement) is low.Vec3 else value_of(displacement, low.Vec3, "displacement")
     out_hit = low.Hit()
-    return out_hit if found(low.gphys_shape_sweep_sphere(type_, shape_.address, sphere_.address, displacement_.address, ctypes.byref(out_hit))) else None
+    return out_hit if found(low.gphys_shape_sweep_sphere(type_, shape_, sphere_, displacement_, ctypes.byref(out_hit))) else None
 
 
-def sweep(shape: Shape, moving: Shape, displacement: low.Vec3 | Sequence) -> low.Hit | None:
+def sweep(shape: Shape, moving: low.Sphere | low.Capsule | low.Aabb | low.Obb, displacement: VectorLike) -> low.Hit | None:
     """First contact of a sphere, capsule, AABB or OBB that moves by displacement, without turning,
     with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh. A frustum, unless a sphere
     moves, must be the hull of its corners (gamephys.frustum_corners).
@@ -3035,12 +3272,12 @@ def sweep(shape: Shape, moving: Shape, displacement: low.Vec3 | Sequence) -> low
             not the hull of its corners, unless a sphere moves, and for other types that move"""
     type_, shape_ = shape_of(shape)
     moving_type_, moving_ = shape_of(moving)
-    displacement_ = value_of(displacement, low.Vec3)
+    displacement_ = displacement if type(displacement) is low.Vec3 else value_of(displacement, low.Vec3, "displacement")
     out_hit = low.Hit()
-    return out_hit if found(low.gphys_shape_sweep(type_, shape_.address, moving_type_, moving_.address, displacement_.address, ctypes.byref(out_hit))) else None
+    return out_hit if found(low.gphys_shape_sweep(type_, shape_, moving_type_, moving_, displacement_, ctypes.byref(out_hit))) else None
 
 
-def sweep_batch(shapes: ArrayLike, moving: ArrayLike, displacements: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
+def sweep_batch(shapes: ArrayLike | Mesh, moving: ArrayLike | Mesh, displacements: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
     """First contacts of count moving shapes of one type with the shapes of another, as gamephys.sweep:
     moving[i] with shapes[i]. One that touches nothing gets t = INFINITY, triangle = NO_TRIANGLE and
     zeros.
@@ -3061,7 +3298,7 @@ def sweep_batch(shapes: ArrayLike, moving: ArrayLike, displacements: ArrayLike, 
     return out_.array
 
 
-def penetration(shape: Shape, moving: Shape) -> low.Penetration | None:
+def penetration(shape: Shape, moving: low.Sphere | low.Capsule | low.Aabb | low.Obb) -> low.Penetration | None:
     """The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule,
     AABB, OBB, plane, triangle or frustum: to where the two just touch, on the side of a plane or
     triangle that is nearer. Of a mesh: out of the triangle that it is deepest in; others may
@@ -3086,10 +3323,10 @@ def penetration(shape: Shape, moving: Shape) -> low.Penetration | None:
     type_, shape_ = shape_of(shape)
     moving_type_, moving_ = shape_of(moving)
     out_penetration = low.Penetration()
-    return out_penetration if found(low.gphys_shape_penetration(type_, shape_.address, moving_type_, moving_.address, ctypes.byref(out_penetration))) else None
+    return out_penetration if found(low.gphys_shape_penetration(type_, shape_, moving_type_, moving_, ctypes.byref(out_penetration))) else None
 
 
-def penetration_batch(shapes: ArrayLike, moving: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
+def penetration_batch(shapes: ArrayLike | Mesh, moving: ArrayLike | Mesh, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
     """The shortest translations that take the shapes of one type out of the shapes of another, as
     gamephys.penetration: moving[i] out of shapes[i]. One that overlaps nothing gets depth =
     -INFINITY, triangle = NO_TRIANGLE and zeros.
@@ -3108,7 +3345,7 @@ def penetration_batch(shapes: ArrayLike, moving: ArrayLike, *, out: np.ndarray |
     return out_.array
 
 
-def frustum_corners(frustum: low.Frustum | Sequence) -> np.ndarray | None:
+def frustum_corners(frustum: low.Frustum | StructLike) -> NDArray[np.float32] | None:
     """The eight corners, each the intersection of three planes: near then far, each in the order
     left-bottom, right-bottom, right-top, left-top. A frustum is the convex hull of its corners (the
     intersections themselves, not rounded to floats) if each is within MAX_COORDINATE and in front
@@ -3120,26 +3357,26 @@ def frustum_corners(frustum: low.Frustum | Sequence) -> np.ndarray | None:
     Returns:
         None if three planes do not meet in a point (infinite far plane), or meet beyond the largest
             float."""
-    frustum_ = value_of(frustum, low.Frustum)
+    frustum_ = frustum if type(frustum) is low.Frustum else value_of(frustum, low.Frustum, "frustum")
     out_corners = np.empty(8, low.vec3_dtype)
-    return out_corners if found(low.gphys_frustum_corners(frustum_.address, out_corners.ctypes.data)) else None
+    return out_corners if found(low.gphys_frustum_corners(frustum_, out_corners.ctypes.data)) else None
 
 
-def planes_intersection(a: low.Plane | Sequence, b: low.Plane | Sequence, c: low.Plane | Sequence) -> low.Vec3 | None:
+def planes_intersection(a: low.Plane | StructLike, b: low.Plane | StructLike, c: low.Plane | StructLike) -> low.Vec3 | None:
     """The point that three planes have in common, within an ulp of each coordinate.
     Cost: O(1). Source: Cramer's rule. Since 1.1.
 
     Returns:
         None if the planes have no single point in common, which is decided exactly, or one beyond
             MAX_COORDINATE."""
-    a_ = value_of(a, low.Plane)
-    b_ = value_of(b, low.Plane)
-    c_ = value_of(c, low.Plane)
+    a_ = a if type(a) is low.Plane else value_of(a, low.Plane, "a")
+    b_ = b if type(b) is low.Plane else value_of(b, low.Plane, "b")
+    c_ = c if type(c) is low.Plane else value_of(c, low.Plane, "c")
     out_point = low.Vec3()
-    return out_point if found(low.gphys_planes_intersection(a_.address, b_.address, c_.address, ctypes.byref(out_point))) else None
+    return out_point if found(low.gphys_planes_intersection(a_, b_, c_, ctypes.byref(out_point))) else None
 
 
-def planes_intersection_batch(a: ArrayLike, b: ArrayLike, c: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
+def planes_intersection_batch(a: ArrayLike, b: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[np.float32]:
     """The points of the triples of planes, as gamephys.planes_intersection; one without gets x = y = z
     = INFINITY.
     Cost: that of as many single calls. Since 1.1.
@@ -3155,7 +3392,7 @@ def planes_intersection_batch(a: ArrayLike, b: ArrayLike, c: ArrayLike, *, out: 
     return out_.array
 
 
-def mat4_orthonormality(matrix: low.Mat4 | Sequence) -> float:
+def mat4_orthonormality(matrix: low.Mat4 | ArrayLike) -> float:
     """How far the axes of a matrix (its first three columns without the last row) are from
     orthonormal: the largest |a_i . a_j - d_ij|, where d_ij is 1 for i = j, else 0. 0 for the
     identity, below 2^-22 for the matrices that a camera gives, about 2e for axes that are too long
@@ -3164,13 +3401,13 @@ def mat4_orthonormality(matrix: low.Mat4 | Sequence) -> float:
 
     Args:
         matrix: elements within MAX_COORDINATE"""
-    matrix_ = value_of(matrix, low.Mat4)
+    matrix_ = matrix_of(matrix, low.Mat4, "matrix")
     out_deviation = ctypes.c_float()
-    check(low.gphys_mat4_orthonormality(matrix_.address, ctypes.byref(out_deviation)))
+    check(low.gphys_mat4_orthonormality(matrix_, ctypes.byref(out_deviation)))
     return out_deviation.value
 
 
-def frustum_from_matrix(view_projection: low.Mat4 | Sequence, depth_range: int, reverse_z: int) -> low.Frustum:
+def frustum_from_matrix(view_projection: low.Mat4 | ArrayLike, depth_range: int, reverse_z: bool) -> low.Frustum:
     """The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
     origin (0, 0, 0). For a camera, Camera.get_frustum is more precise.
     Cost: O(1).
@@ -3181,9 +3418,11 @@ def frustum_from_matrix(view_projection: low.Mat4 | Sequence, depth_range: int, 
     Raises:
         Error, status ERROR_SINGULAR: if the matrix has no inverse, or what it shows has no volume:
             its four near corners are not all finite points in front of the viewer"""
-    view_projection_ = value_of(view_projection, low.Mat4)
+    view_projection_ = matrix_of(view_projection, low.Mat4, "view_projection")
+    if type(depth_range) is not int or depth_range >> 31: depth_range = value(depth_range, "depth_range")
+    if type(reverse_z) is not bool: reverse_z = flag(reverse_z, "reverse_z")
     out_frustum = low.Frustum()
-    check(low.gphys_frustum_from_matrix(view_projection_.address, depth_range, reverse_z, ctypes.byref(out_frustum)))
+    check(low.gphys_frustum_from_matrix(view_projection_, depth_range, reverse_z, ctypes.byref(out_frustum)))
     return out_frustum
 
 

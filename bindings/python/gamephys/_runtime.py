@@ -2,19 +2,21 @@
 from __future__ import annotations
 
 import ctypes
-import ctypes.util
 import os
+import struct as _struct
 import sys
-import weakref
+from functools import partial
+from operator import index, itemgetter
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, Callable, ClassVar, Generic, Iterator, Sequence, TypeVar, Union, overload
 
 import numpy as np
+from numpy.typing import NDArray
 
 _NAMES = {"win32": "gamephys.dll", "darwin": "libgamephys.1.dylib"}
 
 
-def _load():
+def _load() -> Any:
     """The library: $GAMEPHYS_LIBRARY, else the one in this package, else the system's."""
     name = _NAMES.get(sys.platform, "libgamephys.so.1")
     packaged = Path(__file__).with_name(name)
@@ -24,14 +26,14 @@ def _load():
 library = _load()
 
 
-def needs(major, minor):
+def needs(major: int, minor: int) -> None:
     """Refuse a library that lacks what this package calls."""
     version = library.gphys_version()
     if version >> 16 != major or version >> 8 & 255 < minor:
         raise ImportError(f"the library is gamephys {version >> 16}.{version >> 8 & 255}, this package needs {major}.{minor}")
 
 
-def function(name, returns, arguments):
+def function(name: str, returns: Any, arguments: list[Any]) -> Any:
     prototype = getattr(library, name)
     prototype.restype = returns
     prototype.argtypes = arguments
@@ -44,21 +46,21 @@ def function(name, returns, arguments):
 class Error(Exception):
     """A call failed; the message is the library's, status its number."""
 
-    def __init__(self, status: int, message: str):
+    def __init__(self, status: int, message: str) -> None:
         super().__init__(message)
         self.status = status
 
 
 class InvalidArgument(Error, ValueError):
-    pass
+    """A value that the function does not take."""
 
 
 class InvalidId(Error, LookupError):
-    pass
+    """No such model, body, constraint or joint, or no longer."""
 
 
 class OutOfMemory(Error, MemoryError):
-    pass
+    """The library got no memory."""
 
 
 _CLASSES = {-1: InvalidArgument, -2: InvalidId, -4: OutOfMemory}
@@ -66,124 +68,362 @@ _last_error = function("gphys_last_error", ctypes.c_char_p, [])
 _OK, _NO_HIT, _INCOMPLETE, _UNBOUNDED = 0, 1, 2, 3
 
 
-def check(status):
+def check(status: int) -> None:
     """Raise if the status is an error; an answer without a result is none here."""
     if status < 0:
         raise _CLASSES.get(status, Error)(status, _last_error().decode())
 
 
-def found(status):
+def found(status: int) -> bool:
     if status < 0:
         check(status)
     return status == _OK
 
 
-# --- values and objects ---------------------------------------------------------------------
+# --- numbers --------------------------------------------------------------------------------
+
+
+def _in_range(given: Any, name: str, least: int, most: int) -> int:
+    try:
+        number = index(given)
+    except TypeError:
+        raise TypeError(f"{name}: expected a whole number, got {type(given).__name__}") from None
+    if not least <= number <= most:
+        raise InvalidArgument(-1, f"{name} {number} is not in {least}..{most}")
+    return number
+
+
+def whole(given: Any, name: str) -> int:
+    """An id, an index or a number of something."""
+    return _in_range(given, name, 0, 2**32 - 1)
+
+
+def mask(given: Any, name: str) -> int:
+    """A set of bits; ~1 is all but the first."""
+    return _in_range(given, name, -(2**31), 2**32 - 1) & 2**32 - 1
+
+
+def value(given: Any, name: str) -> int:
+    """One of an enumeration's."""
+    return _in_range(given, name, -(2**31), 2**31 - 1)
+
+
+def flag(given: Any, name: str) -> Any:
+    return bool(given) if isinstance(given, np.bool_) else value(given, name)
+
+
+def number(given: Any, name: str) -> float:
+    if not isinstance(given, (str, bytes, bytearray)):
+        try:
+            return float(given)
+        except TypeError:
+            pass
+    raise TypeError(f"{name}: expected a number, got {type(given).__name__}")
+
+
+# --- values ---------------------------------------------------------------------------------
+
+V = TypeVar("V")
+# What writing a struct's numbers at once raises if they are none, or not so many.
+NOT_NUMBERS = (TypeError, ValueError, OverflowError, _struct.error)
 
 
 class Value:
-    """A plain struct: built from numbers and tuples, compared and printed by its fields."""
+    """A plain struct: compared, copied and printed by its fields; it has no others."""
 
-    dtype: ClassVar[np.dtype]
+    __slots__ = ()
+    dtype: ClassVar[np.dtype[Any]]
     _fields_: ClassVar[Any]
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[Any]:
         return (getattr(self, name) for name, *_ in self._fields_)
 
-    def __eq__(self, other):
-        return type(self) is type(other) and bytes(self) == bytes(other)
+    def __eq__(self, other: object) -> bool:
+        return type(self) is type(other) and bytes(self) == bytes(other)  # type: ignore[call-overload]
 
     __hash__ = None  # type: ignore[assignment]
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         fields = ", ".join(f"{name}={getattr(self, name)!r}" for name, *_ in self._fields_)
         return f"{type(self).__name__}({fields})"
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        if any(kind is ctypes.c_void_p and getattr(self, name) for name, kind in self._fields_):
+            raise TypeError(f"{type(self).__name__} with a pointer cannot be copied")
+        return _rebuilt, (type(self), bytes(self))
+
+
+def _rebuilt(kind: Any, memory: bytes) -> Any:
+    return kind.from_buffer_copy(memory)
+
+
+class Vector(Value):
+    """A few float32 numbers with names, and by index. numpy takes it as an array, and its arithmetic gives arrays."""
+
+    __slots__ = ()
+    _names: ClassVar[tuple[str, ...]]
+
+    if TYPE_CHECKING:
+        def __len__(self) -> int: ...
+        def __getitem__(self, at: Any) -> Any: ...
+
+    def __iter__(self) -> Iterator[float]:
+        return iter(self[:])
+
+    def __eq__(self, other: object) -> Any:
+        return NotImplemented if isinstance(other, np.ndarray) else (
+            isinstance(other, (Vector, tuple, list)) and tuple(self) == tuple(other))
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({', '.join(f'{name}={number!r}' for name, number in zip(self._names, self))})"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), tuple(self)
+
+    def __neg__(self) -> NDArray[np.float32]:
+        return -np.asarray(self, "<f4")
+
+    def __add__(self, other: Any) -> Any:
+        return np.asarray(self) + other
+
+    def __radd__(self, other: Any) -> Any:
+        return other + np.asarray(self)
+
+    def __sub__(self, other: Any) -> Any:
+        return np.asarray(self) - other
+
+    def __rsub__(self, other: Any) -> Any:
+        return other - np.asarray(self)
+
+    def __mul__(self, other: Any) -> Any:
+        return np.asarray(self) * other
+
+    def __rmul__(self, other: Any) -> Any:
+        return other * np.asarray(self)
+
+    def __truediv__(self, other: Any) -> Any:
+        return np.asarray(self) / other
+
+    def _set(self, **numbers: Any) -> None:
+        for name, given in numbers.items():
+            setattr(self, name, number(given, f"{type(self).__name__}.{name}"))
+
+
+VectorLike = Union[Sequence[float], NDArray[Any], Vector]
+StructLike = Union[Sequence[Any], NDArray[Any], np.void]
+
+
+def vector_of(given: Any, kind: Any, name: str) -> Any:
+    """A vector of its class, or of anything that has so many numbers."""
+    if type(given) is kind:
+        return given
+    try:
+        numbers = tuple(given)
+    except TypeError:
+        raise TypeError(f"{name}: expected {kind._length_} numbers, got {type(given).__name__}") from None
+    if len(numbers) != kind._length_:
+        raise ValueError(f"{name} has {kind._length_} numbers, got {len(numbers)}")
+    return kind(*numbers)
+
+
+if TYPE_CHECKING:
+
+    class Field(Generic[V]):
+        """A vector in a struct: read as its class, and set from anything that has so many numbers."""
+
+        @overload
+        def __get__(self, owner: None, kind: Any) -> Field[V]: ...
+        @overload
+        def __get__(self, owner: Any, kind: Any) -> V: ...
+        def __get__(self, owner: Any, kind: Any) -> Any: ...
+        def __init__(self, field: Any, check: Callable[[Any], Any]) -> None: ...
+        def __set__(self, owner: Any, given: VectorLike) -> None: ...
+
+else:
+
+    class Field(property):
+        """A field of a struct that checks what it is set to; offset and size are those of ctypes."""
+
+        def __init__(self, field, check):
+            super().__init__(field.__get__, lambda struct, given: field.__set__(struct, check(given)))
+            self.offset, self.size = field.offset, field.size
+
+
+_MASKS = ("layers", "body_layers", "flags", "cloth_flags")
+_CHECKS: dict[Any, Callable[..., Any]] = {ctypes.c_uint32: whole, ctypes.c_int32: flag}
+
+
+def struct(kind: type[V]) -> type[V]:
+    """Gives the fields of a struct, or the numbers of a vector, names that check what they are set to."""
+    made: Any = kind
+    if issubclass(made, Vector):
+        made._names = tuple(name for name in made.__annotations__ if not name.startswith("_"))
+        for at, name in enumerate(made._names):
+            setattr(made, name, property(itemgetter(at), partial(_set_number, at)))
+        return kind
+    for name, of, *_ in made._fields_:
+        check = mask if name in _MASKS else _CHECKS.get(of)
+        if issubclass(of, Vector):
+            check = partial(vector_of, kind=of)
+        if check:
+            setattr(made, name, Field(getattr(made, name), partial(check, name=f"{made.__name__}.{name}")))
+    return kind
+
+
+def _set_number(at: int, vector: Any, given: Any) -> None:
+    vector[at] = given
+
 
 class Built(Value):
-    """A struct that callers build: from all its fields, by name from some, or of zeros."""
+    """A struct that callers build."""
 
-    def __init__(self, *fields, **named):
-        if fields:
-            lengths = [len(getattr(kind, "_fields_", ())) for _, kind, *_ in self._fields_]
-            if len(fields) != len(lengths):
-                raise ValueError(f"{type(self).__name__} has {len(lengths)} fields, got {len(fields)}")
-            for (name, *_), length, field in zip(self._fields_, lengths, fields):
-                if isinstance(field, tuple) and len(field) != length:
-                    raise ValueError(f"{type(self).__name__}.{name} has {length} numbers, got {len(field)}")
-        super().__init__(*fields, **named)
+    __slots__ = ()
+
+    def _set(self, **fields: Any) -> None:
+        """One by one, with errors that name the field."""
+        for name, given in fields.items():
+            known = isinstance(getattr(self, name), Vector)
+            setattr(self, name, given if known else number(given, f"{type(self).__name__}.{name}"))
 
 
 class Desc(Value):
     """Settings: the library's defaults, changed by the keywords given."""
 
+    __slots__ = ()
     _init: ClassVar[Any]
 
     @classmethod
-    def array(cls, count: int, **fields: Any) -> np.ndarray:
+    def array(cls, count: int, **fields: Any) -> NDArray[np.void]:
         """So many of them in a numpy array, for a batch. A field is one value for all, or one for each."""
-        descs = np.full(count, np.frombuffer(bytes(cls()), cls.dtype))
+        descs: NDArray[np.void] = np.full(count, np.frombuffer(bytes(cls()), cls.dtype))
         for name, values in fields.items():
             if name not in (cls.dtype.names or ()):
                 raise TypeError(f"{cls.__name__} has no field {name}")
-            descs[name] = numbers_as(cls.dtype[name].base, np.asarray(values))
+            numbers = np.asarray(values)
+            if name in _MASKS and numbers.dtype.kind == "i" and numbers.size:
+                value(int(numbers.min()), name)
+                numbers = numbers.astype("i8") & 2**32 - 1 if numbers.max() < 2**32 else numbers
+            descs[name] = numbers_as(cls.dtype[name].base, numbers)
         return descs
 
-    def __init__(self, **fields):
-        check(type(self)._init(ctypes.addressof(self), ctypes.sizeof(self)))
-        for name, value in fields.items():
-            if not any(name == field[0] for field in self._fields_):
-                raise TypeError(f"{type(self).__name__} has no field {name}")
-            setattr(self, name, value)
+    def _start(self) -> None:
+        check(type(self)._init(ctypes.byref(self), ctypes.sizeof(self)))  # type: ignore[arg-type]
+
+
+# --- objects --------------------------------------------------------------------------------
+
+
+class Handle(ctypes.c_void_p):
+    """An object of the library, destroyed when nothing refers to this. A call refers to it while it runs."""
+
+    def __init__(self, address: int, destroy: Any) -> None:
+        super().__init__(address)
+        self.destroy = destroy
+
+    def __del__(self) -> None:
+        self.destroy(self.value)
 
 
 class Object:
     """Owns one object of the library. Freed by close(), by `with`, or when nothing refers to it."""
 
     _destroy: ClassVar[Any] = None
-    _finalizer: weakref.finalize | None = None
+    _shape_type: ClassVar[int] = 0  # of those that are shapes
+    _handle: Handle
 
-    def _own(self, handle):
-        self._open_handle = handle
-        self._finalizer = weakref.finalize(self, type(self)._destroy, handle)
+    def _own(self, address: Any) -> None:
+        self._handle = Handle(address, type(self)._destroy)
 
-    @property
-    def _handle(self):
-        if self._finalizer is None or not self._finalizer.alive:
-            raise ValueError(f"{type(self).__name__} is closed")
-        return self._open_handle
+    if not TYPE_CHECKING:
 
-    def close(self):
-        """Free the object now. Using it afterwards raises ValueError; closing again does nothing."""
-        if self._finalizer is not None:
-            self._finalizer()
+        def __getattr__(self, name):
+            if name == "_handle":
+                raise ValueError(f"{type(self).__name__} is closed")
+            raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
 
-    def __enter__(self):
+    def close(self) -> None:
+        """Free the object now, or when the calls end that other threads are in. Using it afterwards raises ValueError;
+        closing again does nothing."""
+        self.__dict__.pop("_handle", None)
+
+    def __enter__(self: V) -> V:
         return self
 
-    def __exit__(self, *_):
+    def __exit__(self, *_: object) -> None:
         self.close()
 
+    def __reduce_ex__(self, protocol: Any) -> Any:
+        raise TypeError(f"{type(self).__name__} cannot be copied or pickled")
 
-class Models(Object):
+    def __repr__(self) -> str:
+        name = f"gamephys.{type(self).__name__}"
+        return f"<{name}{self._described()}>" if "_handle" in self.__dict__ else f"<{name}, closed>"
+
+    def _described(self) -> str:
+        if not self._shape_type:
+            return ""
+        return f" of {self.get_info().triangle_count} triangles"  # type: ignore[attr-defined]
+
+
+class Collection(Object):
+    """An object that has members with ids."""
+
+    _list: ClassVar[tuple[str, str]]  # the function that lists them, and what they are
+
+    def __len__(self) -> int:
+        from . import _low
+
+        total = ctypes.c_uint32()
+        check(getattr(_low, self._list[0])(self._handle, None, 0, ctypes.byref(total)))
+        return total.value
+
+    def __bool__(self) -> bool:
+        return True
+
+    def _described(self) -> str:
+        return f" of {len(self)} {self._list[1]}"
+
+
+class Models(Collection):
     """What a scene can do besides calling one function of the library."""
+
+    _list = ("gphys_scene_get_models", "models")
 
     def get_shape(self, model: int) -> Any:
         """The shape of a model in its own coordinates. Those of meshes are not known: Error."""
         from . import _low
 
-        kinds = {number: kind for kind, number in _low.shape_types.items()}
+        kinds = {number: kind for kind, number in shape_types.items()}
         info = _low.ModelInfo()
+        model = whole(model, "model")
         check(_low.gphys_scene_get_info(self._handle, model, ctypes.addressof(info)))
         shape = kinds.get(info.type, _low.Frustum)()
         check(_low.gphys_scene_get_shape(self._handle, model, ctypes.addressof(shape), ctypes.sizeof(shape)))
         return shape
 
     def __contains__(self, model: int) -> bool:
-        return self.has(model)  # type: ignore[attr-defined]
+        return self.has(model)  # type: ignore[attr-defined, no-any-return]
+
+    def __iter__(self) -> Iterator[int]:
+        return iter(self.get_models().tolist())  # type: ignore[attr-defined]
 
 
-def handle_of(thing, kind):
+class Bodies(Collection):
+    """What a solver can do besides calling one function of the library."""
+
+    _list = ("gphys_solver_get_bodies", "bodies")
+
+    def __iter__(self) -> Iterator[int]:
+        return iter(self.get_bodies().tolist())  # type: ignore[attr-defined]
+
+    def _rest(self, body: int, first: int) -> int:
+        """The number of a body's particles from the first that is asked for."""
+        return max(self.get_body_info(body).particle_count - first, 0)  # type: ignore[attr-defined, no-any-return]
+
+
+def handle_of(thing: Any, kind: type[Object]) -> Handle | None:
     if thing is None:
         return None
     if not isinstance(thing, kind):
@@ -198,31 +438,53 @@ class Argument:
     """Memory for one call: its address, the bytes between elements, and who keeps it alive."""
 
     __slots__ = ("address", "stride", "length", "numbers", "array")
+    array: NDArray[Any]
 
-    def __init__(self, address, stride=0, length=None, numbers=0, array=None):
+    def __init__(self, address: Any, stride: int = 0, length: int | None = None, numbers: int = 0, array: Any = None) -> None:
         self.address, self.stride, self.length, self.numbers, self.array = address, stride, length, numbers, array
 
 
 _NONE = Argument(None)
 
 
-def value_of(thing, kind):
+def value_of(thing: Any, kind: Any, name: str) -> Any:
     """One struct: of its class, or anything that fills it, such as a tuple or an array's element."""
-    if thing is None:
-        return _NONE
-    if not isinstance(thing, kind):
-        if isinstance(thing, (np.ndarray, np.void)):
-            thing = kind.from_buffer_copy(np.ascontiguousarray(thing, kind.dtype if thing.dtype.names else "<f4"))
-        elif isinstance(thing, Value) or issubclass(kind, Desc):
-            raise TypeError(f"expected {kind.__name__}, got {type(thing).__name__}")
-        elif kind.__name__ == "Mat4":
-            thing = kind(tuple(thing))
-        else:
-            thing = kind(*thing)
-    return Argument(ctypes.addressof(thing), array=thing)
+    if thing is None or isinstance(thing, kind):
+        return thing
+    if issubclass(kind, Vector):
+        return vector_of(thing, kind, name)
+    if isinstance(thing, (np.ndarray, np.void)):
+        array = np.asarray(thing) if thing.dtype.names else numbers_as(np.dtype("<f4"), np.asarray(thing))
+        if array.dtype.names and array.dtype != kind.dtype or array.nbytes != ctypes.sizeof(kind):
+            raise ValueError(f"{name}: expected the numbers of one {kind.__name__}, got {array.dtype} of the shape {array.shape}")
+        return kind.from_buffer_copy(np.ascontiguousarray(array))
+    if isinstance(thing, Value) or issubclass(kind, Desc):
+        raise TypeError(f"{name}: expected {kind.__name__}, got {type(thing).__name__}")
+    try:
+        fields = tuple(thing)
+    except TypeError:
+        raise TypeError(f"{name}: expected {kind.__name__}, got {type(thing).__name__}") from None
+    if len(fields) != len(kind._fields_):
+        raise ValueError(f"{name}: {kind.__name__} has {len(kind._fields_)} fields, got {len(fields)}")
+    return kind(*fields)
 
 
-def array_of(things, dtype, width=1):
+def matrix_of(thing: Any, kind: Any, name: str) -> Any:
+    """A matrix whose rows are given, as numpy writes them, or its 16 numbers column by column, as they lie in memory."""
+    if thing is None or isinstance(thing, kind):
+        return thing
+    array = numbers_as(np.dtype("<f4"), np.asarray(thing))
+    if array.shape not in ((4, 4), (16,)):
+        raise ValueError(f"{name}: expected 4 rows of 4 numbers, or 16 numbers, got the shape {array.shape}")
+    return kind.from_buffer_copy(np.ascontiguousarray(array.T))
+
+
+def matrix(memory: Any) -> NDArray[np.float32]:
+    """A matrix as numpy writes it: matrix @ (x, y, z, 1) transforms a point."""
+    return np.frombuffer(memory, "<f4").reshape(4, 4).T
+
+
+def array_of(things: Any, dtype: Any, width: int = 1) -> Argument:
     """An array of the dtype, taken as it is where it is one: any step between elements, no copy.
     float32 arrays whose last axis holds an element's numbers will do for structs of floats."""
     if things is None:
@@ -237,6 +499,8 @@ def array_of(things, dtype, width=1):
         array = np.asarray(things, base)
     else:
         array = np.asarray(things)
+    if array.size == 0 and array.ndim == 1 and array.dtype.names is None:
+        return Argument(None, 0, 0)
     size = base.itemsize * width * int(np.prod(inner, dtype=int))
     if array.dtype.names is None:
         # Plain numbers: rows of them.
@@ -261,7 +525,7 @@ def array_of(things, dtype, width=1):
     return Argument(array.__array_interface__["data"][0], stride, length, array.size, array)
 
 
-def structs_of(things, kind):
+def structs_of(things: Any, kind: Any) -> Argument:
     """A list of structs of one kind, copied."""
     for thing in things:
         if type(thing) is not kind:
@@ -271,7 +535,7 @@ def structs_of(things, kind):
     return Argument(ctypes.addressof(array), size, len(things), size // 4 * len(things), array)
 
 
-def descs_of(things, kind):
+def descs_of(things: Any, kind: Any) -> Argument:
     """An array of descs, such as Desc.array makes; a list of them; or one that stands for all."""
     if isinstance(things, kind):
         return Argument(ctypes.addressof(things), array=things)
@@ -282,7 +546,7 @@ def descs_of(things, kind):
     return array_of(things, kind.dtype)
 
 
-def numbers_as(number, array):
+def numbers_as(number: np.dtype[Any], array: NDArray[Any]) -> NDArray[Any]:
     """Floats of the library's width; whole numbers only from such, and in range."""
     if array.dtype == number or array.size == 0:
         return array.astype(number, copy=False)
@@ -294,7 +558,7 @@ def numbers_as(number, array):
     return array.astype(number)
 
 
-def numbers_of(things, dtype, count):
+def numbers_of(things: Any, dtype: Any, count: int) -> Argument:
     """A given number of numbers, such as an origin."""
     array = np.ascontiguousarray(things, dtype)
     if array.shape != (count,):
@@ -302,34 +566,37 @@ def numbers_of(things, dtype, count):
     return Argument(array.__array_interface__["data"][0], array=array)
 
 
-def shape_of(shape):
-    """(kind, memory) of a shape."""
-    from . import _low, _objects
-
-    if isinstance(shape, _objects.Mesh):
-        return _low.SHAPE_MESH, Argument(shape._handle)
-    kind = _low.shape_types.get(type(shape))
-    if kind is None:
-        raise TypeError(f"{type(shape).__name__} is not a shape")
-    return kind, Argument(ctypes.addressof(shape), array=shape)
+shape_types: dict[Any, int] = {}  # of the structs
 
 
-def shapes_of(shapes):
+def shape_of(shape: Any) -> tuple[int, Any]:
+    """(kind, pointer) of a shape."""
+    kind = shape_types.get(type(shape))
+    if kind is not None:
+        return kind, ctypes.byref(shape)
+    if isinstance(shape, Object) and shape._shape_type:
+        return shape._shape_type, shape._handle
+    raise TypeError(f"{type(shape).__name__} is not a shape")
+
+
+def shapes_of(shapes: Any) -> tuple[int, Argument]:
     """(kind, memory) of an array of shapes of one kind, a list of them, or one that stands for all."""
-    from . import _low
-
-    if isinstance(shapes, np.ndarray):
-        for kind, number in _low.shape_types.items():
+    if isinstance(shapes, np.ndarray) and shapes.dtype.names:
+        for kind, number in shape_types.items():
             if kind.dtype == shapes.dtype:
                 return number, array_of(shapes, kind.dtype)
         raise TypeError(f"{shapes.dtype} is no shape's dtype")
-    if isinstance(shapes, (list, tuple)) and shapes and type(shapes[0]) in _low.shape_types:
-        kind = type(shapes[0])
-        return _low.shape_types[kind], structs_of(shapes, kind)
-    return shape_of(shapes)
+    if isinstance(shapes, (list, tuple, np.ndarray)):
+        if len(shapes) == 0:
+            return 1, Argument(None, 0, 0)  # of any kind
+        if type(shapes[0]) in shape_types:
+            kind = type(shapes[0])
+            return shape_types[kind], structs_of(shapes, kind)
+    number, pointer = shape_of(shapes)
+    return number, Argument(pointer)
 
 
-def common_length(*arguments):
+def common_length(*arguments: Argument) -> int:
     """The number of elements of a batch. What stands for all of them has no length."""
     lengths = {argument.length for argument in arguments if argument.length is not None}
     if len(lengths) != 1:
@@ -340,7 +607,7 @@ def common_length(*arguments):
 # --- results --------------------------------------------------------------------------------
 
 
-def result_array(out, length, dtype):
+def result_array(out: NDArray[Any] | None, length: int, dtype: Any) -> Argument:
     """Where results go: the caller's array, if given, else a new one."""
     dtype = np.dtype(dtype)
     if out is None:
@@ -362,7 +629,7 @@ def result_array(out, length, dtype):
 _GUESS = 64  # elements; most lists are shorter, the others take a second call
 
 
-def list_of(call, arguments, dtype):
+def list_of(call: Any, arguments: tuple[Any, ...], dtype: Any) -> NDArray[Any]:
     """All results of a call that takes (..., out, capacity, out_total)."""
     total = ctypes.c_uint32()
     capacity = _GUESS
@@ -375,7 +642,7 @@ def list_of(call, arguments, dtype):
         capacity = total.value
 
 
-def ragged_of(call, arguments, dtype, count):
+def ragged_of(call: Any, arguments: tuple[Any, ...], dtype: Any, count: int) -> tuple[NDArray[Any], NDArray[np.uint32]]:
     """All results of a call that takes (..., out, capacity, out_offsets): (results, offsets); those
     of element i are results[offsets[i]:offsets[i + 1]]."""
     offsets = np.empty(count + 1, "<u4")
