@@ -1,12 +1,26 @@
 """JavaScript: a reader and a writer for each struct, a class for each handle with a method for each
 function, and the two entries of the package, which differ in how the library's memory is reached.
 The types of TypeScript are in typescript.py."""
-from ._names import ANSWERS, OF_THE_DESC, SHAPES, base_type, calls, camel, creations, element, lower_camel, other_creations, plain
+from ._names import ANSWERS, MASKS, OF_THE_DESC, SHAPES, base_type, calls, camel, creations, element, lower_camel, other_creations, plain
 
 HEAD = "// Generated from gamephys_api.json by bindings/generate.py. Not for editing.\n"
 VIEWS = {"float": "f32", "double": "f64", "int32_t": "i32", "uint32_t": "u32"}
 SIZES = {"float": 4, "double": 8, "int32_t": 4, "uint32_t": 4}
 ARRAYS = ("gphys_vec3", "gphys_quat", "gphys_mat4")  # read as arrays of numbers, written from them too
+# What a field is that is not given.
+UNSAID = {"gphys_transform": {"position": "[0, 0, 0]", "rotation": "[0, 0, 0, 1]", "scale": "1"},
+          "gphys_ray": {"t_max": "Infinity"}, "gphys_obb": {"rotation": "[0, 0, 0, 1]"}}
+# What a parameter is that is not given, where none follows that must be.
+DEFAULTS = {"layers": "ALL_LAYERS", "max_distance": "Infinity", "tolerance": "0", "link_length": "0", "compliance": "0",
+            "first": "0", "count": "rest(this, body, first)", "pinned": "true"}
+
+
+def checked(name, of, base, called):
+    """A number that is what it must be: the check has its name for the message."""
+    check = {"float": "real", "double": "real", "int32_t": "flag" if of == "int32_t" else "signed"}.get(
+        base, "bits" if called in MASKS else "whole")
+    return f"{check}({name}, '{called}')"
+
 
 
 class Structs:
@@ -26,6 +40,14 @@ class Structs:
     def is_data(self, name):
         """Whether nothing in it is a pointer."""
         return all("*" not in self.base(f["type"]) for f in self.by_name[name]["fields"])
+
+    def numbers_in(self, name):
+        """The numbers that it consists of: f32, u32 or i32, or '' if of several kinds."""
+        base = self.base(name)
+        if base in VIEWS:
+            return VIEWS[base]
+        kinds = {self.numbers_in(f["type"]) for f in self.by_name[name]["fields"]}
+        return kinds.pop() if len(kinds) == 1 else ""
 
     def numbers(self, name):
         """How many four-byte numbers, all pointers apart."""
@@ -66,7 +88,7 @@ def write_field(structs, field, index, value):
 
     def store(where, x):
         if base in VIEWS:
-            return f"v.{VIEWS[base]}[{where}] = number({x}, '{field['name']}');"
+            return f"v.{VIEWS[base]}[{where}] = {checked(x, field['type'], base, field['name'])};"
         return f"write{camel(base)}(v, {where}, {x});"
 
     if field["count"] == 1:
@@ -83,19 +105,26 @@ def writer(structs, struct):
     if len(fields) == 1:  # a matrix: its numbers, or an object with them
         f = fields[0]
         lines += [f"    {line}" for line in
-                  write_field(structs, f, "0", f"row(value, {f['count']}, '{plain(name)}') ? value : value.{f['name']}")]
+                  write_field(structs, f, "0", f"row(value, {f['count']}, '{plain(name)}') ? value : value.{f['name']} ?? value.elements")]
     else:
         lines.append(f"    const rows = row(value, {len(fields)}, '{plain(name)}');")
+        unsaid = UNSAID.get(name, {})
+        if unsaid:
+            known = ", ".join(f"'{f['name']}'" for f in fields)
+            missing = " || ".join(f"value.{field} === undefined" for field in unsaid)
+            lines.append(f"    if (!rows && ({missing})) only(value, [{known}], '{plain(name)}');")
         for i, f in enumerate(fields):
+            other = f" ?? {unsaid[f['name']]}" if f["name"] in unsaid else ""
             lines += [f"    {line}" for line in
-                      write_field(structs, f, indices(struct, f), f"rows ? value[{i}] : value.{f['name']}")]
+                      write_field(structs, f, indices(struct, f), f"rows ? value[{i}] : value.{f['name']}{other}")]
     return "\n".join(lines) + "\n}\n"
 
 
 def desc_writer(structs, struct):
     """Fields by name over the library's defaults, which are there already."""
     name = struct["name"]
-    lines = [f"export function write{camel(name)}(v, at, value) {{", "    for (const name in value) {", "        switch (name) {"]
+    lines = [f"export function write{camel(name)}(v, at, value) {{", f"    named(value, '{plain(name)}');",
+             "    for (const name in value) {", "        switch (name) {"]
     for f in struct["fields"]:
         if "*" in f["type"] or f["name"] in OF_THE_DESC:
             continue
@@ -106,10 +135,15 @@ def desc_writer(structs, struct):
 
 
 def structs_file(structs):
-    out = [HEAD, """
-function number(value, name) {
-    if (typeof value === 'number') return value;
-    throw new TypeError(`${name}: expected a number, got ${value}`);
+    out = [HEAD, """import { bits, flag, real, signed, whole } from './numbers.js';
+
+function named(value, name) {
+    if (typeof value !== 'object') throw new TypeError(`expected a ${name}, got ${value}`);
+}
+
+/** Refuses a field that is misspelt where those that are missing have a meaning. */
+function only(value, fields, name) {
+    for (const field in value) if (!fields.includes(field)) throw new TypeError(`${name} has no field ${field}`);
 }
 
 /** Whether the fields are given in order, as an array, and not by name. */
@@ -189,6 +223,8 @@ class Method:
             return self.given(p, of)
         if role == "array":
             kind = self.input(name, of, structs.size(of, 0) * p.get("width", 1) if of != "void" else 0)
+            if name == "indices":
+                kind = kind.replace("indices,", "indices ?? ascending(vertices_.length),")
             if p.get("nullable"):
                 kind = f"{name} == null ? nothing : {kind}"
             self.before.append(f"const {name}_ = {kind};")
@@ -205,7 +241,7 @@ class Method:
         if role == "count":
             arrays = [q for q in self.parameters if q["role"] == "array"]
             if not arrays or name == "count":
-                return "count"
+                return "count" if arrays else checked(name, "uint32_t", "uint32_t", name)
             array = [q for q in self.parameters[:i] if q["role"] == "array"][-1]
             return f"{array['name']}_.numbers" if name == "index_count" else f"{array['name']}_.length"
         if role == "out":
@@ -229,7 +265,7 @@ class Method:
             self.new = self.place(8, 8)
             return self.address(self.new)
         assert role == "scalar", role
-        return f"+{name}" if of == "int32_t" else name
+        return checked(name, p["type"], structs.base(of), name)
 
     def input(self, name, of, bytes):
         if of == "void":
@@ -238,7 +274,7 @@ class Method:
             assert self.structs.size(of, 0) == self.structs.size(of, 1), f"{of} in an array has a size of the platform"
             place = self.place(bytes, 8)
             return f"inputDescs({name}, {place // 4}, {bytes}, native.{of}_init, write{camel(of)}, '{name}')"
-        return f"input({name}, {bytes}, '{name}')"
+        return f"input({name}, {bytes}, '{name}', '{self.structs.numbers_in(of)}')"
 
     def given(self, p, of):
         structs, name = self.structs, p["name"]
@@ -276,7 +312,11 @@ class Method:
         return self.address(place)
 
     def signature(self):
-        words = [name + (" = ALL_LAYERS" if name == "layers" else "") for name in (p["name"] for p in self.call.inputs)]
+        words, optional = [], True
+        for p in reversed(self.call.inputs):
+            unsaid = DEFAULTS.get(p["name"]) if p["role"] in ("scalar", "count") and self.call.name != "set_layers" else None
+            optional = optional and (unsaid is not None or p.get("nullable", False))
+            words.insert(0, p["name"] + (f" = {unsaid}" if optional and unsaid else ""))
         if any(p["role"] == "out_array" for p in self.parameters):
             words.append("out")
         return ", ".join(words)
@@ -365,11 +405,12 @@ def objects_file(structs):
     used = [u for u in used if f"{u}(" in text]
     shapes = "".join(f"        {s}: (...fields) => new Shape('{s}', fields),\n" for s in SHAPES if s != "mesh")
     return (HEAD + f"import {{ {', '.join(['ALL_LAYERS', *map(plain, ANSWERS.values()), 'OK'])} }} from './constants.js';\n"
-            + "import { " + ", ".join(used) + " } from './structs.js';\nimport { Shape, runtime } from './runtime.js';\n\n"
+            + "import { bits, flag, real, signed, whole } from './numbers.js';\nimport { " + ", ".join(used)
+            + " } from './structs.js';\nimport { Shape, runtime } from './runtime.js';\n\n"
             + "/** Everything of the library but constants, over one way to reach its memory and functions. */\n"
             + "export function objects(memory) {\n"
             + "    const { native, v, base, Handle, begin, check, common, finish, input, inputDescs, inputShapes, list, made, nothing,\n"
-            + "        numbers, output, pass, pointer, putShape, ragged, typeOf, more } = runtime(memory);\n\n" + text
+            + "        numbers, ascending, output, pass, pointer, putShape, ragged, rest, typeOf, more } = runtime(memory);\n\n" + text
             + "    return {\n        " + ", ".join([camel(h) for h in api["handles"]] + [lower_camel(c.name) for c in free]) + ",\n"
             + shapes + "        ...more(Scene, Mesh),\n    };\n}\n")
 

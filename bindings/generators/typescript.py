@@ -1,6 +1,7 @@
 """The types of the JavaScript package for TypeScript, with the header's comments."""
 from ._docs import Language, as_tags, as_text, translated
 from ._names import ANSWERS, OF_THE_DESC, SHAPES, base_type, calls, camel, creations, element, lower_camel, other_creations, plain
+from .javascript import DEFAULTS, Structs
 
 NUMBERS = ("float", "double", "int32_t", "uint32_t", "size_t")
 PRIMITIVES = [s for s in SHAPES if s != "mesh"]
@@ -11,9 +12,15 @@ HEAD = """// Generated from gamephys_api.json by bindings/generate.py. Not for e
 export type Given<T> = T extends number ? number
     : T extends number[] ? ArrayLike<number>
     : T extends readonly (infer E)[] ? readonly Given<E>[]
+    : T extends Transform ? { [K in keyof T]?: Given<T[K]> } | readonly unknown[] | ArrayLike<number>
+    : T extends Ray ? Omit<{ [K in keyof T]: Given<T[K]> }, 't_max'> & { t_max?: number } | readonly unknown[] | ArrayLike<number>
     : { [K in keyof T]: Given<T[K]> } | readonly unknown[] | ArrayLike<number>;
 /** Elements of a batch: rows of four-byte numbers, one after the other. */
-export type Elements = Float32Array | Uint32Array | Int32Array | Records;
+export type Elements = Float32Array | Uint32Array | Int32Array | Uint8Array | Records;
+/** The same, of floats only. */
+export type Floats = Float32Array | Uint8Array | Records;
+/** The same, of whole numbers only. Uint16Array is copied. */
+export type Words = Uint32Array | Int32Array | Uint16Array | Uint8Array | Records;
 /** A shape for a question about it. */
 export type AnyShape = Shape | Mesh;
 
@@ -72,6 +79,7 @@ export function transform(shape: Shape, by: Given<Transform>): Shape;
 
 def typescript(api):
     structs = {s["name"]: s for s in api["structs"]}
+    numbers = Structs(api)
 
     def is_data(s):
         return not any("*" in base_type(api, f["type"]) for f in s["fields"])
@@ -94,7 +102,10 @@ def typescript(api):
         if p["role"] == "array" and of.endswith("_desc"):
             return f"readonly Partial<{camel(of)}>[] | Partial<{camel(of)}>" + null
         if p["role"] == "array":
-            return ("Shapes | AnyShape" if of == "void" else "Elements") + null
+            if of == "void":
+                return "Shapes | AnyShape" + null
+            kind = {"f32": "Floats", "u32": "Words"}.get(numbers.numbers_in(of), "Elements")
+            return kind + (" | null" if p["name"] == "indices" else null)
         if p.get("count"):
             return "ArrayLike<number>"
         if p["role"] == "in":
@@ -121,7 +132,8 @@ def typescript(api):
     def signature(call):
         words, optional = [], True
         for p in reversed(call.inputs):
-            optional = optional and (p.get("nullable", False) or p["name"] == "layers")
+            unsaid = p["name"] in DEFAULTS and p["role"] in ("scalar", "count") and call.name != "set_layers" or p["name"] == "indices"
+            optional = optional and (p.get("nullable", False) or unsaid)
             words.insert(0, f"{p['name']}{'?' if optional else ''}: {given(p)}")
         if any(p["role"] == "out_array" for p in call.outputs):
             words.append("out?: Elements")

@@ -4,9 +4,15 @@
 export type Given<T> = T extends number ? number
     : T extends number[] ? ArrayLike<number>
     : T extends readonly (infer E)[] ? readonly Given<E>[]
+    : T extends Transform ? { [K in keyof T]?: Given<T[K]> } | readonly unknown[] | ArrayLike<number>
+    : T extends Ray ? Omit<{ [K in keyof T]: Given<T[K]> }, 't_max'> & { t_max?: number } | readonly unknown[] | ArrayLike<number>
     : { [K in keyof T]: Given<T[K]> } | readonly unknown[] | ArrayLike<number>;
 /** Elements of a batch: rows of four-byte numbers, one after the other. */
-export type Elements = Float32Array | Uint32Array | Int32Array | Records;
+export type Elements = Float32Array | Uint32Array | Int32Array | Uint8Array | Records;
+/** The same, of floats only. */
+export type Floats = Float32Array | Uint8Array | Records;
+/** The same, of whole numbers only. Uint16Array is copied. */
+export type Words = Uint32Array | Int32Array | Uint16Array | Uint8Array | Records;
 /** A shape for a question about it. */
 export type AnyShape = Shape | Mesh;
 
@@ -657,7 +663,7 @@ export function shapes(kind: 'sphere' | 'capsule' | 'aabb' | 'obb' | 'plane' | '
  * no multiple of 3 or a bad vertex; meshCheck tells which.
  * Cost: O(n log n), about 1 us per triangle. */
 export class Mesh {
-    constructor(vertices: Elements, indices: Elements, desc?: Partial<MeshDesc> | null);
+    constructor(vertices: Floats, indices?: Words | null, desc?: Partial<MeshDesc> | null);
     /** Frees the object at once. */
     close(): void;
     /** Make the convex hull of points: a mesh that is solid, as spheres and boxes are. It can be used
@@ -678,7 +684,7 @@ export class Mesh {
      * Throws GamephysError with ERROR_UNSUPPORTED if desc asks for a deformable mesh.
      * Cost: O(point_count * faces); allocates. Rays take O(log faces), other queries up to O(faces).
      * Source: quickhull (Barber, Dobkin, Huhdanpaa 1996) with exact predicates. Since 1.1. */
-    static hull(points: Elements, desc?: Partial<MeshDesc> | null): Mesh;
+    static hull(points: Floats, desc?: Partial<MeshDesc> | null): Mesh;
     /** Make a mesh from a snapshot: all its answers have the same bits as those of the mesh in the
      * snapshot. Any words are safe, also from an untrusted source: vertices, indices and the tree are
      * checked, and what follows from them is computed. Forged words are refused, or taken as a mesh like
@@ -689,7 +695,7 @@ export class Mesh {
      * of a later format or of another byte order.
      * Throws GamephysError with ERROR_UNSUPPORTED for a deformable hull.
      * Cost: O(n), a small part of Mesh's; allocates. */
-    static fromSnapshot(words: Elements, desc?: Partial<MeshDesc> | null): Mesh;
+    static fromSnapshot(words: Words, desc?: Partial<MeshDesc> | null): Mesh;
     /** A handle of a model's mesh: of the mesh itself, not of a copy, so that what Mesh.setVertices does to
      * it is seen by all its models. It gives the meshes of a restored scene, which are not deformable if
      * they were embedded in its snapshot.
@@ -747,7 +753,7 @@ export class Mesh {
      * @throws {GamephysError} ERROR_UNSUPPORTED: if the mesh is not deformable
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: for a vertex that is not finite or too large, or if
      *     a model of the mesh would reach beyond the range of coordinates */
-    setVertices(vertices: Elements): void;
+    setVertices(vertices: Floats): void;
     /** Kind and size of a mesh, and whether its vertices change.
      * Cost: O(1). Since 1.1. */
     getInfo(): MeshInfo;
@@ -775,12 +781,12 @@ export class Mesh {
     raycastAny(ray: Given<Ray>): boolean;
     /** Whether each of the rays hits anything, as Mesh.raycastAny.
      * Cost: that of as many single calls; less if neighbouring rays are similar. Since 1.1. */
-    raycastAnyBatch(rays: Elements, out?: Elements): Records<number>;
+    raycastAnyBatch(rays: Floats, out?: Elements): Records<number>;
     /** How far each of the rays goes, and which triangle it hits: t and triangle of raycastBatch for the
      * mesh, with the same bits, without the rest of a hit; model is 0.
      * Cost: less than that of raycastBatch. Since 1.1.
      * @returns a ray that hits nothing gets t = INFINITY and triangle = NO_TRIANGLE. */
-    raycastDistanceBatch(rays: Elements, out?: Elements): Records<Distance>;
+    raycastDistanceBatch(rays: Floats, out?: Elements): Records<Distance>;
     /** Indices of all triangles that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
      * ascending.
      * Cost: O(log n + k) expected.
@@ -851,7 +857,7 @@ export class Scene {
      * @param shapes - in the models' own coordinates
      * @param transforms - local; null is the identity
      * @param desc - for all; null: no parent, layer 1, tag 0 */
-    addBatch(shapes: Shapes | AnyShape, transforms?: Elements | null, desc?: Partial<ModelDesc> | null, out?: Elements): Records<number>;
+    addBatch(shapes: Shapes | AnyShape, transforms?: Floats | null, desc?: Partial<ModelDesc> | null, out?: Elements): Records<number>;
     /** Add the models of one type, all or none, each with a desc of its own.
      * Fails as Scene.add; ERROR_STRUCT_SIZE as for a single desc.
      * Cost: as Scene.addBatch.
@@ -859,14 +865,14 @@ export class Scene {
      * @param transforms - local; null is the identity
      * @param descs - one for each; null: no parent, layer 1, tag 0. Parents are models that the scene has
      *     before the call */
-    addDescribedBatch(shapes: Shapes | AnyShape, transforms?: Elements | null, descs?: readonly Partial<ModelDesc>[] | Partial<ModelDesc> | null, out?: Elements): Records<number>;
+    addDescribedBatch(shapes: Shapes | AnyShape, transforms?: Floats | null, descs?: readonly Partial<ModelDesc>[] | Partial<ModelDesc> | null, out?: Elements): Records<number>;
     /** Remove a model. Its children stay where they are in the world and lose their parent.
      * Cost: O(log n) amortised, and O(1) a child. Renews the octree as far as there is memory. */
     remove(model: number): void;
     /** Remove models, all or none.
      * Cost: that of as many calls of Scene.remove. Renews the octree as far as there is memory.
      * @param models - the ids; an id that appears twice is ERROR_INVALID_ID */
-    removeBatch(models: Elements): void;
+    removeBatch(models: Words): void;
     /** Remove a model and all its descendants.
      * Cost: O(log n) amortised for each. Renews the octree as far as there is memory. */
     removeSubtree(model: number): void;
@@ -937,7 +943,7 @@ export class Scene {
      * affected.
      * Cost: O(1).
      * @param layers - any mask; 0: no query sees it */
-    setLayers(model: number, layers?: number): void;
+    setLayers(model: number, layers: number): void;
     /** Change the number that a model's hits report beside its id. Children are not affected.
      * Cost: O(1).
      * @param tag - any number of the caller's */
@@ -961,16 +967,16 @@ export class Scene {
      * the octree as far as there is memory.
      * @param models - the ids
      * @param transforms - as in Scene.setTransform */
-    setTransforms(models: Elements, transforms: Elements): void;
+    setTransforms(models: Words, transforms: Floats): void;
     /** Local transforms of the models, as they were set: relative to the parent.
      * Cost: O(elements).
      * @param models - the ids; an id may appear twice */
-    getTransforms(models: Elements, out?: Elements): Records<Transform>;
+    getTransforms(models: Words, out?: Elements): Records<Transform>;
     /** World transforms of the models: with those of all ancestors applied, rounded to float32. Answers of
      * queries are exact with respect to these.
      * Cost: O(elements).
      * @param models - the ids; an id may appear twice */
-    getWorldTransforms(models: Elements, out?: Elements): Records<Transform>;
+    getWorldTransforms(models: Words, out?: Elements): Records<Transform>;
     /** Closest model on a ray; the fields are exact as in raycast.
      * Cost: O(log n) expected; no allocation.
      * @returns null if nothing is found. */
@@ -978,18 +984,18 @@ export class Scene {
     /** Closest models on the rays, as Scene.raycast; a ray that hits nothing gets model = 0 and t =
      * INFINITY.
      * Cost: at most that of as many single calls; shared among workers. */
-    raycastBatch(rays: Elements, layers?: number, out?: Elements): Records<Hit>;
+    raycastBatch(rays: Floats, layers?: number, out?: Elements): Records<Hit>;
     /** How far each of the rays goes, and what it hits: t, model and triangle of Scene.raycastBatch, with
      * the same bits, without the rest of a hit. For lidars and depth images.
      * Cost: less than that of Scene.raycastBatch; shared among workers. Since 1.1.
      * @returns a ray that hits nothing gets t = INFINITY, model = 0 and triangle = NO_TRIANGLE. */
-    raycastDistanceBatch(rays: Elements, layers?: number, out?: Elements): Records<Distance>;
+    raycastDistanceBatch(rays: Floats, layers?: number, out?: Elements): Records<Distance>;
     /** Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
      * Cost: O(log n) expected. */
     raycastAny(ray: Given<Ray>, layers?: number): boolean;
     /** Whether each of the rays meets anything, as Scene.raycastAny.
      * Cost: at most that of as many single calls; shared among workers. */
-    raycastAnyBatch(rays: Elements, layers?: number, out?: Elements): Records<number>;
+    raycastAnyBatch(rays: Floats, layers?: number, out?: Elements): Records<number>;
     /** Every model that a ray meets, each once with its first hit, by t, then id.
      * Cost: O(log n + k log k) expected. */
     raycastAll(ray: Given<Ray>, layers?: number): Records<Hit>;
@@ -997,7 +1003,7 @@ export class Scene {
      * hits[offsets[i]] up to offsets[i + 1].
      * The contents of hits behind the last hit are unspecified.
      * Cost: that of as many single calls; shared among workers. */
-    raycastAllBatch(rays: Elements, layers?: number): { values: Records<Hit>; offsets: Uint32Array };
+    raycastAllBatch(rays: Floats, layers?: number): { values: Records<Hit>; offsets: Uint32Array };
     /** Closest model along a segment from a to b, both included; t in 0..1. Fields as in segmentTest.
      * Cost: O(log n) expected.
      * @returns null if nothing is found. */
@@ -1005,7 +1011,7 @@ export class Scene {
     /** Closest models along the segments, as Scene.segmentTest; one that hits nothing gets model = 0 and t
      * = INFINITY.
      * Cost: that of as many single calls; shared among workers. */
-    segmentTestBatch(segments: Elements, layers?: number, out?: Elements): Records<Hit>;
+    segmentTestBatch(segments: Floats, layers?: number, out?: Elements): Records<Hit>;
     /** Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum, as
      * overlaps, ascending.
      * Cost: O(log n + k) expected, and O(k log k) to order hundreds of ids. Room in models for n / 32 + 64
@@ -1029,7 +1035,7 @@ export class Scene {
      * maps, faces of a cube map, many sensors. Those of frustum i are at models[offsets[i]] up to
      * offsets[i + 1], as in Scene.raycastAllBatch.
      * Cost: that of as many single calls; shared among workers. Since 1.1. */
-    cullBatch(frusta: Elements, layers?: number): { values: Records<number>; offsets: Uint32Array };
+    cullBatch(frusta: Floats, layers?: number): { values: Records<number>; offsets: Uint32Array };
     /** The model nearest to a point, and its closest point.
      * Cost: O(log n) expected if all models are in the layers. Otherwise those that are not, and are
      * nearer than the answer, are visited in vain, until it is faster to test all models in the layers.
@@ -1038,12 +1044,12 @@ export class Scene {
      * 15 us.
      * @param max_distance - metres, >= 0, INFINITY allowed; a model at exactly this distance counts
      * @returns null if nothing is found. */
-    nearest(point: Given<number[]>, max_distance: number, layers?: number): Nearest | null;
+    nearest(point: Given<number[]>, max_distance?: number, layers?: number): Nearest | null;
     /** The models nearest to the points, as Scene.nearest; a point with none gets model = 0 and distance =
      * INFINITY.
      * Cost: that of as many single calls; shared among workers.
      * @param max_distance - metres, >= 0, INFINITY allowed, for all points */
-    nearestBatch(points: Elements, max_distance: number, layers?: number, out?: Elements): Records<Nearest>;
+    nearestBatch(points: Floats, max_distance?: number, layers?: number, out?: Elements): Records<Nearest>;
     /** First model that a sphere touches while it moves by displacement; t in 0..1. Fields as in
      * sweepSphere.
      * Cost: O(log n + k) expected, k the models that the swept box touches.
@@ -1054,7 +1060,7 @@ export class Scene {
      * that touches nothing gets model = 0 and t = INFINITY.
      * Cost: that of as many single calls; shared among workers.
      * @param displacements - metres */
-    sweepSphereBatch(spheres: Elements, displacements: Elements, layers?: number, out?: Elements): Records<Hit>;
+    sweepSphereBatch(spheres: Floats, displacements: Floats, layers?: number, out?: Elements): Records<Hit>;
     /** First model that a sphere, capsule, AABB or OBB touches while it moves by displacement, without
      * turning; t in 0..1. Fields as in sweep.
      * Cost: O(log n + k) expected, k the models that the swept box touches.
@@ -1067,7 +1073,7 @@ export class Scene {
      * Cost: that of as many single calls; shared among workers.
      * @param displacements - metres
      * @throws {GamephysError} ERROR_UNSUPPORTED: as Scene.sweep */
-    sweepBatch(shapes: Shapes | AnyShape, displacements: Elements, layers?: number, out?: Elements): Records<Hit>;
+    sweepBatch(shapes: Shapes | AnyShape, displacements: Floats, layers?: number, out?: Elements): Records<Hit>;
     /** What a sphere, capsule, AABB or OBB overlaps, and how it gets out: an element for each model, and of
      * a mesh one for each triangle, as penetration. Deepest first; equal depths by model, then triangle.
      * Each is the way out of that one alone. The models are those of Scene.overlap.
@@ -1093,12 +1099,12 @@ export class Scene {
     /** Closest models on the rays that the filters see, as Scene.raycastBatch.
      * Cost: at most that of as many calls of Scene.raycastFiltered; shared among workers.
      * @param filters - null: the defaults */
-    raycastFilteredBatch(rays: Elements, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Hit>;
+    raycastFilteredBatch(rays: Floats, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Hit>;
     /** How far each of the rays goes among the models that its filter sees, as Scene.raycastDistanceBatch:
      * a lidar leaves out the robot that carries it.
      * Cost: less than that of Scene.raycastFilteredBatch; shared among workers. Since 1.1.
      * @param filters - null: the defaults */
-    raycastDistanceFilteredBatch(rays: Elements, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Distance>;
+    raycastDistanceFilteredBatch(rays: Floats, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Distance>;
     /** Whether a ray meets anything that the filter sees, as Scene.raycastAny: line of sight between two
      * models that both are left out.
      * Cost: as Scene.raycastFiltered.
@@ -1107,7 +1113,7 @@ export class Scene {
     /** Whether each of the rays meets anything that its filter sees, as Scene.raycastAnyBatch.
      * Cost: at most that of as many single calls; shared among workers.
      * @param filters - null: the defaults */
-    raycastAnyFilteredBatch(rays: Elements, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<number>;
+    raycastAnyFilteredBatch(rays: Floats, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<number>;
     /** Every model that a ray meets and the filter sees, as Scene.raycastAll.
      * Cost: that of Scene.raycastAll, and for each model as Scene.raycastFiltered.
      * @param filter - null: the defaults */
@@ -1115,7 +1121,7 @@ export class Scene {
     /** Every model that each of the rays meets and its filter sees, as Scene.raycastAllBatch.
      * Cost: that of as many single calls; shared among workers.
      * @param filters - null: the defaults */
-    raycastAllFilteredBatch(rays: Elements, filters?: Partial<QueryFilterDesc> | null): { values: Records<Hit>; offsets: Uint32Array };
+    raycastAllFilteredBatch(rays: Floats, filters?: Partial<QueryFilterDesc> | null): { values: Records<Hit>; offsets: Uint32Array };
     /** Closest model along a segment that the filter sees, as Scene.segmentTest.
      * Cost: as Scene.raycastFiltered.
      * @param filter - null: the defaults
@@ -1124,7 +1130,7 @@ export class Scene {
     /** Closest models along the segments that the filters see, as Scene.segmentTestBatch.
      * Cost: that of as many single calls; shared among workers.
      * @param filters - null: the defaults */
-    segmentTestFilteredBatch(segments: Elements, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Hit>;
+    segmentTestFilteredBatch(segments: Floats, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Hit>;
     /** Ids of all models that overlap a shape and that the filter sees, as Scene.overlap.
      * Cost: that of Scene.overlap, and for each model as Scene.raycastFiltered.
      * @param filter - null: the defaults
@@ -1145,7 +1151,7 @@ export class Scene {
      * view leaves out the player's own head.
      * Cost: that of as many single calls; shared among workers. Since 1.1.
      * @param filters - null: the defaults */
-    cullFilteredBatch(frusta: Elements, filters?: Partial<QueryFilterDesc> | null): { values: Records<number>; offsets: Uint32Array };
+    cullFilteredBatch(frusta: Floats, filters?: Partial<QueryFilterDesc> | null): { values: Records<number>; offsets: Uint32Array };
     /** The model nearest to a point that the filter sees, as Scene.nearest: the nearest other model, if the
      * one at the point is left out.
      * Cost: that of Scene.nearest, and for each model as Scene.raycastFiltered; each ignored model that is
@@ -1153,12 +1159,12 @@ export class Scene {
      * @param max_distance - metres, >= 0, INFINITY allowed; a model at exactly this distance counts
      * @param filter - null: the defaults
      * @returns null if nothing is found. */
-    nearestFiltered(point: Given<number[]>, max_distance: number, filter?: Partial<QueryFilterDesc> | null): Nearest | null;
+    nearestFiltered(point: Given<number[]>, max_distance?: number, filter?: Partial<QueryFilterDesc> | null): Nearest | null;
     /** The models nearest to the points that the filters see, as Scene.nearestBatch.
      * Cost: that of as many single calls; shared among workers.
      * @param max_distance - metres, >= 0, INFINITY allowed, for all points
      * @param filters - null: the defaults */
-    nearestFilteredBatch(points: Elements, max_distance: number, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Nearest>;
+    nearestFilteredBatch(points: Floats, max_distance?: number, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Nearest>;
     /** First model that a moving sphere touches and the filter sees, as Scene.sweepSphere: the sphere may
      * be the bounding sphere of the ignored model.
      * Cost: that of Scene.sweepSphere, and for each model as Scene.raycastFiltered.
@@ -1170,7 +1176,7 @@ export class Scene {
      * Cost: that of as many single calls; shared among workers.
      * @param displacements - metres
      * @param filters - null: the defaults */
-    sweepSphereFilteredBatch(spheres: Elements, displacements: Elements, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Hit>;
+    sweepSphereFilteredBatch(spheres: Floats, displacements: Floats, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Hit>;
     /** First model that a moving sphere, capsule, AABB or OBB touches and the filter sees, as Scene.sweep:
      * a character leaves out its own model.
      * Cost: that of Scene.sweep, and for each model as Scene.raycastFiltered.
@@ -1184,7 +1190,7 @@ export class Scene {
      * @param displacements - metres
      * @param filters - null: the defaults
      * @throws {GamephysError} ERROR_UNSUPPORTED: as Scene.sweep */
-    sweepFilteredBatch(shapes: Shapes | AnyShape, displacements: Elements, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Hit>;
+    sweepFilteredBatch(shapes: Shapes | AnyShape, displacements: Floats, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Hit>;
     /** What a sphere, capsule, AABB or OBB overlaps and the filter sees, and how it gets out, as
      * Scene.penetration.
      * Cost: that of Scene.penetration, and for each model as Scene.raycastFiltered.
@@ -1250,7 +1256,7 @@ export class Scene {
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: for words that are no snapshot of a scene, damaged,
      *     of a later format or of another byte order, and if a mesh is missing
      * @throws {GamephysError} ERROR_OUT_OF_MEMORY: if there is no room for it */
-    restore(library: Scene | null, words: Elements): void;
+    restore(library: Scene | null, words: Words): void;
     /** A hash of the whole state except the octree, the low half first; meshes count by their content.
      * Equal states have equal hashes on every machine; different ones differ with near certainty (not
      * against an adversary). Compare it between machines that run the same simulation, to detect when they
@@ -1476,7 +1482,7 @@ export class Camera {
     /** Pixels of count world points, as Camera.project; a point without an image gets x = y = z = INFINITY.
      * Cost: O(elements).
      * @param points - metres */
-    projectBatch(points: Elements, out?: Elements): Records<number[]>;
+    projectBatch(points: Floats, out?: Elements): Records<number[]>;
     /** Pixel and depth to world point: the inverse of Camera.project.
      * Cost: O(1).
      * @returns null for the depth of an infinite far plane, and for points beyond that or beyond the range
@@ -1486,7 +1492,7 @@ export class Camera {
      * INFINITY.
      * Cost: O(elements).
      * @param pixels - x, y in pixels, z the depth */
-    unprojectBatch(pixels: Elements, out?: Elements): Records<number[]>;
+    unprojectBatch(pixels: Floats, out?: Elements): Records<number[]>;
     /** The ray through a pixel, of unit direction, from the near plane on; t_max ends on the far plane
      * (INFINITY without one). With PICK_FROM_CENTRE that of a perspective starts at the camera's position.
      * Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, within
@@ -1516,7 +1522,7 @@ export class Camera {
     /** The models under the pixels, as Camera.pick; a pixel without one gets model = 0 and t = INFINITY.
      * Cost: at most that of as many single calls; shared among the scene's workers.
      * @param pixels - x, y pairs of floats */
-    pickBatch(scene: Scene, pixels: Elements, layers?: number, out?: Elements): Records<Hit>;
+    pickBatch(scene: Scene, pixels: Floats, layers?: number, out?: Elements): Records<Hit>;
     /** Marquee: ids of all models in the pixel rectangle, hidden ones included, between near and far plane;
      * tested by their exact shapes, ascending.
      * Cost: that of Scene.overlap.
@@ -1540,7 +1546,7 @@ export class Camera {
      * Cost: at most that of as many single calls; shared among the scene's workers.
      * @param pixels - x, y pairs of floats
      * @param filters - null: the defaults */
-    pickFilteredBatch(scene: Scene, pixels: Elements, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Hit>;
+    pickFilteredBatch(scene: Scene, pixels: Floats, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Hit>;
     /** Marquee: ids of all models in the pixel rectangle that the filter sees, as Camera.pickRectangle.
      * Cost: as Scene.overlapFiltered.
      * @param x0 - pixels; opposite corners, in any order
@@ -1608,7 +1614,7 @@ export class Solver {
      * @param desc - null: the defaults
      * @param positions - metres
      * @throws {GamephysError} ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies */
-    addParticles(positions: Elements, desc?: Partial<BodyDesc> | null): number;
+    addParticles(positions: Floats, desc?: Partial<BodyDesc> | null): number;
     /** Add a rope through the given points, one particle at each.
      * Cost: O(elements).
      * @param desc - null: the defaults
@@ -1616,7 +1622,7 @@ export class Solver {
      * @param link_length - rest length of each link in metres; 0: as placed. A length below 1e-9 m counts
      *     as 0.
      * @throws {GamephysError} ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies */
-    addRope(positions: Elements, link_length: number, desc?: Partial<BodyDesc> | null): number;
+    addRope(positions: Floats, link_length?: number, desc?: Partial<BodyDesc> | null): number;
     /** Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
      * corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v. Its constraints, in the order
      * of their ids, are those from row to row, those from column to column, both diagonals (CLOTH_SHEAR),
@@ -1692,51 +1698,51 @@ export class Solver {
      *     ERROR_INVALID_ARGUMENT
      * @param count - the particles first .. first + count - 1; a range beyond the body is
      *     ERROR_INVALID_ARGUMENT */
-    getPositions(body: number, first: number, count: number, out?: Elements): Records<number[]>;
+    getPositions(body: number, first?: number, count?: number, out?: Elements): Records<number[]>;
     /** Move particles at once and without collision on the way; velocities stay as they are. Wakes the
      * body. Pinned particles that are moved alone pull the others: during the next step they go evenly
      * from where they were to their new places, as attached ones do. They are placed at once before the
      * body's first step, or if a free particle of the body is placed as well.
      * Cost: O(elements).
      * @param first - as in Solver.getPositions */
-    setPositions(body: number, first: number, positions: Elements): void;
+    setPositions(body: number, first: number, positions: Floats): void;
     /** How fast the particles are, m/s.
      * Cost: O(count).
      * @param first - as in Solver.getPositions
      * @param count - as in Solver.getPositions
      * @returns 0 of what is pinned and stands still. */
-    getVelocities(body: number, first: number, count: number, out?: Elements): Records<number[]>;
+    getVelocities(body: number, first?: number, count?: number, out?: Elements): Records<number[]>;
     /** Give particles a velocity, which the next step starts from. Wakes the body. Pinned particles keep 0.
      * Cost: O(elements).
      * @param first - as in Solver.getPositions
      * @param velocities - m/s */
-    setVelocities(body: number, first: number, velocities: Elements): void;
+    setVelocities(body: number, first: number, velocities: Floats): void;
     /** Masses of particles, kg. That of a pinned particle is what it has when it is released.
      * Cost: O(count).
      * @param first - as in Solver.getPositions
      * @param count - as in Solver.getPositions */
-    getMasses(body: number, first: number, count: number, out?: Elements): Records<number>;
+    getMasses(body: number, first?: number, count?: number, out?: Elements): Records<number>;
     /** Change the masses of particles. A pinned particle keeps its mass for the time when it is released.
      * Wakes the body.
      * Cost: O(elements).
      * @param first - as in Solver.getPositions
      * @param masses - kg, > 0 */
-    setMasses(body: number, first: number, masses: Elements): void;
+    setMasses(body: number, first: number, masses: Floats): void;
     /** Collision radii of particles, metres.
      * Cost: O(count).
      * @param first - as in Solver.getPositions
      * @param count - as in Solver.getPositions */
-    getRadii(body: number, first: number, count: number, out?: Elements): Records<number>;
+    getRadii(body: number, first?: number, count?: number, out?: Elements): Records<number>;
     /** Change the collision radii of particles. Wakes the body.
      * Cost: O(elements).
      * @param first - as in Solver.getPositions
      * @param radii - metres, >= 0 */
-    setRadii(body: number, first: number, radii: Elements): void;
+    setRadii(body: number, first: number, radii: Floats): void;
     /** Friction factors of particles; 1 until they are set.
      * Cost: O(count). Since 1.1.
      * @param first - as in Solver.getPositions
      * @param count - as in Solver.getPositions */
-    getFrictionFactors(body: number, first: number, count: number, out?: Elements): Records<number>;
+    getFrictionFactors(body: number, first?: number, count?: number, out?: Elements): Records<number>;
     /** Give particles more or less friction than their body has: ice, a sticky hem, a worn patch. In every
      * contact, with models and with particles, the coefficients of a particle are the friction and the
      * static_friction of its body times its factor. A body with a friction of 1 thus has the factors for
@@ -1744,22 +1750,22 @@ export class Solver {
      * Cost: O(elements); the first factor other than 1 O(particles), and it allocates. Since 1.1.
      * @param first - as in Solver.getPositions
      * @param factors - >= 0 */
-    setFrictionFactors(body: number, first: number, factors: Elements): void;
+    setFrictionFactors(body: number, first: number, factors: Floats): void;
     /** The forces that were set for particles, newtons.
      * Cost: O(count).
      * @param first - as in Solver.getPositions
      * @param count - as in Solver.getPositions */
-    getForces(body: number, first: number, count: number, out?: Elements): Records<number[]>;
+    getForces(body: number, first?: number, count?: number, out?: Elements): Records<number[]>;
     /** Set the forces that act on particles beside gravity, from now on until set again. Wakes the body.
      * Cost: O(elements).
      * @param first - as in Solver.getPositions
      * @param forces - newtons */
-    setForces(body: number, first: number, forces: Elements): void;
+    setForces(body: number, first: number, forces: Floats): void;
     /** Which particles are pinned or attached.
      * Cost: O(count).
      * @param first - as in Solver.getPositions
      * @param count - as in Solver.getPositions */
-    getPinned(body: number, first: number, count: number, out?: Elements): Records<number>;
+    getPinned(body: number, first?: number, count?: number, out?: Elements): Records<number>;
     /** Pin or release particles. A pinned particle stays where it is put and moves only by
      * Solver.setPositions, or with an animation target of max_distance 0; else its speed is 0. Both
      * pinning and releasing end an attachment.
@@ -1767,7 +1773,7 @@ export class Solver {
      * @param first - as in Solver.getPositions
      * @param count - as in Solver.getPositions
      * @param pinned - true: pin; false: release */
-    setPinned(body: number, first: number, count: number, pinned: boolean | number): void;
+    setPinned(body: number, first?: number, count?: number, pinned?: boolean | number): void;
     /** Put a body into moving air. Until this is called there is none. Wakes the body. With u the velocity
      * relative to the air, the force is on a triangle of cloth -rho/2 A |u| ((C_D cos a - C_L cos^2 a) u +
      * C_L (u . n) n), cos a = |u . n| / |u|, the first term not below 0: drag as A cos a, which is what
@@ -1790,12 +1796,12 @@ export class Solver {
      * Cost: O(elements); the first time O(particles), and it allocates.
      * @param first - as in Solver.getPositions
      * @param velocities - m/s */
-    setAirVelocities(body: number, first: number, velocities: Elements): void;
+    setAirVelocities(body: number, first: number, velocities: Floats): void;
     /** Velocities of the air at particles, m/s, beside that of Wind.
      * Cost: O(count).
      * @param first - as in Solver.getPositions
      * @param count - as in Solver.getPositions */
-    getAirVelocities(body: number, first: number, count: number, out?: Elements): Records<number[]>;
+    getAirVelocities(body: number, first?: number, count?: number, out?: Elements): Records<number[]>;
     /** Give particles animation targets, before each step that is to follow an animation: a cape or skirt
      * that is skinned to its character stays within max_distance of the skinned vertices and does not sink
      * into the body behind them. In the next step position and normal go evenly from the old target to the
@@ -1817,12 +1823,12 @@ export class Solver {
      * particle; ropes with targets are solved one by one, as those that touch models. Since 1.1.
      * @param first - as in Solver.getPositions
      * @param targets - max_distance and backstop INFINITY: no target any more */
-    setAnimationTargets(body: number, first: number, targets: Elements): void;
+    setAnimationTargets(body: number, first: number, targets: Floats): void;
     /** Animation targets of particles as they were set; 0 and INFINITY of what has none.
      * Cost: O(count). Since 1.1.
      * @param first - as in Solver.getPositions
      * @param count - as in Solver.getPositions */
-    getAnimationTargets(body: number, first: number, count: number, out?: Elements): Records<AnimationTarget>;
+    getAnimationTargets(body: number, first?: number, count?: number, out?: Elements): Records<AnimationTarget>;
     /** Fix a particle to a model: it follows the model's transform in each step, and is released when the
      * model is gone. Steps must then be given this scene; in a step without one the particle stays where
      * it is.
@@ -1846,7 +1852,7 @@ export class Solver {
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: for a particle that does not exist or twice the same
      *     one
      * @throws {GamephysError} ERROR_CAPACITY: beyond 2^24 - 1 constraints of a body */
-    addDistance(body: number, particle_a: number, particle_b: number, rest_length: number, compliance: number): number;
+    addDistance(body: number, particle_a: number, particle_b: number, rest_length: number, compliance?: number): number;
     /** Keep two different particles of a body from being further apart than a length, like a string between
      * them: it pulls and never pushes. While it is slack it does nothing; when it becomes taut, and is
      * rigid, only the speed at which the particles separate is lost.
@@ -1856,7 +1862,7 @@ export class Solver {
      * Cost: as Solver.addDistance.
      * @param max_length - metres, >= 0; negative: the present distance. Below 1e-9 m it counts as 0.
      * @param compliance - metres per newton, >= 0, of what it yields beyond that; 0 is rigid */
-    addMaxDistance(body: number, particle_a: number, particle_b: number, max_length: number, compliance: number): number;
+    addMaxDistance(body: number, particle_a: number, particle_b: number, max_length: number, compliance?: number): number;
     /** Damp a constraint that has compliance: when its ends separate at speed v, it pulls with damping * v
      * in addition to its tension; one of Solver.addMaxDistance never pushes. The decay depends on time,
      * not on steps. Rigid constraints have nothing to damp.
@@ -1872,7 +1878,7 @@ export class Solver {
      *     water, which keeps its volume; INFINITY: none, which ends the constraint
      * @throws {GamephysError} ERROR_UNSUPPORTED: if the triangles do not close (each side is that of two
      *     triangles), are not oriented consistently, or face inward when the present volume is asked for */
-    setVolume(body: number, rest_volume: number, compliance: number): void;
+    setVolume(body: number, rest_volume: number, compliance?: number): void;
     /** The volume held by Solver.setVolume, m^3, as it is, and the pressure in pascals with which it was
      * held at the end of the last step: above 0 it pushes outward.
      * Cost: O(triangles).
@@ -1894,18 +1900,18 @@ export class Solver {
     /** Which constraints keep a length, and which a maximum.
      * Cost: O(elements). Since 1.1.
      * @param constraints - the ids; one may appear twice */
-    getConstraintKinds(body: number, constraints: Elements, out?: Elements): Records<number>;
+    getConstraintKinds(body: number, constraints: Words, out?: Elements): Records<number>;
     /** The present settings of constraints.
      * Cost: O(elements).
      * @param constraints - the ids; one may appear twice */
-    getConstraintSettings(body: number, constraints: Elements, out?: Elements): Records<ConstraintSettings>;
+    getConstraintSettings(body: number, constraints: Words, out?: Elements): Records<ConstraintSettings>;
     /** Change constraints while they act, all or none: winches, muscles. A rest length goes from the old to
      * the new one at constant speed during the next step; a winch that reels in at v m/s is given a length
      * that is v dt shorter before each step of dt. Wakes the body.
      * Cost: O(elements); in the next step O(constraints) to pack them again, of rigid cloth with pins that
      * gets longer links O(n log n). Chains are not planned again. Allocates.
      * @param constraints - the ids; one that appears twice gets the last */
-    setConstraintSettings(body: number, constraints: Elements, settings: Elements): void;
+    setConstraintSettings(body: number, constraints: Words, settings: Floats): void;
     /** Make particles of a body a rigid cluster: they keep the shape in which they are now, and move and
      * turn as one stiff part, such as a plank of a bridge, a crate or a plate of armour. Links between
      * them are not needed. A particle may be in several clusters: planks with two particles in common are
@@ -1927,7 +1933,7 @@ export class Solver {
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: for a particle that does not exist or appears twice
      * @throws {GamephysError} ERROR_CAPACITY: beyond 2^24 - 1 clusters of a body, or that many particles
      *     in them */
-    addCluster(body: number, particles: Elements): number;
+    addCluster(body: number, particles: Words): number;
     /** End a cluster. Its particles stay where they are; its id stays invalid. Wakes the body.
      * Cost: O(particles in clusters of the body). Since 1.1.
      * @throws {GamephysError} ERROR_INVALID_ID: for a body or cluster that does not exist, or no longer */
@@ -1953,7 +1959,7 @@ export class Solver {
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: for a particle that does not exist or twice the same
      *     body (see Solver.addDistance)
      * @throws {GamephysError} ERROR_CAPACITY: beyond 2^24 - 1 joints */
-    join(body_a: number, particle_a: number, body_b: number, particle_b: number, rest_length: number, compliance: number): number;
+    join(body_a: number, particle_a: number, body_b: number, particle_b: number, rest_length: number, compliance?: number): number;
     /** End a joint. Wakes both bodies.
      * Cost: as Solver.join.
      * @throws {GamephysError} ERROR_INVALID_ID: for a joint that does not exist, or no longer */
@@ -1967,12 +1973,12 @@ export class Solver {
      * pin. Allocates. Since 1.1.
      * @param constraints - the ids; one that appears twice gets the last
      * @param forces - newtons, >= 0; 0: never breaks, as all that are added to a body later */
-    setBreakingForces(body: number, constraints: Elements, forces: Elements): void;
+    setBreakingForces(body: number, constraints: Words, forces: Floats): void;
     /** What Solver.setBreakingForces or BodyDesc.breaking_force has set; 0: never breaks.
      * Cost: O(elements). Since 1.1.
      * @param constraints - the ids; one may appear twice
      * @returns newtons. */
-    getBreakingForces(body: number, constraints: Elements, out?: Elements): Records<number>;
+    getBreakingForces(body: number, constraints: Words, out?: Elements): Records<number>;
     /** Break a constraint as a load would, whatever its breaking force: scissors, claws. Wakes the body.
      * Cost: O(particles + constraints); allocates. Since 1.1.
      * @returns what came of it.
@@ -2053,7 +2059,7 @@ export class Solver {
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: for words that are no snapshot, damaged, of another
      *     version or byte order
      * @throws {GamephysError} ERROR_OUT_OF_MEMORY: if there is no room for it */
-    restore(words: Elements): void;
+    restore(words: Words): void;
     /** A hash of the whole state, the low half first. Equal states have equal hashes on every machine;
      * different ones differ with near certainty (not against an adversary). Compare it between machines
      * that run the same simulation, to detect when they diverge.
@@ -2074,11 +2080,11 @@ export function bounds(shape: AnyShape): Aabb | null;
  * rotation in double precision). Others are as overlaps with a sphere.
  * Cost: O(1); O(log n) expected for a mesh.
  * @param tolerance - metres, >= 0 */
-export function contains(shape: AnyShape, point: Given<number[]>, tolerance: number): boolean;
+export function contains(shape: AnyShape, point: Given<number[]>, tolerance?: number): boolean;
 /** Whether each of the points is within tolerance metres of one shape, as contains.
  * Cost: that of as many single calls.
  * @param tolerance - metres, >= 0, for all points */
-export function containsBatch(shape: AnyShape, points: Elements, tolerance: number, out?: Elements): Records<number>;
+export function containsBatch(shape: AnyShape, points: Floats, tolerance?: number, out?: Elements): Records<number>;
 /** The point of the shape that is closest to the given point: the point itself inside a solid. Error: 1
  * ulp of the largest coordinate per axis, the distance 1 ulp and 2^-40 of the largest coordinate
  * difference. If several are equally close, one of them, always the same. For a ray, t is limited by
@@ -2089,7 +2095,7 @@ export function closestPoint(shape: AnyShape, point: Given<number[]>): Nearest |
 /** The points of one shape that are closest to each of the points, as closestPoint. An element for
  * which there is none gets distance INFINITY.
  * Cost: that of as many single calls. */
-export function closestPointBatch(shape: AnyShape, points: Elements, out?: Elements): Records<Nearest>;
+export function closestPointBatch(shape: AnyShape, points: Floats, out?: Elements): Records<Nearest>;
 /** The closest points of two segments and their distance. Parallel segments have many: the first along
  * a, always the same.
  * Cost: O(1).
@@ -2134,7 +2140,7 @@ export function raycast(shape: AnyShape, ray: Given<Ray>): Hit | null;
  * triangle = NO_TRIANGLE and zeros in its hits element.
  * Cost: that of as many single calls; less for rays at a mesh if neighbouring rays are similar.
  * @throws {GamephysError} ERROR_UNSUPPORTED: for a ray or a segment as the shape */
-export function raycastBatch(shape: AnyShape, rays: Elements, out?: Elements): Records<Hit>;
+export function raycastBatch(shape: AnyShape, rays: Floats, out?: Elements): Records<Hit>;
 /** First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly. A
  * segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, for lack of a
  * direction, the normal is zero.
@@ -2176,7 +2182,7 @@ export function sweep(shape: AnyShape, moving: AnyShape, displacement: Given<num
  * @param moving - shapes of one type each
  * @param displacements - metres
  * @throws {GamephysError} ERROR_UNSUPPORTED: as sweep */
-export function sweepBatch(shapes: Shapes | AnyShape, moving: Shapes | AnyShape, displacements: Elements, out?: Elements): Records<Hit>;
+export function sweepBatch(shapes: Shapes | AnyShape, moving: Shapes | AnyShape, displacements: Floats, out?: Elements): Records<Hit>;
 /** The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule, AABB,
  * OBB, plane, triangle or frustum: to where the two just touch, on the side of a plane or triangle
  * that is nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and have
@@ -2223,7 +2229,7 @@ export function planesIntersection(a: Given<Plane>, b: Given<Plane>, c: Given<Pl
  * @param a - the planes each
  * @param b - the planes each
  * @param c - the planes each */
-export function planesIntersectionBatch(a: Elements, b: Elements, c: Elements, out?: Elements): Records<number[]>;
+export function planesIntersectionBatch(a: Floats, b: Floats, c: Floats, out?: Elements): Records<number[]>;
 /** How far the axes of a matrix (its first three columns without the last row) are from orthonormal:
  * the largest |a_i . a_j - d_ij|, where d_ij is 1 for i = j, else 0. 0 for the identity, below 2^-22
  * for the matrices that a camera gives, about 2e for axes that are too long by a fraction e.
@@ -2243,7 +2249,7 @@ export function frustumFromMatrix(view_projection: Given<number[]>, depth_range:
  * @param indices - numbers, three for each triangle
  * @returns what was found; indices out of range and bad vertices are counted, not refused.
  * @throws {GamephysError} ERROR_INVALID_ARGUMENT: for an index_count that is no multiple of 3 */
-export function meshCheck(vertices: Elements, indices: Elements): MeshReport;
+export function meshCheck(vertices: Floats, indices?: Words | null): MeshReport;
 export const OK: 0;
 export const NO_HIT: 1;
 export const INCOMPLETE: 2;

@@ -1,20 +1,21 @@
 // Generated from gamephys_api.json by bindings/generate.py. Not for editing.
 import { ALL_LAYERS, ERROR_INVALID_ID, OK } from './constants.js';
+import { bits, flag, real, signed, whole } from './numbers.js';
 import { readAabb, readBodyInfo, readBodySettings, readBreak, readFrustum, readHit, readMat4, readMeshInfo, readMeshReport, readModelInfo, readNearest, readOctreeStats, readOrbit, readOrbitSpeeds, readPenetration, readQuat, readRay, readSolverSettings, readSolverStats, readVec3, readWind, writeBodyDesc, writeBodySettings, writeCameraDesc, writeFrustum, writeMat4, writeMeshDesc, writeModelDesc, writeOrbit, writeOrbitSpeeds, writePlane, writeQuat, writeQueryFilterDesc, writeRay, writeSceneDesc, writeSegment, writeSolverDesc, writeSolverSettings, writeSphere, writeTransform, writeVec3, writeWind } from './structs.js';
 import { Shape, runtime } from './runtime.js';
 
 /** Everything of the library but constants, over one way to reach its memory and functions. */
 export function objects(memory) {
     const { native, v, base, Handle, begin, check, common, finish, input, inputDescs, inputShapes, list, made, nothing,
-        numbers, output, pass, pointer, putShape, ragged, typeOf, more } = runtime(memory);
+        numbers, ascending, output, pass, pointer, putShape, ragged, rest, typeOf, more } = runtime(memory);
 
     class Mesh extends Handle {
         constructor(vertices, indices, desc) {
             super(() => {
                 begin();
                 if (desc != null) { check(native.gphys_mesh_desc_init(base, v.wide ? 24 : 16)); writeMeshDesc(v, 0, desc); }
-                const vertices_ = input(vertices, 12, 'vertices');
-                const indices_ = input(indices, 4, 'indices');
+                const vertices_ = input(vertices, 12, 'vertices', 'f32');
+                const indices_ = input(indices ?? ascending(vertices_.length), 4, 'indices', 'u32');
                 check(native.gphys_mesh_create(desc == null ? 0 : base, pass(vertices_), 12, vertices_.length, pass(indices_), indices_.numbers, base + 24));
                 return made(24);
             }, native.gphys_mesh_destroy);
@@ -23,7 +24,7 @@ export function objects(memory) {
             return Reflect.construct(Handle, [() => {
                 begin();
                 if (desc != null) { check(native.gphys_mesh_desc_init(base, v.wide ? 24 : 16)); writeMeshDesc(v, 0, desc); }
-                const points_ = input(points, 12, 'points');
+                const points_ = input(points, 12, 'points', 'f32');
                 check(native.gphys_mesh_create_hull(desc == null ? 0 : base, pass(points_), 12, points_.length, base + 24));
                 return made(24);
             }, native.gphys_mesh_destroy], Mesh);
@@ -32,21 +33,21 @@ export function objects(memory) {
             return Reflect.construct(Handle, [() => {
                 begin();
                 if (desc != null) { check(native.gphys_mesh_desc_init(base, v.wide ? 24 : 16)); writeMeshDesc(v, 0, desc); }
-                const words_ = input(words, 4, 'words');
+                const words_ = input(words, 4, 'words', 'u32');
                 check(native.gphys_mesh_create_from_snapshot(desc == null ? 0 : base, pass(words_), words_.length, base + 24));
                 return made(24);
             }, native.gphys_mesh_destroy], Mesh);
         }
         static fromScene(scene, model) {
             return Reflect.construct(Handle, [() => {
-                check(native.gphys_scene_get_mesh(pointer(scene, Scene, 'scene', false), model, base));
+                check(native.gphys_scene_get_mesh(pointer(scene, Scene, 'scene', false), whole(model, 'model'), base));
                 return made(0);
             }, native.gphys_mesh_destroy], Mesh);
         }
         static fromBody(solver, body, desc) {
             return Reflect.construct(Handle, [() => {
                 if (desc != null) { check(native.gphys_mesh_desc_init(base, v.wide ? 24 : 16)); writeMeshDesc(v, 0, desc); }
-                check(native.gphys_mesh_create_from_body(desc == null ? 0 : base, pointer(solver, Solver, 'solver', false), body, base + 24));
+                check(native.gphys_mesh_create_from_body(desc == null ? 0 : base, pointer(solver, Solver, 'solver', false), whole(body, 'body'), base + 24));
                 return made(24);
             }, native.gphys_mesh_destroy], Mesh);
         }
@@ -60,7 +61,7 @@ export function objects(memory) {
         }
         setVertices(vertices) {
             begin();
-            const vertices_ = input(vertices, 12, 'vertices');
+            const vertices_ = input(vertices, 12, 'vertices', 'f32');
             check(native.gphys_mesh_set_vertices(this.pointer, pass(vertices_), 12, vertices_.length));
         }
         getInfo() {
@@ -95,7 +96,7 @@ export function objects(memory) {
         }
         raycastAnyBatch(rays, out) {
             begin();
-            const rays_ = input(rays, 28, 'rays');
+            const rays_ = input(rays, 28, 'rays', 'f32');
             const count = common(rays_);
             const out_hits_ = output(out, 'int32_t', count);
             check(native.gphys_mesh_raycast_any_batch(this.pointer, pass(rays_), 28, count, pass(out_hits_), 4));
@@ -103,7 +104,7 @@ export function objects(memory) {
         }
         raycastDistanceBatch(rays, out) {
             begin();
-            const rays_ = input(rays, 28, 'rays');
+            const rays_ = input(rays, 28, 'rays', 'f32');
             const count = common(rays_);
             const out_distances_ = output(out, 'distance', count);
             check(native.gphys_mesh_raycast_distance_batch(this.pointer, pass(rays_), 28, count, pass(out_distances_), 12));
@@ -131,7 +132,7 @@ export function objects(memory) {
             }, native.gphys_scene_destroy);
         }
         setWorkerCount(workers) {
-            check(native.gphys_scene_set_worker_count(this.pointer, workers));
+            check(native.gphys_scene_set_worker_count(this.pointer, whole(workers, 'workers')));
         }
         getWorkerCount() {
             check(native.gphys_scene_get_worker_count(this.pointer, base));
@@ -154,7 +155,7 @@ export function objects(memory) {
         addBatch(shapes, transforms, desc, out) {
             begin();
             const shapes_ = inputShapes(shapes);
-            const transforms_ = transforms == null ? nothing : input(transforms, 32, 'transforms');
+            const transforms_ = transforms == null ? nothing : input(transforms, 32, 'transforms', 'f32');
             if (desc != null) { check(native.gphys_model_desc_init(base, 28)); writeModelDesc(v, 0, desc); }
             const count = common(shapes_, transforms_);
             const out_models_ = output(out, 'uint32_t', count);
@@ -164,7 +165,7 @@ export function objects(memory) {
         addDescribedBatch(shapes, transforms, descs, out) {
             begin();
             const shapes_ = inputShapes(shapes);
-            const transforms_ = transforms == null ? nothing : input(transforms, 32, 'transforms');
+            const transforms_ = transforms == null ? nothing : input(transforms, 32, 'transforms', 'f32');
             const descs_ = descs == null ? nothing : inputDescs(descs, 0, 28, native.gphys_model_desc_init, writeModelDesc, 'descs');
             const count = common(shapes_, transforms_, descs_);
             const out_models_ = output(out, 'uint32_t', count);
@@ -172,22 +173,22 @@ export function objects(memory) {
             return finish(out_models_);
         }
         remove(model) {
-            check(native.gphys_scene_remove(this.pointer, model));
+            check(native.gphys_scene_remove(this.pointer, whole(model, 'model')));
         }
         removeBatch(models) {
             begin();
-            const models_ = input(models, 4, 'models');
+            const models_ = input(models, 4, 'models', 'u32');
             const count = common(models_);
             check(native.gphys_scene_remove_batch(this.pointer, pass(models_), count));
         }
         removeSubtree(model) {
-            check(native.gphys_scene_remove_subtree(this.pointer, model));
+            check(native.gphys_scene_remove_subtree(this.pointer, whole(model, 'model')));
         }
         clear() {
             check(native.gphys_scene_clear(this.pointer));
         }
         has(model) {
-            const status = native.gphys_scene_has(this.pointer, model);
+            const status = native.gphys_scene_has(this.pointer, whole(model, 'model'));
             return status !== ERROR_INVALID_ID && check(status) === OK;
         }
         getModels() {
@@ -200,14 +201,14 @@ export function objects(memory) {
         }
         getChildren(model) {
             begin();
-            return list('uint32_t', 0, (room, capacity) => native.gphys_scene_get_children(this.pointer, model, room, capacity, base));
+            return list('uint32_t', 0, (room, capacity) => native.gphys_scene_get_children(this.pointer, whole(model, 'model'), room, capacity, base));
         }
         getInfo(model) {
-            check(native.gphys_scene_get_info(this.pointer, model, base));
+            check(native.gphys_scene_get_info(this.pointer, whole(model, 'model'), base));
             return readModelInfo(v, 0);
         }
         getBounds(model) {
-            if (check(native.gphys_scene_get_bounds(this.pointer, model, base)) !== OK) return null;
+            if (check(native.gphys_scene_get_bounds(this.pointer, whole(model, 'model'), base)) !== OK) return null;
             return readAabb(v, 0);
         }
         getSceneBounds() {
@@ -215,39 +216,39 @@ export function objects(memory) {
             return readAabb(v, 0);
         }
         setShape(model, shape) {
-            check(native.gphys_scene_set_shape(this.pointer, model, typeOf(shape), putShape(shape, 0)));
+            check(native.gphys_scene_set_shape(this.pointer, whole(model, 'model'), typeOf(shape), putShape(shape, 0)));
         }
         setScale(model, scale) {
             writeVec3(v, 0, scale);
-            check(native.gphys_scene_set_scale(this.pointer, model, base));
+            check(native.gphys_scene_set_scale(this.pointer, whole(model, 'model'), base));
         }
         getScale(model) {
-            check(native.gphys_scene_get_scale(this.pointer, model, base));
+            check(native.gphys_scene_get_scale(this.pointer, whole(model, 'model'), base));
             return readVec3(v, 0);
         }
-        setLayers(model, layers = ALL_LAYERS) {
-            check(native.gphys_scene_set_layers(this.pointer, model, layers));
+        setLayers(model, layers) {
+            check(native.gphys_scene_set_layers(this.pointer, whole(model, 'model'), bits(layers, 'layers')));
         }
         setTag(model, tag) {
-            check(native.gphys_scene_set_tag(this.pointer, model, tag));
+            check(native.gphys_scene_set_tag(this.pointer, whole(model, 'model'), whole(tag, 'tag')));
         }
         setParent(model, parent, keep_world) {
-            check(native.gphys_scene_set_parent(this.pointer, model, parent, +keep_world));
+            check(native.gphys_scene_set_parent(this.pointer, whole(model, 'model'), whole(parent, 'parent'), flag(keep_world, 'keep_world')));
         }
         setTransform(model, transform) {
             writeTransform(v, 0, transform);
-            check(native.gphys_scene_set_transform(this.pointer, model, base));
+            check(native.gphys_scene_set_transform(this.pointer, whole(model, 'model'), base));
         }
         setTransforms(models, transforms) {
             begin();
-            const models_ = input(models, 4, 'models');
-            const transforms_ = input(transforms, 32, 'transforms');
+            const models_ = input(models, 4, 'models', 'u32');
+            const transforms_ = input(transforms, 32, 'transforms', 'f32');
             const count = common(models_, transforms_);
             check(native.gphys_scene_set_transforms(this.pointer, pass(models_), pass(transforms_), 32, count));
         }
         getTransforms(models, out) {
             begin();
-            const models_ = input(models, 4, 'models');
+            const models_ = input(models, 4, 'models', 'u32');
             const count = common(models_);
             const out_transforms_ = output(out, 'transform', count);
             check(native.gphys_scene_get_transforms(this.pointer, pass(models_), count, pass(out_transforms_), 32));
@@ -255,7 +256,7 @@ export function objects(memory) {
         }
         getWorldTransforms(models, out) {
             begin();
-            const models_ = input(models, 4, 'models');
+            const models_ = input(models, 4, 'models', 'u32');
             const count = common(models_);
             const out_transforms_ = output(out, 'transform', count);
             check(native.gphys_scene_get_world_transforms(this.pointer, pass(models_), count, pass(out_transforms_), 32));
@@ -263,68 +264,68 @@ export function objects(memory) {
         }
         raycast(ray, layers = ALL_LAYERS) {
             writeRay(v, 0, ray);
-            if (check(native.gphys_scene_raycast(this.pointer, base, layers, base + 28)) !== OK) return null;
+            if (check(native.gphys_scene_raycast(this.pointer, base, bits(layers, 'layers'), base + 28)) !== OK) return null;
             return readHit(v, 7);
         }
         raycastBatch(rays, layers = ALL_LAYERS, out) {
             begin();
-            const rays_ = input(rays, 28, 'rays');
+            const rays_ = input(rays, 28, 'rays', 'f32');
             const count = common(rays_);
             const out_hits_ = output(out, 'hit', count);
-            check(native.gphys_scene_raycast_batch(this.pointer, pass(rays_), 28, count, layers, pass(out_hits_), 52));
+            check(native.gphys_scene_raycast_batch(this.pointer, pass(rays_), 28, count, bits(layers, 'layers'), pass(out_hits_), 52));
             return finish(out_hits_);
         }
         raycastDistanceBatch(rays, layers = ALL_LAYERS, out) {
             begin();
-            const rays_ = input(rays, 28, 'rays');
+            const rays_ = input(rays, 28, 'rays', 'f32');
             const count = common(rays_);
             const out_distances_ = output(out, 'distance', count);
-            check(native.gphys_scene_raycast_distance_batch(this.pointer, pass(rays_), 28, count, layers, pass(out_distances_), 12));
+            check(native.gphys_scene_raycast_distance_batch(this.pointer, pass(rays_), 28, count, bits(layers, 'layers'), pass(out_distances_), 12));
             return finish(out_distances_);
         }
         raycastAny(ray, layers = ALL_LAYERS) {
             writeRay(v, 0, ray);
-            check(native.gphys_scene_raycast_any(this.pointer, base, layers, base + 28));
+            check(native.gphys_scene_raycast_any(this.pointer, base, bits(layers, 'layers'), base + 28));
             return v.i32[7] !== 0;
         }
         raycastAnyBatch(rays, layers = ALL_LAYERS, out) {
             begin();
-            const rays_ = input(rays, 28, 'rays');
+            const rays_ = input(rays, 28, 'rays', 'f32');
             const count = common(rays_);
             const out_hits_ = output(out, 'int32_t', count);
-            check(native.gphys_scene_raycast_any_batch(this.pointer, pass(rays_), 28, count, layers, pass(out_hits_), 4));
+            check(native.gphys_scene_raycast_any_batch(this.pointer, pass(rays_), 28, count, bits(layers, 'layers'), pass(out_hits_), 4));
             return finish(out_hits_);
         }
         raycastAll(ray, layers = ALL_LAYERS) {
             begin();
             writeRay(v, 0, ray);
-            return list('hit', 7, (room, capacity) => native.gphys_scene_raycast_all(this.pointer, base, layers, room, capacity, base + 28));
+            return list('hit', 7, (room, capacity) => native.gphys_scene_raycast_all(this.pointer, base, bits(layers, 'layers'), room, capacity, base + 28));
         }
         raycastAllBatch(rays, layers = ALL_LAYERS) {
             begin();
-            const rays_ = input(rays, 28, 'rays');
+            const rays_ = input(rays, 28, 'rays', 'f32');
             const count = common(rays_);
             const offsets = output(undefined, 'uint32_t', count + 1);
             const raysAt = pass(rays_);
             const out_offsetsAt = pass(offsets);
-            return ragged('hit', offsets, (room, capacity) => native.gphys_scene_raycast_all_batch(this.pointer, raysAt, 28, count, layers, room, capacity, out_offsetsAt));
+            return ragged('hit', offsets, (room, capacity) => native.gphys_scene_raycast_all_batch(this.pointer, raysAt, 28, count, bits(layers, 'layers'), room, capacity, out_offsetsAt));
         }
         segmentTest(segment, layers = ALL_LAYERS) {
             writeSegment(v, 0, segment);
-            if (check(native.gphys_scene_segment_test(this.pointer, base, layers, base + 24)) !== OK) return null;
+            if (check(native.gphys_scene_segment_test(this.pointer, base, bits(layers, 'layers'), base + 24)) !== OK) return null;
             return readHit(v, 6);
         }
         segmentTestBatch(segments, layers = ALL_LAYERS, out) {
             begin();
-            const segments_ = input(segments, 24, 'segments');
+            const segments_ = input(segments, 24, 'segments', 'f32');
             const count = common(segments_);
             const out_hits_ = output(out, 'hit', count);
-            check(native.gphys_scene_segment_test_batch(this.pointer, pass(segments_), 24, count, layers, pass(out_hits_), 52));
+            check(native.gphys_scene_segment_test_batch(this.pointer, pass(segments_), 24, count, bits(layers, 'layers'), pass(out_hits_), 52));
             return finish(out_hits_);
         }
         overlap(shape, layers = ALL_LAYERS) {
             begin();
-            return list('uint32_t', 27, (room, capacity) => native.gphys_scene_overlap(this.pointer, typeOf(shape), putShape(shape, 0), layers, room, capacity, base + 108));
+            return list('uint32_t', 27, (room, capacity) => native.gphys_scene_overlap(this.pointer, typeOf(shape), putShape(shape, 0), bits(layers, 'layers'), room, capacity, base + 108));
         }
         overlapBatch(shapes, layers = ALL_LAYERS) {
             begin();
@@ -333,67 +334,67 @@ export function objects(memory) {
             const offsets = output(undefined, 'uint32_t', count + 1);
             const shapesAt = pass(shapes_);
             const out_offsetsAt = pass(offsets);
-            return ragged('uint32_t', offsets, (room, capacity) => native.gphys_scene_overlap_batch(this.pointer, shapes_.type, shapesAt, shapes_.stride, count, layers, room, capacity, out_offsetsAt));
+            return ragged('uint32_t', offsets, (room, capacity) => native.gphys_scene_overlap_batch(this.pointer, shapes_.type, shapesAt, shapes_.stride, count, bits(layers, 'layers'), room, capacity, out_offsetsAt));
         }
         cull(frustum, layers = ALL_LAYERS) {
             begin();
             writeFrustum(v, 0, frustum);
-            return list('uint32_t', 27, (room, capacity) => native.gphys_scene_cull(this.pointer, base, layers, room, capacity, base + 108));
+            return list('uint32_t', 27, (room, capacity) => native.gphys_scene_cull(this.pointer, base, bits(layers, 'layers'), room, capacity, base + 108));
         }
         cullBatch(frusta, layers = ALL_LAYERS) {
             begin();
-            const frusta_ = input(frusta, 108, 'frusta');
+            const frusta_ = input(frusta, 108, 'frusta', 'f32');
             const count = common(frusta_);
             const offsets = output(undefined, 'uint32_t', count + 1);
             const frustaAt = pass(frusta_);
             const out_offsetsAt = pass(offsets);
-            return ragged('uint32_t', offsets, (room, capacity) => native.gphys_scene_cull_batch(this.pointer, frustaAt, 108, count, layers, room, capacity, out_offsetsAt));
+            return ragged('uint32_t', offsets, (room, capacity) => native.gphys_scene_cull_batch(this.pointer, frustaAt, 108, count, bits(layers, 'layers'), room, capacity, out_offsetsAt));
         }
-        nearest(point, max_distance, layers = ALL_LAYERS) {
+        nearest(point, max_distance = Infinity, layers = ALL_LAYERS) {
             writeVec3(v, 0, point);
-            if (check(native.gphys_scene_nearest(this.pointer, base, max_distance, layers, base + 12)) !== OK) return null;
+            if (check(native.gphys_scene_nearest(this.pointer, base, real(max_distance, 'max_distance'), bits(layers, 'layers'), base + 12)) !== OK) return null;
             return readNearest(v, 3);
         }
-        nearestBatch(points, max_distance, layers = ALL_LAYERS, out) {
+        nearestBatch(points, max_distance = Infinity, layers = ALL_LAYERS, out) {
             begin();
-            const points_ = input(points, 12, 'points');
+            const points_ = input(points, 12, 'points', 'f32');
             const count = common(points_);
             const out_nearest_ = output(out, 'nearest', count);
-            check(native.gphys_scene_nearest_batch(this.pointer, pass(points_), 12, count, max_distance, layers, pass(out_nearest_), 28));
+            check(native.gphys_scene_nearest_batch(this.pointer, pass(points_), 12, count, real(max_distance, 'max_distance'), bits(layers, 'layers'), pass(out_nearest_), 28));
             return finish(out_nearest_);
         }
         sweepSphere(sphere, displacement, layers = ALL_LAYERS) {
             writeSphere(v, 0, sphere);
             writeVec3(v, 4, displacement);
-            if (check(native.gphys_scene_sweep_sphere(this.pointer, base, base + 16, layers, base + 28)) !== OK) return null;
+            if (check(native.gphys_scene_sweep_sphere(this.pointer, base, base + 16, bits(layers, 'layers'), base + 28)) !== OK) return null;
             return readHit(v, 7);
         }
         sweepSphereBatch(spheres, displacements, layers = ALL_LAYERS, out) {
             begin();
-            const spheres_ = input(spheres, 16, 'spheres');
-            const displacements_ = input(displacements, 12, 'displacements');
+            const spheres_ = input(spheres, 16, 'spheres', 'f32');
+            const displacements_ = input(displacements, 12, 'displacements', 'f32');
             const count = common(spheres_, displacements_);
             const out_hits_ = output(out, 'hit', count);
-            check(native.gphys_scene_sweep_sphere_batch(this.pointer, pass(spheres_), 16, pass(displacements_), 12, count, layers, pass(out_hits_), 52));
+            check(native.gphys_scene_sweep_sphere_batch(this.pointer, pass(spheres_), 16, pass(displacements_), 12, count, bits(layers, 'layers'), pass(out_hits_), 52));
             return finish(out_hits_);
         }
         sweep(shape, displacement, layers = ALL_LAYERS) {
             writeVec3(v, 28, displacement);
-            if (check(native.gphys_scene_sweep(this.pointer, typeOf(shape), putShape(shape, 0), base + 112, layers, base + 124)) !== OK) return null;
+            if (check(native.gphys_scene_sweep(this.pointer, typeOf(shape), putShape(shape, 0), base + 112, bits(layers, 'layers'), base + 124)) !== OK) return null;
             return readHit(v, 31);
         }
         sweepBatch(shapes, displacements, layers = ALL_LAYERS, out) {
             begin();
             const shapes_ = inputShapes(shapes);
-            const displacements_ = input(displacements, 12, 'displacements');
+            const displacements_ = input(displacements, 12, 'displacements', 'f32');
             const count = common(shapes_, displacements_);
             const out_hits_ = output(out, 'hit', count);
-            check(native.gphys_scene_sweep_batch(this.pointer, shapes_.type, pass(shapes_), shapes_.stride, pass(displacements_), 12, count, layers, pass(out_hits_), 52));
+            check(native.gphys_scene_sweep_batch(this.pointer, shapes_.type, pass(shapes_), shapes_.stride, pass(displacements_), 12, count, bits(layers, 'layers'), pass(out_hits_), 52));
             return finish(out_hits_);
         }
         penetration(shape, layers = ALL_LAYERS) {
             begin();
-            return list('penetration', 27, (room, capacity) => native.gphys_scene_penetration(this.pointer, typeOf(shape), putShape(shape, 0), layers, room, capacity, base + 108));
+            return list('penetration', 27, (room, capacity) => native.gphys_scene_penetration(this.pointer, typeOf(shape), putShape(shape, 0), bits(layers, 'layers'), room, capacity, base + 108));
         }
         penetrationBatch(shapes, layers = ALL_LAYERS) {
             begin();
@@ -402,7 +403,7 @@ export function objects(memory) {
             const offsets = output(undefined, 'uint32_t', count + 1);
             const shapesAt = pass(shapes_);
             const out_offsetsAt = pass(offsets);
-            return ragged('penetration', offsets, (room, capacity) => native.gphys_scene_penetration_batch(this.pointer, shapes_.type, shapesAt, shapes_.stride, count, layers, room, capacity, out_offsetsAt));
+            return ragged('penetration', offsets, (room, capacity) => native.gphys_scene_penetration_batch(this.pointer, shapes_.type, shapesAt, shapes_.stride, count, bits(layers, 'layers'), room, capacity, out_offsetsAt));
         }
         raycastFiltered(ray, filter) {
             writeRay(v, 0, ray);
@@ -412,7 +413,7 @@ export function objects(memory) {
         }
         raycastFilteredBatch(rays, filters, out) {
             begin();
-            const rays_ = input(rays, 28, 'rays');
+            const rays_ = input(rays, 28, 'rays', 'f32');
             if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
             const count = common(rays_);
             const out_hits_ = output(out, 'hit', count);
@@ -421,7 +422,7 @@ export function objects(memory) {
         }
         raycastDistanceFilteredBatch(rays, filters, out) {
             begin();
-            const rays_ = input(rays, 28, 'rays');
+            const rays_ = input(rays, 28, 'rays', 'f32');
             if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
             const count = common(rays_);
             const out_distances_ = output(out, 'distance', count);
@@ -436,7 +437,7 @@ export function objects(memory) {
         }
         raycastAnyFilteredBatch(rays, filters, out) {
             begin();
-            const rays_ = input(rays, 28, 'rays');
+            const rays_ = input(rays, 28, 'rays', 'f32');
             if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
             const count = common(rays_);
             const out_hits_ = output(out, 'int32_t', count);
@@ -451,7 +452,7 @@ export function objects(memory) {
         }
         raycastAllFilteredBatch(rays, filters) {
             begin();
-            const rays_ = input(rays, 28, 'rays');
+            const rays_ = input(rays, 28, 'rays', 'f32');
             if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
             const count = common(rays_);
             const offsets = output(undefined, 'uint32_t', count + 1);
@@ -467,7 +468,7 @@ export function objects(memory) {
         }
         segmentTestFilteredBatch(segments, filters, out) {
             begin();
-            const segments_ = input(segments, 24, 'segments');
+            const segments_ = input(segments, 24, 'segments', 'f32');
             if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
             const count = common(segments_);
             const out_hits_ = output(out, 'hit', count);
@@ -497,7 +498,7 @@ export function objects(memory) {
         }
         cullFilteredBatch(frusta, filters) {
             begin();
-            const frusta_ = input(frusta, 108, 'frusta');
+            const frusta_ = input(frusta, 108, 'frusta', 'f32');
             if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
             const count = common(frusta_);
             const offsets = output(undefined, 'uint32_t', count + 1);
@@ -505,19 +506,19 @@ export function objects(memory) {
             const out_offsetsAt = pass(offsets);
             return ragged('uint32_t', offsets, (room, capacity) => native.gphys_scene_cull_filtered_batch(this.pointer, frustaAt, 108, count, filters == null ? 0 : base, 0, room, capacity, out_offsetsAt));
         }
-        nearestFiltered(point, max_distance, filter) {
+        nearestFiltered(point, max_distance = Infinity, filter) {
             writeVec3(v, 0, point);
             if (filter != null) { check(native.gphys_query_filter_desc_init(base + 16, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 4, filter); }
-            if (check(native.gphys_scene_nearest_filtered(this.pointer, base, max_distance, filter == null ? 0 : base + 16, base + 48)) !== OK) return null;
+            if (check(native.gphys_scene_nearest_filtered(this.pointer, base, real(max_distance, 'max_distance'), filter == null ? 0 : base + 16, base + 48)) !== OK) return null;
             return readNearest(v, 12);
         }
-        nearestFilteredBatch(points, max_distance, filters, out) {
+        nearestFilteredBatch(points, max_distance = Infinity, filters, out) {
             begin();
-            const points_ = input(points, 12, 'points');
+            const points_ = input(points, 12, 'points', 'f32');
             if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
             const count = common(points_);
             const out_nearest_ = output(out, 'nearest', count);
-            check(native.gphys_scene_nearest_filtered_batch(this.pointer, pass(points_), 12, count, max_distance, filters == null ? 0 : base, 0, pass(out_nearest_), 28));
+            check(native.gphys_scene_nearest_filtered_batch(this.pointer, pass(points_), 12, count, real(max_distance, 'max_distance'), filters == null ? 0 : base, 0, pass(out_nearest_), 28));
             return finish(out_nearest_);
         }
         sweepSphereFiltered(sphere, displacement, filter) {
@@ -529,8 +530,8 @@ export function objects(memory) {
         }
         sweepSphereFilteredBatch(spheres, displacements, filters, out) {
             begin();
-            const spheres_ = input(spheres, 16, 'spheres');
-            const displacements_ = input(displacements, 12, 'displacements');
+            const spheres_ = input(spheres, 16, 'spheres', 'f32');
+            const displacements_ = input(displacements, 12, 'displacements', 'f32');
             if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
             const count = common(spheres_, displacements_);
             const out_hits_ = output(out, 'hit', count);
@@ -546,7 +547,7 @@ export function objects(memory) {
         sweepFilteredBatch(shapes, displacements, filters, out) {
             begin();
             const shapes_ = inputShapes(shapes);
-            const displacements_ = input(displacements, 12, 'displacements');
+            const displacements_ = input(displacements, 12, 'displacements', 'f32');
             if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
             const count = common(shapes_, displacements_);
             const out_hits_ = output(out, 'hit', count);
@@ -572,7 +573,7 @@ export function objects(memory) {
             check(native.gphys_scene_rebuild_octree(this.pointer));
         }
         maintainOctree(budget) {
-            check(native.gphys_scene_maintain_octree(this.pointer, budget, base));
+            check(native.gphys_scene_maintain_octree(this.pointer, whole(budget, 'budget'), base));
             return v.i32[0] !== 0;
         }
         getOctreeStats() {
@@ -588,11 +589,11 @@ export function objects(memory) {
         }
         getSnapshot(embed_meshes) {
             begin();
-            return list('uint32_t', 0, (room, capacity) => native.gphys_scene_get_snapshot(this.pointer, +embed_meshes, room, capacity, base));
+            return list('uint32_t', 0, (room, capacity) => native.gphys_scene_get_snapshot(this.pointer, flag(embed_meshes, 'embed_meshes'), room, capacity, base));
         }
         restore(library, words) {
             begin();
-            const words_ = input(words, 4, 'words');
+            const words_ = input(words, 4, 'words', 'u32');
             const count = common(words_);
             check(native.gphys_scene_restore(this.pointer, pointer(library, Scene, 'library', true), pass(words_), count));
         }
@@ -618,29 +619,29 @@ export function objects(memory) {
             return [v.f64[0], v.f64[1], v.f64[2]];
         }
         setPerspective(fov_y, near_distance, far_distance) {
-            check(native.gphys_camera_set_perspective(this.pointer, fov_y, near_distance, far_distance));
+            check(native.gphys_camera_set_perspective(this.pointer, real(fov_y, 'fov_y'), real(near_distance, 'near_distance'), real(far_distance, 'far_distance')));
         }
         setOrthographic(height, near_distance, far_distance) {
-            check(native.gphys_camera_set_orthographic(this.pointer, height, near_distance, far_distance));
+            check(native.gphys_camera_set_orthographic(this.pointer, real(height, 'height'), real(near_distance, 'near_distance'), real(far_distance, 'far_distance')));
         }
         setProjection(projection) {
             writeMat4(v, 0, projection);
             check(native.gphys_camera_set_projection(this.pointer, base));
         }
         setPerspectiveAspect(fov_y, aspect, near_distance, far_distance) {
-            check(native.gphys_camera_set_perspective_aspect(this.pointer, fov_y, aspect, near_distance, far_distance));
+            check(native.gphys_camera_set_perspective_aspect(this.pointer, real(fov_y, 'fov_y'), real(aspect, 'aspect'), real(near_distance, 'near_distance'), real(far_distance, 'far_distance')));
         }
         setOrthographicSize(width, height, near_distance, far_distance) {
-            check(native.gphys_camera_set_orthographic_size(this.pointer, width, height, near_distance, far_distance));
+            check(native.gphys_camera_set_orthographic_size(this.pointer, real(width, 'width'), real(height, 'height'), real(near_distance, 'near_distance'), real(far_distance, 'far_distance')));
         }
         setViewport(width, height) {
-            check(native.gphys_camera_set_viewport(this.pointer, width, height));
+            check(native.gphys_camera_set_viewport(this.pointer, real(width, 'width'), real(height, 'height')));
         }
         setViewportOrigin(x, y) {
-            check(native.gphys_camera_set_viewport_origin(this.pointer, x, y));
+            check(native.gphys_camera_set_viewport_origin(this.pointer, real(x, 'x'), real(y, 'y')));
         }
         setPickStart(start) {
-            check(native.gphys_camera_set_pick_start(this.pointer, +start));
+            check(native.gphys_camera_set_pick_start(this.pointer, signed(start, 'start')));
         }
         getProjection() {
             check(native.gphys_camera_get_projection(this.pointer, base, base + 4, base + 8, base + 12));
@@ -726,13 +727,13 @@ export function objects(memory) {
             return readOrbitSpeeds(v, 0);
         }
         orbitRotate(units_x, units_y) {
-            check(native.gphys_camera_orbit_rotate(this.pointer, units_x, units_y));
+            check(native.gphys_camera_orbit_rotate(this.pointer, real(units_x, 'units_x'), real(units_y, 'units_y')));
         }
         orbitZoom(units) {
-            check(native.gphys_camera_orbit_zoom(this.pointer, units));
+            check(native.gphys_camera_orbit_zoom(this.pointer, real(units, 'units')));
         }
         orbitPan(units_right, units_up) {
-            check(native.gphys_camera_orbit_pan(this.pointer, units_right, units_up));
+            check(native.gphys_camera_orbit_pan(this.pointer, real(units_right, 'units_right'), real(units_up, 'units_up')));
         }
         orbitUpdate() {
             check(native.gphys_camera_orbit_update(this.pointer));
@@ -746,11 +747,11 @@ export function objects(memory) {
             return [readVec3(v, 0), readVec3(v, 3), readVec3(v, 6), readVec3(v, 9), readVec3(v, 12), readVec3(v, 15), readVec3(v, 18), readVec3(v, 21)];
         }
         getRectangleFrustum(x0, y0, x1, y1) {
-            check(native.gphys_camera_get_rectangle_frustum(this.pointer, x0, y0, x1, y1, base));
+            check(native.gphys_camera_get_rectangle_frustum(this.pointer, real(x0, 'x0'), real(y0, 'y0'), real(x1, 'x1'), real(y1, 'y1'), base));
             return readFrustum(v, 0);
         }
         getRectangleCorners(x0, y0, x1, y1) {
-            if (check(native.gphys_camera_get_rectangle_corners(this.pointer, x0, y0, x1, y1, base)) !== OK) return null;
+            if (check(native.gphys_camera_get_rectangle_corners(this.pointer, real(x0, 'x0'), real(y0, 'y0'), real(x1, 'x1'), real(y1, 'y1'), base)) !== OK) return null;
             return [readVec3(v, 0), readVec3(v, 3), readVec3(v, 6), readVec3(v, 9), readVec3(v, 12), readVec3(v, 15), readVec3(v, 18), readVec3(v, 21)];
         }
         project(point) {
@@ -760,7 +761,7 @@ export function objects(memory) {
         }
         projectBatch(points, out) {
             begin();
-            const points_ = input(points, 12, 'points');
+            const points_ = input(points, 12, 'points', 'f32');
             const count = common(points_);
             const out_pixels_ = output(out, 'vec3', count);
             check(native.gphys_camera_project_batch(this.pointer, pass(points_), 12, count, pass(out_pixels_), 12));
@@ -773,50 +774,50 @@ export function objects(memory) {
         }
         unprojectBatch(pixels, out) {
             begin();
-            const pixels_ = input(pixels, 12, 'pixels');
+            const pixels_ = input(pixels, 12, 'pixels', 'f32');
             const count = common(pixels_);
             const out_points_ = output(out, 'vec3', count);
             check(native.gphys_camera_unproject_batch(this.pointer, pass(pixels_), 12, count, pass(out_points_), 12));
             return finish(out_points_);
         }
         pickRay(pixel_x, pixel_y) {
-            if (check(native.gphys_camera_pick_ray(this.pointer, pixel_x, pixel_y, base)) !== OK) return null;
+            if (check(native.gphys_camera_pick_ray(this.pointer, real(pixel_x, 'pixel_x'), real(pixel_y, 'pixel_y'), base)) !== OK) return null;
             return readRay(v, 0);
         }
         pickRays(x, y, width, height, out) {
             begin();
             const out_rays_ = output(out, 'ray', width * height);
-            check(native.gphys_camera_pick_rays(this.pointer, x, y, width, height, pass(out_rays_), 28));
+            check(native.gphys_camera_pick_rays(this.pointer, whole(x, 'x'), whole(y, 'y'), whole(width, 'width'), whole(height, 'height'), pass(out_rays_), 28));
             return finish(out_rays_);
         }
         pick(scene, pixel_x, pixel_y, layers = ALL_LAYERS) {
-            if (check(native.gphys_camera_pick(this.pointer, pointer(scene, Scene, 'scene', false), pixel_x, pixel_y, layers, base)) !== OK) return null;
+            if (check(native.gphys_camera_pick(this.pointer, pointer(scene, Scene, 'scene', false), real(pixel_x, 'pixel_x'), real(pixel_y, 'pixel_y'), bits(layers, 'layers'), base)) !== OK) return null;
             return readHit(v, 0);
         }
         pickBatch(scene, pixels, layers = ALL_LAYERS, out) {
             begin();
-            const pixels_ = input(pixels, 8, 'pixels');
+            const pixels_ = input(pixels, 8, 'pixels', 'f32');
             const count = common(pixels_);
             const out_hits_ = output(out, 'hit', count);
-            check(native.gphys_camera_pick_batch(this.pointer, pointer(scene, Scene, 'scene', false), pass(pixels_), 8, count, layers, pass(out_hits_), 52));
+            check(native.gphys_camera_pick_batch(this.pointer, pointer(scene, Scene, 'scene', false), pass(pixels_), 8, count, bits(layers, 'layers'), pass(out_hits_), 52));
             return finish(out_hits_);
         }
         pickRectangle(scene, x0, y0, x1, y1, layers = ALL_LAYERS) {
             begin();
-            return list('uint32_t', 0, (room, capacity) => native.gphys_camera_pick_rectangle(this.pointer, pointer(scene, Scene, 'scene', false), x0, y0, x1, y1, layers, room, capacity, base));
+            return list('uint32_t', 0, (room, capacity) => native.gphys_camera_pick_rectangle(this.pointer, pointer(scene, Scene, 'scene', false), real(x0, 'x0'), real(y0, 'y0'), real(x1, 'x1'), real(y1, 'y1'), bits(layers, 'layers'), room, capacity, base));
         }
         cull(scene, layers = ALL_LAYERS) {
             begin();
-            return list('uint32_t', 0, (room, capacity) => native.gphys_camera_cull(this.pointer, pointer(scene, Scene, 'scene', false), layers, room, capacity, base));
+            return list('uint32_t', 0, (room, capacity) => native.gphys_camera_cull(this.pointer, pointer(scene, Scene, 'scene', false), bits(layers, 'layers'), room, capacity, base));
         }
         pickFiltered(scene, pixel_x, pixel_y, filter) {
             if (filter != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filter); }
-            if (check(native.gphys_camera_pick_filtered(this.pointer, pointer(scene, Scene, 'scene', false), pixel_x, pixel_y, filter == null ? 0 : base, base + 32)) !== OK) return null;
+            if (check(native.gphys_camera_pick_filtered(this.pointer, pointer(scene, Scene, 'scene', false), real(pixel_x, 'pixel_x'), real(pixel_y, 'pixel_y'), filter == null ? 0 : base, base + 32)) !== OK) return null;
             return readHit(v, 8);
         }
         pickFilteredBatch(scene, pixels, filters, out) {
             begin();
-            const pixels_ = input(pixels, 8, 'pixels');
+            const pixels_ = input(pixels, 8, 'pixels', 'f32');
             if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
             const count = common(pixels_);
             const out_hits_ = output(out, 'hit', count);
@@ -826,7 +827,7 @@ export function objects(memory) {
         pickRectangleFiltered(scene, x0, y0, x1, y1, filter) {
             begin();
             if (filter != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filter); }
-            return list('uint32_t', 8, (room, capacity) => native.gphys_camera_pick_rectangle_filtered(this.pointer, pointer(scene, Scene, 'scene', false), x0, y0, x1, y1, filter == null ? 0 : base, room, capacity, base + 32));
+            return list('uint32_t', 8, (room, capacity) => native.gphys_camera_pick_rectangle_filtered(this.pointer, pointer(scene, Scene, 'scene', false), real(x0, 'x0'), real(y0, 'y0'), real(x1, 'x1'), real(y1, 'y1'), filter == null ? 0 : base, room, capacity, base + 32));
         }
         cullFiltered(scene, filter) {
             begin();
@@ -843,7 +844,7 @@ export function objects(memory) {
             }, native.gphys_solver_destroy);
         }
         setWorkerCount(workers) {
-            check(native.gphys_solver_set_worker_count(this.pointer, workers));
+            check(native.gphys_solver_set_worker_count(this.pointer, whole(workers, 'workers')));
         }
         getWorkerCount() {
             check(native.gphys_solver_get_worker_count(this.pointer, base));
@@ -862,7 +863,7 @@ export function objects(memory) {
             check(native.gphys_solver_set_gravity(this.pointer, base));
         }
         setSubsteps(substeps) {
-            check(native.gphys_solver_set_substeps(this.pointer, substeps));
+            check(native.gphys_solver_set_substeps(this.pointer, whole(substeps, 'substeps')));
         }
         getSettings() {
             check(native.gphys_solver_get_settings(this.pointer, base));
@@ -875,17 +876,17 @@ export function objects(memory) {
         addParticles(positions, desc) {
             begin();
             if (desc != null) { check(native.gphys_body_desc_init(base, 60)); writeBodyDesc(v, 0, desc); }
-            const positions_ = input(positions, 12, 'positions');
+            const positions_ = input(positions, 12, 'positions', 'f32');
             const count = common(positions_);
             check(native.gphys_solver_add_particles(this.pointer, desc == null ? 0 : base, pass(positions_), 12, count, base + 60));
             return v.u32[15];
         }
-        addRope(positions, link_length, desc) {
+        addRope(positions, link_length = 0, desc) {
             begin();
             if (desc != null) { check(native.gphys_body_desc_init(base, 60)); writeBodyDesc(v, 0, desc); }
-            const positions_ = input(positions, 12, 'positions');
+            const positions_ = input(positions, 12, 'positions', 'f32');
             const count = common(positions_);
-            check(native.gphys_solver_add_rope(this.pointer, desc == null ? 0 : base, pass(positions_), 12, count, link_length, base + 60));
+            check(native.gphys_solver_add_rope(this.pointer, desc == null ? 0 : base, pass(positions_), 12, count, real(link_length, 'link_length'), base + 60));
             return v.u32[15];
         }
         addCloth(corner, edge_u, edge_v, columns, rows, desc) {
@@ -893,7 +894,7 @@ export function objects(memory) {
             writeVec3(v, 16, corner);
             writeVec3(v, 20, edge_u);
             writeVec3(v, 24, edge_v);
-            check(native.gphys_solver_add_cloth(this.pointer, desc == null ? 0 : base, base + 64, base + 80, base + 96, columns, rows, base + 108));
+            check(native.gphys_solver_add_cloth(this.pointer, desc == null ? 0 : base, base + 64, base + 80, base + 96, whole(columns, 'columns'), whole(rows, 'rows'), base + 108));
             return v.u32[27];
         }
         addClothMesh(mesh, transform, desc) {
@@ -903,7 +904,7 @@ export function objects(memory) {
             return v.u32[24];
         }
         removeBody(body) {
-            check(native.gphys_solver_remove_body(this.pointer, body));
+            check(native.gphys_solver_remove_body(this.pointer, whole(body, 'body')));
         }
         getBodies() {
             begin();
@@ -914,251 +915,251 @@ export function objects(memory) {
             return list('uint32_t', 0, (room, capacity) => native.gphys_solver_get_sleeping(this.pointer, room, capacity, base));
         }
         wake(body) {
-            check(native.gphys_solver_wake(this.pointer, body));
+            check(native.gphys_solver_wake(this.pointer, whole(body, 'body')));
         }
         getBodySettings(body) {
-            check(native.gphys_solver_get_body_settings(this.pointer, body, base));
+            check(native.gphys_solver_get_body_settings(this.pointer, whole(body, 'body'), base));
             return readBodySettings(v, 0);
         }
         setBodySettings(body, settings) {
             writeBodySettings(v, 0, settings);
-            check(native.gphys_solver_set_body_settings(this.pointer, body, base));
+            check(native.gphys_solver_set_body_settings(this.pointer, whole(body, 'body'), base));
         }
         getBodyInfo(body) {
-            check(native.gphys_solver_get_body_info(this.pointer, body, base));
+            check(native.gphys_solver_get_body_info(this.pointer, whole(body, 'body'), base));
             return readBodyInfo(v, 0);
         }
         getTriangles(body) {
             begin();
-            return list('uint32_t', 0, (room, capacity) => native.gphys_solver_get_triangles(this.pointer, body, room, capacity, base));
+            return list('uint32_t', 0, (room, capacity) => native.gphys_solver_get_triangles(this.pointer, whole(body, 'body'), room, capacity, base));
         }
         getNearestParticle(body, triangle, point) {
             writeVec3(v, 0, point);
-            check(native.gphys_solver_get_nearest_particle(this.pointer, body, triangle, base, base + 12));
+            check(native.gphys_solver_get_nearest_particle(this.pointer, whole(body, 'body'), whole(triangle, 'triangle'), base, base + 12));
             return v.u32[3];
         }
-        getPositions(body, first, count, out) {
+        getPositions(body, first = 0, count = rest(this, body, first), out) {
             begin();
             const out_positions_ = output(out, 'vec3', count);
-            check(native.gphys_solver_get_positions(this.pointer, body, first, count, pass(out_positions_), 12));
+            check(native.gphys_solver_get_positions(this.pointer, whole(body, 'body'), whole(first, 'first'), whole(count, 'count'), pass(out_positions_), 12));
             return finish(out_positions_);
         }
         setPositions(body, first, positions) {
             begin();
-            const positions_ = input(positions, 12, 'positions');
+            const positions_ = input(positions, 12, 'positions', 'f32');
             const count = common(positions_);
-            check(native.gphys_solver_set_positions(this.pointer, body, first, count, pass(positions_), 12));
+            check(native.gphys_solver_set_positions(this.pointer, whole(body, 'body'), whole(first, 'first'), count, pass(positions_), 12));
         }
-        getVelocities(body, first, count, out) {
+        getVelocities(body, first = 0, count = rest(this, body, first), out) {
             begin();
             const out_velocities_ = output(out, 'vec3', count);
-            check(native.gphys_solver_get_velocities(this.pointer, body, first, count, pass(out_velocities_), 12));
+            check(native.gphys_solver_get_velocities(this.pointer, whole(body, 'body'), whole(first, 'first'), whole(count, 'count'), pass(out_velocities_), 12));
             return finish(out_velocities_);
         }
         setVelocities(body, first, velocities) {
             begin();
-            const velocities_ = input(velocities, 12, 'velocities');
+            const velocities_ = input(velocities, 12, 'velocities', 'f32');
             const count = common(velocities_);
-            check(native.gphys_solver_set_velocities(this.pointer, body, first, count, pass(velocities_), 12));
+            check(native.gphys_solver_set_velocities(this.pointer, whole(body, 'body'), whole(first, 'first'), count, pass(velocities_), 12));
         }
-        getMasses(body, first, count, out) {
+        getMasses(body, first = 0, count = rest(this, body, first), out) {
             begin();
             const out_masses_ = output(out, 'float', count);
-            check(native.gphys_solver_get_masses(this.pointer, body, first, count, pass(out_masses_), 4));
+            check(native.gphys_solver_get_masses(this.pointer, whole(body, 'body'), whole(first, 'first'), whole(count, 'count'), pass(out_masses_), 4));
             return finish(out_masses_);
         }
         setMasses(body, first, masses) {
             begin();
-            const masses_ = input(masses, 4, 'masses');
+            const masses_ = input(masses, 4, 'masses', 'f32');
             const count = common(masses_);
-            check(native.gphys_solver_set_masses(this.pointer, body, first, count, pass(masses_), 4));
+            check(native.gphys_solver_set_masses(this.pointer, whole(body, 'body'), whole(first, 'first'), count, pass(masses_), 4));
         }
-        getRadii(body, first, count, out) {
+        getRadii(body, first = 0, count = rest(this, body, first), out) {
             begin();
             const out_radii_ = output(out, 'float', count);
-            check(native.gphys_solver_get_radii(this.pointer, body, first, count, pass(out_radii_), 4));
+            check(native.gphys_solver_get_radii(this.pointer, whole(body, 'body'), whole(first, 'first'), whole(count, 'count'), pass(out_radii_), 4));
             return finish(out_radii_);
         }
         setRadii(body, first, radii) {
             begin();
-            const radii_ = input(radii, 4, 'radii');
+            const radii_ = input(radii, 4, 'radii', 'f32');
             const count = common(radii_);
-            check(native.gphys_solver_set_radii(this.pointer, body, first, count, pass(radii_), 4));
+            check(native.gphys_solver_set_radii(this.pointer, whole(body, 'body'), whole(first, 'first'), count, pass(radii_), 4));
         }
-        getFrictionFactors(body, first, count, out) {
+        getFrictionFactors(body, first = 0, count = rest(this, body, first), out) {
             begin();
             const out_factors_ = output(out, 'float', count);
-            check(native.gphys_solver_get_friction_factors(this.pointer, body, first, count, pass(out_factors_), 4));
+            check(native.gphys_solver_get_friction_factors(this.pointer, whole(body, 'body'), whole(first, 'first'), whole(count, 'count'), pass(out_factors_), 4));
             return finish(out_factors_);
         }
         setFrictionFactors(body, first, factors) {
             begin();
-            const factors_ = input(factors, 4, 'factors');
+            const factors_ = input(factors, 4, 'factors', 'f32');
             const count = common(factors_);
-            check(native.gphys_solver_set_friction_factors(this.pointer, body, first, count, pass(factors_), 4));
+            check(native.gphys_solver_set_friction_factors(this.pointer, whole(body, 'body'), whole(first, 'first'), count, pass(factors_), 4));
         }
-        getForces(body, first, count, out) {
+        getForces(body, first = 0, count = rest(this, body, first), out) {
             begin();
             const out_forces_ = output(out, 'vec3', count);
-            check(native.gphys_solver_get_forces(this.pointer, body, first, count, pass(out_forces_), 12));
+            check(native.gphys_solver_get_forces(this.pointer, whole(body, 'body'), whole(first, 'first'), whole(count, 'count'), pass(out_forces_), 12));
             return finish(out_forces_);
         }
         setForces(body, first, forces) {
             begin();
-            const forces_ = input(forces, 12, 'forces');
+            const forces_ = input(forces, 12, 'forces', 'f32');
             const count = common(forces_);
-            check(native.gphys_solver_set_forces(this.pointer, body, first, count, pass(forces_), 12));
+            check(native.gphys_solver_set_forces(this.pointer, whole(body, 'body'), whole(first, 'first'), count, pass(forces_), 12));
         }
-        getPinned(body, first, count, out) {
+        getPinned(body, first = 0, count = rest(this, body, first), out) {
             begin();
             const out_pinned_ = output(out, 'int32_t', count);
-            check(native.gphys_solver_get_pinned(this.pointer, body, first, count, pass(out_pinned_), 4));
+            check(native.gphys_solver_get_pinned(this.pointer, whole(body, 'body'), whole(first, 'first'), whole(count, 'count'), pass(out_pinned_), 4));
             return finish(out_pinned_);
         }
-        setPinned(body, first, count, pinned) {
-            check(native.gphys_solver_set_pinned(this.pointer, body, first, count, +pinned));
+        setPinned(body, first = 0, count = rest(this, body, first), pinned = true) {
+            check(native.gphys_solver_set_pinned(this.pointer, whole(body, 'body'), whole(first, 'first'), whole(count, 'count'), flag(pinned, 'pinned')));
         }
         setWind(body, wind) {
             writeWind(v, 0, wind);
-            check(native.gphys_solver_set_wind(this.pointer, body, base));
+            check(native.gphys_solver_set_wind(this.pointer, whole(body, 'body'), base));
         }
         getWind(body) {
-            check(native.gphys_solver_get_wind(this.pointer, body, base));
+            check(native.gphys_solver_get_wind(this.pointer, whole(body, 'body'), base));
             return readWind(v, 0);
         }
         setAirVelocities(body, first, velocities) {
             begin();
-            const velocities_ = input(velocities, 12, 'velocities');
+            const velocities_ = input(velocities, 12, 'velocities', 'f32');
             const count = common(velocities_);
-            check(native.gphys_solver_set_air_velocities(this.pointer, body, first, count, pass(velocities_), 12));
+            check(native.gphys_solver_set_air_velocities(this.pointer, whole(body, 'body'), whole(first, 'first'), count, pass(velocities_), 12));
         }
-        getAirVelocities(body, first, count, out) {
+        getAirVelocities(body, first = 0, count = rest(this, body, first), out) {
             begin();
             const out_velocities_ = output(out, 'vec3', count);
-            check(native.gphys_solver_get_air_velocities(this.pointer, body, first, count, pass(out_velocities_), 12));
+            check(native.gphys_solver_get_air_velocities(this.pointer, whole(body, 'body'), whole(first, 'first'), whole(count, 'count'), pass(out_velocities_), 12));
             return finish(out_velocities_);
         }
         setAnimationTargets(body, first, targets) {
             begin();
-            const targets_ = input(targets, 32, 'targets');
+            const targets_ = input(targets, 32, 'targets', 'f32');
             const count = common(targets_);
-            check(native.gphys_solver_set_animation_targets(this.pointer, body, first, count, pass(targets_), 32));
+            check(native.gphys_solver_set_animation_targets(this.pointer, whole(body, 'body'), whole(first, 'first'), count, pass(targets_), 32));
         }
-        getAnimationTargets(body, first, count, out) {
+        getAnimationTargets(body, first = 0, count = rest(this, body, first), out) {
             begin();
             const out_targets_ = output(out, 'animation_target', count);
-            check(native.gphys_solver_get_animation_targets(this.pointer, body, first, count, pass(out_targets_), 32));
+            check(native.gphys_solver_get_animation_targets(this.pointer, whole(body, 'body'), whole(first, 'first'), whole(count, 'count'), pass(out_targets_), 32));
             return finish(out_targets_);
         }
         attach(scene, body, particle, model, local_point) {
             if (local_point != null) { writeVec3(v, 0, local_point); }
-            check(native.gphys_solver_attach(this.pointer, pointer(scene, Scene, 'scene', false), body, particle, model, local_point == null ? 0 : base));
+            check(native.gphys_solver_attach(this.pointer, pointer(scene, Scene, 'scene', false), whole(body, 'body'), whole(particle, 'particle'), whole(model, 'model'), local_point == null ? 0 : base));
         }
         detach(body, particle) {
-            check(native.gphys_solver_detach(this.pointer, body, particle));
+            check(native.gphys_solver_detach(this.pointer, whole(body, 'body'), whole(particle, 'particle')));
         }
         getAttachments(body) {
             begin();
-            return list('attachment', 0, (room, capacity) => native.gphys_solver_get_attachments(this.pointer, body, room, capacity, base));
+            return list('attachment', 0, (room, capacity) => native.gphys_solver_get_attachments(this.pointer, whole(body, 'body'), room, capacity, base));
         }
-        addDistance(body, particle_a, particle_b, rest_length, compliance) {
-            check(native.gphys_solver_add_distance(this.pointer, body, particle_a, particle_b, rest_length, compliance, base));
+        addDistance(body, particle_a, particle_b, rest_length, compliance = 0) {
+            check(native.gphys_solver_add_distance(this.pointer, whole(body, 'body'), whole(particle_a, 'particle_a'), whole(particle_b, 'particle_b'), real(rest_length, 'rest_length'), real(compliance, 'compliance'), base));
             return v.u32[0];
         }
-        addMaxDistance(body, particle_a, particle_b, max_length, compliance) {
-            check(native.gphys_solver_add_max_distance(this.pointer, body, particle_a, particle_b, max_length, compliance, base));
+        addMaxDistance(body, particle_a, particle_b, max_length, compliance = 0) {
+            check(native.gphys_solver_add_max_distance(this.pointer, whole(body, 'body'), whole(particle_a, 'particle_a'), whole(particle_b, 'particle_b'), real(max_length, 'max_length'), real(compliance, 'compliance'), base));
             return v.u32[0];
         }
         setConstraintDamping(body, constraint, damping) {
-            check(native.gphys_solver_set_constraint_damping(this.pointer, body, constraint, damping));
+            check(native.gphys_solver_set_constraint_damping(this.pointer, whole(body, 'body'), whole(constraint, 'constraint'), real(damping, 'damping')));
         }
-        setVolume(body, rest_volume, compliance) {
-            check(native.gphys_solver_set_volume(this.pointer, body, rest_volume, compliance));
+        setVolume(body, rest_volume, compliance = 0) {
+            check(native.gphys_solver_set_volume(this.pointer, whole(body, 'body'), real(rest_volume, 'rest_volume'), real(compliance, 'compliance')));
         }
         getVolume(body) {
-            check(native.gphys_solver_get_volume(this.pointer, body, base, base + 4));
+            check(native.gphys_solver_get_volume(this.pointer, whole(body, 'body'), base, base + 4));
             return [v.f32[0], v.f32[1]];
         }
         getVolumeSettings(body) {
-            check(native.gphys_solver_get_volume_settings(this.pointer, body, base, base + 4));
+            check(native.gphys_solver_get_volume_settings(this.pointer, whole(body, 'body'), base, base + 4));
             return [v.f32[0], v.f32[1]];
         }
         removeConstraint(body, constraint) {
-            check(native.gphys_solver_remove_constraint(this.pointer, body, constraint));
+            check(native.gphys_solver_remove_constraint(this.pointer, whole(body, 'body'), whole(constraint, 'constraint')));
         }
         getConstraints(body) {
             begin();
-            return list('constraint_info', 0, (room, capacity) => native.gphys_solver_get_constraints(this.pointer, body, room, capacity, base));
+            return list('constraint_info', 0, (room, capacity) => native.gphys_solver_get_constraints(this.pointer, whole(body, 'body'), room, capacity, base));
         }
         getConstraintKinds(body, constraints, out) {
             begin();
-            const constraints_ = input(constraints, 4, 'constraints');
+            const constraints_ = input(constraints, 4, 'constraints', 'u32');
             const count = common(constraints_);
             const out_kinds_ = output(out, 'int32_t', count);
-            check(native.gphys_solver_get_constraint_kinds(this.pointer, body, pass(constraints_), count, pass(out_kinds_), 4));
+            check(native.gphys_solver_get_constraint_kinds(this.pointer, whole(body, 'body'), pass(constraints_), count, pass(out_kinds_), 4));
             return finish(out_kinds_);
         }
         getConstraintSettings(body, constraints, out) {
             begin();
-            const constraints_ = input(constraints, 4, 'constraints');
+            const constraints_ = input(constraints, 4, 'constraints', 'u32');
             const count = common(constraints_);
             const out_settings_ = output(out, 'constraint_settings', count);
-            check(native.gphys_solver_get_constraint_settings(this.pointer, body, pass(constraints_), count, pass(out_settings_), 12));
+            check(native.gphys_solver_get_constraint_settings(this.pointer, whole(body, 'body'), pass(constraints_), count, pass(out_settings_), 12));
             return finish(out_settings_);
         }
         setConstraintSettings(body, constraints, settings) {
             begin();
-            const constraints_ = input(constraints, 4, 'constraints');
-            const settings_ = input(settings, 12, 'settings');
+            const constraints_ = input(constraints, 4, 'constraints', 'u32');
+            const settings_ = input(settings, 12, 'settings', 'f32');
             const count = common(constraints_, settings_);
-            check(native.gphys_solver_set_constraint_settings(this.pointer, body, pass(constraints_), pass(settings_), 12, count));
+            check(native.gphys_solver_set_constraint_settings(this.pointer, whole(body, 'body'), pass(constraints_), pass(settings_), 12, count));
         }
         addCluster(body, particles) {
             begin();
-            const particles_ = input(particles, 4, 'particles');
+            const particles_ = input(particles, 4, 'particles', 'u32');
             const count = common(particles_);
-            check(native.gphys_solver_add_cluster(this.pointer, body, pass(particles_), count, base));
+            check(native.gphys_solver_add_cluster(this.pointer, whole(body, 'body'), pass(particles_), count, base));
             return v.u32[0];
         }
         removeCluster(body, cluster) {
-            check(native.gphys_solver_remove_cluster(this.pointer, body, cluster));
+            check(native.gphys_solver_remove_cluster(this.pointer, whole(body, 'body'), whole(cluster, 'cluster')));
         }
         getClusters(body) {
             begin();
-            return list('uint32_t', 0, (room, capacity) => native.gphys_solver_get_clusters(this.pointer, body, room, capacity, base));
+            return list('uint32_t', 0, (room, capacity) => native.gphys_solver_get_clusters(this.pointer, whole(body, 'body'), room, capacity, base));
         }
         getClusterParticles(body, cluster) {
             begin();
-            return list('uint32_t', 0, (room, capacity) => native.gphys_solver_get_cluster_particles(this.pointer, body, cluster, room, capacity, base));
+            return list('uint32_t', 0, (room, capacity) => native.gphys_solver_get_cluster_particles(this.pointer, whole(body, 'body'), whole(cluster, 'cluster'), room, capacity, base));
         }
-        join(body_a, particle_a, body_b, particle_b, rest_length, compliance) {
-            check(native.gphys_solver_join(this.pointer, body_a, particle_a, body_b, particle_b, rest_length, compliance, base));
+        join(body_a, particle_a, body_b, particle_b, rest_length, compliance = 0) {
+            check(native.gphys_solver_join(this.pointer, whole(body_a, 'body_a'), whole(particle_a, 'particle_a'), whole(body_b, 'body_b'), whole(particle_b, 'particle_b'), real(rest_length, 'rest_length'), real(compliance, 'compliance'), base));
             return v.u32[0];
         }
         unjoin(joint) {
-            check(native.gphys_solver_unjoin(this.pointer, joint));
+            check(native.gphys_solver_unjoin(this.pointer, whole(joint, 'joint')));
         }
         getJoints(body) {
             begin();
-            return list('joint_info', 0, (room, capacity) => native.gphys_solver_get_joints(this.pointer, body, room, capacity, base));
+            return list('joint_info', 0, (room, capacity) => native.gphys_solver_get_joints(this.pointer, whole(body, 'body'), room, capacity, base));
         }
         setBreakingForces(body, constraints, forces) {
             begin();
-            const constraints_ = input(constraints, 4, 'constraints');
-            const forces_ = input(forces, 4, 'forces');
+            const constraints_ = input(constraints, 4, 'constraints', 'u32');
+            const forces_ = input(forces, 4, 'forces', 'f32');
             const count = common(constraints_, forces_);
-            check(native.gphys_solver_set_breaking_forces(this.pointer, body, pass(constraints_), pass(forces_), 4, count));
+            check(native.gphys_solver_set_breaking_forces(this.pointer, whole(body, 'body'), pass(constraints_), pass(forces_), 4, count));
         }
         getBreakingForces(body, constraints, out) {
             begin();
-            const constraints_ = input(constraints, 4, 'constraints');
+            const constraints_ = input(constraints, 4, 'constraints', 'u32');
             const count = common(constraints_);
             const out_forces_ = output(out, 'float', count);
-            check(native.gphys_solver_get_breaking_forces(this.pointer, body, pass(constraints_), count, pass(out_forces_), 4));
+            check(native.gphys_solver_get_breaking_forces(this.pointer, whole(body, 'body'), pass(constraints_), count, pass(out_forces_), 4));
             return finish(out_forces_);
         }
         breakConstraint(body, constraint) {
-            check(native.gphys_solver_break_constraint(this.pointer, body, constraint, base));
+            check(native.gphys_solver_break_constraint(this.pointer, whole(body, 'body'), whole(constraint, 'constraint'), base));
             return readBreak(v, 0);
         }
         getBreaks() {
@@ -1166,10 +1167,10 @@ export function objects(memory) {
             return list('break', 0, (room, capacity) => native.gphys_solver_get_breaks(this.pointer, room, capacity, base));
         }
         step(scene, dt) {
-            check(native.gphys_solver_step(this.pointer, pointer(scene, Scene, 'scene', true), dt));
+            check(native.gphys_solver_step(this.pointer, pointer(scene, Scene, 'scene', true), real(dt, 'dt')));
         }
         advance(scene, frame_time) {
-            check(native.gphys_solver_advance(this.pointer, pointer(scene, Scene, 'scene', true), frame_time, base, base + 4));
+            check(native.gphys_solver_advance(this.pointer, pointer(scene, Scene, 'scene', true), real(frame_time, 'frame_time'), base, base + 4));
             return [v.u32[0], v.f32[1]];
         }
         getLeftover() {
@@ -1177,11 +1178,11 @@ export function objects(memory) {
             return v.f32[0];
         }
         getSubsteps(body) {
-            check(native.gphys_solver_get_substeps(this.pointer, body, base));
+            check(native.gphys_solver_get_substeps(this.pointer, whole(body, 'body'), base));
             return v.u32[0];
         }
         getStats(body) {
-            check(native.gphys_solver_get_stats(this.pointer, body, base));
+            check(native.gphys_solver_get_stats(this.pointer, whole(body, 'body'), base));
             return readSolverStats(v, 0);
         }
         getContacts() {
@@ -1202,7 +1203,7 @@ export function objects(memory) {
         }
         restore(words) {
             begin();
-            const words_ = input(words, 4, 'words');
+            const words_ = input(words, 4, 'words', 'u32');
             const count = common(words_);
             check(native.gphys_solver_restore(this.pointer, pass(words_), count));
         }
@@ -1218,17 +1219,17 @@ export function objects(memory) {
         if (check(native.gphys_shape_bounds(typeOf(shape), putShape(shape, 0), base + 108)) !== OK) return null;
         return readAabb(v, 27);
     }
-    function contains(shape, point, tolerance) {
+    function contains(shape, point, tolerance = 0) {
         writeVec3(v, 28, point);
-        check(native.gphys_shape_contains(typeOf(shape), putShape(shape, 0), base + 112, tolerance, base + 124));
+        check(native.gphys_shape_contains(typeOf(shape), putShape(shape, 0), base + 112, real(tolerance, 'tolerance'), base + 124));
         return v.i32[31] !== 0;
     }
-    function containsBatch(shape, points, tolerance, out) {
+    function containsBatch(shape, points, tolerance = 0, out) {
         begin();
-        const points_ = input(points, 12, 'points');
+        const points_ = input(points, 12, 'points', 'f32');
         const count = common(points_);
         const out_contains_ = output(out, 'int32_t', count);
-        check(native.gphys_shape_contains_batch(typeOf(shape), putShape(shape, 0), pass(points_), 12, count, tolerance, pass(out_contains_), 4));
+        check(native.gphys_shape_contains_batch(typeOf(shape), putShape(shape, 0), pass(points_), 12, count, real(tolerance, 'tolerance'), pass(out_contains_), 4));
         return finish(out_contains_);
     }
     function closestPoint(shape, point) {
@@ -1238,7 +1239,7 @@ export function objects(memory) {
     }
     function closestPointBatch(shape, points, out) {
         begin();
-        const points_ = input(points, 12, 'points');
+        const points_ = input(points, 12, 'points', 'f32');
         const count = common(points_);
         const out_nearest_ = output(out, 'nearest', count);
         check(native.gphys_shape_closest_point_batch(typeOf(shape), putShape(shape, 0), pass(points_), 12, count, pass(out_nearest_), 28));
@@ -1280,7 +1281,7 @@ export function objects(memory) {
     }
     function raycastBatch(shape, rays, out) {
         begin();
-        const rays_ = input(rays, 28, 'rays');
+        const rays_ = input(rays, 28, 'rays', 'f32');
         const count = common(rays_);
         const out_hits_ = output(out, 'hit', count);
         check(native.gphys_shape_raycast_batch(typeOf(shape), putShape(shape, 0), pass(rays_), 28, count, pass(out_hits_), 52));
@@ -1306,7 +1307,7 @@ export function objects(memory) {
         begin();
         const shapes_ = inputShapes(shapes);
         const moving_ = inputShapes(moving);
-        const displacements_ = input(displacements, 12, 'displacements');
+        const displacements_ = input(displacements, 12, 'displacements', 'f32');
         const count = common(shapes_, moving_, displacements_);
         const out_hits_ = output(out, 'hit', count);
         check(native.gphys_shape_sweep_batch(shapes_.type, pass(shapes_), shapes_.stride, moving_.type, pass(moving_), moving_.stride, pass(displacements_), 12, count, pass(out_hits_), 52));
@@ -1339,9 +1340,9 @@ export function objects(memory) {
     }
     function planesIntersectionBatch(a, b, c, out) {
         begin();
-        const a_ = input(a, 16, 'a');
-        const b_ = input(b, 16, 'b');
-        const c_ = input(c, 16, 'c');
+        const a_ = input(a, 16, 'a', 'f32');
+        const b_ = input(b, 16, 'b', 'f32');
+        const c_ = input(c, 16, 'c', 'f32');
         const count = common(a_, b_, c_);
         const out_points_ = output(out, 'vec3', count);
         check(native.gphys_planes_intersection_batch(pass(a_), 16, pass(b_), 16, pass(c_), 16, count, pass(out_points_), 12));
@@ -1354,13 +1355,13 @@ export function objects(memory) {
     }
     function frustumFromMatrix(view_projection, depth_range, reverse_z) {
         writeMat4(v, 0, view_projection);
-        check(native.gphys_frustum_from_matrix(base, +depth_range, +reverse_z, base + 64));
+        check(native.gphys_frustum_from_matrix(base, signed(depth_range, 'depth_range'), flag(reverse_z, 'reverse_z'), base + 64));
         return readFrustum(v, 16);
     }
     function meshCheck(vertices, indices) {
         begin();
-        const vertices_ = input(vertices, 12, 'vertices');
-        const indices_ = input(indices, 4, 'indices');
+        const vertices_ = input(vertices, 12, 'vertices', 'f32');
+        const indices_ = input(indices ?? ascending(vertices_.length), 4, 'indices', 'u32');
         check(native.gphys_mesh_check(pass(vertices_), 12, vertices_.length, pass(indices_), indices_.numbers, base));
         return readMeshReport(v, 0);
     }

@@ -122,9 +122,14 @@ export class Shapes {
     }
 }
 
-/** The memory of a typed array or of Records. */
-function viewOf(value, name) {
+/** The memory of a typed array or of Records. An array of numbers must hold those that are meant, if only one kind is. */
+function viewOf(value, name, kind = '') {
+    if (value instanceof Uint16Array && kind === 'u32') return Uint32Array.from(value);
     const view = value instanceof Records ? value.views.f32 : value;
+    const floats = view instanceof Float32Array;
+    if (view === value && (kind === 'f32' ? !floats && view?.BYTES_PER_ELEMENT === 4 : kind && floats)) {
+        throw new TypeError(`${name} must hold ${kind === 'f32' ? 'floats' : 'whole numbers'}: not ${view.constructor.name}`);
+    }
     if (!ArrayBuffer.isView(view)) throw new TypeError(`${name} must be a typed array or Records`);
     const bytes = view.BYTES_PER_ELEMENT ?? 1;
     if (bytes !== 4 && bytes !== 1) throw new TypeError(`${name} must hold numbers of four bytes, or bytes: not ${view.constructor.name}`);
@@ -197,7 +202,7 @@ export function runtime(memory) {
     function inputShapes(shapes) {
         if (shapes instanceof Shapes) {
             const { size } = types[shapes.kind];
-            return { ...input(shapes.data, size, `${shapes.kind}s`), type: shapes.type };
+            return { ...input(shapes.data, size, `${shapes.kind}s`, 'f32'), type: shapes.type };
         }
         const type = typeOf(shapes);
         if (shapes instanceof Mesh) return { type, object: shapes.pointer, stride: 0 };
@@ -208,8 +213,8 @@ export function runtime(memory) {
 
     const nothing = { object: 0, stride: 0 };
 
-    function input(value, size, name) {
-        const view = viewOf(value, name);
+    function input(value, size, name, kind) {
+        const view = viewOf(value, name, kind);
         if (view.byteLength % size) throw new RangeError(`${name}: not a whole number of elements of ${size} bytes`);
         return { view, address: memory.locate(view), stride: size, length: view.byteLength / size, numbers: view.byteLength / 4 };
     }
@@ -227,6 +232,12 @@ export function runtime(memory) {
         });
         return many === descs ? input(view, size, name) : { view, stride: 0 };
     }
+
+    /** The indices of vertices that are not shared. */
+    const ascending = (count) => Uint32Array.from({ length: count }, (_, i) => i);
+
+    /** The number of a body's particles from the first that is asked for. */
+    const rest = (solver, body, first) => Math.max(0, solver.getBodyInfo(body).particle_count - first);
 
     /** The length that arrays have in common, those apart that stand for one element or for none. */
     function common(...arrays) {
@@ -327,7 +338,7 @@ export function runtime(memory) {
     }
 
     return {
-        native, v, base, Handle, begin: memory.begin, check, common, finish, input, inputDescs, inputShapes, list, made, nothing,
-        numbers, output, pass, pointer, putShape, ragged, typeOf, more,
+        native, v, base, Handle, ascending, begin: memory.begin, check, common, finish, input, inputDescs, inputShapes, list, made, nothing,
+        numbers, output, pass, pointer, putShape, ragged, rest, typeOf, more,
     };
 }

@@ -53,6 +53,60 @@ test('workers, where there are threads for them, change no answer', () => {
     assert.deepStrictEqual(answers[1], answers[0]);
 });
 
+test('ids and masks that are not whole numbers of 32 bits are refused by name', () => {
+    const scene = new gp.Scene();
+    const ball = scene.add(gp.sphere([0, 0, 5], 1));
+    const ray = [[0, 0, 0], [0, 0, 1], 100];
+    for (const [type, message, call] of [
+        [RangeError, /^model \d+ is not a whole number from 0/, () => scene.remove(2 ** 32 + ball)],
+        [RangeError, /^model -1 is not/, () => scene.remove(-1)],
+        [RangeError, /^model .*\.5 is not/, () => scene.remove(ball + 0.5)],
+        [TypeError, /^model: expected a number, got undefined/, () => scene.remove()],
+        [TypeError, /^model: expected a number, got 5/, () => scene.has(5n)],
+        [RangeError, /^layers 4294967296 is not a set/, () => scene.raycast(ray, 2 ** 32)],
+        [RangeError, /^layers 1.5 is not a set/, () => scene.raycast(ray, 1.5)],
+        [RangeError, /^tag 4294967296/, () => scene.add(gp.sphere([0, 0, 5], 1), null, { tag: 2 ** 32 })],
+        [TypeError, /^dt: expected a number/, () => new gp.Solver().step(scene)],
+        [TypeError, /^expected a scene_desc, got 3/, () => new gp.Scene(3)],
+    ]) {
+        assert.throws(call, (error) => error instanceof type && message.test(error.message));
+    }
+    assert(scene.has(ball));
+    assert.strictEqual(scene.raycast(ray, ~2).t, 4);
+    assert.strictEqual(scene.raycast(ray, -1).t, 4);
+    assert.strictEqual(scene.raycast(ray, ~1), null);
+});
+
+test('what is not given is the identity, a ray without an end, a whole body', () => {
+    const scene = new gp.Scene();
+    const model = scene.add(gp.obb([0, 0, 0], [1, 1, 1], [0, 0, 0, 1]), { position: [0, 0, 5] });
+    assert.deepStrictEqual(scene.getTransforms(new Uint32Array([model])).get(0), { position: [0, 0, 5], rotation: [0, 0, 0, 1], scale: 1 });
+    assert.strictEqual(scene.raycast({ origin: [0, 0, 0], direction: [0, 0, 1] }).t, 4);
+    assert.throws(() => scene.setTransform(model, { postion: [1, 2, 3] }), /transform has no field postion/);
+    const solver = new gp.Solver();
+    const rope = solver.addRope(new Float32Array([0, 0, 0, 0, 1, 0, 0, 2, 0]));
+    assert.strictEqual(solver.getPositions(rope).length, 3);
+    assert.strictEqual(solver.getPositions(rope, 1).length, 2);
+    solver.setPinned(rope, 1);
+    assert.deepStrictEqual([...solver.getPinned(rope)], [0, 1, 1]);
+});
+
+test('arrays hold the numbers that are meant', () => {
+    const scene = new gp.Scene();
+    const corners = new Float32Array([0, 0, 5, 1, 0, 5, 0, 1, 5]);
+    assert.throws(() => scene.raycastBatch(new Int32Array([0, 0, 0, 0, 0, 1, 100])), /rays must hold floats: not Int32Array/);
+    assert.throws(() => new gp.Mesh(corners, new Float32Array([0, 1, 2])), /indices must hold whole numbers: not Float32Array/);
+    for (const indices of [new Uint16Array([0, 1, 2]), new Int32Array([0, 1, 2]), null, undefined]) {
+        assert.deepStrictEqual([...new gp.Mesh(corners, indices).getIndices()], [0, 1, 2]);
+    }
+    const matrix = [0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 5, 6, 7, 1];
+    for (const given of [matrix, new Float32Array(matrix), { m: matrix }, { elements: matrix }]) {
+        const camera = new gp.Camera();
+        camera.setWorldMatrix(given);
+        assert.deepStrictEqual(camera.getTransform()[0], [5, 6, 7]);
+    }
+});
+
 test('lists of any length, one and many', () => {
     const scene = new gp.Scene();
     const models = scene.addBatch(gp.shapes('sphere', new Float32Array(4 * 500)));

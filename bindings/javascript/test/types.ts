@@ -16,6 +16,21 @@ const corners: number[][] | null = new wasm.Camera({ viewport_width: 3 }).getCor
 scene.addDescribedBatch(gp.sphere([0, 0, 0], 1), null, [{ tag: 1 }, { layers: 2, parent: ball }, {}]);
 scene.addDescribedBatch(gp.sphere([0, 0, 0], 1), rays, { tag: 1 }, new Uint32Array(10));
 
+scene.setTransform(ball, { position: [1, 2, 3] });
+scene.raycast({ origin: [0, 0, 0], direction: [0, 0, 1] });
+const threes = new gp.Mesh(new Float32Array(9), new Uint16Array(3));
+const soup = new gp.Mesh(new Float32Array(9));
+const solver = new gp.Solver();
+const rope: number = solver.addRope(new Float32Array(9));
+const places: gp.Records<number[]> = solver.getPositions(rope);
+solver.setPinned(rope, 0, 1);
+
+// @ts-expect-error: there is no such field
+scene.setTransform(ball, { postion: [1, 2, 3] });
+// @ts-expect-error: rays are floats
+scene.raycastBatch(new Int32Array(7));
+// @ts-expect-error: indices are whole numbers
+new gp.Mesh(new Float32Array(9), new Float32Array(3));
 // @ts-expect-error: there is no such field
 scene.addDescribedBatch(gp.sphere([0, 0, 0], 1), null, [{ weight: 1 }]);
 // @ts-expect-error: there is no such field
@@ -26,5 +41,5 @@ scene.raycast(rays.get(0)).t;
 gp.records('raygun', 1);
 // @ts-expect-error: not a scene
 new gp.Solver().step(new gp.Camera(), 0.1);
-// @ts-expect-error: two fields are missing
+// @ts-expect-error: a field is missing
 scene.raycast({ origin: [0, 0, 0] });
