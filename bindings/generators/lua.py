@@ -1,7 +1,7 @@
 """Lua: the declarations for LuaJIT's FFI, and a method for each function."""
 from ._calls import arguments, batch_arrays, comment
 from ._docs import Language, as_tags, translated
-from ._names import (ANSWERS, SHAPES, base_type, calls, camel, constants, creations, declarations, element, other_creations,
+from ._names import (ANSWERS, BUILT, MASKS, SHAPES, base_type, calls, camel, constants, creations, declarations, element, other_creations,
                      plain)
 
 HEADER = "-- Generated from gamephys_api.json by bindings/generate.py. Not for editing.\n"
@@ -40,13 +40,26 @@ def argument_list(api, call):
             words[i] = f"{lua_type(api, element(call.function['parameters'][i - 1]))}.size"
         elif p["role"] == "count" and p["name"] == "index_count":
             words[i] = "indices_count"
-        elif p["name"] == "layers" and p["role"] == "scalar":
-            words[i] = "layers or ALL_LAYERS" if call.name != "set_layers" else "layers"
-        elif p["name"] == "max_distance":
-            words[i] = "max_distance or math.huge"
-        elif p["name"] in ("pinned", "keep_world", "reverse_z", "embed_meshes"):
-            words[i] = f"to_flag({name})"
+        elif p["role"] == "scalar" or p["role"] == "count" and words[i] == name == "count" and not batch_arrays(call):
+            words[i] = checked(api, call, p)
     return words
+
+
+# What a parameter is that is not given.
+DEFAULTS = {"layers": "ALL_LAYERS", "max_distance": "math.huge", "tolerance": "0", "link_length": "0", "compliance": "0"}
+
+
+def checked(api, call, p):
+    """A number that is what it must be: the check has its name for the message."""
+    name = p["name"]
+    other = DEFAULTS.get(name) if call.name != "set_layers" else None
+    if p["type"] == "int32_t":
+        return f"to_flag({name}, '{name}')"
+    if name == "pinned":
+        return name
+    base = base_type(api, p["type"])
+    check = {"float": "real", "int32_t": "signed"}.get(base, "bits" if name in MASKS else "whole")
+    return f"{check}({name}{f' or {other}' if other else ''}, '{name}')"
 
 
 def prepared(api, call):
@@ -61,6 +74,9 @@ def prepared(api, call):
         elif p["role"] == "array":
             width = f", {p['width']}" if "width" in p else ""
             lines.append(f"local {n}, {n}_count, {n}_stride = to_array({lua_type(api, element(p))}, {n}{width})")
+    if any(p["role"] == "count" and p["name"] == "count" for p in call.inputs):
+        lines += ["first = first or 0", "count = count or math.max(0, self:get_body_info(body).particle_count - first)"]
+        lines += ["if pinned == nil then pinned = true end"] if any(p["name"] == "pinned" for p in call.inputs) else []
     arrays = [p["name"] + "_count" for p in batch_arrays(call)]
     assert len(arrays) <= 3, "runtime.common takes three"
     if arrays:
@@ -124,7 +140,11 @@ def declared(api):
     text += "    },\n    structs = {\n"
     for struct in api["structs"]:
         fields = ", ".join(f'"{f["name"]}"' for f in struct["fields"])
-        text += f'        {{ name = "{plain(struct["name"])}", fields = {{ {fields} }} }},\n'
+        checks = {f["name"]: "bits" if f["name"] in MASKS else {"uint32_t": "whole", "int32_t": "to_flag"}.get(base_type(api, f["type"]))
+                  for f in struct["fields"] if f["count"] == 1}
+        numbers = ", ".join(f'{name} = "{check}"' for name, check in checks.items() if check)
+        built = ", built = true" if struct["name"] in BUILT else ""
+        text += f'        {{ name = "{plain(struct["name"])}", fields = {{ {fields} }}, numbers = {{ {numbers} }}{built} }},\n'
     text += "    },\n"
     text += "    shapes = {" + ", ".join(f'"{s}"' for s in SHAPES if s != "mesh") + "},\n"
     return text + "    objects = {" + ", ".join(f'"{plain(h)}"' for h in api["handles"]) + "},\n}\n"
@@ -138,6 +158,7 @@ def methods(api):
            "local opened, kind, address, to_value = runtime.opened, runtime.kind, runtime.address, runtime.to_value",
            "local to_numbers, to_desc, to_descs, to_flag = runtime.to_numbers, runtime.to_desc, runtime.to_descs, runtime.to_flag",
            "local to_array, to_shapes, common, results = runtime.to_array, runtime.to_shapes, runtime.common, runtime.results",
+           "local whole, bits, signed, real = runtime.whole, runtime.bits, runtime.signed, runtime.real",
            "local list, ragged, check, found, answered = runtime.list, runtime.ragged, runtime.check, runtime.found, "
            "runtime.answered",
            *(f"local {n} = runtime.element '{n}'" for n in NUMBERS),

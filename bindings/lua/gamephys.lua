@@ -69,11 +69,54 @@ function runtime.element(name)
     return known
 end
 
+local function refused(value, name, expected)
+    if type(value) == 'number' then error(('%s %.17g is not %s'):format(name, value, expected), 4) end
+    error(('%s: expected a number, got %s'):format(name, tostring(value)), 4)
+end
+
+--- An id, an index or a number of something. The C call would take what remains of it in 32 bits.
+function runtime.whole(value, name)
+    if type(value) == 'number' and value >= 0 and value < 2 ^ 32 and value % 1 == 0 then return value end
+    if type(value) == 'cdata' then return runtime.whole(tonumber(value), name) end
+    return refused(value, name, 'a whole number from 0 to 4294967295')
+end
+
+--- A set of bits, which the bit library gives with a sign.
+function runtime.bits(value, name)
+    if type(value) == 'number' and value >= -2 ^ 31 and value < 2 ^ 32 and value % 1 == 0 then return value % 2 ^ 32 end
+    return refused(value, name, 'a set of 32 bits')
+end
+
+--- One of an enumeration's.
+function runtime.signed(value, name)
+    if type(value) == 'number' and value >= -2 ^ 31 and value < 2 ^ 31 and value % 1 == 0 then return value end
+    return refused(value, name, 'a whole number of 32 bits')
+end
+
+function runtime.real(value, name)
+    if type(value) == 'number' then return value end
+    if type(value) == 'cdata' then return tonumber(value) or refused(value, name) end
+    return refused(value, name)
+end
+
+--- A table of fields by name, with what is meant by those that are missing.
+local function by_name(of, given)
+    local all = {}
+    for name, value in pairs(of.unsaid) do all[name] = value end
+    for name, value in pairs(given) do
+        if not of.fields[name] then error(('%s has no field %s'):format(of.name, tostring(name)), 4) end
+        all[name] = value
+    end
+    return all
+end
+
 --- A struct as it is, or made from a table; a matrix from 16 numbers.
 function runtime.to_value(of, given)
     if type(given) ~= 'table' then return given end
     if #given == of.numbers then return of.new({ given }) end
-    return of.new(given)
+    if of.built and given[1] == nil then given = by_name(of, given) end
+    if of.third and given[3] == nil and given[2] ~= nil then return ffi.new(of.new, given[1], given[2], of.third) end
+    return ffi.new(of.new, given)
 end
 
 --- A given number of elements.
@@ -88,13 +131,16 @@ function runtime.to_desc(of, given)
     if type(given) ~= 'table' then return given end
     local made = of.new()
     runtime.check(of.init(made, of.size))
-    for name, field in pairs(given) do made[name] = field end
+    for name, field in pairs(given) do
+        if of.numbers_of[name] then field = runtime[of.numbers_of[name]](field, name) end
+        made[name] = field
+    end
     return made
 end
 
-function runtime.to_flag(given)
+function runtime.to_flag(given, name)
     if type(given) == 'boolean' then return given and 1 or 0 end
-    return given
+    return runtime.signed(given, name)
 end
 
 -- Shapes -----------------------------------------------------------------------------------------
@@ -251,6 +297,13 @@ local function described(fields)
     end
 end
 
+-- What a field is that is not given; the others are 0.
+local unsaid = {
+    transform = { rotation = { 0, 0, 0, 1 }, scale = 1 },
+    ray = { t_max = math.huge },
+    obb = { rotation = { 0, 0, 0, 1 } },
+    quat = { w = 1 },
+}
 elements.shapes = {}
 local kinds = {}
 for _, name in ipairs(declared.shapes) do kinds[name] = gp['SHAPE_' .. name:upper()] end
@@ -258,7 +311,22 @@ for _, struct in ipairs(declared.structs) do
     local name, of = struct.name, runtime.element('gphys_' .. struct.name)
     of.kind = kinds[name]
     if of.kind then elements.shapes[#elements.shapes + 1] = of end
-    ffi.metatype(of.new, { __tostring = described(struct.fields), __index = { kind = of.kind, struct = of.name } })
+    of.fields, of.unsaid, of.numbers_of = {}, unsaid[name] or {}, struct.numbers
+    of.built, of.third = struct.built, of.unsaid[struct.fields[3]]
+    for _, field in ipairs(struct.fields) do of.fields[field] = true end
+    ffi.metatype(of.new, {
+        __new = struct.built and function(kind, first, second, third, fourth)
+            if first == nil then return ffi.new(kind, of.unsaid) end
+            if type(first) == 'table' and first[1] == nil then return ffi.new(kind, by_name(of, first)) end
+            if second == nil then return ffi.new(kind, first) end
+            third = third or of.third
+            if fourth ~= nil then return ffi.new(kind, first, second, third, fourth) end
+            if third ~= nil then return ffi.new(kind, first, second, third) end
+            return ffi.new(kind, first, second)
+        end or nil,
+        __tostring = described(struct.fields),
+        __index = { kind = of.kind, struct = of.name },
+    })
     -- gphys_model_info is gp.ModelInfo
     gp[(name:gsub('^%l', string.upper):gsub('_(%l)', string.upper))] = of.new
 end

@@ -4,6 +4,7 @@ local C, ALL_LAYERS = runtime.C, gp.ALL_LAYERS
 local opened, kind, address, to_value = runtime.opened, runtime.kind, runtime.address, runtime.to_value
 local to_numbers, to_desc, to_descs, to_flag = runtime.to_numbers, runtime.to_desc, runtime.to_descs, runtime.to_flag
 local to_array, to_shapes, common, results = runtime.to_array, runtime.to_shapes, runtime.common, runtime.results
+local whole, bits, signed, real = runtime.whole, runtime.bits, runtime.signed, runtime.real
 local list, ragged, check, found, answered = runtime.list, runtime.ragged, runtime.check, runtime.found, runtime.answered
 local float = runtime.element 'float'
 local double = runtime.element 'double'
@@ -119,7 +120,7 @@ end
 --- @raise status ERROR_UNSUPPORTED: if the model's shape is no mesh
 function gp.Mesh_from_scene(scene, model)
     return Mesh.create(function(made)
-        return C.gphys_scene_get_mesh(opened(scene), model, made)
+        return C.gphys_scene_get_mesh(opened(scene), whole(model, 'model'), made)
     end)
 end
 
@@ -150,7 +151,7 @@ end
 --- @param desc the mesh is deformable whatever it says
 function gp.Mesh_from_body(solver, body, desc)
     return Mesh.create(function(made)
-        return C.gphys_mesh_create_from_body(desc and to_desc(MeshDesc, desc), opened(solver), body, made)
+        return C.gphys_mesh_create_from_body(desc and to_desc(MeshDesc, desc), opened(solver), whole(body, 'body'), made)
     end)
 end
 
@@ -328,7 +329,7 @@ end
 --- @param workers as SceneDesc.worker_count
 --- @raise status ERROR_OUT_OF_MEMORY: also if the threads cannot be started; the former ones are kept
 function Scene:set_worker_count(workers)
-    check(C.gphys_scene_set_worker_count(opened(self), workers))
+    check(C.gphys_scene_set_worker_count(opened(self), whole(workers, 'workers')))
 end
 
 do
@@ -417,7 +418,7 @@ end
 --- Remove a model. Its children stay where they are in the world and lose their parent.
 --- Cost: O(log n) amortised, and O(1) a child. Renews the octree as far as there is memory.
 function Scene:remove(model)
-    check(C.gphys_scene_remove(opened(self), model))
+    check(C.gphys_scene_remove(opened(self), whole(model, 'model')))
 end
 
 --- Remove models, all or none.
@@ -432,7 +433,7 @@ end
 --- Remove a model and all its descendants.
 --- Cost: O(log n) amortised for each. Renews the octree as far as there is memory.
 function Scene:remove_subtree(model)
-    check(C.gphys_scene_remove_subtree(opened(self), model))
+    check(C.gphys_scene_remove_subtree(opened(self), whole(model, 'model')))
 end
 
 --- Remove all models. Ids given out before stay invalid.
@@ -444,7 +445,7 @@ end
 --- Whether an id names a model of this scene.
 --- Cost: O(1).
 function Scene:has(model)
-    return answered(C.gphys_scene_has(opened(self), model), -2)
+    return answered(C.gphys_scene_has(opened(self), whole(model, 'model')), -2)
 end
 
 --- Ids of all models, ascending.
@@ -467,7 +468,7 @@ end
 --- Cost: O(k log k).
 function Scene:get_children(model)
     return list(uint32_t, function(out, capacity, total)
-        return C.gphys_scene_get_children(opened(self), model, out, capacity, total)
+        return C.gphys_scene_get_children(opened(self), whole(model, 'model'), out, capacity, total)
     end)
 end
 
@@ -475,7 +476,7 @@ end
 --- Cost: O(1).
 function Scene:get_info(model, out_info)
     out_info = out_info or ModelInfo.new()
-    check(C.gphys_scene_get_info(opened(self), model, out_info))
+    check(C.gphys_scene_get_info(opened(self), whole(model, 'model'), out_info))
     return out_info
 end
 
@@ -485,7 +486,7 @@ end
 --- @return nil for a plane.
 function Scene:get_bounds(model, out_bounds)
     out_bounds = out_bounds or Aabb.new()
-    if found(C.gphys_scene_get_bounds(opened(self), model, out_bounds)) then return out_bounds end
+    if found(C.gphys_scene_get_bounds(opened(self), whole(model, 'model'), out_bounds)) then return out_bounds end
 end
 
 --- World box of all bounded models. Planes are left out.
@@ -510,7 +511,7 @@ end
 --- @raise status ERROR_INVALID_ARGUMENT: also if the model would leave the range of the world
 --- @raise status ERROR_OUT_OF_MEMORY:
 function Scene:set_shape(model, shape)
-    check(C.gphys_scene_set_shape(opened(self), model, kind(shape), address(shape)))
+    check(C.gphys_scene_set_shape(opened(self), whole(model, 'model'), kind(shape), address(shape)))
 end
 
 --- Scale a model's own shape along the three axes of the model, before its transform: a tree grows, a
@@ -532,14 +533,14 @@ end
 ---     if the model would leave the range of the world
 --- @raise status ERROR_OUT_OF_MEMORY:
 function Scene:set_scale(model, scale)
-    check(C.gphys_scene_set_scale(opened(self), model, to_value(Vec3, scale)))
+    check(C.gphys_scene_set_scale(opened(self), whole(model, 'model'), to_value(Vec3, scale)))
 end
 
 --- The scale of a model's own shape, 1 1 1 unless another was set.
 --- Cost: O(1).
 function Scene:get_scale(model, out_scale)
     out_scale = out_scale or Vec3.new()
-    check(C.gphys_scene_get_scale(opened(self), model, out_scale))
+    check(C.gphys_scene_get_scale(opened(self), whole(model, 'model'), out_scale))
     return out_scale
 end
 
@@ -548,14 +549,14 @@ end
 --- Cost: O(1).
 --- @param layers any mask; 0: no query sees it
 function Scene:set_layers(model, layers)
-    check(C.gphys_scene_set_layers(opened(self), model, layers))
+    check(C.gphys_scene_set_layers(opened(self), whole(model, 'model'), bits(layers, 'layers')))
 end
 
 --- Change the number that a model's hits report beside its id. Children are not affected.
 --- Cost: O(1).
 --- @param tag any number of the caller's
 function Scene:set_tag(model, tag)
-    check(C.gphys_scene_set_tag(opened(self), model, tag))
+    check(C.gphys_scene_set_tag(opened(self), whole(model, 'model'), whole(tag, 'tag')))
 end
 
 --- Make a model the child of another one, or of none (0).
@@ -565,7 +566,7 @@ end
 ---     so that the world transform stays (within float32 rounding)
 --- @raise status ERROR_CYCLE: if parent is the model or one of its descendants
 function Scene:set_parent(model, parent, keep_world)
-    check(C.gphys_scene_set_parent(opened(self), model, parent, to_flag(keep_world)))
+    check(C.gphys_scene_set_parent(opened(self), whole(model, 'model'), whole(parent, 'parent'), to_flag(keep_world, 'keep_world')))
 end
 
 --- Set a model's local transform. Descendants follow.
@@ -574,7 +575,7 @@ end
 --- @raise status ERROR_INVALID_ARGUMENT: also if it, or a descendant, would leave the range of the
 ---     world
 function Scene:set_transform(model, transform)
-    check(C.gphys_scene_set_transform(opened(self), model, to_value(Transform, transform)))
+    check(C.gphys_scene_set_transform(opened(self), whole(model, 'model'), to_value(Transform, transform)))
 end
 
 --- Set the local transforms of many models, all or none; a model that appears twice gets the last.
@@ -618,7 +619,7 @@ end
 --- @return nil if nothing is found.
 function Scene:raycast(ray, layers, out_hit)
     out_hit = out_hit or Hit.new()
-    if found(C.gphys_scene_raycast(opened(self), to_value(Ray, ray), layers or ALL_LAYERS, out_hit)) then return out_hit end
+    if found(C.gphys_scene_raycast(opened(self), to_value(Ray, ray), bits(layers or ALL_LAYERS, 'layers'), out_hit)) then return out_hit end
 end
 
 --- Closest models on the rays, as Scene:raycast; a ray that hits nothing gets model = 0 and t =
@@ -628,7 +629,7 @@ function Scene:raycast_batch(rays, layers, out)
     local rays, rays_count, rays_stride = to_array(Ray, rays)
     local count = common(rays_count)
     out = results(Hit, out, count)
-    check(C.gphys_scene_raycast_batch(opened(self), rays, rays_stride, count, layers or ALL_LAYERS, out, Hit.size))
+    check(C.gphys_scene_raycast_batch(opened(self), rays, rays_stride, count, bits(layers or ALL_LAYERS, 'layers'), out, Hit.size))
     return out
 end
 
@@ -640,7 +641,7 @@ function Scene:raycast_distance_batch(rays, layers, out)
     local rays, rays_count, rays_stride = to_array(Ray, rays)
     local count = common(rays_count)
     out = results(Distance, out, count)
-    check(C.gphys_scene_raycast_distance_batch(opened(self), rays, rays_stride, count, layers or ALL_LAYERS, out, Distance.size))
+    check(C.gphys_scene_raycast_distance_batch(opened(self), rays, rays_stride, count, bits(layers or ALL_LAYERS, 'layers'), out, Distance.size))
     return out
 end
 
@@ -649,7 +650,7 @@ do
     --- Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
     --- Cost: O(log n) expected.
     function Scene:raycast_any(ray, layers)
-        check(C.gphys_scene_raycast_any(opened(self), to_value(Ray, ray), layers or ALL_LAYERS, out_hit))
+        check(C.gphys_scene_raycast_any(opened(self), to_value(Ray, ray), bits(layers or ALL_LAYERS, 'layers'), out_hit))
         return out_hit[0] ~= 0
     end
 end
@@ -660,7 +661,7 @@ function Scene:raycast_any_batch(rays, layers, out)
     local rays, rays_count, rays_stride = to_array(Ray, rays)
     local count = common(rays_count)
     out = results(int32_t, out, count)
-    check(C.gphys_scene_raycast_any_batch(opened(self), rays, rays_stride, count, layers or ALL_LAYERS, out, int32_t.size))
+    check(C.gphys_scene_raycast_any_batch(opened(self), rays, rays_stride, count, bits(layers or ALL_LAYERS, 'layers'), out, int32_t.size))
     return out
 end
 
@@ -668,7 +669,7 @@ end
 --- Cost: O(log n + k log k) expected.
 function Scene:raycast_all(ray, layers)
     return list(Hit, function(out, capacity, total)
-        return C.gphys_scene_raycast_all(opened(self), to_value(Ray, ray), layers or ALL_LAYERS, out, capacity, total)
+        return C.gphys_scene_raycast_all(opened(self), to_value(Ray, ray), bits(layers or ALL_LAYERS, 'layers'), out, capacity, total)
     end)
 end
 
@@ -680,7 +681,7 @@ function Scene:raycast_all_batch(rays, layers)
     local rays, rays_count, rays_stride = to_array(Ray, rays)
     local count = common(rays_count)
     return ragged(Hit, function(out, capacity, offsets)
-        return C.gphys_scene_raycast_all_batch(opened(self), rays, rays_stride, count, layers or ALL_LAYERS, out, capacity, offsets)
+        return C.gphys_scene_raycast_all_batch(opened(self), rays, rays_stride, count, bits(layers or ALL_LAYERS, 'layers'), out, capacity, offsets)
     end, count)
 end
 
@@ -689,7 +690,7 @@ end
 --- @return nil if nothing is found.
 function Scene:segment_test(segment, layers, out_hit)
     out_hit = out_hit or Hit.new()
-    if found(C.gphys_scene_segment_test(opened(self), to_value(Segment, segment), layers or ALL_LAYERS, out_hit)) then return out_hit end
+    if found(C.gphys_scene_segment_test(opened(self), to_value(Segment, segment), bits(layers or ALL_LAYERS, 'layers'), out_hit)) then return out_hit end
 end
 
 --- Closest models along the segments, as Scene:segment_test; one that hits nothing gets model = 0 and t
@@ -699,7 +700,7 @@ function Scene:segment_test_batch(segments, layers, out)
     local segments, segments_count, segments_stride = to_array(Segment, segments)
     local count = common(segments_count)
     out = results(Hit, out, count)
-    check(C.gphys_scene_segment_test_batch(opened(self), segments, segments_stride, count, layers or ALL_LAYERS, out, Hit.size))
+    check(C.gphys_scene_segment_test_batch(opened(self), segments, segments_stride, count, bits(layers or ALL_LAYERS, 'layers'), out, Hit.size))
     return out
 end
 
@@ -710,7 +711,7 @@ end
 --- @raise status ERROR_UNSUPPORTED: for other types of shapes
 function Scene:overlap(shape, layers)
     return list(uint32_t, function(out, capacity, total)
-        return C.gphys_scene_overlap(opened(self), kind(shape), address(shape), layers or ALL_LAYERS, out, capacity, total)
+        return C.gphys_scene_overlap(opened(self), kind(shape), address(shape), bits(layers or ALL_LAYERS, 'layers'), out, capacity, total)
     end)
 end
 
@@ -722,7 +723,7 @@ function Scene:overlap_batch(shapes, layers)
     local shapes, shapes_kind, shapes_count, shapes_stride = to_shapes(shapes)
     local count = common(shapes_count)
     return ragged(uint32_t, function(out, capacity, offsets)
-        return C.gphys_scene_overlap_batch(opened(self), shapes_kind, shapes, shapes_stride, count, layers or ALL_LAYERS, out, capacity, offsets)
+        return C.gphys_scene_overlap_batch(opened(self), shapes_kind, shapes, shapes_stride, count, bits(layers or ALL_LAYERS, 'layers'), out, capacity, offsets)
     end, count)
 end
 
@@ -735,7 +736,7 @@ end
 --- Cost: O(log n + k) expected.
 function Scene:cull(frustum, layers)
     return list(uint32_t, function(out, capacity, total)
-        return C.gphys_scene_cull(opened(self), to_value(Frustum, frustum), layers or ALL_LAYERS, out, capacity, total)
+        return C.gphys_scene_cull(opened(self), to_value(Frustum, frustum), bits(layers or ALL_LAYERS, 'layers'), out, capacity, total)
     end)
 end
 
@@ -747,7 +748,7 @@ function Scene:cull_batch(frusta, layers)
     local frusta, frusta_count, frusta_stride = to_array(Frustum, frusta)
     local count = common(frusta_count)
     return ragged(uint32_t, function(out, capacity, offsets)
-        return C.gphys_scene_cull_batch(opened(self), frusta, frusta_stride, count, layers or ALL_LAYERS, out, capacity, offsets)
+        return C.gphys_scene_cull_batch(opened(self), frusta, frusta_stride, count, bits(layers or ALL_LAYERS, 'layers'), out, capacity, offsets)
     end, count)
 end
 
@@ -761,7 +762,7 @@ end
 --- @return nil if nothing is found.
 function Scene:nearest(point, max_distance, layers, out_nearest)
     out_nearest = out_nearest or Nearest.new()
-    if found(C.gphys_scene_nearest(opened(self), to_value(Vec3, point), max_distance or math.huge, layers or ALL_LAYERS, out_nearest)) then return out_nearest end
+    if found(C.gphys_scene_nearest(opened(self), to_value(Vec3, point), real(max_distance or math.huge, 'max_distance'), bits(layers or ALL_LAYERS, 'layers'), out_nearest)) then return out_nearest end
 end
 
 --- The models nearest to the points, as Scene:nearest; a point with none gets model = 0 and distance =
@@ -772,7 +773,7 @@ function Scene:nearest_batch(points, max_distance, layers, out)
     local points, points_count, points_stride = to_array(Vec3, points)
     local count = common(points_count)
     out = results(Nearest, out, count)
-    check(C.gphys_scene_nearest_batch(opened(self), points, points_stride, count, max_distance or math.huge, layers or ALL_LAYERS, out, Nearest.size))
+    check(C.gphys_scene_nearest_batch(opened(self), points, points_stride, count, real(max_distance or math.huge, 'max_distance'), bits(layers or ALL_LAYERS, 'layers'), out, Nearest.size))
     return out
 end
 
@@ -783,7 +784,7 @@ end
 --- @return nil if nothing is found.
 function Scene:sweep_sphere(sphere, displacement, layers, out_hit)
     out_hit = out_hit or Hit.new()
-    if found(C.gphys_scene_sweep_sphere(opened(self), to_value(Sphere, sphere), to_value(Vec3, displacement), layers or ALL_LAYERS, out_hit)) then return out_hit end
+    if found(C.gphys_scene_sweep_sphere(opened(self), to_value(Sphere, sphere), to_value(Vec3, displacement), bits(layers or ALL_LAYERS, 'layers'), out_hit)) then return out_hit end
 end
 
 --- First models that the spheres touch while each moves by its displacement, as Scene:sweep_sphere; one
@@ -795,7 +796,7 @@ function Scene:sweep_sphere_batch(spheres, displacements, layers, out)
     local displacements, displacements_count, displacements_stride = to_array(Vec3, displacements)
     local count = common(spheres_count, displacements_count)
     out = results(Hit, out, count)
-    check(C.gphys_scene_sweep_sphere_batch(opened(self), spheres, spheres_stride, displacements, displacements_stride, count, layers or ALL_LAYERS, out, Hit.size))
+    check(C.gphys_scene_sweep_sphere_batch(opened(self), spheres, spheres_stride, displacements, displacements_stride, count, bits(layers or ALL_LAYERS, 'layers'), out, Hit.size))
     return out
 end
 
@@ -807,7 +808,7 @@ end
 --- @raise status ERROR_UNSUPPORTED: for other types
 function Scene:sweep(shape, displacement, layers, out_hit)
     out_hit = out_hit or Hit.new()
-    if found(C.gphys_scene_sweep(opened(self), kind(shape), address(shape), to_value(Vec3, displacement), layers or ALL_LAYERS, out_hit)) then return out_hit end
+    if found(C.gphys_scene_sweep(opened(self), kind(shape), address(shape), to_value(Vec3, displacement), bits(layers or ALL_LAYERS, 'layers'), out_hit)) then return out_hit end
 end
 
 --- First models that the shapes of one type touch while each moves by its displacement, as Scene:sweep;
@@ -820,7 +821,7 @@ function Scene:sweep_batch(shapes, displacements, layers, out)
     local displacements, displacements_count, displacements_stride = to_array(Vec3, displacements)
     local count = common(shapes_count, displacements_count)
     out = results(Hit, out, count)
-    check(C.gphys_scene_sweep_batch(opened(self), shapes_kind, shapes, shapes_stride, displacements, displacements_stride, count, layers or ALL_LAYERS, out, Hit.size))
+    check(C.gphys_scene_sweep_batch(opened(self), shapes_kind, shapes, shapes_stride, displacements, displacements_stride, count, bits(layers or ALL_LAYERS, 'layers'), out, Hit.size))
     return out
 end
 
@@ -831,7 +832,7 @@ end
 --- @raise status ERROR_UNSUPPORTED: for other types
 function Scene:penetration(shape, layers)
     return list(Penetration, function(out, capacity, total)
-        return C.gphys_scene_penetration(opened(self), kind(shape), address(shape), layers or ALL_LAYERS, out, capacity, total)
+        return C.gphys_scene_penetration(opened(self), kind(shape), address(shape), bits(layers or ALL_LAYERS, 'layers'), out, capacity, total)
     end)
 end
 
@@ -844,7 +845,7 @@ function Scene:penetration_batch(shapes, layers)
     local shapes, shapes_kind, shapes_count, shapes_stride = to_shapes(shapes)
     local count = common(shapes_count)
     return ragged(Penetration, function(out, capacity, offsets)
-        return C.gphys_scene_penetration_batch(opened(self), shapes_kind, shapes, shapes_stride, count, layers or ALL_LAYERS, out, capacity, offsets)
+        return C.gphys_scene_penetration_batch(opened(self), shapes_kind, shapes, shapes_stride, count, bits(layers or ALL_LAYERS, 'layers'), out, capacity, offsets)
     end, count)
 end
 
@@ -1002,7 +1003,7 @@ end
 --- @return nil if nothing is found.
 function Scene:nearest_filtered(point, max_distance, filter, out_nearest)
     out_nearest = out_nearest or Nearest.new()
-    if found(C.gphys_scene_nearest_filtered(opened(self), to_value(Vec3, point), max_distance or math.huge, filter and to_desc(QueryFilterDesc, filter), out_nearest)) then return out_nearest end
+    if found(C.gphys_scene_nearest_filtered(opened(self), to_value(Vec3, point), real(max_distance or math.huge, 'max_distance'), filter and to_desc(QueryFilterDesc, filter), out_nearest)) then return out_nearest end
 end
 
 --- The models nearest to the points that the filters see, as Scene:nearest_batch.
@@ -1013,7 +1014,7 @@ function Scene:nearest_filtered_batch(points, max_distance, filters, out)
     local points, points_count, points_stride = to_array(Vec3, points)
     local count = common(points_count)
     out = results(Nearest, out, count)
-    check(C.gphys_scene_nearest_filtered_batch(opened(self), points, points_stride, count, max_distance or math.huge, filters and to_desc(QueryFilterDesc, filters), 0, out, Nearest.size))
+    check(C.gphys_scene_nearest_filtered_batch(opened(self), points, points_stride, count, real(max_distance or math.huge, 'max_distance'), filters and to_desc(QueryFilterDesc, filters), 0, out, Nearest.size))
     return out
 end
 
@@ -1114,7 +1115,7 @@ do
     ---     again.
     --- @raise status ERROR_OUT_OF_MEMORY: : the octree is as before, and the next call begins again
     function Scene:maintain_octree(budget)
-        check(C.gphys_scene_maintain_octree(opened(self), budget, out_done))
+        check(C.gphys_scene_maintain_octree(opened(self), whole(budget, 'budget'), out_done))
         return out_done[0] ~= 0
     end
 end
@@ -1155,7 +1156,7 @@ end
 --- @raise status ERROR_CAPACITY: beyond 2^32 - 1 words
 function Scene:get_snapshot(embed_meshes)
     return list(uint32_t, function(out, capacity, total)
-        return C.gphys_scene_get_snapshot(opened(self), to_flag(embed_meshes), out, capacity, total)
+        return C.gphys_scene_get_snapshot(opened(self), to_flag(embed_meshes, 'embed_meshes'), out, capacity, total)
     end)
 end
 
@@ -1221,7 +1222,7 @@ end
 --- @param near_distance metres, > 0
 --- @param far_distance metres, > near_distance; INFINITY allowed
 function Camera:set_perspective(fov_y, near_distance, far_distance)
-    check(C.gphys_camera_set_perspective(opened(self), fov_y, near_distance, far_distance))
+    check(C.gphys_camera_set_perspective(opened(self), real(fov_y, 'fov_y'), real(near_distance, 'near_distance'), real(far_distance, 'far_distance')))
 end
 
 --- Use an orthographic projection: the distance does not change apparent size.
@@ -1231,7 +1232,7 @@ end
 --- @param near_distance metres; far at least 1e-6 above near, which may be negative
 --- @param far_distance metres; far at least 1e-6 above near, which may be negative
 function Camera:set_orthographic(height, near_distance, far_distance)
-    check(C.gphys_camera_set_orthographic(opened(self), height, near_distance, far_distance))
+    check(C.gphys_camera_set_orthographic(opened(self), real(height, 'height'), real(near_distance, 'near_distance'), real(far_distance, 'far_distance')))
 end
 
 --- Use any projection matrix of the camera's depth range and direction (off-centre, oblique, another
@@ -1252,7 +1253,7 @@ end
 --- @param near_distance metres, > 0
 --- @param far_distance metres, > near_distance; INFINITY allowed
 function Camera:set_perspective_aspect(fov_y, aspect, near_distance, far_distance)
-    check(C.gphys_camera_set_perspective_aspect(opened(self), fov_y, aspect, near_distance, far_distance))
+    check(C.gphys_camera_set_perspective_aspect(opened(self), real(fov_y, 'fov_y'), real(aspect, 'aspect'), real(near_distance, 'near_distance'), real(far_distance, 'far_distance')))
 end
 
 --- As Camera:set_orthographic, with a width of its own, which the viewport does not change.
@@ -1262,7 +1263,7 @@ end
 --- @param near_distance metres; far at least 1e-6 above near, which may be negative
 --- @param far_distance metres; far at least 1e-6 above near, which may be negative
 function Camera:set_orthographic_size(width, height, near_distance, far_distance)
-    check(C.gphys_camera_set_orthographic_size(opened(self), width, height, near_distance, far_distance))
+    check(C.gphys_camera_set_orthographic_size(opened(self), real(width, 'width'), real(height, 'height'), real(near_distance, 'near_distance'), real(far_distance, 'far_distance')))
 end
 
 --- Set the size of the viewport. A perspective keeps fov_y, an orthographic projection its height; the
@@ -1271,7 +1272,7 @@ end
 --- @param width pixels, 1e-3 .. 1e6
 --- @param height pixels, 1e-3 .. 1e6
 function Camera:set_viewport(width, height)
-    check(C.gphys_camera_set_viewport(opened(self), width, height))
+    check(C.gphys_camera_set_viewport(opened(self), real(width, 'width'), real(height, 'height')))
 end
 
 --- Where the viewport is in its window, as one of several of a split screen: pixels of all functions
@@ -1280,14 +1281,14 @@ end
 --- @param x pixels of the window, of the viewport's top left corner
 --- @param y pixels of the window, of the viewport's top left corner
 function Camera:set_viewport_origin(x, y)
-    check(C.gphys_camera_set_viewport_origin(opened(self), x, y))
+    check(C.gphys_camera_set_viewport_origin(opened(self), real(x, 'x'), real(y, 'y')))
 end
 
 --- Where the rays of a perspective begin, for all functions that pick. From the near plane at creation;
 --- rays of other projections always begin there.
 --- Cost: O(1). Since 1.1.
 function Camera:set_pick_start(start)
-    check(C.gphys_camera_set_pick_start(opened(self), start))
+    check(C.gphys_camera_set_pick_start(opened(self), signed(start, 'start')))
 end
 
 do
@@ -1497,7 +1498,7 @@ end
 --- @param units_y finite, any size
 --- @raise status ERROR_UNSUPPORTED: if the camera was never set to orbit
 function Camera:orbit_rotate(units_x, units_y)
-    check(C.gphys_camera_orbit_rotate(opened(self), units_x, units_y))
+    check(C.gphys_camera_orbit_rotate(opened(self), real(units_x, 'units_x'), real(units_y, 'units_y')))
 end
 
 --- Add input to the orbit: move closer by units times metres_per_unit or the speed that was set, or
@@ -1506,7 +1507,7 @@ end
 --- @param units finite, any size
 --- @raise status ERROR_UNSUPPORTED: if the camera was never set to orbit
 function Camera:orbit_zoom(units)
-    check(C.gphys_camera_orbit_zoom(opened(self), units))
+    check(C.gphys_camera_orbit_zoom(opened(self), real(units, 'units')))
 end
 
 --- Add input to the orbit: move the target to the camera's right and up, as the last update left them,
@@ -1516,7 +1517,7 @@ end
 --- @param units_up finite, any size
 --- @raise status ERROR_UNSUPPORTED: if the camera was never set to orbit
 function Camera:orbit_pan(units_right, units_up)
-    check(C.gphys_camera_orbit_pan(opened(self), units_right, units_up))
+    check(C.gphys_camera_orbit_pan(opened(self), real(units_right, 'units_right'), real(units_up, 'units_up')))
 end
 
 --- Apply the input since the last update, within the limits, and place the camera. Angles are wrapped
@@ -1555,7 +1556,7 @@ end
 ---     in it lies at infinity or beyond MAX_COORDINATE
 function Camera:get_rectangle_frustum(x0, y0, x1, y1, out_frustum)
     out_frustum = out_frustum or Frustum.new()
-    check(C.gphys_camera_get_rectangle_frustum(opened(self), x0, y0, x1, y1, out_frustum))
+    check(C.gphys_camera_get_rectangle_frustum(opened(self), real(x0, 'x0'), real(y0, 'y0'), real(x1, 'x1'), real(y1, 'y1'), out_frustum))
     return out_frustum
 end
 
@@ -1568,7 +1569,7 @@ end
 --- @return nil as Camera:get_corners.
 function Camera:get_rectangle_corners(x0, y0, x1, y1)
     local out_corners = Vec3.array(8)
-    if found(C.gphys_camera_get_rectangle_corners(opened(self), x0, y0, x1, y1, out_corners)) then return out_corners end
+    if found(C.gphys_camera_get_rectangle_corners(opened(self), real(x0, 'x0'), real(y0, 'y0'), real(x1, 'x1'), real(y1, 'y1'), out_corners)) then return out_corners end
 end
 
 --- World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the
@@ -1626,7 +1627,7 @@ end
 ---     beyond MAX_COORDINATE.
 function Camera:pick_ray(pixel_x, pixel_y, out_ray)
     out_ray = out_ray or Ray.new()
-    if found(C.gphys_camera_pick_ray(opened(self), pixel_x, pixel_y, out_ray)) then return out_ray end
+    if found(C.gphys_camera_pick_ray(opened(self), real(pixel_x, 'pixel_x'), real(pixel_y, 'pixel_y'), out_ray)) then return out_ray end
 end
 
 --- Rays for a rectangle of pixel centres, as Camera:pick_ray, row by row.
@@ -1637,7 +1638,7 @@ end
 --- @param height pixels; width * height rays, fewer than 2^32
 function Camera:pick_rays(x, y, width, height, out)
     out = results(Ray, out, width * height)
-    check(C.gphys_camera_pick_rays(opened(self), x, y, width, height, out, Ray.size))
+    check(C.gphys_camera_pick_rays(opened(self), whole(x, 'x'), whole(y, 'y'), whole(width, 'width'), whole(height, 'height'), out, Ray.size))
     return out
 end
 
@@ -1649,7 +1650,7 @@ end
 --- @return nil if nothing is found.
 function Camera:pick(scene, pixel_x, pixel_y, layers, out_hit)
     out_hit = out_hit or Hit.new()
-    if found(C.gphys_camera_pick(opened(self), opened(scene), pixel_x, pixel_y, layers or ALL_LAYERS, out_hit)) then return out_hit end
+    if found(C.gphys_camera_pick(opened(self), opened(scene), real(pixel_x, 'pixel_x'), real(pixel_y, 'pixel_y'), bits(layers or ALL_LAYERS, 'layers'), out_hit)) then return out_hit end
 end
 
 --- The models under the pixels, as Camera:pick; a pixel without one gets model = 0 and t = INFINITY.
@@ -1659,7 +1660,7 @@ function Camera:pick_batch(scene, pixels, layers, out)
     local pixels, pixels_count, pixels_stride = to_array(float, pixels, 2)
     local count = common(pixels_count)
     out = results(Hit, out, count)
-    check(C.gphys_camera_pick_batch(opened(self), opened(scene), pixels, pixels_stride, count, layers or ALL_LAYERS, out, Hit.size))
+    check(C.gphys_camera_pick_batch(opened(self), opened(scene), pixels, pixels_stride, count, bits(layers or ALL_LAYERS, 'layers'), out, Hit.size))
     return out
 end
 
@@ -1673,7 +1674,7 @@ end
 --- @raise status ERROR_INVALID_ARGUMENT: if the rectangle has no area
 function Camera:pick_rectangle(scene, x0, y0, x1, y1, layers)
     return list(uint32_t, function(out, capacity, total)
-        return C.gphys_camera_pick_rectangle(opened(self), opened(scene), x0, y0, x1, y1, layers or ALL_LAYERS, out, capacity, total)
+        return C.gphys_camera_pick_rectangle(opened(self), opened(scene), real(x0, 'x0'), real(y0, 'y0'), real(x1, 'x1'), real(y1, 'y1'), bits(layers or ALL_LAYERS, 'layers'), out, capacity, total)
     end)
 end
 
@@ -1681,7 +1682,7 @@ end
 --- Cost: O(log n + k) expected.
 function Camera:cull(scene, layers)
     return list(uint32_t, function(out, capacity, total)
-        return C.gphys_camera_cull(opened(self), opened(scene), layers or ALL_LAYERS, out, capacity, total)
+        return C.gphys_camera_cull(opened(self), opened(scene), bits(layers or ALL_LAYERS, 'layers'), out, capacity, total)
     end)
 end
 
@@ -1693,7 +1694,7 @@ end
 --- @return nil if nothing is found.
 function Camera:pick_filtered(scene, pixel_x, pixel_y, filter, out_hit)
     out_hit = out_hit or Hit.new()
-    if found(C.gphys_camera_pick_filtered(opened(self), opened(scene), pixel_x, pixel_y, filter and to_desc(QueryFilterDesc, filter), out_hit)) then return out_hit end
+    if found(C.gphys_camera_pick_filtered(opened(self), opened(scene), real(pixel_x, 'pixel_x'), real(pixel_y, 'pixel_y'), filter and to_desc(QueryFilterDesc, filter), out_hit)) then return out_hit end
 end
 
 --- The models under the pixels that the filters see, as Camera:pick_batch.
@@ -1717,7 +1718,7 @@ end
 --- @param filter nil: the defaults
 function Camera:pick_rectangle_filtered(scene, x0, y0, x1, y1, filter)
     return list(uint32_t, function(out, capacity, total)
-        return C.gphys_camera_pick_rectangle_filtered(opened(self), opened(scene), x0, y0, x1, y1, filter and to_desc(QueryFilterDesc, filter), out, capacity, total)
+        return C.gphys_camera_pick_rectangle_filtered(opened(self), opened(scene), real(x0, 'x0'), real(y0, 'y0'), real(x1, 'x1'), real(y1, 'y1'), filter and to_desc(QueryFilterDesc, filter), out, capacity, total)
     end)
 end
 
@@ -1748,7 +1749,7 @@ end
 --- @param workers as SolverDesc.worker_count
 --- @raise status ERROR_OUT_OF_MEMORY: also if the threads cannot be started; the former ones are kept
 function Solver:set_worker_count(workers)
-    check(C.gphys_solver_set_worker_count(opened(self), workers))
+    check(C.gphys_solver_set_worker_count(opened(self), whole(workers, 'workers')))
 end
 
 do
@@ -1794,7 +1795,7 @@ end
 --- Cost: O(1).
 --- @param substeps 1 .. 1000
 function Solver:set_substeps(substeps)
-    check(C.gphys_solver_set_substeps(opened(self), substeps))
+    check(C.gphys_solver_set_substeps(opened(self), whole(substeps, 'substeps')))
 end
 
 --- The settings of a solver as they are.
@@ -1840,7 +1841,7 @@ do
     function Solver:add_rope(positions, link_length, desc)
         local positions, positions_count, positions_stride = to_array(Vec3, positions)
         local count = common(positions_count)
-        check(C.gphys_solver_add_rope(opened(self), desc and to_desc(BodyDesc, desc), positions, positions_stride, count, link_length, out_body))
+        check(C.gphys_solver_add_rope(opened(self), desc and to_desc(BodyDesc, desc), positions, positions_stride, count, real(link_length or 0, 'link_length'), out_body))
         return out_body[0]
     end
 end
@@ -1862,7 +1863,7 @@ do
     --- @raise status ERROR_INVALID_ARGUMENT: if the edges are parallel or zero
     --- @raise status ERROR_CAPACITY: beyond 2^24 - 1 particles, links or bodies
     function Solver:add_cloth(corner, edge_u, edge_v, columns, rows, desc)
-        check(C.gphys_solver_add_cloth(opened(self), desc and to_desc(BodyDesc, desc), to_value(Vec3, corner), to_value(Vec3, edge_u), to_value(Vec3, edge_v), columns, rows, out_body))
+        check(C.gphys_solver_add_cloth(opened(self), desc and to_desc(BodyDesc, desc), to_value(Vec3, corner), to_value(Vec3, edge_u), to_value(Vec3, edge_v), whole(columns, 'columns'), whole(rows, 'rows'), out_body))
         return out_body[0]
     end
 end
@@ -1890,7 +1891,7 @@ end
 --- Cost: O(particles + constraints of the body), O(joints of the solver), and O(bodies that gave
 --- impulses to the same models).
 function Solver:remove_body(body)
-    check(C.gphys_solver_remove_body(opened(self), body))
+    check(C.gphys_solver_remove_body(opened(self), whole(body, 'body')))
 end
 
 --- Ids of all bodies, ascending.
@@ -1920,14 +1921,14 @@ end
 --- Cost: O(1) a body.
 --- @param body 0: all
 function Solver:wake(body)
-    check(C.gphys_solver_wake(opened(self), body))
+    check(C.gphys_solver_wake(opened(self), whole(body, 'body')))
 end
 
 --- The present settings of a body; static_friction as it acts, at least friction.
 --- Cost: O(1).
 function Solver:get_body_settings(body, out_settings)
     out_settings = out_settings or BodySettings.new()
-    check(C.gphys_solver_get_body_settings(opened(self), body, out_settings))
+    check(C.gphys_solver_get_body_settings(opened(self), whole(body, 'body'), out_settings))
     return out_settings
 end
 
@@ -1935,14 +1936,14 @@ end
 --- Wakes the body.
 --- Cost: O(1); O(particles) when self_collision changes, and it allocates.
 function Solver:set_body_settings(body, settings)
-    check(C.gphys_solver_set_body_settings(opened(self), body, to_value(BodySettings, settings)))
+    check(C.gphys_solver_set_body_settings(opened(self), whole(body, 'body'), to_value(BodySettings, settings)))
 end
 
 --- What a body is made of and how it is solved.
 --- Cost: O(1); after a change of constraints O(particles), and it allocates.
 function Solver:get_body_info(body, out_info)
     out_info = out_info or BodyInfo.new()
-    check(C.gphys_solver_get_body_info(opened(self), body, out_info))
+    check(C.gphys_solver_get_body_info(opened(self), whole(body, 'body'), out_info))
     return out_info
 end
 
@@ -1951,7 +1952,7 @@ end
 --- Cost: O(triangles).
 function Solver:get_triangles(body)
     return list(uint32_t, function(out, capacity, total)
-        return C.gphys_solver_get_triangles(opened(self), body, out, capacity, total)
+        return C.gphys_solver_get_triangles(opened(self), whole(body, 'body'), out, capacity, total)
     end)
 end
 
@@ -1964,7 +1965,7 @@ do
     --- @param point metres, in the solver's coordinates: that of the hit
     --- @raise status ERROR_INVALID_ARGUMENT: also if the mesh has no such triangle
     function Solver:get_nearest_particle(body, triangle, point)
-        check(C.gphys_solver_get_nearest_particle(opened(self), body, triangle, to_value(Vec3, point), out_particle))
+        check(C.gphys_solver_get_nearest_particle(opened(self), whole(body, 'body'), whole(triangle, 'triangle'), to_value(Vec3, point), out_particle))
         return out_particle[0]
     end
 end
@@ -1976,8 +1977,10 @@ end
 --- @param count the particles first .. first + count - 1; a range beyond the body is
 ---     ERROR_INVALID_ARGUMENT
 function Solver:get_positions(body, first, count, out)
+    first = first or 0
+    count = count or math.max(0, self:get_body_info(body).particle_count - first)
     out = results(Vec3, out, count)
-    check(C.gphys_solver_get_positions(opened(self), body, first, count, out, Vec3.size))
+    check(C.gphys_solver_get_positions(opened(self), whole(body, 'body'), whole(first, 'first'), whole(count, 'count'), out, Vec3.size))
     return out
 end
 
@@ -1990,7 +1993,7 @@ end
 function Solver:set_positions(body, first, positions)
     local positions, positions_count, positions_stride = to_array(Vec3, positions)
     local count = common(positions_count)
-    check(C.gphys_solver_set_positions(opened(self), body, first, count, positions, positions_stride))
+    check(C.gphys_solver_set_positions(opened(self), whole(body, 'body'), whole(first, 'first'), count, positions, positions_stride))
 end
 
 --- How fast the particles are, m/s.
@@ -1999,8 +2002,10 @@ end
 --- @param count as in Solver:get_positions
 --- @return 0 of what is pinned and stands still.
 function Solver:get_velocities(body, first, count, out)
+    first = first or 0
+    count = count or math.max(0, self:get_body_info(body).particle_count - first)
     out = results(Vec3, out, count)
-    check(C.gphys_solver_get_velocities(opened(self), body, first, count, out, Vec3.size))
+    check(C.gphys_solver_get_velocities(opened(self), whole(body, 'body'), whole(first, 'first'), whole(count, 'count'), out, Vec3.size))
     return out
 end
 
@@ -2011,7 +2016,7 @@ end
 function Solver:set_velocities(body, first, velocities)
     local velocities, velocities_count, velocities_stride = to_array(Vec3, velocities)
     local count = common(velocities_count)
-    check(C.gphys_solver_set_velocities(opened(self), body, first, count, velocities, velocities_stride))
+    check(C.gphys_solver_set_velocities(opened(self), whole(body, 'body'), whole(first, 'first'), count, velocities, velocities_stride))
 end
 
 --- Masses of particles, kg. That of a pinned particle is what it has when it is released.
@@ -2019,8 +2024,10 @@ end
 --- @param first as in Solver:get_positions
 --- @param count as in Solver:get_positions
 function Solver:get_masses(body, first, count, out)
+    first = first or 0
+    count = count or math.max(0, self:get_body_info(body).particle_count - first)
     out = results(float, out, count)
-    check(C.gphys_solver_get_masses(opened(self), body, first, count, out, float.size))
+    check(C.gphys_solver_get_masses(opened(self), whole(body, 'body'), whole(first, 'first'), whole(count, 'count'), out, float.size))
     return out
 end
 
@@ -2032,7 +2039,7 @@ end
 function Solver:set_masses(body, first, masses)
     local masses, masses_count, masses_stride = to_array(float, masses)
     local count = common(masses_count)
-    check(C.gphys_solver_set_masses(opened(self), body, first, count, masses, masses_stride))
+    check(C.gphys_solver_set_masses(opened(self), whole(body, 'body'), whole(first, 'first'), count, masses, masses_stride))
 end
 
 --- Collision radii of particles, metres.
@@ -2040,8 +2047,10 @@ end
 --- @param first as in Solver:get_positions
 --- @param count as in Solver:get_positions
 function Solver:get_radii(body, first, count, out)
+    first = first or 0
+    count = count or math.max(0, self:get_body_info(body).particle_count - first)
     out = results(float, out, count)
-    check(C.gphys_solver_get_radii(opened(self), body, first, count, out, float.size))
+    check(C.gphys_solver_get_radii(opened(self), whole(body, 'body'), whole(first, 'first'), whole(count, 'count'), out, float.size))
     return out
 end
 
@@ -2052,7 +2061,7 @@ end
 function Solver:set_radii(body, first, radii)
     local radii, radii_count, radii_stride = to_array(float, radii)
     local count = common(radii_count)
-    check(C.gphys_solver_set_radii(opened(self), body, first, count, radii, radii_stride))
+    check(C.gphys_solver_set_radii(opened(self), whole(body, 'body'), whole(first, 'first'), count, radii, radii_stride))
 end
 
 --- Friction factors of particles; 1 until they are set.
@@ -2060,8 +2069,10 @@ end
 --- @param first as in Solver:get_positions
 --- @param count as in Solver:get_positions
 function Solver:get_friction_factors(body, first, count, out)
+    first = first or 0
+    count = count or math.max(0, self:get_body_info(body).particle_count - first)
     out = results(float, out, count)
-    check(C.gphys_solver_get_friction_factors(opened(self), body, first, count, out, float.size))
+    check(C.gphys_solver_get_friction_factors(opened(self), whole(body, 'body'), whole(first, 'first'), whole(count, 'count'), out, float.size))
     return out
 end
 
@@ -2075,7 +2086,7 @@ end
 function Solver:set_friction_factors(body, first, factors)
     local factors, factors_count, factors_stride = to_array(float, factors)
     local count = common(factors_count)
-    check(C.gphys_solver_set_friction_factors(opened(self), body, first, count, factors, factors_stride))
+    check(C.gphys_solver_set_friction_factors(opened(self), whole(body, 'body'), whole(first, 'first'), count, factors, factors_stride))
 end
 
 --- The forces that were set for particles, newtons.
@@ -2083,8 +2094,10 @@ end
 --- @param first as in Solver:get_positions
 --- @param count as in Solver:get_positions
 function Solver:get_forces(body, first, count, out)
+    first = first or 0
+    count = count or math.max(0, self:get_body_info(body).particle_count - first)
     out = results(Vec3, out, count)
-    check(C.gphys_solver_get_forces(opened(self), body, first, count, out, Vec3.size))
+    check(C.gphys_solver_get_forces(opened(self), whole(body, 'body'), whole(first, 'first'), whole(count, 'count'), out, Vec3.size))
     return out
 end
 
@@ -2095,7 +2108,7 @@ end
 function Solver:set_forces(body, first, forces)
     local forces, forces_count, forces_stride = to_array(Vec3, forces)
     local count = common(forces_count)
-    check(C.gphys_solver_set_forces(opened(self), body, first, count, forces, forces_stride))
+    check(C.gphys_solver_set_forces(opened(self), whole(body, 'body'), whole(first, 'first'), count, forces, forces_stride))
 end
 
 --- Which particles are pinned or attached.
@@ -2103,8 +2116,10 @@ end
 --- @param first as in Solver:get_positions
 --- @param count as in Solver:get_positions
 function Solver:get_pinned(body, first, count, out)
+    first = first or 0
+    count = count or math.max(0, self:get_body_info(body).particle_count - first)
     out = results(int32_t, out, count)
-    check(C.gphys_solver_get_pinned(opened(self), body, first, count, out, int32_t.size))
+    check(C.gphys_solver_get_pinned(opened(self), whole(body, 'body'), whole(first, 'first'), whole(count, 'count'), out, int32_t.size))
     return out
 end
 
@@ -2116,7 +2131,10 @@ end
 --- @param count as in Solver:get_positions
 --- @param pinned 1: pin; 0: release
 function Solver:set_pinned(body, first, count, pinned)
-    check(C.gphys_solver_set_pinned(opened(self), body, first, count, to_flag(pinned)))
+    first = first or 0
+    count = count or math.max(0, self:get_body_info(body).particle_count - first)
+    if pinned == nil then pinned = true end
+    check(C.gphys_solver_set_pinned(opened(self), whole(body, 'body'), whole(first, 'first'), whole(count, 'count'), to_flag(pinned, 'pinned')))
 end
 
 --- Put a body into moving air. Until this is called there is none. Wakes the body. With u the velocity
@@ -2133,14 +2151,14 @@ end
 --- @param body 0: all bodies there are
 --- @param wind of density 0: no air
 function Solver:set_wind(body, wind)
-    check(C.gphys_solver_set_wind(opened(self), body, to_value(Wind, wind)))
+    check(C.gphys_solver_set_wind(opened(self), whole(body, 'body'), to_value(Wind, wind)))
 end
 
 --- The air around a body as it was set; zeros if it was not.
 --- Cost: O(1).
 function Solver:get_wind(body, out_wind)
     out_wind = out_wind or Wind.new()
-    check(C.gphys_solver_get_wind(opened(self), body, out_wind))
+    check(C.gphys_solver_get_wind(opened(self), whole(body, 'body'), out_wind))
     return out_wind
 end
 
@@ -2152,7 +2170,7 @@ end
 function Solver:set_air_velocities(body, first, velocities)
     local velocities, velocities_count, velocities_stride = to_array(Vec3, velocities)
     local count = common(velocities_count)
-    check(C.gphys_solver_set_air_velocities(opened(self), body, first, count, velocities, velocities_stride))
+    check(C.gphys_solver_set_air_velocities(opened(self), whole(body, 'body'), whole(first, 'first'), count, velocities, velocities_stride))
 end
 
 --- Velocities of the air at particles, m/s, beside that of Wind.
@@ -2160,8 +2178,10 @@ end
 --- @param first as in Solver:get_positions
 --- @param count as in Solver:get_positions
 function Solver:get_air_velocities(body, first, count, out)
+    first = first or 0
+    count = count or math.max(0, self:get_body_info(body).particle_count - first)
     out = results(Vec3, out, count)
-    check(C.gphys_solver_get_air_velocities(opened(self), body, first, count, out, Vec3.size))
+    check(C.gphys_solver_get_air_velocities(opened(self), whole(body, 'body'), whole(first, 'first'), whole(count, 'count'), out, Vec3.size))
     return out
 end
 
@@ -2189,7 +2209,7 @@ end
 function Solver:set_animation_targets(body, first, targets)
     local targets, targets_count, targets_stride = to_array(AnimationTarget, targets)
     local count = common(targets_count)
-    check(C.gphys_solver_set_animation_targets(opened(self), body, first, count, targets, targets_stride))
+    check(C.gphys_solver_set_animation_targets(opened(self), whole(body, 'body'), whole(first, 'first'), count, targets, targets_stride))
 end
 
 --- Animation targets of particles as they were set; 0 and INFINITY of what has none.
@@ -2197,8 +2217,10 @@ end
 --- @param first as in Solver:get_positions
 --- @param count as in Solver:get_positions
 function Solver:get_animation_targets(body, first, count, out)
+    first = first or 0
+    count = count or math.max(0, self:get_body_info(body).particle_count - first)
     out = results(AnimationTarget, out, count)
-    check(C.gphys_solver_get_animation_targets(opened(self), body, first, count, out, AnimationTarget.size))
+    check(C.gphys_solver_get_animation_targets(opened(self), whole(body, 'body'), whole(first, 'first'), whole(count, 'count'), out, AnimationTarget.size))
     return out
 end
 
@@ -2211,21 +2233,21 @@ end
 ---     scale, and not Scene:set_scale; nil: where the particle is now
 --- @raise status ERROR_INVALID_ARGUMENT: for a particle that does not exist
 function Solver:attach(scene, body, particle, model, local_point)
-    check(C.gphys_solver_attach(opened(self), opened(scene), body, particle, model, local_point and to_value(Vec3, local_point)))
+    check(C.gphys_solver_attach(opened(self), opened(scene), whole(body, 'body'), whole(particle, 'particle'), whole(model, 'model'), local_point and to_value(Vec3, local_point)))
 end
 
 --- Release an attached particle.
 --- Cost: O(1).
 --- @raise status ERROR_INVALID_ARGUMENT: if it is not attached, or does not exist
 function Solver:detach(body, particle)
-    check(C.gphys_solver_detach(opened(self), body, particle))
+    check(C.gphys_solver_detach(opened(self), whole(body, 'body'), whole(particle, 'particle')))
 end
 
 --- The attachments of a body, by particle. One to a model that is gone is listed until the next step.
 --- Cost: O(attachments). Since 1.1.
 function Solver:get_attachments(body)
     return list(Attachment, function(out, capacity, total)
-        return C.gphys_solver_get_attachments(opened(self), body, out, capacity, total)
+        return C.gphys_solver_get_attachments(opened(self), whole(body, 'body'), out, capacity, total)
     end)
 end
 
@@ -2238,7 +2260,7 @@ do
     --- @raise status ERROR_INVALID_ARGUMENT: for a particle that does not exist or twice the same one
     --- @raise status ERROR_CAPACITY: beyond 2^24 - 1 constraints of a body
     function Solver:add_distance(body, particle_a, particle_b, rest_length, compliance)
-        check(C.gphys_solver_add_distance(opened(self), body, particle_a, particle_b, rest_length, compliance, out_constraint))
+        check(C.gphys_solver_add_distance(opened(self), whole(body, 'body'), whole(particle_a, 'particle_a'), whole(particle_b, 'particle_b'), real(rest_length, 'rest_length'), real(compliance or 0, 'compliance'), out_constraint))
         return out_constraint[0]
     end
 end
@@ -2255,7 +2277,7 @@ do
     --- @param max_length metres, >= 0; negative: the present distance. Below 1e-9 m it counts as 0.
     --- @param compliance metres per newton, >= 0, of what it yields beyond that; 0 is rigid
     function Solver:add_max_distance(body, particle_a, particle_b, max_length, compliance)
-        check(C.gphys_solver_add_max_distance(opened(self), body, particle_a, particle_b, max_length, compliance, out_constraint))
+        check(C.gphys_solver_add_max_distance(opened(self), whole(body, 'body'), whole(particle_a, 'particle_a'), whole(particle_b, 'particle_b'), real(max_length, 'max_length'), real(compliance or 0, 'compliance'), out_constraint))
         return out_constraint[0]
     end
 end
@@ -2267,7 +2289,7 @@ end
 --- @param damping N s/m, >= 0; 0, which every constraint begins with: none
 --- @raise status ERROR_INVALID_ID: for a body or constraint that does not exist
 function Solver:set_constraint_damping(body, constraint, damping)
-    check(C.gphys_solver_set_constraint_damping(opened(self), body, constraint, damping))
+    check(C.gphys_solver_set_constraint_damping(opened(self), whole(body, 'body'), whole(constraint, 'constraint'), real(damping, 'damping')))
 end
 
 --- Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body;
@@ -2279,7 +2301,7 @@ end
 --- @raise status ERROR_UNSUPPORTED: if the triangles do not close (each side is that of two triangles),
 ---     are not oriented consistently, or face inward when the present volume is asked for
 function Solver:set_volume(body, rest_volume, compliance)
-    check(C.gphys_solver_set_volume(opened(self), body, rest_volume, compliance))
+    check(C.gphys_solver_set_volume(opened(self), whole(body, 'body'), real(rest_volume, 'rest_volume'), real(compliance or 0, 'compliance')))
 end
 
 do
@@ -2290,7 +2312,7 @@ do
     --- Cost: O(triangles).
     --- @raise status ERROR_UNSUPPORTED: if none is held
     function Solver:get_volume(body)
-        check(C.gphys_solver_get_volume(opened(self), body, out_volume, out_pressure))
+        check(C.gphys_solver_get_volume(opened(self), whole(body, 'body'), out_volume, out_pressure))
         return out_volume[0], out_pressure[0]
     end
 end
@@ -2303,7 +2325,7 @@ do
     --- Cost: O(1). Since 1.1.
     --- @raise status ERROR_UNSUPPORTED: if none is held
     function Solver:get_volume_settings(body)
-        check(C.gphys_solver_get_volume_settings(opened(self), body, out_rest_volume, out_compliance))
+        check(C.gphys_solver_get_volume_settings(opened(self), whole(body, 'body'), out_rest_volume, out_compliance))
         return out_rest_volume[0], out_compliance[0]
     end
 end
@@ -2313,14 +2335,14 @@ end
 --- Cost: as Solver:add_distance; allocates.
 --- @raise status ERROR_INVALID_ID: for a body or constraint that does not exist, or no longer
 function Solver:remove_constraint(body, constraint)
-    check(C.gphys_solver_remove_constraint(opened(self), body, constraint))
+    check(C.gphys_solver_remove_constraint(opened(self), whole(body, 'body'), whole(constraint, 'constraint')))
 end
 
 --- All constraints of a body, including those created with the body, by id.
 --- Cost: O(constraints).
 function Solver:get_constraints(body)
     return list(ConstraintInfo, function(out, capacity, total)
-        return C.gphys_solver_get_constraints(opened(self), body, out, capacity, total)
+        return C.gphys_solver_get_constraints(opened(self), whole(body, 'body'), out, capacity, total)
     end)
 end
 
@@ -2331,7 +2353,7 @@ function Solver:get_constraint_kinds(body, constraints, out)
     local constraints, constraints_count, constraints_stride = to_array(uint32_t, constraints)
     local count = common(constraints_count)
     out = results(int32_t, out, count)
-    check(C.gphys_solver_get_constraint_kinds(opened(self), body, constraints, count, out, int32_t.size))
+    check(C.gphys_solver_get_constraint_kinds(opened(self), whole(body, 'body'), constraints, count, out, int32_t.size))
     return out
 end
 
@@ -2342,7 +2364,7 @@ function Solver:get_constraint_settings(body, constraints, out)
     local constraints, constraints_count, constraints_stride = to_array(uint32_t, constraints)
     local count = common(constraints_count)
     out = results(ConstraintSettings, out, count)
-    check(C.gphys_solver_get_constraint_settings(opened(self), body, constraints, count, out, ConstraintSettings.size))
+    check(C.gphys_solver_get_constraint_settings(opened(self), whole(body, 'body'), constraints, count, out, ConstraintSettings.size))
     return out
 end
 
@@ -2356,7 +2378,7 @@ function Solver:set_constraint_settings(body, constraints, settings)
     local constraints, constraints_count, constraints_stride = to_array(uint32_t, constraints)
     local settings, settings_count, settings_stride = to_array(ConstraintSettings, settings)
     local count = common(constraints_count, settings_count)
-    check(C.gphys_solver_set_constraint_settings(opened(self), body, constraints, settings, settings_stride, count))
+    check(C.gphys_solver_set_constraint_settings(opened(self), whole(body, 'body'), constraints, settings, settings_stride, count))
 end
 
 do
@@ -2384,7 +2406,7 @@ do
     function Solver:add_cluster(body, particles)
         local particles, particles_count, particles_stride = to_array(uint32_t, particles)
         local count = common(particles_count)
-        check(C.gphys_solver_add_cluster(opened(self), body, particles, count, out_cluster))
+        check(C.gphys_solver_add_cluster(opened(self), whole(body, 'body'), particles, count, out_cluster))
         return out_cluster[0]
     end
 end
@@ -2393,14 +2415,14 @@ end
 --- Cost: O(particles in clusters of the body). Since 1.1.
 --- @raise status ERROR_INVALID_ID: for a body or cluster that does not exist, or no longer
 function Solver:remove_cluster(body, cluster)
-    check(C.gphys_solver_remove_cluster(opened(self), body, cluster))
+    check(C.gphys_solver_remove_cluster(opened(self), whole(body, 'body'), whole(cluster, 'cluster')))
 end
 
 --- All clusters of a body, by id.
 --- Cost: O(clusters). Since 1.1.
 function Solver:get_clusters(body)
     return list(uint32_t, function(out, capacity, total)
-        return C.gphys_solver_get_clusters(opened(self), body, out, capacity, total)
+        return C.gphys_solver_get_clusters(opened(self), whole(body, 'body'), out, capacity, total)
     end)
 end
 
@@ -2409,7 +2431,7 @@ end
 --- @raise status ERROR_INVALID_ID: for a body or cluster that does not exist, or no longer
 function Solver:get_cluster_particles(body, cluster)
     return list(uint32_t, function(out, capacity, total)
-        return C.gphys_solver_get_cluster_particles(opened(self), body, cluster, out, capacity, total)
+        return C.gphys_solver_get_cluster_particles(opened(self), whole(body, 'body'), whole(cluster, 'cluster'), out, capacity, total)
     end)
 end
 
@@ -2430,7 +2452,7 @@ do
     ---     Solver:add_distance)
     --- @raise status ERROR_CAPACITY: beyond 2^24 - 1 joints
     function Solver:join(body_a, particle_a, body_b, particle_b, rest_length, compliance)
-        check(C.gphys_solver_join(opened(self), body_a, particle_a, body_b, particle_b, rest_length, compliance, out_joint))
+        check(C.gphys_solver_join(opened(self), whole(body_a, 'body_a'), whole(particle_a, 'particle_a'), whole(body_b, 'body_b'), whole(particle_b, 'particle_b'), real(rest_length, 'rest_length'), real(compliance or 0, 'compliance'), out_joint))
         return out_joint[0]
     end
 end
@@ -2439,7 +2461,7 @@ end
 --- Cost: as Solver:join.
 --- @raise status ERROR_INVALID_ID: for a joint that does not exist, or no longer
 function Solver:unjoin(joint)
-    check(C.gphys_solver_unjoin(opened(self), joint))
+    check(C.gphys_solver_unjoin(opened(self), whole(joint, 'joint')))
 end
 
 --- Joints of a body, by id.
@@ -2447,7 +2469,7 @@ end
 --- @param body 0: of all bodies
 function Solver:get_joints(body)
     return list(JointInfo, function(out, capacity, total)
-        return C.gphys_solver_get_joints(opened(self), body, out, capacity, total)
+        return C.gphys_solver_get_joints(opened(self), whole(body, 'body'), out, capacity, total)
     end)
 end
 
@@ -2460,7 +2482,7 @@ function Solver:set_breaking_forces(body, constraints, forces)
     local constraints, constraints_count, constraints_stride = to_array(uint32_t, constraints)
     local forces, forces_count, forces_stride = to_array(float, forces)
     local count = common(constraints_count, forces_count)
-    check(C.gphys_solver_set_breaking_forces(opened(self), body, constraints, forces, forces_stride, count))
+    check(C.gphys_solver_set_breaking_forces(opened(self), whole(body, 'body'), constraints, forces, forces_stride, count))
 end
 
 --- What Solver:set_breaking_forces or BodyDesc.breaking_force has set; 0: never breaks.
@@ -2471,7 +2493,7 @@ function Solver:get_breaking_forces(body, constraints, out)
     local constraints, constraints_count, constraints_stride = to_array(uint32_t, constraints)
     local count = common(constraints_count)
     out = results(float, out, count)
-    check(C.gphys_solver_get_breaking_forces(opened(self), body, constraints, count, out, float.size))
+    check(C.gphys_solver_get_breaking_forces(opened(self), whole(body, 'body'), constraints, count, out, float.size))
     return out
 end
 
@@ -2483,7 +2505,7 @@ end
 --- @raise status ERROR_CAPACITY: beyond 2^24 - 1 particles or constraints
 function Solver:break_constraint(body, constraint, out_result)
     out_result = out_result or Break.new()
-    check(C.gphys_solver_break_constraint(opened(self), body, constraint, out_result))
+    check(C.gphys_solver_break_constraint(opened(self), whole(body, 'body'), whole(constraint, 'constraint'), out_result))
     return out_result
 end
 
@@ -2506,7 +2528,7 @@ end
 --- @param scene to collide with and to follow attachments; nil: none. Not modified.
 --- @param dt seconds, 1e-6 .. 0.5
 function Solver:step(scene, dt)
-    check(C.gphys_solver_step(opened(self), scene and opened(scene), dt))
+    check(C.gphys_solver_step(opened(self), scene and opened(scene), real(dt, 'dt')))
 end
 
 do
@@ -2520,7 +2542,7 @@ do
     --- @raise status ERROR_OUT_OF_MEMORY: if there is none for the first step: nothing has changed. If
     ---     there is none for a later one
     function Solver:advance(scene, frame_time)
-        check(C.gphys_solver_advance(opened(self), scene and opened(scene), frame_time, out_steps, out_leftover))
+        check(C.gphys_solver_advance(opened(self), scene and opened(scene), real(frame_time, 'frame_time'), out_steps, out_leftover))
         return out_steps[0], out_leftover[0]
     end
 end
@@ -2548,7 +2570,7 @@ do
     --- max_substeps. Where positions jump, by contacts, the error is that of the jump.
     --- Cost: O(1).
     function Solver:get_substeps(body)
-        check(C.gphys_solver_get_substeps(opened(self), body, out_substeps))
+        check(C.gphys_solver_get_substeps(opened(self), whole(body, 'body'), out_substeps))
         return out_substeps[0]
     end
 end
@@ -2558,7 +2580,7 @@ end
 --- @param body 0: all bodies together
 function Solver:get_stats(body, out_stats)
     out_stats = out_stats or SolverStats.new()
-    check(C.gphys_solver_get_stats(opened(self), body, out_stats))
+    check(C.gphys_solver_get_stats(opened(self), whole(body, 'body'), out_stats))
     return out_stats
 end
 
@@ -2655,7 +2677,7 @@ do
     --- Cost: O(1); O(log n) expected for a mesh.
     --- @param tolerance metres, >= 0
     function gp.contains(shape, point, tolerance)
-        check(C.gphys_shape_contains(kind(shape), address(shape), to_value(Vec3, point), tolerance, out_contains))
+        check(C.gphys_shape_contains(kind(shape), address(shape), to_value(Vec3, point), real(tolerance or 0, 'tolerance'), out_contains))
         return out_contains[0] ~= 0
     end
 end
@@ -2667,7 +2689,7 @@ function gp.contains_batch(shape, points, tolerance, out)
     local points, points_count, points_stride = to_array(Vec3, points)
     local count = common(points_count)
     out = results(int32_t, out, count)
-    check(C.gphys_shape_contains_batch(kind(shape), address(shape), points, points_stride, count, tolerance, out, int32_t.size))
+    check(C.gphys_shape_contains_batch(kind(shape), address(shape), points, points_stride, count, real(tolerance or 0, 'tolerance'), out, int32_t.size))
     return out
 end
 
@@ -2949,7 +2971,7 @@ end
 ---     near corners are not all finite points in front of the viewer
 function gp.frustum_from_matrix(view_projection, depth_range, reverse_z, out_frustum)
     out_frustum = out_frustum or Frustum.new()
-    check(C.gphys_frustum_from_matrix(to_value(Mat4, view_projection), depth_range, to_flag(reverse_z), out_frustum))
+    check(C.gphys_frustum_from_matrix(to_value(Mat4, view_projection), signed(depth_range, 'depth_range'), to_flag(reverse_z, 'reverse_z'), out_frustum))
     return out_frustum
 end
 

@@ -25,6 +25,44 @@ end
 
 local tests = {}
 
+function tests.ids_and_masks_beyond_32_bits_are_refused_by_name()
+    local scene, solver = gp.Scene(), gp.Solver()
+    local model = scene:add(ball)
+    raises('is not a whole number from 0', scene.remove, scene, 2 ^ 32 + model)
+    raises('model -1 is not', scene.remove, scene, -1)
+    raises('is not a whole number', scene.remove, scene, model + 0.5)
+    raises('model: expected a number, got nil', scene.remove, scene)
+    raises('layers 4294967296 is not a set of 32 bits', scene.raycast, scene, ahead, 2 ^ 32)
+    raises('tag 4294967296 is not', scene.add, scene, ball, nil, { tag = 2 ^ 32 })
+    raises('dt: expected a number, got nil', solver.step, solver, scene)
+    assert(scene:has(model) and scene:raycast(ahead, bit.bnot(2)).t == 4 and scene:raycast(ahead, -1).t == 4)
+    assert(scene:raycast(ahead, bit.bnot(1)) == nil)
+end
+
+function tests.what_is_not_given_is_the_identity_and_what_does_not_exist_is_refused()
+    local whole = { gp.Transform(), gp.Transform { position = { 0, 0, 0 } }, gp.Transform({ 0, 0, 0 }, { 0, 0, 0, 1 }) }
+    for _, transform in ipairs(whole) do assert(transform.rotation.w == 1 and transform.scale == 1) end
+    local scene = gp.Scene()
+    local model = scene:add(gp.Obb({ 0, 0, 0 }, { 1, 1, 1 }), { position = { 0, 0, 5 } })
+    for _, ray in ipairs { gp.Ray({ 0, 0, 0 }, { 0, 0, 1 }), { { 0, 0, 0 }, { 0, 0, 1 } }, { origin = { 0, 0, 0 }, direction = { 0, 0, 1 } } } do
+        assert(scene:raycast(ray).t == 4)
+    end
+    raises('gphys_ray has no field orgin', scene.raycast, scene, { orgin = { 0, 0, 0 } })
+    raises('gphys_ray has no field orgin', gp.Ray, { orgin = { 0, 0, 0 } })
+    raises('gphys_transform has no field postion', scene.set_transform, scene, model, { postion = { 1, 2, 3 } })
+end
+
+function tests.a_whole_body_is_read_and_pinned_by_default()
+    local solver = gp.Solver()
+    local rope = solver:add_rope { { 0, 0, 0 }, { 0, 1, 0 }, { 0, 2, 0 } }
+    assert(gp.length(solver:get_positions(rope)) == 3 and gp.length(solver:get_positions(rope, 1)) == 2)
+    solver:set_pinned(rope, 1)
+    local pinned = solver:get_pinned(rope)
+    assert(pinned[0] == 0 and pinned[1] == 1 and pinned[2] == 1)
+    solver:set_pinned(rope, 1, 1, false)
+    assert(solver:get_pinned(rope)[1] == 0)
+end
+
 function tests.shapes()
     gp.validate(ball)
     local box = gp.bounds(ball)
