@@ -22,6 +22,17 @@ TEMPLATES = {
 }
 
 
+# What records have besides their fields.
+EXTRAS = {"Transform": """    /** What moves nothing. */
+    public static final Transform IDENTITY = at(new Vec3(0, 0, 0));
+
+    /** A place, neither turned nor scaled. */
+    public static Transform at(Vec3 position) {
+        return new Transform(position, new Quat(0, 0, 0, 1), 1);
+    }
+
+"""}
+
 def name_of(p):
     return lower_camel(p["name"])
 
@@ -88,7 +99,7 @@ def record(api, s):
     kind = f"Gamephys.SHAPE_{shape.upper()}" if shape in SHAPES else "0"
     text = HEADER + "import java.nio.ByteBuffer;\n\n" + doc(s["doc"], "")
     text += f"public record {name}({', '.join(components)}) implements {'Shape, ' if shape in SHAPES else ''}Value {{\n"
-    text += f"    public static final Layout<{name}> LAYOUT = new Layout<>({size}, {kind}, {name}::read, {name}::write);\n\n{check}"
+    text += f"    public static final Layout<{name}> LAYOUT = new Layout<>({size}, {kind}, {name}::read, {name}::write);\n\n{check}{EXTRAS.get(name, '')}"
     text += f"    static {name} read(ByteBuffer memory, int at) {{\n        return new {name}(\n                {(',' + chr(10) + ' ' * 16).join(reads)});\n    }}\n\n"
     text += "    @Override\n    public void write(ByteBuffer memory, int at) {\n" + "".join(f"        {w}\n" for w in writes) + "    }\n"
     if shape in SHAPES:

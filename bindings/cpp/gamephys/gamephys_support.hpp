@@ -4,6 +4,10 @@
 #ifndef GAMEPHYS_SUPPORT_HPP
 #define GAMEPHYS_SUPPORT_HPP
 
+#if __cplusplus < 201703L && (!defined(_MSVC_LANG) || _MSVC_LANG < 201703L)
+#error "gamephys.hpp needs C++17; gamephys_c.h needs none of it"
+#endif
+
 #include <gamephys_c.h>
 
 #include <algorithm>
@@ -23,7 +27,7 @@ namespace gamephys {
 // A call failed: what() is the library's message.
 class Error : public std::runtime_error {
 public:
-    explicit Error(gphys_status status) : std::runtime_error(gphys_last_error()), status(status) {}
+    explicit Error(gphys_status failed) : std::runtime_error(gphys_last_error()), status(failed) {}
     const gphys_status status;
 };
 
@@ -70,7 +74,7 @@ struct Span {
     uint32_t size = 0;
     uint32_t stride = sizeof(T);  // bytes
     Span() = default;
-    Span(T* data, size_t size, uint32_t stride = sizeof(T)) : data(data), size(narrow(size)), stride(stride) {}
+    Span(T* first, size_t count, uint32_t step = sizeof(T)) : data(first), size(narrow(count)), stride(step) {}
     template <class C, class = ElementsOf<std::remove_reference_t<C>, T>>
     Span(C&& container) : Span(container.data(), container.size()) {}
     template <size_t N>
@@ -80,9 +84,9 @@ struct Span {
     uint32_t sizes() const { return data && stride ? size : ANY_SIZE; }
 
 private:
-    static uint32_t narrow(size_t size) {
-        if (size >= ANY_SIZE) throw std::length_error("more elements than a call takes");
-        return static_cast<uint32_t>(size);
+    static uint32_t narrow(size_t count) {
+        if (count >= ANY_SIZE) throw std::length_error("more elements than a call takes");
+        return static_cast<uint32_t>(count);
     }
 };
 

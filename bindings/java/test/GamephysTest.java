@@ -23,7 +23,7 @@ import org.junit.function.ThrowingRunnable;
 public class GamephysTest {
     static final Vec3 ZERO = new Vec3(0, 0, 0), UP = new Vec3(0, 1, 0);
     static final Quat STILL = new Quat(0, 0, 0, 1);
-    static final Transform IDENTITY = new Transform(ZERO, STILL, 1);
+    static final Transform IDENTITY = Transform.IDENTITY;
     static final Sphere BALL = new Sphere(v(0, 0, 5), 1);
     static final Ray AHEAD = new Ray(ZERO, v(0, 0, 1), 100);
 
@@ -144,7 +144,7 @@ public class GamephysTest {
         assertTrue(scene.raycast(AHEAD, 3).isEmpty());
         assertEquals(8, scene.raycast(AHEAD, 4).orElseThrow().tag());
         scene.setParent(two.get(0), model, true);
-        scene.setTransform(model, new Transform(UP, STILL, 1));
+        scene.setTransform(model, Transform.at(UP));
         assertEquals(model, scene.getInfo(two.get(0)).parent());
         Batch<Integer> ids = Batch.ints(model, two.get(0));
         assertEquals(List.of(new Transform(UP, STILL, 1), IDENTITY), scene.getTransforms(ids));

@@ -9,7 +9,7 @@ class TestGamephys < Minitest::Test
 
   UP = [0, 1, 0].freeze
   STILL = [0, 0, 0, 1].freeze
-  IDENTITY = Transform.new([0, 0, 0], STILL, 1).freeze
+  IDENTITY = Transform.new(position: [0, 0, 0]).freeze
   BALL = Sphere.new([0, 0, 5], 1).freeze
   AHEAD = Ray.new([0, 0, 0], [0, 0, 1], 100).freeze
 

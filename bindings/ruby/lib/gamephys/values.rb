@@ -113,6 +113,11 @@ module Gamephys
   Transform = ::Struct.new(:position, :rotation, :scale) do
     extend Value
 
+    # In order or by name; what is not given is the identity.
+    def initialize(place = [0, 0, 0], turn = [0, 0, 0, 1], size = 1, position: place, rotation: turn, scale: size)
+      super(position, rotation, scale)
+    end
+
     def self.from(n) = new(n[0, 3], n[3, 4], n[7])
     def numbers = [*position, *rotation, scale]
   end

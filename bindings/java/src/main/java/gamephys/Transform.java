@@ -11,6 +11,14 @@ import java.nio.ByteBuffer;
 public record Transform(Vec3 position, Quat rotation, float scale) implements Value {
     public static final Layout<Transform> LAYOUT = new Layout<>(32, 0, Transform::read, Transform::write);
 
+    /** What moves nothing. */
+    public static final Transform IDENTITY = at(new Vec3(0, 0, 0));
+
+    /** A place, neither turned nor scaled. */
+    public static Transform at(Vec3 position) {
+        return new Transform(position, new Quat(0, 0, 0, 1), 1);
+    }
+
     static Transform read(ByteBuffer memory, int at) {
         return new Transform(
                 Vec3.read(memory, at),
