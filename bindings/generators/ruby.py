@@ -74,7 +74,8 @@ def value_class(api, struct):
     if name == "gphys_transform":
         text += ("  # In order or by name; what is not given is the identity.\n"
                  "  def initialize(place = [0, 0, 0], turn = [0, 0, 0, 1], size = 1, position: place, rotation: turn, scale: size)\n"
-                 "    super(position, rotation, scale)\n  end\n\n")
+                 "    super(position, rotation, scale)\n  end\n\n"
+                 "  def self.coerce(value) = value.is_a?(Hash) ? new(**value) : super\n")
     text += f"  def self.from(n) = new({', '.join(reads)})\n  def numbers = [{', '.join(numbers)}]\nend\n"
     text += f"{camel(name)}::FORMAT, {camel(name)}::COUNT, {camel(name)}::BYTES = " + sizes.split(" = ")[1] + "\n"
     return text + (f"{camel(name)}::KIND = SHAPE_{shape.upper()}\n" if shape in SHAPES else "")

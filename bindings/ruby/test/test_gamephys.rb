@@ -33,7 +33,7 @@ class TestGamephys < Minitest::Test
     Gamephys.validate(BALL)
     assert_equal Aabb.new([-1, -1, 4], [1, 1, 6]), Gamephys.bounds(BALL)
     assert_nil Gamephys.bounds(Plane.new(UP, 0))
-    moved = Gamephys.transform(Aabb.new([0, 0, 0], [2, 2, 2]), Transform.new([1, 0, 0], STILL, 1))
+    moved = Gamephys.transform(Aabb.new([0, 0, 0], [2, 2, 2]), { position: [1, 0, 0] })
     assert_equal [2, 1, 1], moved.center
     assert Gamephys.contains?(BALL, [0, 0, 4])
     refute Gamephys.contains?(BALL, [0, 0, 3.5])

@@ -118,6 +118,7 @@ module Gamephys
       super(position, rotation, scale)
     end
 
+    def self.coerce(value) = value.is_a?(Hash) ? new(**value) : super
     def self.from(n) = new(n[0, 3], n[3, 4], n[7])
     def numbers = [*position, *rotation, scale]
   end
