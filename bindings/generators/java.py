@@ -14,7 +14,7 @@ DEFAULTS = {"layers": "Gamephys.ALL_LAYERS", "max_distance": "Float.POSITIVE_INF
             "compliance": "0", "desc": "null", "descs": "null", "filter": "null", "filters": "null", "transform": "null", "transforms": "null", "local_point": "null"}
 FLAGS = ("pinned", "keep_world", "reverse_z", "embed_meshes")
 TEMPLATES = {
-    "self": "opened()", "handle": "{n}.opened()", "handle?": "{n} == null ? null : {n}.opened()",
+    "self": "self", "handle": "{n}_", "handle?": "{n}_",
     "shape_type": "{shape}.kind()", "shape": "", "in": "", "in?": "", "in_fixed": "", "array": "{n}.pointer()",
     "shape_array": "{n}.pointer()", "stride": "{array}.stride()", "batch_count": "count", "own_count": "{array}.size()",
     "plain_count": "count", "scalar": "{n}", "out": "", "out_fixed": "", "out_array": "room.pointer()", "list": "room",
@@ -32,6 +32,7 @@ EXTRAS = {"Transform": """    /** What moves nothing. */
     }
 
 """}
+
 
 def name_of(p):
     return lower_camel(p["name"])
@@ -224,6 +225,8 @@ def method(api, call, creation=None):
         if p["role"] == "array" or p["role"] == "shape" or p["role"] == "in" and element(p).endswith("_desc")
         or p["role"] == "handle" and not (i == 0 and call.owner)]]
     fence = f"Low.keep({', '.join(fences)});" if fences else None
+    held = [("self" if i == 0 and call.owner and not creation else f"{p['name']}_", "this" if i == 0 and call.owner and not creation
+             else name_of(p)) for i, p in enumerate(parameters) if p["role"] == "handle"]
     outs, result_record = call.outputs, ""
     invoke = f"Low.{f['name']}({', '.join(words)})"
     given = [f"{given_type(api, p)} {name_of(p)}" for p in call.inputs]
@@ -232,14 +235,20 @@ def method(api, call, creation=None):
     out_array = next((p for p in outs if p["role"] == "out_array"), None)
 
     def status():
-        return [f"int status = {invoke};"] + ([fence] if fence else [])
+        """The call, during which nobody frees the objects that it uses."""
+        text = [f"status = {invoke};"]
+        for pointer, object in reversed(held):
+            text = [f"Pointer {pointer} = Owned.enter({object});", "try {", *(f"    {line}" for line in text),
+                    "} finally {", f"    Owned.leave({object});", "}"]
+        return (["int status;", *text] if held else [f"int status = {invoke};"]) + ([fence] if fence else [])
 
     if creation:
-        lines += [f"return Low.create(made -> {invoke});"]
+        inner = "".join(f"\n        {line}" for line in [*status(), "return status;"])
+        lines += [f"return Low.create(made -> {{{inner}\n    }});" if held else f"return Low.create(made -> {invoke});"]
         kind = "Pointer"
     elif listed:
         of = java_type(api, element(listed))
-        call_lines = f"{{\n            int status = {invoke};\n            {fence}\n            return status;\n        }}"
+        call_lines = "{" + "".join(f"\n            {line}" for line in [*status(), "return status;"]) + "\n        }"
         if listed["role"] == "list":
             kind = f"Batch<{boxed(of)}>"
             lines.append(f"return Low.list({layout(of)}, (room, capacity, total) -> {call_lines});")

@@ -58,6 +58,31 @@ public class GamephysTest {
     }
 
     @Test
+    public void aSceneThatIsClosedWhileOthersAskStaysUntilTheyAreDone() throws InterruptedException {
+        Batch<Ray> rays = Batch.copyOf(Ray.LAYOUT, java.util.Collections.nCopies(20000, new Ray(v(-5, 3, 3), v(1, 0.1f, 0), 100)));
+        for (int round = 0; round < 5; ++round) {
+            Scene scene = new Scene();
+            for (int i = 0; i < 2000; ++i) scene.add(new Sphere(v(i % 50, i / 50 % 50, i % 7), 1));
+            List<String> ends = new java.util.concurrent.CopyOnWriteArrayList<>();
+            Thread[] threads = new Thread[3];
+            for (int i = 0; i < threads.length; ++i) {
+                threads[i] = new Thread(() -> {
+                    try {
+                        for (;;) scene.raycastBatch(rays);
+                    } catch (IllegalStateException closed) {
+                        ends.add(closed.getMessage());
+                    }
+                });
+                threads[i].start();
+            }
+            Thread.sleep(20);
+            scene.close();
+            for (Thread thread : threads) thread.join();
+            assertEquals(java.util.Collections.nCopies(3, "Scene is closed"), ends);
+        }
+    }
+
+    @Test
     public void shapes() {
         validate(BALL);
         assertEquals(new Aabb(v(-1, -1, 4), v(1, 1, 6)), bounds(BALL).orElseThrow());

@@ -33,7 +33,13 @@ public final class Camera extends Owned {
      */
     public void setOrigin(double[] origin) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_set_origin(opened(), scratch.put(1, origin, 3));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_set_origin(self, scratch.put(1, origin, 3));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -44,7 +50,13 @@ public final class Camera extends Owned {
      */
     public double[] getOrigin() {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_get_origin(opened(), scratch.slot(1));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_get_origin(self, scratch.slot(1));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return scratch.doubles(1, 3);
@@ -58,7 +70,13 @@ public final class Camera extends Owned {
      * @param farDistance metres, &gt; nearDistance; INFINITY allowed
      */
     public void setPerspective(float fovY, float nearDistance, float farDistance) {
-        int status = Low.gphys_camera_set_perspective(opened(), fovY, nearDistance, farDistance);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_set_perspective(self, fovY, nearDistance, farDistance);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -72,7 +90,13 @@ public final class Camera extends Owned {
      * @param farDistance metres; far at least 1e-6 above near, which may be negative
      */
     public void setOrthographic(float height, float nearDistance, float farDistance) {
-        int status = Low.gphys_camera_set_orthographic(opened(), height, nearDistance, farDistance);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_set_orthographic(self, height, nearDistance, farDistance);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -88,7 +112,13 @@ public final class Camera extends Owned {
      */
     public void setProjection(Mat4 projection) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_set_projection(opened(), scratch.put(1, projection));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_set_projection(self, scratch.put(1, projection));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -103,7 +133,13 @@ public final class Camera extends Owned {
      * @param farDistance metres, &gt; nearDistance; INFINITY allowed
      */
     public void setPerspectiveAspect(float fovY, float aspect, float nearDistance, float farDistance) {
-        int status = Low.gphys_camera_set_perspective_aspect(opened(), fovY, aspect, nearDistance, farDistance);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_set_perspective_aspect(self, fovY, aspect, nearDistance, farDistance);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -117,7 +153,13 @@ public final class Camera extends Owned {
      * @param farDistance metres; far at least 1e-6 above near, which may be negative
      */
     public void setOrthographicSize(float width, float height, float nearDistance, float farDistance) {
-        int status = Low.gphys_camera_set_orthographic_size(opened(), width, height, nearDistance, farDistance);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_set_orthographic_size(self, width, height, nearDistance, farDistance);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -130,7 +172,13 @@ public final class Camera extends Owned {
      * @param height pixels, 1e-3 .. 1e6
      */
     public void setViewport(float width, float height) {
-        int status = Low.gphys_camera_set_viewport(opened(), width, height);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_set_viewport(self, width, height);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -143,7 +191,13 @@ public final class Camera extends Owned {
      * @param y pixels of the window, of the viewport's top left corner
      */
     public void setViewportOrigin(float x, float y) {
-        int status = Low.gphys_camera_set_viewport_origin(opened(), x, y);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_set_viewport_origin(self, x, y);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -154,7 +208,13 @@ public final class Camera extends Owned {
      * Cost: O(1). Since 1.1.
      */
     public void setPickStart(int start) {
-        int status = Low.gphys_camera_set_pick_start(opened(), start);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_set_pick_start(self, start);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -172,7 +232,13 @@ public final class Camera extends Owned {
      */
     public ProjectionResult getProjection() {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_get_projection(opened(), scratch.slot(1), scratch.slot(2), scratch.slot(3), scratch.slot(4));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_get_projection(self, scratch.slot(1), scratch.slot(2), scratch.slot(3), scratch.slot(4));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return new ProjectionResult(scratch.getInt(1), scratch.getFloat(2), scratch.getFloat(3), scratch.getFloat(4));
@@ -188,7 +254,13 @@ public final class Camera extends Owned {
      */
     public ViewportResult getViewport() {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_get_viewport(opened(), scratch.slot(1), scratch.slot(2));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_get_viewport(self, scratch.slot(1), scratch.slot(2));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return new ViewportResult(scratch.getFloat(1), scratch.getFloat(2));
@@ -203,7 +275,13 @@ public final class Camera extends Owned {
      */
     public ViewportOriginResult getViewportOrigin() {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_get_viewport_origin(opened(), scratch.slot(1), scratch.slot(2));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_get_viewport_origin(self, scratch.slot(1), scratch.slot(2));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return new ViewportOriginResult(scratch.getFloat(1), scratch.getFloat(2));
@@ -221,7 +299,13 @@ public final class Camera extends Owned {
      */
     public AspectResult getAspect() {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_get_aspect(opened(), scratch.slot(1), scratch.slot(2));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_get_aspect(self, scratch.slot(1), scratch.slot(2));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return new AspectResult(scratch.getFloat(1), scratch.getInt(2) != 0);
@@ -238,7 +322,13 @@ public final class Camera extends Owned {
      */
     public ImageSizeResult getImageSize() {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_get_image_size(opened(), scratch.slot(1), scratch.slot(2));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_get_image_size(self, scratch.slot(1), scratch.slot(2));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return new ImageSizeResult(scratch.getFloat(1), scratch.getFloat(2));
@@ -250,7 +340,13 @@ public final class Camera extends Owned {
      */
     public int getPickStart() {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_get_pick_start(opened(), scratch.slot(1));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_get_pick_start(self, scratch.slot(1));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return scratch.getInt(1);
@@ -265,7 +361,13 @@ public final class Camera extends Owned {
      */
     public ConventionsResult getConventions() {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_get_conventions(opened(), scratch.slot(1), scratch.slot(2), scratch.slot(3));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_get_conventions(self, scratch.slot(1), scratch.slot(2), scratch.slot(3));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return new ConventionsResult(scratch.getInt(1), scratch.getInt(2), scratch.getInt(3) != 0);
@@ -279,7 +381,13 @@ public final class Camera extends Owned {
      */
     public void setTransform(Vec3 position, Quat rotation) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_set_transform(opened(), scratch.put(1, position), scratch.put(2, rotation));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_set_transform(self, scratch.put(1, position), scratch.put(2, rotation));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -293,7 +401,13 @@ public final class Camera extends Owned {
      */
     public void setWorldMatrix(Mat4 world) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_set_world_matrix(opened(), scratch.put(1, world));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_set_world_matrix(self, scratch.put(1, world));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -309,7 +423,13 @@ public final class Camera extends Owned {
      */
     public void setViewMatrix(Mat4 view) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_set_view_matrix(opened(), scratch.put(1, view));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_set_view_matrix(self, scratch.put(1, view));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -322,7 +442,13 @@ public final class Camera extends Owned {
      */
     public void lookAt(Vec3 eye, Vec3 target, Vec3 up) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_look_at(opened(), scratch.put(1, eye), scratch.put(2, target), scratch.put(3, up));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_look_at(self, scratch.put(1, eye), scratch.put(2, target), scratch.put(3, up));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -336,7 +462,13 @@ public final class Camera extends Owned {
      */
     public TransformResult getTransform() {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_get_transform(opened(), scratch.slot(1), scratch.slot(2));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_get_transform(self, scratch.slot(1), scratch.slot(2));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return new TransformResult(Vec3.read(scratch.memory, Scratch.at(1)), Quat.read(scratch.memory, Scratch.at(2)));
@@ -348,7 +480,13 @@ public final class Camera extends Owned {
      */
     public Mat4 getWorldMatrix() {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_get_world_matrix(opened(), scratch.slot(1));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_get_world_matrix(self, scratch.slot(1));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return Mat4.read(scratch.memory, Scratch.at(1));
@@ -361,7 +499,13 @@ public final class Camera extends Owned {
      */
     public Mat4 getViewMatrix() {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_get_view_matrix(opened(), scratch.slot(1));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_get_view_matrix(self, scratch.slot(1));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return Mat4.read(scratch.memory, Scratch.at(1));
@@ -373,7 +517,13 @@ public final class Camera extends Owned {
      */
     public Mat4 getProjectionMatrix() {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_get_projection_matrix(opened(), scratch.slot(1));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_get_projection_matrix(self, scratch.slot(1));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return Mat4.read(scratch.memory, Scratch.at(1));
@@ -385,7 +535,13 @@ public final class Camera extends Owned {
      */
     public Mat4 getViewProjectionMatrix() {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_get_view_projection_matrix(opened(), scratch.slot(1));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_get_view_projection_matrix(self, scratch.slot(1));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return Mat4.read(scratch.memory, Scratch.at(1));
@@ -398,7 +554,13 @@ public final class Camera extends Owned {
      */
     public void setOrbit(Orbit orbit) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_set_orbit(opened(), scratch.put(1, orbit));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_set_orbit(self, scratch.put(1, orbit));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -410,7 +572,13 @@ public final class Camera extends Owned {
      */
     public Orbit getOrbit() {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_get_orbit(opened(), scratch.slot(1));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_get_orbit(self, scratch.slot(1));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return Orbit.read(scratch.memory, Scratch.at(1));
@@ -424,7 +592,13 @@ public final class Camera extends Owned {
      */
     public void setOrbitSpeeds(OrbitSpeeds speeds) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_set_orbit_speeds(opened(), scratch.put(1, speeds));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_set_orbit_speeds(self, scratch.put(1, speeds));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -436,7 +610,13 @@ public final class Camera extends Owned {
      */
     public OrbitSpeeds getOrbitSpeeds() {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_get_orbit_speeds(opened(), scratch.slot(1));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_get_orbit_speeds(self, scratch.slot(1));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return OrbitSpeeds.read(scratch.memory, Scratch.at(1));
@@ -451,7 +631,13 @@ public final class Camera extends Owned {
      * @throws GamephysException with ERROR_UNSUPPORTED: if the camera was never set to orbit
      */
     public void orbitRotate(float unitsX, float unitsY) {
-        int status = Low.gphys_camera_orbit_rotate(opened(), unitsX, unitsY);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_orbit_rotate(self, unitsX, unitsY);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -464,7 +650,13 @@ public final class Camera extends Owned {
      * @throws GamephysException with ERROR_UNSUPPORTED: if the camera was never set to orbit
      */
     public void orbitZoom(float units) {
-        int status = Low.gphys_camera_orbit_zoom(opened(), units);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_orbit_zoom(self, units);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -478,7 +670,13 @@ public final class Camera extends Owned {
      * @throws GamephysException with ERROR_UNSUPPORTED: if the camera was never set to orbit
      */
     public void orbitPan(float unitsRight, float unitsUp) {
-        int status = Low.gphys_camera_orbit_pan(opened(), unitsRight, unitsUp);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_orbit_pan(self, unitsRight, unitsUp);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -490,7 +688,13 @@ public final class Camera extends Owned {
      * @throws GamephysException with ERROR_UNSUPPORTED: if the camera was never set to orbit
      */
     public void orbitUpdate() {
-        int status = Low.gphys_camera_orbit_update(opened());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_orbit_update(self);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -503,7 +707,13 @@ public final class Camera extends Owned {
      */
     public Frustum getFrustum() {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_get_frustum(opened(), scratch.slot(1));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_get_frustum(self, scratch.slot(1));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return Frustum.read(scratch.memory, Scratch.at(1));
@@ -516,7 +726,13 @@ public final class Camera extends Owned {
      */
     public Optional<java.util.List<Vec3>> getCorners() {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_get_corners(opened(), scratch.slot(1));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_get_corners(self, scratch.slot(1));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         return Low.found(status) ? Optional.of(scratch.list(1, 8, Vec3.LAYOUT)) : Optional.empty();
     }
@@ -533,7 +749,13 @@ public final class Camera extends Owned {
      */
     public Frustum getRectangleFrustum(float x0, float y0, float x1, float y1) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_get_rectangle_frustum(opened(), x0, y0, x1, y1, scratch.slot(5));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_get_rectangle_frustum(self, x0, y0, x1, y1, scratch.slot(5));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return Frustum.read(scratch.memory, Scratch.at(5));
@@ -550,7 +772,13 @@ public final class Camera extends Owned {
      */
     public Optional<java.util.List<Vec3>> getRectangleCorners(float x0, float y0, float x1, float y1) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_get_rectangle_corners(opened(), x0, y0, x1, y1, scratch.slot(5));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_get_rectangle_corners(self, x0, y0, x1, y1, scratch.slot(5));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         return Low.found(status) ? Optional.of(scratch.list(5, 8, Vec3.LAYOUT)) : Optional.empty();
     }
@@ -564,7 +792,13 @@ public final class Camera extends Owned {
      */
     public Optional<Vec3> project(Vec3 point) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_project(opened(), scratch.put(1, point), scratch.slot(2));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_project(self, scratch.put(1, point), scratch.slot(2));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         return Low.found(status) ? Optional.of(Vec3.read(scratch.memory, Scratch.at(2))) : Optional.empty();
     }
@@ -577,7 +811,13 @@ public final class Camera extends Owned {
     public Batch<Vec3> projectBatch(Batch<Vec3> points, Batch<Vec3> out) {
         int count = Low.common(points.common());
         Batch<Vec3> room = Batch.room(Vec3.LAYOUT, count, out);
-        int status = Low.gphys_camera_project_batch(opened(), points.pointer(), points.stride(), count, room.pointer(), Vec3.LAYOUT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_project_batch(self, points.pointer(), points.stride(), count, room.pointer(), Vec3.LAYOUT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, points, room);
         Low.check(status);
         return room;
@@ -596,7 +836,13 @@ public final class Camera extends Owned {
      */
     public Optional<Vec3> unproject(Vec3 pixel) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_unproject(opened(), scratch.put(1, pixel), scratch.slot(2));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_unproject(self, scratch.put(1, pixel), scratch.slot(2));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         return Low.found(status) ? Optional.of(Vec3.read(scratch.memory, Scratch.at(2))) : Optional.empty();
     }
@@ -610,7 +856,13 @@ public final class Camera extends Owned {
     public Batch<Vec3> unprojectBatch(Batch<Vec3> pixels, Batch<Vec3> out) {
         int count = Low.common(pixels.common());
         Batch<Vec3> room = Batch.room(Vec3.LAYOUT, count, out);
-        int status = Low.gphys_camera_unproject_batch(opened(), pixels.pointer(), pixels.stride(), count, room.pointer(), Vec3.LAYOUT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_unproject_batch(self, pixels.pointer(), pixels.stride(), count, room.pointer(), Vec3.LAYOUT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, pixels, room);
         Low.check(status);
         return room;
@@ -636,7 +888,13 @@ public final class Camera extends Owned {
      */
     public Optional<Ray> pickRay(float pixelX, float pixelY) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_pick_ray(opened(), pixelX, pixelY, scratch.slot(3));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_pick_ray(self, pixelX, pixelY, scratch.slot(3));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         return Low.found(status) ? Optional.of(Ray.read(scratch.memory, Scratch.at(3))) : Optional.empty();
     }
@@ -651,7 +909,13 @@ public final class Camera extends Owned {
      */
     public Batch<Ray> pickRays(int x, int y, int width, int height, Batch<Ray> out) {
         Batch<Ray> room = Batch.room(Ray.LAYOUT, width * height, out);
-        int status = Low.gphys_camera_pick_rays(opened(), x, y, width, height, room.pointer(), Ray.LAYOUT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_camera_pick_rays(self, x, y, width, height, room.pointer(), Ray.LAYOUT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, room);
         Low.check(status);
         return room;
@@ -672,7 +936,18 @@ public final class Camera extends Owned {
      */
     public Optional<Hit> pick(Scene scene, float pixelX, float pixelY, int layers) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_pick(opened(), scene.opened(), pixelX, pixelY, layers, scratch.slot(5));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            Pointer scene_ = Owned.enter(scene);
+            try {
+                status = Low.gphys_camera_pick(self, scene_, pixelX, pixelY, layers, scratch.slot(5));
+            } finally {
+                Owned.leave(scene);
+            }
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, scene);
         return Low.found(status) ? Optional.of(Hit.read(scratch.memory, Scratch.at(5))) : Optional.empty();
     }
@@ -690,7 +965,18 @@ public final class Camera extends Owned {
     public Batch<Hit> pickBatch(Scene scene, Batch<Float> pixels, int layers, Batch<Hit> out) {
         int count = Low.common(pixels.common(2));
         Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
-        int status = Low.gphys_camera_pick_batch(opened(), scene.opened(), pixels.pointer(), pixels.stride(8), count, layers, room.pointer(), Hit.LAYOUT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            Pointer scene_ = Owned.enter(scene);
+            try {
+                status = Low.gphys_camera_pick_batch(self, scene_, pixels.pointer(), pixels.stride(8), count, layers, room.pointer(), Hit.LAYOUT.bytes());
+            } finally {
+                Owned.leave(scene);
+            }
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, scene, pixels, room);
         Low.check(status);
         return room;
@@ -718,7 +1004,18 @@ public final class Camera extends Owned {
      */
     public Batch<Integer> pickRectangle(Scene scene, float x0, float y0, float x1, float y1, int layers) {
         return Low.list(Layout.INT, (room, capacity, total) -> {
-                int status = Low.gphys_camera_pick_rectangle(opened(), scene.opened(), x0, y0, x1, y1, layers, room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    Pointer scene_ = Owned.enter(scene);
+                    try {
+                        status = Low.gphys_camera_pick_rectangle(self, scene_, x0, y0, x1, y1, layers, room, capacity, total);
+                    } finally {
+                        Owned.leave(scene);
+                    }
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this, scene);
                 return status;
             });
@@ -735,7 +1032,18 @@ public final class Camera extends Owned {
      */
     public Batch<Integer> cull(Scene scene, int layers) {
         return Low.list(Layout.INT, (room, capacity, total) -> {
-                int status = Low.gphys_camera_cull(opened(), scene.opened(), layers, room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    Pointer scene_ = Owned.enter(scene);
+                    try {
+                        status = Low.gphys_camera_cull(self, scene_, layers, room, capacity, total);
+                    } finally {
+                        Owned.leave(scene);
+                    }
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this, scene);
                 return status;
             });
@@ -756,7 +1064,18 @@ public final class Camera extends Owned {
      */
     public Optional<Hit> pickFiltered(Scene scene, float pixelX, float pixelY, QueryFilterDesc filter) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_camera_pick_filtered(opened(), scene.opened(), pixelX, pixelY, filter == null ? null : filter.pointer(), scratch.slot(5));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            Pointer scene_ = Owned.enter(scene);
+            try {
+                status = Low.gphys_camera_pick_filtered(self, scene_, pixelX, pixelY, filter == null ? null : filter.pointer(), scratch.slot(5));
+            } finally {
+                Owned.leave(scene);
+            }
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, scene, filter);
         return Low.found(status) ? Optional.of(Hit.read(scratch.memory, Scratch.at(5))) : Optional.empty();
     }
@@ -775,7 +1094,18 @@ public final class Camera extends Owned {
     public Batch<Hit> pickFilteredBatch(Scene scene, Batch<Float> pixels, QueryFilterDesc filters, Batch<Hit> out) {
         int count = Low.common(pixels.common(2));
         Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
-        int status = Low.gphys_camera_pick_filtered_batch(opened(), scene.opened(), pixels.pointer(), pixels.stride(8), count, filters == null ? null : filters.pointer(), 0, room.pointer(), Hit.LAYOUT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            Pointer scene_ = Owned.enter(scene);
+            try {
+                status = Low.gphys_camera_pick_filtered_batch(self, scene_, pixels.pointer(), pixels.stride(8), count, filters == null ? null : filters.pointer(), 0, room.pointer(), Hit.LAYOUT.bytes());
+            } finally {
+                Owned.leave(scene);
+            }
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, scene, pixels, filters, room);
         Low.check(status);
         return room;
@@ -802,7 +1132,18 @@ public final class Camera extends Owned {
      */
     public Batch<Integer> pickRectangleFiltered(Scene scene, float x0, float y0, float x1, float y1, QueryFilterDesc filter) {
         return Low.list(Layout.INT, (room, capacity, total) -> {
-                int status = Low.gphys_camera_pick_rectangle_filtered(opened(), scene.opened(), x0, y0, x1, y1, filter == null ? null : filter.pointer(), room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    Pointer scene_ = Owned.enter(scene);
+                    try {
+                        status = Low.gphys_camera_pick_rectangle_filtered(self, scene_, x0, y0, x1, y1, filter == null ? null : filter.pointer(), room, capacity, total);
+                    } finally {
+                        Owned.leave(scene);
+                    }
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this, scene, filter);
                 return status;
             });
@@ -820,7 +1161,18 @@ public final class Camera extends Owned {
      */
     public Batch<Integer> cullFiltered(Scene scene, QueryFilterDesc filter) {
         return Low.list(Layout.INT, (room, capacity, total) -> {
-                int status = Low.gphys_camera_cull_filtered(opened(), scene.opened(), filter == null ? null : filter.pointer(), room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    Pointer scene_ = Owned.enter(scene);
+                    try {
+                        status = Low.gphys_camera_cull_filtered(self, scene_, filter == null ? null : filter.pointer(), room, capacity, total);
+                    } finally {
+                        Owned.leave(scene);
+                    }
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this, scene, filter);
                 return status;
             });

@@ -141,7 +141,17 @@ public final class Mesh extends Owned implements Shape {
     }
 
     private static Pointer create(Scene scene, int model) {
-        return Low.create(made -> Low.gphys_scene_get_mesh(scene.opened(), model, made));
+        return Low.create(made -> {
+            int status;
+            Pointer scene_ = Owned.enter(scene);
+            try {
+                status = Low.gphys_scene_get_mesh(scene_, model, made);
+            } finally {
+                Owned.leave(scene);
+            }
+            Low.keep(scene);
+            return status;
+        });
     }
 
     /**
@@ -211,7 +221,17 @@ public final class Mesh extends Owned implements Shape {
     }
 
     private static Pointer create(Solver solver, int body, MeshDesc desc) {
-        return Low.create(made -> Low.gphys_mesh_create_from_body(desc == null ? null : desc.pointer(), solver.opened(), body, made));
+        return Low.create(made -> {
+            int status;
+            Pointer solver_ = Owned.enter(solver);
+            try {
+                status = Low.gphys_mesh_create_from_body(desc == null ? null : desc.pointer(), solver_, body, made);
+            } finally {
+                Owned.leave(solver);
+            }
+            Low.keep(desc, solver);
+            return status;
+        });
     }
 
     /**
@@ -221,7 +241,13 @@ public final class Mesh extends Owned implements Shape {
      */
     public Batch<Plane> getHullPlanes() {
         return Low.list(Plane.LAYOUT, (room, capacity, total) -> {
-                int status = Low.gphys_mesh_get_hull_planes(opened(), room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_mesh_get_hull_planes(self, room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this);
                 return status;
             });
@@ -235,7 +261,13 @@ public final class Mesh extends Owned implements Shape {
      */
     public Batch<Integer> getHullFaces() {
         return Low.list(Layout.INT, (room, capacity, total) -> {
-                int status = Low.gphys_mesh_get_hull_faces(opened(), room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_mesh_get_hull_faces(self, room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this);
                 return status;
             });
@@ -259,7 +291,13 @@ public final class Mesh extends Owned implements Shape {
      *     or if a model of the mesh would reach beyond the range of coordinates
      */
     public void setVertices(Batch<Float> vertices) {
-        int status = Low.gphys_mesh_set_vertices(opened(), vertices.pointer(), vertices.stride(12), vertices.size(3));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_mesh_set_vertices(self, vertices.pointer(), vertices.stride(12), vertices.size(3));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, vertices);
         Low.check(status);
     }
@@ -270,7 +308,13 @@ public final class Mesh extends Owned implements Shape {
      */
     public MeshInfo getInfo() {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_mesh_get_info(opened(), scratch.slot(1));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_mesh_get_info(self, scratch.slot(1));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return MeshInfo.read(scratch.memory, Scratch.at(1));
@@ -282,7 +326,13 @@ public final class Mesh extends Owned implements Shape {
      */
     public MeshReport getReport() {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_mesh_get_report(opened(), scratch.slot(1));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_mesh_get_report(self, scratch.slot(1));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return MeshReport.read(scratch.memory, Scratch.at(1));
@@ -294,7 +344,13 @@ public final class Mesh extends Owned implements Shape {
      */
     public Batch<Vec3> getVertices() {
         return Low.list(Vec3.LAYOUT, (room, capacity, total) -> {
-                int status = Low.gphys_mesh_get_vertices(opened(), room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_mesh_get_vertices(self, room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this);
                 return status;
             });
@@ -306,7 +362,13 @@ public final class Mesh extends Owned implements Shape {
      */
     public Batch<Integer> getIndices() {
         return Low.list(Layout.INT, (room, capacity, total) -> {
-                int status = Low.gphys_mesh_get_indices(opened(), room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_mesh_get_indices(self, room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this);
                 return status;
             });
@@ -322,7 +384,13 @@ public final class Mesh extends Owned implements Shape {
      */
     public Batch<Integer> getSnapshot() {
         return Low.list(Layout.INT, (room, capacity, total) -> {
-                int status = Low.gphys_mesh_get_snapshot(opened(), room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_mesh_get_snapshot(self, room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this);
                 return status;
             });
@@ -335,7 +403,13 @@ public final class Mesh extends Owned implements Shape {
     public Batch<Hit> raycastAll(Ray ray) {
         Scratch scratch = Scratch.get();
         return Low.list(Hit.LAYOUT, (room, capacity, total) -> {
-                int status = Low.gphys_mesh_raycast_all(opened(), scratch.put(1, ray), room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_mesh_raycast_all(self, scratch.put(1, ray), room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this);
                 return status;
             });
@@ -347,7 +421,13 @@ public final class Mesh extends Owned implements Shape {
      */
     public boolean raycastAny(Ray ray) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_mesh_raycast_any(opened(), scratch.put(1, ray), scratch.slot(2));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_mesh_raycast_any(self, scratch.put(1, ray), scratch.slot(2));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return scratch.getInt(2) != 0;
@@ -360,7 +440,13 @@ public final class Mesh extends Owned implements Shape {
     public Batch<Integer> raycastAnyBatch(Batch<Ray> rays, Batch<Integer> out) {
         int count = Low.common(rays.common());
         Batch<Integer> room = Batch.room(Layout.INT, count, out);
-        int status = Low.gphys_mesh_raycast_any_batch(opened(), rays.pointer(), rays.stride(), count, room.pointer(), Layout.INT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_mesh_raycast_any_batch(self, rays.pointer(), rays.stride(), count, room.pointer(), Layout.INT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, rays, room);
         Low.check(status);
         return room;
@@ -380,7 +466,13 @@ public final class Mesh extends Owned implements Shape {
     public Batch<Distance> raycastDistanceBatch(Batch<Ray> rays, Batch<Distance> out) {
         int count = Low.common(rays.common());
         Batch<Distance> room = Batch.room(Distance.LAYOUT, count, out);
-        int status = Low.gphys_mesh_raycast_distance_batch(opened(), rays.pointer(), rays.stride(), count, room.pointer(), Distance.LAYOUT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_mesh_raycast_distance_batch(self, rays.pointer(), rays.stride(), count, room.pointer(), Distance.LAYOUT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, rays, room);
         Low.check(status);
         return room;
@@ -400,7 +492,13 @@ public final class Mesh extends Owned implements Shape {
     public Batch<Integer> overlap(Shape shape) {
         Scratch scratch = Scratch.get();
         return Low.list(Layout.INT, (room, capacity, total) -> {
-                int status = Low.gphys_mesh_overlap(opened(), shape.kind(), Low.shape(shape, scratch, 2), room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_mesh_overlap(self, shape.kind(), Low.shape(shape, scratch, 2), room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this, shape);
                 return status;
             });
@@ -412,7 +510,13 @@ public final class Mesh extends Owned implements Shape {
      */
     public OctreeStats getOctreeStats() {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_mesh_get_octree_stats(opened(), scratch.slot(1));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_mesh_get_octree_stats(self, scratch.slot(1));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return OctreeStats.read(scratch.memory, Scratch.at(1));
@@ -424,7 +528,13 @@ public final class Mesh extends Owned implements Shape {
      */
     public Batch<OctreeBox> getOctreeBoxes() {
         return Low.list(OctreeBox.LAYOUT, (room, capacity, total) -> {
-                int status = Low.gphys_mesh_get_octree_boxes(opened(), room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_mesh_get_octree_boxes(self, room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this);
                 return status;
             });

@@ -42,7 +42,13 @@ public final class Scene extends SceneBase {
      *     former ones are kept
      */
     public void setWorkerCount(int workers) {
-        int status = Low.gphys_scene_set_worker_count(opened(), workers);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_set_worker_count(self, workers);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -54,7 +60,13 @@ public final class Scene extends SceneBase {
      */
     public int getWorkerCount() {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_scene_get_worker_count(opened(), scratch.slot(1));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_get_worker_count(self, scratch.slot(1));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return scratch.getInt(1);
@@ -74,7 +86,13 @@ public final class Scene extends SceneBase {
      */
     public void setOrigin(double[] origin) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_scene_set_origin(opened(), scratch.put(1, origin, 3));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_set_origin(self, scratch.put(1, origin, 3));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -85,7 +103,13 @@ public final class Scene extends SceneBase {
      */
     public double[] getOrigin() {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_scene_get_origin(opened(), scratch.slot(1));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_get_origin(self, scratch.slot(1));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return scratch.doubles(1, 3);
@@ -105,7 +129,13 @@ public final class Scene extends SceneBase {
      */
     public int add(Shape shape, Transform transform, ModelDesc desc) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_scene_add(opened(), shape.kind(), Low.shape(shape, scratch, 2), scratch.put(3, transform), desc == null ? null : desc.pointer(), scratch.slot(5));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_add(self, shape.kind(), Low.shape(shape, scratch, 2), scratch.put(3, transform), desc == null ? null : desc.pointer(), scratch.slot(5));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, shape, desc);
         Low.check(status);
         return scratch.getInt(5);
@@ -133,7 +163,13 @@ public final class Scene extends SceneBase {
     public Batch<Integer> addBatch(Shapes shapes, Batch<Transform> transforms, ModelDesc desc, Batch<Integer> out) {
         int count = Low.common(shapes.common(), Batch.common(transforms));
         Batch<Integer> room = Batch.room(Layout.INT, count, out);
-        int status = Low.gphys_scene_add_batch(opened(), shapes.kind(), shapes.pointer(), shapes.stride(), Batch.pointer(transforms), Batch.stride(transforms), count, desc == null ? null : desc.pointer(), room.pointer());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_add_batch(self, shapes.kind(), shapes.pointer(), shapes.stride(), Batch.pointer(transforms), Batch.stride(transforms), count, desc == null ? null : desc.pointer(), room.pointer());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, shapes, transforms, desc, room);
         Low.check(status);
         return room;
@@ -166,7 +202,13 @@ public final class Scene extends SceneBase {
     public Batch<Integer> addDescribedBatch(Shapes shapes, Batch<Transform> transforms, Batch<ModelDesc> descs, Batch<Integer> out) {
         int count = Low.common(shapes.common(), Batch.common(transforms), Batch.common(descs));
         Batch<Integer> room = Batch.room(Layout.INT, count, out);
-        int status = Low.gphys_scene_add_described_batch(opened(), shapes.kind(), shapes.pointer(), shapes.stride(), Batch.pointer(transforms), Batch.stride(transforms), Batch.pointer(descs), Batch.stride(descs), count, room.pointer());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_add_described_batch(self, shapes.kind(), shapes.pointer(), shapes.stride(), Batch.pointer(transforms), Batch.stride(transforms), Batch.pointer(descs), Batch.stride(descs), count, room.pointer());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, shapes, transforms, descs, room);
         Low.check(status);
         return room;
@@ -192,7 +234,13 @@ public final class Scene extends SceneBase {
      * Cost: O(log n) amortised, and O(1) a child. Renews the octree as far as there is memory.
      */
     public void remove(int model) {
-        int status = Low.gphys_scene_remove(opened(), model);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_remove(self, model);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -204,7 +252,13 @@ public final class Scene extends SceneBase {
      */
     public void removeBatch(Batch<Integer> models) {
         int count = Low.common(models.common());
-        int status = Low.gphys_scene_remove_batch(opened(), models.pointer(), count);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_remove_batch(self, models.pointer(), count);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, models);
         Low.check(status);
     }
@@ -214,7 +268,13 @@ public final class Scene extends SceneBase {
      * Cost: O(log n) amortised for each. Renews the octree as far as there is memory.
      */
     public void removeSubtree(int model) {
-        int status = Low.gphys_scene_remove_subtree(opened(), model);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_remove_subtree(self, model);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -224,7 +284,13 @@ public final class Scene extends SceneBase {
      * Cost: O(n).
      */
     public void clear() {
-        int status = Low.gphys_scene_clear(opened());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_clear(self);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -234,7 +300,13 @@ public final class Scene extends SceneBase {
      * Cost: O(1).
      */
     public boolean has(int model) {
-        int status = Low.gphys_scene_has(opened(), model);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_has(self, model);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         return Low.answered(status, Gamephys.ERROR_INVALID_ID);
     }
@@ -245,7 +317,13 @@ public final class Scene extends SceneBase {
      */
     public Batch<Integer> getModels() {
         return Low.list(Layout.INT, (room, capacity, total) -> {
-                int status = Low.gphys_scene_get_models(opened(), room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_scene_get_models(self, room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this);
                 return status;
             });
@@ -257,7 +335,13 @@ public final class Scene extends SceneBase {
      */
     public Batch<Integer> getRoots() {
         return Low.list(Layout.INT, (room, capacity, total) -> {
-                int status = Low.gphys_scene_get_roots(opened(), room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_scene_get_roots(self, room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this);
                 return status;
             });
@@ -269,7 +353,13 @@ public final class Scene extends SceneBase {
      */
     public Batch<Integer> getChildren(int model) {
         return Low.list(Layout.INT, (room, capacity, total) -> {
-                int status = Low.gphys_scene_get_children(opened(), model, room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_scene_get_children(self, model, room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this);
                 return status;
             });
@@ -281,7 +371,13 @@ public final class Scene extends SceneBase {
      */
     public ModelInfo getInfo(int model) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_scene_get_info(opened(), model, scratch.slot(2));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_get_info(self, model, scratch.slot(2));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return ModelInfo.read(scratch.memory, Scratch.at(2));
@@ -295,7 +391,13 @@ public final class Scene extends SceneBase {
      */
     public Optional<Aabb> getBounds(int model) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_scene_get_bounds(opened(), model, scratch.slot(2));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_get_bounds(self, model, scratch.slot(2));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         return Low.found(status) ? Optional.of(Aabb.read(scratch.memory, Scratch.at(2))) : Optional.empty();
     }
@@ -307,7 +409,13 @@ public final class Scene extends SceneBase {
      */
     public Optional<Aabb> getSceneBounds() {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_scene_get_scene_bounds(opened(), scratch.slot(1));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_get_scene_bounds(self, scratch.slot(1));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         return Low.found(status) ? Optional.of(Aabb.read(scratch.memory, Scratch.at(1))) : Optional.empty();
     }
@@ -330,7 +438,13 @@ public final class Scene extends SceneBase {
      */
     public void setShape(int model, Shape shape) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_scene_set_shape(opened(), model, shape.kind(), Low.shape(shape, scratch, 3));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_set_shape(self, model, shape.kind(), Low.shape(shape, scratch, 3));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, shape);
         Low.check(status);
     }
@@ -357,7 +471,13 @@ public final class Scene extends SceneBase {
      */
     public void setScale(int model, Vec3 scale) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_scene_set_scale(opened(), model, scratch.put(2, scale));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_set_scale(self, model, scratch.put(2, scale));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -368,7 +488,13 @@ public final class Scene extends SceneBase {
      */
     public Vec3 getScale(int model) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_scene_get_scale(opened(), model, scratch.slot(2));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_get_scale(self, model, scratch.slot(2));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return Vec3.read(scratch.memory, Scratch.at(2));
@@ -381,7 +507,13 @@ public final class Scene extends SceneBase {
      * @param layers any mask; 0: no query sees it
      */
     public void setLayers(int model, int layers) {
-        int status = Low.gphys_scene_set_layers(opened(), model, layers);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_set_layers(self, model, layers);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -392,7 +524,13 @@ public final class Scene extends SceneBase {
      * @param tag any number of the caller's
      */
     public void setTag(int model, int tag) {
-        int status = Low.gphys_scene_set_tag(opened(), model, tag);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_set_tag(self, model, tag);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -406,7 +544,13 @@ public final class Scene extends SceneBase {
      * @throws GamephysException with ERROR_CYCLE: if parent is the model or one of its descendants
      */
     public void setParent(int model, int parent, boolean keepWorld) {
-        int status = Low.gphys_scene_set_parent(opened(), model, parent, keepWorld ? 1 : 0);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_set_parent(self, model, parent, keepWorld ? 1 : 0);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -420,7 +564,13 @@ public final class Scene extends SceneBase {
      */
     public void setTransform(int model, Transform transform) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_scene_set_transform(opened(), model, scratch.put(2, transform));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_set_transform(self, model, scratch.put(2, transform));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -440,7 +590,13 @@ public final class Scene extends SceneBase {
      */
     public void setTransforms(Batch<Integer> models, Batch<Transform> transforms) {
         int count = Low.common(models.common(), transforms.common());
-        int status = Low.gphys_scene_set_transforms(opened(), models.pointer(), transforms.pointer(), transforms.stride(), count);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_set_transforms(self, models.pointer(), transforms.pointer(), transforms.stride(), count);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, models, transforms);
         Low.check(status);
     }
@@ -458,7 +614,13 @@ public final class Scene extends SceneBase {
     public Batch<Transform> getTransforms(Batch<Integer> models, Batch<Transform> out) {
         int count = Low.common(models.common());
         Batch<Transform> room = Batch.room(Transform.LAYOUT, count, out);
-        int status = Low.gphys_scene_get_transforms(opened(), models.pointer(), count, room.pointer(), Transform.LAYOUT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_get_transforms(self, models.pointer(), count, room.pointer(), Transform.LAYOUT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, models, room);
         Low.check(status);
         return room;
@@ -478,7 +640,13 @@ public final class Scene extends SceneBase {
     public Batch<Transform> getWorldTransforms(Batch<Integer> models, Batch<Transform> out) {
         int count = Low.common(models.common());
         Batch<Transform> room = Batch.room(Transform.LAYOUT, count, out);
-        int status = Low.gphys_scene_get_world_transforms(opened(), models.pointer(), count, room.pointer(), Transform.LAYOUT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_get_world_transforms(self, models.pointer(), count, room.pointer(), Transform.LAYOUT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, models, room);
         Low.check(status);
         return room;
@@ -496,7 +664,13 @@ public final class Scene extends SceneBase {
      */
     public Optional<Hit> raycast(Ray ray, int layers) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_scene_raycast(opened(), scratch.put(1, ray), layers, scratch.slot(3));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_raycast(self, scratch.put(1, ray), layers, scratch.slot(3));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         return Low.found(status) ? Optional.of(Hit.read(scratch.memory, Scratch.at(3))) : Optional.empty();
     }
@@ -514,7 +688,13 @@ public final class Scene extends SceneBase {
     public Batch<Hit> raycastBatch(Batch<Ray> rays, int layers, Batch<Hit> out) {
         int count = Low.common(rays.common());
         Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
-        int status = Low.gphys_scene_raycast_batch(opened(), rays.pointer(), rays.stride(), count, layers, room.pointer(), Hit.LAYOUT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_raycast_batch(self, rays.pointer(), rays.stride(), count, layers, room.pointer(), Hit.LAYOUT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, rays, room);
         Low.check(status);
         return room;
@@ -539,7 +719,13 @@ public final class Scene extends SceneBase {
     public Batch<Distance> raycastDistanceBatch(Batch<Ray> rays, int layers, Batch<Distance> out) {
         int count = Low.common(rays.common());
         Batch<Distance> room = Batch.room(Distance.LAYOUT, count, out);
-        int status = Low.gphys_scene_raycast_distance_batch(opened(), rays.pointer(), rays.stride(), count, layers, room.pointer(), Distance.LAYOUT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_raycast_distance_batch(self, rays.pointer(), rays.stride(), count, layers, room.pointer(), Distance.LAYOUT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, rays, room);
         Low.check(status);
         return room;
@@ -561,7 +747,13 @@ public final class Scene extends SceneBase {
      */
     public boolean raycastAny(Ray ray, int layers) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_scene_raycast_any(opened(), scratch.put(1, ray), layers, scratch.slot(3));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_raycast_any(self, scratch.put(1, ray), layers, scratch.slot(3));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return scratch.getInt(3) != 0;
@@ -579,7 +771,13 @@ public final class Scene extends SceneBase {
     public Batch<Integer> raycastAnyBatch(Batch<Ray> rays, int layers, Batch<Integer> out) {
         int count = Low.common(rays.common());
         Batch<Integer> room = Batch.room(Layout.INT, count, out);
-        int status = Low.gphys_scene_raycast_any_batch(opened(), rays.pointer(), rays.stride(), count, layers, room.pointer(), Layout.INT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_raycast_any_batch(self, rays.pointer(), rays.stride(), count, layers, room.pointer(), Layout.INT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, rays, room);
         Low.check(status);
         return room;
@@ -602,7 +800,13 @@ public final class Scene extends SceneBase {
     public Batch<Hit> raycastAll(Ray ray, int layers) {
         Scratch scratch = Scratch.get();
         return Low.list(Hit.LAYOUT, (room, capacity, total) -> {
-                int status = Low.gphys_scene_raycast_all(opened(), scratch.put(1, ray), layers, room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_scene_raycast_all(self, scratch.put(1, ray), layers, room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this);
                 return status;
             });
@@ -622,7 +826,13 @@ public final class Scene extends SceneBase {
     public Ragged<Hit> raycastAllBatch(Batch<Ray> rays, int layers) {
         int count = Low.common(rays.common());
         return Low.ragged(Hit.LAYOUT, count, (room, capacity, offsets) -> {
-                int status = Low.gphys_scene_raycast_all_batch(opened(), rays.pointer(), rays.stride(), count, layers, room, capacity, offsets);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_scene_raycast_all_batch(self, rays.pointer(), rays.stride(), count, layers, room, capacity, offsets);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this, rays);
                 return status;
             });
@@ -641,7 +851,13 @@ public final class Scene extends SceneBase {
      */
     public Optional<Hit> segmentTest(Segment segment, int layers) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_scene_segment_test(opened(), scratch.put(1, segment), layers, scratch.slot(3));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_segment_test(self, scratch.put(1, segment), layers, scratch.slot(3));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         return Low.found(status) ? Optional.of(Hit.read(scratch.memory, Scratch.at(3))) : Optional.empty();
     }
@@ -659,7 +875,13 @@ public final class Scene extends SceneBase {
     public Batch<Hit> segmentTestBatch(Batch<Segment> segments, int layers, Batch<Hit> out) {
         int count = Low.common(segments.common());
         Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
-        int status = Low.gphys_scene_segment_test_batch(opened(), segments.pointer(), segments.stride(), count, layers, room.pointer(), Hit.LAYOUT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_segment_test_batch(self, segments.pointer(), segments.stride(), count, layers, room.pointer(), Hit.LAYOUT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, segments, room);
         Low.check(status);
         return room;
@@ -685,7 +907,13 @@ public final class Scene extends SceneBase {
     public Batch<Integer> overlap(Shape shape, int layers) {
         Scratch scratch = Scratch.get();
         return Low.list(Layout.INT, (room, capacity, total) -> {
-                int status = Low.gphys_scene_overlap(opened(), shape.kind(), Low.shape(shape, scratch, 2), layers, room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_scene_overlap(self, shape.kind(), Low.shape(shape, scratch, 2), layers, room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this, shape);
                 return status;
             });
@@ -705,7 +933,13 @@ public final class Scene extends SceneBase {
     public Ragged<Integer> overlapBatch(Shapes shapes, int layers) {
         int count = Low.common(shapes.common());
         return Low.ragged(Layout.INT, count, (room, capacity, offsets) -> {
-                int status = Low.gphys_scene_overlap_batch(opened(), shapes.kind(), shapes.pointer(), shapes.stride(), count, layers, room, capacity, offsets);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_scene_overlap_batch(self, shapes.kind(), shapes.pointer(), shapes.stride(), count, layers, room, capacity, offsets);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this, shapes);
                 return status;
             });
@@ -729,7 +963,13 @@ public final class Scene extends SceneBase {
     public Batch<Integer> cull(Frustum frustum, int layers) {
         Scratch scratch = Scratch.get();
         return Low.list(Layout.INT, (room, capacity, total) -> {
-                int status = Low.gphys_scene_cull(opened(), scratch.put(1, frustum), layers, room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_scene_cull(self, scratch.put(1, frustum), layers, room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this);
                 return status;
             });
@@ -749,7 +989,13 @@ public final class Scene extends SceneBase {
     public Ragged<Integer> cullBatch(Batch<Frustum> frusta, int layers) {
         int count = Low.common(frusta.common());
         return Low.ragged(Layout.INT, count, (room, capacity, offsets) -> {
-                int status = Low.gphys_scene_cull_batch(opened(), frusta.pointer(), frusta.stride(), count, layers, room, capacity, offsets);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_scene_cull_batch(self, frusta.pointer(), frusta.stride(), count, layers, room, capacity, offsets);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this, frusta);
                 return status;
             });
@@ -772,7 +1018,13 @@ public final class Scene extends SceneBase {
      */
     public Optional<Nearest> nearest(Vec3 point, float maxDistance, int layers) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_scene_nearest(opened(), scratch.put(1, point), maxDistance, layers, scratch.slot(4));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_nearest(self, scratch.put(1, point), maxDistance, layers, scratch.slot(4));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         return Low.found(status) ? Optional.of(Nearest.read(scratch.memory, Scratch.at(4))) : Optional.empty();
     }
@@ -796,7 +1048,13 @@ public final class Scene extends SceneBase {
     public Batch<Nearest> nearestBatch(Batch<Vec3> points, float maxDistance, int layers, Batch<Nearest> out) {
         int count = Low.common(points.common());
         Batch<Nearest> room = Batch.room(Nearest.LAYOUT, count, out);
-        int status = Low.gphys_scene_nearest_batch(opened(), points.pointer(), points.stride(), count, maxDistance, layers, room.pointer(), Nearest.LAYOUT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_nearest_batch(self, points.pointer(), points.stride(), count, maxDistance, layers, room.pointer(), Nearest.LAYOUT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, points, room);
         Low.check(status);
         return room;
@@ -826,7 +1084,13 @@ public final class Scene extends SceneBase {
      */
     public Optional<Hit> sweepSphere(Sphere sphere, Vec3 displacement, int layers) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_scene_sweep_sphere(opened(), scratch.put(1, sphere), scratch.put(2, displacement), layers, scratch.slot(4));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_sweep_sphere(self, scratch.put(1, sphere), scratch.put(2, displacement), layers, scratch.slot(4));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         return Low.found(status) ? Optional.of(Hit.read(scratch.memory, Scratch.at(4))) : Optional.empty();
     }
@@ -845,7 +1109,13 @@ public final class Scene extends SceneBase {
     public Batch<Hit> sweepSphereBatch(Batch<Sphere> spheres, Batch<Vec3> displacements, int layers, Batch<Hit> out) {
         int count = Low.common(spheres.common(), displacements.common());
         Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
-        int status = Low.gphys_scene_sweep_sphere_batch(opened(), spheres.pointer(), spheres.stride(), displacements.pointer(), displacements.stride(), count, layers, room.pointer(), Hit.LAYOUT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_sweep_sphere_batch(self, spheres.pointer(), spheres.stride(), displacements.pointer(), displacements.stride(), count, layers, room.pointer(), Hit.LAYOUT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, spheres, displacements, room);
         Low.check(status);
         return room;
@@ -871,7 +1141,13 @@ public final class Scene extends SceneBase {
      */
     public Optional<Hit> sweep(Shape shape, Vec3 displacement, int layers) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_scene_sweep(opened(), shape.kind(), Low.shape(shape, scratch, 2), scratch.put(3, displacement), layers, scratch.slot(5));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_sweep(self, shape.kind(), Low.shape(shape, scratch, 2), scratch.put(3, displacement), layers, scratch.slot(5));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, shape);
         return Low.found(status) ? Optional.of(Hit.read(scratch.memory, Scratch.at(5))) : Optional.empty();
     }
@@ -891,7 +1167,13 @@ public final class Scene extends SceneBase {
     public Batch<Hit> sweepBatch(Shapes shapes, Batch<Vec3> displacements, int layers, Batch<Hit> out) {
         int count = Low.common(shapes.common(), displacements.common());
         Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
-        int status = Low.gphys_scene_sweep_batch(opened(), shapes.kind(), shapes.pointer(), shapes.stride(), displacements.pointer(), displacements.stride(), count, layers, room.pointer(), Hit.LAYOUT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_sweep_batch(self, shapes.kind(), shapes.pointer(), shapes.stride(), displacements.pointer(), displacements.stride(), count, layers, room.pointer(), Hit.LAYOUT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, shapes, displacements, room);
         Low.check(status);
         return room;
@@ -917,7 +1199,13 @@ public final class Scene extends SceneBase {
     public Batch<Penetration> penetration(Shape shape, int layers) {
         Scratch scratch = Scratch.get();
         return Low.list(Penetration.LAYOUT, (room, capacity, total) -> {
-                int status = Low.gphys_scene_penetration(opened(), shape.kind(), Low.shape(shape, scratch, 2), layers, room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_scene_penetration(self, shape.kind(), Low.shape(shape, scratch, 2), layers, room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this, shape);
                 return status;
             });
@@ -938,7 +1226,13 @@ public final class Scene extends SceneBase {
     public Ragged<Penetration> penetrationBatch(Shapes shapes, int layers) {
         int count = Low.common(shapes.common());
         return Low.ragged(Penetration.LAYOUT, count, (room, capacity, offsets) -> {
-                int status = Low.gphys_scene_penetration_batch(opened(), shapes.kind(), shapes.pointer(), shapes.stride(), count, layers, room, capacity, offsets);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_scene_penetration_batch(self, shapes.kind(), shapes.pointer(), shapes.stride(), count, layers, room, capacity, offsets);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this, shapes);
                 return status;
             });
@@ -962,7 +1256,13 @@ public final class Scene extends SceneBase {
      */
     public Optional<Hit> raycastFiltered(Ray ray, QueryFilterDesc filter) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_scene_raycast_filtered(opened(), scratch.put(1, ray), filter == null ? null : filter.pointer(), scratch.slot(3));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_raycast_filtered(self, scratch.put(1, ray), filter == null ? null : filter.pointer(), scratch.slot(3));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, filter);
         return Low.found(status) ? Optional.of(Hit.read(scratch.memory, Scratch.at(3))) : Optional.empty();
     }
@@ -980,7 +1280,13 @@ public final class Scene extends SceneBase {
     public Batch<Hit> raycastFilteredBatch(Batch<Ray> rays, QueryFilterDesc filters, Batch<Hit> out) {
         int count = Low.common(rays.common());
         Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
-        int status = Low.gphys_scene_raycast_filtered_batch(opened(), rays.pointer(), rays.stride(), count, filters == null ? null : filters.pointer(), 0, room.pointer(), Hit.LAYOUT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_raycast_filtered_batch(self, rays.pointer(), rays.stride(), count, filters == null ? null : filters.pointer(), 0, room.pointer(), Hit.LAYOUT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, rays, filters, room);
         Low.check(status);
         return room;
@@ -1005,7 +1311,13 @@ public final class Scene extends SceneBase {
     public Batch<Distance> raycastDistanceFilteredBatch(Batch<Ray> rays, QueryFilterDesc filters, Batch<Distance> out) {
         int count = Low.common(rays.common());
         Batch<Distance> room = Batch.room(Distance.LAYOUT, count, out);
-        int status = Low.gphys_scene_raycast_distance_filtered_batch(opened(), rays.pointer(), rays.stride(), count, filters == null ? null : filters.pointer(), 0, room.pointer(), Distance.LAYOUT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_raycast_distance_filtered_batch(self, rays.pointer(), rays.stride(), count, filters == null ? null : filters.pointer(), 0, room.pointer(), Distance.LAYOUT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, rays, filters, room);
         Low.check(status);
         return room;
@@ -1029,7 +1341,13 @@ public final class Scene extends SceneBase {
      */
     public boolean raycastAnyFiltered(Ray ray, QueryFilterDesc filter) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_scene_raycast_any_filtered(opened(), scratch.put(1, ray), filter == null ? null : filter.pointer(), scratch.slot(3));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_raycast_any_filtered(self, scratch.put(1, ray), filter == null ? null : filter.pointer(), scratch.slot(3));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, filter);
         Low.check(status);
         return scratch.getInt(3) != 0;
@@ -1048,7 +1366,13 @@ public final class Scene extends SceneBase {
     public Batch<Integer> raycastAnyFilteredBatch(Batch<Ray> rays, QueryFilterDesc filters, Batch<Integer> out) {
         int count = Low.common(rays.common());
         Batch<Integer> room = Batch.room(Layout.INT, count, out);
-        int status = Low.gphys_scene_raycast_any_filtered_batch(opened(), rays.pointer(), rays.stride(), count, filters == null ? null : filters.pointer(), 0, room.pointer(), Layout.INT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_raycast_any_filtered_batch(self, rays.pointer(), rays.stride(), count, filters == null ? null : filters.pointer(), 0, room.pointer(), Layout.INT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, rays, filters, room);
         Low.check(status);
         return room;
@@ -1072,7 +1396,13 @@ public final class Scene extends SceneBase {
     public Batch<Hit> raycastAllFiltered(Ray ray, QueryFilterDesc filter) {
         Scratch scratch = Scratch.get();
         return Low.list(Hit.LAYOUT, (room, capacity, total) -> {
-                int status = Low.gphys_scene_raycast_all_filtered(opened(), scratch.put(1, ray), filter == null ? null : filter.pointer(), room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_scene_raycast_all_filtered(self, scratch.put(1, ray), filter == null ? null : filter.pointer(), room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this, filter);
                 return status;
             });
@@ -1091,7 +1421,13 @@ public final class Scene extends SceneBase {
     public Ragged<Hit> raycastAllFilteredBatch(Batch<Ray> rays, QueryFilterDesc filters) {
         int count = Low.common(rays.common());
         return Low.ragged(Hit.LAYOUT, count, (room, capacity, offsets) -> {
-                int status = Low.gphys_scene_raycast_all_filtered_batch(opened(), rays.pointer(), rays.stride(), count, filters == null ? null : filters.pointer(), 0, room, capacity, offsets);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_scene_raycast_all_filtered_batch(self, rays.pointer(), rays.stride(), count, filters == null ? null : filters.pointer(), 0, room, capacity, offsets);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this, rays, filters);
                 return status;
             });
@@ -1110,7 +1446,13 @@ public final class Scene extends SceneBase {
      */
     public Optional<Hit> segmentTestFiltered(Segment segment, QueryFilterDesc filter) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_scene_segment_test_filtered(opened(), scratch.put(1, segment), filter == null ? null : filter.pointer(), scratch.slot(3));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_segment_test_filtered(self, scratch.put(1, segment), filter == null ? null : filter.pointer(), scratch.slot(3));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, filter);
         return Low.found(status) ? Optional.of(Hit.read(scratch.memory, Scratch.at(3))) : Optional.empty();
     }
@@ -1128,7 +1470,13 @@ public final class Scene extends SceneBase {
     public Batch<Hit> segmentTestFilteredBatch(Batch<Segment> segments, QueryFilterDesc filters, Batch<Hit> out) {
         int count = Low.common(segments.common());
         Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
-        int status = Low.gphys_scene_segment_test_filtered_batch(opened(), segments.pointer(), segments.stride(), count, filters == null ? null : filters.pointer(), 0, room.pointer(), Hit.LAYOUT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_segment_test_filtered_batch(self, segments.pointer(), segments.stride(), count, filters == null ? null : filters.pointer(), 0, room.pointer(), Hit.LAYOUT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, segments, filters, room);
         Low.check(status);
         return room;
@@ -1154,7 +1502,13 @@ public final class Scene extends SceneBase {
     public Batch<Integer> overlapFiltered(Shape shape, QueryFilterDesc filter) {
         Scratch scratch = Scratch.get();
         return Low.list(Layout.INT, (room, capacity, total) -> {
-                int status = Low.gphys_scene_overlap_filtered(opened(), shape.kind(), Low.shape(shape, scratch, 2), filter == null ? null : filter.pointer(), room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_scene_overlap_filtered(self, shape.kind(), Low.shape(shape, scratch, 2), filter == null ? null : filter.pointer(), room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this, shape, filter);
                 return status;
             });
@@ -1175,7 +1529,13 @@ public final class Scene extends SceneBase {
     public Ragged<Integer> overlapFilteredBatch(Shapes shapes, QueryFilterDesc filters) {
         int count = Low.common(shapes.common());
         return Low.ragged(Layout.INT, count, (room, capacity, offsets) -> {
-                int status = Low.gphys_scene_overlap_filtered_batch(opened(), shapes.kind(), shapes.pointer(), shapes.stride(), count, filters == null ? null : filters.pointer(), 0, room, capacity, offsets);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_scene_overlap_filtered_batch(self, shapes.kind(), shapes.pointer(), shapes.stride(), count, filters == null ? null : filters.pointer(), 0, room, capacity, offsets);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this, shapes, filters);
                 return status;
             });
@@ -1195,7 +1555,13 @@ public final class Scene extends SceneBase {
     public Batch<Integer> cullFiltered(Frustum frustum, QueryFilterDesc filter) {
         Scratch scratch = Scratch.get();
         return Low.list(Layout.INT, (room, capacity, total) -> {
-                int status = Low.gphys_scene_cull_filtered(opened(), scratch.put(1, frustum), filter == null ? null : filter.pointer(), room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_scene_cull_filtered(self, scratch.put(1, frustum), filter == null ? null : filter.pointer(), room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this, filter);
                 return status;
             });
@@ -1215,7 +1581,13 @@ public final class Scene extends SceneBase {
     public Ragged<Integer> cullFilteredBatch(Batch<Frustum> frusta, QueryFilterDesc filters) {
         int count = Low.common(frusta.common());
         return Low.ragged(Layout.INT, count, (room, capacity, offsets) -> {
-                int status = Low.gphys_scene_cull_filtered_batch(opened(), frusta.pointer(), frusta.stride(), count, filters == null ? null : filters.pointer(), 0, room, capacity, offsets);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_scene_cull_filtered_batch(self, frusta.pointer(), frusta.stride(), count, filters == null ? null : filters.pointer(), 0, room, capacity, offsets);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this, frusta, filters);
                 return status;
             });
@@ -1237,7 +1609,13 @@ public final class Scene extends SceneBase {
      */
     public Optional<Nearest> nearestFiltered(Vec3 point, float maxDistance, QueryFilterDesc filter) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_scene_nearest_filtered(opened(), scratch.put(1, point), maxDistance, filter == null ? null : filter.pointer(), scratch.slot(4));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_nearest_filtered(self, scratch.put(1, point), maxDistance, filter == null ? null : filter.pointer(), scratch.slot(4));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, filter);
         return Low.found(status) ? Optional.of(Nearest.read(scratch.memory, Scratch.at(4))) : Optional.empty();
     }
@@ -1261,7 +1639,13 @@ public final class Scene extends SceneBase {
     public Batch<Nearest> nearestFilteredBatch(Batch<Vec3> points, float maxDistance, QueryFilterDesc filters, Batch<Nearest> out) {
         int count = Low.common(points.common());
         Batch<Nearest> room = Batch.room(Nearest.LAYOUT, count, out);
-        int status = Low.gphys_scene_nearest_filtered_batch(opened(), points.pointer(), points.stride(), count, maxDistance, filters == null ? null : filters.pointer(), 0, room.pointer(), Nearest.LAYOUT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_nearest_filtered_batch(self, points.pointer(), points.stride(), count, maxDistance, filters == null ? null : filters.pointer(), 0, room.pointer(), Nearest.LAYOUT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, points, filters, room);
         Low.check(status);
         return room;
@@ -1292,7 +1676,13 @@ public final class Scene extends SceneBase {
      */
     public Optional<Hit> sweepSphereFiltered(Sphere sphere, Vec3 displacement, QueryFilterDesc filter) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_scene_sweep_sphere_filtered(opened(), scratch.put(1, sphere), scratch.put(2, displacement), filter == null ? null : filter.pointer(), scratch.slot(4));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_sweep_sphere_filtered(self, scratch.put(1, sphere), scratch.put(2, displacement), filter == null ? null : filter.pointer(), scratch.slot(4));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, filter);
         return Low.found(status) ? Optional.of(Hit.read(scratch.memory, Scratch.at(4))) : Optional.empty();
     }
@@ -1311,7 +1701,13 @@ public final class Scene extends SceneBase {
     public Batch<Hit> sweepSphereFilteredBatch(Batch<Sphere> spheres, Batch<Vec3> displacements, QueryFilterDesc filters, Batch<Hit> out) {
         int count = Low.common(spheres.common(), displacements.common());
         Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
-        int status = Low.gphys_scene_sweep_sphere_filtered_batch(opened(), spheres.pointer(), spheres.stride(), displacements.pointer(), displacements.stride(), count, filters == null ? null : filters.pointer(), 0, room.pointer(), Hit.LAYOUT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_sweep_sphere_filtered_batch(self, spheres.pointer(), spheres.stride(), displacements.pointer(), displacements.stride(), count, filters == null ? null : filters.pointer(), 0, room.pointer(), Hit.LAYOUT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, spheres, displacements, filters, room);
         Low.check(status);
         return room;
@@ -1338,7 +1734,13 @@ public final class Scene extends SceneBase {
      */
     public Optional<Hit> sweepFiltered(Shape shape, Vec3 displacement, QueryFilterDesc filter) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_scene_sweep_filtered(opened(), shape.kind(), Low.shape(shape, scratch, 2), scratch.put(3, displacement), filter == null ? null : filter.pointer(), scratch.slot(5));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_sweep_filtered(self, shape.kind(), Low.shape(shape, scratch, 2), scratch.put(3, displacement), filter == null ? null : filter.pointer(), scratch.slot(5));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, shape, filter);
         return Low.found(status) ? Optional.of(Hit.read(scratch.memory, Scratch.at(5))) : Optional.empty();
     }
@@ -1358,7 +1760,13 @@ public final class Scene extends SceneBase {
     public Batch<Hit> sweepFilteredBatch(Shapes shapes, Batch<Vec3> displacements, QueryFilterDesc filters, Batch<Hit> out) {
         int count = Low.common(shapes.common(), displacements.common());
         Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
-        int status = Low.gphys_scene_sweep_filtered_batch(opened(), shapes.kind(), shapes.pointer(), shapes.stride(), displacements.pointer(), displacements.stride(), count, filters == null ? null : filters.pointer(), 0, room.pointer(), Hit.LAYOUT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_sweep_filtered_batch(self, shapes.kind(), shapes.pointer(), shapes.stride(), displacements.pointer(), displacements.stride(), count, filters == null ? null : filters.pointer(), 0, room.pointer(), Hit.LAYOUT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, shapes, displacements, filters, room);
         Low.check(status);
         return room;
@@ -1384,7 +1792,13 @@ public final class Scene extends SceneBase {
     public Batch<Penetration> penetrationFiltered(Shape shape, QueryFilterDesc filter) {
         Scratch scratch = Scratch.get();
         return Low.list(Penetration.LAYOUT, (room, capacity, total) -> {
-                int status = Low.gphys_scene_penetration_filtered(opened(), shape.kind(), Low.shape(shape, scratch, 2), filter == null ? null : filter.pointer(), room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_scene_penetration_filtered(self, shape.kind(), Low.shape(shape, scratch, 2), filter == null ? null : filter.pointer(), room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this, shape, filter);
                 return status;
             });
@@ -1405,7 +1819,13 @@ public final class Scene extends SceneBase {
     public Ragged<Penetration> penetrationFilteredBatch(Shapes shapes, QueryFilterDesc filters) {
         int count = Low.common(shapes.common());
         return Low.ragged(Penetration.LAYOUT, count, (room, capacity, offsets) -> {
-                int status = Low.gphys_scene_penetration_filtered_batch(opened(), shapes.kind(), shapes.pointer(), shapes.stride(), count, filters == null ? null : filters.pointer(), 0, room, capacity, offsets);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_scene_penetration_filtered_batch(self, shapes.kind(), shapes.pointer(), shapes.stride(), count, filters == null ? null : filters.pointer(), 0, room, capacity, offsets);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this, shapes, filters);
                 return status;
             });
@@ -1424,7 +1844,13 @@ public final class Scene extends SceneBase {
      * @throws GamephysException with ERROR_OUT_OF_MEMORY: with nothing changed
      */
     public void rebuildOctree() {
-        int status = Low.gphys_scene_rebuild_octree(opened());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_rebuild_octree(self);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -1445,7 +1871,13 @@ public final class Scene extends SceneBase {
      */
     public boolean maintainOctree(int budget) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_scene_maintain_octree(opened(), budget, scratch.slot(2));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_maintain_octree(self, budget, scratch.slot(2));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return scratch.getInt(2) != 0;
@@ -1457,7 +1889,13 @@ public final class Scene extends SceneBase {
      */
     public OctreeStats getOctreeStats() {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_scene_get_octree_stats(opened(), scratch.slot(1));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_get_octree_stats(self, scratch.slot(1));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return OctreeStats.read(scratch.memory, Scratch.at(1));
@@ -1469,7 +1907,13 @@ public final class Scene extends SceneBase {
      */
     public Batch<OctreeBox> getOctreeBoxes() {
         return Low.list(OctreeBox.LAYOUT, (room, capacity, total) -> {
-                int status = Low.gphys_scene_get_octree_boxes(opened(), room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_scene_get_octree_boxes(self, room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this);
                 return status;
             });
@@ -1482,7 +1926,13 @@ public final class Scene extends SceneBase {
      * @throws GamephysException with ERROR_INTERNAL: and the exception's message says what is wrong
      */
     public void validate() {
-        int status = Low.gphys_scene_validate(opened());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_validate(self);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -1501,7 +1951,13 @@ public final class Scene extends SceneBase {
      */
     public Batch<Integer> getSnapshot(boolean embedMeshes) {
         return Low.list(Layout.INT, (room, capacity, total) -> {
-                int status = Low.gphys_scene_get_snapshot(opened(), embedMeshes ? 1 : 0, room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_scene_get_snapshot(self, embedMeshes ? 1 : 0, room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this);
                 return status;
             });
@@ -1523,7 +1979,18 @@ public final class Scene extends SceneBase {
      */
     public void restore(Scene library, Batch<Integer> words) {
         int count = Low.common(words.common());
-        int status = Low.gphys_scene_restore(opened(), library == null ? null : library.opened(), words.pointer(), count);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            Pointer library_ = Owned.enter(library);
+            try {
+                status = Low.gphys_scene_restore(self, library_, words.pointer(), count);
+            } finally {
+                Owned.leave(library);
+            }
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, library, words);
         Low.check(status);
     }
@@ -1537,7 +2004,13 @@ public final class Scene extends SceneBase {
      */
     public int[] getHash() {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_scene_get_hash(opened(), scratch.slot(1));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_get_hash(self, scratch.slot(1));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return scratch.ints(1, 2);

@@ -13,7 +13,13 @@ public abstract sealed class SceneBase extends Owned permits Scene {
     public Shape getShape(int model) {
         Scratch scratch = Scratch.get();
         Layout<? extends Shape> layout = Shapes.layoutOf(((Scene) this).getInfo(model).type());
-        int status = Low.gphys_scene_get_shape(opened(), model, scratch.slot(0), layout.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_scene_get_shape(self, model, scratch.slot(0), layout.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return layout.reader().read(scratch.memory, Scratch.at(0));

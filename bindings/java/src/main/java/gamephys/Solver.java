@@ -35,7 +35,13 @@ public final class Solver extends Owned {
      *     former ones are kept
      */
     public void setWorkerCount(int workers) {
-        int status = Low.gphys_solver_set_worker_count(opened(), workers);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_set_worker_count(self, workers);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -46,7 +52,13 @@ public final class Solver extends Owned {
      */
     public int getWorkerCount() {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_solver_get_worker_count(opened(), scratch.slot(1));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_get_worker_count(self, scratch.slot(1));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return scratch.getInt(1);
@@ -63,7 +75,13 @@ public final class Solver extends Owned {
      */
     public void setOrigin(double[] origin) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_solver_set_origin(opened(), scratch.put(1, origin, 3));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_set_origin(self, scratch.put(1, origin, 3));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -74,7 +92,13 @@ public final class Solver extends Owned {
      */
     public double[] getOrigin() {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_solver_get_origin(opened(), scratch.slot(1));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_get_origin(self, scratch.slot(1));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return scratch.doubles(1, 3);
@@ -87,7 +111,13 @@ public final class Solver extends Owned {
      */
     public void setGravity(Vec3 gravity) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_solver_set_gravity(opened(), scratch.put(1, gravity));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_set_gravity(self, scratch.put(1, gravity));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -101,7 +131,13 @@ public final class Solver extends Owned {
      * @param substeps 1 .. 1000
      */
     public void setSubsteps(int substeps) {
-        int status = Low.gphys_solver_set_substeps(opened(), substeps);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_set_substeps(self, substeps);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -112,7 +148,13 @@ public final class Solver extends Owned {
      */
     public SolverSettings getSettings() {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_solver_get_settings(opened(), scratch.slot(1));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_get_settings(self, scratch.slot(1));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return SolverSettings.read(scratch.memory, Scratch.at(1));
@@ -126,7 +168,13 @@ public final class Solver extends Owned {
      */
     public void setSettings(SolverSettings settings) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_solver_set_settings(opened(), scratch.put(1, settings));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_set_settings(self, scratch.put(1, settings));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -141,7 +189,13 @@ public final class Solver extends Owned {
     public int addParticles(Batch<Vec3> positions, BodyDesc desc) {
         Scratch scratch = Scratch.get();
         int count = Low.common(positions.common());
-        int status = Low.gphys_solver_add_particles(opened(), desc == null ? null : desc.pointer(), positions.pointer(), positions.stride(), count, scratch.slot(5));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_add_particles(self, desc == null ? null : desc.pointer(), positions.pointer(), positions.stride(), count, scratch.slot(5));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, desc, positions);
         Low.check(status);
         return scratch.getInt(5);
@@ -164,7 +218,13 @@ public final class Solver extends Owned {
     public int addRope(Batch<Vec3> positions, float linkLength, BodyDesc desc) {
         Scratch scratch = Scratch.get();
         int count = Low.common(positions.common());
-        int status = Low.gphys_solver_add_rope(opened(), desc == null ? null : desc.pointer(), positions.pointer(), positions.stride(), count, linkLength, scratch.slot(6));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_add_rope(self, desc == null ? null : desc.pointer(), positions.pointer(), positions.stride(), count, linkLength, scratch.slot(6));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, desc, positions);
         Low.check(status);
         return scratch.getInt(6);
@@ -198,7 +258,13 @@ public final class Solver extends Owned {
      */
     public int addCloth(Vec3 corner, Vec3 edgeU, Vec3 edgeV, int columns, int rows, BodyDesc desc) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_solver_add_cloth(opened(), desc == null ? null : desc.pointer(), scratch.put(2, corner), scratch.put(3, edgeU), scratch.put(4, edgeV), columns, rows, scratch.slot(7));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_add_cloth(self, desc == null ? null : desc.pointer(), scratch.put(2, corner), scratch.put(3, edgeU), scratch.put(4, edgeV), columns, rows, scratch.slot(7));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, desc);
         Low.check(status);
         return scratch.getInt(7);
@@ -223,7 +289,18 @@ public final class Solver extends Owned {
      */
     public int addClothMesh(Mesh mesh, Transform transform, BodyDesc desc) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_solver_add_cloth_mesh(opened(), desc == null ? null : desc.pointer(), mesh.opened(), scratch.put(3, transform), scratch.slot(4));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            Pointer mesh_ = Owned.enter(mesh);
+            try {
+                status = Low.gphys_solver_add_cloth_mesh(self, desc == null ? null : desc.pointer(), mesh_, scratch.put(3, transform), scratch.slot(4));
+            } finally {
+                Owned.leave(mesh);
+            }
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, desc, mesh);
         Low.check(status);
         return scratch.getInt(4);
@@ -246,7 +323,13 @@ public final class Solver extends Owned {
      * impulses to the same models).
      */
     public void removeBody(int body) {
-        int status = Low.gphys_solver_remove_body(opened(), body);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_remove_body(self, body);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -257,7 +340,13 @@ public final class Solver extends Owned {
      */
     public Batch<Integer> getBodies() {
         return Low.list(Layout.INT, (room, capacity, total) -> {
-                int status = Low.gphys_solver_get_bodies(opened(), room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_solver_get_bodies(self, room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this);
                 return status;
             });
@@ -276,7 +365,13 @@ public final class Solver extends Owned {
      */
     public Batch<Integer> getSleeping() {
         return Low.list(Layout.INT, (room, capacity, total) -> {
-                int status = Low.gphys_solver_get_sleeping(opened(), room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_solver_get_sleeping(self, room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this);
                 return status;
             });
@@ -288,7 +383,13 @@ public final class Solver extends Owned {
      * @param body 0: all
      */
     public void wake(int body) {
-        int status = Low.gphys_solver_wake(opened(), body);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_wake(self, body);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -299,7 +400,13 @@ public final class Solver extends Owned {
      */
     public BodySettings getBodySettings(int body) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_solver_get_body_settings(opened(), body, scratch.slot(2));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_get_body_settings(self, body, scratch.slot(2));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return BodySettings.read(scratch.memory, Scratch.at(2));
@@ -312,7 +419,13 @@ public final class Solver extends Owned {
      */
     public void setBodySettings(int body, BodySettings settings) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_solver_set_body_settings(opened(), body, scratch.put(2, settings));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_set_body_settings(self, body, scratch.put(2, settings));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -323,7 +436,13 @@ public final class Solver extends Owned {
      */
     public BodyInfo getBodyInfo(int body) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_solver_get_body_info(opened(), body, scratch.slot(2));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_get_body_info(self, body, scratch.slot(2));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return BodyInfo.read(scratch.memory, Scratch.at(2));
@@ -336,7 +455,13 @@ public final class Solver extends Owned {
      */
     public Batch<Integer> getTriangles(int body) {
         return Low.list(Layout.INT, (room, capacity, total) -> {
-                int status = Low.gphys_solver_get_triangles(opened(), body, room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_solver_get_triangles(self, body, room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this);
                 return status;
             });
@@ -352,7 +477,13 @@ public final class Solver extends Owned {
      */
     public int getNearestParticle(int body, int triangle, Vec3 point) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_solver_get_nearest_particle(opened(), body, triangle, scratch.put(3, point), scratch.slot(4));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_get_nearest_particle(self, body, triangle, scratch.put(3, point), scratch.slot(4));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return scratch.getInt(4);
@@ -368,7 +499,13 @@ public final class Solver extends Owned {
      */
     public Batch<Vec3> getPositions(int body, int first, int count, Batch<Vec3> out) {
         Batch<Vec3> room = Batch.room(Vec3.LAYOUT, count, out);
-        int status = Low.gphys_solver_get_positions(opened(), body, first, count, room.pointer(), Vec3.LAYOUT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_get_positions(self, body, first, count, room.pointer(), Vec3.LAYOUT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, room);
         Low.check(status);
         return room;
@@ -389,7 +526,13 @@ public final class Solver extends Owned {
      */
     public void setPositions(int body, int first, Batch<Vec3> positions) {
         int count = Low.common(positions.common());
-        int status = Low.gphys_solver_set_positions(opened(), body, first, count, positions.pointer(), positions.stride());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_set_positions(self, body, first, count, positions.pointer(), positions.stride());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, positions);
         Low.check(status);
     }
@@ -403,7 +546,13 @@ public final class Solver extends Owned {
      */
     public Batch<Vec3> getVelocities(int body, int first, int count, Batch<Vec3> out) {
         Batch<Vec3> room = Batch.room(Vec3.LAYOUT, count, out);
-        int status = Low.gphys_solver_get_velocities(opened(), body, first, count, room.pointer(), Vec3.LAYOUT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_get_velocities(self, body, first, count, room.pointer(), Vec3.LAYOUT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, room);
         Low.check(status);
         return room;
@@ -422,7 +571,13 @@ public final class Solver extends Owned {
      */
     public void setVelocities(int body, int first, Batch<Vec3> velocities) {
         int count = Low.common(velocities.common());
-        int status = Low.gphys_solver_set_velocities(opened(), body, first, count, velocities.pointer(), velocities.stride());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_set_velocities(self, body, first, count, velocities.pointer(), velocities.stride());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, velocities);
         Low.check(status);
     }
@@ -435,7 +590,13 @@ public final class Solver extends Owned {
      */
     public Batch<Float> getMasses(int body, int first, int count, Batch<Float> out) {
         Batch<Float> room = Batch.room(Layout.FLOAT, count, out);
-        int status = Low.gphys_solver_get_masses(opened(), body, first, count, room.pointer(), Layout.FLOAT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_get_masses(self, body, first, count, room.pointer(), Layout.FLOAT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, room);
         Low.check(status);
         return room;
@@ -455,7 +616,13 @@ public final class Solver extends Owned {
      */
     public void setMasses(int body, int first, Batch<Float> masses) {
         int count = Low.common(masses.common());
-        int status = Low.gphys_solver_set_masses(opened(), body, first, count, masses.pointer(), masses.stride());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_set_masses(self, body, first, count, masses.pointer(), masses.stride());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, masses);
         Low.check(status);
     }
@@ -468,7 +635,13 @@ public final class Solver extends Owned {
      */
     public Batch<Float> getRadii(int body, int first, int count, Batch<Float> out) {
         Batch<Float> room = Batch.room(Layout.FLOAT, count, out);
-        int status = Low.gphys_solver_get_radii(opened(), body, first, count, room.pointer(), Layout.FLOAT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_get_radii(self, body, first, count, room.pointer(), Layout.FLOAT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, room);
         Low.check(status);
         return room;
@@ -487,7 +660,13 @@ public final class Solver extends Owned {
      */
     public void setRadii(int body, int first, Batch<Float> radii) {
         int count = Low.common(radii.common());
-        int status = Low.gphys_solver_set_radii(opened(), body, first, count, radii.pointer(), radii.stride());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_set_radii(self, body, first, count, radii.pointer(), radii.stride());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, radii);
         Low.check(status);
     }
@@ -500,7 +679,13 @@ public final class Solver extends Owned {
      */
     public Batch<Float> getFrictionFactors(int body, int first, int count, Batch<Float> out) {
         Batch<Float> room = Batch.room(Layout.FLOAT, count, out);
-        int status = Low.gphys_solver_get_friction_factors(opened(), body, first, count, room.pointer(), Layout.FLOAT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_get_friction_factors(self, body, first, count, room.pointer(), Layout.FLOAT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, room);
         Low.check(status);
         return room;
@@ -522,7 +707,13 @@ public final class Solver extends Owned {
      */
     public void setFrictionFactors(int body, int first, Batch<Float> factors) {
         int count = Low.common(factors.common());
-        int status = Low.gphys_solver_set_friction_factors(opened(), body, first, count, factors.pointer(), factors.stride());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_set_friction_factors(self, body, first, count, factors.pointer(), factors.stride());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, factors);
         Low.check(status);
     }
@@ -535,7 +726,13 @@ public final class Solver extends Owned {
      */
     public Batch<Vec3> getForces(int body, int first, int count, Batch<Vec3> out) {
         Batch<Vec3> room = Batch.room(Vec3.LAYOUT, count, out);
-        int status = Low.gphys_solver_get_forces(opened(), body, first, count, room.pointer(), Vec3.LAYOUT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_get_forces(self, body, first, count, room.pointer(), Vec3.LAYOUT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, room);
         Low.check(status);
         return room;
@@ -554,7 +751,13 @@ public final class Solver extends Owned {
      */
     public void setForces(int body, int first, Batch<Vec3> forces) {
         int count = Low.common(forces.common());
-        int status = Low.gphys_solver_set_forces(opened(), body, first, count, forces.pointer(), forces.stride());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_set_forces(self, body, first, count, forces.pointer(), forces.stride());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, forces);
         Low.check(status);
     }
@@ -567,7 +770,13 @@ public final class Solver extends Owned {
      */
     public Batch<Integer> getPinned(int body, int first, int count, Batch<Integer> out) {
         Batch<Integer> room = Batch.room(Layout.INT, count, out);
-        int status = Low.gphys_solver_get_pinned(opened(), body, first, count, room.pointer(), Layout.INT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_get_pinned(self, body, first, count, room.pointer(), Layout.INT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, room);
         Low.check(status);
         return room;
@@ -588,7 +797,13 @@ public final class Solver extends Owned {
      * @param pinned true: pin; false: release
      */
     public void setPinned(int body, int first, int count, boolean pinned) {
-        int status = Low.gphys_solver_set_pinned(opened(), body, first, count, pinned ? 1 : 0);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_set_pinned(self, body, first, count, pinned ? 1 : 0);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -610,7 +825,13 @@ public final class Solver extends Owned {
      */
     public void setWind(int body, Wind wind) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_solver_set_wind(opened(), body, scratch.put(2, wind));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_set_wind(self, body, scratch.put(2, wind));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -621,7 +842,13 @@ public final class Solver extends Owned {
      */
     public Wind getWind(int body) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_solver_get_wind(opened(), body, scratch.slot(2));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_get_wind(self, body, scratch.slot(2));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return Wind.read(scratch.memory, Scratch.at(2));
@@ -636,7 +863,13 @@ public final class Solver extends Owned {
      */
     public void setAirVelocities(int body, int first, Batch<Vec3> velocities) {
         int count = Low.common(velocities.common());
-        int status = Low.gphys_solver_set_air_velocities(opened(), body, first, count, velocities.pointer(), velocities.stride());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_set_air_velocities(self, body, first, count, velocities.pointer(), velocities.stride());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, velocities);
         Low.check(status);
     }
@@ -649,7 +882,13 @@ public final class Solver extends Owned {
      */
     public Batch<Vec3> getAirVelocities(int body, int first, int count, Batch<Vec3> out) {
         Batch<Vec3> room = Batch.room(Vec3.LAYOUT, count, out);
-        int status = Low.gphys_solver_get_air_velocities(opened(), body, first, count, room.pointer(), Vec3.LAYOUT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_get_air_velocities(self, body, first, count, room.pointer(), Vec3.LAYOUT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, room);
         Low.check(status);
         return room;
@@ -685,7 +924,13 @@ public final class Solver extends Owned {
      */
     public void setAnimationTargets(int body, int first, Batch<AnimationTarget> targets) {
         int count = Low.common(targets.common());
-        int status = Low.gphys_solver_set_animation_targets(opened(), body, first, count, targets.pointer(), targets.stride());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_set_animation_targets(self, body, first, count, targets.pointer(), targets.stride());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, targets);
         Low.check(status);
     }
@@ -698,7 +943,13 @@ public final class Solver extends Owned {
      */
     public Batch<AnimationTarget> getAnimationTargets(int body, int first, int count, Batch<AnimationTarget> out) {
         Batch<AnimationTarget> room = Batch.room(AnimationTarget.LAYOUT, count, out);
-        int status = Low.gphys_solver_get_animation_targets(opened(), body, first, count, room.pointer(), AnimationTarget.LAYOUT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_get_animation_targets(self, body, first, count, room.pointer(), AnimationTarget.LAYOUT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, room);
         Low.check(status);
         return room;
@@ -721,7 +972,18 @@ public final class Solver extends Owned {
      */
     public void attach(Scene scene, int body, int particle, int model, Vec3 localPoint) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_solver_attach(opened(), scene.opened(), body, particle, model, scratch.put(5, localPoint));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            Pointer scene_ = Owned.enter(scene);
+            try {
+                status = Low.gphys_solver_attach(self, scene_, body, particle, model, scratch.put(5, localPoint));
+            } finally {
+                Owned.leave(scene);
+            }
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, scene);
         Low.check(status);
     }
@@ -737,7 +999,13 @@ public final class Solver extends Owned {
      * @throws GamephysException with ERROR_INVALID_ARGUMENT: if it is not attached, or does not exist
      */
     public void detach(int body, int particle) {
-        int status = Low.gphys_solver_detach(opened(), body, particle);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_detach(self, body, particle);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -748,7 +1016,13 @@ public final class Solver extends Owned {
      */
     public Batch<Attachment> getAttachments(int body) {
         return Low.list(Attachment.LAYOUT, (room, capacity, total) -> {
-                int status = Low.gphys_solver_get_attachments(opened(), body, room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_solver_get_attachments(self, body, room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this);
                 return status;
             });
@@ -765,7 +1039,13 @@ public final class Solver extends Owned {
      */
     public int addDistance(int body, int particleA, int particleB, float restLength, float compliance) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_solver_add_distance(opened(), body, particleA, particleB, restLength, compliance, scratch.slot(6));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_add_distance(self, body, particleA, particleB, restLength, compliance, scratch.slot(6));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return scratch.getInt(6);
@@ -789,7 +1069,13 @@ public final class Solver extends Owned {
      */
     public int addMaxDistance(int body, int particleA, int particleB, float maxLength, float compliance) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_solver_add_max_distance(opened(), body, particleA, particleB, maxLength, compliance, scratch.slot(6));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_add_max_distance(self, body, particleA, particleB, maxLength, compliance, scratch.slot(6));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return scratch.getInt(6);
@@ -809,7 +1095,13 @@ public final class Solver extends Owned {
      * @throws GamephysException with ERROR_INVALID_ID: for a body or constraint that does not exist
      */
     public void setConstraintDamping(int body, int constraint, float damping) {
-        int status = Low.gphys_solver_set_constraint_damping(opened(), body, constraint, damping);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_set_constraint_damping(self, body, constraint, damping);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -826,7 +1118,13 @@ public final class Solver extends Owned {
      *     asked for
      */
     public void setVolume(int body, float restVolume, float compliance) {
-        int status = Low.gphys_solver_set_volume(opened(), body, restVolume, compliance);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_set_volume(self, body, restVolume, compliance);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -847,7 +1145,13 @@ public final class Solver extends Owned {
      */
     public VolumeResult getVolume(int body) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_solver_get_volume(opened(), body, scratch.slot(2), scratch.slot(3));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_get_volume(self, body, scratch.slot(2), scratch.slot(3));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return new VolumeResult(scratch.getFloat(2), scratch.getFloat(3));
@@ -864,7 +1168,13 @@ public final class Solver extends Owned {
      */
     public VolumeSettingsResult getVolumeSettings(int body) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_solver_get_volume_settings(opened(), body, scratch.slot(2), scratch.slot(3));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_get_volume_settings(self, body, scratch.slot(2), scratch.slot(3));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return new VolumeSettingsResult(scratch.getFloat(2), scratch.getFloat(3));
@@ -878,7 +1188,13 @@ public final class Solver extends Owned {
      *     longer
      */
     public void removeConstraint(int body, int constraint) {
-        int status = Low.gphys_solver_remove_constraint(opened(), body, constraint);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_remove_constraint(self, body, constraint);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -889,7 +1205,13 @@ public final class Solver extends Owned {
      */
     public Batch<ConstraintInfo> getConstraints(int body) {
         return Low.list(ConstraintInfo.LAYOUT, (room, capacity, total) -> {
-                int status = Low.gphys_solver_get_constraints(opened(), body, room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_solver_get_constraints(self, body, room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this);
                 return status;
             });
@@ -903,7 +1225,13 @@ public final class Solver extends Owned {
     public Batch<Integer> getConstraintKinds(int body, Batch<Integer> constraints, Batch<Integer> out) {
         int count = Low.common(constraints.common());
         Batch<Integer> room = Batch.room(Layout.INT, count, out);
-        int status = Low.gphys_solver_get_constraint_kinds(opened(), body, constraints.pointer(), count, room.pointer(), Layout.INT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_get_constraint_kinds(self, body, constraints.pointer(), count, room.pointer(), Layout.INT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, constraints, room);
         Low.check(status);
         return room;
@@ -922,7 +1250,13 @@ public final class Solver extends Owned {
     public Batch<ConstraintSettings> getConstraintSettings(int body, Batch<Integer> constraints, Batch<ConstraintSettings> out) {
         int count = Low.common(constraints.common());
         Batch<ConstraintSettings> room = Batch.room(ConstraintSettings.LAYOUT, count, out);
-        int status = Low.gphys_solver_get_constraint_settings(opened(), body, constraints.pointer(), count, room.pointer(), ConstraintSettings.LAYOUT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_get_constraint_settings(self, body, constraints.pointer(), count, room.pointer(), ConstraintSettings.LAYOUT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, constraints, room);
         Low.check(status);
         return room;
@@ -943,7 +1277,13 @@ public final class Solver extends Owned {
      */
     public void setConstraintSettings(int body, Batch<Integer> constraints, Batch<ConstraintSettings> settings) {
         int count = Low.common(constraints.common(), settings.common());
-        int status = Low.gphys_solver_set_constraint_settings(opened(), body, constraints.pointer(), settings.pointer(), settings.stride(), count);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_set_constraint_settings(self, body, constraints.pointer(), settings.pointer(), settings.stride(), count);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, constraints, settings);
         Low.check(status);
     }
@@ -975,7 +1315,13 @@ public final class Solver extends Owned {
     public int addCluster(int body, Batch<Integer> particles) {
         Scratch scratch = Scratch.get();
         int count = Low.common(particles.common());
-        int status = Low.gphys_solver_add_cluster(opened(), body, particles.pointer(), count, scratch.slot(4));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_add_cluster(self, body, particles.pointer(), count, scratch.slot(4));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, particles);
         Low.check(status);
         return scratch.getInt(4);
@@ -988,7 +1334,13 @@ public final class Solver extends Owned {
      *     longer
      */
     public void removeCluster(int body, int cluster) {
-        int status = Low.gphys_solver_remove_cluster(opened(), body, cluster);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_remove_cluster(self, body, cluster);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -999,7 +1351,13 @@ public final class Solver extends Owned {
      */
     public Batch<Integer> getClusters(int body) {
         return Low.list(Layout.INT, (room, capacity, total) -> {
-                int status = Low.gphys_solver_get_clusters(opened(), body, room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_solver_get_clusters(self, body, room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this);
                 return status;
             });
@@ -1013,7 +1371,13 @@ public final class Solver extends Owned {
      */
     public Batch<Integer> getClusterParticles(int body, int cluster) {
         return Low.list(Layout.INT, (room, capacity, total) -> {
-                int status = Low.gphys_solver_get_cluster_particles(opened(), body, cluster, room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_solver_get_cluster_particles(self, body, cluster, room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this);
                 return status;
             });
@@ -1037,7 +1401,13 @@ public final class Solver extends Owned {
      */
     public int join(int bodyA, int particleA, int bodyB, int particleB, float restLength, float compliance) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_solver_join(opened(), bodyA, particleA, bodyB, particleB, restLength, compliance, scratch.slot(7));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_join(self, bodyA, particleA, bodyB, particleB, restLength, compliance, scratch.slot(7));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return scratch.getInt(7);
@@ -1054,7 +1424,13 @@ public final class Solver extends Owned {
      * @throws GamephysException with ERROR_INVALID_ID: for a joint that does not exist, or no longer
      */
     public void unjoin(int joint) {
-        int status = Low.gphys_solver_unjoin(opened(), joint);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_unjoin(self, joint);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
     }
@@ -1066,7 +1442,13 @@ public final class Solver extends Owned {
      */
     public Batch<JointInfo> getJoints(int body) {
         return Low.list(JointInfo.LAYOUT, (room, capacity, total) -> {
-                int status = Low.gphys_solver_get_joints(opened(), body, room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_solver_get_joints(self, body, room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this);
                 return status;
             });
@@ -1081,7 +1463,13 @@ public final class Solver extends Owned {
      */
     public void setBreakingForces(int body, Batch<Integer> constraints, Batch<Float> forces) {
         int count = Low.common(constraints.common(), forces.common());
-        int status = Low.gphys_solver_set_breaking_forces(opened(), body, constraints.pointer(), forces.pointer(), forces.stride(), count);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_set_breaking_forces(self, body, constraints.pointer(), forces.pointer(), forces.stride(), count);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, constraints, forces);
         Low.check(status);
     }
@@ -1095,7 +1483,13 @@ public final class Solver extends Owned {
     public Batch<Float> getBreakingForces(int body, Batch<Integer> constraints, Batch<Float> out) {
         int count = Low.common(constraints.common());
         Batch<Float> room = Batch.room(Layout.FLOAT, count, out);
-        int status = Low.gphys_solver_get_breaking_forces(opened(), body, constraints.pointer(), count, room.pointer(), Layout.FLOAT.bytes());
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_get_breaking_forces(self, body, constraints.pointer(), count, room.pointer(), Layout.FLOAT.bytes());
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, constraints, room);
         Low.check(status);
         return room;
@@ -1116,7 +1510,13 @@ public final class Solver extends Owned {
      */
     public Break breakConstraint(int body, int constraint) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_solver_break_constraint(opened(), body, constraint, scratch.slot(3));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_break_constraint(self, body, constraint, scratch.slot(3));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return Break.read(scratch.memory, Scratch.at(3));
@@ -1130,7 +1530,13 @@ public final class Solver extends Owned {
      */
     public Batch<Break> getBreaks() {
         return Low.list(Break.LAYOUT, (room, capacity, total) -> {
-                int status = Low.gphys_solver_get_breaks(opened(), room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_solver_get_breaks(self, room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this);
                 return status;
             });
@@ -1147,7 +1553,18 @@ public final class Solver extends Owned {
      * @param dt seconds, 1e-6 .. 0.5
      */
     public void step(Scene scene, float dt) {
-        int status = Low.gphys_solver_step(opened(), scene == null ? null : scene.opened(), dt);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            Pointer scene_ = Owned.enter(scene);
+            try {
+                status = Low.gphys_solver_step(self, scene_, dt);
+            } finally {
+                Owned.leave(scene);
+            }
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, scene);
         Low.check(status);
     }
@@ -1166,7 +1583,18 @@ public final class Solver extends Owned {
      */
     public AdvanceResult advance(Scene scene, float frameTime) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_solver_advance(opened(), scene == null ? null : scene.opened(), frameTime, scratch.slot(3), scratch.slot(4));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            Pointer scene_ = Owned.enter(scene);
+            try {
+                status = Low.gphys_solver_advance(self, scene_, frameTime, scratch.slot(3), scratch.slot(4));
+            } finally {
+                Owned.leave(scene);
+            }
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, scene);
         Low.check(status);
         return new AdvanceResult(scratch.getInt(3), scratch.getFloat(4));
@@ -1180,7 +1608,13 @@ public final class Solver extends Owned {
      */
     public float getLeftover() {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_solver_get_leftover(opened(), scratch.slot(1));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_get_leftover(self, scratch.slot(1));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return scratch.getFloat(1);
@@ -1198,7 +1632,13 @@ public final class Solver extends Owned {
      */
     public int getSubsteps(int body) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_solver_get_substeps(opened(), body, scratch.slot(2));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_get_substeps(self, body, scratch.slot(2));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return scratch.getInt(2);
@@ -1211,7 +1651,13 @@ public final class Solver extends Owned {
      */
     public SolverStats getStats(int body) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_solver_get_stats(opened(), body, scratch.slot(2));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_get_stats(self, body, scratch.slot(2));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return SolverStats.read(scratch.memory, Scratch.at(2));
@@ -1223,7 +1669,13 @@ public final class Solver extends Owned {
      */
     public Batch<Contact> getContacts() {
         return Low.list(Contact.LAYOUT, (room, capacity, total) -> {
-                int status = Low.gphys_solver_get_contacts(opened(), room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_solver_get_contacts(self, room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this);
                 return status;
             });
@@ -1239,7 +1691,13 @@ public final class Solver extends Owned {
      */
     public Batch<BodyContact> getBodyContacts() {
         return Low.list(BodyContact.LAYOUT, (room, capacity, total) -> {
-                int status = Low.gphys_solver_get_body_contacts(opened(), room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_solver_get_body_contacts(self, room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this);
                 return status;
             });
@@ -1255,7 +1713,13 @@ public final class Solver extends Owned {
      */
     public Batch<Impulse> getImpulses() {
         return Low.list(Impulse.LAYOUT, (room, capacity, total) -> {
-                int status = Low.gphys_solver_get_impulses(opened(), room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_solver_get_impulses(self, room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this);
                 return status;
             });
@@ -1271,7 +1735,13 @@ public final class Solver extends Owned {
      */
     public Batch<Integer> getSnapshot() {
         return Low.list(Layout.INT, (room, capacity, total) -> {
-                int status = Low.gphys_solver_get_snapshot(opened(), room, capacity, total);
+                int status;
+                Pointer self = Owned.enter(this);
+                try {
+                    status = Low.gphys_solver_get_snapshot(self, room, capacity, total);
+                } finally {
+                    Owned.leave(this);
+                }
                 Low.keep(this);
                 return status;
             });
@@ -1290,7 +1760,13 @@ public final class Solver extends Owned {
      */
     public void restore(Batch<Integer> words) {
         int count = Low.common(words.common());
-        int status = Low.gphys_solver_restore(opened(), words.pointer(), count);
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_restore(self, words.pointer(), count);
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this, words);
         Low.check(status);
     }
@@ -1303,7 +1779,13 @@ public final class Solver extends Owned {
      */
     public int[] getHash() {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_solver_get_hash(opened(), scratch.slot(1));
+        int status;
+        Pointer self = Owned.enter(this);
+        try {
+            status = Low.gphys_solver_get_hash(self, scratch.slot(1));
+        } finally {
+            Owned.leave(this);
+        }
         Low.keep(this);
         Low.check(status);
         return scratch.ints(1, 2);
