@@ -105,8 +105,8 @@ def low_level(api):
     out = [HEADER, "from __future__ import annotations\n",
            "from ctypes import POINTER, Array, Structure, c_char_p, c_float, c_int32, c_size_t, c_uint32, c_void_p",
            "from struct import Struct", "from typing import Any\n", "from numpy import dtype\n",
-           "from ._runtime import (NOT_NUMBERS, Built, Desc, Field, Value, Vector, VectorLike, function, needs, shape_types,",
-           "                       struct)\n"]
+           "from ._library import function, needs", "from ._runtime import shape_types",
+           "from ._values import NOT_NUMBERS, Built, Desc, Field, Value, Vector, VectorLike, struct\n"]
     for enum in api["enums"]:
         for value in enum["values"]:
             out.append(f"{plain(value['name'])} = {value['value']}" + (f"  # {' '.join(value['doc'].split())}"
@@ -393,9 +393,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _low as low
-from ._runtime import (Bodies, Models, Object, StructLike, VectorLike, array_of, check, common_length, descs_of, flag,
-                       found, handle_of, list_of, mask, matrix, matrix_of, number, numbers_of, ragged_of, result_array,
-                       shape_of, shapes_of, value, value_of, whole)
+from ._library import check, found
+from ._numbers import flag, mask, number, value, whole
+from ._runtime import (Bodies, Models, Object, array_of, common_length, descs_of, handle_of, list_of, matrix, matrix_of,
+                       numbers_of, ragged_of, result_array, shape_of, shapes_of, value_of)
+from ._values import StructLike, VectorLike
 ''']
     made = creations(api)
     methods = list(calls(api))

@@ -10,11 +10,11 @@ import ctypes as _ctypes
 from typing import Any as _Any
 
 from . import _low
+from ._library import Error, InvalidArgument, InvalidId, OutOfMemory, check as _check
 from ._low import *  # noqa: F401,F403
 from ._objects import *  # noqa: F401,F403
 from ._objects import Camera, Mesh, Scene, Solver
-from ._runtime import Error, InvalidArgument, InvalidId, OutOfMemory, check as _check, shape_of as _shape_of
-from ._runtime import value_of as _value_of
+from ._runtime import shape_of as _shape_of, value_of as _value_of
 
 _version = _low.gphys_version()
 __version__ = f"{_version >> 16}.{_version >> 8 & 255}.{_version & 255}"

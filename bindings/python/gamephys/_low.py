@@ -8,8 +8,9 @@ from typing import Any
 
 from numpy import dtype
 
-from ._runtime import (NOT_NUMBERS, Built, Desc, Field, Value, Vector, VectorLike, function, needs, shape_types,
-                       struct)
+from ._library import function, needs
+from ._runtime import shape_types
+from ._values import NOT_NUMBERS, Built, Desc, Field, Value, Vector, VectorLike, struct
 
 OK = 0
 NO_HIT = 1  # the query found nothing; outputs untouched

@@ -8,9 +8,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _low as low
-from ._runtime import (Bodies, Models, Object, StructLike, VectorLike, array_of, check, common_length, descs_of, flag,
-                       found, handle_of, list_of, mask, matrix, matrix_of, number, numbers_of, ragged_of, result_array,
-                       shape_of, shapes_of, value, value_of, whole)
+from ._library import check, found
+from ._numbers import flag, mask, number, value, whole
+from ._runtime import (Bodies, Models, Object, array_of, common_length, descs_of, handle_of, list_of, matrix, matrix_of,
+                       numbers_of, ragged_of, result_array, shape_of, shapes_of, value_of)
+from ._values import StructLike, VectorLike
 
 
 
