@@ -370,13 +370,14 @@ def method(api, call, indent, first):
     invoke = f"{target}({', '.join(arguments)})"
     if f["name"] in ANSWERS:
         return text.replace("-> None:", "-> bool:") + (f"{inner}status = {invoke}\n"
-                f"{inner}return status != low.{plain(ANSWERS[f['name']])} and found(status)\n")
+                f"{inner}return not status or status != low.{plain(ANSWERS[f['name']])} and found(status)\n")
+    text += f"{inner}status = {invoke}\n{inner}if status < 0: check(status)\n"  # asked here, which costs less than the call
     if not call.outputs:
-        return text + f"{inner}check({invoke})\n"
+        return text
     result = ", ".join(result_of(api, p) for p in call.outputs)
     if may_miss:
-        return text + f"{inner}return {result if len(call.outputs) == 1 else f'({result})'} if found({invoke}) else None\n"
-    return text + f"{inner}check({invoke})\n{inner}return {result}\n"
+        return text + f"{inner}return None if status else {result if len(call.outputs) == 1 else f'({result})'}\n"
+    return text + f"{inner}return {result}\n"
 
 
 # What an object can do besides calling one function of the library.

@@ -186,20 +186,23 @@ class Mesh(Object):
             InvalidArgument: for a vertex that is not finite or too large, or if a model of the mesh
                 would reach beyond the range of coordinates"""
         vertices_ = array_of(vertices, "<f4", 3)
-        check(low.gphys_mesh_set_vertices(self._handle, vertices_.address, vertices_.stride, vertices_.length))
+        status = low.gphys_mesh_set_vertices(self._handle, vertices_.address, vertices_.stride, vertices_.length)
+        if status < 0: check(status)
 
     def get_info(self) -> low.MeshInfo:
         """Kind and size of a mesh, and whether its vertices change.
         Cost: O(1). Since 1.1."""
         out_info = low.MeshInfo()
-        check(low.gphys_mesh_get_info(self._handle, ctypes.byref(out_info)))
+        status = low.gphys_mesh_get_info(self._handle, ctypes.byref(out_info))
+        if status < 0: check(status)
         return out_info
 
     def get_report(self) -> low.MeshReport:
         """What the mesh was built from: the report that gamephys.mesh_check makes of its arrays.
         Cost: O(1); O(triangles) for a deformable mesh."""
         out_report = low.MeshReport()
-        check(low.gphys_mesh_get_report(self._handle, ctypes.byref(out_report)))
+        status = low.gphys_mesh_get_report(self._handle, ctypes.byref(out_report))
+        if status < 0: check(status)
         return out_report
 
     def get_vertices(self) -> NDArray[np.float32]:
@@ -236,7 +239,8 @@ class Mesh(Object):
         Cost: O(log n) expected."""
         ray_ = ray if type(ray) is low.Ray else value_of(ray, low.Ray, "ray")
         out_hit = ctypes.c_int32()
-        check(low.gphys_mesh_raycast_any(self._handle, ray_, ctypes.byref(out_hit)))
+        status = low.gphys_mesh_raycast_any(self._handle, ray_, ctypes.byref(out_hit))
+        if status < 0: check(status)
         return bool(out_hit.value)
 
     def raycast_any_batch(self, rays: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[np.int32]:
@@ -245,7 +249,8 @@ class Mesh(Object):
         rays_ = array_of(rays, low.ray_dtype)
         count = common_length(rays_)
         out_ = result_array(out, count, "<i4")
-        check(low.gphys_mesh_raycast_any_batch(self._handle, rays_.address, rays_.stride, count, out_.address, out_.stride))
+        status = low.gphys_mesh_raycast_any_batch(self._handle, rays_.address, rays_.stride, count, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def raycast_distance_batch(self, rays: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
@@ -258,7 +263,8 @@ class Mesh(Object):
         rays_ = array_of(rays, low.ray_dtype)
         count = common_length(rays_)
         out_ = result_array(out, count, low.distance_dtype)
-        check(low.gphys_mesh_raycast_distance_batch(self._handle, rays_.address, rays_.stride, count, out_.address, out_.stride))
+        status = low.gphys_mesh_raycast_distance_batch(self._handle, rays_.address, rays_.stride, count, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def overlap(self, shape: Shape) -> NDArray[np.uint32]:
@@ -275,7 +281,8 @@ class Mesh(Object):
         """How the mesh's octree is made up.
         Cost: O(nodes)."""
         out_stats = low.OctreeStats()
-        check(low.gphys_mesh_get_octree_stats(self._handle, ctypes.byref(out_stats)))
+        status = low.gphys_mesh_get_octree_stats(self._handle, ctypes.byref(out_stats))
+        if status < 0: check(status)
         return out_stats
 
     def get_octree_boxes(self) -> NDArray[np.void]:
@@ -321,14 +328,16 @@ class Scene(Models):
         Raises:
             OutOfMemory: also if the threads cannot be started; the former ones are kept"""
         if type(workers) is not int or workers >> 32: workers = whole(workers, "workers")
-        check(low.gphys_scene_set_worker_count(self._handle, workers))
+        status = low.gphys_scene_set_worker_count(self._handle, workers)
+        if status < 0: check(status)
 
     def get_worker_count(self) -> int:
         """How many threads share the calls of a scene: 1 or more, 1 on a platform without threads. In a
         child of fork it is still the number that was set, though calls run on one thread.
         Cost: O(1). Since 1.1."""
         out_workers = ctypes.c_uint32()
-        check(low.gphys_scene_get_worker_count(self._handle, ctypes.byref(out_workers)))
+        status = low.gphys_scene_get_worker_count(self._handle, ctypes.byref(out_workers))
+        if status < 0: check(status)
         return out_workers.value
 
     def set_origin(self, origin: ArrayLike) -> None:
@@ -347,13 +356,15 @@ class Scene(Models):
         Raises:
             InvalidArgument: also if a model would leave the range of coordinates"""
         origin_ = numbers_of(origin, "<f8", 3)
-        check(low.gphys_scene_set_origin(self._handle, origin_.address))
+        status = low.gphys_scene_set_origin(self._handle, origin_.address)
+        if status < 0: check(status)
 
     def get_origin(self) -> NDArray[np.float64]:
         """Where in the world the scene's coordinates count from.
         Cost: O(1)."""
         out_origin = np.empty(3, "<f8")
-        check(low.gphys_scene_get_origin(self._handle, out_origin.ctypes.data))
+        status = low.gphys_scene_get_origin(self._handle, out_origin.ctypes.data)
+        if status < 0: check(status)
         return out_origin
 
     def add(self, shape: low.Sphere | low.Capsule | low.Aabb | low.Obb | low.Plane | low.Triangle | Mesh, transform: low.Transform | StructLike | None = None, desc: low.ModelDesc | None = None) -> int:
@@ -375,7 +386,8 @@ class Scene(Models):
         transform_ = transform if transform is None else value_of(transform, low.Transform, "transform")
         desc_ = desc if desc is None else value_of(desc, low.ModelDesc, "desc")
         out_model = ctypes.c_uint32()
-        check(low.gphys_scene_add(self._handle, type_, shape_, transform_, desc_, ctypes.byref(out_model)))
+        status = low.gphys_scene_add(self._handle, type_, shape_, transform_, desc_, ctypes.byref(out_model))
+        if status < 0: check(status)
         return out_model.value
 
     def add_batch(self, shapes: ArrayLike | Mesh, transforms: ArrayLike | None = None, desc: low.ModelDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.uint32]:
@@ -393,7 +405,8 @@ class Scene(Models):
         desc_ = desc if desc is None else value_of(desc, low.ModelDesc, "desc")
         count = common_length(shapes_, transforms_)
         out_ = result_array(out, count, "<u4")
-        check(low.gphys_scene_add_batch(self._handle, type_, shapes_.address, shapes_.stride, transforms_.address, transforms_.stride, count, desc_, out_.address))
+        status = low.gphys_scene_add_batch(self._handle, type_, shapes_.address, shapes_.stride, transforms_.address, transforms_.stride, count, desc_, out_.address)
+        if status < 0: check(status)
         return out_.array
 
     def add_described_batch(self, shapes: ArrayLike | Mesh, transforms: ArrayLike | None = None, descs: NDArray[np.void] | Sequence[low.ModelDesc] | low.ModelDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.uint32]:
@@ -411,14 +424,16 @@ class Scene(Models):
         descs_ = descs_of(descs, low.ModelDesc)
         count = common_length(shapes_, transforms_, descs_)
         out_ = result_array(out, count, "<u4")
-        check(low.gphys_scene_add_described_batch(self._handle, type_, shapes_.address, shapes_.stride, transforms_.address, transforms_.stride, descs_.address, descs_.stride, count, out_.address))
+        status = low.gphys_scene_add_described_batch(self._handle, type_, shapes_.address, shapes_.stride, transforms_.address, transforms_.stride, descs_.address, descs_.stride, count, out_.address)
+        if status < 0: check(status)
         return out_.array
 
     def remove(self, model: int) -> None:
         """Remove a model. Its children stay where they are in the world and lose their parent.
         Cost: O(log n) amortised, and O(1) a child. Renews the octree as far as there is memory."""
         if type(model) is not int or model >> 32: model = whole(model, "model")
-        check(low.gphys_scene_remove(self._handle, model))
+        status = low.gphys_scene_remove(self._handle, model)
+        if status < 0: check(status)
 
     def remove_batch(self, models: ArrayLike) -> None:
         """Remove models, all or none.
@@ -428,25 +443,28 @@ class Scene(Models):
             models: the ids; an id that appears twice is ERROR_INVALID_ID"""
         models_ = array_of(models, "<u4")
         count = common_length(models_)
-        check(low.gphys_scene_remove_batch(self._handle, models_.address, count))
+        status = low.gphys_scene_remove_batch(self._handle, models_.address, count)
+        if status < 0: check(status)
 
     def remove_subtree(self, model: int) -> None:
         """Remove a model and all its descendants.
         Cost: O(log n) amortised for each. Renews the octree as far as there is memory."""
         if type(model) is not int or model >> 32: model = whole(model, "model")
-        check(low.gphys_scene_remove_subtree(self._handle, model))
+        status = low.gphys_scene_remove_subtree(self._handle, model)
+        if status < 0: check(status)
 
     def clear(self) -> None:
         """Remove all models. Ids given out before stay invalid.
         Cost: O(n)."""
-        check(low.gphys_scene_clear(self._handle))
+        status = low.gphys_scene_clear(self._handle)
+        if status < 0: check(status)
 
     def has(self, model: int) -> bool:
         """Whether an id names a model of this scene.
         Cost: O(1)."""
         if type(model) is not int or model >> 32: model = whole(model, "model")
         status = low.gphys_scene_has(self._handle, model)
-        return status != low.ERROR_INVALID_ID and found(status)
+        return not status or status != low.ERROR_INVALID_ID and found(status)
 
     def get_models(self) -> NDArray[np.uint32]:
         """Ids of all models, ascending.
@@ -469,7 +487,8 @@ class Scene(Models):
         Cost: O(1)."""
         if type(model) is not int or model >> 32: model = whole(model, "model")
         out_info = low.ModelInfo()
-        check(low.gphys_scene_get_info(self._handle, model, ctypes.byref(out_info)))
+        status = low.gphys_scene_get_info(self._handle, model, ctypes.byref(out_info))
+        if status < 0: check(status)
         return out_info
 
     def get_bounds(self, model: int) -> low.Aabb | None:
@@ -481,7 +500,9 @@ class Scene(Models):
             None for a plane."""
         if type(model) is not int or model >> 32: model = whole(model, "model")
         out_bounds = low.Aabb()
-        return out_bounds if found(low.gphys_scene_get_bounds(self._handle, model, ctypes.byref(out_bounds))) else None
+        status = low.gphys_scene_get_bounds(self._handle, model, ctypes.byref(out_bounds))
+        if status < 0: check(status)
+        return None if status else out_bounds
 
     def get_scene_bounds(self) -> low.Aabb | None:
         """World box of all bounded models. Planes are left out.
@@ -490,7 +511,9 @@ class Scene(Models):
         Returns:
             None if there are none."""
         out_bounds = low.Aabb()
-        return out_bounds if found(low.gphys_scene_get_scene_bounds(self._handle, ctypes.byref(out_bounds))) else None
+        status = low.gphys_scene_get_scene_bounds(self._handle, ctypes.byref(out_bounds))
+        if status < 0: check(status)
+        return None if status else out_bounds
 
     def set_shape(self, model: int, shape: low.Sphere | low.Capsule | low.Aabb | low.Obb | low.Plane | low.Triangle | Mesh) -> None:
         """Give a model another shape, or another mesh, of any type that Scene.add takes: a character
@@ -510,7 +533,8 @@ class Scene(Models):
             OutOfMemory:"""
         if type(model) is not int or model >> 32: model = whole(model, "model")
         type_, shape_ = shape_of(shape)
-        check(low.gphys_scene_set_shape(self._handle, model, type_, shape_))
+        status = low.gphys_scene_set_shape(self._handle, model, type_, shape_)
+        if status < 0: check(status)
 
     def set_scale(self, model: int, scale: VectorLike) -> None:
         """Scale a model's own shape along the three axes of the model, before its transform: a tree grows,
@@ -538,14 +562,16 @@ class Scene(Models):
             OutOfMemory:"""
         if type(model) is not int or model >> 32: model = whole(model, "model")
         scale_ = scale if type(scale) is low.Vec3 else value_of(scale, low.Vec3, "scale")
-        check(low.gphys_scene_set_scale(self._handle, model, scale_))
+        status = low.gphys_scene_set_scale(self._handle, model, scale_)
+        if status < 0: check(status)
 
     def get_scale(self, model: int) -> low.Vec3:
         """The scale of a model's own shape, 1 1 1 unless another was set.
         Cost: O(1)."""
         if type(model) is not int or model >> 32: model = whole(model, "model")
         out_scale = low.Vec3()
-        check(low.gphys_scene_get_scale(self._handle, model, ctypes.byref(out_scale)))
+        status = low.gphys_scene_get_scale(self._handle, model, ctypes.byref(out_scale))
+        if status < 0: check(status)
         return out_scale
 
     def set_layers(self, model: int, layers: int = low.ALL_LAYERS) -> None:
@@ -557,7 +583,8 @@ class Scene(Models):
             layers: any mask; 0: no query sees it"""
         if type(model) is not int or model >> 32: model = whole(model, "model")
         if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
-        check(low.gphys_scene_set_layers(self._handle, model, layers))
+        status = low.gphys_scene_set_layers(self._handle, model, layers)
+        if status < 0: check(status)
 
     def set_tag(self, model: int, tag: int) -> None:
         """Change the number that a model's hits report beside its id. Children are not affected.
@@ -567,7 +594,8 @@ class Scene(Models):
             tag: any number of the caller's"""
         if type(model) is not int or model >> 32: model = whole(model, "model")
         if type(tag) is not int or tag >> 32: tag = whole(tag, "tag")
-        check(low.gphys_scene_set_tag(self._handle, model, tag))
+        status = low.gphys_scene_set_tag(self._handle, model, tag)
+        if status < 0: check(status)
 
     def set_parent(self, model: int, parent: int, keep_world: bool) -> None:
         """Make a model the child of another one, or of none (0).
@@ -583,7 +611,8 @@ class Scene(Models):
         if type(model) is not int or model >> 32: model = whole(model, "model")
         if type(parent) is not int or parent >> 32: parent = whole(parent, "parent")
         if type(keep_world) is not bool: keep_world = flag(keep_world, "keep_world")
-        check(low.gphys_scene_set_parent(self._handle, model, parent, keep_world))
+        status = low.gphys_scene_set_parent(self._handle, model, parent, keep_world)
+        if status < 0: check(status)
 
     def set_transform(self, model: int, transform: low.Transform | StructLike | None = None) -> None:
         """Set a model's local transform. Descendants follow.
@@ -596,7 +625,8 @@ class Scene(Models):
             InvalidArgument: also if it, or a descendant, would leave the range of the world"""
         if type(model) is not int or model >> 32: model = whole(model, "model")
         transform_ = transform if type(transform) is low.Transform else value_of(transform, low.Transform, "transform")
-        check(low.gphys_scene_set_transform(self._handle, model, transform_))
+        status = low.gphys_scene_set_transform(self._handle, model, transform_)
+        if status < 0: check(status)
 
     def set_transforms(self, models: ArrayLike, transforms: ArrayLike | None = None) -> None:
         """Set the local transforms of many models, all or none; a model that appears twice gets the last.
@@ -610,7 +640,8 @@ class Scene(Models):
         models_ = array_of(models, "<u4")
         transforms_ = array_of(transforms, low.transform_dtype)
         count = common_length(models_, transforms_)
-        check(low.gphys_scene_set_transforms(self._handle, models_.address, transforms_.address, transforms_.stride, count))
+        status = low.gphys_scene_set_transforms(self._handle, models_.address, transforms_.address, transforms_.stride, count)
+        if status < 0: check(status)
 
     def get_transforms(self, models: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """Local transforms of the models, as they were set: relative to the parent.
@@ -621,7 +652,8 @@ class Scene(Models):
         models_ = array_of(models, "<u4")
         count = common_length(models_)
         out_ = result_array(out, count, low.transform_dtype)
-        check(low.gphys_scene_get_transforms(self._handle, models_.address, count, out_.address, out_.stride))
+        status = low.gphys_scene_get_transforms(self._handle, models_.address, count, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def get_world_transforms(self, models: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
@@ -634,7 +666,8 @@ class Scene(Models):
         models_ = array_of(models, "<u4")
         count = common_length(models_)
         out_ = result_array(out, count, low.transform_dtype)
-        check(low.gphys_scene_get_world_transforms(self._handle, models_.address, count, out_.address, out_.stride))
+        status = low.gphys_scene_get_world_transforms(self._handle, models_.address, count, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def raycast(self, ray: low.Ray | StructLike, layers: int = low.ALL_LAYERS) -> low.Hit | None:
@@ -646,7 +679,9 @@ class Scene(Models):
         ray_ = ray if type(ray) is low.Ray else value_of(ray, low.Ray, "ray")
         if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         out_hit = low.Hit()
-        return out_hit if found(low.gphys_scene_raycast(self._handle, ray_, layers, ctypes.byref(out_hit))) else None
+        status = low.gphys_scene_raycast(self._handle, ray_, layers, ctypes.byref(out_hit))
+        if status < 0: check(status)
+        return None if status else out_hit
 
     def raycast_batch(self, rays: ArrayLike, layers: int = low.ALL_LAYERS, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """Closest models on the rays, as Scene.raycast; a ray that hits nothing gets model = 0 and t =
@@ -656,7 +691,8 @@ class Scene(Models):
         if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         count = common_length(rays_)
         out_ = result_array(out, count, low.hit_dtype)
-        check(low.gphys_scene_raycast_batch(self._handle, rays_.address, rays_.stride, count, layers, out_.address, out_.stride))
+        status = low.gphys_scene_raycast_batch(self._handle, rays_.address, rays_.stride, count, layers, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def raycast_distance_batch(self, rays: ArrayLike, layers: int = low.ALL_LAYERS, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
@@ -670,7 +706,8 @@ class Scene(Models):
         if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         count = common_length(rays_)
         out_ = result_array(out, count, low.distance_dtype)
-        check(low.gphys_scene_raycast_distance_batch(self._handle, rays_.address, rays_.stride, count, layers, out_.address, out_.stride))
+        status = low.gphys_scene_raycast_distance_batch(self._handle, rays_.address, rays_.stride, count, layers, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def raycast_any(self, ray: low.Ray | StructLike, layers: int = low.ALL_LAYERS) -> bool:
@@ -679,7 +716,8 @@ class Scene(Models):
         ray_ = ray if type(ray) is low.Ray else value_of(ray, low.Ray, "ray")
         if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         out_hit = ctypes.c_int32()
-        check(low.gphys_scene_raycast_any(self._handle, ray_, layers, ctypes.byref(out_hit)))
+        status = low.gphys_scene_raycast_any(self._handle, ray_, layers, ctypes.byref(out_hit))
+        if status < 0: check(status)
         return bool(out_hit.value)
 
     def raycast_any_batch(self, rays: ArrayLike, layers: int = low.ALL_LAYERS, *, out: NDArray[Any] | None = None) -> NDArray[np.int32]:
@@ -689,7 +727,8 @@ class Scene(Models):
         if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         count = common_length(rays_)
         out_ = result_array(out, count, "<i4")
-        check(low.gphys_scene_raycast_any_batch(self._handle, rays_.address, rays_.stride, count, layers, out_.address, out_.stride))
+        status = low.gphys_scene_raycast_any_batch(self._handle, rays_.address, rays_.stride, count, layers, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def raycast_all(self, ray: low.Ray | StructLike, layers: int = low.ALL_LAYERS) -> NDArray[np.void]:
@@ -719,7 +758,9 @@ class Scene(Models):
         segment_ = segment if type(segment) is low.Segment else value_of(segment, low.Segment, "segment")
         if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         out_hit = low.Hit()
-        return out_hit if found(low.gphys_scene_segment_test(self._handle, segment_, layers, ctypes.byref(out_hit))) else None
+        status = low.gphys_scene_segment_test(self._handle, segment_, layers, ctypes.byref(out_hit))
+        if status < 0: check(status)
+        return None if status else out_hit
 
     def segment_test_batch(self, segments: ArrayLike, layers: int = low.ALL_LAYERS, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """Closest models along the segments, as Scene.segment_test; one that hits nothing gets model = 0
@@ -729,7 +770,8 @@ class Scene(Models):
         if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         count = common_length(segments_)
         out_ = result_array(out, count, low.hit_dtype)
-        check(low.gphys_scene_segment_test_batch(self._handle, segments_.address, segments_.stride, count, layers, out_.address, out_.stride))
+        status = low.gphys_scene_segment_test_batch(self._handle, segments_.address, segments_.stride, count, layers, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def overlap(self, shape: Shape, layers: int = low.ALL_LAYERS) -> NDArray[np.uint32]:
@@ -795,7 +837,9 @@ class Scene(Models):
         if type(max_distance) is not float: max_distance = number(max_distance, "max_distance")
         if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         out_nearest = low.Nearest()
-        return out_nearest if found(low.gphys_scene_nearest(self._handle, point_, max_distance, layers, ctypes.byref(out_nearest))) else None
+        status = low.gphys_scene_nearest(self._handle, point_, max_distance, layers, ctypes.byref(out_nearest))
+        if status < 0: check(status)
+        return None if status else out_nearest
 
     def nearest_batch(self, points: ArrayLike, max_distance: float = float("inf"), layers: int = low.ALL_LAYERS, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """The models nearest to the points, as Scene.nearest; a point with none gets model = 0 and
@@ -809,7 +853,8 @@ class Scene(Models):
         if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         count = common_length(points_)
         out_ = result_array(out, count, low.nearest_dtype)
-        check(low.gphys_scene_nearest_batch(self._handle, points_.address, points_.stride, count, max_distance, layers, out_.address, out_.stride))
+        status = low.gphys_scene_nearest_batch(self._handle, points_.address, points_.stride, count, max_distance, layers, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def sweep_sphere(self, sphere: low.Sphere | StructLike, displacement: VectorLike, layers: int = low.ALL_LAYERS) -> low.Hit | None:
@@ -826,7 +871,9 @@ class Scene(Models):
         displacement_ = displacement if type(displacement) is low.Vec3 else value_of(displacement, low.Vec3, "displacement")
         if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         out_hit = low.Hit()
-        return out_hit if found(low.gphys_scene_sweep_sphere(self._handle, sphere_, displacement_, layers, ctypes.byref(out_hit))) else None
+        status = low.gphys_scene_sweep_sphere(self._handle, sphere_, displacement_, layers, ctypes.byref(out_hit))
+        if status < 0: check(status)
+        return None if status else out_hit
 
     def sweep_sphere_batch(self, spheres: ArrayLike, displacements: ArrayLike, layers: int = low.ALL_LAYERS, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """First models that the spheres touch while each moves by its displacement, as Scene.sweep_sphere;
@@ -840,7 +887,8 @@ class Scene(Models):
         if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         count = common_length(spheres_, displacements_)
         out_ = result_array(out, count, low.hit_dtype)
-        check(low.gphys_scene_sweep_sphere_batch(self._handle, spheres_.address, spheres_.stride, displacements_.address, displacements_.stride, count, layers, out_.address, out_.stride))
+        status = low.gphys_scene_sweep_sphere_batch(self._handle, spheres_.address, spheres_.stride, displacements_.address, displacements_.stride, count, layers, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def sweep(self, shape: Shape, displacement: VectorLike, layers: int = low.ALL_LAYERS) -> low.Hit | None:
@@ -860,7 +908,9 @@ class Scene(Models):
         displacement_ = displacement if type(displacement) is low.Vec3 else value_of(displacement, low.Vec3, "displacement")
         if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         out_hit = low.Hit()
-        return out_hit if found(low.gphys_scene_sweep(self._handle, type_, shape_, displacement_, layers, ctypes.byref(out_hit))) else None
+        status = low.gphys_scene_sweep(self._handle, type_, shape_, displacement_, layers, ctypes.byref(out_hit))
+        if status < 0: check(status)
+        return None if status else out_hit
 
     def sweep_batch(self, shapes: ArrayLike | Mesh, displacements: ArrayLike, layers: int = low.ALL_LAYERS, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """First models that the shapes of one type touch while each moves by its displacement, as
@@ -877,7 +927,8 @@ class Scene(Models):
         if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         count = common_length(shapes_, displacements_)
         out_ = result_array(out, count, low.hit_dtype)
-        check(low.gphys_scene_sweep_batch(self._handle, type_, shapes_.address, shapes_.stride, displacements_.address, displacements_.stride, count, layers, out_.address, out_.stride))
+        status = low.gphys_scene_sweep_batch(self._handle, type_, shapes_.address, shapes_.stride, displacements_.address, displacements_.stride, count, layers, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def penetration(self, shape: Shape, layers: int = low.ALL_LAYERS) -> NDArray[np.void]:
@@ -925,7 +976,9 @@ class Scene(Models):
         ray_ = ray if type(ray) is low.Ray else value_of(ray, low.Ray, "ray")
         filter_ = filter if filter is None else value_of(filter, low.QueryFilterDesc, "filter")
         out_hit = low.Hit()
-        return out_hit if found(low.gphys_scene_raycast_filtered(self._handle, ray_, filter_, ctypes.byref(out_hit))) else None
+        status = low.gphys_scene_raycast_filtered(self._handle, ray_, filter_, ctypes.byref(out_hit))
+        if status < 0: check(status)
+        return None if status else out_hit
 
     def raycast_filtered_batch(self, rays: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """Closest models on the rays that the filters see, as Scene.raycast_batch.
@@ -937,7 +990,8 @@ class Scene(Models):
         filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
         count = common_length(rays_)
         out_ = result_array(out, count, low.hit_dtype)
-        check(low.gphys_scene_raycast_filtered_batch(self._handle, rays_.address, rays_.stride, count, filters_, 0, out_.address, out_.stride))
+        status = low.gphys_scene_raycast_filtered_batch(self._handle, rays_.address, rays_.stride, count, filters_, 0, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def raycast_distance_filtered_batch(self, rays: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
@@ -951,7 +1005,8 @@ class Scene(Models):
         filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
         count = common_length(rays_)
         out_ = result_array(out, count, low.distance_dtype)
-        check(low.gphys_scene_raycast_distance_filtered_batch(self._handle, rays_.address, rays_.stride, count, filters_, 0, out_.address, out_.stride))
+        status = low.gphys_scene_raycast_distance_filtered_batch(self._handle, rays_.address, rays_.stride, count, filters_, 0, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def raycast_any_filtered(self, ray: low.Ray | StructLike, filter: low.QueryFilterDesc | None = None) -> bool:
@@ -964,7 +1019,8 @@ class Scene(Models):
         ray_ = ray if type(ray) is low.Ray else value_of(ray, low.Ray, "ray")
         filter_ = filter if filter is None else value_of(filter, low.QueryFilterDesc, "filter")
         out_hit = ctypes.c_int32()
-        check(low.gphys_scene_raycast_any_filtered(self._handle, ray_, filter_, ctypes.byref(out_hit)))
+        status = low.gphys_scene_raycast_any_filtered(self._handle, ray_, filter_, ctypes.byref(out_hit))
+        if status < 0: check(status)
         return bool(out_hit.value)
 
     def raycast_any_filtered_batch(self, rays: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.int32]:
@@ -977,7 +1033,8 @@ class Scene(Models):
         filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
         count = common_length(rays_)
         out_ = result_array(out, count, "<i4")
-        check(low.gphys_scene_raycast_any_filtered_batch(self._handle, rays_.address, rays_.stride, count, filters_, 0, out_.address, out_.stride))
+        status = low.gphys_scene_raycast_any_filtered_batch(self._handle, rays_.address, rays_.stride, count, filters_, 0, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def raycast_all_filtered(self, ray: low.Ray | StructLike, filter: low.QueryFilterDesc | None = None) -> NDArray[np.void]:
@@ -1013,7 +1070,9 @@ class Scene(Models):
         segment_ = segment if type(segment) is low.Segment else value_of(segment, low.Segment, "segment")
         filter_ = filter if filter is None else value_of(filter, low.QueryFilterDesc, "filter")
         out_hit = low.Hit()
-        return out_hit if found(low.gphys_scene_segment_test_filtered(self._handle, segment_, filter_, ctypes.byref(out_hit))) else None
+        status = low.gphys_scene_segment_test_filtered(self._handle, segment_, filter_, ctypes.byref(out_hit))
+        if status < 0: check(status)
+        return None if status else out_hit
 
     def segment_test_filtered_batch(self, segments: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """Closest models along the segments that the filters see, as Scene.segment_test_batch.
@@ -1025,7 +1084,8 @@ class Scene(Models):
         filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
         count = common_length(segments_)
         out_ = result_array(out, count, low.hit_dtype)
-        check(low.gphys_scene_segment_test_filtered_batch(self._handle, segments_.address, segments_.stride, count, filters_, 0, out_.address, out_.stride))
+        status = low.gphys_scene_segment_test_filtered_batch(self._handle, segments_.address, segments_.stride, count, filters_, 0, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def overlap_filtered(self, shape: Shape, filter: low.QueryFilterDesc | None = None) -> NDArray[np.uint32]:
@@ -1095,7 +1155,9 @@ class Scene(Models):
         if type(max_distance) is not float: max_distance = number(max_distance, "max_distance")
         filter_ = filter if filter is None else value_of(filter, low.QueryFilterDesc, "filter")
         out_nearest = low.Nearest()
-        return out_nearest if found(low.gphys_scene_nearest_filtered(self._handle, point_, max_distance, filter_, ctypes.byref(out_nearest))) else None
+        status = low.gphys_scene_nearest_filtered(self._handle, point_, max_distance, filter_, ctypes.byref(out_nearest))
+        if status < 0: check(status)
+        return None if status else out_nearest
 
     def nearest_filtered_batch(self, points: ArrayLike, max_distance: float = float("inf"), filters: low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """The models nearest to the points that the filters see, as Scene.nearest_batch.
@@ -1109,7 +1171,8 @@ class Scene(Models):
         filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
         count = common_length(points_)
         out_ = result_array(out, count, low.nearest_dtype)
-        check(low.gphys_scene_nearest_filtered_batch(self._handle, points_.address, points_.stride, count, max_distance, filters_, 0, out_.address, out_.stride))
+        status = low.gphys_scene_nearest_filtered_batch(self._handle, points_.address, points_.stride, count, max_distance, filters_, 0, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def sweep_sphere_filtered(self, sphere: low.Sphere | StructLike, displacement: VectorLike, filter: low.QueryFilterDesc | None = None) -> low.Hit | None:
@@ -1127,7 +1190,9 @@ class Scene(Models):
         displacement_ = displacement if type(displacement) is low.Vec3 else value_of(displacement, low.Vec3, "displacement")
         filter_ = filter if filter is None else value_of(filter, low.QueryFilterDesc, "filter")
         out_hit = low.Hit()
-        return out_hit if found(low.gphys_scene_sweep_sphere_filtered(self._handle, sphere_, displacement_, filter_, ctypes.byref(out_hit))) else None
+        status = low.gphys_scene_sweep_sphere_filtered(self._handle, sphere_, displacement_, filter_, ctypes.byref(out_hit))
+        if status < 0: check(status)
+        return None if status else out_hit
 
     def sweep_sphere_filtered_batch(self, spheres: ArrayLike, displacements: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """First models that count moving spheres touch and the filters see, as Scene.sweep_sphere_batch.
@@ -1141,7 +1206,8 @@ class Scene(Models):
         filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
         count = common_length(spheres_, displacements_)
         out_ = result_array(out, count, low.hit_dtype)
-        check(low.gphys_scene_sweep_sphere_filtered_batch(self._handle, spheres_.address, spheres_.stride, displacements_.address, displacements_.stride, count, filters_, 0, out_.address, out_.stride))
+        status = low.gphys_scene_sweep_sphere_filtered_batch(self._handle, spheres_.address, spheres_.stride, displacements_.address, displacements_.stride, count, filters_, 0, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def sweep_filtered(self, shape: Shape, displacement: VectorLike, filter: low.QueryFilterDesc | None = None) -> low.Hit | None:
@@ -1162,7 +1228,9 @@ class Scene(Models):
         displacement_ = displacement if type(displacement) is low.Vec3 else value_of(displacement, low.Vec3, "displacement")
         filter_ = filter if filter is None else value_of(filter, low.QueryFilterDesc, "filter")
         out_hit = low.Hit()
-        return out_hit if found(low.gphys_scene_sweep_filtered(self._handle, type_, shape_, displacement_, filter_, ctypes.byref(out_hit))) else None
+        status = low.gphys_scene_sweep_filtered(self._handle, type_, shape_, displacement_, filter_, ctypes.byref(out_hit))
+        if status < 0: check(status)
+        return None if status else out_hit
 
     def sweep_filtered_batch(self, shapes: ArrayLike | Mesh, displacements: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """First models that count moving shapes of one type touch and the filters see, as
@@ -1180,7 +1248,8 @@ class Scene(Models):
         filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
         count = common_length(shapes_, displacements_)
         out_ = result_array(out, count, low.hit_dtype)
-        check(low.gphys_scene_sweep_filtered_batch(self._handle, type_, shapes_.address, shapes_.stride, displacements_.address, displacements_.stride, count, filters_, 0, out_.address, out_.stride))
+        status = low.gphys_scene_sweep_filtered_batch(self._handle, type_, shapes_.address, shapes_.stride, displacements_.address, displacements_.stride, count, filters_, 0, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def penetration_filtered(self, shape: Shape, filter: low.QueryFilterDesc | None = None) -> NDArray[np.void]:
@@ -1220,7 +1289,8 @@ class Scene(Models):
 
         Raises:
             OutOfMemory: with nothing changed"""
-        check(low.gphys_scene_rebuild_octree(self._handle))
+        status = low.gphys_scene_rebuild_octree(self._handle)
+        if status < 0: check(status)
 
     def maintain_octree(self, budget: int) -> bool:
         """Rebuild the octree in parts, one in each call, until it is as good as after
@@ -1242,14 +1312,16 @@ class Scene(Models):
             OutOfMemory: : the octree is as before, and the next call begins again"""
         if type(budget) is not int or budget >> 32: budget = whole(budget, "budget")
         out_done = ctypes.c_int32()
-        check(low.gphys_scene_maintain_octree(self._handle, budget, ctypes.byref(out_done)))
+        status = low.gphys_scene_maintain_octree(self._handle, budget, ctypes.byref(out_done))
+        if status < 0: check(status)
         return bool(out_done.value)
 
     def get_octree_stats(self) -> low.OctreeStats:
         """How the scene's octree is made up.
         Cost: O(nodes)."""
         out_stats = low.OctreeStats()
-        check(low.gphys_scene_get_octree_stats(self._handle, ctypes.byref(out_stats)))
+        status = low.gphys_scene_get_octree_stats(self._handle, ctypes.byref(out_stats))
+        if status < 0: check(status)
         return out_stats
 
     def get_octree_boxes(self) -> NDArray[np.void]:
@@ -1264,7 +1336,8 @@ class Scene(Models):
 
         Raises:
             Error, status ERROR_INTERNAL: and the error's message says what is wrong"""
-        check(low.gphys_scene_validate(self._handle))
+        status = low.gphys_scene_validate(self._handle)
+        if status < 0: check(status)
 
     def get_snapshot(self, embed_meshes: bool) -> NDArray[np.uint32]:
         """Copy the whole state out: the origin, models with their ids, parents, tags, layers, transforms
@@ -1305,7 +1378,8 @@ class Scene(Models):
             OutOfMemory: if there is no room for it"""
         words_ = array_of(words, "<u4")
         count = common_length(words_)
-        check(low.gphys_scene_restore(self._handle, handle_of(library, Scene), words_.address, count))
+        status = low.gphys_scene_restore(self._handle, handle_of(library, Scene), words_.address, count)
+        if status < 0: check(status)
 
     def get_hash(self) -> NDArray[np.uint32]:
         """A hash of the whole state except the octree, the low half first; meshes count by their content.
@@ -1314,7 +1388,8 @@ class Scene(Models):
         they diverge.
         Cost: O(n), some 50 ns for each model."""
         out_hash = np.empty(2, "<u4")
-        check(low.gphys_scene_get_hash(self._handle, out_hash.ctypes.data))
+        status = low.gphys_scene_get_hash(self._handle, out_hash.ctypes.data)
+        if status < 0: check(status)
         return out_hash
 
 
@@ -1342,13 +1417,15 @@ class Camera(Object):
         Args:
             origin: x, y, z in the world, metres, within MAX_COORDINATE"""
         origin_ = numbers_of(origin, "<f8", 3)
-        check(low.gphys_camera_set_origin(self._handle, origin_.address))
+        status = low.gphys_camera_set_origin(self._handle, origin_.address)
+        if status < 0: check(status)
 
     def get_origin(self) -> NDArray[np.float64]:
         """Where in the world the camera's coordinates count from, metres.
         Cost: O(1)."""
         out_origin = np.empty(3, "<f8")
-        check(low.gphys_camera_get_origin(self._handle, out_origin.ctypes.data))
+        status = low.gphys_camera_get_origin(self._handle, out_origin.ctypes.data)
+        if status < 0: check(status)
         return out_origin
 
     def set_perspective(self, fov_y: float, near_distance: float, far_distance: float) -> None:
@@ -1362,7 +1439,8 @@ class Camera(Object):
         if type(fov_y) is not float: fov_y = number(fov_y, "fov_y")
         if type(near_distance) is not float: near_distance = number(near_distance, "near_distance")
         if type(far_distance) is not float: far_distance = number(far_distance, "far_distance")
-        check(low.gphys_camera_set_perspective(self._handle, fov_y, near_distance, far_distance))
+        status = low.gphys_camera_set_perspective(self._handle, fov_y, near_distance, far_distance)
+        if status < 0: check(status)
 
     def set_orthographic(self, height: float, near_distance: float, far_distance: float) -> None:
         """Use an orthographic projection: the distance does not change apparent size.
@@ -1375,7 +1453,8 @@ class Camera(Object):
         if type(height) is not float: height = number(height, "height")
         if type(near_distance) is not float: near_distance = number(near_distance, "near_distance")
         if type(far_distance) is not float: far_distance = number(far_distance, "far_distance")
-        check(low.gphys_camera_set_orthographic(self._handle, height, near_distance, far_distance))
+        status = low.gphys_camera_set_orthographic(self._handle, height, near_distance, far_distance)
+        if status < 0: check(status)
 
     def set_projection(self, projection: low.Mat4 | ArrayLike) -> None:
         """Use any projection matrix of the camera's depth range and direction (off-centre, oblique,
@@ -1387,7 +1466,8 @@ class Camera(Object):
             InvalidArgument: if a plane other than far lies at infinity, as it does when the matrix is
                 for another depth range, or one lies beyond MAX_COORDINATE"""
         projection_ = matrix_of(projection, low.Mat4, "projection")
-        check(low.gphys_camera_set_projection(self._handle, projection_))
+        status = low.gphys_camera_set_projection(self._handle, projection_)
+        if status < 0: check(status)
 
     def set_perspective_aspect(self, fov_y: float, aspect: float, near_distance: float, far_distance: float) -> None:
         """As Camera.set_perspective, with a fixed aspect ratio: the image is stretched to the viewport, as
@@ -1403,7 +1483,8 @@ class Camera(Object):
         if type(aspect) is not float: aspect = number(aspect, "aspect")
         if type(near_distance) is not float: near_distance = number(near_distance, "near_distance")
         if type(far_distance) is not float: far_distance = number(far_distance, "far_distance")
-        check(low.gphys_camera_set_perspective_aspect(self._handle, fov_y, aspect, near_distance, far_distance))
+        status = low.gphys_camera_set_perspective_aspect(self._handle, fov_y, aspect, near_distance, far_distance)
+        if status < 0: check(status)
 
     def set_orthographic_size(self, width: float, height: float, near_distance: float, far_distance: float) -> None:
         """As Camera.set_orthographic, with a width of its own, which the viewport does not change.
@@ -1416,7 +1497,8 @@ class Camera(Object):
         if type(height) is not float: height = number(height, "height")
         if type(near_distance) is not float: near_distance = number(near_distance, "near_distance")
         if type(far_distance) is not float: far_distance = number(far_distance, "far_distance")
-        check(low.gphys_camera_set_orthographic_size(self._handle, width, height, near_distance, far_distance))
+        status = low.gphys_camera_set_orthographic_size(self._handle, width, height, near_distance, far_distance)
+        if status < 0: check(status)
 
     def set_viewport(self, width: float, height: float) -> None:
         """Set the size of the viewport. A perspective keeps fov_y, an orthographic projection its height;
@@ -1427,7 +1509,8 @@ class Camera(Object):
             width, height: pixels, 1e-3 .. 1e6"""
         if type(width) is not float: width = number(width, "width")
         if type(height) is not float: height = number(height, "height")
-        check(low.gphys_camera_set_viewport(self._handle, width, height))
+        status = low.gphys_camera_set_viewport(self._handle, width, height)
+        if status < 0: check(status)
 
     def set_viewport_origin(self, x: float, y: float) -> None:
         """Where the viewport is in its window, as one of several of a split screen: pixels of all
@@ -1438,14 +1521,16 @@ class Camera(Object):
             x, y: pixels of the window, of the viewport's top left corner"""
         if type(x) is not float: x = number(x, "x")
         if type(y) is not float: y = number(y, "y")
-        check(low.gphys_camera_set_viewport_origin(self._handle, x, y))
+        status = low.gphys_camera_set_viewport_origin(self._handle, x, y)
+        if status < 0: check(status)
 
     def set_pick_start(self, start: int) -> None:
         """Where the rays of a perspective begin, for all functions that pick. From the near plane at
         creation; rays of other projections always begin there.
         Cost: O(1). Since 1.1."""
         if type(start) is not int or start >> 31: start = value(start, "start")
-        check(low.gphys_camera_set_pick_start(self._handle, start))
+        status = low.gphys_camera_set_pick_start(self._handle, start)
+        if status < 0: check(status)
 
     def get_projection(self) -> tuple[int, float, float, float]:
         """How the camera projects, as it was set.
@@ -1461,7 +1546,8 @@ class Camera(Object):
         out_size = ctypes.c_float()
         out_near = ctypes.c_float()
         out_far = ctypes.c_float()
-        check(low.gphys_camera_get_projection(self._handle, ctypes.byref(out_kind), ctypes.byref(out_size), ctypes.byref(out_near), ctypes.byref(out_far)))
+        status = low.gphys_camera_get_projection(self._handle, ctypes.byref(out_kind), ctypes.byref(out_size), ctypes.byref(out_near), ctypes.byref(out_far))
+        if status < 0: check(status)
         return out_kind.value, out_size.value, out_near.value, out_far.value
 
     def get_viewport(self) -> tuple[float, float]:
@@ -1470,7 +1556,8 @@ class Camera(Object):
         Cost: O(1)."""
         out_width = ctypes.c_float()
         out_height = ctypes.c_float()
-        check(low.gphys_camera_get_viewport(self._handle, ctypes.byref(out_width), ctypes.byref(out_height)))
+        status = low.gphys_camera_get_viewport(self._handle, ctypes.byref(out_width), ctypes.byref(out_height))
+        if status < 0: check(status)
         return out_width.value, out_height.value
 
     def get_viewport_origin(self) -> tuple[float, float]:
@@ -1478,7 +1565,8 @@ class Camera(Object):
         Cost: O(1). Since 1.1."""
         out_x = ctypes.c_float()
         out_y = ctypes.c_float()
-        check(low.gphys_camera_get_viewport_origin(self._handle, ctypes.byref(out_x), ctypes.byref(out_y)))
+        status = low.gphys_camera_get_viewport_origin(self._handle, ctypes.byref(out_x), ctypes.byref(out_y))
+        if status < 0: check(status)
         return out_x.value, out_y.value
 
     def get_aspect(self) -> tuple[float, bool]:
@@ -1491,7 +1579,8 @@ class Camera(Object):
                 projection; 0 if it follows the viewport."""
         out_aspect = ctypes.c_float()
         out_is_fixed = ctypes.c_int32()
-        check(low.gphys_camera_get_aspect(self._handle, ctypes.byref(out_aspect), ctypes.byref(out_is_fixed)))
+        status = low.gphys_camera_get_aspect(self._handle, ctypes.byref(out_aspect), ctypes.byref(out_is_fixed))
+        if status < 0: check(status)
         return out_aspect.value, bool(out_is_fixed.value)
 
     def get_image_size(self) -> tuple[float, float]:
@@ -1501,14 +1590,16 @@ class Camera(Object):
         Cost: O(1). Since 1.1."""
         out_width = ctypes.c_float()
         out_height = ctypes.c_float()
-        check(low.gphys_camera_get_image_size(self._handle, ctypes.byref(out_width), ctypes.byref(out_height)))
+        status = low.gphys_camera_get_image_size(self._handle, ctypes.byref(out_width), ctypes.byref(out_height))
+        if status < 0: check(status)
         return out_width.value, out_height.value
 
     def get_pick_start(self) -> int:
         """Where the rays of a perspective begin, as it was set.
         Cost: O(1). Since 1.1."""
         out_start = ctypes.c_int32()
-        check(low.gphys_camera_get_pick_start(self._handle, ctypes.byref(out_start)))
+        status = low.gphys_camera_get_pick_start(self._handle, ctypes.byref(out_start))
+        if status < 0: check(status)
         return out_start.value
 
     def get_conventions(self) -> tuple[int, int, bool]:
@@ -1517,7 +1608,8 @@ class Camera(Object):
         out_handedness = ctypes.c_int32()
         out_depth_range = ctypes.c_int32()
         out_reverse_z = ctypes.c_int32()
-        check(low.gphys_camera_get_conventions(self._handle, ctypes.byref(out_handedness), ctypes.byref(out_depth_range), ctypes.byref(out_reverse_z)))
+        status = low.gphys_camera_get_conventions(self._handle, ctypes.byref(out_handedness), ctypes.byref(out_depth_range), ctypes.byref(out_reverse_z))
+        if status < 0: check(status)
         return out_handedness.value, out_depth_range.value, bool(out_reverse_z.value)
 
     def set_transform(self, position: VectorLike, rotation: VectorLike) -> None:
@@ -1529,7 +1621,8 @@ class Camera(Object):
             rotation: from its own axes to those of the world"""
         position_ = position if type(position) is low.Vec3 else value_of(position, low.Vec3, "position")
         rotation_ = rotation if type(rotation) is low.Quat else value_of(rotation, low.Quat, "rotation")
-        check(low.gphys_camera_set_transform(self._handle, position_, rotation_))
+        status = low.gphys_camera_set_transform(self._handle, position_, rotation_)
+        if status < 0: check(status)
 
     def set_world_matrix(self, world: low.Mat4 | ArrayLike) -> None:
         """Place it by a world matrix (camera to world). The axes are made orthonormal (the view direction
@@ -1540,7 +1633,8 @@ class Camera(Object):
             Error, status ERROR_SINGULAR: if the axes do not span space
             InvalidArgument: if they mirror or the last row is not 0 0 0 1"""
         world_ = matrix_of(world, low.Mat4, "world")
-        check(low.gphys_camera_set_world_matrix(self._handle, world_))
+        status = low.gphys_camera_set_world_matrix(self._handle, world_)
+        if status < 0: check(status)
 
     def set_view_matrix(self, view: low.Mat4 | ArrayLike) -> None:
         """Place it by a view matrix (world to camera): by the world matrix that is its inverse, as
@@ -1553,7 +1647,8 @@ class Camera(Object):
             InvalidArgument: if they mirror, the last row is not 0 0 0 1, or the camera would be beyond
                 MAX_COORDINATE"""
         view_ = matrix_of(view, low.Mat4, "view")
-        check(low.gphys_camera_set_view_matrix(self._handle, view_))
+        status = low.gphys_camera_set_view_matrix(self._handle, view_)
+        if status < 0: check(status)
 
     def look_at(self, eye: VectorLike, target: VectorLike, up: VectorLike) -> None:
         """Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
@@ -1565,21 +1660,24 @@ class Camera(Object):
         eye_ = eye if type(eye) is low.Vec3 else value_of(eye, low.Vec3, "eye")
         target_ = target if type(target) is low.Vec3 else value_of(target, low.Vec3, "target")
         up_ = up if type(up) is low.Vec3 else value_of(up, low.Vec3, "up")
-        check(low.gphys_camera_look_at(self._handle, eye_, target_, up_))
+        status = low.gphys_camera_look_at(self._handle, eye_, target_, up_)
+        if status < 0: check(status)
 
     def get_transform(self) -> tuple[low.Vec3, low.Quat]:
         """The camera's position, in metres, and its rotation, rounded to float32.
         Cost: O(1)."""
         out_position = low.Vec3()
         out_rotation = low.Quat()
-        check(low.gphys_camera_get_transform(self._handle, ctypes.byref(out_position), ctypes.byref(out_rotation)))
+        status = low.gphys_camera_get_transform(self._handle, ctypes.byref(out_position), ctypes.byref(out_rotation))
+        if status < 0: check(status)
         return out_position, out_rotation
 
     def get_world_matrix(self) -> NDArray[np.float32]:
         """The matrix from camera to world.
         Cost: O(1)."""
         out_world = low.Mat4()
-        check(low.gphys_camera_get_world_matrix(self._handle, ctypes.byref(out_world)))
+        status = low.gphys_camera_get_world_matrix(self._handle, ctypes.byref(out_world))
+        if status < 0: check(status)
         return matrix(out_world)
 
     def get_view_matrix(self) -> NDArray[np.float32]:
@@ -1587,21 +1685,24 @@ class Camera(Object):
         transformed by it.
         Cost: O(1)."""
         out_view = low.Mat4()
-        check(low.gphys_camera_get_view_matrix(self._handle, ctypes.byref(out_view)))
+        status = low.gphys_camera_get_view_matrix(self._handle, ctypes.byref(out_view))
+        if status < 0: check(status)
         return matrix(out_view)
 
     def get_projection_matrix(self) -> NDArray[np.float32]:
         """The matrix from camera to clip space.
         Cost: O(1)."""
         out_projection = low.Mat4()
-        check(low.gphys_camera_get_projection_matrix(self._handle, ctypes.byref(out_projection)))
+        status = low.gphys_camera_get_projection_matrix(self._handle, ctypes.byref(out_projection))
+        if status < 0: check(status)
         return matrix(out_projection)
 
     def get_view_projection_matrix(self) -> NDArray[np.float32]:
         """Projection * view, multiplied in double precision and rounded once.
         Cost: O(1)."""
         out_view_projection = low.Mat4()
-        check(low.gphys_camera_get_view_projection_matrix(self._handle, ctypes.byref(out_view_projection)))
+        status = low.gphys_camera_get_view_projection_matrix(self._handle, ctypes.byref(out_view_projection))
+        if status < 0: check(status)
         return matrix(out_view_projection)
 
     def set_orbit(self, orbit: low.Orbit | StructLike) -> None:
@@ -1609,7 +1710,8 @@ class Camera(Object):
         or a distance outside its limits is brought inside.
         Cost: O(1)."""
         orbit_ = orbit if type(orbit) is low.Orbit else value_of(orbit, low.Orbit, "orbit")
-        check(low.gphys_camera_set_orbit(self._handle, orbit_))
+        status = low.gphys_camera_set_orbit(self._handle, orbit_)
+        if status < 0: check(status)
 
     def get_orbit(self) -> low.Orbit:
         """The present settings, angles and distance of the orbit.
@@ -1618,7 +1720,8 @@ class Camera(Object):
         Raises:
             Error, status ERROR_UNSUPPORTED: if the camera was never set to orbit"""
         out_orbit = low.Orbit()
-        check(low.gphys_camera_get_orbit(self._handle, ctypes.byref(out_orbit)))
+        status = low.gphys_camera_get_orbit(self._handle, ctypes.byref(out_orbit))
+        if status < 0: check(status)
         return out_orbit
 
     def set_orbit_speeds(self, speeds: low.OrbitSpeeds | StructLike) -> None:
@@ -1629,7 +1732,8 @@ class Camera(Object):
         Raises:
             Error, status ERROR_UNSUPPORTED: if the camera was never set to orbit"""
         speeds_ = speeds if type(speeds) is low.OrbitSpeeds else value_of(speeds, low.OrbitSpeeds, "speeds")
-        check(low.gphys_camera_set_orbit_speeds(self._handle, speeds_))
+        status = low.gphys_camera_set_orbit_speeds(self._handle, speeds_)
+        if status < 0: check(status)
 
     def get_orbit_speeds(self) -> low.OrbitSpeeds:
         """The present speeds of the orbit's inputs.
@@ -1638,7 +1742,8 @@ class Camera(Object):
         Raises:
             Error, status ERROR_UNSUPPORTED: if the camera was never set to orbit"""
         out_speeds = low.OrbitSpeeds()
-        check(low.gphys_camera_get_orbit_speeds(self._handle, ctypes.byref(out_speeds)))
+        status = low.gphys_camera_get_orbit_speeds(self._handle, ctypes.byref(out_speeds))
+        if status < 0: check(status)
         return out_speeds
 
     def orbit_rotate(self, units_x: float, units_y: float) -> None:
@@ -1653,7 +1758,8 @@ class Camera(Object):
             Error, status ERROR_UNSUPPORTED: if the camera was never set to orbit"""
         if type(units_x) is not float: units_x = number(units_x, "units_x")
         if type(units_y) is not float: units_y = number(units_y, "units_y")
-        check(low.gphys_camera_orbit_rotate(self._handle, units_x, units_y))
+        status = low.gphys_camera_orbit_rotate(self._handle, units_x, units_y)
+        if status < 0: check(status)
 
     def orbit_zoom(self, units: float) -> None:
         """Add input to the orbit: move closer by units times metres_per_unit or the speed that was set, or
@@ -1666,7 +1772,8 @@ class Camera(Object):
         Raises:
             Error, status ERROR_UNSUPPORTED: if the camera was never set to orbit"""
         if type(units) is not float: units = number(units, "units")
-        check(low.gphys_camera_orbit_zoom(self._handle, units))
+        status = low.gphys_camera_orbit_zoom(self._handle, units)
+        if status < 0: check(status)
 
     def orbit_pan(self, units_right: float, units_up: float) -> None:
         """Add input to the orbit: move the target to the camera's right and up, as the last update left
@@ -1680,7 +1787,8 @@ class Camera(Object):
             Error, status ERROR_UNSUPPORTED: if the camera was never set to orbit"""
         if type(units_right) is not float: units_right = number(units_right, "units_right")
         if type(units_up) is not float: units_up = number(units_up, "units_up")
-        check(low.gphys_camera_orbit_pan(self._handle, units_right, units_up))
+        status = low.gphys_camera_orbit_pan(self._handle, units_right, units_up)
+        if status < 0: check(status)
 
     def orbit_update(self) -> None:
         """Apply the input since the last update, within the limits, and place the camera. Angles are
@@ -1689,7 +1797,8 @@ class Camera(Object):
 
         Raises:
             Error, status ERROR_UNSUPPORTED: if the camera was never set to orbit"""
-        check(low.gphys_camera_orbit_update(self._handle))
+        status = low.gphys_camera_orbit_update(self._handle)
+        if status < 0: check(status)
 
     def get_frustum(self) -> low.Frustum:
         """The view frustum, with origin at the camera's position and planes from its parameters: each
@@ -1697,7 +1806,8 @@ class Camera(Object):
         Gribb-Hartmann in double precision.
         Cost: O(1)."""
         out_frustum = low.Frustum()
-        check(low.gphys_camera_get_frustum(self._handle, ctypes.byref(out_frustum)))
+        status = low.gphys_camera_get_frustum(self._handle, ctypes.byref(out_frustum))
+        if status < 0: check(status)
         return out_frustum
 
     def get_corners(self) -> NDArray[np.float32] | None:
@@ -1707,7 +1817,9 @@ class Camera(Object):
         Returns:
             None with an infinite far plane, or a corner beyond the largest float."""
         out_corners = np.empty(8, low.vec3_dtype)
-        return out_corners if found(low.gphys_camera_get_corners(self._handle, out_corners.ctypes.data)) else None
+        status = low.gphys_camera_get_corners(self._handle, out_corners.ctypes.data)
+        if status < 0: check(status)
+        return None if status else out_corners
 
     def get_rectangle_frustum(self, x0: float, y0: float, x1: float, y1: float) -> low.Frustum:
         """What is seen in a rectangle of pixels, as Camera.get_frustum: of a tile, a marquee, a portal.
@@ -1724,7 +1836,8 @@ class Camera(Object):
         if type(x1) is not float: x1 = number(x1, "x1")
         if type(y1) is not float: y1 = number(y1, "y1")
         out_frustum = low.Frustum()
-        check(low.gphys_camera_get_rectangle_frustum(self._handle, x0, y0, x1, y1, ctypes.byref(out_frustum)))
+        status = low.gphys_camera_get_rectangle_frustum(self._handle, x0, y0, x1, y1, ctypes.byref(out_frustum))
+        if status < 0: check(status)
         return out_frustum
 
     def get_rectangle_corners(self, x0: float, y0: float, x1: float, y1: float) -> NDArray[np.float32] | None:
@@ -1741,7 +1854,9 @@ class Camera(Object):
         if type(x1) is not float: x1 = number(x1, "x1")
         if type(y1) is not float: y1 = number(y1, "y1")
         out_corners = np.empty(8, low.vec3_dtype)
-        return out_corners if found(low.gphys_camera_get_rectangle_corners(self._handle, x0, y0, x1, y1, out_corners.ctypes.data)) else None
+        status = low.gphys_camera_get_rectangle_corners(self._handle, x0, y0, x1, y1, out_corners.ctypes.data)
+        if status < 0: check(status)
+        return None if status else out_corners
 
     def project(self, point: VectorLike) -> low.Vec3 | None:
         """World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the
@@ -1753,7 +1868,9 @@ class Camera(Object):
                 beyond the range of coordinates."""
         point_ = point if type(point) is low.Vec3 else value_of(point, low.Vec3, "point")
         out_pixel = low.Vec3()
-        return out_pixel if found(low.gphys_camera_project(self._handle, point_, ctypes.byref(out_pixel))) else None
+        status = low.gphys_camera_project(self._handle, point_, ctypes.byref(out_pixel))
+        if status < 0: check(status)
+        return None if status else out_pixel
 
     def project_batch(self, points: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[np.float32]:
         """Pixels of count world points, as Camera.project; a point without an image gets x = y = z =
@@ -1765,7 +1882,8 @@ class Camera(Object):
         points_ = array_of(points, low.vec3_dtype)
         count = common_length(points_)
         out_ = result_array(out, count, low.vec3_dtype)
-        check(low.gphys_camera_project_batch(self._handle, points_.address, points_.stride, count, out_.address, out_.stride))
+        status = low.gphys_camera_project_batch(self._handle, points_.address, points_.stride, count, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def unproject(self, pixel: VectorLike) -> low.Vec3 | None:
@@ -1777,7 +1895,9 @@ class Camera(Object):
                 of coordinates."""
         pixel_ = pixel if type(pixel) is low.Vec3 else value_of(pixel, low.Vec3, "pixel")
         out_point = low.Vec3()
-        return out_point if found(low.gphys_camera_unproject(self._handle, pixel_, ctypes.byref(out_point))) else None
+        status = low.gphys_camera_unproject(self._handle, pixel_, ctypes.byref(out_point))
+        if status < 0: check(status)
+        return None if status else out_point
 
     def unproject_batch(self, pixels: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[np.float32]:
         """World points of the pixels with depth, as Camera.unproject; one at infinity gets x = y = z =
@@ -1789,7 +1909,8 @@ class Camera(Object):
         pixels_ = array_of(pixels, low.vec3_dtype)
         count = common_length(pixels_)
         out_ = result_array(out, count, low.vec3_dtype)
-        check(low.gphys_camera_unproject_batch(self._handle, pixels_.address, pixels_.stride, count, out_.address, out_.stride))
+        status = low.gphys_camera_unproject_batch(self._handle, pixels_.address, pixels_.stride, count, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def pick_ray(self, pixel_x: float, pixel_y: float) -> low.Ray | None:
@@ -1810,7 +1931,9 @@ class Camera(Object):
         if type(pixel_x) is not float: pixel_x = number(pixel_x, "pixel_x")
         if type(pixel_y) is not float: pixel_y = number(pixel_y, "pixel_y")
         out_ray = low.Ray()
-        return out_ray if found(low.gphys_camera_pick_ray(self._handle, pixel_x, pixel_y, ctypes.byref(out_ray))) else None
+        status = low.gphys_camera_pick_ray(self._handle, pixel_x, pixel_y, ctypes.byref(out_ray))
+        if status < 0: check(status)
+        return None if status else out_ray
 
     def pick_rays(self, x: int, y: int, width: int, height: int, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """Rays for a rectangle of pixel centres, as Camera.pick_ray, row by row.
@@ -1823,7 +1946,8 @@ class Camera(Object):
         if type(width) is not int or width >> 32: width = whole(width, "width")
         if type(height) is not int or height >> 32: height = whole(height, "height")
         out_ = result_array(out, width * height, low.ray_dtype)
-        check(low.gphys_camera_pick_rays(self._handle, x, y, width, height, out_.address, out_.stride))
+        status = low.gphys_camera_pick_rays(self._handle, x, y, width, height, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def pick(self, scene: Scene | None, pixel_x: float, pixel_y: float, layers: int = low.ALL_LAYERS) -> low.Hit | None:
@@ -1840,7 +1964,9 @@ class Camera(Object):
         if type(pixel_y) is not float: pixel_y = number(pixel_y, "pixel_y")
         if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         out_hit = low.Hit()
-        return out_hit if found(low.gphys_camera_pick(self._handle, handle_of(scene, Scene), pixel_x, pixel_y, layers, ctypes.byref(out_hit))) else None
+        status = low.gphys_camera_pick(self._handle, handle_of(scene, Scene), pixel_x, pixel_y, layers, ctypes.byref(out_hit))
+        if status < 0: check(status)
+        return None if status else out_hit
 
     def pick_batch(self, scene: Scene | None, pixels: ArrayLike, layers: int = low.ALL_LAYERS, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """The models under the pixels, as Camera.pick; a pixel without one gets model = 0 and t =
@@ -1853,7 +1979,8 @@ class Camera(Object):
         if type(layers) is not int or layers >> 32: layers = mask(layers, "layers")
         count = common_length(pixels_)
         out_ = result_array(out, count, low.hit_dtype)
-        check(low.gphys_camera_pick_batch(self._handle, handle_of(scene, Scene), pixels_.address, pixels_.stride, count, layers, out_.address, out_.stride))
+        status = low.gphys_camera_pick_batch(self._handle, handle_of(scene, Scene), pixels_.address, pixels_.stride, count, layers, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def pick_rectangle(self, scene: Scene | None, x0: float, y0: float, x1: float, y1: float, layers: int = low.ALL_LAYERS) -> NDArray[np.uint32]:
@@ -1893,7 +2020,9 @@ class Camera(Object):
         if type(pixel_y) is not float: pixel_y = number(pixel_y, "pixel_y")
         filter_ = filter if filter is None else value_of(filter, low.QueryFilterDesc, "filter")
         out_hit = low.Hit()
-        return out_hit if found(low.gphys_camera_pick_filtered(self._handle, handle_of(scene, Scene), pixel_x, pixel_y, filter_, ctypes.byref(out_hit))) else None
+        status = low.gphys_camera_pick_filtered(self._handle, handle_of(scene, Scene), pixel_x, pixel_y, filter_, ctypes.byref(out_hit))
+        if status < 0: check(status)
+        return None if status else out_hit
 
     def pick_filtered_batch(self, scene: Scene | None, pixels: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """The models under the pixels that the filters see, as Camera.pick_batch.
@@ -1906,7 +2035,8 @@ class Camera(Object):
         filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
         count = common_length(pixels_)
         out_ = result_array(out, count, low.hit_dtype)
-        check(low.gphys_camera_pick_filtered_batch(self._handle, handle_of(scene, Scene), pixels_.address, pixels_.stride, count, filters_, 0, out_.address, out_.stride))
+        status = low.gphys_camera_pick_filtered_batch(self._handle, handle_of(scene, Scene), pixels_.address, pixels_.stride, count, filters_, 0, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def pick_rectangle_filtered(self, scene: Scene | None, x0: float, y0: float, x1: float, y1: float, filter: low.QueryFilterDesc | None = None) -> NDArray[np.uint32]:
@@ -1965,13 +2095,15 @@ class Solver(Bodies):
         Raises:
             OutOfMemory: also if the threads cannot be started; the former ones are kept"""
         if type(workers) is not int or workers >> 32: workers = whole(workers, "workers")
-        check(low.gphys_solver_set_worker_count(self._handle, workers))
+        status = low.gphys_solver_set_worker_count(self._handle, workers)
+        if status < 0: check(status)
 
     def get_worker_count(self) -> int:
         """How many threads share the steps of a solver, as Scene.get_worker_count.
         Cost: O(1). Since 1.1."""
         out_workers = ctypes.c_uint32()
-        check(low.gphys_solver_get_worker_count(self._handle, ctypes.byref(out_workers)))
+        status = low.gphys_solver_get_worker_count(self._handle, ctypes.byref(out_workers))
+        if status < 0: check(status)
         return out_workers.value
 
     def set_origin(self, origin: ArrayLike) -> None:
@@ -1987,13 +2119,15 @@ class Solver(Bodies):
             InvalidArgument: also if a particle or an animation target would leave the range of
                 coordinates"""
         origin_ = numbers_of(origin, "<f8", 3)
-        check(low.gphys_solver_set_origin(self._handle, origin_.address))
+        status = low.gphys_solver_set_origin(self._handle, origin_.address)
+        if status < 0: check(status)
 
     def get_origin(self) -> NDArray[np.float64]:
         """Where in the world the particles' coordinates count from, metres.
         Cost: O(1)."""
         out_origin = np.empty(3, "<f8")
-        check(low.gphys_solver_get_origin(self._handle, out_origin.ctypes.data))
+        status = low.gphys_solver_get_origin(self._handle, out_origin.ctypes.data)
+        if status < 0: check(status)
         return out_origin
 
     def set_gravity(self, gravity: VectorLike) -> None:
@@ -2003,7 +2137,8 @@ class Solver(Bodies):
         Args:
             gravity: m/s^2; may be zero"""
         gravity_ = gravity if type(gravity) is low.Vec3 else value_of(gravity, low.Vec3, "gravity")
-        check(low.gphys_solver_set_gravity(self._handle, gravity_))
+        status = low.gphys_solver_set_gravity(self._handle, gravity_)
+        if status < 0: check(status)
 
     def set_substeps(self, substeps: int) -> None:
         """Change the number of substeps of a step. More substeps: smaller errors, proportionally more
@@ -2015,13 +2150,15 @@ class Solver(Bodies):
         Args:
             substeps: 1 .. 1000"""
         if type(substeps) is not int or substeps >> 32: substeps = whole(substeps, "substeps")
-        check(low.gphys_solver_set_substeps(self._handle, substeps))
+        status = low.gphys_solver_set_substeps(self._handle, substeps)
+        if status < 0: check(status)
 
     def get_settings(self) -> low.SolverSettings:
         """The settings of a solver as they are.
         Cost: O(1)."""
         out_settings = low.SolverSettings()
-        check(low.gphys_solver_get_settings(self._handle, ctypes.byref(out_settings)))
+        status = low.gphys_solver_get_settings(self._handle, ctypes.byref(out_settings))
+        if status < 0: check(status)
         return out_settings
 
     def set_settings(self, settings: low.SolverSettings | StructLike) -> None:
@@ -2030,7 +2167,8 @@ class Solver(Bodies):
         fixed_step is dropped.
         Cost: O(bodies)."""
         settings_ = settings if type(settings) is low.SolverSettings else value_of(settings, low.SolverSettings, "settings")
-        check(low.gphys_solver_set_settings(self._handle, settings_))
+        status = low.gphys_solver_set_settings(self._handle, settings_)
+        if status < 0: check(status)
 
     def add_particles(self, positions: ArrayLike, desc: low.BodyDesc | None = None) -> int:
         """Add a body of particles without constraints.
@@ -2046,7 +2184,8 @@ class Solver(Bodies):
         positions_ = array_of(positions, low.vec3_dtype)
         out_body = ctypes.c_uint32()
         count = common_length(positions_)
-        check(low.gphys_solver_add_particles(self._handle, desc_, positions_.address, positions_.stride, count, ctypes.byref(out_body)))
+        status = low.gphys_solver_add_particles(self._handle, desc_, positions_.address, positions_.stride, count, ctypes.byref(out_body))
+        if status < 0: check(status)
         return out_body.value
 
     def add_rope(self, positions: ArrayLike, link_length: float = 0, desc: low.BodyDesc | None = None) -> int:
@@ -2066,7 +2205,8 @@ class Solver(Bodies):
         if type(link_length) is not float: link_length = number(link_length, "link_length")
         out_body = ctypes.c_uint32()
         count = common_length(positions_)
-        check(low.gphys_solver_add_rope(self._handle, desc_, positions_.address, positions_.stride, count, link_length, ctypes.byref(out_body)))
+        status = low.gphys_solver_add_rope(self._handle, desc_, positions_.address, positions_.stride, count, link_length, ctypes.byref(out_body))
+        if status < 0: check(status)
         return out_body.value
 
     def add_cloth(self, corner: VectorLike, edge_u: VectorLike, edge_v: VectorLike, columns: int, rows: int, desc: low.BodyDesc | None = None) -> int:
@@ -2093,7 +2233,8 @@ class Solver(Bodies):
         if type(columns) is not int or columns >> 32: columns = whole(columns, "columns")
         if type(rows) is not int or rows >> 32: rows = whole(rows, "rows")
         out_body = ctypes.c_uint32()
-        check(low.gphys_solver_add_cloth(self._handle, desc_, corner_, edge_u_, edge_v_, columns, rows, ctypes.byref(out_body)))
+        status = low.gphys_solver_add_cloth(self._handle, desc_, corner_, edge_u_, edge_v_, columns, rows, ctypes.byref(out_body))
+        if status < 0: check(status)
         return out_body.value
 
     def add_cloth_mesh(self, mesh: Mesh | None, transform: low.Transform | StructLike | None = None, desc: low.BodyDesc | None = None) -> int:
@@ -2114,7 +2255,8 @@ class Solver(Bodies):
         desc_ = desc if desc is None else value_of(desc, low.BodyDesc, "desc")
         transform_ = transform if transform is None else value_of(transform, low.Transform, "transform")
         out_body = ctypes.c_uint32()
-        check(low.gphys_solver_add_cloth_mesh(self._handle, desc_, handle_of(mesh, Mesh), transform_, ctypes.byref(out_body)))
+        status = low.gphys_solver_add_cloth_mesh(self._handle, desc_, handle_of(mesh, Mesh), transform_, ctypes.byref(out_body))
+        if status < 0: check(status)
         return out_body.value
 
     def remove_body(self, body: int) -> None:
@@ -2123,7 +2265,8 @@ class Solver(Bodies):
         Cost: O(particles + constraints of the body), O(joints of the solver), and O(bodies that gave
         impulses to the same models)."""
         if type(body) is not int or body >> 32: body = whole(body, "body")
-        check(low.gphys_solver_remove_body(self._handle, body))
+        status = low.gphys_solver_remove_body(self._handle, body)
+        if status < 0: check(status)
 
     def get_bodies(self) -> NDArray[np.uint32]:
         """Ids of all bodies, ascending.
@@ -2149,14 +2292,16 @@ class Solver(Bodies):
         Args:
             body: 0: all"""
         if type(body) is not int or body >> 32: body = whole(body, "body")
-        check(low.gphys_solver_wake(self._handle, body))
+        status = low.gphys_solver_wake(self._handle, body)
+        if status < 0: check(status)
 
     def get_body_settings(self, body: int) -> low.BodySettings:
         """The present settings of a body; static_friction as it acts, at least friction.
         Cost: O(1)."""
         if type(body) is not int or body >> 32: body = whole(body, "body")
         out_settings = low.BodySettings()
-        check(low.gphys_solver_get_body_settings(self._handle, body, ctypes.byref(out_settings)))
+        status = low.gphys_solver_get_body_settings(self._handle, body, ctypes.byref(out_settings))
+        if status < 0: check(status)
         return out_settings
 
     def set_body_settings(self, body: int, settings: low.BodySettings | StructLike) -> None:
@@ -2165,14 +2310,16 @@ class Solver(Bodies):
         Cost: O(1); O(particles) when self_collision changes, and it allocates."""
         if type(body) is not int or body >> 32: body = whole(body, "body")
         settings_ = settings if type(settings) is low.BodySettings else value_of(settings, low.BodySettings, "settings")
-        check(low.gphys_solver_set_body_settings(self._handle, body, settings_))
+        status = low.gphys_solver_set_body_settings(self._handle, body, settings_)
+        if status < 0: check(status)
 
     def get_body_info(self, body: int) -> low.BodyInfo:
         """What a body is made of and how it is solved.
         Cost: O(1); after a change of constraints O(particles), and it allocates."""
         if type(body) is not int or body >> 32: body = whole(body, "body")
         out_info = low.BodyInfo()
-        check(low.gphys_solver_get_body_info(self._handle, body, ctypes.byref(out_info)))
+        status = low.gphys_solver_get_body_info(self._handle, body, ctypes.byref(out_info))
+        if status < 0: check(status)
         return out_info
 
     def get_triangles(self, body: int) -> NDArray[np.uint32]:
@@ -2198,7 +2345,8 @@ class Solver(Bodies):
         if type(triangle) is not int or triangle >> 32: triangle = whole(triangle, "triangle")
         point_ = point if type(point) is low.Vec3 else value_of(point, low.Vec3, "point")
         out_particle = ctypes.c_uint32()
-        check(low.gphys_solver_get_nearest_particle(self._handle, body, triangle, point_, ctypes.byref(out_particle)))
+        status = low.gphys_solver_get_nearest_particle(self._handle, body, triangle, point_, ctypes.byref(out_particle))
+        if status < 0: check(status)
         return out_particle.value
 
     def get_positions(self, body: int, first: int = 0, count: int | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.float32]:
@@ -2213,7 +2361,8 @@ class Solver(Bodies):
         if count is None: count = self._rest(body, first)
         if type(count) is not int or count >> 32: count = whole(count, "count")
         out_ = result_array(out, count, low.vec3_dtype)
-        check(low.gphys_solver_get_positions(self._handle, body, first, count, out_.address, out_.stride))
+        status = low.gphys_solver_get_positions(self._handle, body, first, count, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def set_positions(self, body: int, first: int, positions: ArrayLike) -> None:
@@ -2229,7 +2378,8 @@ class Solver(Bodies):
         if type(first) is not int or first >> 32: first = whole(first, "first")
         positions_ = array_of(positions, low.vec3_dtype)
         count = common_length(positions_)
-        check(low.gphys_solver_set_positions(self._handle, body, first, count, positions_.address, positions_.stride))
+        status = low.gphys_solver_set_positions(self._handle, body, first, count, positions_.address, positions_.stride)
+        if status < 0: check(status)
 
     def get_velocities(self, body: int, first: int = 0, count: int | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.float32]:
         """How fast the particles are, m/s.
@@ -2245,7 +2395,8 @@ class Solver(Bodies):
         if count is None: count = self._rest(body, first)
         if type(count) is not int or count >> 32: count = whole(count, "count")
         out_ = result_array(out, count, low.vec3_dtype)
-        check(low.gphys_solver_get_velocities(self._handle, body, first, count, out_.address, out_.stride))
+        status = low.gphys_solver_get_velocities(self._handle, body, first, count, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def set_velocities(self, body: int, first: int, velocities: ArrayLike) -> None:
@@ -2260,7 +2411,8 @@ class Solver(Bodies):
         if type(first) is not int or first >> 32: first = whole(first, "first")
         velocities_ = array_of(velocities, low.vec3_dtype)
         count = common_length(velocities_)
-        check(low.gphys_solver_set_velocities(self._handle, body, first, count, velocities_.address, velocities_.stride))
+        status = low.gphys_solver_set_velocities(self._handle, body, first, count, velocities_.address, velocities_.stride)
+        if status < 0: check(status)
 
     def get_masses(self, body: int, first: int = 0, count: int | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.float32]:
         """Masses of particles, kg. That of a pinned particle is what it has when it is released.
@@ -2273,7 +2425,8 @@ class Solver(Bodies):
         if count is None: count = self._rest(body, first)
         if type(count) is not int or count >> 32: count = whole(count, "count")
         out_ = result_array(out, count, "<f4")
-        check(low.gphys_solver_get_masses(self._handle, body, first, count, out_.address, out_.stride))
+        status = low.gphys_solver_get_masses(self._handle, body, first, count, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def set_masses(self, body: int, first: int, masses: ArrayLike) -> None:
@@ -2288,7 +2441,8 @@ class Solver(Bodies):
         if type(first) is not int or first >> 32: first = whole(first, "first")
         masses_ = array_of(masses, "<f4")
         count = common_length(masses_)
-        check(low.gphys_solver_set_masses(self._handle, body, first, count, masses_.address, masses_.stride))
+        status = low.gphys_solver_set_masses(self._handle, body, first, count, masses_.address, masses_.stride)
+        if status < 0: check(status)
 
     def get_radii(self, body: int, first: int = 0, count: int | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.float32]:
         """Collision radii of particles, metres.
@@ -2301,7 +2455,8 @@ class Solver(Bodies):
         if count is None: count = self._rest(body, first)
         if type(count) is not int or count >> 32: count = whole(count, "count")
         out_ = result_array(out, count, "<f4")
-        check(low.gphys_solver_get_radii(self._handle, body, first, count, out_.address, out_.stride))
+        status = low.gphys_solver_get_radii(self._handle, body, first, count, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def set_radii(self, body: int, first: int, radii: ArrayLike) -> None:
@@ -2315,7 +2470,8 @@ class Solver(Bodies):
         if type(first) is not int or first >> 32: first = whole(first, "first")
         radii_ = array_of(radii, "<f4")
         count = common_length(radii_)
-        check(low.gphys_solver_set_radii(self._handle, body, first, count, radii_.address, radii_.stride))
+        status = low.gphys_solver_set_radii(self._handle, body, first, count, radii_.address, radii_.stride)
+        if status < 0: check(status)
 
     def get_friction_factors(self, body: int, first: int = 0, count: int | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.float32]:
         """Friction factors of particles; 1 until they are set.
@@ -2328,7 +2484,8 @@ class Solver(Bodies):
         if count is None: count = self._rest(body, first)
         if type(count) is not int or count >> 32: count = whole(count, "count")
         out_ = result_array(out, count, "<f4")
-        check(low.gphys_solver_get_friction_factors(self._handle, body, first, count, out_.address, out_.stride))
+        status = low.gphys_solver_get_friction_factors(self._handle, body, first, count, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def set_friction_factors(self, body: int, first: int, factors: ArrayLike) -> None:
@@ -2346,7 +2503,8 @@ class Solver(Bodies):
         if type(first) is not int or first >> 32: first = whole(first, "first")
         factors_ = array_of(factors, "<f4")
         count = common_length(factors_)
-        check(low.gphys_solver_set_friction_factors(self._handle, body, first, count, factors_.address, factors_.stride))
+        status = low.gphys_solver_set_friction_factors(self._handle, body, first, count, factors_.address, factors_.stride)
+        if status < 0: check(status)
 
     def get_forces(self, body: int, first: int = 0, count: int | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.float32]:
         """The forces that were set for particles, newtons.
@@ -2359,7 +2517,8 @@ class Solver(Bodies):
         if count is None: count = self._rest(body, first)
         if type(count) is not int or count >> 32: count = whole(count, "count")
         out_ = result_array(out, count, low.vec3_dtype)
-        check(low.gphys_solver_get_forces(self._handle, body, first, count, out_.address, out_.stride))
+        status = low.gphys_solver_get_forces(self._handle, body, first, count, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def set_forces(self, body: int, first: int, forces: ArrayLike) -> None:
@@ -2374,7 +2533,8 @@ class Solver(Bodies):
         if type(first) is not int or first >> 32: first = whole(first, "first")
         forces_ = array_of(forces, low.vec3_dtype)
         count = common_length(forces_)
-        check(low.gphys_solver_set_forces(self._handle, body, first, count, forces_.address, forces_.stride))
+        status = low.gphys_solver_set_forces(self._handle, body, first, count, forces_.address, forces_.stride)
+        if status < 0: check(status)
 
     def get_pinned(self, body: int, first: int = 0, count: int | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.int32]:
         """Which particles are pinned or attached.
@@ -2387,7 +2547,8 @@ class Solver(Bodies):
         if count is None: count = self._rest(body, first)
         if type(count) is not int or count >> 32: count = whole(count, "count")
         out_ = result_array(out, count, "<i4")
-        check(low.gphys_solver_get_pinned(self._handle, body, first, count, out_.address, out_.stride))
+        status = low.gphys_solver_get_pinned(self._handle, body, first, count, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def set_pinned(self, body: int, first: int = 0, count: int | None = None, pinned: bool = True) -> None:
@@ -2404,7 +2565,8 @@ class Solver(Bodies):
         if count is None: count = self._rest(body, first)
         if type(count) is not int or count >> 32: count = whole(count, "count")
         if type(pinned) is not bool: pinned = flag(pinned, "pinned")
-        check(low.gphys_solver_set_pinned(self._handle, body, first, count, pinned))
+        status = low.gphys_solver_set_pinned(self._handle, body, first, count, pinned)
+        if status < 0: check(status)
 
     def set_wind(self, body: int, wind: low.Wind | StructLike) -> None:
         """Put a body into moving air. Until this is called there is none. Wakes the body. With u the
@@ -2424,14 +2586,16 @@ class Solver(Bodies):
             wind: of density 0: no air"""
         if type(body) is not int or body >> 32: body = whole(body, "body")
         wind_ = wind if type(wind) is low.Wind else value_of(wind, low.Wind, "wind")
-        check(low.gphys_solver_set_wind(self._handle, body, wind_))
+        status = low.gphys_solver_set_wind(self._handle, body, wind_)
+        if status < 0: check(status)
 
     def get_wind(self, body: int) -> low.Wind:
         """The air around a body as it was set; zeros if it was not.
         Cost: O(1)."""
         if type(body) is not int or body >> 32: body = whole(body, "body")
         out_wind = low.Wind()
-        check(low.gphys_solver_get_wind(self._handle, body, ctypes.byref(out_wind)))
+        status = low.gphys_solver_get_wind(self._handle, body, ctypes.byref(out_wind))
+        if status < 0: check(status)
         return out_wind
 
     def set_air_velocities(self, body: int, first: int, velocities: ArrayLike) -> None:
@@ -2446,7 +2610,8 @@ class Solver(Bodies):
         if type(first) is not int or first >> 32: first = whole(first, "first")
         velocities_ = array_of(velocities, low.vec3_dtype)
         count = common_length(velocities_)
-        check(low.gphys_solver_set_air_velocities(self._handle, body, first, count, velocities_.address, velocities_.stride))
+        status = low.gphys_solver_set_air_velocities(self._handle, body, first, count, velocities_.address, velocities_.stride)
+        if status < 0: check(status)
 
     def get_air_velocities(self, body: int, first: int = 0, count: int | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.float32]:
         """Velocities of the air at particles, m/s, beside that of Wind.
@@ -2459,7 +2624,8 @@ class Solver(Bodies):
         if count is None: count = self._rest(body, first)
         if type(count) is not int or count >> 32: count = whole(count, "count")
         out_ = result_array(out, count, low.vec3_dtype)
-        check(low.gphys_solver_get_air_velocities(self._handle, body, first, count, out_.address, out_.stride))
+        status = low.gphys_solver_get_air_velocities(self._handle, body, first, count, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def set_animation_targets(self, body: int, first: int, targets: ArrayLike) -> None:
@@ -2491,7 +2657,8 @@ class Solver(Bodies):
         if type(first) is not int or first >> 32: first = whole(first, "first")
         targets_ = array_of(targets, low.animation_target_dtype)
         count = common_length(targets_)
-        check(low.gphys_solver_set_animation_targets(self._handle, body, first, count, targets_.address, targets_.stride))
+        status = low.gphys_solver_set_animation_targets(self._handle, body, first, count, targets_.address, targets_.stride)
+        if status < 0: check(status)
 
     def get_animation_targets(self, body: int, first: int = 0, count: int | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """Animation targets of particles as they were set; 0 and INFINITY of what has none.
@@ -2504,7 +2671,8 @@ class Solver(Bodies):
         if count is None: count = self._rest(body, first)
         if type(count) is not int or count >> 32: count = whole(count, "count")
         out_ = result_array(out, count, low.animation_target_dtype)
-        check(low.gphys_solver_get_animation_targets(self._handle, body, first, count, out_.address, out_.stride))
+        status = low.gphys_solver_get_animation_targets(self._handle, body, first, count, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def attach(self, scene: Scene | None, body: int, particle: int, model: int, local_point: VectorLike | None = None) -> None:
@@ -2524,7 +2692,8 @@ class Solver(Bodies):
         if type(particle) is not int or particle >> 32: particle = whole(particle, "particle")
         if type(model) is not int or model >> 32: model = whole(model, "model")
         local_point_ = local_point if local_point is None else value_of(local_point, low.Vec3, "local_point")
-        check(low.gphys_solver_attach(self._handle, handle_of(scene, Scene), body, particle, model, local_point_))
+        status = low.gphys_solver_attach(self._handle, handle_of(scene, Scene), body, particle, model, local_point_)
+        if status < 0: check(status)
 
     def detach(self, body: int, particle: int) -> None:
         """Release an attached particle.
@@ -2534,7 +2703,8 @@ class Solver(Bodies):
             InvalidArgument: if it is not attached, or does not exist"""
         if type(body) is not int or body >> 32: body = whole(body, "body")
         if type(particle) is not int or particle >> 32: particle = whole(particle, "particle")
-        check(low.gphys_solver_detach(self._handle, body, particle))
+        status = low.gphys_solver_detach(self._handle, body, particle)
+        if status < 0: check(status)
 
     def get_attachments(self, body: int) -> NDArray[np.void]:
         """The attachments of a body, by particle. One to a model that is gone is listed until the next
@@ -2560,7 +2730,8 @@ class Solver(Bodies):
         if type(rest_length) is not float: rest_length = number(rest_length, "rest_length")
         if type(compliance) is not float: compliance = number(compliance, "compliance")
         out_constraint = ctypes.c_uint32()
-        check(low.gphys_solver_add_distance(self._handle, body, particle_a, particle_b, rest_length, compliance, ctypes.byref(out_constraint)))
+        status = low.gphys_solver_add_distance(self._handle, body, particle_a, particle_b, rest_length, compliance, ctypes.byref(out_constraint))
+        if status < 0: check(status)
         return out_constraint.value
 
     def add_max_distance(self, body: int, particle_a: int, particle_b: int, max_length: float, compliance: float = 0) -> int:
@@ -2581,7 +2752,8 @@ class Solver(Bodies):
         if type(max_length) is not float: max_length = number(max_length, "max_length")
         if type(compliance) is not float: compliance = number(compliance, "compliance")
         out_constraint = ctypes.c_uint32()
-        check(low.gphys_solver_add_max_distance(self._handle, body, particle_a, particle_b, max_length, compliance, ctypes.byref(out_constraint)))
+        status = low.gphys_solver_add_max_distance(self._handle, body, particle_a, particle_b, max_length, compliance, ctypes.byref(out_constraint))
+        if status < 0: check(status)
         return out_constraint.value
 
     def set_constraint_damping(self, body: int, constraint: int, damping: float) -> None:
@@ -2598,7 +2770,8 @@ class Solver(Bodies):
         if type(body) is not int or body >> 32: body = whole(body, "body")
         if type(constraint) is not int or constraint >> 32: constraint = whole(constraint, "constraint")
         if type(damping) is not float: damping = number(damping, "damping")
-        check(low.gphys_solver_set_constraint_damping(self._handle, body, constraint, damping))
+        status = low.gphys_solver_set_constraint_damping(self._handle, body, constraint, damping)
+        if status < 0: check(status)
 
     def set_volume(self, body: int, rest_volume: float, compliance: float = 0) -> None:
         """Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body;
@@ -2617,7 +2790,8 @@ class Solver(Bodies):
         if type(body) is not int or body >> 32: body = whole(body, "body")
         if type(rest_volume) is not float: rest_volume = number(rest_volume, "rest_volume")
         if type(compliance) is not float: compliance = number(compliance, "compliance")
-        check(low.gphys_solver_set_volume(self._handle, body, rest_volume, compliance))
+        status = low.gphys_solver_set_volume(self._handle, body, rest_volume, compliance)
+        if status < 0: check(status)
 
     def get_volume(self, body: int) -> tuple[float, float]:
         """The volume held by Solver.set_volume, m^3, as it is, and the pressure in pascals with which it
@@ -2629,7 +2803,8 @@ class Solver(Bodies):
         if type(body) is not int or body >> 32: body = whole(body, "body")
         out_volume = ctypes.c_float()
         out_pressure = ctypes.c_float()
-        check(low.gphys_solver_get_volume(self._handle, body, ctypes.byref(out_volume), ctypes.byref(out_pressure)))
+        status = low.gphys_solver_get_volume(self._handle, body, ctypes.byref(out_volume), ctypes.byref(out_pressure))
+        if status < 0: check(status)
         return out_volume.value, out_pressure.value
 
     def get_volume_settings(self, body: int) -> tuple[float, float]:
@@ -2642,7 +2817,8 @@ class Solver(Bodies):
         if type(body) is not int or body >> 32: body = whole(body, "body")
         out_rest_volume = ctypes.c_float()
         out_compliance = ctypes.c_float()
-        check(low.gphys_solver_get_volume_settings(self._handle, body, ctypes.byref(out_rest_volume), ctypes.byref(out_compliance)))
+        status = low.gphys_solver_get_volume_settings(self._handle, body, ctypes.byref(out_rest_volume), ctypes.byref(out_compliance))
+        if status < 0: check(status)
         return out_rest_volume.value, out_compliance.value
 
     def remove_constraint(self, body: int, constraint: int) -> None:
@@ -2654,7 +2830,8 @@ class Solver(Bodies):
             InvalidId: for a body or constraint that does not exist, or no longer"""
         if type(body) is not int or body >> 32: body = whole(body, "body")
         if type(constraint) is not int or constraint >> 32: constraint = whole(constraint, "constraint")
-        check(low.gphys_solver_remove_constraint(self._handle, body, constraint))
+        status = low.gphys_solver_remove_constraint(self._handle, body, constraint)
+        if status < 0: check(status)
 
     def get_constraints(self, body: int) -> NDArray[np.void]:
         """All constraints of a body, including those created with the body, by id.
@@ -2672,7 +2849,8 @@ class Solver(Bodies):
         constraints_ = array_of(constraints, "<u4")
         count = common_length(constraints_)
         out_ = result_array(out, count, "<i4")
-        check(low.gphys_solver_get_constraint_kinds(self._handle, body, constraints_.address, count, out_.address, out_.stride))
+        status = low.gphys_solver_get_constraint_kinds(self._handle, body, constraints_.address, count, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def get_constraint_settings(self, body: int, constraints: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
@@ -2685,7 +2863,8 @@ class Solver(Bodies):
         constraints_ = array_of(constraints, "<u4")
         count = common_length(constraints_)
         out_ = result_array(out, count, low.constraint_settings_dtype)
-        check(low.gphys_solver_get_constraint_settings(self._handle, body, constraints_.address, count, out_.address, out_.stride))
+        status = low.gphys_solver_get_constraint_settings(self._handle, body, constraints_.address, count, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def set_constraint_settings(self, body: int, constraints: ArrayLike, settings: ArrayLike) -> None:
@@ -2701,7 +2880,8 @@ class Solver(Bodies):
         constraints_ = array_of(constraints, "<u4")
         settings_ = array_of(settings, low.constraint_settings_dtype)
         count = common_length(constraints_, settings_)
-        check(low.gphys_solver_set_constraint_settings(self._handle, body, constraints_.address, settings_.address, settings_.stride, count))
+        status = low.gphys_solver_set_constraint_settings(self._handle, body, constraints_.address, settings_.address, settings_.stride, count)
+        if status < 0: check(status)
 
     def add_cluster(self, body: int, particles: ArrayLike) -> int:
         """Make particles of a body a rigid cluster: they keep the shape in which they are now, and move
@@ -2734,7 +2914,8 @@ class Solver(Bodies):
         particles_ = array_of(particles, "<u4")
         out_cluster = ctypes.c_uint32()
         count = common_length(particles_)
-        check(low.gphys_solver_add_cluster(self._handle, body, particles_.address, count, ctypes.byref(out_cluster)))
+        status = low.gphys_solver_add_cluster(self._handle, body, particles_.address, count, ctypes.byref(out_cluster))
+        if status < 0: check(status)
         return out_cluster.value
 
     def remove_cluster(self, body: int, cluster: int) -> None:
@@ -2745,7 +2926,8 @@ class Solver(Bodies):
             InvalidId: for a body or cluster that does not exist, or no longer"""
         if type(body) is not int or body >> 32: body = whole(body, "body")
         if type(cluster) is not int or cluster >> 32: cluster = whole(cluster, "cluster")
-        check(low.gphys_solver_remove_cluster(self._handle, body, cluster))
+        status = low.gphys_solver_remove_cluster(self._handle, body, cluster)
+        if status < 0: check(status)
 
     def get_clusters(self, body: int) -> NDArray[np.uint32]:
         """All clusters of a body, by id.
@@ -2790,7 +2972,8 @@ class Solver(Bodies):
         if type(rest_length) is not float: rest_length = number(rest_length, "rest_length")
         if type(compliance) is not float: compliance = number(compliance, "compliance")
         out_joint = ctypes.c_uint32()
-        check(low.gphys_solver_join(self._handle, body_a, particle_a, body_b, particle_b, rest_length, compliance, ctypes.byref(out_joint)))
+        status = low.gphys_solver_join(self._handle, body_a, particle_a, body_b, particle_b, rest_length, compliance, ctypes.byref(out_joint))
+        if status < 0: check(status)
         return out_joint.value
 
     def unjoin(self, joint: int) -> None:
@@ -2800,7 +2983,8 @@ class Solver(Bodies):
         Raises:
             InvalidId: for a joint that does not exist, or no longer"""
         if type(joint) is not int or joint >> 32: joint = whole(joint, "joint")
-        check(low.gphys_solver_unjoin(self._handle, joint))
+        status = low.gphys_solver_unjoin(self._handle, joint)
+        if status < 0: check(status)
 
     def get_joints(self, body: int) -> NDArray[np.void]:
         """Joints of a body, by id.
@@ -2823,7 +3007,8 @@ class Solver(Bodies):
         constraints_ = array_of(constraints, "<u4")
         forces_ = array_of(forces, "<f4")
         count = common_length(constraints_, forces_)
-        check(low.gphys_solver_set_breaking_forces(self._handle, body, constraints_.address, forces_.address, forces_.stride, count))
+        status = low.gphys_solver_set_breaking_forces(self._handle, body, constraints_.address, forces_.address, forces_.stride, count)
+        if status < 0: check(status)
 
     def get_breaking_forces(self, body: int, constraints: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[np.float32]:
         """What Solver.set_breaking_forces or BodyDesc.breaking_force has set; 0: never breaks.
@@ -2838,7 +3023,8 @@ class Solver(Bodies):
         constraints_ = array_of(constraints, "<u4")
         count = common_length(constraints_)
         out_ = result_array(out, count, "<f4")
-        check(low.gphys_solver_get_breaking_forces(self._handle, body, constraints_.address, count, out_.address, out_.stride))
+        status = low.gphys_solver_get_breaking_forces(self._handle, body, constraints_.address, count, out_.address, out_.stride)
+        if status < 0: check(status)
         return out_.array
 
     def break_constraint(self, body: int, constraint: int) -> low.Break:
@@ -2856,7 +3042,8 @@ class Solver(Bodies):
         if type(body) is not int or body >> 32: body = whole(body, "body")
         if type(constraint) is not int or constraint >> 32: constraint = whole(constraint, "constraint")
         out_result = low.Break()
-        check(low.gphys_solver_break_constraint(self._handle, body, constraint, ctypes.byref(out_result)))
+        status = low.gphys_solver_break_constraint(self._handle, body, constraint, ctypes.byref(out_result))
+        if status < 0: check(status)
         return out_result
 
     def get_breaks(self) -> NDArray[np.void]:
@@ -2878,7 +3065,8 @@ class Solver(Bodies):
             scene: to collide with and to follow attachments; None: none. Not modified.
             dt: seconds, 1e-6 .. 0.5"""
         if type(dt) is not float: dt = number(dt, "dt")
-        check(low.gphys_solver_step(self._handle, handle_of(scene, Scene), dt))
+        status = low.gphys_solver_step(self._handle, handle_of(scene, Scene), dt)
+        if status < 0: check(status)
 
     def advance(self, scene: Scene | None, frame_time: float) -> tuple[int, float]:
         """Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next
@@ -2897,7 +3085,8 @@ class Solver(Bodies):
         if type(frame_time) is not float: frame_time = number(frame_time, "frame_time")
         out_steps = ctypes.c_uint32()
         out_leftover = ctypes.c_float()
-        check(low.gphys_solver_advance(self._handle, handle_of(scene, Scene), frame_time, ctypes.byref(out_steps), ctypes.byref(out_leftover)))
+        status = low.gphys_solver_advance(self._handle, handle_of(scene, Scene), frame_time, ctypes.byref(out_steps), ctypes.byref(out_leftover))
+        if status < 0: check(status)
         return out_steps.value, out_leftover.value
 
     def get_leftover(self) -> float:
@@ -2908,7 +3097,8 @@ class Solver(Bodies):
         Returns:
             from 0 to below 1."""
         out_leftover = ctypes.c_float()
-        check(low.gphys_solver_get_leftover(self._handle, ctypes.byref(out_leftover)))
+        status = low.gphys_solver_get_leftover(self._handle, ctypes.byref(out_leftover))
+        if status < 0: check(status)
         return out_leftover.value
 
     def get_substeps(self, body: int) -> int:
@@ -2923,7 +3113,8 @@ class Solver(Bodies):
         Cost: O(1)."""
         if type(body) is not int or body >> 32: body = whole(body, "body")
         out_substeps = ctypes.c_uint32()
-        check(low.gphys_solver_get_substeps(self._handle, body, ctypes.byref(out_substeps)))
+        status = low.gphys_solver_get_substeps(self._handle, body, ctypes.byref(out_substeps))
+        if status < 0: check(status)
         return out_substeps.value
 
     def get_stats(self, body: int) -> low.SolverStats:
@@ -2934,7 +3125,8 @@ class Solver(Bodies):
             body: 0: all bodies together"""
         if type(body) is not int or body >> 32: body = whole(body, "body")
         out_stats = low.SolverStats()
-        check(low.gphys_solver_get_stats(self._handle, body, ctypes.byref(out_stats)))
+        status = low.gphys_solver_get_stats(self._handle, body, ctypes.byref(out_stats))
+        if status < 0: check(status)
         return out_stats
 
     def get_contacts(self) -> NDArray[np.void]:
@@ -2987,7 +3179,8 @@ class Solver(Bodies):
             OutOfMemory: if there is no room for it"""
         words_ = array_of(words, "<u4")
         count = common_length(words_)
-        check(low.gphys_solver_restore(self._handle, words_.address, count))
+        status = low.gphys_solver_restore(self._handle, words_.address, count)
+        if status < 0: check(status)
 
     def get_hash(self) -> NDArray[np.uint32]:
         """A hash of the whole state, the low half first. Equal states have equal hashes on every machine;
@@ -2995,7 +3188,8 @@ class Solver(Bodies):
         machines that run the same simulation, to detect when they diverge.
         Cost: O(particles + constraints)."""
         out_hash = np.empty(2, "<u4")
-        check(low.gphys_solver_get_hash(self._handle, out_hash.ctypes.data))
+        status = low.gphys_solver_get_hash(self._handle, out_hash.ctypes.data)
+        if status < 0: check(status)
         return out_hash
 
 
@@ -3017,7 +3211,8 @@ def validate(shape: Shape) -> None:
     Raises:
         InvalidArgument: and the error's message names the field"""
     type_, shape_ = shape_of(shape)
-    check(low.gphys_shape_validate(type_, shape_))
+    status = low.gphys_shape_validate(type_, shape_)
+    if status < 0: check(status)
 
 
 def bounds(shape: Shape) -> low.Aabb | None:
@@ -3029,7 +3224,9 @@ def bounds(shape: Shape) -> low.Aabb | None:
             extends to infinity; for an empty mesh or frustum."""
     type_, shape_ = shape_of(shape)
     out_bounds = low.Aabb()
-    return out_bounds if found(low.gphys_shape_bounds(type_, shape_, ctypes.byref(out_bounds))) else None
+    status = low.gphys_shape_bounds(type_, shape_, ctypes.byref(out_bounds))
+    if status < 0: check(status)
+    return None if status else out_bounds
 
 
 def contains(shape: Shape, point: VectorLike, tolerance: float = 0) -> bool:
@@ -3044,7 +3241,8 @@ def contains(shape: Shape, point: VectorLike, tolerance: float = 0) -> bool:
     point_ = point if type(point) is low.Vec3 else value_of(point, low.Vec3, "point")
     if type(tolerance) is not float: tolerance = number(tolerance, "tolerance")
     out_contains = ctypes.c_int32()
-    check(low.gphys_shape_contains(type_, shape_, point_, tolerance, ctypes.byref(out_contains)))
+    status = low.gphys_shape_contains(type_, shape_, point_, tolerance, ctypes.byref(out_contains))
+    if status < 0: check(status)
     return bool(out_contains.value)
 
 
@@ -3059,7 +3257,8 @@ def contains_batch(shape: Shape, points: ArrayLike, tolerance: float = 0, *, out
     if type(tolerance) is not float: tolerance = number(tolerance, "tolerance")
     count = common_length(points_)
     out_ = result_array(out, count, "<i4")
-    check(low.gphys_shape_contains_batch(type_, shape_, points_.address, points_.stride, count, tolerance, out_.address, out_.stride))
+    status = low.gphys_shape_contains_batch(type_, shape_, points_.address, points_.stride, count, tolerance, out_.address, out_.stride)
+    if status < 0: check(status)
     return out_.array
 
 
@@ -3075,7 +3274,9 @@ def closest_point(shape: Shape, point: VectorLike) -> low.Nearest | None:
     type_, shape_ = shape_of(shape)
     point_ = point if type(point) is low.Vec3 else value_of(point, low.Vec3, "point")
     out_nearest = low.Nearest()
-    return out_nearest if found(low.gphys_shape_closest_point(type_, shape_, point_, ctypes.byref(out_nearest))) else None
+    status = low.gphys_shape_closest_point(type_, shape_, point_, ctypes.byref(out_nearest))
+    if status < 0: check(status)
+    return None if status else out_nearest
 
 
 def closest_point_batch(shape: Shape, points: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
@@ -3086,7 +3287,8 @@ def closest_point_batch(shape: Shape, points: ArrayLike, *, out: NDArray[Any] | 
     points_ = array_of(points, low.vec3_dtype)
     count = common_length(points_)
     out_ = result_array(out, count, low.nearest_dtype)
-    check(low.gphys_shape_closest_point_batch(type_, shape_, points_.address, points_.stride, count, out_.address, out_.stride))
+    status = low.gphys_shape_closest_point_batch(type_, shape_, points_.address, points_.stride, count, out_.address, out_.stride)
+    if status < 0: check(status)
     return out_.array
 
 
@@ -3102,7 +3304,8 @@ def segment_closest_points(a: low.Segment | StructLike, b: low.Segment | StructL
     out_a = low.Vec3()
     out_b = low.Vec3()
     out_distance = ctypes.c_float()
-    check(low.gphys_segment_closest_points(a_, b_, ctypes.byref(out_a), ctypes.byref(out_b), ctypes.byref(out_distance)))
+    status = low.gphys_segment_closest_points(a_, b_, ctypes.byref(out_a), ctypes.byref(out_b), ctypes.byref(out_distance))
+    if status < 0: check(status)
     return out_a, out_b, out_distance.value
 
 
@@ -3119,7 +3322,8 @@ def overlaps(a: Shape, b: Shape) -> bool:
     a_type_, a_ = shape_of(a)
     b_type_, b_ = shape_of(b)
     out_overlaps = ctypes.c_int32()
-    check(low.gphys_shape_overlaps(a_type_, a_, b_type_, b_, ctypes.byref(out_overlaps)))
+    status = low.gphys_shape_overlaps(a_type_, a_, b_type_, b_, ctypes.byref(out_overlaps))
+    if status < 0: check(status)
     return bool(out_overlaps.value)
 
 
@@ -3137,7 +3341,8 @@ def overlaps_batch(a: ArrayLike | Mesh, b: ArrayLike | Mesh, *, out: NDArray[Any
     b_type_, b_ = shapes_of(b)
     count = common_length(a_, b_)
     out_ = result_array(out, count, "<i4")
-    check(low.gphys_shape_overlaps_batch(a_type_, a_.address, a_.stride, b_type_, b_.address, b_.stride, count, out_.address, out_.stride))
+    status = low.gphys_shape_overlaps_batch(a_type_, a_.address, a_.stride, b_type_, b_.address, b_.stride, count, out_.address, out_.stride)
+    if status < 0: check(status)
     return out_.array
 
 
@@ -3155,7 +3360,8 @@ def classify_plane(shape: Shape, plane: low.Plane | StructLike) -> tuple[int, fl
     plane_ = plane if type(plane) is low.Plane else value_of(plane, low.Plane, "plane")
     out_side = ctypes.c_int32()
     out_signed_distance = ctypes.c_float()
-    check(low.gphys_shape_classify_plane(type_, shape_, plane_, ctypes.byref(out_side), ctypes.byref(out_signed_distance)))
+    status = low.gphys_shape_classify_plane(type_, shape_, plane_, ctypes.byref(out_side), ctypes.byref(out_signed_distance))
+    if status < 0: check(status)
     return out_side.value, out_signed_distance.value
 
 
@@ -3169,7 +3375,8 @@ def classify_frustum(shape: Shape, frustum: low.Frustum | StructLike) -> int:
     type_, shape_ = shape_of(shape)
     frustum_ = frustum if type(frustum) is low.Frustum else value_of(frustum, low.Frustum, "frustum")
     out_side = ctypes.c_int32()
-    check(low.gphys_shape_classify_frustum(type_, shape_, frustum_, ctypes.byref(out_side)))
+    status = low.gphys_shape_classify_frustum(type_, shape_, frustum_, ctypes.byref(out_side))
+    if status < 0: check(status)
     return out_side.value
 
 
@@ -3190,7 +3397,9 @@ def raycast(shape: Shape, ray: low.Ray | StructLike) -> low.Hit | None:
     type_, shape_ = shape_of(shape)
     ray_ = ray if type(ray) is low.Ray else value_of(ray, low.Ray, "ray")
     out_hit = low.Hit()
-    return out_hit if found(low.gphys_shape_raycast(type_, shape_, ray_, ctypes.byref(out_hit))) else None
+    status = low.gphys_shape_raycast(type_, shape_, ray_, ctypes.byref(out_hit))
+    if status < 0: check(status)
+    return None if status else out_hit
 
 
 def raycast_batch(shape: Shape, rays: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
@@ -3204,7 +3413,8 @@ def raycast_batch(shape: Shape, rays: ArrayLike, *, out: NDArray[Any] | None = N
     rays_ = array_of(rays, low.ray_dtype)
     count = common_length(rays_)
     out_ = result_array(out, count, low.hit_dtype)
-    check(low.gphys_shape_raycast_batch(type_, shape_, rays_.address, rays_.stride, count, out_.address, out_.stride))
+    status = low.gphys_shape_raycast_batch(type_, shape_, rays_.address, rays_.stride, count, out_.address, out_.stride)
+    if status < 0: check(status)
     return out_.array
 
 
@@ -3222,7 +3432,9 @@ def segment_test(shape: Shape, segment: low.Segment | StructLike) -> low.Hit | N
     type_, shape_ = shape_of(shape)
     segment_ = segment if type(segment) is low.Segment else value_of(segment, low.Segment, "segment")
     out_hit = low.Hit()
-    return out_hit if found(low.gphys_shape_segment_test(type_, shape_, segment_, ctypes.byref(out_hit))) else None
+    status = low.gphys_shape_segment_test(type_, shape_, segment_, ctypes.byref(out_hit))
+    if status < 0: check(status)
+    return None if status else out_hit
 
 
 def sweep_sphere(shape: Shape, sphere: low.Sphere | StructLike, displacement: VectorLike) -> low.Hit | None:
@@ -3249,7 +3461,9 @@ def sweep_sphere(shape: Shape, sphere: low.Sphere | StructLike, displacement: Ve
     sphere_ = sphere if type(sphere) is low.Sphere else value_of(sphere, low.Sphere, "sphere")
     displacement_ = displacement if type(displacement) is low.Vec3 else value_of(displacement, low.Vec3, "displacement")
     out_hit = low.Hit()
-    return out_hit if found(low.gphys_shape_sweep_sphere(type_, shape_, sphere_, displacement_, ctypes.byref(out_hit))) else None
+    status = low.gphys_shape_sweep_sphere(type_, shape_, sphere_, displacement_, ctypes.byref(out_hit))
+    if status < 0: check(status)
+    return None if status else out_hit
 
 
 def sweep(shape: Shape, moving: low.Sphere | low.Capsule | low.Aabb | low.Obb, displacement: VectorLike) -> low.Hit | None:
@@ -3276,7 +3490,9 @@ def sweep(shape: Shape, moving: low.Sphere | low.Capsule | low.Aabb | low.Obb, d
     moving_type_, moving_ = shape_of(moving)
     displacement_ = displacement if type(displacement) is low.Vec3 else value_of(displacement, low.Vec3, "displacement")
     out_hit = low.Hit()
-    return out_hit if found(low.gphys_shape_sweep(type_, shape_, moving_type_, moving_, displacement_, ctypes.byref(out_hit))) else None
+    status = low.gphys_shape_sweep(type_, shape_, moving_type_, moving_, displacement_, ctypes.byref(out_hit))
+    if status < 0: check(status)
+    return None if status else out_hit
 
 
 def sweep_batch(shapes: ArrayLike | Mesh, moving: ArrayLike | Mesh, displacements: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
@@ -3296,7 +3512,8 @@ def sweep_batch(shapes: ArrayLike | Mesh, moving: ArrayLike | Mesh, displacement
     displacements_ = array_of(displacements, low.vec3_dtype)
     count = common_length(shapes_, moving_, displacements_)
     out_ = result_array(out, count, low.hit_dtype)
-    check(low.gphys_shape_sweep_batch(type_, shapes_.address, shapes_.stride, moving_type_, moving_.address, moving_.stride, displacements_.address, displacements_.stride, count, out_.address, out_.stride))
+    status = low.gphys_shape_sweep_batch(type_, shapes_.address, shapes_.stride, moving_type_, moving_.address, moving_.stride, displacements_.address, displacements_.stride, count, out_.address, out_.stride)
+    if status < 0: check(status)
     return out_.array
 
 
@@ -3325,7 +3542,9 @@ def penetration(shape: Shape, moving: low.Sphere | low.Capsule | low.Aabb | low.
     type_, shape_ = shape_of(shape)
     moving_type_, moving_ = shape_of(moving)
     out_penetration = low.Penetration()
-    return out_penetration if found(low.gphys_shape_penetration(type_, shape_, moving_type_, moving_, ctypes.byref(out_penetration))) else None
+    status = low.gphys_shape_penetration(type_, shape_, moving_type_, moving_, ctypes.byref(out_penetration))
+    if status < 0: check(status)
+    return None if status else out_penetration
 
 
 def penetration_batch(shapes: ArrayLike | Mesh, moving: ArrayLike | Mesh, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
@@ -3343,7 +3562,8 @@ def penetration_batch(shapes: ArrayLike | Mesh, moving: ArrayLike | Mesh, *, out
     moving_type_, moving_ = shapes_of(moving)
     count = common_length(shapes_, moving_)
     out_ = result_array(out, count, low.penetration_dtype)
-    check(low.gphys_shape_penetration_batch(type_, shapes_.address, shapes_.stride, moving_type_, moving_.address, moving_.stride, count, out_.address, out_.stride))
+    status = low.gphys_shape_penetration_batch(type_, shapes_.address, shapes_.stride, moving_type_, moving_.address, moving_.stride, count, out_.address, out_.stride)
+    if status < 0: check(status)
     return out_.array
 
 
@@ -3361,7 +3581,9 @@ def frustum_corners(frustum: low.Frustum | StructLike) -> NDArray[np.float32] | 
             float."""
     frustum_ = frustum if type(frustum) is low.Frustum else value_of(frustum, low.Frustum, "frustum")
     out_corners = np.empty(8, low.vec3_dtype)
-    return out_corners if found(low.gphys_frustum_corners(frustum_, out_corners.ctypes.data)) else None
+    status = low.gphys_frustum_corners(frustum_, out_corners.ctypes.data)
+    if status < 0: check(status)
+    return None if status else out_corners
 
 
 def planes_intersection(a: low.Plane | StructLike, b: low.Plane | StructLike, c: low.Plane | StructLike) -> low.Vec3 | None:
@@ -3375,7 +3597,9 @@ def planes_intersection(a: low.Plane | StructLike, b: low.Plane | StructLike, c:
     b_ = b if type(b) is low.Plane else value_of(b, low.Plane, "b")
     c_ = c if type(c) is low.Plane else value_of(c, low.Plane, "c")
     out_point = low.Vec3()
-    return out_point if found(low.gphys_planes_intersection(a_, b_, c_, ctypes.byref(out_point))) else None
+    status = low.gphys_planes_intersection(a_, b_, c_, ctypes.byref(out_point))
+    if status < 0: check(status)
+    return None if status else out_point
 
 
 def planes_intersection_batch(a: ArrayLike, b: ArrayLike, c: ArrayLike, *, out: NDArray[Any] | None = None) -> NDArray[np.float32]:
@@ -3390,7 +3614,8 @@ def planes_intersection_batch(a: ArrayLike, b: ArrayLike, c: ArrayLike, *, out: 
     c_ = array_of(c, low.plane_dtype)
     count = common_length(a_, b_, c_)
     out_ = result_array(out, count, low.vec3_dtype)
-    check(low.gphys_planes_intersection_batch(a_.address, a_.stride, b_.address, b_.stride, c_.address, c_.stride, count, out_.address, out_.stride))
+    status = low.gphys_planes_intersection_batch(a_.address, a_.stride, b_.address, b_.stride, c_.address, c_.stride, count, out_.address, out_.stride)
+    if status < 0: check(status)
     return out_.array
 
 
@@ -3405,7 +3630,8 @@ def mat4_orthonormality(matrix: low.Mat4 | ArrayLike) -> float:
         matrix: elements within MAX_COORDINATE"""
     matrix_ = matrix_of(matrix, low.Mat4, "matrix")
     out_deviation = ctypes.c_float()
-    check(low.gphys_mat4_orthonormality(matrix_, ctypes.byref(out_deviation)))
+    status = low.gphys_mat4_orthonormality(matrix_, ctypes.byref(out_deviation))
+    if status < 0: check(status)
     return out_deviation.value
 
 
@@ -3424,7 +3650,8 @@ def frustum_from_matrix(view_projection: low.Mat4 | ArrayLike, depth_range: int,
     if type(depth_range) is not int or depth_range >> 31: depth_range = value(depth_range, "depth_range")
     if type(reverse_z) is not bool: reverse_z = flag(reverse_z, "reverse_z")
     out_frustum = low.Frustum()
-    check(low.gphys_frustum_from_matrix(view_projection_, depth_range, reverse_z, ctypes.byref(out_frustum)))
+    status = low.gphys_frustum_from_matrix(view_projection_, depth_range, reverse_z, ctypes.byref(out_frustum))
+    if status < 0: check(status)
     return out_frustum
 
 
@@ -3444,5 +3671,6 @@ def mesh_check(vertices: ArrayLike, indices: ArrayLike) -> low.MeshReport:
     vertices_ = array_of(vertices, "<f4", 3)
     indices_ = array_of(indices, "<u4")
     out_report = low.MeshReport()
-    check(low.gphys_mesh_check(vertices_.address, vertices_.stride, vertices_.length, indices_.address, indices_.numbers, ctypes.byref(out_report)))
+    status = low.gphys_mesh_check(vertices_.address, vertices_.stride, vertices_.length, indices_.address, indices_.numbers, ctypes.byref(out_report))
+    if status < 0: check(status)
     return out_report
