@@ -1257,7 +1257,8 @@ func (o *Scene) OverlapBatch(shapes Shapes, layers uint32) (result Ragged[ModelI
 // edges are listed, too: a few per cent more where models are compact or not rotated; about a third
 // more where they are long or flat and rotated, so that their world boxes are mostly empty, and as
 // many again as are visible where they are as long as the view is wide. Scene.Overlap leaves these out
-// by testing the shapes.
+// by testing the shapes. In scenes of more than 130 000 models, room for n / 32 more ids than are
+// listed is best: it is used to order them.
 // Cost: O(log n + k) expected.
 func (o *Scene) Cull(frustum Frustum, layers uint32) (result []ModelID, err error) {
 	self, err := o.open()
@@ -3851,18 +3852,18 @@ func (o *Solver) AirVelocities(body BodyID, first uint32, velocities []Vec3) (er
 // into the body behind them. In the next step position and normal go evenly from the old target to the
 // new one, substep by substep; distances act at once. A target that is not set again stands still. A
 // first target, and that of a particle which Solver.SetPositions has moved since the last step, takes
-// effect at its new place at once: to teleport, make that call and this one. A model that is
-// teleported too sweeps through what is on its way: set the body's layers to 0 for that step
-// (Solver.SetBodySettings). maxDistance 0 carries a particle: it is at its target, as if attached
-// there, and moves links with infinite mass; this also moves a pinned particle, which stays pinned, at
-// constant speed during a step. Otherwise particles that are pinned or attached are not moved. A
-// particle that is out of its bounds at the end of a substep is put on the nearest place within both,
-// without friction; its velocity across them is then that of the target. What lies within its bounds
-// is not touched. Bounds act after constraints and before models: where a target is inside a model, or
-// behind one, the particle stays outside. Links yield to bounds that contradict them. What hangs from
-// a particle at its bounds is carried, in cloth and in ropes that are moved alone; ropes and free
-// particles that are joined, or collide with bodies, are put back particle by particle, and links
-// beside these may be strained by the motion of a substep. Wakes the body if a target changes.
+// effect at its new place at once: to teleport, make that call and this one. If the body is attached
+// to a model that jumps (Solver.Step), this call alone is enough. maxDistance 0 carries a particle: it
+// is at its target, as if attached there, and moves links with infinite mass; this also moves a pinned
+// particle, which stays pinned, at constant speed during a step. Otherwise particles that are pinned
+// or attached are not moved. A particle that is out of its bounds at the end of a substep is put on
+// the nearest place within both, without friction; its velocity across them is then that of the
+// target. What lies within its bounds is not touched. Bounds act after constraints and before models:
+// where a target is inside a model, or behind one, the particle stays outside. Links yield to bounds
+// that contradict them. What hangs from a particle at its bounds is carried, in cloth and in ropes
+// that are moved alone; ropes and free particles that are joined, or collide with bodies, are put back
+// particle by particle, and links beside these may be strained by the motion of a substep. Wakes the
+// body if a target changes.
 //   - first: as in Solver.Positions
 //   - targets: maxDistance and backstop INFINITY: no target any more
 // Cost: O(elements); the first time O(particles), and it allocates. In each substep some 100 ns a
@@ -3902,7 +3903,10 @@ func (o *Solver) AnimationTargets(body BodyID, first uint32, targets []Animation
 
 // Fix a particle to a model: it follows the model's transform in each step, and is released when the
 // model is gone. Steps must then be given this scene; in a step without one the particle stays where
-// it is.
+// it is. If the model jumps (Solver.Step), the whole body goes with it as if it were rigid, and its
+// velocities turn with it: a cape stays on a character that respawns. Bodies with other pinned
+// particles, joints, or attachments to models that go elsewhere do not, nor do bodies without
+// constraints.
 //   - scene: of the same origin as the solver; not modified
 //   - localPoint: in the model's coordinates, to which its transform applies, with the transform's
 //     scale, and not Scene.SetScale; nil: where the particle is now
@@ -4386,7 +4390,11 @@ func (o *Solver) Breaks() (result []Break, err error) {
 // Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
 // takes more where they would be longer than 25 ms.
 // Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
-// through particles. Allocates when what it steps has changed.
+// through particles. A model moves evenly from its place at the last step to its present one, unless
+// it jumps: it turns by a right angle or more, its velocity changes by more than 50 m/s to more than
+// that, or its surface does by a change of scale. One that jumps is not swept and gives no speed. What
+// is then within a solid is pushed out slowly; what is then behind a plane or a mesh stays there.
+// Allocates when what it steps has changed.
 //   - scene: to collide with and to follow attachments; nil: none. Not modified.
 //   - dt: seconds, 1e-6 .. 0.5
 // Cost: O(particles + constraints) a substep, and a scene query for particles near models; O(1) and a

@@ -20,7 +20,7 @@ ERROR_INVALID_ARGUMENT = -1  # null, NaN, infinite, out of range, wrong stride, 
 ERROR_INVALID_ID = -2  # no such model, body, constraint or joint, or no longer
 ERROR_STRUCT_SIZE = -3  # a desc not initialised, or newer than this library
 ERROR_OUT_OF_MEMORY = -4
-ERROR_CAPACITY = -5  # more than 2^24 - 1 models or bodies
+ERROR_CAPACITY = -5  # more than a limit, 2^24 - 1 unless the function says another
 ERROR_CYCLE = -6  # a model would become its own ancestor
 ERROR_UNSUPPORTED = -7  # the operation has no meaning for this kind of shape
 ERROR_SINGULAR = -8  # a matrix without an inverse
@@ -595,7 +595,8 @@ MeshInfo.dtype = mesh_info_dtype
 
 @struct
 class OctreeStats(Value, Structure):
-    """How an octree is made up. Frozen.
+    """How an octree is made up: a tree of boxes around the models of a scene or the triangles of a mesh, with at most
+    eight children a node (a bounding volume hierarchy). It has no cells, and no size or depth to choose. Frozen.
 
     Fields:
         item_count: models or triangles in the tree
@@ -1142,7 +1143,7 @@ class Attachment(Value, Structure):
     """A particle that is attached to a model. Frozen.  Since 1.1.
 
     Fields:
-        local_point: metres, in the model's coordinates"""
+        local_point: in the model's coordinates, as for Solver.attach"""
 
     __slots__ = ()
     particle: int
