@@ -101,6 +101,15 @@ GPHYS_INLINE Float8 load_lanes(const At& at) {
     return v;
 }
 
+/// Permutation: lane i is row[lanes[i]].
+GPHYS_INLINE Float8 load_permuted(const float row[8], const uint32_t lanes[8]) {
+#if GPHYS_HAS_AVX2
+    return {{permuted(row, lanes)}};
+#else
+    return load_lanes([&](int i) { return row + lanes[i]; });
+#endif
+}
+
 GPHYS_INLINE Float8 operator+(Float8 a, Float8 b) {
     for (int i = 0; i < register_count; ++i) a.part[i] = a.part[i] + b.part[i];
     return a;

@@ -37,6 +37,10 @@ GPHYS_INLINE FloatRegister maximum(FloatRegister a, FloatRegister b) { return _m
 GPHYS_INLINE FloatRegister square_root(FloatRegister a) { return _mm256_sqrt_ps(a.v); }
 GPHYS_INLINE FloatRegister integer_bits(FloatRegister a) { return _mm256_castsi256_ps(_mm256_cvttps_epi32(a.v)); }
 GPHYS_INLINE float first_lane(FloatRegister a) { return _mm256_cvtss_f32(a.v); }
+/// Lane i is row[lanes[i]].
+GPHYS_INLINE FloatRegister permuted(const float row[8], const uint32_t lanes[8]) {
+    return _mm256_permutevar8x32_ps(_mm256_loadu_ps(row), _mm256_loadu_si256(reinterpret_cast<const __m256i*>(lanes)));
+}
 
 /// Horizontal reduction: the best of all lanes, in all lanes.
 template <class Better>

@@ -2,12 +2,15 @@
 // coherent rays and for interleaved ones (bvh/*_traversal.h), and the making of hits.
 #include "mesh/mesh_kernels.h"
 
+#include <optional>
+
 #include "bvh/interleaved_traversal.h"
 #include "bvh/ordered_traversal.h"
 #include "bvh/packet_traversal.h"
 #include "bvh/ray_lanes.h"
 #include "foundation/compiler.h"
 #include "geometry/shear.h"
+#include "mesh/shared_origin.h"
 #include "mesh/single_ray.h"
 #include "mesh/triangle_lanes.h"
 #include "mesh/triangle_setup.h"
@@ -168,12 +171,30 @@ void walk_rays(const BvhNode* nodes, uint32_t root, const TrianglePacket* packet
     const auto prefetch_of = [&](uint32_t number) GPHYS_INLINE_LAMBDA { prefetch_packet(packets, number); };
     if (together) {
         PacketTest packet_test(probe_of, limits, count);
+        const auto traverse = [&](const auto& visit) {
+            return traverse_packet(
+                nodes, root, packet_test, count, visit, [&] { crossing.finish(); }, prefetch_of);
+        };
         const auto visit = [&](uint32_t group, uint32_t set, uint32_t number) {
             for (; set != 0; set &= set - 1) add(8 * group + static_cast<uint32_t>(lowest_bit(set)), number);
         };
-        const bool done = traverse_packet(
-            nodes, root, packet_test, count, visit, [&] { crossing.finish(); }, prefetch_of);
-        if (done) return;
+        const SharedOrigin shared(rays, count);
+        if (shared) {
+            std::optional<TrianglesFromOrigin> seen;
+            uint32_t seen_number = 0;
+            const auto visit_from_origin = [&](uint32_t group, uint32_t set, uint32_t number) {
+                const TrianglePacket& packet = packets[number];
+                if (!seen || seen_number != number) seen.emplace(shared.first(), packet);
+                seen_number = number;
+                for (; set != 0; set &= set - 1) {
+                    const uint32_t ray = 8 * group + static_cast<uint32_t>(lowest_bit(set));
+                    crossing.add(ray, packet, seen->hits(shared.slope_x[ray], shared.slope_y[ray], limits[ray]));
+                }
+            };
+            if (traverse(visit_from_origin)) return;
+        } else if (traverse(visit)) {
+            return;
+        }
     }
     const auto visit = [&](const uint32_t* numbers, const uint32_t* items, uint32_t size, float* new_limits) {
         float before[8];
@@ -201,16 +222,15 @@ uint64_t hits_at(const PreparedRay* rays, const NearestCrossing* nearest, uint32
         const auto make = [&] {
             const NearestCrossing* of[8];
             const PreparedRay* by[8];
+            gphys_hit* to[8];
             for (uint32_t i = 0; i < 8; ++i) {
                 const uint32_t ray = number[i < size ? i : 0];
                 of[i] = nearest + ray;
                 by[i] = rays + ray;
+                to[i] = out[ray];
             }
-            gphys_hit eight[8];
-            for (uint32_t rest = make_hits(of, by, place, eight) & ((1u << size) - 1); rest != 0; rest &= rest - 1) {
-                const auto i = static_cast<uint32_t>(lowest_bit(rest));
-                *out[number[i]] = eight[i];
-                made |= uint64_t{1} << number[i];
+            for (uint32_t rest = make_hits(of, by, place, to) & ((1u << size) - 1); rest != 0; rest &= rest - 1) {
+                made |= uint64_t{1} << number[lowest_bit(rest)];
             }
             size = 0;
         };

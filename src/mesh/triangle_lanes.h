@@ -12,15 +12,42 @@ namespace gphys::GPHYS_ISA {
 /// For fewer pairs, single tests are faster; with registers of two doubles, always.
 constexpr uint32_t worth_eight_lanes = double_register_lanes == 8 ? 3 : double_register_lanes == 4 ? 6 : 9;
 
-/// Corner c of eight triangles: first_of(i, k) points to coordinate k of the first corner in its packet.
-template <class FirstOf>
-GPHYS_INLINE Vec<Double8> corners8(const FirstOf& first_of, int c) {
-    constexpr int next = sizeof(TrianglePacket::corner[0]) / sizeof(float);
-    const auto coordinate = [&](int k) {
-        return widened(load_lanes([&](int i) { return first_of(i, k) + next * c; }));
-    };
-    return {coordinate(0), coordinate(1), coordinate(2)};
-}
+/// The corners of eight triangles. Neighbours mostly are in one packet. So each run of lanes with the same packet, and
+/// the same order of axes, is read by permutations of the packet's rows, instead of gathered float by float.
+class Corners8 {
+public:
+    /// packet_of(i), lane_of(i), i < 8: where triangle i is. axes_of(i): the axes to read as x, y, z, an int[4].
+    template <class PacketOf, class LaneOf, class AxesOf>
+    GPHYS_INLINE Corners8(const PacketOf& packet_of, const LaneOf& lane_of, const AxesOf& axes_of) {
+        uint32_t starts = 1;  // of runs
+        for (int i = 0; i < 8; ++i) lanes_[i] = lane_of(i);
+        for (int i = 1; i < 8; ++i) {
+            const bool differ = (packet_of(i) != packet_of(i - 1)) | (axes_of(i)[0] != axes_of(i - 1)[0]) |
+                                (axes_of(i)[1] != axes_of(i - 1)[1]);
+            starts |= uint32_t{differ} << i;
+        }
+        constexpr float numbers[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+        for (; starts != 0; starts &= starts - 1) {
+            const int first = lowest_bit(starts);
+            const Mask8 from_here = splat(static_cast<float>(first)) <= load(numbers);
+            const int* axes = axes_of(first);
+            for (int k = 0; k < 3; ++k) {
+                for (int c = 0; c < 3; ++c) {
+                    const Float8 row = load_permuted(packet_of(first)->corner[c][axes[k]], lanes_);
+                    corner_[c][k] = choose(from_here, row, first == 0 ? row : corner_[c][k]);
+                }
+            }
+        }
+    }
+
+    GPHYS_INLINE Vec<Double8> operator[](int c) const {
+        return {widened(corner_[c][0]), widened(corner_[c][1]), widened(corner_[c][2])};
+    }
+
+private:
+    uint32_t lanes_[8];
+    Float8 corner_[3][3];
+};
 
 /// Pairs of a ray, by its index, and a triangle. Entries beyond the count are valid, but their results are ignored.
 struct RaysAndTriangles {
@@ -48,9 +75,8 @@ struct Crossings8 {
 
     GPHYS_INLINE Crossings8(const RaysAndTriangles& pairs, const PreparedRay* rays) {
         const auto ray = [&](int i) -> const PreparedRay& { return rays[pairs.ray[i]]; };
-        const auto first = [&](int i, int k) {
-            return pairs.packet[i]->corner[0][ray(i).triangles.axis[k]] + pairs.lane[i];
-        };
+        const Corners8 corners([&](int i) { return pairs.packet[i]; }, [&](int i) { return pairs.lane[i]; },
+                               [&](int i) { return ray(i).triangles.axis; });
         Double8 from[4], rest[4], path[4];
         load_components([&](int i) { return ray(i).sheared.from; }, from);
         load_components([&](int i) { return &ray(i).sheared.sx; }, rest);
@@ -58,7 +84,7 @@ struct Crossings8 {
         const Double8 speed = from[3], t_max = rest[2];
 
         const auto sheared = [&](int of) {
-            const Vec<Double8> corner = corners8(first, of);
+            const Vec<Double8> corner = corners[of];
             const Double8 z_of = corner.z - from[2];
             return Vec<Double8>{corner.x - from[0] - rest[0] * z_of, corner.y - from[1] - rest[1] * z_of, z_of};
         };
@@ -106,17 +132,19 @@ struct Crossings8 {
     }
 };
 
-/// The hits of eight rays at their nearest crossings, as hit_at, transformed by place(point, normal). Returns the lanes
-/// that were made; the others need the scalar function.
+/// Writes the hits of eight rays at their nearest crossings, as hit_at, transformed by place(point, normal). Returns the
+/// lanes that are right; the others need the scalar function.
 template <class Place>
 GPHYS_INLINE uint32_t make_hits(const NearestCrossing* const (&nearest)[8], const PreparedRay* const (&rays)[8],
-                                const Place& place, gphys_hit (&out)[8]) {
-    const auto first = [&](int i, int k) { return nearest[i]->packet->corner[0][k] + nearest[i]->lane; };
+                                const Place& place, gphys_hit* const (&out)[8]) {
+    constexpr int axes[4] = {0, 1, 2, 3};
+    const Corners8 corners([&](int i) { return nearest[i]->packet; }, [&](int i) { return nearest[i]->lane; },
+                           [&](int) { return axes; });
     Double8 crossing[3], speed[1];
     load_components([&](int i) { return &nearest[i]->crossing.t; }, crossing);
     load_components([&](int i) { return &rays[i]->sheared.speed; }, speed);
 
-    const Vec<Double8> a = corners8(first, 0), ab = corners8(first, 1) - a, ac = corners8(first, 2) - a;
+    const Vec<Double8> a = corners[0], ab = corners[1] - a, ac = corners[2] - a;
     // The scalar form is accurate_cross.
     DoubleMask8 clear = 0 < absolute(speed[0]);
     const auto difference = [&](Double8 p, Double8 q) {
@@ -141,16 +169,14 @@ GPHYS_INLINE uint32_t make_hits(const NearestCrossing* const (&nearest)[8], cons
 
     Vec<Double8> point = a + ab * u + ac * v;
     place(point, normal);
-    store_quads([&](int i) { return &out[i].t; }, rounded_place(crossing[0] + 0.0, point));
-    store_quads([&](int i) { return &out[i].normal.x; }, rounded_normal(normal, load(triangle)));
-    float us[8], vs[8];
-    gphys::GPHYS_ISA::store(us, narrowed(u));
-    gphys::GPHYS_ISA::store(vs, narrowed(v));
+    const Quads8 at = rounded_place(crossing[0] + 0.0, point), facing = rounded_normal(normal, load(triangle));
+    const auto floats = [&](int i) { return reinterpret_cast<float*>(out[i]); };
+    static_assert(offsetof(gphys_hit, t) == 8 && offsetof(gphys_hit, triangle) == 36 && offsetof(gphys_hit, v) == 44);
+    store_quads(floats, {splat(0), splat(0), at.x, at.y});  // model and tag are 0
+    store_quads([&](int i) { return floats(i) + 4; }, {at.z, at.w, facing.x, facing.y});
+    store_quads([&](int i) { return floats(i) + 8; }, {facing.z, facing.w, narrowed(u), narrowed(v)});
     for (int i = 0; i < 8; ++i) {
-        out[i].model = out[i].tag = 0;
-        out[i].u = us[i];
-        out[i].v = vs[i];
-        out[i].flags = (nearest[i]->crossing.t == 0 ? GPHYS_HIT_INSIDE : 0) | (side[i] < 0 ? GPHYS_HIT_BACK : 0);
+        out[i]->flags = (nearest[i]->crossing.t == 0 ? GPHYS_HIT_INSIDE : 0) | (side[i] < 0 ? GPHYS_HIT_BACK : 0);
     }
     return bits(clear);
 }
