@@ -32,9 +32,14 @@ std::vector<uint32_t> first_tile(const std::vector<gphys_ray>& rays) {
     return items;
 }
 
+/// In blocks of four times two, or in one row.
 std::vector<uint32_t> rectangle(uint32_t width, uint32_t height, uint32_t columns) {
+    const uint32_t rows = height == 1 ? 1 : 2, across = 8 / rows;
     std::vector<uint32_t> items;
-    for (uint32_t i = 0; i < width * height; ++i) items.push_back(i / width * columns + i % width);
+    for (uint32_t block = 0; block < width * height / 8; ++block) {
+        const uint32_t x = block % (width / across) * across, y = block / (width / across) * rows;
+        for (uint32_t i = 0; i < 8; ++i) items.push_back((y + i / across) * columns + x + i % across);
+    }
     return items;
 }
 

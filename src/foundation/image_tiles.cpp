@@ -82,11 +82,19 @@ uint32_t ImageTiles::count() const {
 
 uint32_t ImageTiles::items(uint32_t tile, uint32_t* out) const {
     const uint32_t left = tile % in_band_ * width_, right = std::min(left + width_, row_);
-    uint64_t row = uint64_t{tile / in_band_} * height() * row_;
+    const uint64_t top = uint64_t{tile / in_band_} * height();
+    // Kernels take eight items at a time: those of a block of four times two are closer together than those of a row.
+    const uint32_t rows = height() == 1 ? 1 : 2, columns = 8 / rows;
     uint32_t size = 0;
-    for (uint32_t y = 0; y < height(); ++y, row += row_) {
-        const uint64_t end = std::min<uint64_t>(row + right, count_);
-        for (uint64_t i = row + left; i < end; ++i) out[size++] = static_cast<uint32_t>(i);
+    for (uint32_t y = 0; y < height(); y += rows) {
+        const uint64_t row = (top + y) * row_;
+        for (uint32_t x = left; x < right; x += columns) {
+            const uint32_t last = std::min(x + columns, right), below = std::min(rows, height() - y);
+            for (uint32_t v = 0; v < below; ++v) {
+                const uint64_t begin = row + uint64_t{v} * row_, end = std::min<uint64_t>(begin + last, count_);
+                for (uint64_t i = begin + x; i < end; ++i) out[size++] = static_cast<uint32_t>(i);
+            }
+        }
     }
     return size;
 }

@@ -171,30 +171,28 @@ void walk_rays(const BvhNode* nodes, uint32_t root, const TrianglePacket* packet
     const auto prefetch_of = [&](uint32_t number) GPHYS_INLINE_LAMBDA { prefetch_packet(packets, number); };
     if (together) {
         PacketTest packet_test(probe_of, limits, count);
-        const auto traverse = [&](const auto& visit) {
-            return traverse_packet(
-                nodes, root, packet_test, count, visit, [&] { crossing.finish(); }, prefetch_of);
-        };
+        std::optional<SharedOrigin> shared;
+        std::optional<TrianglesFromOrigin> seen;
+        uint32_t seen_number = 0;
         const auto visit = [&](uint32_t group, uint32_t set, uint32_t number) {
-            for (; set != 0; set &= set - 1) add(8 * group + static_cast<uint32_t>(lowest_bit(set)), number);
-        };
-        const SharedOrigin shared(rays, count);
-        if (shared) {
-            std::optional<TrianglesFromOrigin> seen;
-            uint32_t seen_number = 0;
-            const auto visit_from_origin = [&](uint32_t group, uint32_t set, uint32_t number) {
-                const TrianglePacket& packet = packets[number];
-                if (!seen || seen_number != number) seen.emplace(shared.first(), packet);
+            if (!shared) shared.emplace(rays, count);
+            const TrianglePacket& packet = packets[number];
+            if (*shared && !(seen && seen_number == number)) {
+                seen.emplace(shared->first(), packet);
                 seen_number = number;
-                for (; set != 0; set &= set - 1) {
-                    const uint32_t ray = 8 * group + static_cast<uint32_t>(lowest_bit(set));
-                    crossing.add(ray, packet, seen->hits(shared.slope_x[ray], shared.slope_y[ray], limits[ray]));
+            }
+            for (; set != 0; set &= set - 1) {
+                const uint32_t ray = 8 * group + static_cast<uint32_t>(lowest_bit(set));
+                if (*shared) {
+                    crossing.add(ray, packet, seen->hits(shared->slope_x[ray], shared->slope_y[ray], limits[ray]));
+                } else {
+                    add(ray, number);
                 }
-            };
-            if (traverse(visit_from_origin)) return;
-        } else if (traverse(visit)) {
-            return;
-        }
+            }
+        };
+        const bool done = traverse_packet(
+            nodes, root, packet_test, count, visit, [&] { crossing.finish(); }, prefetch_of);
+        if (done) return;
     }
     const auto visit = [&](const uint32_t* numbers, const uint32_t* items, uint32_t size, float* new_limits) {
         float before[8];

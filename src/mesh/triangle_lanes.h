@@ -132,8 +132,8 @@ struct Crossings8 {
     }
 };
 
-/// Writes the hits of eight rays at their nearest crossings, as hit_at, transformed by place(point, normal). Returns the
-/// lanes that are right; the others need the scalar function.
+/// Writes the hits of eight rays at their nearest crossings, as hit_at, transformed by place(point, normal). Returns
+/// the lanes that are right; the others need the scalar function.
 template <class Place>
 GPHYS_INLINE uint32_t make_hits(const NearestCrossing* const (&nearest)[8], const PreparedRay* const (&rays)[8],
                                 const Place& place, gphys_hit* const (&out)[8]) {
