@@ -83,6 +83,58 @@ TEST_CASE("a packet's float test keeps every triangle that a ray hits, at any si
     }
 }
 
+TEST_CASE("rays of one origin keep every triangle that they hit, at any size and place, near and far") {
+    constexpr int trapped = FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW;
+    test::Random random(2);
+    for (const double size : {1e-20, 1e-6, 1.0, 1e6, 1e12, 7e13}) {
+        for (const double offset : {0.0, 1.0, 3e5}) {
+            const Vec3 centre = Vec3{offset, -0.7 * offset, 0.3 * offset} * size;
+            if (max_component(abs(centre)) + 10 * size > 9e14) continue;
+            INFO("size " << size << ", offset " << offset);
+            int hit_count = 0;
+            for (int i = 0; i < 60; ++i) {
+                const test::Arrays arrays = few_triangles(random, centre, size);
+                const double distances[] = {0.5, 2, 6, 30};
+                const gphys_vec3 eye = random_vertex(random, centre, size * distances[i % 4]);
+                for (const Isa isa : test::isas()) {
+                    const MeshHolder mesh(arrays.make(nullptr, isa), Mesh::release);
+                    gphys_ray rays[Mesh::rays_at_once];
+                    const gphys_ray* each[Mesh::rays_at_once];
+                    gphys_hit hits[Mesh::rays_at_once], *out[Mesh::rays_at_once];
+                    for (uint32_t k = 0; k < Mesh::rays_at_once; ++k) {
+                        const Ray ray = ray_at(random, *mesh, centre, size);
+                        const Vec3 target = ray.origin + ray.direction;
+                        // The first ray decides the octant of all.
+                        Vec3 direction = target - widen(eye);
+                        for (int axis = 0; axis < 3 && k > 0; ++axis) {
+                            direction[axis] = std::copysign(direction[axis], double{(&rays[0].direction.x)[axis]});
+                        }
+                        if (direction == Vec3{}) direction = {1, 1, 1};
+                        rays[k] = {eye, narrow(direction), random.index(4) == 0 ? 1 : INFINITY};
+                        each[k] = &rays[k];
+                        out[k] = &hits[k];
+                    }
+                    std::feclearexcept(FE_ALL_EXCEPT);
+                    const uint64_t found = mesh->raycast_many(each, Mesh::rays_at_once, out);
+                    REQUIRE(std::fetestexcept(trapped) == 0);
+                    for (uint32_t k = 0; k < Mesh::rays_at_once; ++k) {
+                        float nearest = INFINITY;
+                        for (uint32_t triangle = 0; triangle < mesh->triangle_count(); ++triangle) {
+                            Hit hit;
+                            if (!raycast(mesh->triangle(triangle), widen(rays[k]), hit)) continue;
+                            nearest = std::min(nearest, to_hit(hit).t);
+                        }
+                        REQUIRE((found >> k & 1) == uint64_t{nearest < INFINITY});
+                        if (nearest < INFINITY) REQUIRE(hits[k].t == nearest);
+                        hit_count += nearest < INFINITY;
+                    }
+                }
+            }
+            REQUIRE(hit_count > 1000);
+        }
+    }
+}
+
 TEST_CASE("packets hold each triangle of a mesh once, seven of eight lanes on average") {
     for (const test::Arrays& arrays : {test::sphere(5), test::torus(60, 30), test::grid(60), test::soup(3000, 2)}) {
         Vector<TrianglePacket> packets;

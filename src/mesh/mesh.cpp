@@ -55,6 +55,7 @@ Mesh::Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_m
       report_(report),
       bvh_(&memory, isa),
       rays_root_(Box()),
+      ray_packets_(Box(), 0),
       isa_(isa),
       kind_(arrays.kind),
       index_hash_(index_hash) {
@@ -127,6 +128,7 @@ void Mesh::measure() noexcept {
     if (packets_.empty()) return;
     const Box box = bounds();
     rays_root_ = RootBounds(box);
+    ray_packets_ = RayPackets(box, bvh_.size());
     center_ = (Vec3{box.min[0], box.min[1], box.min[2]} + Vec3{box.max[0], box.max[1], box.max[2]}) * 0.5;
     double squared = 0;
     for (const gphys_vec3& vertex : vertices_) squared = std::max(squared, length_squared(widen(vertex) - center_));
@@ -231,7 +233,7 @@ void Mesh::cross_many(decltype(MeshKernels::rays) kernel, const PreparedRay* ray
     };
     const auto ray_of = [&](uint32_t i) -> const Ray& { return rays[i].sheared; };
     const auto probe_of = [&](uint32_t i) -> const RayProbe& { return rays[i].along; };
-    RayPackets(bounds(), bvh_.size()).split(ray_of, probe_of, count, [&](uint32_t first, uint32_t last, bool together) {
+    ray_packets_.split(ray_of, probe_of, count, [&](uint32_t first, uint32_t last, bool together) {
         kernel(bvh_.nodes(), bvh_.root(), packets_.data(), rays + first, last - first, together, is_hull(), exact,
                nearest + first);
     });

@@ -315,6 +315,7 @@ private:
     Vector<TrianglePacket> packets_{&memory};
     Bvh8 bvh_;
     RootBounds rays_root_;
+    RayPackets ray_packets_;
     Vec3 center_;
     double radius_ = 0;
     gphys_sphere ball_{};

@@ -31,8 +31,8 @@ namespace gphys::GPHYS_ISA {
 /// What the rays of a packet have in common, if they have one origin.
 class SharedOrigin {
 public:
-    /// The rays of a packet, which have the same signs of direction.
-    SharedOrigin(const PreparedRay* rays, uint32_t count) : first_(rays[0]) {
+    /// The rays of a packet, which have the same signs of direction. Some of them reach the bounds of the mesh.
+    SharedOrigin(const PreparedRay* rays, uint32_t count) : first_(first_to_reach(rays, count)) {
         is_shared_ = first_.along.may_reject() && first_.sheared.speed != 0 && is_near();
         if (!is_shared_) return;
         const auto words_of = [](const PreparedRay& ray) {
@@ -60,6 +60,11 @@ public:
     float slope_x[RayPackets::max_rays], slope_y[RayPackets::max_rays];
 
 private:
+    /// The numbers of other rays are not for the mesh (RaySetup).
+    static const PreparedRay& first_to_reach(const PreparedRay* rays, uint32_t count) {
+        return *std::find_if(rays, rays + count - 1, [](const PreparedRay& ray) { return ray.limit >= 0; });
+    }
+
     /// Far from the mesh, the distance of the origin dominates the error. TriangleTest moves it to the mesh; its error
     /// for coordinates of size 1 is 25 u times the size of the mesh, or more.
     bool is_near() const {
