@@ -1,8 +1,9 @@
 // Creation, sharing and queries of meshes.
 //
-// Raycasts traverse the BVH with a conservative test of eight triangles at once (triangle_test.h). Triangles that it
-// does not reject get the exact test (raycast_triangle.cpp), in kernels eight pairs at a time (triangle_lanes.h).
-// Sweeps, closest points and overlaps traverse the BVH with tests of boxes, and then test single triangles in double.
+// Raycasts traverse the BVH with a conservative test of eight triangles at once (triangle_test.h, for packets of rays
+// of one origin shared_origin.h). Triangles that it does not reject get the exact test (raycast_triangle.cpp), in
+// kernels eight pairs at a time (triangle_lanes.h). Sweeps, closest points and overlaps traverse the BVH with tests of
+// boxes, and then test single triangles in double.
 #include "mesh/mesh.h"
 
 #include <new>

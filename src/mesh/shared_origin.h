@@ -65,8 +65,9 @@ private:
         return *std::find_if(rays, rays + count - 1, [](const PreparedRay& ray) { return ray.limit >= 0; });
     }
 
-    /// Far from the mesh, the distance of the origin dominates the error. TriangleTest moves it to the mesh; its error
-    /// for coordinates of size 1 is 25 u times the size of the mesh, or more.
+    /// Far from the mesh, the distance of the origin dominates the error, and triangles are kept that are missed. So
+    /// the error of TriangleTest, which moves the origin to the mesh, must not be much smaller: it grows with the size
+    /// of the mesh, and this allows distances of some three to nine times that.
     bool is_near() const {
         const float* error = first_.triangles.across.error_slope;
         return first_.along.path.start * 0x1p-22 <= double{error[0]} + double{error[1]};
