@@ -191,7 +191,12 @@ void Solver::Undo::apply(Body& body) {
 void Solver::begin_step(const Scene* scene) noexcept {
     for (const ActiveBody& active : active_) {
         Body& body = state_.bodies[active.slot];
-        if (body.sleep.asleep) wake(body);
+        if (body.sleep.asleep) {
+            // What has woken it need not reach it (begin_settling).
+            const double settling = body.sleep.settling;
+            wake(body);
+            body.sleep.settling = settling;
+        }
         if (active.in_island) body.steady.place = body.steady.state = 0;  // not compared after this step
         body.plan.edits = 0;
         if (active.jumps) move_rigidly(body, *motion_of_jump(body, *scene, state_.near_models, model_time_));

@@ -19,17 +19,14 @@ bool is_slow(const Particles& particles, double speed) {
 /// falling flap, even of a few particles, soon exceeds the bound for single particles.
 bool goes_slowly(const Body& body, double speed, double dt) {
     constexpr double most = 10;  // times the average, of each particle
-    ClothTravel all;
-    for (const ClothTravel& part : body.cloth.shares.travels) {
-        all.sum += part.sum;
-        all.longest = std::max(all.longest, part.longest);
-    }
+    const ClothTravel all = total_travel(body.cloth.shares);
     const double way = speed * dt, square = way * way;
     return all.sum <= square * body.particles.size() && all.longest <= most * most * square &&
            is_slow(body.particles, most * speed);
 }
 
-/// Of rigid constraints only: elastic ones may be at rest at any length, and so may yielding braces of cloth.
+}  // namespace
+
 bool is_hardly_strained(const Body& body, double strain) {
     if (is_graph(body) && body.cloth.relaxation.braces_yield) {
         // The strain that relax_links leaves, and that models may cause beyond it.
@@ -59,6 +56,8 @@ bool is_hardly_strained(const Body& body, double strain) {
     return largest_gap == 0 || largest_gap * count <= strain * sum;
 }
 
+namespace {
+
 /// Calls visit(model) for the models in the box of a sleeping body.
 template <class Visit>
 uint64_t neighbourhood(const Body& body, const Scene* scene, Visit&& visit) {
@@ -78,7 +77,8 @@ bool attachments_moved(const Constraints& constraints, const Scene* scene) {
 void wake(Body& body) {
     body.steady = {};
     body.flight.forget();
-    body.sleep.rest_time = 0;
+    body.sleep.rest_time = body.sleep.settling = 0;
+    body.sleep.drift = {};
     body.sleep.asleep = false;
     body.particles.extent.reset();
     body.cloth.cache.search_balls.clear();
@@ -104,7 +104,8 @@ void fall_asleep(Body& body, const Scene* scene, double dt) {
 }
 
 void rest(Body& body, const Scene* scene, const SolverSettings& settings, double dt) {
-    if (is_at_rest(body, settings, dt)) fall_asleep(body, scene, dt);
+    const bool settled = has_settled(body, scene, settings.gravity, dt, true);
+    if (is_at_rest(body, settings, dt) || settled) fall_asleep(body, scene, dt);
     note_steadiness(body, scene, settings, dt);
 }
 

@@ -48,6 +48,7 @@
 //     cloth_attachments.cpp  particles attached to models
 //     cloth_contacts.cpp contacts with models, as part of its chains
 //     cloth_targets.cpp  its animation targets, as part of its chains
+//     settling.cpp       cloth that lies on models comes to rest
 //     relax_links.cpp    links that chains have left strained; kept_links.cpp: which links, all but braces
 //     contact_search.cpp the search for contact planes; contact_cache.cpp: reuse from step to step
 //     reach_limits.cpp   long range attachments to pins

@@ -70,6 +70,7 @@ void begin_cloth(Body& body, const CollisionContext& around, Vec3 gravity) {
         std::fill(cloth.in_chains.normals.begin(), cloth.in_chains.normals.end(), 0.0f);
     }
     if (body.plan.joined) cloth.tethers.clear();
+    begin_settling(body, around);
 }
 
 void predict_cloth(Body& body, const CollisionContext& around, double h) {
@@ -198,6 +199,7 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
         if (balance.closed) balance.stored = stored_energy(cloth);
         keep_momentum(state, contacts, balance.closed, damping, h, balance.stored - before);
     }
+    settle(body, h);
     if (collides) {
         sweep_escaped(body, around, gravity, h);
         if (contacts.penetrating) leave_solids(body, h);

@@ -14,6 +14,7 @@
 #include "solver/cloth/reach_limits.h"
 #include "solver/cloth/relax_links.h"
 #include "solver/cloth/rigid_links.h"
+#include "solver/cloth/settling.h"
 #include "solver/cloth/taut_spans.h"
 #include "solver/cloth/volume.h"
 #include "solver/contact/moving_colliders.h"
@@ -62,6 +63,7 @@ struct Cloth {
     ClothContacts contacts;
     Vector<MovingCollider> moving_colliders;
     ContactCache cache;
+    Settling settling;
 };
 
 /// Allocates what a step needs of cloth; with `collides` also for contacts. Throws std::bad_alloc.

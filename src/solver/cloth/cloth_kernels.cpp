@@ -531,6 +531,15 @@ void slow(const ClothMotion& motion, const float (&drift)[3], float kept) {
     }
 }
 
+void settle(const ClothMotion& motion, float kept_speed, float kept_way) {
+    const Float8 speed = splat(kept_speed), way = splat(kept_way);
+    for (uint32_t i = 0; i < motion.floats; i += 8) {
+        const Float8 start = load(motion.start + i);
+        store(motion.at + i, start + (load(motion.at + i) - start) * way);
+        store(motion.velocity + i, load(motion.velocity + i) * speed);
+    }
+}
+
 }  // namespace
 
 const ClothKernels cloth_kernels = {predict,       solve,        solve_with_contacts,
@@ -538,6 +547,6 @@ const ClothKernels cloth_kernels = {predict,       solve,        solve_with_cont
                                     list_strained, list_leaving, list_outside,
                                     stored,        limit,        limit_pulling,
                                     finish,        gain,         kinetic,
-                                    slow};
+                                    slow,          settle};
 
 }  // namespace gphys::GPHYS_ISA

@@ -104,6 +104,8 @@ struct ClothKernels {
     /// The kinetic energy relative to a drift, per average mass; and scaling of the velocities relative to it.
     double (*kinetic)(const ClothMotion& motion, const float (&drift)[3]);
     void (*slow)(const ClothMotion& motion, const float (&drift)[3], float kept);
+    /// Keeps parts of the velocities and of the displacements since the start of the substep.
+    void (*settle)(const ClothMotion& motion, float kept_speed, float kept_way);
 };
 
 constexpr uint32_t cloth_row_floats = 6 * 8;

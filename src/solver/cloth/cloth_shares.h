@@ -23,11 +23,18 @@ struct ClothExtent {
     double mass;
 };
 
-/// Squared distances that particles moved in a step, square metres.
+/// How far particles moved in a step: squared distances, and the sum of all displacements.
 struct ClothTravel {
     double sum = 0, longest = 0;
+    Vec3 together;
 
-    void add(double square) { sum += square, longest = std::max(longest, square); }
+    void add(Vec3 way) {
+        const double square = length_squared(way);
+        sum += square, longest = std::max(longest, square), together += way;
+    }
+    void add(const ClothTravel& other) {
+        sum += other.sum, longest = std::max(longest, other.longest), together += other.together;
+    }
 };
 
 /// Whether workers take less time together than one of them alone: what they have to transfer between their caches
@@ -76,6 +83,14 @@ struct ClothShares {
         travels.resize(extents.size());
     }
 };
+
+inline ClothTravel total_travel(const ClothShares& shares) {
+    ClothTravel all;
+    for (const ClothTravel& part : shares.travels) {
+        all.add(part);
+    }
+    return all;
+}
 
 /// Calls part(its index, first particle, end) in any order.
 template <class Part>

@@ -74,7 +74,7 @@ void publish_state(const ClothState& state, Particles& particles, ClothShares& s
             particles.position[p] = state.origin + get(&state.at[4 * size_t{p}]);
             particles.velocity[p] = get(&state.velocity[4 * size_t{p}]);
             keep_in_range(particles.position[p], particles.velocity[p], before);
-            travel.add(length_squared(particles.position[p] - before));
+            travel.add(particles.position[p] - before);
         }
         shares.travels[i] = travel;
     });

@@ -17,16 +17,19 @@ Aabb places_of(const Body& body) {
     return box;
 }
 
-/// The box that the balls reach: each is as large as a link or as its particle, plus the particle's radius.
-Box around_balls(const Body& body) {
+}  // namespace
+
+Box box_around_balls(const Body& body) {
     const double reach = std::max(body.cloth.batches.link_length, body.particles.largest_radius);
     const double room = 2 * (reach + body.particles.largest_radius);
     const Aabb box = places_of(body);
     return bounds(Aabb{box.min - Vec3{room, room, room}, box.max + Vec3{room, room, room}});
 }
 
+namespace {
+
 uint64_t neighbourhood(const Body& body, const Scene& scene) {
-    return neighbourhood(scene, around_balls(body), body.settings.layers, [](gphys_model_id) {});
+    return neighbourhood(scene, box_around_balls(body), body.settings.layers, [](gphys_model_id) {});
 }
 
 }  // namespace

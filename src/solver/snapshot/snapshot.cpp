@@ -100,6 +100,9 @@ void visit_body(Archive& archive, Body& body) {
     archive.flag(body.sleep.asleep);
     archive.value(body.sleep.box);
     archive.value(body.sleep.neighbourhood);
+    archive.value(body.sleep.settling);
+    archive.value(body.sleep.support);
+    archive.value(body.sleep.drift);
     archive.array(body.cloth.state.moved);
     archive.array(body.cloth.state.velocity_before);
     archive.value(body.cloth.state.origin);
