@@ -1,0 +1,204 @@
+// Cloth with default settings that lies on models comes to rest; cloth that slides, falls over, hangs or is moved does
+// not.
+#include <algorithm>
+#include <cmath>
+
+#include "snapshots.h"
+
+using test::figure;
+using test::World;
+
+namespace {
+
+constexpr float frame = 1.0f / 60;
+
+struct Room : World {
+    gphys_body_id sheet = 0;
+
+    void run(int frames) {
+        for (int i = 0; i < frames; ++i) step(frame);
+    }
+    gphys_model_id box() {
+        const gphys_aabb cube{{-0.4f, -0.4f, -0.4f}, {0.4f, 0.4f, 0.4f}};
+        return model(GPHYS_SHAPE_AABB, &cube);
+    }
+    void place(gphys_model_id model, gphys_vec3 at) {
+        const gphys_transform place{at, {0, 0, 0, 1}, 1};
+        REQUIRE(gphys_scene_set_transform(scene, model, &place) == GPHYS_OK);
+    }
+    /// A sheet of 2 m, this high above the middle.
+    void drape(float height, uint32_t particles = 30) {
+        sheet = cloth({-1, height, -1}, {2, 0, 0}, {0, 0, 2}, particles, particles, body_desc());
+    }
+    bool asleep() const {
+        uint32_t total = 0;
+        gphys_solver_get_sleeping(solver, nullptr, 0, &total);
+        return total == 1;
+    }
+    double fastest() const {
+        double most = 0;
+        for (const gphys_vec3& v : velocities(sheet)) most = std::max(most, double{std::hypot(v.x, v.y, v.z)});
+        return most;
+    }
+    /// The most that a particle is from where it was.
+    double moved(const std::vector<gphys_vec3>& before) const {
+        const std::vector<gphys_vec3> now = positions(sheet);
+        double most = 0;
+        for (size_t i = 0; i < now.size(); ++i)
+            most = std::max(most,
+                            double{std::hypot(now[i].x - before[i].x, now[i].y - before[i].y, now[i].z - before[i].z)});
+        return most;
+    }
+    double mean_height() const {
+        double sum = 0;
+        const std::vector<gphys_vec3> all = positions(sheet);
+        for (const gphys_vec3& at : all) sum += at.y;
+        return sum / static_cast<double>(all.size());
+    }
+    /// The largest strain of the sides of a square grid of 2 m.
+    double side_strain(uint32_t columns) const {
+        const std::vector<gphys_vec3> at = positions(sheet);
+        const double rest = 2.0 / (columns - 1);
+        double most = 0;
+        for (uint32_t p = 0; p < at.size(); ++p) {
+            for (const uint32_t back : {1u, columns}) {
+                if (p < back || (back == 1 && p % columns == 0)) continue;
+                const gphys_vec3 &a = at[p - back], &b = at[p];
+                most = std::max(most, std::fabs(std::hypot(a.x - b.x, a.y - b.y, a.z - b.z) / rest - 1));
+            }
+        }
+        return most;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a default sheet on a box, a ball, a capsule or a bar comes to rest with its threads unstrained") {
+    const gphys_sphere ball{{0, 0, 0}, 0.5f};
+    const gphys_capsule standing{{0, -0.8f, 0}, {0, 0.3f, 0}, 0.25f}, bar{{-2, 0.4f, 0}, {2, 0.4f, 0}, 0.05f};
+    for (const int which : {0, 1, 2, 3}) {
+        Room room;
+        if (which == 0) room.box();
+        if (which == 1) room.model(GPHYS_SHAPE_SPHERE, &ball);
+        if (which == 2) room.model(GPHYS_SHAPE_CAPSULE, &standing);
+        if (which == 3) room.model(GPHYS_SHAPE_CAPSULE, &bar);
+        room.drape(0.6f, 40);
+        int frames = 0;
+        for (; frames < 600 && !room.asleep(); ++frames) room.step(frame);
+        figure("seconds until a sheet sleeps", frames / 60.0, "s");
+        CHECK(frames < 600);
+        CHECK(room.fastest() == 0);
+        CHECK(room.side_strain(40) <= 0.03);  // half as much again as relaxation leaves
+    }
+}
+
+TEST_CASE("units do not matter for settling: a sheet in centimetres") {
+    Room room;
+    gphys_solver_destroy(room.solver);
+    gphys_solver_desc desc = World::desc(8, {0, -981, 0});
+    REQUIRE(gphys_solver_create(&desc, &room.solver) == GPHYS_OK);
+    const gphys_aabb cube{{-40, -40, -40}, {40, 40, 40}};
+    room.model(GPHYS_SHAPE_AABB, &cube);
+    gphys_body_desc body = World::body_desc();
+    body.radius = 1;
+    room.sheet = room.cloth({-100, 50, -100}, {200, 0, 0}, {0, 0, 200}, 30, 30, body);
+    room.run(600);
+    CHECK(room.asleep());
+}
+
+TEST_CASE("a settled sheet falls when its support is gone, and follows it when it moves") {
+    Room room;
+    const gphys_model_id box = room.box();
+    room.drape(0.5f);
+    room.run(500);
+    REQUIRE(room.asleep());
+    const double height = room.mean_height();
+    for (int i = 1; i <= 60; ++i) {
+        room.place(box, {0, 0.1f * static_cast<float>(i) * frame, 0});
+        room.step(frame);
+    }
+    CHECK(room.mean_height() - height == doctest::Approx(0.1).epsilon(0.3));  // it sags meanwhile
+    CHECK_FALSE(room.asleep());
+    REQUIRE(gphys_scene_remove(room.scene, box) == GPHYS_OK);
+    const double before = room.mean_height();
+    room.run(30);
+    // g t^2 / 2 and a start at 0.1 m/s
+    CHECK(before - room.mean_height() == doctest::Approx(9.81 / 8).epsilon(0.1));
+}
+
+TEST_CASE("a model that passes a settled sheet does not stir it, and one that hits it does") {
+    Room room;
+    room.box();
+    const gphys_sphere ball{{0, 0, 0}, 0.1f};
+    const gphys_transform far{{5, 0, 0}, {0, 0, 0, 1}, 1};
+    const gphys_model_id passer = room.model(GPHYS_SHAPE_SPHERE, &ball, &far);
+    room.drape(0.5f);
+    room.run(500);
+    REQUIRE(room.asleep());
+    const std::vector<gphys_vec3> before = room.positions(room.sheet);
+    for (int i = 0; i <= 60; ++i) {
+        room.place(passer, {-1.5f + 0.05f * static_cast<float>(i), 0, -1.4f});  // 0.3 m beside its edge
+        room.step(frame);
+    }
+    CHECK(room.moved(before) == 0);
+    for (int i = 0; i <= 60; ++i) {
+        room.place(passer, {-1.5f + 0.05f * static_cast<float>(i), 0.1f, -0.7f});
+        room.step(frame);
+    }
+    CHECK(room.moved(before) > 0.05);
+}
+
+TEST_CASE("a sheet slides down a slope that is hardly too steep, as Coulomb's law says") {
+    for (const double degrees : {26.7, 28.0}) {  // friction of 0.5 holds up to 26.565
+        Room room;
+        const double angle = degrees * 3.14159265358979 / 180;
+        const float s = static_cast<float>(std::sin(angle)), c = static_cast<float>(std::cos(angle));
+        const gphys_plane slope{{-s, c, 0}, 0};
+        room.model(GPHYS_SHAPE_PLANE, &slope);
+        gphys_body_desc desc = World::body_desc();
+        desc.friction = 0.5f;
+        const float r = desc.radius;
+        room.sheet = room.cloth({-s * r, c * r, -0.5f}, {c, s, 0}, {0, 0, 1}, 20, 20, desc);
+        const std::vector<gphys_vec3> before = room.positions(room.sheet);
+        room.run(240);
+        const double expected = 9.81 / 2 * (std::sin(angle) - 0.5 * std::cos(angle)) * 16;
+        const double way = room.moved(before);
+        figure("way down the slope, in parts of the expected", way / expected, "");
+        CHECK(way >= expected);
+        CHECK_FALSE(room.asleep());
+    }
+}
+
+TEST_CASE("a sheet that hangs from pins swings on, and one without friction does not settle") {
+    Room hanging;
+    hanging.sheet = hanging.cloth({-0.5f, 0, 0}, {1, 0, 0}, {0, -1, 0.02f}, 15, 15, World::body_desc());
+    for (uint32_t p = 0; p < 15; ++p) hanging.pin(hanging.sheet, p);
+    hanging.run(600);
+    CHECK_FALSE(hanging.asleep());
+    CHECK(hanging.fastest() > 1e-3);
+
+    Room ice;
+    ice.box();
+    gphys_body_desc desc = World::body_desc();
+    desc.friction = 0;
+    ice.sheet = ice.cloth({-1, 0.42f, -1}, {2, 0, 0}, {0, 0, 2}, 20, 20, desc);
+    for (int i = 0; i < 120; ++i) {
+        ice.step(frame);
+        CHECK_FALSE(ice.asleep());
+    }
+}
+
+TEST_CASE("a sheet that settles continues with the same bits from a snapshot") {
+    Room room;
+    room.box();
+    room.drape(0.5f, 20);
+    for (int restored = 0; restored < 300 && !room.asleep(); ++restored) {
+        const test::Words before = test::snapshot(room.solver);
+        room.step(frame);
+        const uint64_t expected = test::hash(room.solver);
+        REQUIRE(test::restore(room.solver, before) == GPHYS_OK);
+        room.step(frame);
+        REQUIRE(test::hash(room.solver) == expected);
+    }
+    CHECK(room.asleep());
+}
