@@ -1980,7 +1980,7 @@ typedef struct gphys_solver_desc {
     uint32_t max_steps;                   /* most steps of one advance; time beyond is dropped; 8 */
     const gphys_task_runner* task_runner; /* provides the worker_count threads; NULL: the solver's own */
     uint32_t worker_count; /* threads for one step, including the caller's, at most 1024; 0 and 1: that alone */
-    float sleep_speed;     /* m/s, see gphys_solver_get_sleeping; 0: only cloth that lies on models sleeps; default 0 */
+    float sleep_speed;     /* m/s, see gphys_solver_get_sleeping; 0: bodies never sleep; default 0 */
     float sleep_strain;    /* of rigid constraints, |length / rest length - 1|; those of rest length 0 are measured by
                               the mean rest length of the body's rigid constraints; default 0.01 */
     float sleep_time;      /* seconds; default 0.5 */
@@ -2089,8 +2089,7 @@ typedef struct gphys_body_desc {
     float breaking_force;   /* of each constraint, newtons, >= 0; 0: none breaks; default 0; see gphys_break */
 } gphys_body_desc;
 /* Woven cloth drapes because it shears and bends easily, and by default sheets do neither: on round or sharp models
- * their rigid constraints cannot all hold, and a sheet moves by centimetres a second until it is brought to rest (see
- * gphys_solver_get_sleeping). It drapes with shear_compliance and bend_compliance of about 1 / (m w^2), where m = mass
+ * their rigid constraints cannot all hold, and a sheet moves by centimetres a second until it is brought to rest. It drapes with shear_compliance and bend_compliance of about 1 / (m w^2), where m = mass
  * / (columns * rows) and w = 30 rad/s, and a damping of 1 or 2 per second. It hangs with more strain beside its pins;
  * curtains and capes do better with damping alone. docs/solver.md has measured both. */
 /* Particles that collide with particles are spheres that do not pass through each other whatever their speed;
@@ -2164,13 +2163,14 @@ GPHYS_API gphys_status gphys_solver_get_bodies(const gphys_solver* solver, gphys
  *  A body falls asleep at the end of a step when for sleep_time seconds no particle was faster than sleep_speed and no
  *  rigid constraint strained by more than sleep_strain; cloth, when its root mean square speed from step to step was no
  *  higher, no particle ten times as fast, and strain, without a max_strain, at most 3 %, that of diagonals of cells
- *  apart: these yield, on sharp and round models by a tenth and more. Cloth also sleeps, whatever sleep_speed is, once
- *  friction holds it on models that stand still, and it hardly moves: within a second it is slowed down to rest. Not in
- *  wind, with joints, animation targets, clusters or a volume, or near other bodies.
- *  The speed of a sleeping body is 0, it keeps its contacts, and a step costs it one query for models nearby. It wakes
- *  in the next step after a model within reach (as far as one could move in a step at 50 m/s) was added, removed or
- *  moved, or a model that it is attached to, or after the scene was replaced; and at once by any change of its state,
- *  of gravity or of the origin.
+ *  apart: these yield, on sharp and round models by a tenth and more. Its speed is then 0, it keeps its contacts, and
+ *  a step costs it one query for models nearby. It wakes in the next step after a model within reach (as far as one
+ *  could move in a step at 50 m/s) was added, removed or moved, or a model that it is attached to, or after the scene
+ *  was replaced; and at once by any change of its state, of gravity or of the origin.
+ *  Cloth is brought to rest, whatever sleep_speed is, once friction holds it on models that stand still and it moves
+ *  by centimetres a second without sagging further: within a second it is slowed down to 0. It moves again when one of
+ *  these models or the body changes. Not in wind, with joints, animation targets, clusters or a volume, or near other
+ *  bodies.
  *  Cost: O(bodies). */
 GPHYS_API gphys_status gphys_solver_get_sleeping(const gphys_solver* solver, gphys_body_id* out_bodies,
                                                  uint32_t capacity, uint32_t* out_total);

@@ -3390,13 +3390,14 @@ func (o *Solver) Bodies() (result []BodyID, err error) {
 // sleep_time seconds no particle was faster than sleep_speed and no rigid constraint strained by more
 // than sleep_strain; cloth, when its root mean square speed from step to step was no higher, no
 // particle ten times as fast, and strain, without a max_strain, at most 3 %, that of diagonals of
-// cells apart: these yield, on sharp and round models by a tenth and more. Cloth also sleeps, whatever
-// sleep_speed is, once friction holds it on models that stand still, and it hardly moves: within a
-// second it is slowed down to rest. Not in wind, with joints, animation targets, clusters or a volume,
-// or near other bodies. The speed of a sleeping body is 0, it keeps its contacts, and a step costs it
-// one query for models nearby. It wakes in the next step after a model within reach (as far as one
-// could move in a step at 50 m/s) was added, removed or moved, or a model that it is attached to, or
-// after the scene was replaced; and at once by any change of its state, of gravity or of the origin.
+// cells apart: these yield, on sharp and round models by a tenth and more. Its speed is then 0, it
+// keeps its contacts, and a step costs it one query for models nearby. It wakes in the next step after
+// a model within reach (as far as one could move in a step at 50 m/s) was added, removed or moved, or
+// a model that it is attached to, or after the scene was replaced; and at once by any change of its
+// state, of gravity or of the origin. Cloth is brought to rest, whatever sleep_speed is, once friction
+// holds it on models that stand still and it moves by centimetres a second without sagging further:
+// within a second it is slowed down to 0. It moves again when one of these models or the body changes.
+// Not in wind, with joints, animation targets, clusters or a volume, or near other bodies.
 // Cost: O(bodies).
 func (o *Solver) Sleeping() (result []BodyID, err error) {
 	self, err := o.open()

@@ -573,7 +573,7 @@ type SolverDesc struct {
 	TaskRunner unsafe.Pointer
 	// threads for one step, including the caller's, at most 1024; 0 and 1: that alone
 	WorkerCount uint32
-	// m/s, see Solver.Sleeping; 0: only cloth that lies on models sleeps; default 0
+	// m/s, see Solver.Sleeping; 0: bodies never sleep; default 0
 	SleepSpeed float32
 	// of rigid constraints, |length / rest length - 1|; those of rest length 0 are measured by
 	// the mean rest length of the body's rigid constraints; default 0.01

@@ -212,7 +212,7 @@ void Solver::move_island(const Island& island, const Scene* scene, double dt) {
         const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
         sharing_trial(island).add(island.team != nullptr, taken.count() / substeps);
     }
-    bool at_rest = state_.settings.sleep_speed > 0, settled = true;
+    bool at_rest = state_.settings.sleep_speed > 0;
     each_body([&](Body& body) {
         if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body, whole);
         body.constraints.length_changes.clear();
@@ -221,10 +221,10 @@ void Solver::move_island(const Island& island, const Scene* scene, double dt) {
         adapt_substep(body, state_.settings, dt, substeps);
         add_attached_impulses(body, whole, -1, gravity, dt);
         end_air(body);
+        note_settling(body, scene, gravity, dt, island.body_count == 1);
         at_rest = is_at_rest(body, state_.settings, dt) && at_rest;
-        settled = has_settled(body, scene, gravity, dt, island.body_count == 1) && settled;
     });
-    if (at_rest || settled) each_body([&](Body& body) { fall_asleep(body, scene, dt); });
+    if (at_rest) each_body([&](Body& body) { fall_asleep(body, scene, dt); });
 }
 
 }  // namespace gphys

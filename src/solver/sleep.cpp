@@ -104,8 +104,8 @@ void fall_asleep(Body& body, const Scene* scene, double dt) {
 }
 
 void rest(Body& body, const Scene* scene, const SolverSettings& settings, double dt) {
-    const bool settled = has_settled(body, scene, settings.gravity, dt, true);
-    if (is_at_rest(body, settings, dt) || settled) fall_asleep(body, scene, dt);
+    note_settling(body, scene, settings.gravity, dt, true);
+    if (is_at_rest(body, settings, dt)) fall_asleep(body, scene, dt);
     note_steadiness(body, scene, settings, dt);
 }
 

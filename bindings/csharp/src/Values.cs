@@ -686,7 +686,7 @@ public partial struct SolverDesc {
     public IntPtr TaskRunner;
     /// <summary>threads for one step, including the caller's, at most 1024; 0 and 1: that alone</summary>
     public uint WorkerCount;
-    /// <summary>m/s, see Solver.GetSleeping; 0: only cloth that lies on models sleeps; default 0</summary>
+    /// <summary>m/s, see Solver.GetSleeping; 0: bodies never sleep; default 0</summary>
     public float SleepSpeed;
     /// <summary>
     /// of rigid constraints, |length / rest length - 1|; those of rest length 0 are measured by

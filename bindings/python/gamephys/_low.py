@@ -475,7 +475,7 @@ class SolverDesc(Desc, Structure):
     max_steps: int  # most steps of one advance; time beyond is dropped; 8
     task_runner: int | None  # provides the worker_count threads; None: the solver's own
     worker_count: int  # threads for one step, including the caller's, at most 1024; 0 and 1: that alone
-    sleep_speed: float  # m/s, see Solver.get_sleeping; 0: only cloth that lies on models sleeps; default 0
+    sleep_speed: float  # m/s, see Solver.get_sleeping; 0: bodies never sleep; default 0
     sleep_strain: float  # of rigid constraints, |length / rest length - 1|; those of rest length 0 are measured by the mean rest length of the body's rigid constraints; default 0.01
     sleep_time: float  # seconds; default 0.5
     max_strain: float  # of rigid constraints, see Solver.get_substeps; 0: none, for cloth 0.02; default 0

@@ -658,7 +658,7 @@ pub struct SolverDesc {
     pub task_runner: Hook<TaskRunner>,
     /// threads for one step, including the caller's, at most 1024; 0 and 1: that alone
     pub worker_count: u32,
-    /// m/s, see `Solver::get_sleeping`; 0: only cloth that lies on models sleeps; default 0
+    /// m/s, see `Solver::get_sleeping`; 0: bodies never sleep; default 0
     pub sleep_speed: f32,
     /// of rigid constraints, |length / rest length - 1|; those of rest length 0 are measured by
     /// the mean rest length of the body's rigid constraints; default 0.01

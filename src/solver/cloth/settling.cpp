@@ -76,21 +76,23 @@ void settle(Body& body, double h) {
     const Settling& settling = body.cloth.settling;
     if (!settling.acts()) return;
     const ClothKernels& kernels = cloth_kernels(chosen_isa());
-    const float speed = static_cast<float>(1 / (1 + settling.damping * h)), way = static_cast<float>(settling.kept);
+    const float way = static_cast<float>(settling.kept),
+                speed = settling.kept > 0 ? static_cast<float>(1 / (1 + settling.damping * h)) : 0;
     share_motion(body.cloth.state, body.cloth.shares.team,
                  [&](const ClothMotion& motion, uint32_t) { kernels.settle(motion, speed, way); });
 }
 
-bool has_settled(Body& body, const Scene* scene, Vec3 gravity, double dt, bool alone) {
+void note_settling(Body& body, const Scene* scene, Vec3 gravity, double dt, bool alone) {
     Sleep& sleep = body.sleep;
     if (!alone || !is_left_alone(body)) {
         sleep.settling = 0;
         sleep.drift = {};
-        return false;
+        return;
     }
+    if (body.cloth.settling.kept == 0) return;  // it lies still until something else changes
     const ClothTravel travel = total_travel(body.cloth.shares);
-    const double kept = std::max(least_kept, body.cloth.settling.kept);
-    const Vec3 velocity = travel.together / (dt * kept * body.particles.size());
+    const Vec3 velocity =
+        travel.together / (dt * std::max(least_kept, body.cloth.settling.kept) * body.particles.size());
     sleep.drift += (velocity - sleep.drift) * std::min(1.0, dt / drift_time);
     if (is_held(body.cloth.contacts) && is_slow(body, travel, length(gravity), dt) &&
         is_hardly_strained(body, most_strain * body.cloth.relaxation.most_strain)) {
@@ -99,7 +101,7 @@ bool has_settled(Body& body, const Scene* scene, Vec3 gravity, double dt, bool a
         sleep.settling = std::max(0.0, sleep.settling - return_rate * dt);
     }
     if (sleep.settling > 0) sleep.support = support(body, scene);
-    return sleep.settling == settled;
+    if (sleep.settling == settled) sleep.drift = {};
 }
 
 }  // namespace gphys

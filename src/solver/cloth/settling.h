@@ -1,8 +1,9 @@
-// Settling: cloth that lies on models and nearly rests is brought to rest, and falls asleep.
+// Settling: cloth that lies on models and nearly rests is brought to rest.
 //
 // Links of a sheet on round or sharp models cannot all have their lengths, and sweeps over them move particles back and
 // forth without end (docs/solver/rest.md). Flaps swing, too, since nothing damps them. So while friction holds a slow
-// body on models that stand still, it is first damped, and then its displacements fade away.
+// body on models that stand still, it is first damped, and then its displacements fade away. From then on a step leaves
+// it as it is.
 #pragma once
 
 #include "foundation/math.h"
@@ -25,7 +26,7 @@ struct Settling {
 void begin_settling(Body& body, const CollisionContext& around);
 /// Call at the end of a substep of h seconds.
 void settle(Body& body, double h);
-/// Call at the end of a step. `alone`: whether no other body was near. Returns whether the body has come to rest.
-bool has_settled(Body& body, const Scene* scene, Vec3 gravity, double dt, bool alone);
+/// Call at the end of a step. `alone`: whether no other body was near.
+void note_settling(Body& body, const Scene* scene, Vec3 gravity, double dt, bool alone);
 
 }  // namespace gphys

@@ -108,7 +108,7 @@ public final class SolverDesc {
 
     /**
      * <pre>
-     * m/s, see Solver.getSleeping; 0: only cloth that lies on models sleeps; default 0
+     * m/s, see Solver.getSleeping; 0: bodies never sleep; default 0
      * </pre>
      */
     public SolverDesc sleepSpeed(float value) {
