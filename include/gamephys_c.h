@@ -2089,9 +2089,10 @@ typedef struct gphys_body_desc {
     float breaking_force;   /* of each constraint, newtons, >= 0; 0: none breaks; default 0; see gphys_break */
 } gphys_body_desc;
 /* Woven cloth drapes because it shears and bends easily, and by default sheets do neither: on round or sharp models
- * their rigid constraints cannot all hold, and a sheet moves by centimetres a second until it is brought to rest. It drapes with shear_compliance and bend_compliance of about 1 / (m w^2), where m = mass
- * / (columns * rows) and w = 30 rad/s, and a damping of 1 or 2 per second. It hangs with more strain beside its pins;
- * curtains and capes do better with damping alone. docs/solver.md has measured both. */
+ * their rigid constraints cannot all hold, and a sheet moves by centimetres a second until it is brought to rest. It
+ * drapes with shear_compliance and bend_compliance of about 1 / (m w^2), where m = mass / (columns * rows) and w = 30
+ * rad/s, and a damping of 1 or 2 per second. It hangs with more strain beside its pins; curtains and capes do better
+ * with damping alone. docs/solver.md has measured both. */
 /* Particles that collide with particles are spheres that do not pass through each other whatever their speed;
  * friction and restitution of a pair are the geometric means of its particles' (sqrt(a b)). Within a body with
  * constraints, those collide that were placed further apart than their radii reach and are not linked
