@@ -91,6 +91,12 @@ void note_settling(Body& body, const Scene* scene, Vec3 gravity, double dt, bool
     }
     if (body.cloth.settling.kept == 0) return;  // it lies still until something else changes
     const ClothTravel travel = total_travel(body.cloth.shares);
+    constexpr double still = 1e-6;  // m/s: it may be steady without this
+    if (body.cloth.settling.kept == 1 && travel.longest <= still * still * dt * dt) {
+        sleep.settling = 0;
+        sleep.drift = {};
+        return;
+    }
     const Vec3 velocity =
         travel.together / (dt * std::max(least_kept, body.cloth.settling.kept) * body.particles.size());
     sleep.drift += (velocity - sleep.drift) * std::min(1.0, dt / drift_time);
@@ -101,7 +107,9 @@ void note_settling(Body& body, const Scene* scene, Vec3 gravity, double dt, bool
         sleep.settling = std::max(0.0, sleep.settling - return_rate * dt);
     }
     if (sleep.settling > 0) sleep.support = support(body, scene);
-    if (sleep.settling == settled) sleep.drift = {};
+    if (sleep.settling < settled) return;
+    sleep.drift = {};
+    body.steady.pause = body.steady.left_out = 0;  // it may be steady from now on
 }
 
 }  // namespace gphys
