@@ -244,13 +244,18 @@ void Solver::see(const Scene& scene, gphys_model_id model) {
     next_near_models_.push_back({model, scene.world(model), {}});
 }
 
-void Solver::see_attached_models(const Scene* scene, const Constraints& constraints) {
+/// Those that are not yet among next_near_models_ from `first` on.
+void Solver::see_attached_models(const Scene* scene, const Constraints& constraints, size_t first) {
     if (!scene) return;
     gphys_model_id last = 0;
     for (const Attachment& attachment : constraints.attachments) {
         if (attachment.model == last || !scene->has(attachment.model)) continue;
-        see(*scene, attachment.model);
         last = attachment.model;
+        const auto is_same = [&](const PlacedModel& near) { return near.model == last; };
+        if (std::any_of(next_near_models_.begin() + static_cast<std::ptrdiff_t>(first), next_near_models_.end(),
+                        is_same))
+            continue;
+        see(*scene, last);
     }
 }
 
@@ -320,7 +325,7 @@ void Solver::list_near_models(const Scene& scene, double dt) {
         });
         reserve_balls(body, scene, moved_models_, active.search_box, meshes);
         active.near_model_count = static_cast<uint32_t>(next_near_models_.size() - before);
-        see_attached_models(&scene, body.constraints);
+        see_attached_models(&scene, body.constraints, before);
         if (active.near_model_count == 0) continue;
         const uint32_t least = substeps_near_models(body.cloth, state_.settings, active.fastest, dt);
         active.substeps = std::max(active.substeps, least);

@@ -112,7 +112,7 @@ void rest(Body& body, const Scene* scene, const SolverSettings& settings, double
 bool Solver::stays_asleep(const Body& body, const Scene* scene) {
     if (!body.sleep.asleep) return false;
     // Its models are tracked like those of other bodies: if one moves and wakes it, its former place is known.
-    see_attached_models(scene, body.constraints);
+    see_attached_models(scene, body.constraints, next_near_models_.size());
     return neighbourhood(body, scene, [&](gphys_model_id model) { see(*scene, model); }) == body.sleep.neighbourhood &&
            !attachments_moved(body.constraints, scene);
 }

@@ -291,7 +291,7 @@ private:
     /// The first step of a frame clears the list of breaks.
     void simulate(const Scene* scene, double dt, bool first);
     void see(const Scene& scene, gphys_model_id model);
-    void see_attached_models(const Scene* scene, const Constraints& constraints);
+    void see_attached_models(const Scene* scene, const Constraints& constraints, size_t first);
     void list_moved_models(const Scene& scene);
     void update_meshes(Vec3 shift = {}) noexcept;
     void prepare(const Scene* scene, double dt);

@@ -87,7 +87,7 @@ bool Solver::stays_steady(const Body& body, const Scene* scene, double dt) {
     const Steady& steady = body.steady;
     if (!steady.found || !body.targets.empty()) return false;
     if (dt != steady.step_time || state_.settings.substeps != steady.substeps) return false;
-    see_attached_models(scene, body.constraints);
+    see_attached_models(scene, body.constraints, next_near_models_.size());
     const auto see_near = [&](gphys_model_id model) { see(*scene, model); };
     return hash_of_surroundings(body, scene, see_near) == steady.surroundings &&
            !attachments_moved(body.constraints, scene);
