@@ -172,19 +172,19 @@ void walk_rays(const BvhNode* nodes, uint32_t root, const TrianglePacket* packet
     if (together) {
         PacketTest packet_test(probe_of, limits, count);
         std::optional<SharedOrigin> shared;
-        std::optional<TrianglesFromOrigin> seen;
-        uint32_t seen_number = 0;
+        TrianglesFromOrigin seen;
+        uint32_t seen_number = 0xffffffff;  // none
         const auto visit = [&](uint32_t group, uint32_t set, uint32_t number) {
             if (!shared) shared.emplace(rays, count);
             const TrianglePacket& packet = packets[number];
-            if (*shared && !(seen && seen_number == number)) {
-                seen.emplace(shared->first(), packet);
+            if (*shared && seen_number != number) {
+                seen.see(shared->first(), packet);
                 seen_number = number;
             }
             for (; set != 0; set &= set - 1) {
                 const uint32_t ray = 8 * group + static_cast<uint32_t>(lowest_bit(set));
                 if (*shared) {
-                    crossing.add(ray, packet, seen->hits(shared->slope_x[ray], shared->slope_y[ray], limits[ray]));
+                    crossing.add(ray, packet, seen.hits(shared->slope_x[ray], shared->slope_y[ray], limits[ray]));
                 } else {
                     add(ray, number);
                 }

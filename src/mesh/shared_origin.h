@@ -80,7 +80,10 @@ private:
 /// Eight triangles as seen from the origin.
 class TrianglesFromOrigin {
 public:
-    GPHYS_INLINE TrianglesFromOrigin(const PreparedRay& ray, const TrianglePacket& packet) {
+    TrianglesFromOrigin() {}  // of no triangles; not constexpr, which would clear the memory
+
+    /// Call before hits().
+    GPHYS_INLINE void see(const PreparedRay& ray, const TrianglePacket& packet) {
         const auto& axis = ray.triangles.axis;
         Float8 corner[3][3], from[3][3], edge[3][3];
         float off = 0;
