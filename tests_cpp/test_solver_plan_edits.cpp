@@ -44,16 +44,19 @@ void edit(const World& world, gphys_body_id body, uint32_t size, Random& random)
 void check_lists(const World& world, gphys_body_id id) {
     Body& body = unwrap(world.solver)->body(id);
     if (!is_graph(body)) return;
-    const auto braces = [&] {
+    const auto kinds = [&] {
         std::vector<bool> out;
-        for (const KeptLinks::Link& link : body.cloth.relaxation.kept.links) out.push_back(link.brace);
+        for (const KeptLinks::Link& link : body.cloth.relaxation.kept.links) {
+            out.push_back(link.brace);
+            out.push_back(link.chord);
+        }
         return out;
     };
-    const std::vector<bool> followed = braces();
-    body.cloth.rigid.braces.clear();
+    const std::vector<bool> followed = kinds();
+    body.cloth.rigid.kinds.clear();
     if (body.kind == GPHYS_BODY_CLOTH) find_braces(body.cloth.rigid, body.constraints.ids.slots());
     list_kept_links(body.cloth.relaxation.kept, body.cloth.batches, body.cloth.rigid, body.plan, body.particles.size());
-    CHECK(braces() == followed);
+    CHECK(kinds() == followed);
 }
 
 const Plan& plan_of(const World& world, gphys_body_id body) { return unwrap(world.solver)->body(body).plan; }

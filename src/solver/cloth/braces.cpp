@@ -1,6 +1,6 @@
-// Which rigid links of cloth are braces (rigid_links.h). A brace is a diagonal of a cell that has both diagonals. Four
-// particles that are all linked to each other cannot bend in their plane, as cells on a surface of double curvature
-// must. There the diagonals may yield, as in woven cloth, and the threads keep their lengths.
+// Which rigid links of cloth are braces, and which are chords (rigid_links.h). A brace is a diagonal of a cell that has
+// both diagonals. Four particles that are all linked to each other cannot bend in their plane, as cells on a surface of
+// double curvature must. There the diagonals may yield, as in woven cloth, and the threads keep their lengths.
 //
 // A cell is found as two common neighbours of the ends of a link that are linked to each other; its diagonals are the
 // pair of opposite links with the largest sum of squares. Whether a link is a brace depends on nearby links only, so
@@ -45,6 +45,7 @@ public:
 
 private:
     static constexpr uint32_t none = 0xffffffff;
+    static constexpr double rounding = 1e-6;  // of squared lengths
 
     /// Tests the links from a to later particles b with wanted(b).
     template <class Wanted>
@@ -53,13 +54,13 @@ private:
         for (uint32_t i = rigid_.begin[a]; i < end; ++i) neighbour_[rigid_.at[i].to] = i;
         for (uint32_t i = rigid_.begin[a]; i < end; ++i) {
             const RigidLinks::End& link = rigid_.at[i];
-            if (link.to > a && wanted(link.to)) rigid_.braces[link.slot] = is_brace(link);
+            if (link.to > a && wanted(link.to)) rigid_.kinds[link.slot] = kinds_of(link);
         }
         for (uint32_t i = rigid_.begin[a]; i < end; ++i) neighbour_[rigid_.at[i].to] = none;
     }
 
     /// Of a link from the particle whose neighbours are marked.
-    bool is_brace(const RigidLinks::End& link) const {
+    uint8_t kinds_of(const RigidLinks::End& link) const {
         constexpr uint32_t most = 16;  // in a grid, two particles have fewer common neighbours
         struct Common {
             uint32_t particle;
@@ -72,17 +73,19 @@ private:
             common[count++] = {rigid_.at[j].to, square(rigid_.at[i].rest), square(rigid_.at[j].rest)};
         }
         const double own = square(link.rest);
+        uint8_t kinds = 0;
         for (uint32_t i = 0; i < count; ++i) {
             const Common& c = common[i];
+            if (std::max(c.from_a, c.from_b) < own * (1 - rounding)) kinds |= RigidLinks::chord;
             for (uint32_t j = i + 1; j < count; ++j) {
                 const Common& d = common[j];
                 const double opposite = std::max(c.from_a + d.from_b, d.from_a + c.from_b);
                 // The search through a list is rarely needed: the longest link is a bound.
                 if (own + longest_[c.particle] <= opposite) continue;
-                if (own + squared_length(c.particle, d.particle) > opposite) return true;
+                if (own + squared_length(c.particle, d.particle) > opposite) return kinds | RigidLinks::brace;
             }
         }
-        return false;
+        return kinds;
     }
 
     /// Of the link between two particles; without one, minus infinity.
@@ -103,8 +106,8 @@ private:
 
 void find_braces(RigidLinks& rigid, uint32_t constraint_slots) {
     BraceSearch search(rigid);
-    const bool known = !rigid.braces.empty();
-    rigid.braces.resize(constraint_slots, 0);
+    const bool known = !rigid.kinds.empty();
+    rigid.kinds.resize(constraint_slots, 0);
     known ? search.test_near_changes() : search.test_all();
 }
 

@@ -58,7 +58,7 @@ void begin_cloth(Body& body, const CollisionContext& around, Vec3 gravity) {
     }
     cloth.state.average_mass = extent.mass / body.particles.size();
     cloth.relaxation.wanted_substep = infinity;
-    cloth.balance.current = false;
+    cloth.balance.current = cloth.yielding.current = false;
     cloth.balance.pulled =
         (body.history.earlier_step == 0 && !body.contacts.has_contact) || !body.constraints.length_changes.empty();
     load_state(cloth.state, body.particles, cloth.batches.spare, gravity, cloth.shares.team);
@@ -79,6 +79,7 @@ void predict_cloth(Body& body, const CollisionContext& around, double h) {
     const TimeScheme scheme(h, body.history.earlier_step);
     if (!body.constraints.length_changes.empty()) change_lengths(body, around.end);
     soften_links(cloth.batches, cloth.state.average_mass, scheme.step(body.settings.damping));
+    find_yielding_chords(cloth, collides(body, around) && !cloth.contacts.candidates.empty(), around.step_time);
     // Moving models and other bodies do work.
     const bool carried = std::any_of(body.constraints.attachments.begin(), body.constraints.attachments.end(),
                                      [](const Attachment& attachment) { return attachment.begin != attachment.end; });
@@ -177,13 +178,20 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
     balance.closed = balance.closed && !(collides && contacts.has_moving_model) && !bounded;
     const bool accounted = is_accounted_for(body, collides);
     const double before = balance.stored;
+    const auto remove = [&](double energy) {
+        if (cloth.yielding.any) {
+            remove_own_gains(state, energy);
+        } else {
+            remove_energy(state, cloth.shares, energy);
+        }
+    };
     if (balance.closed && !accounted) {
         balance.stored = stored_energy(cloth);
         balance.gain = (gain + balance.stored - before) * state.average_mass;
-        if (balance.gain > 0 && !body.plan.joined) remove_energy(state, cloth.shares, balance.gain);
+        if (balance.gain > 0 && !body.plan.joined) remove(balance.gain);
     }
     stop_cloth_at_targets(body.targets, state);
-    body.contacts.has_contact = has_limit_impact || bounded;
+    body.contacts.has_contact = has_limit_impact || bounded || cloth.yielding.any;
     if (collides) {
         body.contacts.has_contact = body.contacts.has_contact || contacts.any_active();
         solve_contact_velocities(body, around, h);
@@ -193,7 +201,7 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
         if (collides) save_positions(contacts, state);
         const std::optional<double> lost = relax_links(body, collides, h);
         if (lost && collides) stop_undone_motion(body, around, h);
-        if (lost > 0 && balance.closed && !accounted) remove_energy(state, cloth.shares, *lost * state.average_mass);
+        if (lost > 0 && balance.closed && !accounted) remove(*lost * state.average_mass);
     }
     if (accounted) {
         if (balance.closed) balance.stored = stored_energy(cloth);
@@ -210,7 +218,7 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
         const double all =
             sum_of_blocks(state, cloth.shares, [&](const ClothMotion& block) { return kernels.gain(block); }) + stored -
             before;
-        if (all > 0) remove_energy(state, cloth.shares, all * state.average_mass);
+        if (all > 0) remove(all * state.average_mass);
         balance.stored = stored;
     }
     balance.current = balance.closed && !collides && (accounted || cloth.relaxation.most_strain == 0);

@@ -17,6 +17,7 @@
 #include "solver/cloth/settling.h"
 #include "solver/cloth/taut_spans.h"
 #include "solver/cloth/volume.h"
+#include "solver/cloth/yielding_chords.h"
 #include "solver/contact/moving_colliders.h"
 #include "solver/joints/tether_inertia.h"
 
@@ -58,6 +59,7 @@ struct Cloth {
     ContactLoads loads;
     ChainContacts in_chains;
     Relaxation relaxation;
+    YieldingChords yielding;
     Volume volume;
     Clusters clusters;
     ClothContacts contacts;

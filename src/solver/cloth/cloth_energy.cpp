@@ -2,6 +2,7 @@
 #include "solver/body.h"
 #include "solver/cloth/cloth_chains.h"
 #include "solver/contact/collision.h"
+#include "solver/quads.h"
 
 namespace gphys {
 namespace {
@@ -33,6 +34,27 @@ void limit_energy_in_solid(ClothState& state, ClothShares& shares, double gain) 
     const double allowed = state.average_mass * state.particles * leaving_speed * leaving_speed / 2;
     const double excess = std::min(gain, inner_energy_of_cloth(state, shares, {}) - allowed);
     if (excess > 0) slow_by(state, shares, {}, excess);
+}
+
+void remove_own_gains(ClothState& state, double gain) {
+    const auto gain_of = [&](size_t i) {
+        const Vec3 after = get(&state.velocity[i]), before = get(&state.velocity_before[i]);
+        const Vec3 way = get(&state.at[i]) - get(&state.start[i]);
+        return state.acceleration[i + 3] *
+               ((length_squared(after) - length_squared(before)) / 2 - dot(get(&state.acceleration[i]), way));
+    };
+    const size_t floats = 4 * size_t{state.particles};
+    double gained = 0;
+    for (size_t i = 0; i < floats; i += 4) gained += std::max(0.0, gain_of(i));
+    if (gained == 0) return;
+    const double part = std::min(1.0, gain / (gained * state.average_mass));
+    for (size_t i = 0; i < floats; i += 4) {
+        const double lost = 2 * part * gain_of(i);
+        if (lost <= 0) continue;
+        const Vec3 velocity = get(&state.velocity[i]);
+        const double square = length_squared(velocity) * state.acceleration[i + 3];
+        put(&state.velocity[i], velocity * (lost < square ? std::sqrt(1 - lost / square) : 0));
+    }
 }
 
 void remove_energy(ClothState& state, ClothShares& shares, double gain) {

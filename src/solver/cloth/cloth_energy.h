@@ -31,5 +31,7 @@ void limit_energy_in_solid(ClothState& state, ClothShares& shares, double gain);
 /// Slows the relative motion within the body so that the substep gains no energy; the motion of a free body as a whole
 /// stays.
 void remove_energy(ClothState& state, ClothShares& shares, double gain);
+/// The same, from the particles that gained it, each in proportion to its gain.
+void remove_own_gains(ClothState& state, double gain);
 
 }  // namespace gphys

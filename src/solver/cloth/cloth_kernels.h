@@ -17,7 +17,7 @@ struct ChainBatch {
     uint32_t attached = 0;  // 1: some particle is attached to a model
     uint32_t elastic = 0;   // 1: some link stores energy
     uint32_t kept = 0;      // which kinds of its links are in KeptLinks
-    static constexpr uint32_t threads = 1, braces = 2;
+    static constexpr uint32_t threads = 1, braces = 2, chords = 4;
 };
 
 struct ClothChains {

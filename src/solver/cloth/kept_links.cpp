@@ -25,10 +25,12 @@ void list_kept_links(KeptLinks& kept, ClothBatches& batches, const RigidLinks& r
             const uint32_t a = ends[0], b = ends[lanes];
             const double rest = batches.rest[place];
             if (rest == 0) continue;
-            const bool brace = rigid.has_brace(plan.slots[chains[i % lanes].first_link + i / lanes]);
+            const uint32_t slot = plan.slots[chains[i % lanes].first_link + i / lanes];
+            const bool brace = rigid.has(RigidLinks::brace, slot), chord = brace || rigid.has(RigidLinks::chord, slot);
             batch.kept |= brace ? ChainBatch::braces : ChainBatch::threads;
             kept.by_place[place] = count;
-            kept.links[count++] = {a, b, rest, batch.limit != 0, brace};
+            kept.links[count++] = {a, b, rest, batch.limit != 0, brace, chord && !batch.limit};
+            if (chord) batch.kept |= ChainBatch::chords;
             ++kept.begin[a + 1], ++kept.begin[b + 1];
         }
     };

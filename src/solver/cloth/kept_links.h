@@ -15,8 +15,10 @@ struct KeptLinks {
     struct Link {
         uint32_t a, b;
         double rest;
-        bool limit;  // whether it only pulls
-        bool brace;  // not kept without a strain target
+        bool limit;           // whether it only pulls
+        bool brace;           // not kept without a strain target
+        bool chord;           // whether it may give way (yielding_chords.h)
+        bool yields = false;  // not kept in this substep
     };
 
     explicit KeptLinks(std::pmr::memory_resource* memory)

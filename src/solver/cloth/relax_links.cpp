@@ -64,7 +64,7 @@ public:
     void relax_listed(uint32_t& count, double& lost);
 
 private:
-    bool yields(const KeptLinks::Link& link) const { return link.brace && relaxation_.braces_yield; }
+    bool yields(const KeptLinks::Link& link) const { return link.yields || (link.brace && relaxation_.braces_yield); }
     double move(uint32_t particle, Vec3 displacement);
     void stop_straining(const KeptLinks::Link& link, Vec3 direction, double error);
     bool relax(const KeptLinks::Link& link, double& lost);

@@ -65,7 +65,7 @@ void RigidLinks::list_edits(const Constraints& constraints, uint32_t particles) 
 void RigidLinks::forget() {
     edits.clear();
     listed_edits = 0;
-    braces.clear();
+    kinds.clear();
     begin.clear();
     at.clear();
 }

@@ -25,15 +25,17 @@ struct RigidLinks {
         bool added;
     };
 
-    explicit RigidLinks(std::pmr::memory_resource* memory) : begin(memory), at(memory), edits(memory), braces(memory) {}
+    explicit RigidLinks(std::pmr::memory_resource* memory) : begin(memory), at(memory), edits(memory), kinds(memory) {}
 
     Vector<uint32_t> begin;   // at[begin[p] .. begin[p + 1]]: the links of particle p,
     Vector<End> at;           // sorted by their other end and by slot. Both empty: out of date
     Vector<Edit> edits;       // since the last search for braces (braces.cpp)
     size_t listed_edits = 0;  // of them, those that the lists have
-    Vector<uint8_t> braces;   // by slot of a constraint: 1 if it is a brace. Empty: not known
+    Vector<uint8_t> kinds;    // by slot of a constraint: which of these it is. Empty: not known
+    // A diagonal of a cell (braces.cpp); a link that two shorter ones span as well (yielding_chords.h).
+    static constexpr uint8_t brace = 1, chord = 2;
 
-    bool has_brace(uint32_t slot) const { return slot < braces.size() && braces[slot]; }
+    bool has(uint8_t kind, uint32_t slot) const { return slot < kinds.size() && (kinds[slot] & kind) != 0; }
 
     /// Lists the rigid constraints. O(constraints). Throws std::bad_alloc.
     void list(const Constraints& constraints, uint32_t particles);
@@ -44,8 +46,8 @@ struct RigidLinks {
     void forget();
 };
 
-/// Updates which links are braces. Call after the links were listed. O(links) at first, then O(particles). Throws
-/// std::bad_alloc.
+/// Updates which links are braces and chords. Call after the links were listed. O(links) at first, then O(particles).
+/// Throws std::bad_alloc.
 void find_braces(RigidLinks& rigid, uint32_t constraint_slots);
 
 }  // namespace gphys

@@ -107,6 +107,8 @@ void visit_body(Archive& archive, Body& body) {
     archive.array(body.cloth.state.velocity_before);
     archive.value(body.cloth.state.origin);
     archive.array(body.cloth.cache.search_balls);
+    archive.flag(body.cloth.yielding.any);
+    archive.value(body.cloth.yielding.collapsed_time);
     visit_plan(archive, body);
 }
 

@@ -81,8 +81,9 @@ bool particles_fine(const Body& body) {
            all(body.contacts.stuck, [](uint32_t stuck) { return stuck <= 1; }) &&
            all(body.cloth.state.moved, is_number) && all(body.cloth.state.velocity_before, is_number) &&
            are_search_balls_valid(body.cloth.cache.search_balls) && is_place(body.cloth.state.origin) &&
-           is_finite_amount(body.cloth.balance.lost) && is_amount(body.sleep.rest_time) &&
-           is_finite_amount(body.sleep.settling) && is_within(range, body.sleep.drift) && fine_box(body.sleep.box);
+           is_finite_amount(body.cloth.balance.lost) && is_amount(body.cloth.yielding.collapsed_time) &&
+           is_amount(body.sleep.rest_time) && is_finite_amount(body.sleep.settling) &&
+           is_within(range, body.sleep.drift) && fine_box(body.sleep.box);
 }
 
 bool air_fine(const Air& air) {

@@ -1,0 +1,29 @@
+// Collapsed cloth, such as a curtain that was pulled in its middle beyond its reach and then let go.
+//
+// A chord is a rigid link that two shorter links span as well: a diagonal of a cell, or a link against bending. Where
+// cells are turned inside out, or crumpled, chords push the wrong way, and hold the sheet in that state and above its
+// pins for good. Without chords, or with springs in their place, cloth always unfolds. So when a chord of a body
+// has been much too short for a while, all its chords are springs, as in woven cloth, until none is short any more.
+//
+// Sweeps over such cells leave large errors. While the body is in this state these do not become motion: the time
+// scheme starts anew in each substep, and energy beyond the work of forces is taken from the particles that gained it.
+// If all were slowed instead, a few tangled cells would hold up a sheet that falls.
+//
+// Cloth in its ordinary states is not in this one.
+#pragma once
+
+namespace gphys {
+
+struct Cloth;
+
+struct YieldingChords {
+    bool any = false;           // in the last substep: then all of them yield. In snapshots
+    double collapsed_time = 0;  // seconds for which some have been much too short. In snapshots
+    bool current = false;       // whether this step has tested the cloth
+};
+
+/// Tests the cloth at the beginning of a step, and in each substep while chords yield. Call in each substep after
+/// soften_links. `near`: whether models may be in contact.
+void find_yielding_chords(Cloth& cloth, bool near, double step_time);
+
+}  // namespace gphys
