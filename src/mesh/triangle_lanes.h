@@ -22,9 +22,10 @@ public:
         uint32_t starts = 1;  // of runs
         for (int i = 0; i < 8; ++i) lanes_[i] = lane_of(i);
         for (int i = 1; i < 8; ++i) {
-            const bool differ = (packet_of(i) != packet_of(i - 1)) | (axes_of(i)[0] != axes_of(i - 1)[0]) |
-                                (axes_of(i)[1] != axes_of(i - 1)[1]);
-            starts |= uint32_t{differ} << i;
+            // Without a branch.
+            const uint32_t other_packet = packet_of(i) != packet_of(i - 1),
+                           other_x = axes_of(i)[0] != axes_of(i - 1)[0], other_y = axes_of(i)[1] != axes_of(i - 1)[1];
+            starts |= (other_packet | other_x | other_y) << i;
         }
         constexpr float numbers[8] = {0, 1, 2, 3, 4, 5, 6, 7};
         for (; starts != 0; starts &= starts - 1) {
