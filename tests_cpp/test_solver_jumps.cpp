@@ -59,8 +59,9 @@ struct Carried {
 
 TEST_CASE("a body that is attached to a model that jumps goes with it as a rigid body") {
     for (const bool is_cloth : {false, true}) {
-        for (const float far : {2.0f, 30.0f, 1000.0f}) {
+        for (const float far : {0.0f, 2.0f, 30.0f, 1000.0f}) {
             for (const bool turns : {false, true}) {
+                if (far == 0 && !turns) continue;
                 CAPTURE(is_cloth, far, turns);
                 Carried still(is_cloth), jumping(is_cloth);
                 // A sheet that swings is chaotic: in a second and a half rounding errors grow to centimetres.
