@@ -15,6 +15,7 @@
 //   step.cpp           the step: how each body is moved
 //   time_scheme.h      the time integration of constrained bodies
 //   islands.cpp        bodies that influence each other, moved in one task
+//   jumps.cpp          models that jump, and bodies that are attached to them
 //   sleep.cpp          bodies at rest; steady.cpp: bodies that a step would leave as they are
 //   wind.cpp           drag and lift
 //   tearing/           links that break, and cloth that tears
