@@ -41,6 +41,11 @@ public:
                 {center.x + half.x, center.y + half.y, center.z + half.z}};
     }
     gphys_obb obb() { return {point(2), {size(), size(), size()}, rotation()}; }
+    gphys_plane plane() {
+        gphys_plane plane{point(2), number(5)};
+        if (plane.normal.x == 0 && plane.normal.y == 0 && plane.normal.z == 0) plane.normal.y = 1;
+        return plane;
+    }
     Ray ray() {
         const gphys_vec3 direction = point(3);
         return {widen(point(12)), widen(direction), random_.index(3) == 0 ? infinity : std::fabs(number(4))};

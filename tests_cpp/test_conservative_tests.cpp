@@ -85,6 +85,44 @@ TEST_CASE("quick tests of boxes never contradict the exact ones") {
     CHECK(coarse.open > 100);
 }
 
+TEST_CASE("quick tests of planes never contradict the exact ones, also where they are touched") {
+    Cases cases(78);
+    Tally rays, points, boxes, touching;
+    for (int i = 0; i < 40000; ++i) {
+        cases.next();
+        gphys_plane stored = cases.plane();
+        const gphys_transform world = cases.transform();
+        if (i % 16 == 0) stored = {scaled(stored.normal, 0x1p-100f), stored.distance * 0x1p-100f};
+        const Plane plane = with_placed(stored, world, [](const Plane& p) { return p; });
+        const ConservativePlane quick = conservative_shape(stored, world);
+        // To the last bit, or nearly.
+        const bool touches = i % 4 == 1 || cases.coarse();
+        const double factor = i % 8 < 4 ? 1 : 1 + std::exp2(cases.number(12) - 40) * (i % 3 - 1);
+        Ray ray = cases.ray();
+        Hit hit;
+        if (touches && raycast(plane, {ray.origin, ray.direction}, hit)) ray.t_max = hit.t * factor;
+        REQUIRE((touches ? touching : rays)
+                    .add(may_hit(quick, ray) ? TriState::undecided : TriState::no, raycast(plane, ray, hit)));
+        const Vec3 point = widen(cases.point(8));
+        const double reach = touches ? distance(closest_point(plane, point), point) * factor : cases.size();
+        REQUIRE((touches ? touching : points)
+                    .add(ConservativePoint(point)(quick, reach), overlaps(Shape(Sphere{point, reach}), Shape(plane))));
+        const Obb box = widen(cases.obb());
+        REQUIRE((cases.coarse() ? touching : boxes)
+                    .add(ConservativeBoxQuery(box)(quick), overlaps(Shape(box), Shape(plane))));
+    }
+    INFO(rays << ", " << points << ", " << boxes << ", " << touching);
+    CHECK(rays.no > 7000);
+    CHECK(rays.open > 1000);
+    for (const Tally* tally : {&points, &boxes}) {
+        CHECK(tally->no > 5000);
+        CHECK(tally->yes > 1000);
+        CHECK(tally->open < 10);
+    }
+    CHECK(touching.no > 10000);
+    CHECK(touching.open > 10000);
+}
+
 namespace {
 
 using AskEight = TriStates8 (*SceneKernels::*)(const RaysAndModels<RayQuads>& pairs);
@@ -125,7 +163,7 @@ TEST_CASE("of eight rays at once each is told the truth about its model, or noth
     }
 }
 
-TEST_CASE("a sphere in a model that is not turned is placed with the bits that a matrix gives") {
+TEST_CASE("spheres and planes in models that are not turned are placed with the bits that a matrix gives") {
     Cases cases(77);
     for (int i = 0; i < 4000; ++i) {
         cases.next();
@@ -136,6 +174,11 @@ TEST_CASE("a sphere in a model that is not turned is placed with the bits that a
         const Sphere expected = transformed(widen(sphere), widen(world));
         const Sphere placed = with_placed(sphere, world, [](const Sphere& s) { return s; });
         REQUIRE(std::memcmp(&placed, &expected, sizeof placed) == 0);
+        gphys_plane plane = cases.plane();
+        if (i % 4 == 1) plane.normal = {-0.0f, plane.normal.y, plane.normal.z + 3};
+        const Plane expected_plane = transformed(widen(plane), widen(world));
+        const Plane placed_plane = with_placed(plane, world, [](const Plane& p) { return p; });
+        REQUIRE(std::memcmp(&placed_plane, &expected_plane, sizeof placed_plane) == 0);
     }
 }
 

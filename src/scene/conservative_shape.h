@@ -123,6 +123,42 @@ inline ConservativeBox conservative_shape(const ModelMesh& stored, const gphys_t
     return conservative_box(center_and_half(box.min, box.max), world);
 }
 
+/// A plane, relative to the position of its model. Its normal need not be unit; `normal` is that in the world times the
+/// squared length of the quaternion, since the rotation is not normalised.
+struct ConservativePlane {
+    Vec3 position, normal;
+    double offset;  // dot(normal, point - position) of its points
+    double size;    // no component of any normal of this length is larger
+
+    /// Above the plane, in units of the normal's length.
+    double height(Vec3 point) const { return dot(normal, point - position) - offset; }
+    /// Bound of the errors of height(), of the exact test, and of a reach that is part of `magnitude`: the sum of the
+    /// absolute coordinates of the query.
+    double height_error(double magnitude) const {
+        return slack * (size * (magnitude + sum(abs(position))) + std::fabs(offset));
+    }
+};
+inline ConservativePlane conservative_shape(const gphys_plane& plane, const gphys_transform& world) {
+    Vec3 normal = widen(plane.normal);
+    double unit = 1;
+    const double size = sum(abs(normal));
+    if (is_rotated(world.rotation)) {
+        const Quat q = widen(world.rotation);
+        normal = scaled_rotation_matrix(q) * normal;
+        unit = norm_squared(q);
+    }
+    return {widen(world.position), normal, plane.distance * double{world.scale} * unit, size * unit};
+}
+
+/// Whether a ray may hit a plane: it approaches, and does not end before.
+inline bool may_hit(const ConservativePlane& plane, const Ray& ray) {
+    const double start = plane.height(ray.origin), climb = dot(plane.normal, ray.direction);
+    const double gap = std::fabs(start) - plane.height_error(sum(abs(ray.origin)));
+    if (!(gap > 0)) return true;
+    const double approach = (start > 0 ? -climb : climb) + slack * plane.size * sum(abs(ray.direction));
+    return approach > 0 && approach * ray.t_max >= gap;
+}
+
 struct FloatBox {
     Float4 center, half;
 };
@@ -254,8 +290,8 @@ struct ConservativeMesh {
 };
 
 template <class Stored>
-constexpr bool has_conservative_shape = !std::is_same_v<Stored, gphys_capsule> &&
-                                        !std::is_same_v<Stored, gphys_plane> && !std::is_same_v<Stored, gphys_triangle>;
+constexpr bool has_conservative_shape =
+    !std::is_same_v<Stored, gphys_capsule> && !std::is_same_v<Stored, gphys_triangle>;
 
 template <class Stored>
 constexpr bool is_box = std::is_same_v<Stored, gphys_aabb> || std::is_same_v<Stored, gphys_obb>;

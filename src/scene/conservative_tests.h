@@ -57,6 +57,12 @@ private:
         return also_yes && both.must_hit() ? TriState::yes : TriState::undecided;
     }
 
+    /// Whether the side of the plane counts is left to the exact test.
+    template <bool also_yes>
+    TriState verdict(const ConservativePlane& plane, double t_max) const {
+        return may_hit(plane, {origin_.exact, direction_, t_max}) ? TriState::undecided : TriState::no;
+    }
+
     /// mesh_instance.cpp tests the box of the mesh, with the ray in the mesh's space.
     template <bool also_yes>
     TriState verdict(const ConservativeMesh& mesh, double t_max) const {
@@ -84,6 +90,10 @@ public:
     TriState operator()(const ConservativeSphere& sphere, double reach) const {
         const double both = sphere.radius + reach, magnitude = magnitude_ + sphere.magnitude + reach;
         return at_most(length_squared(point_.exact - sphere.center), both * both, slack * magnitude * magnitude);
+    }
+    TriState operator()(const ConservativePlane& plane, double reach) const {
+        return at_most(std::fabs(plane.height(point_.exact)), reach * length(plane.normal),
+                       plane.height_error(magnitude_ + reach));
     }
     TriState operator()(const ConservativeBox& box, double reach) const {
         const Vec3 outside = max(abs(box.local(point_.exact)) - box.half * box.unit, {});
@@ -121,6 +131,11 @@ public:
         const Vec3 outside = max(abs(to_local(sphere.center - box_.center)) - box_.half, {});
         const double magnitude = magnitude_ + sphere.magnitude;
         return at_most(length_squared(outside), sphere.radius * sphere.radius, slack * magnitude * magnitude);
+    }
+
+    TriState operator()(const ConservativePlane& plane) const {
+        const double reach = dot(abs(to_local(plane.normal)), box_.half);
+        return at_most(std::fabs(plane.height(box_.center)), reach, plane.height_error(magnitude_));
     }
 
     /// The separating axis test in this box's own frame.

@@ -26,6 +26,16 @@ auto with_placed(const gphys_sphere& shape, const gphys_transform& world, Visit&
     return visit(Sphere{widen(world.position) + Mat3() * (sphere.center * scale), sphere.radius * scale});
 }
 
+/// The same for planes.
+template <class Visit>
+auto with_placed(const gphys_plane& shape, const gphys_transform& world, Visit&& visit) {
+    const Plane plane = widen(shape);
+    const Mask4 rotation = as_mask(load4(world.rotation));
+    if (any(rotation & mask4(-1, -1, -1, 0))) return visit(transformed(plane, widen(world)));
+    const Vec3 normal = Mat3() * plane.normal;
+    return visit(Plane{normal, plane.distance * double{world.scale} + dot(normal, widen(world.position))});
+}
+
 /// Without rotation the faces of a box are exact.
 template <class Visit>
 auto with_placed(const gphys_aabb& shape, const gphys_transform& world, Visit&& visit) {

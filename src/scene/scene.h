@@ -337,6 +337,8 @@ private:
     bool decide(const Filter& filter, uint32_t slot, Conservative&& conservative, Exact&& exact) const;
     template <class Filter>
     bool hits_unbounded(const Ray& ray, const Filter& filter) const;
+    /// Of a plane. False is certain.
+    bool may_hit_plane(uint32_t slot, const Ray& ray) const;
     template <class Answers, class OnHit>
     uint32_t hits_by_kernels(const EightPairs& pairs, const Ray* rays, const OnHit& hit) const;
     void reserve_shapes(gphys_shape_type type, bool scaled, size_t size);

@@ -64,7 +64,7 @@ public:
     FirstHitOfRay(const Scene& scene, Ray& ray, const Filter& filter, Answer& out)
         : scene_(&scene), rest_(&ray), t_max_(ray.t_max), out_(&out) {
         for (const uint32_t slot : scene.unbounded_) {
-            if (scene.may_pass(filter, slot) && scene.passes(filter, slot)) test(slot);
+            if (scene.may_pass(filter, slot) && scene.may_hit_plane(slot, ray) && scene.passes(filter, slot)) test(slot);
         }
     }
 
@@ -435,12 +435,17 @@ void Scene::raycast_many_by(Ray* rays, uint32_t count, const Filters& filters, A
     if (large.count() < bvh_.size()) raycast_bvh_by(rays, count, filters, large, first);
 }
 
+bool Scene::may_hit_plane(uint32_t slot, const Ray& ray) const {
+    return may_hit(conservative_shape(stored<gphys_plane>(slot), models_[slot].world), ray);
+}
+
 /// Whether a ray hits a plane. Planes are unbounded and not in the BVH.
 template <class Filter>
 bool Scene::hits_unbounded(const Ray& ray, const Filter& filter) const {
     const auto exact = [&](const auto& shape) { return is_hit(shape, ray); };
     for (const uint32_t slot : unbounded_) {
-        if (may_pass(filter, slot) && with_shape(slot, exact) && passes(filter, slot)) return true;
+        if (may_pass(filter, slot) && may_hit_plane(slot, ray) && with_shape(slot, exact) && passes(filter, slot))
+            return true;
     }
     return false;
 }
