@@ -119,7 +119,7 @@ TEST_CASE("the kernels of flight give the same bits on each instruction set, and
     std::array<FlightObstacle, 2> obstacles{};
     for (FlightObstacle& obstacle : obstacles) {
         const Vec3 low = random.direction() * 3, high = low + Vec3{1, 1, 1};
-        for (uint32_t i = 0; i < flight_numbers; ++i) {
+        for (uint32_t i = 0; i < FlightBox::size; ++i) {
             obstacle.all.low[i] = low[static_cast<int>(i % 3)], obstacle.all.high[i] = high[static_cast<int>(i % 3)];
             obstacle.rest.low[i] = 1, obstacle.rest.high[i] = -1;
         }

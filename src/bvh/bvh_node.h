@@ -26,7 +26,8 @@ constexpr uint32_t bvh_leaf_bit = 0x80000000u;
 /// The largest number of levels; it bounds the stacks of queries.
 constexpr int bvh_max_levels = 32;
 /// The largest stack of a depth-first traversal: seven siblings a level, and eight children of the last node.
-constexpr int bvh_max_open = 7 * bvh_max_levels + 8;
+constexpr int bvh_open(int levels) { return 7 * levels + 8; }
+constexpr int bvh_max_open = bvh_open(bvh_max_levels);
 
 /// Rays of one call of a kernel.
 constexpr uint32_t bvh_max_rays = 64;

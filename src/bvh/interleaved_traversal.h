@@ -20,7 +20,7 @@ namespace gphys::GPHYS_ISA {
 template <class Order, class Test, class ProbeOf, class Visit, class PrefetchOf>
 void traverse_interleaved(const BvhNode* nodes, uint32_t root, const ProbeOf& probe_of, const float* limits,
                           uint32_t count, const Visit& visit, const PrefetchOf& prefetch_of) {
-    constexpr uint32_t task_count = 16;                 // queries in flight
+    constexpr uint32_t task_count = 16;                 // most queries in flight
     constexpr uint32_t node_group = 4, item_group = 8;  // queries that take a step together
     struct alignas(64) Task {
         Test test;
@@ -30,7 +30,14 @@ void traverse_interleaved(const BvhNode* nodes, uint32_t root, const ProbeOf& pr
         Order traversal;
     };
     Task tasks[task_count];
-    typename Order::Stack stacks[task_count];
+    // Sixteen stacks for trees of twelve levels, as of millions of items. Deeper trees have fewer queries in flight, so
+    // that calls do not need the stack of the deepest possible tree sixteen times.
+    constexpr int usual_levels = 12, entries = Order::entries(usual_levels) * int{task_count};
+    static_assert(entries >= Order::entries(bvh_max_levels) * int{node_group});
+    typename Order::Entry stacks[entries];
+    const int entries_of_one = Order::entries(static_cast<int>(node_at(nodes, root).levels));
+    const uint32_t fitting = static_cast<uint32_t>(entries / entries_of_one);
+    const uint32_t in_flight = fitting < task_count ? fitting : task_count;
     /// First in, first out. Numbers of tasks, four bits each, in one register.
     struct Queue {
         Task* tasks;
@@ -53,7 +60,7 @@ void traverse_interleaved(const BvhNode* nodes, uint32_t root, const ProbeOf& pr
         if (next_query == count) return;
         task.query = next_query++;
         task.test = Test(probe_of(task.query));
-        task.traversal.begin(root, limits[task.query], stacks[&task - tasks]);
+        task.traversal.begin(root, limits[task.query], stacks + (&task - tasks) * entries_of_one);
         task.here = &node_at(nodes, root);
         at_node.add(task);
     };
@@ -98,7 +105,7 @@ void traverse_interleaved(const BvhNode* nodes, uint32_t root, const ProbeOf& pr
         }
         for (uint32_t i = 0; i < size; ++i) suspend(*now[i], now[i]->traversal.leave_item());
     };
-    for (Task& task : tasks) begin(task);
+    for (uint32_t i = 0; i < in_flight; ++i) begin(tasks[i]);
     for (;;) {
         if (at_item.size >= item_group) {
             visit_items(item_group);

@@ -23,10 +23,11 @@ namespace gphys::GPHYS_ISA {
 
 class ClosestHit {
 public:
-    using Stack = StackEntry[stack_size];
+    using Entry = StackEntry;
+    static constexpr int entries(int levels) { return stack_size_of(levels); }
 
-    /// `limit` is not negative.
-    void begin(uint32_t root, float limit, Stack& stack) {
+    /// `limit` is not negative. `stack` has as many entries as the levels of the tree need.
+    void begin(uint32_t root, float limit, Entry* stack) {
         stack_ = stack;
         limit_ = limit;
         at_ = root;
@@ -73,9 +74,10 @@ private:
 /// The limit stays the same until a hit ends the ray.
 class AnyHit {
 public:
-    using Stack = uint32_t[stack_size + 8];  // compress_store writes eight
+    using Entry = uint32_t;
+    static constexpr int entries(int levels) { return stack_size_of(levels) + 8; }  // compress_store writes eight
 
-    void begin(uint32_t root, float limit, Stack& stack) {
+    void begin(uint32_t root, float limit, Entry* stack) {
         stack_ = stack;
         limit_ = limit;
         at_ = root;

@@ -43,7 +43,8 @@ inline float key_of(StackEntry entry) {
 /// push_sorted and prune may write this many entries above the top.
 constexpr int stack_slack = 8;
 /// With the sentinel and the slack.
-constexpr int stack_size = 1 + bvh_max_open + stack_slack;
+constexpr int stack_size_of(int levels) { return 1 + bvh_open(levels) + stack_slack; }
+constexpr int stack_size = stack_size_of(bvh_max_levels);
 
 /// The sorted value: the bits of a key, with the lane in the lowest bits.
 inline uint32_t lane_key(const float keys[8], int lane) {

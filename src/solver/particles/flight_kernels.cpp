@@ -87,7 +87,8 @@ void bound(const FlightGroups& groups, FlightBounds& out) {
 uint32_t common(const Double8 (&low)[parts], const Double8 (&high)[parts], const FlightBox& box) {
     uint32_t coordinates = 0;
     for (uint32_t part = 0; part < parts; ++part) {
-        const Double8 box_low = load_doubles(box.low + 8 * part), box_high = load_doubles(box.high + 8 * part);
+        const uint32_t axis = 8 * part % 3;
+        const Double8 box_low = load_doubles(box.low + axis), box_high = load_doubles(box.high + axis);
         coordinates |= bits((low[part] <= box_high) & (box_low <= high[part])) << 8 * part;
     }
     return coordinates;

@@ -1,5 +1,5 @@
 // The flight of many particles, eight at a time. Coordinates stay in memory as they are, x y z of one particle after
-// the other. So eight particles are three times eight numbers, and boxes and accelerations have the same layout.
+// the other. So eight particles are three times eight numbers, and accelerations have the same layout.
 #pragma once
 
 #include <cstdint>
@@ -26,9 +26,11 @@ struct FlightBounds {
     double fastest[3], furthest[3];  // by axis: speeds before, and displacements
 };
 
-/// A box, low and high corner, repeated for eight particles.
+/// A box, low and high corner: x y z x y z x y z x, so that the eight numbers for a part of eight particles are adjacent,
+/// whichever coordinate the part begins with.
 struct FlightBox {
-    double low[flight_numbers], high[flight_numbers];
+    static constexpr uint32_t size = 10;
+    double low[size], high[size];
 };
 struct FlightObstacle {
     FlightBox all;   // particles whose path overlaps it may hit the obstacle

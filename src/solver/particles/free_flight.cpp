@@ -33,9 +33,9 @@ void put(double* to, Vec3 v) { to[0] = v.x, to[1] = v.y, to[2] = v.z; }
 Vec3 get(const double (&from)[3]) { return {from[0], from[1], from[2]}; }
 
 void repeat(const Aabb& box, FlightBox& out) {
-    for (uint32_t i = 0; i < flight_group; ++i) {
-        put(out.low + size_t{3} * i, box.min);
-        put(out.high + size_t{3} * i, box.max);
+    for (int i = 0; i < int{FlightBox::size}; ++i) {
+        out.low[i] = box.min[i % 3];
+        out.high[i] = box.max[i % 3];
     }
 }
 
