@@ -28,11 +28,13 @@ Vec3 slip_of(const RopeContact& contact, const Body& body, uint32_t p) {
 
 double clearance(double radius, Vec3 at) { return radius + skin(radius, at); }
 
-/// Whether the plane for a place is still that of the contact. The surface at which particles touch a convex feature is
-/// curved at most like a ball of their radius.
+/// Whether the plane for a place is still that of the contact. Along the normal the closest point stays the same. Along
+/// the surface at which particles touch a convex feature it turns at most as on a ball of their radius.
 bool is_current_plane(const RopeContact& contact, Vec3 at, double radius) {
     constexpr double most_angle = 1e-4;  // radians
-    return length_squared(at - contact.placed_at) < most_angle * most_angle * radius * radius;
+    const Vec3 moved = at - contact.placed_at;
+    const double along = dot(contact.normal, moved);
+    return length_squared(moved) - along * along < most_angle * most_angle * radius * radius;
 }
 
 /// A particle that is within the skin already may stay there.
@@ -149,6 +151,7 @@ void RopeContacts::make_contacts(uint32_t p, Vec3 at, double particle_radius, ui
         contact.outside = dot(feature.normal, feature.closest) + off;
         contact.is_fixed = feature.is_triangle || scene_->type(feature.model) == GPHYS_SHAPE_PLANE;
         contact.moving_collider = feature.tag;
+        contact.placed_at = at;
         // Coplanar triangles share a plane.
         if (feature.is_triangle) {
             features_->cull_behind(feature.normal, contact.outside - particle_radius - skin(particle_radius, at) / 2,
@@ -296,8 +299,9 @@ void RopeContacts::place_bounds(const AnimationTargets& targets, const Vector<Ve
 /// Places the plane for the beginning of the substep.
 void RopeContacts::begin_contact(RopeContact& contact, const Body& body, uint32_t p) const {
     const Vec3 start = body.history.start[p] + contact.carried;
-    if (!contact.is_fixed) place_plane(contact, body.particles.radius[p], start);
-    allow_within_skin(contact, body.particles.radius[p], start);
+    const double radius = body.particles.radius[p];
+    if (!contact.is_fixed && !is_current_plane(contact, start, radius)) place_plane(contact, radius, start);
+    allow_within_skin(contact, radius, start);
     contact.approach = -dot(contact.normal, body.particles.velocity[p] - surface_velocity(contact));
     contact.is_updated = true;
 }
