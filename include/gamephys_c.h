@@ -2743,7 +2743,10 @@ GPHYS_API gphys_status gphys_solver_get_breaks(const gphys_solver* solver, gphys
  *  a body that the last step, of the same dt, left exactly as it was. */
 GPHYS_API gphys_status gphys_solver_step(gphys_solver* solver, const gphys_scene* scene, float dt);
 /** Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next
- *  frame, so the motion does not depend on the frame rate.
+ *  frame, so the motion does not depend on the frame rate. Models, pins and animation targets are given
+ *  the places of the end of the frame. They move there evenly in the time since the last step: attached particles,
+ *  pins and what lies on models are at their places of the time that the solver has reached, out_leftover of a step
+ *  before that of the frame. Impulses, contacts and breaks are those of the last step.
  *  @param frame_time    seconds, >= 0
  *  @param out_steps     steps made; may be NULL
  *  @param out_leftover  0 <= fraction of a step still owed < 1, to interpolate when drawing; may be NULL
@@ -2835,6 +2838,7 @@ typedef struct gphys_impulse {
 
 /** Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in
  *  which they fell asleep. Kept when too many: the lowest models.
+ *  After gphys_solver_advance, times the steps that it made, they are those of the frame.
  *  Divided by dt they are mean forces: what lies on a model presses on it with its weight. A particle
  *  of cloth that touches several models at once gives its impulse to the one that it touches most. Models have no mass
  *  here; a body of yours much lighter than what hangs from it should be moved in small steps.

@@ -2013,7 +2013,11 @@ export class Solver {
      * @param dt - seconds, 1e-6 .. 0.5 */
     step(scene: Scene | null, dt: number): void;
     /** Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next frame,
-     * so the motion does not depend on the frame rate.
+     * so the motion does not depend on the frame rate. Models, pins and animation targets are given the
+     * places of the end of the frame. They move there evenly in the time since the last step: attached
+     * particles, pins and what lies on models are at their places of the time that the solver has reached,
+     * leftover of a step before that of the frame. Impulses, contacts and breaks are those of the last
+     * step.
      * Cost: that of the steps made.
      * @param frame_time - seconds, >= 0
      * @returns steps made. 0 <= fraction of a step still owed < 1, to interpolate when drawing.
@@ -2049,10 +2053,11 @@ export class Solver {
      * Cost: O(contacts); no allocation. The same bits for any number of workers. Since 1.1. */
     getBodyContacts(): Records<BodyContact>;
     /** Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in
-     * which they fell asleep. Divided by dt they are mean forces: what lies on a model presses on it with
-     * its weight. A particle of cloth that touches several models at once gives its impulse to the one
-     * that it touches most. Models have no mass here; a body of yours much lighter than what hangs from it
-     * should be moved in small steps.
+     * which they fell asleep. After Solver.advance, times the steps that it made, they are those of the
+     * frame. Divided by dt they are mean forces: what lies on a model presses on it with its weight. A
+     * particle of cloth that touches several models at once gives its impulse to the one that it touches
+     * most. Models have no mass here; a body of yours much lighter than what hangs from it should be moved
+     * in small steps.
      * Cost: O(models touched); no allocation. The same bits for any number of workers. */
     getImpulses(): Records<Impulse>;
     /** Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and

@@ -64,7 +64,8 @@ public:
     FirstHitOfRay(const Scene& scene, Ray& ray, const Filter& filter, Answer& out)
         : scene_(&scene), rest_(&ray), t_max_(ray.t_max), out_(&out) {
         for (const uint32_t slot : scene.unbounded_) {
-            if (scene.may_pass(filter, slot) && scene.may_hit_plane(slot, ray) && scene.passes(filter, slot)) test(slot);
+            if (scene.may_pass(filter, slot) && scene.may_hit_plane(slot, ray) && scene.passes(filter, slot))
+                test(slot);
         }
     }
 

@@ -113,11 +113,11 @@ void begin_targets(Body& body) noexcept {
     }
 }
 
-void end_targets(Body& body) {
+void end_targets(Body& body, double way) {
     for (uint32_t p = 0; p < body.targets.all.size(); ++p) {
         AnimationTarget& target = body.targets.all[p];
-        target.from = target.to;
-        target.from_normal = target.to_normal;
+        target.from_normal = way < 1 ? normal_of(target, way) : target.to_normal;
+        target.from = way < 1 ? place_of(target, way) : target.to;
         target.fresh = 0;
         if (target.carries == AnimationTarget::free) body.particles.inverse_mass[p] = 1 / body.particles.mass[p];
         target.carries = 0;
@@ -187,8 +187,8 @@ Vec3 allowed_place(const AnimationTarget& target, double fraction, double time, 
 }
 
 void aim_targets(Body& body, const CollisionContext& around) {
-    body.targets.fraction = around.end;
-    body.targets.time = around.step_time;
+    body.targets.fraction = around.way(around.end);
+    body.targets.time = around.way_time();
     body.targets.pressing.clear();
     body.targets.reached.clear();
 }

@@ -76,7 +76,8 @@ double way_to_targets(const Body& body);
 void reserve_targets(Body& body);
 /// Call before and after all substeps of a step.
 void begin_targets(Body& body) noexcept;
-void end_targets(Body& body);
+/// `way`: the fraction of the way to the targets that the step has covered.
+void end_targets(Body& body, double way);
 
 /// The position of a target at a fraction of the step.
 inline Vec3 place_of(const AnimationTarget& target, double fraction) {

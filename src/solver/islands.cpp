@@ -180,7 +180,7 @@ void Solver::move_island(const Island& island, const Scene* scene, double dt) {
         for (uint32_t i = 0; i < island.body_count; ++i) visit(state_.bodies[slots[i]]);
     };
     const Vec3 gravity = state_.settings.gravity;
-    const CollisionContext whole{scene, &moved_models_, dt, 0, 1}, beginning{scene, &moved_models_, dt, 0, 0};
+    const CollisionContext whole = context_of(scene, dt, 0, 1), beginning = context_of(scene, dt, 0, 0);
     uint32_t substeps = 1;
     std::chrono::steady_clock::time_point start;
     if (island.on_trial) start = std::chrono::steady_clock::now();
@@ -195,7 +195,7 @@ void Solver::move_island(const Island& island, const Scene* scene, double dt) {
     if (island.colliding_count > 0) particle_contacts_.begin(island, state_.ids, state_.bodies, slots);
     for (uint32_t i = 1; i <= substeps; ++i) {
         const double begin = static_cast<double>(i - 1) / substeps, end = static_cast<double>(i) / substeps;
-        const CollisionContext around{scene, &moved_models_, dt, begin, end};
+        const CollisionContext around = context_of(scene, dt, begin, end);
         const double h = dt / substeps;
         if (island.colliding_count > 0) {
             move_colliding(island, joined, around, h);
@@ -216,7 +216,7 @@ void Solver::move_island(const Island& island, const Scene* scene, double dt) {
     each_body([&](Body& body) {
         if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body, whole);
         body.constraints.length_changes.clear();
-        end_targets(body);
+        end_targets(body, share_);
         stay_in_range(body);
         adapt_substep(body, state_.settings, dt, substeps);
         add_attached_impulses(body, whole, -1, gravity, dt);

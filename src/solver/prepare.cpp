@@ -339,6 +339,8 @@ void Solver::list_near_models(const Scene& scene, double dt) {
         if (!before) continue;
         const Vec3 way = widen(now.world.position) - widen(before->world.position);
         now.velocity = narrow(way / model_time_);
+        if (share_ < 1 && find_moved(moved_models_, now.model))
+            now.world = narrow_interpolate(before->world, now.world, share_);
     }
     find_disturbed(scene);
     for (const ActiveBody& active : active_) {

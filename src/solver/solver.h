@@ -319,6 +319,9 @@ private:
     void move_body(const ActiveBody& active, uint32_t worker, const Scene* scene, double dt);
     void move_part(const Task& task, uint32_t worker, const Scene* scene, double dt);
     void move_undisturbed(const Task& task, uint32_t worker, const Scene* scene, double dt);
+    CollisionContext context_of(const Scene* scene, double dt, double begin, double end) const {
+        return {scene, &moved_models_, dt, begin, end, share_};
+    }
     FlightPlanes* flight_planes(uint32_t worker, const Scene* scene) {
         return scene ? &flight_planes_[worker] : nullptr;
     }
@@ -345,7 +348,9 @@ private:
     SolverState state_{&memory};
     /// The next state_.near_models, with the present places; and those of state_.near_models that have moved since.
     Vector<PlacedModel> next_near_models_{&memory};
-    double model_time_ = 0;  // seconds in which the models have moved since the last step: of a step, or of a frame
+    /// Seconds in which the models move from the places at the last step to the present ones, and the part of this way
+    /// in the step under way. Of steps of a frame that are not the last, it is less than 1.
+    double model_time_ = 0, share_ = 1;
     Vector<MovedModel> moved_models_{&memory};
     Vector<ActiveBody> active_{&memory};
     Vector<Undo> undo_{&memory};

@@ -60,16 +60,17 @@ void set_positions(Body& body, uint32_t first, uint32_t count, const gphys_vec3*
     restart_targets(body, first, count);
 }
 
-void end_moved_pins(Body& body) {
+void end_moved_pins(Body& body, double way) {
     body.history.placed = false;
-    for (const Attachment& attachment : body.constraints.attachments) {
+    for (Attachment& attachment : body.constraints.attachments) {
         if (attachment.model != 0) continue;
+        attachment.begin = body.particles.position[attachment.particle];
         body.particles.velocity[attachment.particle] = {};
         for (Vector<float>* motion : {&body.cloth.state.moved, &body.cloth.state.velocity_before}) {
             if (!motion->empty()) put(&(*motion)[4 * size_t{attachment.particle}], {}, 0);
         }
     }
-    remove_moved_pins(body.constraints);
+    if (way == 1) remove_moved_pins(body.constraints);
 }
 
 /// A pinned particle has no speed.

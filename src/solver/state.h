@@ -20,8 +20,8 @@ void set_radii(Body& body, uint32_t first, uint32_t count, const float* radii, u
 /// Throws std::bad_alloc before it changes anything, and then wakes the body.
 void set_friction_factors(Body& body, uint32_t first, uint32_t count, const float* factors, uint32_t stride);
 void set_forces(Body& body, uint32_t first, uint32_t count, const gphys_vec3* forces, uint32_t stride);
-/// Call at the end of a step.
-void end_moved_pins(Body& body);
+/// Call at the end of a step. `way`: the fraction of the way of pins that it has covered; the rest is for the next one.
+void end_moved_pins(Body& body, double way);
 void set_pinned(Body& body, uint32_t first, uint32_t count, bool pinned);
 /// Whether it follows a model.
 bool is_attached(const Constraints& constraints, uint32_t particle);

@@ -46,19 +46,19 @@
 
 namespace gphys {
 
-void follow_models(Body& body, double fraction, double h, uint32_t first, uint32_t end) {
+void follow_models(Body& body, double way, double h, uint32_t first, uint32_t end) {
     const auto before = [](const Attachment& attachment, uint32_t p) { return attachment.particle < p; };
     auto attachment =
         std::lower_bound(body.constraints.attachments.begin(), body.constraints.attachments.end(), first, before);
     for (; attachment != body.constraints.attachments.end() && attachment->particle < end; ++attachment) {
         Vec3& position = body.particles.position[attachment->particle];
-        const Vec3 next = attachment->begin + (attachment->end - attachment->begin) * fraction;
+        const Vec3 next = attachment->begin + (attachment->end - attachment->begin) * way;
         body.particles.velocity[attachment->particle] = (next - position) / h;
         position = next;
     }
     for (uint32_t p = first; p < end && !body.targets.empty(); ++p) {
         if (body.targets.all[p].carries == 0) continue;
-        const Vec3 next = place_of(body.targets.all[p], fraction);
+        const Vec3 next = place_of(body.targets.all[p], way);
         body.particles.velocity[p] = (next - body.particles.position[p]) / h;
         body.particles.position[p] = next;
     }
@@ -108,7 +108,7 @@ void end_move(Body& body, const CollisionContext& around, Vec3 gravity, double h
 void Solver::begin_body_step(const ActiveBody& active, const Scene* scene, double dt) {
     Body& body = state_.bodies[active.slot];
     body.contacts.impulses.clear();
-    add_attached_impulses(body, {scene, &moved_models_, dt, 0, 0}, 1, {}, 0);
+    add_attached_impulses(body, context_of(scene, dt, 0, 0), 1, {}, 0);
     begin_air(body, state_.settings.gravity, dt);
 }
 
@@ -120,10 +120,10 @@ void Solver::end_body_step(Body& body, const Scene* scene, double dt, uint32_t s
     }
     body.flight.last_surroundings = body.flight.surroundings;
     body.constraints.length_changes.clear();
-    end_targets(body);
+    end_targets(body, share_);
     stay_in_range(body);
     adapt_substep(body, state_.settings, dt, substeps);
-    add_attached_impulses(body, {scene, &moved_models_, dt, 0, 1}, -1, state_.settings.gravity, dt);
+    add_attached_impulses(body, context_of(scene, dt, 0, 1), -1, state_.settings.gravity, dt);
     end_air(body);
     rest(body, scene, state_.settings, dt);
 }
@@ -153,7 +153,7 @@ RopeStepper Solver::begin_rope_step(const ActiveBody& active, RopeContacts& cont
     const Vec3 gravity = state_.settings.gravity;
     begin_body_step(active, scene, dt);
     begin_contact_points(body);
-    const CollisionContext whole{scene, &moved_models_, dt, 0, 1};
+    const CollisionContext whole = context_of(scene, dt, 0, 1);
     choose_stages(body, scratch, {gravity, whole, active.substeps, false});
     const bool has_contacts = active.near_models() || !body.targets.empty();
     if (has_contacts) contacts.begin_step(body, whole, active.near_models(), active.models_move, scratch.parts);
@@ -183,7 +183,7 @@ void Solver::move_contact_lanes(const ActiveBody* ropes, uint32_t count, RopeScr
 void Solver::move_body(const ActiveBody& active, uint32_t worker, const Scene* scene, double dt) {
     Body& body = state_.bodies[active.slot];
     const Vec3 gravity = state_.settings.gravity;
-    const CollisionContext whole{scene, &moved_models_, dt, 0, 1}, beginning{scene, &moved_models_, dt, 0, 0};
+    const CollisionContext whole = context_of(scene, dt, 0, 1), beginning = context_of(scene, dt, 0, 0);
     uint32_t substeps = active.substeps;
     if (body.plan.method == GPHYS_SOLVE_DIRECT) {
         RopeScratch& scratch = rope_scratch_[worker];
@@ -199,7 +199,7 @@ void Solver::move_body(const ActiveBody& active, uint32_t worker, const Scene* s
         const Scene* const around = alone ? nullptr : scene;
         body.particles.extent =
             fly_through(body, 0, body.particles.size(), {body.contacts.impulses, body.contacts.has_contact},
-                        {around, &moved_models_, dt, 0, 1}, gravity, substeps, flight_planes(worker, around));
+                        context_of(around, dt, 0, 1), gravity, substeps, flight_planes(worker, around));
     } else {
         ClothShares& shares = body.cloth.shares;
         std::chrono::steady_clock::time_point begin;
@@ -223,7 +223,7 @@ void Solver::move_part(const Task& task, uint32_t worker, const Scene* scene, do
     Body& body = state_.bodies[active.slot];
     FlightPart& part = body.contacts.parts[task.part];
     const uint32_t first = task.part * part_size, end = std::min(first + part_size, body.particles.size());
-    part.extent = fly_through(body, first, end, {part.impulses, part.has_contact}, {scene, &moved_models_, dt, 0, 1},
+    part.extent = fly_through(body, first, end, {part.impulses, part.has_contact}, context_of(scene, dt, 0, 1),
                               state_.settings.gravity, active.substeps, flight_planes(worker, scene));
 }
 
@@ -235,10 +235,10 @@ void Solver::move_undisturbed(const Task& task, uint32_t worker, const Scene* sc
         Body& body = state_.bodies[first[i].slot];
         ropes[i] = {&body, scene && body.settings.layers != 0 ? &first[i].reachable : nullptr, false};
         body.contacts.impulses.clear();
-        add_attached_impulses(body, {scene, &moved_models_, dt, 0, 0}, 1, {}, 0);
+        add_attached_impulses(body, context_of(scene, dt, 0, 0), 1, {}, 0);
         begin_air(body, state_.settings.gravity, dt);
     }
-    const CollisionContext whole{scene, &moved_models_, dt, 0, 1};
+    const CollisionContext whole = context_of(scene, dt, 0, 1);
     move_ropes(ropes, task.count, scratch,
                {state_.settings.gravity, whole, first->substeps, state_.settings.tolerance > 0});
     for (uint32_t i = 0; i < task.count; ++i) {
@@ -280,6 +280,7 @@ void Solver::update_meshes(Vec3 shift) noexcept {
 
 void Solver::step(const Scene* scene, double dt) {
     model_time_ = dt;
+    share_ = 1;
     simulate(scene, dt, true);
     update_meshes();
 }
@@ -323,7 +324,7 @@ void Solver::simulate(const Scene* scene, double dt, bool first) {
     });
     each_divided(
         [&](const ActiveBody& active) { end_body_step(state_.bodies[active.slot], scene, dt, active.substeps); });
-    for (const ActiveBody& active : active_) end_moved_pins(state_.bodies[active.slot]);
+    for (const ActiveBody& active : active_) end_moved_pins(state_.bodies[active.slot], share_);
     state_.near_models.swap(next_near_models_);
     particle_contacts_.end_step(islands_);
     add_impulses();
@@ -345,9 +346,11 @@ void Solver::advance(const Scene* scene, double frame_time, uint32_t& steps) {
     const double time = state_.accumulator + frame_time, length = state_.settings.fixed_step;
     const double due = std::floor(time / length + 1e-6);
     const uint32_t wanted = static_cast<uint32_t>(std::min<double>(due, state_.settings.max_steps));
-    // The caller has moved the models once for the whole frame.
-    model_time_ = std::clamp(frame_time, length, state_.settings.max_steps * length);
     for (steps = 0; steps < wanted; ++steps) {
+        // The caller has moved the models once, to their places at the end of the frame. Since the last step they have
+        // moved for `time`, and evenly as far as known. In a frame that is longer than max_steps, faster.
+        model_time_ = time * (wanted / due) - steps * length;
+        share_ = model_time_ > length * (1 + 1e-6) ? length / model_time_ : 1;
         try {
             simulate(scene, length, steps == 0);
         } catch (const std::bad_alloc&) {

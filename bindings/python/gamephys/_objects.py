@@ -3083,7 +3083,11 @@ class Solver(Bodies):
 
     def advance(self, scene: Scene | None, frame_time: float) -> tuple[int, float]:
         """Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next
-        frame, so the motion does not depend on the frame rate.
+        frame, so the motion does not depend on the frame rate. Models, pins and animation targets are
+        given the places of the end of the frame. They move there evenly in the time since the last
+        step: attached particles, pins and what lies on models are at their places of the time that the
+        solver has reached, leftover of a step before that of the frame. Impulses, contacts and breaks
+        are those of the last step.
         Cost: that of the steps made.
 
         Args:
@@ -3159,10 +3163,11 @@ class Solver(Bodies):
 
     def get_impulses(self) -> NDArray[np.void]:
         """Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the
-        step in which they fell asleep. Divided by dt they are mean forces: what lies on a model presses
-        on it with its weight. A particle of cloth that touches several models at once gives its impulse
-        to the one that it touches most. Models have no mass here; a body of yours much lighter than
-        what hangs from it should be moved in small steps.
+        step in which they fell asleep. After Solver.advance, times the steps that it made, they are
+        those of the frame. Divided by dt they are mean forces: what lies on a model presses on it with
+        its weight. A particle of cloth that touches several models at once gives its impulse to the one
+        that it touches most. Models have no mass here; a body of yours much lighter than what hangs
+        from it should be moved in small steps.
         Cost: O(models touched); no allocation. The same bits for any number of workers."""
         return list_of(low.gphys_solver_get_impulses, (self._handle,), low.impulse_dtype)
 

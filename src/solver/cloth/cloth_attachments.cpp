@@ -9,19 +9,20 @@ namespace gphys {
 /// would bring them closer to each other.
 void follow_models(const Constraints& constraints, const CollisionContext& around, ClothState& state,
                    ChainContacts& contacts) {
+    const double way = around.way(around.end);
     gphys_model_id model = 0;
     const MovedModel* moved = nullptr;
     Transform now;
     for (const Attachment& attachment : constraints.attachments) {
-        Vec3 next = attachment.begin + (attachment.end - attachment.begin) * around.end;
+        Vec3 next = attachment.begin + (attachment.end - attachment.begin) * way;
         if (attachment.model != model) {
             model = attachment.model;
             moved = find_moved(around, model);
-            if (moved) now = interpolate(moved->world, around.scene->world(model), around.end);
+            if (moved) now = interpolate(moved->world, around.scene->world(model), way);
         }
-        if (moved && around.end < 1) {
+        if (moved && way < 1) {
             const Vec3 aside = attachment.begin - widen(moved->world).apply(attachment.local);
-            next = now.apply(attachment.local) + aside * (1 - around.end);
+            next = now.apply(attachment.local) + aside * (1 - way);
         }
         put(&state.at[4 * size_t{attachment.particle}], next - state.origin, farthest_in_cloth);
     }

@@ -36,8 +36,16 @@ struct MovedModel : PlacedModel {
 struct CollisionContext {
     const Scene* scene = nullptr;
     const Vector<MovedModel>* moved = nullptr;  // sorted by model
-    double step_time = 0;                       // seconds in which the models moved
+    double step_time = 0;                       // seconds of the step
     double begin = 0, end = 1;                  // fractions of the step
+    /// The part of their way to the present places that models, attached particles and animation targets cover in the
+    /// step. Less than 1 in `advance`, where a frame is not exactly one step.
+    double share = 1;
+
+    /// The fraction of that way at a fraction of the step.
+    double way(double fraction) const { return share * fraction; }
+    /// Seconds that the whole way takes.
+    double way_time() const { return step_time / share; }
 };
 
 /// Null if the model has not moved.
@@ -51,6 +59,9 @@ inline bool has_moved(const CollisionContext& around, gphys_model_id model) {
 
 /// A transform between two others: positions and scales linearly, rotations along the shorter arc.
 Transform interpolate(const gphys_transform& from, const gphys_transform& to, double fraction);
+
+/// The same as a transform of the scene, rounded to float32.
+gphys_transform narrow_interpolate(const gphys_transform& from, const gphys_transform& to, double fraction);
 
 /// tan(angle / 4) of the angle between two rotations.
 double quarter_tangent(const Mat3& a, const Mat3& b);

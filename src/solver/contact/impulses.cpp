@@ -20,7 +20,8 @@ Vec3 place_of(const CollisionContext& around, gphys_model_id model) {
     const gphys_transform& now = around.scene->world(model);
     const MovedModel* const moved = find_moved(around, model);
     if (!moved) return widen(now.position);
-    return widen(moved->world.position) * (1 - around.end) + widen(now.position) * around.end;
+    const double way = around.way(around.end);
+    return widen(moved->world.position) * (1 - way) + widen(now.position) * way;
 }
 
 }  // namespace

@@ -58,8 +58,8 @@ void advance_moving_colliders(Vector<MovingCollider>& moving_colliders, Vec3 ori
     for (MovingCollider& moving_collider : moving_colliders) {
         if (!moving_collider.is_rigid) continue;
         const gphys_transform& after = around.scene->world(moving_collider.model);
-        const Transform begin = interpolate(moving_collider.before, after, around.begin);
-        const Transform end = interpolate(moving_collider.before, after, around.end);
+        const Transform begin = interpolate(moving_collider.before, after, around.way(around.begin));
+        const Transform end = interpolate(moving_collider.before, after, around.way(around.end));
         moving_collider.substep_motion = rigid_motion(begin, end, origin);
         moving_collider.from_end = rigid_motion(widen(after), end, origin);
         moving_collider.middle = end.position - origin;

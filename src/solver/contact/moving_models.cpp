@@ -16,14 +16,29 @@ const MovedModel* find_moved(const Vector<MovedModel>& moved, gphys_model_id mod
     return at != moved.end() && at->model == model ? &*at : nullptr;
 }
 
+namespace {
+
+/// Of any length, along the shorter arc.
+Quat between(const gphys_quat& from, const gphys_quat& to, double fraction) {
+    const double rest = 1 - fraction;
+    const Quat a = widen(from), b = widen(to);
+    const double sign = a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w < 0 ? -1 : 1;
+    return {a.x * rest + sign * b.x * fraction, a.y * rest + sign * b.y * fraction, a.z * rest + sign * b.z * fraction,
+            a.w * rest + sign * b.w * fraction};
+}
+
+}  // namespace
+
 Transform interpolate(const gphys_transform& from, const gphys_transform& to, double fraction) {
     const double rest = 1 - fraction;
-    const Quat a = widen(from.rotation), b = widen(to.rotation);
-    const double sign = a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w < 0 ? -1 : 1;
-    const Quat q{a.x * rest + sign * b.x * fraction, a.y * rest + sign * b.y * fraction,
-                 a.z * rest + sign * b.z * fraction, a.w * rest + sign * b.w * fraction};
-    return {widen(from.position) * rest + widen(to.position) * fraction, rotation_matrix(q),
-            from.scale * rest + to.scale * fraction};
+    return {widen(from.position) * rest + widen(to.position) * fraction,
+            rotation_matrix(between(from.rotation, to.rotation, fraction)), from.scale * rest + to.scale * fraction};
+}
+
+gphys_transform narrow_interpolate(const gphys_transform& from, const gphys_transform& to, double fraction) {
+    const Transform place = interpolate(from, to, fraction);
+    return {narrow(place.position), narrow(normalized(between(from.rotation, to.rotation, fraction))),
+            static_cast<float>(place.scale)};
 }
 
 /// A point of the model is at c + k R q, where q is its place relative to that of the model in the scene. The position
@@ -51,8 +66,8 @@ MovedModel::MovedModel(const Scene& scene, const PlacedModel& before) : PlacedMo
 
 Collider::Moving Collider::moving(const PlacedModel& before) const {
     const gphys_transform& after = around_.scene->world(before.model);
-    const Transform begin = interpolate(before.world, after, around_.begin);
-    const Transform end = interpolate(before.world, after, around_.end), now = widen(after);
+    const Transform begin = interpolate(before.world, after, around_.way(around_.begin));
+    const Transform end = interpolate(before.world, after, around_.way(around_.end)), now = widen(after);
     const Mat3 turn = end.rotation * transposed(begin.rotation);
     const Vec3 axial{turn.y.z - turn.z.y, turn.z.x - turn.x.z, turn.x.y - turn.y.x};
     Moving result{before.model,
@@ -74,7 +89,7 @@ Collider::Moving Collider::moving(const PlacedModel& before) const {
 /// At a fraction of the step.
 Transform Collider::Moving::at(double time, const CollisionContext& around) const {
     if (time == around.begin) return begin;
-    return time == around.end ? end : interpolate(before, around.scene->world(model), time);
+    return time == around.end ? end : interpolate(before, around.scene->world(model), around.way(time));
 }
 
 template <class Visit>
@@ -157,7 +172,7 @@ Transform Collider::place_at_end(gphys_model_id moved) const {
     const Moving *const listed = placed_, *const end = listed + std::min(moving_count_, most_placed);
     const Moving* const found = std::find_if(listed, end, [&](const Moving& m) { return m.model == moved; });
     if (found != end) return found->end;
-    return interpolate(find_moved(around_, moved)->world, around_.scene->world(moved), around_.end);
+    return interpolate(find_moved(around_, moved)->world, around_.scene->world(moved), around_.way(around_.end));
 }
 
 /// Relative to the model, which also moves during the substep: the points of the path are transformed into the model's

@@ -26,8 +26,8 @@ struct FlightBounds {
     double fastest[3], furthest[3];  // by axis: speeds before, and displacements
 };
 
-/// A box, low and high corner: x y z x y z x y z x, so that the eight numbers for a part of eight particles are adjacent,
-/// whichever coordinate the part begins with.
+/// A box, low and high corner: x y z x y z x y z x, so that the eight numbers for a part of eight particles are
+/// adjacent, whichever coordinate the part begins with.
 struct FlightBox {
     static constexpr uint32_t size = 10;
     double low[size], high[size];

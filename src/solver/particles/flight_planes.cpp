@@ -19,6 +19,7 @@ void FlightPlanes::begin(Body& body, const CollisionContext& step, Vec3 gravity,
     first_ = first;
     count_ = count;
     layers_ = body.settings.layers;
+    share_ = step.share;
     resting_ = moving_count_ = 0;
     std::fill_n(ways_, count, Sight::not_searched);
     std::fill_n(rests_, count, false);
@@ -73,7 +74,7 @@ Sight FlightPlanes::search_way(double radius, const FlightWay& way) const {
     if (!scene_ || moving_count_ > most_moving) return Sight::blocked;
     const Box box = around(way.box, radius);
     bool clear = true;
-    // Models that move are in the scene at their places at the end of the step.
+    // Models that move are in the scene at their present places.
     for (uint32_t i = 0; i < moving_count_; ++i) {
         if (crosses((*moved_)[moving_[i]], radius, way)) return Sight::blocked;
     }
@@ -90,15 +91,17 @@ bool FlightPlanes::crosses(const MovedModel& before, double radius, const Flight
     if (before.bounded && !overlaps(before.swept, around(way.box, radius))) return false;
     const gphys_transform& after = scene_->world(before.model);
     if (before.world.scale != after.scale) return true;
-    const Transform now = widen(after), then = interpolate(before.world, after, way.begin);
-    const double tangent = quarter_tangent(then.rotation, now.rotation);
+    const Transform now = widen(after), then = interpolate(before.world, after, share_ * way.begin);
+    const Transform end = share_ < 1 ? interpolate(before.world, after, share_) : now;
+    const double tangent = quarter_tangent(then.rotation, end.rotation);
     const double turn = 4 * tangent, change = 16 * tangent * tangent * tangent;
-    const double relative = way.speed * way.seconds + distance(then.position, now.position);
+    const double relative = way.speed * way.seconds + distance(then.position, end.position);
     const double away = distance(way.from, then.position) + relative;
     const double bulge =
         (away * (turn * turn + change) + 2 * relative * turn + way.curvature * way.seconds * way.seconds) / 8;
     const Vec3 from = now.apply(then.inverse_apply(way.from));
-    return scene_->overlaps_box(before.model, around({min(from, way.to), max(from, way.to)}, radius + bulge));
+    const Vec3 to = share_ < 1 ? now.apply(end.inverse_apply(way.to)) : way.to;
+    return scene_->overlaps_box(before.model, around({min(from, to), max(from, to)}, radius + bulge));
 }
 
 /// Searches together with the particles that follow in memory and are nearby.

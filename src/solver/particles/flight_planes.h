@@ -85,6 +85,7 @@ private:
     const Scene* scene_ = nullptr;
     uint32_t first_ = 0, count_ = 0;
     uint32_t layers_ = 0;
+    double share_ = 1;  // of the step (CollisionContext)
     const Vector<MovedModel>* moved_ = nullptr;
     uint32_t moving_count_ = 0, moving_[most_moving];  // those of `moved` that may come near
     uint32_t near_[most_near];                         // and those that may come near the balls

@@ -282,7 +282,7 @@ void FreeFlight::keep_to_targets(uint32_t first, uint32_t count) {
             if (!target.bounds() || body_.particles.pinned(p)) continue;
             TargetBounds out_of;
             const Vec3 at = body_.particles.position[p];
-            const Vec3 place = allowed_place(target, around_.end, around_.step_time, at, out_of);
+            const Vec3 place = allowed_place(target, around_.way(around_.end), around_.way_time(), at, out_of);
             if (out_of.count > 0) visit(p, at, place, out_of);
         }
     };
@@ -313,7 +313,7 @@ void FreeFlight::fly_block(const CollisionContext& around, uint32_t first, uint3
     if (planes_ && planes_->all_rest()) return;
     around_ = around;
     substeps_left_ = left;
-    follow_models(body_, around.end, h_, first, first + count);
+    follow_models(body_, around.way(around.end), h_, first, first + count);
     begin_friction(body_, gravity_, first, first + count);
     move_block(first, count);
     if (!body_.targets.empty()) keep_to_targets(first, count);

@@ -146,7 +146,7 @@ private:
     /// Gives attached nodes the velocity at which their models take them along.
     void carry_attached(size_t chain, uint32_t lane) const {
         each_attached(chain, lane, [&](uint32_t i, const Attachment& attachment) {
-            set3(nodes_of(chain)[i].velocity, lane, (attachment.end - attachment.begin) / step_.whole.step_time);
+            set3(nodes_of(chain)[i].velocity, lane, (attachment.end - attachment.begin) / step_.whole.way_time());
         });
     }
 
@@ -259,7 +259,9 @@ private:
         for (uint32_t lane = 0; lane < count_; ++lane) {
             if (!wanted[lane]) continue;
             each_attached(i, lane, [&](uint32_t, const Attachment& attachment) {
-                bodies_[lane]->particles.position[attachment.particle] = attachment.end;
+                const double way = step_.whole.share;
+                bodies_[lane]->particles.position[attachment.particle] =
+                    way < 1 ? attachment.begin + (attachment.end - attachment.begin) * way : attachment.end;
             });
         }
     }

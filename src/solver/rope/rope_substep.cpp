@@ -97,7 +97,7 @@ void begin_chains(Body& body, const CollisionContext& around, Vec3 gravity, cons
     if (!body.constraints.length_changes.empty()) change_lengths(body, around.end);
     aim_targets(body, around);
     predict_chains(body, scheme, gravity);
-    follow_models(body, around.end, scheme.advance, 0, body.particles.size());
+    follow_models(body, around.way(around.end), scheme.advance, 0, body.particles.size());
     if (body.plan.damped) damp_chains(body.rope, body.plan, body.history, scheme);
 }
 
