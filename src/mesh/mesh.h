@@ -17,6 +17,7 @@
 
 #include "bvh/bvh8.h"
 #include "foundation/word_hash.h"
+#include "mesh/corner_inside.h"
 #include "mesh/hull.h"
 #include "mesh/mesh_kernels.h"
 #include "mesh/mesh_place.h"
@@ -225,6 +226,10 @@ private:
         if (is_links()) return visit(link(packet.triangle(lane), packet.index[lane]));
         return visit(axes(packet.triangle(lane)));
     }
+    template <class Solid, class Item>
+    static bool overlaps_item(const Solid& solid, const Item& item) {
+        return has_corner_inside(solid, item) || gphys::overlaps(solid, item);
+    }
     /// The used lanes of the packet; of links, those that exist.
     uint32_t lanes_of(const TrianglePacket& packet) const { return is_links() ? links_of(packet) : packet.lanes(); }
     uint32_t links_of(const TrianglePacket& packet) const;
@@ -408,7 +413,7 @@ void Mesh::for_each_overlap_of(const Bounded& shape, Visit&& visit, const AxisSc
         const TrianglePacket& packet = packets_[number];
         return for_each_lane(lanes_in_box(packet, box), [&](int lane) {
             const bool is_overlapped =
-                with_item(packet, lane, axes, [&](const auto& item) { return gphys::overlaps(shape, item); });
+                with_item(packet, lane, axes, [&](const auto& item) { return overlaps_item(shape, item); });
             return !is_overlapped || visit(packet.index[lane]);
         });
     });
@@ -421,7 +426,7 @@ void Mesh::for_each_overlap_through_boxes(const Unbounded& shape, Visit&& visit,
         const TrianglePacket& packet = packets_[number];
         return for_each_lane(lanes_of(packet), [&](int lane) {
             const bool is_overlapped =
-                with_item(packet, lane, axes, [&](const auto& item) { return gphys::overlaps(shape, item); });
+                with_item(packet, lane, axes, [&](const auto& item) { return overlaps_item(shape, item); });
             return !is_overlapped || visit(packet.index[lane]);
         });
     });
@@ -439,7 +444,7 @@ void Mesh::for_each_overlap_of(const Frustum& frustum, Visit&& visit, const Axis
         const TrianglePacket& packet = packets_[number];
         return for_each_lane(lanes_of(packet), [&](int lane) {
             const bool is_overlapped = wholly_inside || with_item(packet, lane, axes, [&](const auto& item) {
-                                           return gphys::overlaps(frustum, item);
+                                           return overlaps_item(frustum, item);
                                        });
             return !is_overlapped || visit(packet.index[lane]);
         });
