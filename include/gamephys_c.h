@@ -69,7 +69,7 @@
  *            at the same time; all others need external synchronisation. No thread is started unless a
  *            worker_count asks for it (gphys_scene_create and gphys_solver_create say which calls
  *            share the threads). Callbacks come on the thread that called the library, never on a worker. A call
- *            takes at most 96 KiB of stack on each thread that works on it, besides its callbacks.
+ *            takes at most 72 KiB of stack on each thread that works on it, besides its callbacks.
  * Host       Each call computes in the standard floating-point modes, whatever the thread has set, and
  *            leaves the thread in its own: rounding to nearest, denormal numbers kept (on x86 neither
  *            FTZ nor DAZ). So does each task of a task_runner. Callbacks run in the standard modes.
@@ -2841,7 +2841,9 @@ typedef struct gphys_impulse {
  *  After gphys_solver_advance, times the steps that it made, they are those of the frame.
  *  Divided by dt they are mean forces: what lies on a model presses on it with its weight. A particle
  *  of cloth that touches several models at once gives its impulse to the one that it touches most. Models have no mass
- *  here; a body of yours much lighter than what hangs from it should be moved in small steps.
+ *  here: the step does as if they went where you put them, whatever the force. So a rope between a held end and a body
+ *  of yours must be elastic, its stiffness times dt^2 well below the mass of the body, which needs some damping; a body
+ *  of yours much lighter than what hangs from it should be moved in small steps.
  *  Cost: O(models touched); no allocation. The same bits for any number of workers. */
 GPHYS_API gphys_status gphys_solver_get_impulses(const gphys_solver* solver, gphys_impulse* out_impulses,
                                                  uint32_t capacity, uint32_t* out_total);

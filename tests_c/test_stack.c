@@ -13,14 +13,14 @@
 #if defined(__unix__) && !defined(__EMSCRIPTEN__) && !defined(__SANITIZE_ADDRESS__)
 #include <pthread.h>
 
-/* The header states 96 KiB under "Threads". GCC takes up to 7 % more of it for ARM than for x86-64. The thread
+/* The header states 72 KiB under "Threads". GCC takes up to 7 % more of it for ARM than for x86-64. The thread
  * sanitizer puts room between the variables of a function, and code that is not optimised gives each its own place. */
 #if defined(__SANITIZE_THREAD__) || !defined(__OPTIMIZE__)
 enum { MOST = 1 << 20 };
 #elif defined(__x86_64__) && !defined(__clang__)
-enum { MOST = 89 << 10 };
+enum { MOST = 67 << 10 };
 #else
-enum { MOST = 96 << 10 };
+enum { MOST = 72 << 10 };
 #endif
 /* Room that the system needs at the top of a thread's stack, for its own variables among them. */
 enum { SYSTEM = 16 << 10, ROOM = 4 << 20, PAINT = 0xa5 };

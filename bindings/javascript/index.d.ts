@@ -2056,8 +2056,10 @@ export class Solver {
      * which they fell asleep. After Solver.advance, times the steps that it made, they are those of the
      * frame. Divided by dt they are mean forces: what lies on a model presses on it with its weight. A
      * particle of cloth that touches several models at once gives its impulse to the one that it touches
-     * most. Models have no mass here; a body of yours much lighter than what hangs from it should be moved
-     * in small steps.
+     * most. Models have no mass here: the step does as if they went where you put them, whatever the
+     * force. So a rope between a held end and a body of yours must be elastic, its stiffness times dt^2
+     * well below the mass of the body, which needs some damping; a body of yours much lighter than what
+     * hangs from it should be moved in small steps.
      * Cost: O(models touched); no allocation. The same bits for any number of workers. */
     getImpulses(): Records<Impulse>;
     /** Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and
