@@ -43,7 +43,7 @@ const app = {
         this.world.camera.setPerspective(FIELD_OF_VIEW, 0.1, 2000);
         this.resize();
         this.world.orbit();
-        this.selected.clear();
+        this.choose([]);
         this.seconds = 0;
         view.show(this.world, this.geometry);
         view.showOctree(element('octree').checked);
@@ -51,6 +51,7 @@ const app = {
 
     resize() {
         const { clientWidth, clientHeight } = canvas;
+        view.renderer.setPixelRatio(Math.min(devicePixelRatio, 2)); // more is not seen, but drawn
         view.renderer.setSize(clientWidth, clientHeight, false);
         this.world.camera.setViewport(clientWidth, clientHeight);
     },
@@ -61,7 +62,11 @@ const app = {
     },
 
     select(x0, y0, x1, y1) {
-        this.selected = new Set(timed('selection', () => this.world.pickRectangle(x0, y0, x1, y1)));
+        this.choose(timed('selection', () => this.world.pickRectangle(x0, y0, x1, y1)));
+    },
+
+    choose(numbers) {
+        this.selected = new Set(numbers);
         element('selected').textContent = this.selected.size;
     },
 
@@ -101,6 +106,7 @@ addEventListener('keydown', ({ key, target }) => {
     if (key === ']') app.speed = Math.min(app.speed * 2, 4);
 });
 
+element('panel').open = innerWidth > 600; // on a telephone it would cover the scene
 app.build();
 let before = performance.now(), frames = 0, since = before;
 function loop(time) {

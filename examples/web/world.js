@@ -161,14 +161,16 @@ export class World {
         return true;
     }
 
-    /** Hold it under this pixel, as far away as it was, but above the ground. */
+    /** Hold it under this pixel, as far away as it was, but above the ground. A world that has replaced another holds nothing. */
     drag(x, y) {
+        if (!this.held) return;
         const point = this.camera.unproject([x, y, this.held.depth]);
         point[1] = Math.max(point[1], 0.05);
         this.solver.setPositions(this.held.body.id, this.held.particle, Float32Array.from(point));
     }
 
     release() {
+        if (!this.held) return;
         this.solver.setPinned(this.held.body.id, this.held.particle, 1, this.held.pinned);
         this.held = undefined;
     }

@@ -36,9 +36,9 @@ after(async () => {
 });
 
 /** Waits until so many more frames are drawn, so that the last has seen all that was done before. */
-async function frames(count = 2) {
-    const now = await page.evaluate(() => globalThis.app?.frames ?? 0);
-    await page.waitForFunction((n) => globalThis.app?.frames >= n, { timeout: 240000 }, now + count);
+async function frames(count = 2, of = page) {
+    const now = await of.evaluate(() => globalThis.app?.frames ?? 0);
+    await of.waitForFunction((n) => globalThis.app?.frames >= n, { timeout: 240000 }, now + count);
 }
 const text = (id) => page.$eval(`#${id}`, (cell) => cell.textContent);
 const worldOf = () => page.evaluate(() => ({
@@ -305,5 +305,58 @@ for (const [number, [name, bodies]] of Object.entries({
         await page.screenshot({ path: `${PICTURES}/web-${number}.png` });
     });
 }
+
+test('another scene begins without a selection', async () => {
+    await page.select('#preset', 'statues');
+    await page.evaluate(() => app.select(0, 0, innerWidth, innerHeight));
+    assert.notStrictEqual(await text('selected'), '0');
+    await page.select('#preset', 'lidar sweep');
+    assert.strictEqual(await text('selected'), '0');
+});
+
+test('a telephone: one finger turns or pulls, two zoom, and what the system takes away is let go', async () => {
+    const phone = await browser.newPage();
+    phone.on('pageerror', (error) => complaints.push(error.message));
+    await phone.setViewport({ width: 390, height: 700, deviceScaleFactor: 2, isMobile: true, hasTouch: true });
+    await phone.goto(server.resolvedUrls.local[0]);
+    await frames(2, phone);
+    assert.deepStrictEqual(await phone.evaluate(() => [innerWidth, view.renderer.domElement.width]), [390, 780]);
+
+    const devtools = await phone.createCDPSession();
+    const touch = (type, ...points) =>
+        devtools.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+    const orbitAfter = async () => (await frames(2, phone), phone.evaluate(() => app.world.camera.getOrbit()));
+    const [x, y] = [200, 100]; // the sky
+    await touch('touchStart', [x, y]);
+    for (let i = 1; i <= 5; ++i) await touch('touchMove', [x - 20 * i, y + 4 * i]);
+    await touch('touchEnd');
+    const turned = await orbitAfter();
+    close(turned.yaw, START.yaw - 0.5, 1e-5);
+    close(turned.pitch, START.pitch + 0.1, 1e-5);
+
+    await touch('touchStart', [x - 25, y], [x + 25, y]);
+    for (let i = 1; i <= 5; ++i) await touch('touchMove', [x - 25 - 5 * i, y], [x + 25 + 5 * i, y]);
+    await touch('touchEnd');
+    const near = await orbitAfter();
+    close(near.distance, START.distance / 2, 1e-3);
+    close(near.yaw, turned.yaw, 1e-6);
+    assert.strictEqual(await phone.evaluate(() => visualViewport.scale), 1);
+
+    const held = () => phone.evaluate(() => app.world.held !== undefined);
+    const cloth = await phone.evaluate(() => {
+        const { bodies, camera, scene } = app.world, [{ model, positions }] = bodies;
+        return Array.from(positions, (place) => camera.project(place)).find(([px, py]) =>
+            px > 0 && px < innerWidth && py > 60 && py < innerHeight && camera.pick(scene, px, py)?.model === model).slice(0, 2);
+    });
+    for (const end of ['touchEnd', 'touchCancel']) {
+        await phone.evaluate(() => { app.paused = true; });
+        await touch('touchStart', cloth);
+        assert(await held());
+        await touch(end);
+        assert(!await held());
+    }
+    await phone.screenshot({ path: `${PICTURES}/web-phone.png` });
+    await phone.close();
+});
 
 test('the browser has nothing to complain about', () => assert.deepStrictEqual(complaints, []));
