@@ -435,7 +435,8 @@ def signatures_file(structs):
 
 
 def entry(api, back_end):
-    return (HEAD + f"import {{ memory }} from './lib/{back_end}_memory.js';\nimport {{ objects }} from './lib/objects.js';\n\n"
+    memory = "wasm_beside" if back_end == "wasm" else f"{back_end}_memory"
+    return (HEAD + f"import {{ memory }} from './lib/{memory}.js';\nimport {{ objects }} from './lib/objects.js';\n\n"
             "export * from './lib/constants.js';\nexport const {\n" + "".join(f"    {n},\n" for n in names(api))
             + f"}} = objects({'' if back_end == 'native' else 'await '}memory());\n")
 

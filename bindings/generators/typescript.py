@@ -8,9 +8,18 @@ PRIMITIVES = [s for s in SHAPES if s != "mesh"]
 
 HEAD = """// Generated from gamephys_api.json by bindings/generate.py. Not for editing.
 
+declare global {
+    /** As newer libraries of TypeScript declare it, for those who have an older one. */
+    interface SymbolConstructor { readonly dispose: unique symbol }
+}
+
+/** A vector or a quaternion: its numbers, or an object that has them by name, as in three.js. */
+export type Vector = ArrayLike<number> | { readonly x: number; readonly y: number; readonly z: number; readonly w?: number };
+/** Sixteen numbers column by column, or an object that has them, as in three.js. */
+export type Matrix = ArrayLike<number> | { readonly elements: ArrayLike<number> } | Mat4;
 /** What can be given for a struct: its fields by name, or in order as an array. */
 export type Given<T> = T extends number ? number
-    : T extends number[] ? ArrayLike<number>
+    : T extends number[] ? Vector
     : T extends readonly (infer E)[] ? readonly Given<E>[]
     : T extends Transform ? { [K in keyof T]?: Given<T[K]> } | readonly unknown[] | ArrayLike<number>
     : T extends Ray ? Omit<{ [K in keyof T]: Given<T[K]> }, 't_max'> & { t_max?: number } | readonly unknown[] | ArrayLike<number>
@@ -43,6 +52,7 @@ export class Records<T = any> {
     [Symbol.iterator](): Iterator<T>;
     /** Gives the library's memory back at once. */
     close(): void;
+    [Symbol.dispose](): void;
 }
 /** Memory that calls read and write in place, without a copy. */
 export function records<K extends Kind>(kind: K, length: number): Records<Kinds[K]>;
@@ -108,6 +118,8 @@ def typescript(api):
             return kind + (" | null" if p["name"] == "indices" else null)
         if p.get("count"):
             return "ArrayLike<number>"
+        if p["role"] == "in" and of == "gphys_mat4":
+            return "Matrix" + null
         if p["role"] == "in":
             return ("Partial<%s>" % camel(of) if of.endswith("_desc") else f"Given<{value(of)}>") + null
         return "boolean | number" if p["type"] == "int32_t" else "number"
@@ -162,7 +174,7 @@ def typescript(api):
     made = creations(api)
     for h in api["handles"]:
         out.append(doc(made[h].function["doc"], "") + f"export class {camel(h)} {{\n    constructor({signature(made[h])});\n"
-                   "    /** Frees the object at once. */\n    close(): void;")
+                   "    /** Frees the object at once. */\n    close(): void;\n    [Symbol.dispose](): void;")
         out += [doc(c.function["doc"], "    ") + f"    static {lower_camel(c.name)}({signature(c)}): {camel(h)};"
                 for c in other_creations(api, h)]
         out += [doc(c.function["doc"], "    ") + f"    {lower_camel(c.name)}({signature(c)}): {got(c)};"

@@ -1,8 +1,17 @@
 // Generated from gamephys_api.json by bindings/generate.py. Not for editing.
 
+declare global {
+    /** As newer libraries of TypeScript declare it, for those who have an older one. */
+    interface SymbolConstructor { readonly dispose: unique symbol }
+}
+
+/** A vector or a quaternion: its numbers, or an object that has them by name, as in three.js. */
+export type Vector = ArrayLike<number> | { readonly x: number; readonly y: number; readonly z: number; readonly w?: number };
+/** Sixteen numbers column by column, or an object that has them, as in three.js. */
+export type Matrix = ArrayLike<number> | { readonly elements: ArrayLike<number> } | Mat4;
 /** What can be given for a struct: its fields by name, or in order as an array. */
 export type Given<T> = T extends number ? number
-    : T extends number[] ? ArrayLike<number>
+    : T extends number[] ? Vector
     : T extends readonly (infer E)[] ? readonly Given<E>[]
     : T extends Transform ? { [K in keyof T]?: Given<T[K]> } | readonly unknown[] | ArrayLike<number>
     : T extends Ray ? Omit<{ [K in keyof T]: Given<T[K]> }, 't_max'> & { t_max?: number } | readonly unknown[] | ArrayLike<number>
@@ -35,6 +44,7 @@ export class Records<T = any> {
     [Symbol.iterator](): Iterator<T>;
     /** Gives the library's memory back at once. */
     close(): void;
+    [Symbol.dispose](): void;
 }
 /** Memory that calls read and write in place, without a copy. */
 export function records<K extends Kind>(kind: K, length: number): Records<Kinds[K]>;
@@ -666,6 +676,7 @@ export class Mesh {
     constructor(vertices: Floats, indices?: Words | null, desc?: Partial<MeshDesc> | null);
     /** Frees the object at once. */
     close(): void;
+    [Symbol.dispose](): void;
     /** Make the convex hull of points: a mesh that is solid, as spheres and boxes are. It can be used
      * wherever a mesh can: functions of shapes, models of scenes, snapshots, and solvers, whose particles
      * stay outside and are pushed out. A ray that starts inside hits at t = 0 with HIT_INSIDE; one from
@@ -814,6 +825,7 @@ export class Scene {
     constructor(desc?: Partial<SceneDesc> | null);
     /** Frees the object at once. */
     close(): void;
+    [Symbol.dispose](): void;
     /** Change the number of threads that share the calls of a scene, for example when the user changes a
      * setting. They are those of its task_runner if it was created with one. In a child of fork they are
      * started again. Answers keep their bits.
@@ -1274,6 +1286,7 @@ export class Camera {
     constructor(desc?: Partial<CameraDesc> | null);
     /** Frees the object at once. */
     close(): void;
+    [Symbol.dispose](): void;
     /** Move the point of the world that the camera's coordinates count from; see Scene.setOrigin. The
      * camera and the target of its orbit stay where they are in the world. Picking and culling need a
      * scene of the same origin, else they fail with ERROR_INVALID_ARGUMENT.
@@ -1303,7 +1316,7 @@ export class Camera {
      *     tell
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: if a plane other than far lies at infinity, as it
      *     does when the matrix is for another depth range, or one lies beyond MAX_COORDINATE */
-    setProjection(projection: Given<number[]>): void;
+    setProjection(projection: Matrix): void;
     /** As Camera.setPerspective, with a fixed aspect ratio: the image is stretched to the viewport, as with
      * pixels that are not square, and the viewport does not change what is seen.
      * Cost: O(1). Since 1.1.
@@ -1376,7 +1389,7 @@ export class Camera {
      * Cost: O(1).
      * @throws {GamephysError} ERROR_SINGULAR: if the axes do not span space
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: if they mirror or the last row is not 0 0 0 1 */
-    setWorldMatrix(world: Given<number[]>): void;
+    setWorldMatrix(world: Matrix): void;
     /** Place it by a view matrix (world to camera): by the world matrix that is its inverse, as
      * Camera.setWorldMatrix. That of Camera.getViewMatrix puts a camera back within 2^-22 of its distance
      * from the origin and 2^-22 rad.
@@ -1384,7 +1397,7 @@ export class Camera {
      * @throws {GamephysError} ERROR_SINGULAR: if the axes do not span space
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: if they mirror, the last row is not 0 0 0 1, or the
      *     camera would be beyond MAX_COORDINATE */
-    setViewMatrix(view: Given<number[]>): void;
+    setViewMatrix(view: Matrix): void;
     /** Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
      * chosen in its place, always the same for the same input.
      * Cost: O(1).
@@ -1570,6 +1583,7 @@ export class Solver {
     constructor(desc?: Partial<SolverDesc> | null);
     /** Frees the object at once. */
     close(): void;
+    [Symbol.dispose](): void;
     /** Change the number of threads that share the steps of a solver, as Scene.setWorkerCount. The bits of
      * the motion stay the same.
      * Cost: as Scene.setWorkerCount; allocates. Since 1.1.
@@ -2254,14 +2268,14 @@ export function planesIntersectionBatch(a: Floats, b: Floats, c: Floats, out?: E
  * for the matrices that a camera gives, about 2e for axes that are too long by a fraction e.
  * Cost: O(1). Since 1.1.
  * @param matrix - elements within MAX_COORDINATE */
-export function mat4Orthonormality(matrix: Given<number[]>): number;
+export function mat4Orthonormality(matrix: Matrix): number;
 /** The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
  * origin (0, 0, 0). For a camera, Camera.getFrustum is more precise.
  * Cost: O(1).
  * @param reverse_z - false: near has the low depth; true: near has the high depth
  * @throws {GamephysError} ERROR_SINGULAR: if the matrix has no inverse, or what it shows has no
  *     volume: its four near corners are not all finite points in front of the viewer */
-export function frustumFromMatrix(view_projection: Given<number[]>, depth_range: number, reverse_z: boolean | number): Frustum;
+export function frustumFromMatrix(view_projection: Matrix, depth_range: number, reverse_z: boolean | number): Frustum;
 /** Examine arrays without building anything. Allocates while it runs.
  * Cost: O(n log n).
  * @param vertices - elements of 3 floats, metres

@@ -1,5 +1,5 @@
 // Generated from gamephys_api.json by bindings/generate.py. Not for editing.
-import { memory } from './lib/wasm_memory.js';
+import { memory } from './lib/wasm_beside.js';
 import { objects } from './lib/objects.js';
 
 export * from './lib/constants.js';

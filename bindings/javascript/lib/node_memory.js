@@ -1,7 +1,7 @@
 // In Node: the native library if koffi and the library are there, else WebAssembly. A library that GAMEPHYS_LIBRARY names
 // has to be there.
 import { memory as native } from './native_memory.js';
-import { memory as wasm } from './wasm_memory.js';
+import { memory as wasm } from './wasm_beside.js';
 
 export async function memory() {
     try {

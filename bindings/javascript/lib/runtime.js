@@ -122,6 +122,17 @@ export class Shapes {
     }
 }
 
+/** Older engines have no property for it. */
+function isDetached(buffer) {
+    if (buffer.detached !== undefined) return buffer.detached;
+    try {
+        new Uint8Array(buffer);
+        return false;
+    } catch {
+        return true;
+    }
+}
+
 /** The memory of a typed array or of Records. An array of numbers must hold those that are meant, if only one kind is. */
 function viewOf(value, name, kind = '') {
     if (value instanceof Uint16Array && kind === 'u32') return Uint32Array.from(value);
@@ -131,6 +142,9 @@ function viewOf(value, name, kind = '') {
         throw new TypeError(`${name} must hold ${kind === 'f32' ? 'floats' : 'whole numbers'}: not ${view.constructor.name}`);
     }
     if (!ArrayBuffer.isView(view)) throw new TypeError(`${name} must be a typed array or Records`);
+    if (view.byteLength === 0 && isDetached(view.buffer)) {
+        throw new TypeError(`${name}: the memory of this view has moved, as WebAssembly's does when it grows. Give the Records, or take their view afresh`);
+    }
     const bytes = view.BYTES_PER_ELEMENT ?? 1;
     if (bytes !== 4 && bytes !== 1) throw new TypeError(`${name} must hold numbers of four bytes, or bytes: not ${view.constructor.name}`);
     return view;
@@ -309,7 +323,10 @@ export function runtime(memory) {
         return {
             GamephysClosed, GamephysError, Records, Shape, Shapes,
             shapes: (kind, data) => new Shapes(kind, data),
-            records: (kind, length) => memory.records(kind, length),
+            records(kind, length) {
+                if (!(Number.isSafeInteger(length) && length >= 0)) throw new RangeError(`length: expected a whole number from 0 on, got ${length}`);
+                return memory.records(kind, length);
+            },
             version: () => {
                 const version = native.gphys_version();
                 return `${version >>> 16}.${(version >>> 8) & 255}.${version & 255}`;

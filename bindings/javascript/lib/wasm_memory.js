@@ -5,27 +5,25 @@ import { ERROR_OUT_OF_MEMORY } from './constants.js';
 
 const NOT_SUPPORTED = 58; // WASI's errno ENOTSUP
 
-async function instantiate(imports) {
-    const url = new URL('../gamephys.wasm', import.meta.url);
-    if (url.protocol === 'file:') {
-        const { readFile } = await import('node:fs/promises');
-        return WebAssembly.instantiate(await readFile(url), imports);
-    }
-    const response = await fetch(url);
-    if (!response.ok) throw new Error(`${url}: ${response.status} ${response.statusText}`);
-    if (response.headers.get('Content-Type') !== 'application/wasm') {
-        return WebAssembly.instantiate(await response.arrayBuffer(), imports);
-    }
-    return WebAssembly.instantiateStreaming(response, imports);
+/** Of a URL, a response, bytes, a module, or a promise of one of these. */
+async function instantiate(source, imports) {
+    const given = await (typeof source === 'string' || source instanceof URL ? fetch(source) : source);
+    if (given == null) throw new TypeError('gamephys.wasm: its URL, response, bytes or module is missing');
+    if (given instanceof WebAssembly.Module) return WebAssembly.instantiate(given, imports);
+    if (!(given instanceof Response)) return (await WebAssembly.instantiate(given, imports)).instance;
+    if (!given.ok) throw new Error(`${given.url}: ${given.status} ${given.statusText}`);
+    const typed = given.headers.get('Content-Type') === 'application/wasm';
+    const { instance } = await (typed ? WebAssembly.instantiateStreaming(given, imports) : WebAssembly.instantiate(await given.arrayBuffer(), imports));
+    return instance;
 }
 
-export async function memory() {
+export async function memory(source) {
     const views = { wide: false };
     let native, base;
     /** Memory has grown: views of it as it was have no elements any more. */
     const renew = () => Object.assign(views, viewsOf(native.memory.buffer, base, PASS_BYTES));
 
-    const { instance } = await instantiate({
+    const instance = await instantiate(source, {
         env: { emscripten_notify_memory_growth: () => base && renew(), __call_sighandler() {} },
         // It asks a system for the environment, and there is none, and for the time where several threads work, and there
         // is one.

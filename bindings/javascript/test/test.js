@@ -2,12 +2,13 @@
 // calls, memory, errors, ownership.
 import assert from 'node:assert';
 import { spawnSync } from 'node:child_process';
-import { cpSync, mkdtempSync, rmSync } from 'node:fs';
+import { cpSync, existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import test from 'node:test';
 import { fileURLToPath } from 'node:url';
 import * as gp from 'gamephys';
+import init from 'gamephys/init';
 
 function someScene() {
     const scene = new gp.Scene();
@@ -185,6 +186,7 @@ test('records are written and read in place', () => {
     assert.deepStrictEqual([...hits].map((hit) => hit.model !== 0), Array.from({ length: 100 }, (_, i) => 0.05 * i <= 1));
     assert.throws(() => hits.get(100), RangeError);
     assert.throws(() => gp.records('raygun', 1), TypeError);
+    for (const length of [-1, 1.5, NaN, '1', undefined]) assert.throws(() => gp.records('ray', length), /^RangeError: length: expected a whole number/);
     for (const records of [rays, hits]) records.close();
 });
 
@@ -199,7 +201,8 @@ test('records outlive growth of memory, and views that do not are refused', () =
     const more = Array.from({ length: 8 }, () => gp.records('hit', 1 << 20)); // 436 MB
     assert.strictEqual(ray.f32[2], -5);
     assert.strictEqual(results.get(0).t, 4);
-    if (kept.length === 0) assert.throws(() => scene.raycastBatch(kept), TypeError);
+    if (kept.length === 0) assert.throws(() => scene.raycastBatch(kept), /^TypeError: rays: the memory of this view has moved/);
+    assert.strictEqual(scene.raycastBatch(new Float32Array(0)).length, 0);
     // Growth while a call takes its arrays: a copied one, and results beside.
     const rays = new Float32Array(7 << 20);
     for (let i = 0; i < rays.length; i += 7) rays.set([0, 0, -5, 0, 0, 1, Infinity], i);
@@ -241,6 +244,26 @@ test('a package without any library says what it has looked for', () => {
     rmSync(folder, { recursive: true });
     assert.strictEqual(status, 1);
     assert.match(stderr, /no gamephys library: not as a native one \(.*koffi.*\), nor as WebAssembly \(.*gamephys\.wasm.*\)/);
+});
+
+const module = new URL('../gamephys.wasm', import.meta.url);
+
+test('the module comes from where the program says', { skip: !existsSync(module) && 'there is no gamephys.wasm' }, async () => {
+    const bytes = readFileSync(module);
+    const url = URL.createObjectURL(new Blob([bytes], { type: 'application/wasm' }));
+    const response = (type, status = 200) => new Response(bytes, { status, headers: { 'Content-Type': type } });
+    const sources = [bytes, Promise.resolve(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length)), await WebAssembly.compile(bytes),
+        url, new URL(url), response('application/wasm'), response('text/plain')];
+    for (const source of sources) {
+        const own = await init(source);
+        const scene = new own.Scene();
+        const ball = scene.add(own.sphere([0, 0, 5], 1));
+        assert.strictEqual(scene.raycast({ origin: [0, 0, 0], direction: [0, 0, 1] }, own.ALL_LAYERS).model, ball);
+        assert.throws(() => gp.raycast(own.sphere([0, 0, 5], 1), [[0, 0, 0], [0, 0, 1], -1]), gp.GamephysError);
+        scene.close();
+    }
+    await assert.rejects(init(), /^TypeError: gamephys.wasm: its URL, response, bytes or module is missing/);
+    await assert.rejects(init(response('application/wasm', 404)), /404/);
 });
 
 test('objects of another kind are refused', () => {

@@ -1,5 +1,6 @@
 // What TypeScript must take, and what it must refuse.
 import * as gp from 'gamephys';
+import init from 'gamephys/init';
 import * as wasm from 'gamephys/wasm';
 
 const scene = new gp.Scene({ worker_count: 2 });
@@ -25,6 +26,18 @@ const rope: number = solver.addRope(new Float32Array(9));
 const places: gp.Records<number[]> = solver.getPositions(rope);
 solver.setPinned(rope, 0, 1);
 
+// What the README promises.
+{
+    using passing = new gp.Scene(), room = gp.records('ray', 10);
+    passing.add(gp.sphere({ x: 0, y: 0, z: 5 }, 1), { position: { x: 0, y: 0, z: 0 }, rotation: { x: 0, y: 0, z: 0, w: 1 } });
+    room.set(0, { origin: [0, 0, 0], direction: { x: 0, y: 0, z: 1 } });
+}
+const camera = new gp.Camera();
+for (const matrix of [{ elements: new Array<number>(16) }, new Float32Array(16), camera.getViewMatrix()]) camera.setProjection(matrix);
+const another: typeof gp = await init(new URL('gamephys.wasm', 'https://example.org'));
+const of: Promise<typeof gp>[] = [init('gamephys.wasm'), init(fetch('gamephys.wasm')), init(new Uint8Array(8)), init({} as WebAssembly.Module)];
+another.records('hit', of.length).close();
+
 // @ts-expect-error: there is no such field
 scene.setTransform(ball, { postion: [1, 2, 3] });
 // @ts-expect-error: rays are floats
@@ -43,3 +56,9 @@ gp.records('raygun', 1);
 new gp.Solver().step(new gp.Camera(), 0.1);
 // @ts-expect-error: a field is missing
 scene.raycast({ origin: [0, 0, 0] });
+// @ts-expect-error: a matrix is not a vector
+camera.setProjection({ x: 0, y: 0, z: 0 });
+// @ts-expect-error: a vector is not a matrix
+camera.lookAt([0, 0, 0], { elements: [0, 0, 1] }, [0, 1, 0]);
+// @ts-expect-error: gamephys.wasm is missing
+init();
