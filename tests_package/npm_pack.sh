@@ -23,7 +23,7 @@ if ls ./*.tgz 2>/dev/null; then fail "a package was written"; fi
 printf '#!/bin/sh\ntouch bindings/javascript/gamephys.wasm\n' >bin/cmake
 pack || fail "$(cat packed.log)"
 tar -tf gamephys-*.tgz >files.txt
-for file in gamephys.wasm wasm.js native.js node.js index.d.ts LICENSE package.json; do
+for file in gamephys.wasm wasm.js native.js node.js init.js init.d.ts index.d.ts LICENSE package.json; do
     grep -qx "package/$file" files.txt || fail "$file is not in the package: $(cat files.txt)"
 done
 [ ! -e root/bindings/javascript/LICENSE ] || fail "the licence was left behind"

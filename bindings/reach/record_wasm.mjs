@@ -5,11 +5,13 @@ import { appendFileSync } from 'node:fs';
 const called = new Set();
 const instantiate = WebAssembly.instantiate;
 WebAssembly.instantiate = async (...given) => {
-    const { module, instance } = await instantiate(...given);
+    const made = await instantiate(...given);
+    const instance = made.instance ?? made; // of a compiled module it is that alone
     const recorded = ([name, value]) => {
         if (!name.startsWith('gphys_')) return [name, value];
         return [name, (...parameters) => (called.add(name), value(...parameters))];
     };
-    return { module, instance: { exports: Object.fromEntries(Object.entries(instance.exports).map(recorded)) } };
+    const exports = Object.fromEntries(Object.entries(instance.exports).map(recorded));
+    return made === instance ? { exports } : { module: made.module, instance: { exports } };
 };
 process.on('exit', () => appendFileSync(process.env.GAMEPHYS_CALLS, [...called, ''].join('\n')));
