@@ -248,6 +248,13 @@ test('a package without any library says what it has looked for', () => {
 
 const module = new URL('../gamephys.wasm', import.meta.url);
 
+test('vectors and quaternions are taken as three.js has them', () => {
+    const scene = new gp.Scene();
+    const ball = scene.add(gp.sphere({ x: 0, y: 0, z: 5 }, 1), { position: { x: 1, y: 0, z: 0 }, rotation: { x: 0, y: 0, z: 0, w: 1 } });
+    const hit = scene.raycast({ origin: { x: 1, y: 0, z: 0 }, direction: { x: 0, y: 0, z: 1 } });
+    assert.deepStrictEqual([hit.model, hit.t, hit.point], [ball, 4, [1, 0, 4]]);
+});
+
 test('the module comes from where the program says', { skip: !existsSync(module) && 'there is no gamephys.wasm' }, async () => {
     const bytes = readFileSync(module);
     const url = URL.createObjectURL(new Blob([bytes], { type: 'application/wasm' }));
