@@ -21,9 +21,6 @@ def arguments(call, templates, type_name):
             values["shape"] = parameters[i + 1]["name"]
         elif role == "array" and element(p) == "void":
             key = "shape_array"
-        elif role == "one":
-            result.append("0")
-            continue
         elif role == "stride":
             values["array"] = parameters[i - 1]["name"]
             if p["name"] == "stride" or p["name"] == "out_stride":

@@ -33,6 +33,23 @@ def lower_camel(name):
     return text[:1].lower() + text[1:]
 
 
+def lists(struct):
+    """The lists among a desc's fields: a pointer's name -> that of its count, which is the next field."""
+    fields = struct["fields"]
+    return {f["name"]: count["name"] for f, count in zip(fields, fields[1:])
+            if f["type"].startswith("const ") and f["type"].endswith("*") and count["name"].endswith("_count") and f["name"].endswith("s")}
+
+
+def has_lists(api, name):
+    return any(lists(s) for s in api["structs"] if s["name"] == name)
+
+
+def settable(struct):
+    """The fields that users set: the length of a list goes with the list."""
+    lengths = lists(struct).values()
+    return [f for f in struct["fields"] if f["name"] not in OF_THE_DESC and f["name"] not in lengths]
+
+
 def base_type(api, name):
     """A typedef of a number resolved: 'gphys_model_id' -> 'uint32_t'."""
     return next((t["type"] for t in api["types"] if t["name"] == name), name)
@@ -114,7 +131,7 @@ def as_call(api, function):
             call.outputs.append(p)
         elif role == "handle" and i == 0 and owner:
             continue
-        elif role in ("stride", "one", "capacity", "total", "offsets", "new", "shape_type"):
+        elif role in ("stride", "capacity", "total", "offsets", "new", "shape_type"):
             continue
         elif role == "count" and has_array:
             continue

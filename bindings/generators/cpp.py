@@ -3,7 +3,7 @@ import re
 
 from ._calls import arguments, batch_arrays, comment
 from ._docs import Language, as_text, translated
-from ._names import ANSWERS, SHAPES, base_type, calls, camel, creations, element, other_creations
+from ._names import ANSWERS, SHAPES, base_type, calls, camel, creations, element, lists, other_creations
 
 HEADER = """// SPDX-FileCopyrightText: 2026 The gamephys authors
 // SPDX-License-Identifier: MIT
@@ -112,6 +112,17 @@ def method(api, call):
     return text + f"{indent}}}\n"
 
 
+def with_list(api, struct, pointer, count):
+    """The defaults with a list in them; a vector that is about to go is refused."""
+    name, short = camel(struct["name"]), struct["name"][6:]
+    of = cpp_type(api, element(next(f for f in struct["fields"] if f["name"] == pointer)))
+    return (f"// The same with {pointer}, to which the result points: they have to stay as long as it is used.\n"
+            f"inline {name} {short}(Span<const {of}> {pointer}) {{\n    {name} desc = {short}();\n"
+            f"    if ({pointer}.size > 1 && {pointer}.stride != sizeof({of})) throw std::invalid_argument(\"{pointer} must be contiguous\");\n"
+            f"    desc.{pointer} = {pointer}.data;\n    desc.{count} = {pointer}.size;\n    return desc;\n}}\n"
+            f"inline {name} {short}(std::vector<{of}>&& {pointer}) = delete;")
+
+
 # What needs more than its declaration.
 SCENE_EXTRA = """    // A model's shape in its own coordinates; S is that shape's struct, else std::invalid_argument.
     template <class S>
@@ -155,6 +166,7 @@ def generate(api):
         if name.endswith("_desc"):
             out.append(f"inline {camel(name)} {name[6:]}() {{\n    {camel(name)} desc;\n"
                        f"    check({name}_init(&desc, sizeof desc));\n    return desc;\n}}")
+        out += [with_list(api, struct, pointer, count) for pointer, count in lists(struct).items()]
     out.append("\nstruct ShapeRef;\nstruct ShapeSpan;\n")
     made = creations(api)
     methods = list(calls(api))

@@ -3,7 +3,8 @@ import copy
 
 from ._calls import arguments, batch_arrays
 from ._docs import Language, outcome, paragraphs, translated, wrapped
-from ._names import BUILT, OF_THE_DESC, SHAPES, base_type, calls, camel, common_prefix, creations, element, lower_camel, other_creations
+from ._names import (BUILT, OF_THE_DESC, SHAPES, base_type, calls, camel, common_prefix, creations, element, has_lists, lists,
+                     lower_camel, other_creations, settable)
 
 HEADER = "// Generated from gamephys_api.json by bindings/generate.py. Not for editing.\n"
 NUMBERS = {"float": "float", "double": "double", "int32_t": "int", "uint32_t": "uint", "size_t": "UIntPtr", "void": "void"}
@@ -24,6 +25,11 @@ TEMPLATES = {
 
 def cs_type(of):
     return NUMBERS.get(of) or camel(of)
+
+
+def raw(api, of):
+    """The struct that the C function is given: settings with lists have another for their users."""
+    return typed(api, of) + ("Data" if has_lists(api, of) else "")
 
 
 def typed(api, of):
@@ -56,9 +62,42 @@ def field(name):
     return "Parameters" if name == "params" else camel(name)
 
 
+def with_lists(api, s):
+    """Settings whose lists are arrays, and how they become memory of the library's layout for the time of a call."""
+    name, listed, fields = camel(s["name"]), lists(s), {f["name"]: f for f in s["fields"]}
+    size = f"sizeof({name}Data)"
+    out = docs(s["doc"]) + f"public struct {name} {{\n    internal {name}Data Data;\n"
+    for f in settable(s):
+        n, kind = field(f["name"]), typed(api, f["type"])
+        out += docs(f["doc"], "    ") + (f"    public {typed(api, element(f))}[] {n};\n" if f["name"] in listed else
+                                         f"    public {kind} {n} {{ get {{ return Data.{n}; }} set {{ Data.{n} = value; }} }}\n")
+    out += (f"    /// <summary>The defaults of the loaded library, to be changed.</summary>\n    public static unsafe {name} Default {{\n"
+            f"        get {{\n            {name}Data desc;\n            Support.Check(Low.{s['name']}_init(&desc, (uint){size}));\n"
+            f"            return new {name} {{ Data = desc }};\n        }}\n    }}\n}}\n\n")
+    counted = "".join(f"            bytes += {field(n)}Of(desc).Length * (long)sizeof({typed(api, element(fields[n]))});\n" for n in listed)
+    written, of_each = "", ""
+    for n, count in listed.items():
+        kind = typed(api, element(fields[n]))
+        assert kind == "uint", "lists of other elements need their alignment"
+        of_each += f"    private static {kind}[] {field(n)}Of({name} desc) {{ return desc.{field(n)} ?? Array.Empty<{kind}>(); }}\n"
+        written += (f"            var given{field(n)} = {field(n)}Of(descs[i]);\n"
+                    f"            Pointer[i].{field(n)} = given{field(n)}.Length == 0 ? IntPtr.Zero : (IntPtr)list;\n"
+                    f"            Pointer[i].{field(count)} = (uint)given{field(n)}.Length;\n"
+                    f"            foreach (var number in given{field(n)}) *list++ = number;\n")
+    return out + (f"// Such settings in memory of the library's layout, with their lists behind them, for the time of a call.\n"
+                  f"internal unsafe struct {name}s : IDisposable {{\n    internal readonly {name}Data* Pointer;\n    internal readonly uint Stride;\n\n"
+                  f"    internal {name}s({name}? desc) : this(desc.HasValue ? new[] {{ desc.Value }} : null) {{ }}\n\n"
+                  f"    internal {name}s(ReadOnlySpan<{name}> descs) {{\n        Pointer = null;\n        Stride = descs.Length == 1 ? 0 : (uint){size};\n"
+                  f"        if (descs.Length == 0) return;\n        var bytes = (long){size} * descs.Length;\n        foreach (var desc in descs) {{\n{counted}        }}\n"
+                  f"        Pointer = ({name}Data*)Marshal.AllocHGlobal(new IntPtr(bytes));\n        var list = (uint*)(Pointer + descs.Length);\n"
+                  f"        for (var i = 0; i < descs.Length; ++i) {{\n            Pointer[i] = descs[i].Data;\n{written}        }}\n    }}\n\n{of_each}"
+                  f"    public void Dispose() {{ Marshal.FreeHGlobal((IntPtr)Pointer); }}\n}}\n")
+
+
 def struct(api, s):
-    name = camel(s["name"])
-    out = docs(s["doc"]) + f"[StructLayout(LayoutKind.Sequential)]\npublic partial struct {name} {{\n"
+    name, listed = camel(s["name"]), has_lists(api, s["name"])
+    head = f"internal struct {name}Data" if listed else f"public partial struct {name}"
+    out = ("" if listed else docs(s["doc"])) + f"[StructLayout(LayoutKind.Sequential)]\n{head} {{\n"
     for f in s["fields"]:
         kind = "IntPtr" if "*" in f["type"] else typed(api, f["type"])
         if f["count"] > 1:
@@ -71,6 +110,9 @@ def struct(api, s):
                     f"    private static int InRange(int index, int count) {{\n"
                     f"        return index >= 0 && index < count ? index : throw new IndexOutOfRangeException();\n    }}\n")
             continue
+        if listed:
+            out += f"    internal {kind} {field(f['name'])};\n"
+            continue
         access = "internal" if f["name"] in OF_THE_DESC else "public"
         text = f["doc"] + (("\n" if f["doc"] else "") + f"The address of a {element(f)}." if "*" in f["type"] and "(" not in f["type"] else "")
         out += docs(text, "    ") + f"    {access} {kind} {field(f['name'])};\n"
@@ -78,6 +120,8 @@ def struct(api, s):
         words = ", ".join(f"{typed(api, f['type'])} {lower_camel(f['name'])}" for f in s["fields"])
         sets = " ".join(f"{field(f['name'])} = {lower_camel(f['name'])};" for f in s["fields"])
         out += f"    public {name}({words}) {{ {sets} }}\n"
+    if listed:
+        return f"{out}}}\n\n{with_lists(api, s)}"
     if s["name"].endswith("_desc"):
         out += (f"    /// <summary>The defaults of the loaded library, to be changed.</summary>\n    public static unsafe {name} Default {{\n"
                 f"        get {{\n            {name} desc;\n            Support.Check(Low.{s['name']}_init(&desc, (uint)sizeof({name})));\n"
@@ -121,12 +165,15 @@ def values(api):
 
 
 def layout(api):
-    out = [HEADER + "using System;\nusing Gamephys;\n\n// Size and offsets of each struct as C has them, on 64-bit machines.\n"
+    out = [HEADER + "using System;\nusing System.Reflection;\nusing Gamephys;\n\n// Size and offsets of each struct as C has them, on 64-bit machines.\n"
            "static class Layout {\n    public static readonly (Type Type, int Size, string[] Names, int[] Offsets)[] Structs = {"]
     for s in api["structs"]:
         single = [f for f in s["fields"] if f["count"] == 1]
         names, offsets = ", ".join(f'"{field(f["name"])}"' for f in single), ", ".join(str(f["offset"][0]) for f in single)
-        out.append(f"        (typeof({camel(s['name'])}), {s['size'][0]}, new string[] {{ {names} }}, new int[] {{ {offsets} }}),")
+        kind = f'typeof({camel(s["name"])})'
+        if has_lists(api, s["name"]):
+            kind += '.GetField("Data", BindingFlags.Instance | BindingFlags.NonPublic).FieldType'
+        out.append(f"        ({kind}, {s['size'][0]}, new string[] {{ {names} }}, new int[] {{ {offsets} }}),")
     out.append("    };\n}")
     return "\n".join(out) + "\n"
 
@@ -137,7 +184,7 @@ def c_parameter(api, p):
         return f"IntPtr* {p['name']}"
     if p["role"] == "handle":
         return f"{camel(element(p))}Handle {p['name']}"
-    return f"{typed(api, element(p))}{'*' if '*' in of else ''} {'@' if p['name'] in WORDS else ''}{p['name']}"
+    return f"{raw(api, element(p))}{'*' if '*' in of else ''} {'@' if p['name'] in WORDS else ''}{p['name']}"
 
 
 def low(api):
@@ -231,6 +278,8 @@ def prepare(api, call):
         if role == "shape":
             lines.append(f"void* {n}_ = {n}.Mesh == null ? (void*)&{n}.Data : {n}.Mesh.Pointer;")
             alive.append(f"{n}.Mesh")
+        elif role in ("in", "array") and has_lists(api, element(p)):
+            pins.append(f"using (var {n}_ = new {camel(element(p))}s({n}))")
         elif role == "in" and p.get("nullable"):
             lines.append(f"var {n}_ = {n}.GetValueOrDefault();")
         elif role == "in" and p.get("count"):
@@ -270,7 +319,11 @@ def cs_arguments(api, call):
     args = arguments(call, templates, lambda of: typed(api, of))
     for i, p in enumerate(call.function["parameters"]):
         n = p["name"]
-        if p["role"] == "array" and element(p) == "void":
+        if p["role"] in ("in", "array") and has_lists(api, element(p)):
+            args[i] = f"{n}_.Pointer"
+            if p["role"] == "array":
+                args[i + 1] = f"{n}_.Stride"
+        elif p["role"] == "array" and element(p) == "void":
             args[i] = f"{n}.IsOne ? ({n}One.Mesh == null ? (void*)&{n}One.Data : {n}One.Mesh.Pointer) : {n}First"
         elif "width" in p:
             args[i] = f"(float*){n}_"

@@ -126,7 +126,6 @@ def settings(api, s):
     text += (doc(s["doc"], "") or f"/** Settings: the library's defaults, until one is changed. */\n")
     text += f"public final class {name} {{\n"
     if any(p["role"] == "array" and element(p) == s["name"] for f in api["functions"] for p in f["parameters"]):
-        assert wide == narrow, f"{name} in an array has a size of the platform"
         text += (f"    /** For a Batch of copies: Batch.copyOf, or Batch.shared for one that stands for all. */\n"
                  f"    public static final Layout<{name}> LAYOUT = new Layout<>({size}, 0, {name}::read, {name}::write);\n\n")
         copies = (f"\n    private static {name} read(ByteBuffer memory, int at) {{\n        {name} copy = new {name}();\n"

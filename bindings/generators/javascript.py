@@ -1,7 +1,8 @@
 """JavaScript: a reader and a writer for each struct, a class for each handle with a method for each
 function, and the two entries of the package, which differ in how the library's memory is reached.
 The types of TypeScript are in typescript.py."""
-from ._names import ANSWERS, MASKS, OF_THE_DESC, SHAPES, base_type, calls, camel, creations, element, lower_camel, other_creations, plain
+from ._names import (ANSWERS, MASKS, SHAPES, base_type, calls, camel, creations, element, lists, lower_camel, other_creations, plain,
+                     settable)
 
 HEAD = "// Generated from gamephys_api.json by bindings/generate.py. Not for editing.\n"
 VIEWS = {"float": "f32", "double": "f64", "int32_t": "i32", "uint32_t": "u32"}
@@ -125,8 +126,16 @@ def desc_writer(structs, struct):
     name = struct["name"]
     lines = [f"export function write{camel(name)}(v, at, value) {{", f"    named(value, '{plain(name)}');",
              "    for (const name in value) {", "        switch (name) {"]
-    for f in struct["fields"]:
-        if "*" in f["type"] or f["name"] in OF_THE_DESC:
+    fields, listed = {f["name"]: f for f in struct["fields"]}, lists(struct)
+    for f in settable(struct):
+        if f["name"] in listed:
+            pointer, count = at(indices(struct, f)), at(indices(struct, fields[listed[f["name"]]]))
+            lines += [f"            case '{f['name']}': {{", f"                const {{ address, length }} = v.hold(value[name], '{f['name']}');",
+                      f"                v.u32[{pointer}] = address;",
+                      f"                if (v.wide) v.u32[{pointer} + 1] = Math.floor(address / 2 ** 32);",
+                      f"                v.u32[{count}] = length;", "                break;", "            }"]
+            continue
+        if "*" in f["type"]:
             continue
         [store] = write_field(structs, f, indices(struct, f), "value[name]")
         lines.append(f"            case '{f['name']}': {store} break;")
@@ -199,7 +208,10 @@ class Method:
         return f"base + {place}" if place else "base"
 
     def is_batch(self):
-        return any(p["role"] in ("array", "out_array", "list", "ragged") for p in self.parameters)
+        return any(p["role"] in ("array", "out_array", "list", "ragged") or self.has_lists(p) for p in self.parameters)
+
+    def has_lists(self, p):
+        return self.structs.is_desc(element(p)) and lists(self.structs.by_name[element(p)])
 
     def counted(self):
         """The arrays whose common length is the count."""
@@ -229,8 +241,6 @@ class Method:
                 kind = f"{name} == null ? nothing : {kind}"
             self.before.append(f"const {name}_ = {kind};")
             return f"pass({name}_)"
-        if role == "one":
-            return "0"
         if role == "stride":
             other = self.parameters[i - 1]
             if other["role"] == "out_array":
@@ -271,9 +281,9 @@ class Method:
         if of == "void":
             return f"inputShapes({name})"
         if self.structs.is_desc(of):
-            assert self.structs.size(of, 0) == self.structs.size(of, 1), f"{of} in an array has a size of the platform"
-            place = self.place(bytes, 8)
-            return f"inputDescs({name}, {place // 4}, {bytes}, native.{of}_init, write{camel(of)}, '{name}')"
+            narrow = self.structs.size(of, 1)
+            size = bytes if bytes == narrow else f"v.wide ? {bytes} : {narrow}"
+            return f"inputDescs({name}, {self.place(bytes, 8) // 4}, {size}, native.{of}_init, write{camel(of)}, '{name}')"
         return f"input({name}, {bytes}, '{name}', '{self.structs.numbers_in(of)}')"
 
     def given(self, p, of):

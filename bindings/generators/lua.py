@@ -1,8 +1,8 @@
 """Lua: the declarations for LuaJIT's FFI, and a method for each function."""
 from ._calls import arguments, batch_arrays, comment
 from ._docs import Language, as_tags, translated
-from ._names import (ANSWERS, BUILT, MASKS, SHAPES, base_type, calls, camel, constants, creations, declarations, element, other_creations,
-                     plain)
+from ._names import (ANSWERS, BUILT, MASKS, SHAPES, base_type, calls, camel, constants, creations, declarations, element, lists,
+                     other_creations, plain)
 
 HEADER = "-- Generated from gamephys_api.json by bindings/generate.py. Not for editing.\n"
 TEMPLATES = {
@@ -143,8 +143,10 @@ def declared(api):
         checks = {f["name"]: "bits" if f["name"] in MASKS else {"uint32_t": "whole", "int32_t": "to_flag"}.get(base_type(api, f["type"]))
                   for f in struct["fields"] if f["count"] == 1}
         numbers = ", ".join(f'{name} = "{check}"' for name, check in checks.items() if check)
+        listed = ", ".join(f'{name} = "{count}"' for name, count in lists(struct).items())
+        listed = f", lists = {{ {listed} }}" if listed else ""
         built = ", built = true" if struct["name"] in BUILT else ""
-        text += f'        {{ name = "{plain(struct["name"])}", fields = {{ {fields} }}, numbers = {{ {numbers} }}{built} }},\n'
+        text += f'        {{ name = "{plain(struct["name"])}", fields = {{ {fields} }}, numbers = {{ {numbers} }}{listed}{built} }},\n'
     text += "    },\n"
     text += "    shapes = {" + ", ".join(f'"{s}"' for s in SHAPES if s != "mesh") + "},\n"
     return text + "    objects = {" + ", ".join(f'"{plain(h)}"' for h in api["handles"]) + "},\n}\n"

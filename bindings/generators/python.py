@@ -1,7 +1,7 @@
 """Python: ctypes structs, numpy dtypes, prototypes, and a method for each function."""
 from ._docs import Language, outcome, paragraphs, translated, wrapped
 from ._names import (ANSWERS, BUILT, MASKS, OF_THE_DESC, SHAPES, base_type, calls, camel, counted_array, creations, element,
-                     other_creations, plain)
+                     lists, other_creations, plain, settable)
 
 NUMBERS = {"float": "c_float", "int32_t": "c_int32", "uint32_t": "c_uint32", "size_t": "c_size_t"}
 DTYPES = {"float": "<f4", "double": "<f8", "int32_t": "<i4", "uint32_t": "<u4"}
@@ -41,7 +41,7 @@ def given_hint(api, f):
 
 def struct_doc(struct):
     """The comment of a struct, and of its fields."""
-    fields = [f for f in struct["fields"] if f["name"] not in OF_THE_DESC]
+    fields = settable(struct)
     lines = [struct["doc"] or f"{camel(struct['name'])}: {', '.join(f['name'] for f in fields)}."]
     if any(f["doc"] for f in fields):
         lines += ["", "Fields:"]
@@ -73,9 +73,13 @@ def constructor(api, struct):
             f"            self._set({named})"]
 
 
+LIST_HINT = "Sequence[int] | NDArray[Any]"
+
+
 def desc_constructor(api, struct):
-    fields = [f for f in struct["fields"] if f["name"] not in OF_THE_DESC]
-    words = [f"{f['name']}: {given_hint(api, f).replace(' | None', '')} | None = None" for f in fields]
+    fields = settable(struct)
+    hints = [LIST_HINT if f["name"] in lists(struct) else given_hint(api, f).replace(" | None", "") for f in fields]
+    words = [f"{f['name']}: {hint} | None = None" for f, hint in zip(fields, hints)]
     lines = [f"    def __init__(self, *, {', '.join(words)}) -> None:", "        self._start()"]
     for f in fields:
         lines += [f"        if {f['name']} is not None:", f"            self.{f['name']} = {f['name']}"]
@@ -96,6 +100,8 @@ def dtype_entry(api, f):
         kind = '"<f4"'
     elif base in DTYPES:
         kind = f'"{DTYPES[base]}"'
+    elif "*" in base:
+        kind = '"P"'
     else:
         kind, count = f"{plain(f['type'])}_dtype", f["count"]
     return f'("{f["name"]}", {kind}{f", ({count},)" if count > 1 else ""})'
@@ -104,9 +110,9 @@ def dtype_entry(api, f):
 def low_level(api):
     out = [HEADER, "from __future__ import annotations\n",
            "from ctypes import POINTER, Array, Structure, c_char_p, c_float, c_int32, c_size_t, c_uint32, c_void_p",
-           "from struct import Struct", "from typing import Any\n", "from numpy import dtype\n",
+           "from struct import Struct", "from typing import Any, Sequence\n", "from numpy import dtype", "from numpy.typing import NDArray\n",
            "from ._library import function, needs", "from ._runtime import shape_types",
-           "from ._values import NOT_NUMBERS, Built, Desc, Field, Value, Vector, VectorLike, struct\n"]
+           "from ._values import NOT_NUMBERS, Built, Desc, Field, List, Value, Vector, VectorLike, struct\n"]
     for enum in api["enums"]:
         for value in enum["values"]:
             out.append(f"{plain(value['name'])} = {value['value']}" + (f"  # {' '.join(value['doc'].split())}"
@@ -128,19 +134,23 @@ def low_level(api):
         base = "Desc" if desc else "Built" if name in BUILT else "Value"
         out.append(f"\n\n@struct\nclass {camel(name)}({'Vector, Array[c_float]' if vector else f'{base}, Structure'}):")
         out.append(docstring(struct_doc(struct), "    "))
-        out.append("    __slots__ = ()")
+        listed = lists(struct)
+        out.append(f"    __slots__ = ({' '.join(f'{chr(34)}_{n}{chr(34)},' for n in listed)})" if listed else "    __slots__ = ()")
+        if listed:
+            out.append(f"    _lists = {listed!r}".replace("'", '"'))
         for f in struct["fields"]:
-            kind = hint(api, f["type"]) if f["count"] == 1 else "Any"
+            kind = "List" if f["name"] in listed else hint(api, f["type"]) if f["count"] == 1 else "Any"
             out.append(f"    {f['name']}: {kind}")
         fields = ", ".join('("%s", %s%s)' % (f["name"], ctype(api, f["type"]), f" * {f['count']}" if f["count"] > 1 else "")
                            for f in struct["fields"])
         out += ["    _type_ = c_float", f"    _length_ = {VECTORS[name]}"] if vector else [f"    _fields_ = [{fields}]"]
         if desc or name in BUILT:
             out += ["", *(desc_constructor(api, struct) if desc else constructor(api, struct))]
-        if not any("*" in base_type(api, f["type"]) for f in struct["fields"]):
+        pointers = any("*" in base_type(api, f["type"]) for f in struct["fields"])
+        if desc or not pointers:
             width = VECTORS.get(name)
             entries = ", ".join(dtype_entry(api, f) for f in struct["fields"])
-            out.append(f'\n\n{plain(name)}_dtype: dtype[Any] = ' + (f'dtype(("<f4", ({width},)))' if width else f"dtype([{entries}])"))
+            out.append(f'\n\n{plain(name)}_dtype: dtype[Any] = ' + (f'dtype(("<f4", ({width},)))' if width else f"dtype([{entries}]{', align=True' if pointers else ''})"))
             out.append(f"{camel(name)}.dtype = {plain(name)}_dtype")
             structs.append(f"{plain(name)}_dtype")
     out.append("\n")
@@ -292,8 +302,6 @@ def body(api, call, self_handle):
                 width = f", {p['width']}" if "width" in p else ""
                 lines.append(f"{name}_ = array_of({name}, {numpy_type(api, element(p))}{width})")
             arguments.append(f"{name}_.address")
-        elif role == "one":
-            arguments.append("0")
         elif role == "stride" and name == "out_stride":
             arguments.append("out_.stride")
         elif role == "stride":

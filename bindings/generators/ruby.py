@@ -1,7 +1,7 @@
 """Ruby: the functions for the ffi gem, values as Structs, and a method for each function."""
 from ._calls import arguments, batch_arrays, comment
 from ._docs import Language, as_tags, translated
-from ._names import ANSWERS, SHAPES, base_type, calls, camel, constants, creations, element, other_creations, plain
+from ._names import ANSWERS, SHAPES, base_type, calls, camel, constants, creations, element, lists, other_creations, plain
 
 HEADER = "# frozen_string_literal: true\n\n# Generated from gamephys_api.json by bindings/generate.py. Not for editing.\n"
 FFI = {"float": ":float", "double": ":double", "int32_t": ":int32", "uint32_t": ":uint32", "size_t": ":size_t", "void": ":void"}
@@ -18,7 +18,7 @@ TEMPLATES = {
 }
 # Optional parameters that are named in a call.
 KEYWORDS = {"layers": "ALL_LAYERS", "max_distance": "Float::INFINITY", "tolerance": "0", "link_length": "0", "compliance": "0"}
-POSITIONAL = ("transform", "transforms", "descs", "local_point")
+POSITIONAL = ("transform", "transforms", "descs", "filters", "local_point")
 
 
 def kind(api, of):
@@ -109,7 +109,9 @@ def low(api):
             fields = ", ".join(f":{f['name']}, " + (camel(f["type"]) if f["type"] in ARRAYS else ffi_type(api, base_type(api, f["type"])))
                                for f in s["fields"])
             fields = fields.replace("Vec3", "[:float, 3]")
-            out.append(f"  class {camel(s['name'])} < FFI::Struct\n    layout {fields}\n  end\n")
+            listed = "".join(f"    LISTS = {{ {', '.join(f'{n}: :{count}' for n, count in some.items())} }}.freeze\n"
+                             for some in [lists(s)] if some)
+            out.append(f"  class {camel(s['name'])} < FFI::Struct\n    layout {fields}\n{listed}  end\n")
     for f in api["functions"]:
         given = ", ".join(ffi_type(api, p["type"]) for p in f["parameters"])
         out.append(f"  attach_function :{f['name']}, [{given}], {ffi_type(api, f['returns'])}")

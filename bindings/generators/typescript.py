@@ -1,6 +1,7 @@
 """The types of the JavaScript package for TypeScript, with the header's comments."""
 from ._docs import Language, as_tags, as_text, translated
-from ._names import ANSWERS, OF_THE_DESC, SHAPES, base_type, calls, camel, creations, element, lower_camel, other_creations, plain
+from ._names import (ANSWERS, SHAPES, base_type, calls, camel, creations, element, lists, lower_camel, other_creations, plain,
+                     settable)
 from .javascript import DEFAULTS, Structs
 
 NUMBERS = ("float", "double", "int32_t", "uint32_t", "size_t")
@@ -54,7 +55,7 @@ export class Records<T = any> {
     close(): void;
     [Symbol.dispose](): void;
 }
-/** Memory that calls read and write in place, without a copy. */
+/** Memory that calls read and write in place, without a copy. All is 0, but rays have no end: their t_max is Infinity. */
 export function records<K extends Kind>(kind: K, length: number): Records<Kinds[K]>;
 
 export class Shape {
@@ -162,8 +163,8 @@ def typescript(api):
             continue
         if not desc:
             kinds[plain(s["name"])] = value(s["name"])
-        fields = "".join(doc(f["doc"], "    ") + f"    {f['name']}: {value(f['type'], f['count'])};\n" for f in s["fields"]
-                         if "*" not in base_type(api, f["type"]) and f["name"] not in OF_THE_DESC)
+        fields = "".join(doc(f["doc"], "    ") + f"    {f['name']}: {'readonly number[] | Words | null' if f['name'] in lists(s) else value(f['type'], f['count'])};\n"
+                         for f in settable(s) if f["name"] in lists(s) or "*" not in base_type(api, f["type"]))
         out.append(doc(s["doc"], "") + f"export interface {camel(s['name'])} {{\n{fields}}}")
     out.append("/** The elements of Records, by the name of their kind. */\nexport interface Kinds {\n"
                + "".join(f"    {k}: {v};\n" for k, v in kinds.items()) + "}\nexport type Kind = keyof Kinds;")

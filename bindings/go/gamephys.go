@@ -80,11 +80,22 @@ func size[T any]([]T) C.uint32_t {
 }
 
 // step is the stride of a batch's input: one element stands for all.
-func step[T any](elements []T) C.uint32_t {
+func step[T any](elements []T) C.uint32_t { return stepOf(elements, uintptr(size(elements))) }
+
+// stepOf is the same where elements have another size in C.
+func stepOf[T any](elements []T, size uintptr) C.uint32_t {
 	if len(elements) == 1 {
 		return 0
 	}
-	return size(elements)
+	return C.uint32_t(size)
+}
+
+// only is a slice of the one element, or of none.
+func only[T any](element *T) []T {
+	if element == nil {
+		return nil
+	}
+	return unsafe.Slice(element, 1)
 }
 
 func checkLength(length int) error {

@@ -30,8 +30,44 @@ func DefaultModelDesc() (desc ModelDesc) {
 
 // DefaultQueryFilterDesc has the defaults of the loaded library.
 func DefaultQueryFilterDesc() (desc QueryFilterDesc) {
-	C.gphys_query_filter_desc_init((*C.gphys_query_filter_desc)(unsafe.Pointer(&desc)), C.uint32_t(unsafe.Sizeof(desc)))
+	var c C.gphys_query_filter_desc
+	C.gphys_query_filter_desc_init(&c, C.sizeof_gphys_query_filter_desc)
+	desc.structSize = uint32(c.struct_size)
+	desc.Layers = uint32(c.layers)
+	desc.IgnoredModel = uint32(c.ignored_model)
+	desc.Flags = uint32(c.flags)
+	desc.reserved = uint32(c.reserved)
 	return
+}
+
+// cQueryFilterDescs are settings in C memory, with their lists behind them, to be freed after a call.
+func cQueryFilterDescs(descs []QueryFilterDesc) *C.gphys_query_filter_desc {
+	if len(descs) == 0 {
+		return nil
+	}
+	bytes := uintptr(len(descs)) * C.sizeof_gphys_query_filter_desc
+	for _, desc := range descs {
+		bytes += uintptr(len(desc.IgnoredModels)) * C.sizeof_gphys_model_id
+	}
+	memory := C.malloc(C.size_t(bytes))
+	made := unsafe.Slice((*C.gphys_query_filter_desc)(memory), len(descs))
+	list := unsafe.Add(memory, uintptr(len(descs))*C.sizeof_gphys_query_filter_desc)
+	for i, desc := range descs {
+		to := &made[i]
+		*to = C.gphys_query_filter_desc{}
+		to.struct_size = C.uint32_t(desc.structSize)
+		to.layers = C.uint32_t(desc.Layers)
+		to.ignored_model = C.gphys_model_id(desc.IgnoredModel)
+		to.flags = C.uint32_t(desc.Flags)
+		to.reserved = C.uint32_t(desc.reserved)
+		to.ignored_models, to.ignored_count = nil, C.uint32_t(len(desc.IgnoredModels))
+		if len(desc.IgnoredModels) > 0 {
+			to.ignored_models = (*C.gphys_model_id)(list)
+			copy(unsafe.Slice((*ModelID)(list), len(desc.IgnoredModels)), desc.IgnoredModels)
+			list = unsafe.Add(list, uintptr(len(desc.IgnoredModels))*C.sizeof_gphys_model_id)
+		}
+	}
+	return &made[0]
 }
 
 // DefaultCameraDesc has the defaults of the loaded library.
@@ -1499,7 +1535,9 @@ func (o *Scene) RaycastFiltered(ray Ray, filter *QueryFilterDesc) (hit Hit, foun
 	if err != nil {
 		return
 	}
-	r := C.go_gphys_scene_raycast_filtered(self, *(*C.gphys_ray)(unsafe.Pointer(&ray)), (*C.gphys_query_filter_desc)(unsafe.Pointer(filter)))
+	filterC := cQueryFilterDescs(only(filter))
+	defer C.free(unsafe.Pointer(filterC))
+	r := C.go_gphys_scene_raycast_filtered(self, *(*C.gphys_ray)(unsafe.Pointer(&ray)), filterC)
 	runtime.KeepAlive(o)
 	if err = check(r.status, r.message); err != nil || r.status != C.GPHYS_OK {
 		return
@@ -1512,19 +1550,21 @@ func (o *Scene) RaycastFiltered(ray Ray, filter *QueryFilterDesc) (hit Hit, foun
 // Closest models on the rays that the filters see, as Scene.RaycastBatch.
 //   - filters: nil: the defaults
 // Cost: at most that of as many calls of Scene.RaycastFiltered; shared among workers.
-func (o *Scene) RaycastFilteredBatch(rays []Ray, filters *QueryFilterDesc, hits []Hit) (err error) {
+func (o *Scene) RaycastFilteredBatch(rays []Ray, filters []QueryFilterDesc, hits []Hit) (err error) {
 	self, err := o.open()
 	if err != nil {
 		return
 	}
-	count, err := commonLength([]int{}, len(rays))
+	count, err := commonLength([]int{}, len(rays), optional(filters))
 	if err != nil {
 		return
 	}
 	if err = requireLength(len(hits), count); err != nil {
 		return
 	}
-	r := C.go_gphys_scene_raycast_filtered_batch(self, (*C.gphys_ray)(data(rays)), step(rays), C.uint32_t(count), (*C.gphys_query_filter_desc)(unsafe.Pointer(filters)), 0, (*C.gphys_hit)(data(hits)), size(hits))
+	filtersC := cQueryFilterDescs(filters)
+	defer C.free(unsafe.Pointer(filtersC))
+	r := C.go_gphys_scene_raycast_filtered_batch(self, (*C.gphys_ray)(data(rays)), step(rays), C.uint32_t(count), filtersC, stepOf(filters, C.sizeof_gphys_query_filter_desc), (*C.gphys_hit)(data(hits)), size(hits))
 	runtime.KeepAlive(o)
 	err = check(r.status, r.message)
 	return
@@ -1534,19 +1574,21 @@ func (o *Scene) RaycastFilteredBatch(rays []Ray, filters *QueryFilterDesc, hits 
 // a lidar leaves out the robot that carries it.
 //   - filters: nil: the defaults
 // Cost: less than that of Scene.RaycastFilteredBatch; shared among workers. Since 1.1.
-func (o *Scene) RaycastDistanceFilteredBatch(rays []Ray, filters *QueryFilterDesc, distances []Distance) (err error) {
+func (o *Scene) RaycastDistanceFilteredBatch(rays []Ray, filters []QueryFilterDesc, distances []Distance) (err error) {
 	self, err := o.open()
 	if err != nil {
 		return
 	}
-	count, err := commonLength([]int{}, len(rays))
+	count, err := commonLength([]int{}, len(rays), optional(filters))
 	if err != nil {
 		return
 	}
 	if err = requireLength(len(distances), count); err != nil {
 		return
 	}
-	r := C.go_gphys_scene_raycast_distance_filtered_batch(self, (*C.gphys_ray)(data(rays)), step(rays), C.uint32_t(count), (*C.gphys_query_filter_desc)(unsafe.Pointer(filters)), 0, (*C.gphys_distance)(data(distances)), size(distances))
+	filtersC := cQueryFilterDescs(filters)
+	defer C.free(unsafe.Pointer(filtersC))
+	r := C.go_gphys_scene_raycast_distance_filtered_batch(self, (*C.gphys_ray)(data(rays)), step(rays), C.uint32_t(count), filtersC, stepOf(filters, C.sizeof_gphys_query_filter_desc), (*C.gphys_distance)(data(distances)), size(distances))
 	runtime.KeepAlive(o)
 	err = check(r.status, r.message)
 	return
@@ -1561,7 +1603,9 @@ func (o *Scene) RaycastAnyFiltered(ray Ray, filter *QueryFilterDesc) (hit bool, 
 	if err != nil {
 		return
 	}
-	r := C.go_gphys_scene_raycast_any_filtered(self, *(*C.gphys_ray)(unsafe.Pointer(&ray)), (*C.gphys_query_filter_desc)(unsafe.Pointer(filter)))
+	filterC := cQueryFilterDescs(only(filter))
+	defer C.free(unsafe.Pointer(filterC))
+	r := C.go_gphys_scene_raycast_any_filtered(self, *(*C.gphys_ray)(unsafe.Pointer(&ray)), filterC)
 	runtime.KeepAlive(o)
 	if err = check(r.status, r.message); err != nil {
 		return
@@ -1573,19 +1617,21 @@ func (o *Scene) RaycastAnyFiltered(ray Ray, filter *QueryFilterDesc) (hit bool, 
 // Whether each of the rays meets anything that its filter sees, as Scene.RaycastAnyBatch.
 //   - filters: nil: the defaults
 // Cost: at most that of as many single calls; shared among workers.
-func (o *Scene) RaycastAnyFilteredBatch(rays []Ray, filters *QueryFilterDesc, hits []int32) (err error) {
+func (o *Scene) RaycastAnyFilteredBatch(rays []Ray, filters []QueryFilterDesc, hits []int32) (err error) {
 	self, err := o.open()
 	if err != nil {
 		return
 	}
-	count, err := commonLength([]int{}, len(rays))
+	count, err := commonLength([]int{}, len(rays), optional(filters))
 	if err != nil {
 		return
 	}
 	if err = requireLength(len(hits), count); err != nil {
 		return
 	}
-	r := C.go_gphys_scene_raycast_any_filtered_batch(self, (*C.gphys_ray)(data(rays)), step(rays), C.uint32_t(count), (*C.gphys_query_filter_desc)(unsafe.Pointer(filters)), 0, (*C.int32_t)(data(hits)), size(hits))
+	filtersC := cQueryFilterDescs(filters)
+	defer C.free(unsafe.Pointer(filtersC))
+	r := C.go_gphys_scene_raycast_any_filtered_batch(self, (*C.gphys_ray)(data(rays)), step(rays), C.uint32_t(count), filtersC, stepOf(filters, C.sizeof_gphys_query_filter_desc), (*C.int32_t)(data(hits)), size(hits))
 	runtime.KeepAlive(o)
 	err = check(r.status, r.message)
 	return
@@ -1599,8 +1645,10 @@ func (o *Scene) RaycastAllFiltered(ray Ray, filter *QueryFilterDesc) (result []H
 	if err != nil {
 		return
 	}
+	filterC := cQueryFilterDescs(only(filter))
+	defer C.free(unsafe.Pointer(filterC))
 	result, err = list[Hit](func(out unsafe.Pointer, capacity C.uint32_t) (C.gphys_status, *C.char, C.uint32_t) {
-		r := C.go_gphys_scene_raycast_all_filtered(self, *(*C.gphys_ray)(unsafe.Pointer(&ray)), (*C.gphys_query_filter_desc)(unsafe.Pointer(filter)), (*C.gphys_hit)(out), capacity)
+		r := C.go_gphys_scene_raycast_all_filtered(self, *(*C.gphys_ray)(unsafe.Pointer(&ray)), filterC, (*C.gphys_hit)(out), capacity)
 		return r.status, r.message, r.out_total
 	})
 	runtime.KeepAlive(o)
@@ -1610,17 +1658,19 @@ func (o *Scene) RaycastAllFiltered(ray Ray, filter *QueryFilterDesc) (result []H
 // Every model that each of the rays meets and its filter sees, as Scene.RaycastAllBatch.
 //   - filters: nil: the defaults
 // Cost: that of as many single calls; shared among workers.
-func (o *Scene) RaycastAllFilteredBatch(rays []Ray, filters *QueryFilterDesc) (result Ragged[Hit], err error) {
+func (o *Scene) RaycastAllFilteredBatch(rays []Ray, filters []QueryFilterDesc) (result Ragged[Hit], err error) {
 	self, err := o.open()
 	if err != nil {
 		return
 	}
-	count, err := commonLength([]int{}, len(rays))
+	count, err := commonLength([]int{}, len(rays), optional(filters))
 	if err != nil {
 		return
 	}
+	filtersC := cQueryFilterDescs(filters)
+	defer C.free(unsafe.Pointer(filtersC))
 	result, err = ragged[Hit](count, func(out unsafe.Pointer, capacity C.uint32_t, offsets *C.uint32_t) (C.gphys_status, *C.char) {
-		r := C.go_gphys_scene_raycast_all_filtered_batch(self, (*C.gphys_ray)(data(rays)), step(rays), C.uint32_t(count), (*C.gphys_query_filter_desc)(unsafe.Pointer(filters)), 0, (*C.gphys_hit)(out), capacity, offsets)
+		r := C.go_gphys_scene_raycast_all_filtered_batch(self, (*C.gphys_ray)(data(rays)), step(rays), C.uint32_t(count), filtersC, stepOf(filters, C.sizeof_gphys_query_filter_desc), (*C.gphys_hit)(out), capacity, offsets)
 		return r.status, r.message
 	})
 	runtime.KeepAlive(o)
@@ -1636,7 +1686,9 @@ func (o *Scene) SegmentTestFiltered(segment Segment, filter *QueryFilterDesc) (h
 	if err != nil {
 		return
 	}
-	r := C.go_gphys_scene_segment_test_filtered(self, *(*C.gphys_segment)(unsafe.Pointer(&segment)), (*C.gphys_query_filter_desc)(unsafe.Pointer(filter)))
+	filterC := cQueryFilterDescs(only(filter))
+	defer C.free(unsafe.Pointer(filterC))
+	r := C.go_gphys_scene_segment_test_filtered(self, *(*C.gphys_segment)(unsafe.Pointer(&segment)), filterC)
 	runtime.KeepAlive(o)
 	if err = check(r.status, r.message); err != nil || r.status != C.GPHYS_OK {
 		return
@@ -1649,19 +1701,21 @@ func (o *Scene) SegmentTestFiltered(segment Segment, filter *QueryFilterDesc) (h
 // Closest models along the segments that the filters see, as Scene.SegmentTestBatch.
 //   - filters: nil: the defaults
 // Cost: that of as many single calls; shared among workers.
-func (o *Scene) SegmentTestFilteredBatch(segments []Segment, filters *QueryFilterDesc, hits []Hit) (err error) {
+func (o *Scene) SegmentTestFilteredBatch(segments []Segment, filters []QueryFilterDesc, hits []Hit) (err error) {
 	self, err := o.open()
 	if err != nil {
 		return
 	}
-	count, err := commonLength([]int{}, len(segments))
+	count, err := commonLength([]int{}, len(segments), optional(filters))
 	if err != nil {
 		return
 	}
 	if err = requireLength(len(hits), count); err != nil {
 		return
 	}
-	r := C.go_gphys_scene_segment_test_filtered_batch(self, (*C.gphys_segment)(data(segments)), step(segments), C.uint32_t(count), (*C.gphys_query_filter_desc)(unsafe.Pointer(filters)), 0, (*C.gphys_hit)(data(hits)), size(hits))
+	filtersC := cQueryFilterDescs(filters)
+	defer C.free(unsafe.Pointer(filtersC))
+	r := C.go_gphys_scene_segment_test_filtered_batch(self, (*C.gphys_segment)(data(segments)), step(segments), C.uint32_t(count), filtersC, stepOf(filters, C.sizeof_gphys_query_filter_desc), (*C.gphys_hit)(data(hits)), size(hits))
 	runtime.KeepAlive(o)
 	err = check(r.status, r.message)
 	return
@@ -1680,8 +1734,10 @@ func (o *Scene) OverlapFiltered(shape Shape, filter *QueryFilterDesc) (result []
 	if err != nil {
 		return
 	}
+	filterC := cQueryFilterDescs(only(filter))
+	defer C.free(unsafe.Pointer(filterC))
 	result, err = list[ModelID](func(out unsafe.Pointer, capacity C.uint32_t) (C.gphys_status, *C.char, C.uint32_t) {
-		r := C.go_gphys_scene_overlap_filtered(self, shapeGiven.kind, shapeGiven.data, (*C.gphys_query_filter_desc)(unsafe.Pointer(filter)), (*C.gphys_model_id)(out), capacity)
+		r := C.go_gphys_scene_overlap_filtered(self, shapeGiven.kind, shapeGiven.data, filterC, (*C.gphys_model_id)(out), capacity)
 		return r.status, r.message, r.out_total
 	})
 	runtime.KeepAlive(o)
@@ -1694,7 +1750,7 @@ func (o *Scene) OverlapFiltered(shape Shape, filter *QueryFilterDesc) (result []
 //   - filters: nil: the defaults
 // The error is ErrUnsupported as there.
 // Cost: at most that of as many single calls; shared among workers.
-func (o *Scene) OverlapFilteredBatch(shapes Shapes, filters *QueryFilterDesc) (result Ragged[ModelID], err error) {
+func (o *Scene) OverlapFilteredBatch(shapes Shapes, filters []QueryFilterDesc) (result Ragged[ModelID], err error) {
 	self, err := o.open()
 	if err != nil {
 		return
@@ -1703,12 +1759,14 @@ func (o *Scene) OverlapFilteredBatch(shapes Shapes, filters *QueryFilterDesc) (r
 	if err != nil {
 		return
 	}
-	count, err := commonLength([]int{}, shapesGiven.count)
+	count, err := commonLength([]int{}, shapesGiven.count, optional(filters))
 	if err != nil {
 		return
 	}
+	filtersC := cQueryFilterDescs(filters)
+	defer C.free(unsafe.Pointer(filtersC))
 	result, err = ragged[ModelID](count, func(out unsafe.Pointer, capacity C.uint32_t, offsets *C.uint32_t) (C.gphys_status, *C.char) {
-		r := C.go_gphys_scene_overlap_filtered_batch(self, shapesGiven.kind, shapesGiven.data, shapesGiven.stride, C.uint32_t(count), (*C.gphys_query_filter_desc)(unsafe.Pointer(filters)), 0, (*C.gphys_model_id)(out), capacity, offsets)
+		r := C.go_gphys_scene_overlap_filtered_batch(self, shapesGiven.kind, shapesGiven.data, shapesGiven.stride, C.uint32_t(count), filtersC, stepOf(filters, C.sizeof_gphys_query_filter_desc), (*C.gphys_model_id)(out), capacity, offsets)
 		return r.status, r.message
 	})
 	runtime.KeepAlive(o)
@@ -1725,8 +1783,10 @@ func (o *Scene) CullFiltered(frustum Frustum, filter *QueryFilterDesc) (result [
 	if err != nil {
 		return
 	}
+	filterC := cQueryFilterDescs(only(filter))
+	defer C.free(unsafe.Pointer(filterC))
 	result, err = list[ModelID](func(out unsafe.Pointer, capacity C.uint32_t) (C.gphys_status, *C.char, C.uint32_t) {
-		r := C.go_gphys_scene_cull_filtered(self, *(*C.gphys_frustum)(unsafe.Pointer(&frustum)), (*C.gphys_query_filter_desc)(unsafe.Pointer(filter)), (*C.gphys_model_id)(out), capacity)
+		r := C.go_gphys_scene_cull_filtered(self, *(*C.gphys_frustum)(unsafe.Pointer(&frustum)), filterC, (*C.gphys_model_id)(out), capacity)
 		return r.status, r.message, r.out_total
 	})
 	runtime.KeepAlive(o)
@@ -1737,17 +1797,19 @@ func (o *Scene) CullFiltered(frustum Frustum, filter *QueryFilterDesc) (result [
 // view leaves out the player's own head.
 //   - filters: nil: the defaults
 // Cost: that of as many single calls; shared among workers. Since 1.1.
-func (o *Scene) CullFilteredBatch(frusta []Frustum, filters *QueryFilterDesc) (result Ragged[ModelID], err error) {
+func (o *Scene) CullFilteredBatch(frusta []Frustum, filters []QueryFilterDesc) (result Ragged[ModelID], err error) {
 	self, err := o.open()
 	if err != nil {
 		return
 	}
-	count, err := commonLength([]int{}, len(frusta))
+	count, err := commonLength([]int{}, len(frusta), optional(filters))
 	if err != nil {
 		return
 	}
+	filtersC := cQueryFilterDescs(filters)
+	defer C.free(unsafe.Pointer(filtersC))
 	result, err = ragged[ModelID](count, func(out unsafe.Pointer, capacity C.uint32_t, offsets *C.uint32_t) (C.gphys_status, *C.char) {
-		r := C.go_gphys_scene_cull_filtered_batch(self, (*C.gphys_frustum)(data(frusta)), step(frusta), C.uint32_t(count), (*C.gphys_query_filter_desc)(unsafe.Pointer(filters)), 0, (*C.gphys_model_id)(out), capacity, offsets)
+		r := C.go_gphys_scene_cull_filtered_batch(self, (*C.gphys_frustum)(data(frusta)), step(frusta), C.uint32_t(count), filtersC, stepOf(filters, C.sizeof_gphys_query_filter_desc), (*C.gphys_model_id)(out), capacity, offsets)
 		return r.status, r.message
 	})
 	runtime.KeepAlive(o)
@@ -1766,7 +1828,9 @@ func (o *Scene) NearestFiltered(point Vec3, maxDistance float32, filter *QueryFi
 	if err != nil {
 		return
 	}
-	r := C.go_gphys_scene_nearest_filtered(self, *(*C.gphys_vec3)(unsafe.Pointer(&point)), C.float(maxDistance), (*C.gphys_query_filter_desc)(unsafe.Pointer(filter)))
+	filterC := cQueryFilterDescs(only(filter))
+	defer C.free(unsafe.Pointer(filterC))
+	r := C.go_gphys_scene_nearest_filtered(self, *(*C.gphys_vec3)(unsafe.Pointer(&point)), C.float(maxDistance), filterC)
 	runtime.KeepAlive(o)
 	if err = check(r.status, r.message); err != nil || r.status != C.GPHYS_OK {
 		return
@@ -1780,19 +1844,21 @@ func (o *Scene) NearestFiltered(point Vec3, maxDistance float32, filter *QueryFi
 //   - maxDistance: metres, >= 0, INFINITY allowed, for all points
 //   - filters: nil: the defaults
 // Cost: that of as many single calls; shared among workers.
-func (o *Scene) NearestFilteredBatch(points []Vec3, maxDistance float32, filters *QueryFilterDesc, nearest []Nearest) (err error) {
+func (o *Scene) NearestFilteredBatch(points []Vec3, maxDistance float32, filters []QueryFilterDesc, nearest []Nearest) (err error) {
 	self, err := o.open()
 	if err != nil {
 		return
 	}
-	count, err := commonLength([]int{}, len(points))
+	count, err := commonLength([]int{}, len(points), optional(filters))
 	if err != nil {
 		return
 	}
 	if err = requireLength(len(nearest), count); err != nil {
 		return
 	}
-	r := C.go_gphys_scene_nearest_filtered_batch(self, (*C.gphys_vec3)(data(points)), step(points), C.uint32_t(count), C.float(maxDistance), (*C.gphys_query_filter_desc)(unsafe.Pointer(filters)), 0, (*C.gphys_nearest)(data(nearest)), size(nearest))
+	filtersC := cQueryFilterDescs(filters)
+	defer C.free(unsafe.Pointer(filtersC))
+	r := C.go_gphys_scene_nearest_filtered_batch(self, (*C.gphys_vec3)(data(points)), step(points), C.uint32_t(count), C.float(maxDistance), filtersC, stepOf(filters, C.sizeof_gphys_query_filter_desc), (*C.gphys_nearest)(data(nearest)), size(nearest))
 	runtime.KeepAlive(o)
 	err = check(r.status, r.message)
 	return
@@ -1809,7 +1875,9 @@ func (o *Scene) SweepSphereFiltered(sphere Sphere, displacement Vec3, filter *Qu
 	if err != nil {
 		return
 	}
-	r := C.go_gphys_scene_sweep_sphere_filtered(self, *(*C.gphys_sphere)(unsafe.Pointer(&sphere)), *(*C.gphys_vec3)(unsafe.Pointer(&displacement)), (*C.gphys_query_filter_desc)(unsafe.Pointer(filter)))
+	filterC := cQueryFilterDescs(only(filter))
+	defer C.free(unsafe.Pointer(filterC))
+	r := C.go_gphys_scene_sweep_sphere_filtered(self, *(*C.gphys_sphere)(unsafe.Pointer(&sphere)), *(*C.gphys_vec3)(unsafe.Pointer(&displacement)), filterC)
 	runtime.KeepAlive(o)
 	if err = check(r.status, r.message); err != nil || r.status != C.GPHYS_OK {
 		return
@@ -1823,19 +1891,21 @@ func (o *Scene) SweepSphereFiltered(sphere Sphere, displacement Vec3, filter *Qu
 //   - displacements: metres
 //   - filters: nil: the defaults
 // Cost: that of as many single calls; shared among workers.
-func (o *Scene) SweepSphereFilteredBatch(spheres []Sphere, displacements []Vec3, filters *QueryFilterDesc, hits []Hit) (err error) {
+func (o *Scene) SweepSphereFilteredBatch(spheres []Sphere, displacements []Vec3, filters []QueryFilterDesc, hits []Hit) (err error) {
 	self, err := o.open()
 	if err != nil {
 		return
 	}
-	count, err := commonLength([]int{}, len(spheres), len(displacements))
+	count, err := commonLength([]int{}, len(spheres), len(displacements), optional(filters))
 	if err != nil {
 		return
 	}
 	if err = requireLength(len(hits), count); err != nil {
 		return
 	}
-	r := C.go_gphys_scene_sweep_sphere_filtered_batch(self, (*C.gphys_sphere)(data(spheres)), step(spheres), (*C.gphys_vec3)(data(displacements)), step(displacements), C.uint32_t(count), (*C.gphys_query_filter_desc)(unsafe.Pointer(filters)), 0, (*C.gphys_hit)(data(hits)), size(hits))
+	filtersC := cQueryFilterDescs(filters)
+	defer C.free(unsafe.Pointer(filtersC))
+	r := C.go_gphys_scene_sweep_sphere_filtered_batch(self, (*C.gphys_sphere)(data(spheres)), step(spheres), (*C.gphys_vec3)(data(displacements)), step(displacements), C.uint32_t(count), filtersC, stepOf(filters, C.sizeof_gphys_query_filter_desc), (*C.gphys_hit)(data(hits)), size(hits))
 	runtime.KeepAlive(o)
 	err = check(r.status, r.message)
 	return
@@ -1857,7 +1927,9 @@ func (o *Scene) SweepFiltered(shape Shape, displacement Vec3, filter *QueryFilte
 	if err != nil {
 		return
 	}
-	r := C.go_gphys_scene_sweep_filtered(self, shapeGiven.kind, shapeGiven.data, *(*C.gphys_vec3)(unsafe.Pointer(&displacement)), (*C.gphys_query_filter_desc)(unsafe.Pointer(filter)))
+	filterC := cQueryFilterDescs(only(filter))
+	defer C.free(unsafe.Pointer(filterC))
+	r := C.go_gphys_scene_sweep_filtered(self, shapeGiven.kind, shapeGiven.data, *(*C.gphys_vec3)(unsafe.Pointer(&displacement)), filterC)
 	runtime.KeepAlive(o)
 	runtime.KeepAlive(shape)
 	if err = check(r.status, r.message); err != nil || r.status != C.GPHYS_OK {
@@ -1873,7 +1945,7 @@ func (o *Scene) SweepFiltered(shape Shape, displacement Vec3, filter *QueryFilte
 //   - filters: nil: the defaults
 // The error is ErrUnsupported as Scene.Sweep.
 // Cost: that of as many single calls; shared among workers.
-func (o *Scene) SweepFilteredBatch(shapes Shapes, displacements []Vec3, filters *QueryFilterDesc, hits []Hit) (err error) {
+func (o *Scene) SweepFilteredBatch(shapes Shapes, displacements []Vec3, filters []QueryFilterDesc, hits []Hit) (err error) {
 	self, err := o.open()
 	if err != nil {
 		return
@@ -1882,14 +1954,16 @@ func (o *Scene) SweepFilteredBatch(shapes Shapes, displacements []Vec3, filters 
 	if err != nil {
 		return
 	}
-	count, err := commonLength([]int{}, shapesGiven.count, len(displacements))
+	count, err := commonLength([]int{}, shapesGiven.count, len(displacements), optional(filters))
 	if err != nil {
 		return
 	}
 	if err = requireLength(len(hits), count); err != nil {
 		return
 	}
-	r := C.go_gphys_scene_sweep_filtered_batch(self, shapesGiven.kind, shapesGiven.data, shapesGiven.stride, (*C.gphys_vec3)(data(displacements)), step(displacements), C.uint32_t(count), (*C.gphys_query_filter_desc)(unsafe.Pointer(filters)), 0, (*C.gphys_hit)(data(hits)), size(hits))
+	filtersC := cQueryFilterDescs(filters)
+	defer C.free(unsafe.Pointer(filtersC))
+	r := C.go_gphys_scene_sweep_filtered_batch(self, shapesGiven.kind, shapesGiven.data, shapesGiven.stride, (*C.gphys_vec3)(data(displacements)), step(displacements), C.uint32_t(count), filtersC, stepOf(filters, C.sizeof_gphys_query_filter_desc), (*C.gphys_hit)(data(hits)), size(hits))
 	runtime.KeepAlive(o)
 	runtime.KeepAlive(shapes)
 	err = check(r.status, r.message)
@@ -1910,8 +1984,10 @@ func (o *Scene) PenetrationFiltered(shape Shape, filter *QueryFilterDesc) (resul
 	if err != nil {
 		return
 	}
+	filterC := cQueryFilterDescs(only(filter))
+	defer C.free(unsafe.Pointer(filterC))
 	result, err = list[Penetration](func(out unsafe.Pointer, capacity C.uint32_t) (C.gphys_status, *C.char, C.uint32_t) {
-		r := C.go_gphys_scene_penetration_filtered(self, shapeGiven.kind, shapeGiven.data, (*C.gphys_query_filter_desc)(unsafe.Pointer(filter)), (*C.gphys_penetration)(out), capacity)
+		r := C.go_gphys_scene_penetration_filtered(self, shapeGiven.kind, shapeGiven.data, filterC, (*C.gphys_penetration)(out), capacity)
 		return r.status, r.message, r.out_total
 	})
 	runtime.KeepAlive(o)
@@ -1924,7 +2000,7 @@ func (o *Scene) PenetrationFiltered(shape Shape, filter *QueryFilterDesc) (resul
 //   - filters: nil: the defaults
 // The error is ErrUnsupported as Scene.Penetration.
 // Cost: that of as many single calls; shared among workers. Since 1.1.
-func (o *Scene) PenetrationFilteredBatch(shapes Shapes, filters *QueryFilterDesc) (result Ragged[Penetration], err error) {
+func (o *Scene) PenetrationFilteredBatch(shapes Shapes, filters []QueryFilterDesc) (result Ragged[Penetration], err error) {
 	self, err := o.open()
 	if err != nil {
 		return
@@ -1933,12 +2009,14 @@ func (o *Scene) PenetrationFilteredBatch(shapes Shapes, filters *QueryFilterDesc
 	if err != nil {
 		return
 	}
-	count, err := commonLength([]int{}, shapesGiven.count)
+	count, err := commonLength([]int{}, shapesGiven.count, optional(filters))
 	if err != nil {
 		return
 	}
+	filtersC := cQueryFilterDescs(filters)
+	defer C.free(unsafe.Pointer(filtersC))
 	result, err = ragged[Penetration](count, func(out unsafe.Pointer, capacity C.uint32_t, offsets *C.uint32_t) (C.gphys_status, *C.char) {
-		r := C.go_gphys_scene_penetration_filtered_batch(self, shapesGiven.kind, shapesGiven.data, shapesGiven.stride, C.uint32_t(count), (*C.gphys_query_filter_desc)(unsafe.Pointer(filters)), 0, (*C.gphys_penetration)(out), capacity, offsets)
+		r := C.go_gphys_scene_penetration_filtered_batch(self, shapesGiven.kind, shapesGiven.data, shapesGiven.stride, C.uint32_t(count), filtersC, stepOf(filters, C.sizeof_gphys_query_filter_desc), (*C.gphys_penetration)(out), capacity, offsets)
 		return r.status, r.message
 	})
 	runtime.KeepAlive(o)
@@ -3009,7 +3087,9 @@ func (o *Camera) PickFiltered(scene *Scene, pixelX float32, pixelY float32, filt
 	if err != nil {
 		return
 	}
-	r := C.go_gphys_camera_pick_filtered(self, sceneHandle, C.float(pixelX), C.float(pixelY), (*C.gphys_query_filter_desc)(unsafe.Pointer(filter)))
+	filterC := cQueryFilterDescs(only(filter))
+	defer C.free(unsafe.Pointer(filterC))
+	r := C.go_gphys_camera_pick_filtered(self, sceneHandle, C.float(pixelX), C.float(pixelY), filterC)
 	runtime.KeepAlive(o)
 	runtime.KeepAlive(scene)
 	if err = check(r.status, r.message); err != nil || r.status != C.GPHYS_OK {
@@ -3024,7 +3104,7 @@ func (o *Camera) PickFiltered(scene *Scene, pixelX float32, pixelY float32, filt
 //   - pixels: x, y pairs of floats
 //   - filters: nil: the defaults
 // Cost: at most that of as many single calls; shared among the scene's workers.
-func (o *Camera) PickFilteredBatch(scene *Scene, pixels [][2]float32, filters *QueryFilterDesc, hits []Hit) (err error) {
+func (o *Camera) PickFilteredBatch(scene *Scene, pixels [][2]float32, filters []QueryFilterDesc, hits []Hit) (err error) {
 	self, err := o.open()
 	if err != nil {
 		return
@@ -3033,14 +3113,16 @@ func (o *Camera) PickFilteredBatch(scene *Scene, pixels [][2]float32, filters *Q
 	if err != nil {
 		return
 	}
-	count, err := commonLength([]int{}, len(pixels))
+	count, err := commonLength([]int{}, len(pixels), optional(filters))
 	if err != nil {
 		return
 	}
 	if err = requireLength(len(hits), count); err != nil {
 		return
 	}
-	r := C.go_gphys_camera_pick_filtered_batch(self, sceneHandle, (*C.float)(data(pixels)), step(pixels), C.uint32_t(count), (*C.gphys_query_filter_desc)(unsafe.Pointer(filters)), 0, (*C.gphys_hit)(data(hits)), size(hits))
+	filtersC := cQueryFilterDescs(filters)
+	defer C.free(unsafe.Pointer(filtersC))
+	r := C.go_gphys_camera_pick_filtered_batch(self, sceneHandle, (*C.float)(data(pixels)), step(pixels), C.uint32_t(count), filtersC, stepOf(filters, C.sizeof_gphys_query_filter_desc), (*C.gphys_hit)(data(hits)), size(hits))
 	runtime.KeepAlive(o)
 	runtime.KeepAlive(scene)
 	err = check(r.status, r.message)
@@ -3060,8 +3142,10 @@ func (o *Camera) PickRectangleFiltered(scene *Scene, x0 float32, y0 float32, x1 
 	if err != nil {
 		return
 	}
+	filterC := cQueryFilterDescs(only(filter))
+	defer C.free(unsafe.Pointer(filterC))
 	result, err = list[ModelID](func(out unsafe.Pointer, capacity C.uint32_t) (C.gphys_status, *C.char, C.uint32_t) {
-		r := C.go_gphys_camera_pick_rectangle_filtered(self, sceneHandle, C.float(x0), C.float(y0), C.float(x1), C.float(y1), (*C.gphys_query_filter_desc)(unsafe.Pointer(filter)), (*C.gphys_model_id)(out), capacity)
+		r := C.go_gphys_camera_pick_rectangle_filtered(self, sceneHandle, C.float(x0), C.float(y0), C.float(x1), C.float(y1), filterC, (*C.gphys_model_id)(out), capacity)
 		return r.status, r.message, r.out_total
 	})
 	runtime.KeepAlive(o)
@@ -3081,8 +3165,10 @@ func (o *Camera) CullFiltered(scene *Scene, filter *QueryFilterDesc) (result []M
 	if err != nil {
 		return
 	}
+	filterC := cQueryFilterDescs(only(filter))
+	defer C.free(unsafe.Pointer(filterC))
 	result, err = list[ModelID](func(out unsafe.Pointer, capacity C.uint32_t) (C.gphys_status, *C.char, C.uint32_t) {
-		r := C.go_gphys_camera_cull_filtered(self, sceneHandle, (*C.gphys_query_filter_desc)(unsafe.Pointer(filter)), (*C.gphys_model_id)(out), capacity)
+		r := C.go_gphys_camera_cull_filtered(self, sceneHandle, filterC, (*C.gphys_model_id)(out), capacity)
 		return r.status, r.message, r.out_total
 	})
 	runtime.KeepAlive(o)

@@ -77,6 +77,35 @@ func TestModelsWithDescsOfTheirOwn(t *testing.T) {
 	same(t, len(must(scene.Models())), count)
 }
 
+func one(filter QueryFilterDesc) []QueryFilterDesc { return []QueryFilterDesc{filter} }
+
+func TestFiltersHaveListsOfModelsAndBatchesAFilterForEach(t *testing.T) {
+	scene, models := must(NewScene(nil)), make([]ModelID, 4)
+	for i := range models {
+		models[i] = must(scene.Add(Sphere{Vec(0, 0, float32(4*i)), 1}, nil, nil))
+	}
+	ray := Ray{Vec(0, 0, -5), Vec(0, 0, 1), infinity}
+	each := make([]QueryFilterDesc, 3)
+	for i := range each {
+		each[i] = DefaultQueryFilterDesc()
+		each[i].IgnoredModels = models[:i]
+	}
+	same(t, found(scene.RaycastFiltered(ray, &each[2])).Model, models[2])
+	same(t, found(scene.RaycastFiltered(ray, &each[0])).Model, models[0])
+	same(t, must(scene.OverlapFiltered(Sphere{Radius: 50}, &each[2])), models[2:])
+	rays, hits := []Ray{ray, ray, ray}, make([]Hit, 3)
+	met := func(filters []QueryFilterDesc) []ModelID {
+		try(t, scene.RaycastFilteredBatch(rays, filters, hits))
+		return []ModelID{hits[0].Model, hits[1].Model, hits[2].Model}
+	}
+	same(t, met(each), models[:3])
+	same(t, met(each[2:]), []ModelID{models[2], models[2], models[2]})
+	same(t, met(nil), []ModelID{models[0], models[0], models[0]})
+	near := Sphere{Vec(0, 0, 2), 2}
+	same(t, must(scene.OverlapFilteredBatch(Spheres{near, near, near}, each)).Offsets, []uint32{0, 2, 3, 3})
+	refused(t, ErrInvalidArgument, scene.RaycastFilteredBatch(rays, each[:2], hits))
+}
+
 func TestFiltersLeaveOutModels(t *testing.T) {
 	scene, ball := must(NewScene(nil)), Sphere{Radius: 1}
 	body := must(scene.Add(ball, nil, nil))
@@ -98,32 +127,32 @@ func TestFiltersLeaveOutModels(t *testing.T) {
 	same(t, len(must(scene.RaycastAllFiltered(ray, &filter))), 1)
 	same(t, must(scene.OverlapFiltered(large, &filter)), []ModelID{target})
 	hits, any, nearest := make([]Hit, 2), make([]int32, 2), make([]Nearest, 2)
-	try(t, scene.RaycastFilteredBatch([]Ray{ray, ray}, &filter, hits))
+	try(t, scene.RaycastFilteredBatch([]Ray{ray, ray}, one(filter), hits))
 	same(t, hits[1].Model, target)
-	try(t, scene.SegmentTestFilteredBatch([]Segment{segment, segment}, &filter, hits))
+	try(t, scene.SegmentTestFilteredBatch([]Segment{segment, segment}, one(filter), hits))
 	same(t, hits[1].Model, target)
-	try(t, scene.SweepSphereFilteredBatch([]Sphere{moving, moving}, []Vec3{way, way}, &filter, hits))
+	try(t, scene.SweepSphereFilteredBatch([]Sphere{moving, moving}, []Vec3{way, way}, one(filter), hits))
 	same(t, hits[1].Model, target)
-	try(t, scene.NearestFilteredBatch([]Vec3{way, way}, infinity, &filter, nearest))
+	try(t, scene.NearestFilteredBatch([]Vec3{way, way}, infinity, one(filter), nearest))
 	same(t, nearest[1].Model, target)
-	try(t, scene.RaycastAnyFilteredBatch([]Ray{ray, ray}, &filter, any))
+	try(t, scene.RaycastAnyFilteredBatch([]Ray{ray, ray}, one(filter), any))
 	distances := make([]Distance, 2)
-	try(t, scene.RaycastDistanceFilteredBatch([]Ray{ray, ray}, &filter, distances))
+	try(t, scene.RaycastDistanceFilteredBatch([]Ray{ray, ray}, one(filter), distances))
 	same(t, distances[1].Model, target)
 	same(t, any, []int32{1, 1})
-	same(t, len(must(scene.RaycastAllFilteredBatch([]Ray{ray, ray}, &filter)).At(1)), 1)
-	same(t, must(scene.OverlapFilteredBatch(Spheres{large, large}, &filter)).At(1), []ModelID{target})
+	same(t, len(must(scene.RaycastAllFilteredBatch([]Ray{ray, ray}, one(filter))).At(1)), 1)
+	same(t, must(scene.OverlapFilteredBatch(Spheres{large, large}, one(filter))).At(1), []ModelID{target})
 	camera := must(NewCamera(nil))
 	try(t, camera.LookAt(Vec(0, 0, -10), Vec3{}, up))
 	same(t, found(camera.PickFiltered(scene, 400, 300, &filter)).Model, target)
-	try(t, camera.PickFilteredBatch(scene, [][2]float32{{400, 300}, {1, 1}}, &filter, hits))
+	try(t, camera.PickFilteredBatch(scene, [][2]float32{{400, 300}, {1, 1}}, one(filter), hits))
 	same(t, []ModelID{hits[0].Model, hits[1].Model}, []ModelID{target, 0})
 	same(t, must(camera.PickRectangleFiltered(scene, 0, 0, 800, 600, &filter)), []ModelID{target})
 	same(t, must(camera.CullFiltered(scene, &filter)), []ModelID{target})
 	same(t, must(scene.CullFiltered(must(camera.Frustum()), &filter)), []ModelID{target})
 	views := []Frustum{must(camera.Frustum()), must(camera.Frustum())}
 	same(t, len(must(scene.CullBatch(views, AllLayers)).At(1)), 3)
-	same(t, must(scene.CullFilteredBatch(views, &filter)).At(1), []ModelID{target})
+	same(t, must(scene.CullFilteredBatch(views, one(filter))).At(1), []ModelID{target})
 }
 
 func TestSolidsMoveUpToWhatTheyTouchAndOutOfWhatTheyOverlap(t *testing.T) {
@@ -141,7 +170,7 @@ func TestSolidsMoveUpToWhatTheyTouchAndOutOfWhatTheyOverlap(t *testing.T) {
 	same(t, []any{met, err}, []any{false, nil})
 	try(t, scene.SweepBatch(Spheres{moving, moving}, []Vec3{way}, AllLayers, hits))
 	same(t, hits[1].Model, target)
-	try(t, scene.SweepFilteredBatch(Spheres{moving, moving}, []Vec3{way}, &filter, hits))
+	try(t, scene.SweepFilteredBatch(Spheres{moving, moving}, []Vec3{way}, one(filter), hits))
 	same(t, hits[1].Model, ModelID(0))
 	same(t, must(scene.Penetration(deep, AllLayers))[0].Depth, float32(0.5))
 	same(t, len(must(scene.PenetrationFiltered(deep, &filter))), 0)
@@ -149,7 +178,7 @@ func TestSolidsMoveUpToWhatTheyTouchAndOutOfWhatTheyOverlap(t *testing.T) {
 	waysOut := must(scene.PenetrationBatch(crowd, AllLayers))
 	same(t, []int{len(waysOut.At(0)), len(waysOut.At(1))}, []int{1, 0})
 	same(t, waysOut.At(0)[0].Model, target)
-	same(t, len(must(scene.PenetrationFilteredBatch(crowd, &filter)).At(0)), 0)
+	same(t, len(must(scene.PenetrationFilteredBatch(crowd, one(filter))).At(0)), 0)
 	try(t, SweepBatch(ball, Spheres{above, inside}, []Vec3{Vec(0, -4, 0)}, hits))
 	same(t, []float32{hits[0].T, hits[1].T}, []float32{0.5, 0})
 	outs := make([]Penetration, 2)

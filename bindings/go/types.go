@@ -487,10 +487,7 @@ type QueryFilterDesc struct {
 	// filter values; default 0
 	Flags uint32
 	// left out as well, in any order; read during the call; default nil
-	// A gphys_model_id in C memory.
-	IgnoredModels unsafe.Pointer
-	// of ignored_models; default 0
-	IgnoredCount uint32
+	IgnoredModels []ModelID
 	// must be 0
 	reserved uint32
 }
@@ -950,13 +947,6 @@ var (
 	_ [unsafe.Offsetof(C.gphys_model_info{}.layers)]byte = [unsafe.Offsetof(ModelInfo{}.Layers)]byte{}
 	_ [unsafe.Offsetof(C.gphys_model_info{}.tag)]byte = [unsafe.Offsetof(ModelInfo{}.Tag)]byte{}
 	_ [unsafe.Offsetof(C.gphys_model_info{}.child_count)]byte = [unsafe.Offsetof(ModelInfo{}.ChildCount)]byte{}
-	_ [unsafe.Offsetof(C.gphys_query_filter_desc{}.struct_size)]byte = [unsafe.Offsetof(QueryFilterDesc{}.structSize)]byte{}
-	_ [unsafe.Offsetof(C.gphys_query_filter_desc{}.layers)]byte = [unsafe.Offsetof(QueryFilterDesc{}.Layers)]byte{}
-	_ [unsafe.Offsetof(C.gphys_query_filter_desc{}.ignored_model)]byte = [unsafe.Offsetof(QueryFilterDesc{}.IgnoredModel)]byte{}
-	_ [unsafe.Offsetof(C.gphys_query_filter_desc{}.flags)]byte = [unsafe.Offsetof(QueryFilterDesc{}.Flags)]byte{}
-	_ [unsafe.Offsetof(C.gphys_query_filter_desc{}.ignored_models)]byte = [unsafe.Offsetof(QueryFilterDesc{}.IgnoredModels)]byte{}
-	_ [unsafe.Offsetof(C.gphys_query_filter_desc{}.ignored_count)]byte = [unsafe.Offsetof(QueryFilterDesc{}.IgnoredCount)]byte{}
-	_ [unsafe.Offsetof(C.gphys_query_filter_desc{}.reserved)]byte = [unsafe.Offsetof(QueryFilterDesc{}.reserved)]byte{}
 	_ [unsafe.Offsetof(C.gphys_camera_desc{}.struct_size)]byte = [unsafe.Offsetof(CameraDesc{}.structSize)]byte{}
 	_ [unsafe.Offsetof(C.gphys_camera_desc{}.allocator)]byte = [unsafe.Offsetof(CameraDesc{}.Allocator)]byte{}
 	_ [unsafe.Offsetof(C.gphys_camera_desc{}.handedness)]byte = [unsafe.Offsetof(CameraDesc{}.Handedness)]byte{}

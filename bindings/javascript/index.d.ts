@@ -46,7 +46,7 @@ export class Records<T = any> {
     close(): void;
     [Symbol.dispose](): void;
 }
-/** Memory that calls read and write in place, without a copy. */
+/** Memory that calls read and write in place, without a copy. All is 0, but rays have no end: their t_max is Infinity. */
 export function records<K extends Kind>(kind: K, length: number): Records<Kinds[K]>;
 
 export class Shape {
@@ -311,8 +311,8 @@ export interface QueryFilterDesc {
     ignored_model: number;
     /** filter values; default 0 */
     flags: number;
-    /** of ignored_models; default 0 */
-    ignored_count: number;
+    /** left out as well, in any order; read during the call; default null */
+    ignored_models: readonly number[] | Words | null;
 }
 export interface CameraDesc {
     handedness: number;
@@ -1112,12 +1112,12 @@ export class Scene {
     /** Closest models on the rays that the filters see, as Scene.raycastBatch.
      * Cost: at most that of as many calls of Scene.raycastFiltered; shared among workers.
      * @param filters - null: the defaults */
-    raycastFilteredBatch(rays: Floats, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Hit>;
+    raycastFilteredBatch(rays: Floats, filters?: readonly Partial<QueryFilterDesc>[] | Partial<QueryFilterDesc> | null, out?: Elements): Records<Hit>;
     /** How far each of the rays goes among the models that its filter sees, as Scene.raycastDistanceBatch:
      * a lidar leaves out the robot that carries it.
      * Cost: less than that of Scene.raycastFilteredBatch; shared among workers. Since 1.1.
      * @param filters - null: the defaults */
-    raycastDistanceFilteredBatch(rays: Floats, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Distance>;
+    raycastDistanceFilteredBatch(rays: Floats, filters?: readonly Partial<QueryFilterDesc>[] | Partial<QueryFilterDesc> | null, out?: Elements): Records<Distance>;
     /** Whether a ray meets anything that the filter sees, as Scene.raycastAny: line of sight between two
      * models that both are left out.
      * Cost: as Scene.raycastFiltered.
@@ -1126,7 +1126,7 @@ export class Scene {
     /** Whether each of the rays meets anything that its filter sees, as Scene.raycastAnyBatch.
      * Cost: at most that of as many single calls; shared among workers.
      * @param filters - null: the defaults */
-    raycastAnyFilteredBatch(rays: Floats, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<number>;
+    raycastAnyFilteredBatch(rays: Floats, filters?: readonly Partial<QueryFilterDesc>[] | Partial<QueryFilterDesc> | null, out?: Elements): Records<number>;
     /** Every model that a ray meets and the filter sees, as Scene.raycastAll.
      * Cost: that of Scene.raycastAll, and for each model as Scene.raycastFiltered.
      * @param filter - null: the defaults */
@@ -1134,7 +1134,7 @@ export class Scene {
     /** Every model that each of the rays meets and its filter sees, as Scene.raycastAllBatch.
      * Cost: that of as many single calls; shared among workers.
      * @param filters - null: the defaults */
-    raycastAllFilteredBatch(rays: Floats, filters?: Partial<QueryFilterDesc> | null): { values: Records<Hit>; offsets: Uint32Array };
+    raycastAllFilteredBatch(rays: Floats, filters?: readonly Partial<QueryFilterDesc>[] | Partial<QueryFilterDesc> | null): { values: Records<Hit>; offsets: Uint32Array };
     /** Closest model along a segment that the filter sees, as Scene.segmentTest.
      * Cost: as Scene.raycastFiltered.
      * @param filter - null: the defaults
@@ -1143,7 +1143,7 @@ export class Scene {
     /** Closest models along the segments that the filters see, as Scene.segmentTestBatch.
      * Cost: that of as many single calls; shared among workers.
      * @param filters - null: the defaults */
-    segmentTestFilteredBatch(segments: Floats, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Hit>;
+    segmentTestFilteredBatch(segments: Floats, filters?: readonly Partial<QueryFilterDesc>[] | Partial<QueryFilterDesc> | null, out?: Elements): Records<Hit>;
     /** Ids of all models that overlap a shape and that the filter sees, as Scene.overlap.
      * Cost: that of Scene.overlap, and for each model as Scene.raycastFiltered.
      * @param filter - null: the defaults
@@ -1154,7 +1154,7 @@ export class Scene {
      * Cost: at most that of as many single calls; shared among workers.
      * @param filters - null: the defaults
      * @throws {GamephysError} ERROR_UNSUPPORTED: as there */
-    overlapFilteredBatch(shapes: Shapes | AnyShape, filters?: Partial<QueryFilterDesc> | null): { values: Records<number>; offsets: Uint32Array };
+    overlapFilteredBatch(shapes: Shapes | AnyShape, filters?: readonly Partial<QueryFilterDesc>[] | Partial<QueryFilterDesc> | null): { values: Records<number>; offsets: Uint32Array };
     /** Ids of all models in a frustum, by their world boxes, that the filter sees, as Scene.cull: a
      * player's own head, say, is not drawn.
      * Cost: that of Scene.cull, and for each model as Scene.raycastFiltered.
@@ -1164,7 +1164,7 @@ export class Scene {
      * view leaves out the player's own head.
      * Cost: that of as many single calls; shared among workers. Since 1.1.
      * @param filters - null: the defaults */
-    cullFilteredBatch(frusta: Floats, filters?: Partial<QueryFilterDesc> | null): { values: Records<number>; offsets: Uint32Array };
+    cullFilteredBatch(frusta: Floats, filters?: readonly Partial<QueryFilterDesc>[] | Partial<QueryFilterDesc> | null): { values: Records<number>; offsets: Uint32Array };
     /** The model nearest to a point that the filter sees, as Scene.nearest: the nearest other model, if the
      * one at the point is left out.
      * Cost: that of Scene.nearest, and for each model as Scene.raycastFiltered; each ignored model that is
@@ -1177,7 +1177,7 @@ export class Scene {
      * Cost: that of as many single calls; shared among workers.
      * @param max_distance - metres, >= 0, INFINITY allowed, for all points
      * @param filters - null: the defaults */
-    nearestFilteredBatch(points: Floats, max_distance?: number, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Nearest>;
+    nearestFilteredBatch(points: Floats, max_distance?: number, filters?: readonly Partial<QueryFilterDesc>[] | Partial<QueryFilterDesc> | null, out?: Elements): Records<Nearest>;
     /** First model that a moving sphere touches and the filter sees, as Scene.sweepSphere: the sphere may
      * be the bounding sphere of the ignored model.
      * Cost: that of Scene.sweepSphere, and for each model as Scene.raycastFiltered.
@@ -1189,7 +1189,7 @@ export class Scene {
      * Cost: that of as many single calls; shared among workers.
      * @param displacements - metres
      * @param filters - null: the defaults */
-    sweepSphereFilteredBatch(spheres: Floats, displacements: Floats, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Hit>;
+    sweepSphereFilteredBatch(spheres: Floats, displacements: Floats, filters?: readonly Partial<QueryFilterDesc>[] | Partial<QueryFilterDesc> | null, out?: Elements): Records<Hit>;
     /** First model that a moving sphere, capsule, AABB or OBB touches and the filter sees, as Scene.sweep:
      * a character leaves out its own model.
      * Cost: that of Scene.sweep, and for each model as Scene.raycastFiltered.
@@ -1203,7 +1203,7 @@ export class Scene {
      * @param displacements - metres
      * @param filters - null: the defaults
      * @throws {GamephysError} ERROR_UNSUPPORTED: as Scene.sweep */
-    sweepFilteredBatch(shapes: Shapes | AnyShape, displacements: Floats, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Hit>;
+    sweepFilteredBatch(shapes: Shapes | AnyShape, displacements: Floats, filters?: readonly Partial<QueryFilterDesc>[] | Partial<QueryFilterDesc> | null, out?: Elements): Records<Hit>;
     /** What a sphere, capsule, AABB or OBB overlaps and the filter sees, and how it gets out, as
      * Scene.penetration.
      * Cost: that of Scene.penetration, and for each model as Scene.raycastFiltered.
@@ -1215,7 +1215,7 @@ export class Scene {
      * Cost: that of as many single calls; shared among workers. Since 1.1.
      * @param filters - null: the defaults
      * @throws {GamephysError} ERROR_UNSUPPORTED: as Scene.penetration */
-    penetrationFilteredBatch(shapes: Shapes | AnyShape, filters?: Partial<QueryFilterDesc> | null): { values: Records<Penetration>; offsets: Uint32Array };
+    penetrationFilteredBatch(shapes: Shapes | AnyShape, filters?: readonly Partial<QueryFilterDesc>[] | Partial<QueryFilterDesc> | null): { values: Records<Penetration>; offsets: Uint32Array };
     /** Rebuild the scene's octree, as good as that of one Scene.addBatch. Never required: ids, answers and
      * their bits do not change. Where many models were added one by one, such as a level that was streamed
      * in, rays then take 0.6 to 0.95 of the time.
@@ -1560,7 +1560,7 @@ export class Camera {
      * Cost: at most that of as many single calls; shared among the scene's workers.
      * @param pixels - x, y pairs of floats
      * @param filters - null: the defaults */
-    pickFilteredBatch(scene: Scene, pixels: Floats, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Hit>;
+    pickFilteredBatch(scene: Scene, pixels: Floats, filters?: readonly Partial<QueryFilterDesc>[] | Partial<QueryFilterDesc> | null, out?: Elements): Records<Hit>;
     /** Marquee: ids of all models in the pixel rectangle that the filter sees, as Camera.pickRectangle.
      * Cost: as Scene.overlapFiltered.
      * @param x0 - pixels; opposite corners, in any order

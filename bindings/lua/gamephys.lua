@@ -126,14 +126,33 @@ function runtime.to_numbers(of, given, count)
     return of.array(count, given)
 end
 
+--- What descs point to lives as long as they do.
+local kept = setmetatable({}, { __mode = 'k' })
+
+--- A list of ids in a desc: a table or an array of them, and its length beside it.
+local function list_into(made, name, count, given)
+    local of = runtime.element 'uint32_t'
+    if type(given) == 'table' then
+        for _, id in ipairs(given) do runtime.whole(id, name) end
+        given = of.array(#given, given)
+    end
+    local list = runtime.to_array(of, given)
+    made[name], made[count] = list, list and gp.length(list) or 0
+    kept[made] = list
+end
+
 --- Settings: the library's defaults, changed by a table.
 function runtime.to_desc(of, given)
     if type(given) ~= 'table' then return given end
     local made = of.new()
     runtime.check(of.init(made, of.size))
     for name, field in pairs(given) do
-        if of.numbers_of[name] then field = runtime[of.numbers_of[name]](field, name) end
-        made[name] = field
+        if of.lists[name] then
+            list_into(made, name, of.lists[name], field)
+        else
+            if of.numbers_of[name] then field = runtime[of.numbers_of[name]](field, name) end
+            made[name] = field
+        end
     end
     return made
 end
@@ -213,8 +232,12 @@ end
 function runtime.to_descs(of, given)
     if type(given) ~= 'table' then return runtime.to_array(of, given) end
     if not given[1] then return runtime.to_desc(of, given), nil, 0 end
-    local made = of.array(#given)
-    for i, fields in ipairs(given) do made[i - 1] = runtime.to_desc(of, fields) end
+    local made, each = of.array(#given), {}
+    for i, fields in ipairs(given) do
+        each[i] = runtime.to_desc(of, fields)
+        made[i - 1] = each[i]
+    end
+    if next(of.lists) then kept[made] = each end
     return made, #given, of.size
 end
 
@@ -312,6 +335,7 @@ for _, struct in ipairs(declared.structs) do
     of.kind = kinds[name]
     if of.kind then elements.shapes[#elements.shapes + 1] = of end
     of.fields, of.unsaid, of.numbers_of = {}, unsaid[name] or {}, struct.numbers
+    of.lists = struct.lists or {}
     of.built, of.third = struct.built, of.unsaid[struct.fields[3]]
     for _, field in ipairs(struct.fields) do of.fields[field] = true end
     ffi.metatype(of.new, {

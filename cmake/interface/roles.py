@@ -10,7 +10,6 @@ out_array   pointer, [stride]: one result for each element
 list        out, capacity, out_total: as many results as there are
 ragged      out, capacity, out_offsets: such a list for each element
 stride, count, capacity, total, offsets    go with the above
-one         the stride of filters, of which bindings pass one for all elements: always 0
 scalar      a plain number
 raw         none of these: only for callers of the C function itself
 """
@@ -29,11 +28,11 @@ def element(parameter):
 def nullable(function, p):
     """Pointers that may be NULL, apart from outputs."""
     name = p["name"]
-    if name in ("desc", "filter", "filters", "local_point"):
+    if name in ("desc", "filter", "local_point"):
         return p["role"] == "in"
     if name in ("transform", "transforms"):
         return "_add" in function["name"]
-    if name in ("descs", "library"):
+    if name in ("descs", "filters", "library"):
         return True
     return name == "scene" and function["name"] in ("gphys_solver_step", "gphys_solver_advance")
 
@@ -57,7 +56,7 @@ def assign(function, handles):
         elif name == "count" or name.endswith("_count"):
             p["role"] = "count"
         elif name == "stride" or name.endswith("_stride"):
-            p["role"] = "one" if parameters[i - 1]["name"] == "filters" else "stride"
+            p["role"] = "stride"
         elif name == "capacity":
             p["role"] = "capacity"
         elif name == "out_total":
@@ -72,7 +71,7 @@ def assign(function, handles):
             else:
                 p["role"] = "raw"
         elif pointer and is_const:
-            strided = following[:1] and following[0].endswith("stride") and name != "filters"
+            strided = following[:1] and following[0].endswith("stride")
             p["role"] = "array" if strided or following[:1] and following[0].endswith("count") else "in"
             # `models, transforms, transform_stride, count`: an array without a stride of its own
             whole = element(p) == "gphys_frustum" or element(p).endswith("_desc")

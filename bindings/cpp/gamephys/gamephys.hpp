@@ -76,6 +76,15 @@ inline QueryFilterDesc query_filter_desc() {
     check(gphys_query_filter_desc_init(&desc, sizeof desc));
     return desc;
 }
+// The same with ignored_models, to which the result points: they have to stay as long as it is used.
+inline QueryFilterDesc query_filter_desc(Span<const gphys_model_id> ignored_models) {
+    QueryFilterDesc desc = query_filter_desc();
+    if (ignored_models.size > 1 && ignored_models.stride != sizeof(gphys_model_id)) throw std::invalid_argument("ignored_models must be contiguous");
+    desc.ignored_models = ignored_models.data;
+    desc.ignored_count = ignored_models.size;
+    return desc;
+}
+inline QueryFilterDesc query_filter_desc(std::vector<gphys_model_id>&& ignored_models) = delete;
 inline CameraDesc camera_desc() {
     CameraDesc desc;
     check(gphys_camera_desc_init(&desc, sizeof desc));
@@ -877,20 +886,20 @@ public:
     // Closest models on the rays that the filters see, as Scene::raycast_batch.
     //   - filters: nullptr: the defaults
     // Cost: at most that of as many calls of Scene::raycast_filtered; shared among workers.
-    void raycast_filtered_batch(Span<const Ray> rays, const QueryFilterDesc* filters, Span<Hit> out_hits) const {
-        const uint32_t count = common_size({rays.sizes()});
+    void raycast_filtered_batch(Span<const Ray> rays, Span<const QueryFilterDesc> filters, Span<Hit> out_hits) const {
+        const uint32_t count = common_size({rays.sizes(), filters.sizes()});
         require_size(out_hits.size, count);
-        check(gphys_scene_raycast_filtered_batch(handle(), rays.data, rays.stride, count, filters, 0, out_hits.data, out_hits.stride));
+        check(gphys_scene_raycast_filtered_batch(handle(), rays.data, rays.stride, count, filters.data, filters.stride, out_hits.data, out_hits.stride));
     }
 
     // How far each of the rays goes among the models that its filter sees, as
     // Scene::raycast_distance_batch: a lidar leaves out the robot that carries it.
     //   - filters: nullptr: the defaults
     // Cost: less than that of Scene::raycast_filtered_batch; shared among workers. Since 1.1.
-    void raycast_distance_filtered_batch(Span<const Ray> rays, const QueryFilterDesc* filters, Span<Distance> out_distances) const {
-        const uint32_t count = common_size({rays.sizes()});
+    void raycast_distance_filtered_batch(Span<const Ray> rays, Span<const QueryFilterDesc> filters, Span<Distance> out_distances) const {
+        const uint32_t count = common_size({rays.sizes(), filters.sizes()});
         require_size(out_distances.size, count);
-        check(gphys_scene_raycast_distance_filtered_batch(handle(), rays.data, rays.stride, count, filters, 0, out_distances.data, out_distances.stride));
+        check(gphys_scene_raycast_distance_filtered_batch(handle(), rays.data, rays.stride, count, filters.data, filters.stride, out_distances.data, out_distances.stride));
     }
 
     // Whether a ray meets anything that the filter sees, as Scene::raycast_any: line of sight between two
@@ -906,10 +915,10 @@ public:
     // Whether each of the rays meets anything that its filter sees, as Scene::raycast_any_batch.
     //   - filters: nullptr: the defaults
     // Cost: at most that of as many single calls; shared among workers.
-    void raycast_any_filtered_batch(Span<const Ray> rays, const QueryFilterDesc* filters, Span<int32_t> out_hits) const {
-        const uint32_t count = common_size({rays.sizes()});
+    void raycast_any_filtered_batch(Span<const Ray> rays, Span<const QueryFilterDesc> filters, Span<int32_t> out_hits) const {
+        const uint32_t count = common_size({rays.sizes(), filters.sizes()});
         require_size(out_hits.size, count);
-        check(gphys_scene_raycast_any_filtered_batch(handle(), rays.data, rays.stride, count, filters, 0, out_hits.data, out_hits.stride));
+        check(gphys_scene_raycast_any_filtered_batch(handle(), rays.data, rays.stride, count, filters.data, filters.stride, out_hits.data, out_hits.stride));
     }
 
     // Every model that a ray meets and the filter sees, as Scene::raycast_all.
@@ -922,9 +931,9 @@ public:
     // Every model that each of the rays meets and its filter sees, as Scene::raycast_all_batch.
     //   - filters: nullptr: the defaults
     // Cost: that of as many single calls; shared among workers.
-    Ragged<Hit> raycast_all_filtered_batch(Span<const Ray> rays, const QueryFilterDesc* filters = nullptr) const {
-        const uint32_t count = common_size({rays.sizes()});
-        return ragged<Hit>([&](Hit* out_hits, uint32_t capacity, uint32_t* offsets) { return gphys_scene_raycast_all_filtered_batch(handle(), rays.data, rays.stride, count, filters, 0, out_hits, capacity, offsets); }, count);
+    Ragged<Hit> raycast_all_filtered_batch(Span<const Ray> rays, Span<const QueryFilterDesc> filters = {}) const {
+        const uint32_t count = common_size({rays.sizes(), filters.sizes()});
+        return ragged<Hit>([&](Hit* out_hits, uint32_t capacity, uint32_t* offsets) { return gphys_scene_raycast_all_filtered_batch(handle(), rays.data, rays.stride, count, filters.data, filters.stride, out_hits, capacity, offsets); }, count);
     }
 
     // Closest model along a segment that the filter sees, as Scene::segment_test.
@@ -940,10 +949,10 @@ public:
     // Closest models along the segments that the filters see, as Scene::segment_test_batch.
     //   - filters: nullptr: the defaults
     // Cost: that of as many single calls; shared among workers.
-    void segment_test_filtered_batch(Span<const Segment> segments, const QueryFilterDesc* filters, Span<Hit> out_hits) const {
-        const uint32_t count = common_size({segments.sizes()});
+    void segment_test_filtered_batch(Span<const Segment> segments, Span<const QueryFilterDesc> filters, Span<Hit> out_hits) const {
+        const uint32_t count = common_size({segments.sizes(), filters.sizes()});
         require_size(out_hits.size, count);
-        check(gphys_scene_segment_test_filtered_batch(handle(), segments.data, segments.stride, count, filters, 0, out_hits.data, out_hits.stride));
+        check(gphys_scene_segment_test_filtered_batch(handle(), segments.data, segments.stride, count, filters.data, filters.stride, out_hits.data, out_hits.stride));
     }
 
     // Ids of all models that overlap a shape and that the filter sees, as Scene::overlap.
@@ -959,9 +968,9 @@ public:
     //   - filters: nullptr: the defaults
     // Throws Error with GPHYS_ERROR_UNSUPPORTED as there.
     // Cost: at most that of as many single calls; shared among workers.
-    Ragged<gphys_model_id> overlap_filtered_batch(ShapeSpan shapes, const QueryFilterDesc* filters = nullptr) const {
-        const uint32_t count = common_size({shapes.sizes()});
-        return ragged<gphys_model_id>([&](gphys_model_id* out_models, uint32_t capacity, uint32_t* offsets) { return gphys_scene_overlap_filtered_batch(handle(), shapes.type, shapes.data, shapes.stride, count, filters, 0, out_models, capacity, offsets); }, count);
+    Ragged<gphys_model_id> overlap_filtered_batch(ShapeSpan shapes, Span<const QueryFilterDesc> filters = {}) const {
+        const uint32_t count = common_size({shapes.sizes(), filters.sizes()});
+        return ragged<gphys_model_id>([&](gphys_model_id* out_models, uint32_t capacity, uint32_t* offsets) { return gphys_scene_overlap_filtered_batch(handle(), shapes.type, shapes.data, shapes.stride, count, filters.data, filters.stride, out_models, capacity, offsets); }, count);
     }
 
     // Ids of all models in a frustum, by their world boxes, that the filter sees, as Scene::cull: a
@@ -976,9 +985,9 @@ public:
     // view leaves out the player's own head.
     //   - filters: nullptr: the defaults
     // Cost: that of as many single calls; shared among workers. Since 1.1.
-    Ragged<gphys_model_id> cull_filtered_batch(Span<const Frustum> frusta, const QueryFilterDesc* filters = nullptr) const {
-        const uint32_t count = common_size({frusta.sizes()});
-        return ragged<gphys_model_id>([&](gphys_model_id* out_models, uint32_t capacity, uint32_t* offsets) { return gphys_scene_cull_filtered_batch(handle(), frusta.data, frusta.stride, count, filters, 0, out_models, capacity, offsets); }, count);
+    Ragged<gphys_model_id> cull_filtered_batch(Span<const Frustum> frusta, Span<const QueryFilterDesc> filters = {}) const {
+        const uint32_t count = common_size({frusta.sizes(), filters.sizes()});
+        return ragged<gphys_model_id>([&](gphys_model_id* out_models, uint32_t capacity, uint32_t* offsets) { return gphys_scene_cull_filtered_batch(handle(), frusta.data, frusta.stride, count, filters.data, filters.stride, out_models, capacity, offsets); }, count);
     }
 
     // The model nearest to a point that the filter sees, as Scene::nearest: the nearest other model, if
@@ -998,10 +1007,10 @@ public:
     //   - max_distance: metres, >= 0, INFINITY allowed, for all points
     //   - filters: nullptr: the defaults
     // Cost: that of as many single calls; shared among workers.
-    void nearest_filtered_batch(Span<const Vec3> points, float max_distance, const QueryFilterDesc* filters, Span<Nearest> out_nearest) const {
-        const uint32_t count = common_size({points.sizes()});
+    void nearest_filtered_batch(Span<const Vec3> points, float max_distance, Span<const QueryFilterDesc> filters, Span<Nearest> out_nearest) const {
+        const uint32_t count = common_size({points.sizes(), filters.sizes()});
         require_size(out_nearest.size, count);
-        check(gphys_scene_nearest_filtered_batch(handle(), points.data, points.stride, count, max_distance, filters, 0, out_nearest.data, out_nearest.stride));
+        check(gphys_scene_nearest_filtered_batch(handle(), points.data, points.stride, count, max_distance, filters.data, filters.stride, out_nearest.data, out_nearest.stride));
     }
 
     // First model that a moving sphere touches and the filter sees, as Scene::sweep_sphere: the sphere may
@@ -1020,10 +1029,10 @@ public:
     //   - displacements: metres
     //   - filters: nullptr: the defaults
     // Cost: that of as many single calls; shared among workers.
-    void sweep_sphere_filtered_batch(Span<const Sphere> spheres, Span<const Vec3> displacements, const QueryFilterDesc* filters, Span<Hit> out_hits) const {
-        const uint32_t count = common_size({spheres.sizes(), displacements.sizes()});
+    void sweep_sphere_filtered_batch(Span<const Sphere> spheres, Span<const Vec3> displacements, Span<const QueryFilterDesc> filters, Span<Hit> out_hits) const {
+        const uint32_t count = common_size({spheres.sizes(), displacements.sizes(), filters.sizes()});
         require_size(out_hits.size, count);
-        check(gphys_scene_sweep_sphere_filtered_batch(handle(), spheres.data, spheres.stride, displacements.data, displacements.stride, count, filters, 0, out_hits.data, out_hits.stride));
+        check(gphys_scene_sweep_sphere_filtered_batch(handle(), spheres.data, spheres.stride, displacements.data, displacements.stride, count, filters.data, filters.stride, out_hits.data, out_hits.stride));
     }
 
     // First model that a moving sphere, capsule, AABB or OBB touches and the filter sees, as Scene::sweep:
@@ -1044,10 +1053,10 @@ public:
     //   - filters: nullptr: the defaults
     // Throws Error with GPHYS_ERROR_UNSUPPORTED as Scene::sweep.
     // Cost: that of as many single calls; shared among workers.
-    void sweep_filtered_batch(ShapeSpan shapes, Span<const Vec3> displacements, const QueryFilterDesc* filters, Span<Hit> out_hits) const {
-        const uint32_t count = common_size({shapes.sizes(), displacements.sizes()});
+    void sweep_filtered_batch(ShapeSpan shapes, Span<const Vec3> displacements, Span<const QueryFilterDesc> filters, Span<Hit> out_hits) const {
+        const uint32_t count = common_size({shapes.sizes(), displacements.sizes(), filters.sizes()});
         require_size(out_hits.size, count);
-        check(gphys_scene_sweep_filtered_batch(handle(), shapes.type, shapes.data, shapes.stride, displacements.data, displacements.stride, count, filters, 0, out_hits.data, out_hits.stride));
+        check(gphys_scene_sweep_filtered_batch(handle(), shapes.type, shapes.data, shapes.stride, displacements.data, displacements.stride, count, filters.data, filters.stride, out_hits.data, out_hits.stride));
     }
 
     // What a sphere, capsule, AABB or OBB overlaps and the filter sees, and how it gets out, as
@@ -1064,9 +1073,9 @@ public:
     //   - filters: nullptr: the defaults
     // Throws Error with GPHYS_ERROR_UNSUPPORTED as Scene::penetration.
     // Cost: that of as many single calls; shared among workers. Since 1.1.
-    Ragged<Penetration> penetration_filtered_batch(ShapeSpan shapes, const QueryFilterDesc* filters = nullptr) const {
-        const uint32_t count = common_size({shapes.sizes()});
-        return ragged<Penetration>([&](Penetration* out_penetrations, uint32_t capacity, uint32_t* offsets) { return gphys_scene_penetration_filtered_batch(handle(), shapes.type, shapes.data, shapes.stride, count, filters, 0, out_penetrations, capacity, offsets); }, count);
+    Ragged<Penetration> penetration_filtered_batch(ShapeSpan shapes, Span<const QueryFilterDesc> filters = {}) const {
+        const uint32_t count = common_size({shapes.sizes(), filters.sizes()});
+        return ragged<Penetration>([&](Penetration* out_penetrations, uint32_t capacity, uint32_t* offsets) { return gphys_scene_penetration_filtered_batch(handle(), shapes.type, shapes.data, shapes.stride, count, filters.data, filters.stride, out_penetrations, capacity, offsets); }, count);
     }
 
     // Rebuild the scene's octree, as good as that of one Scene::add_batch. Never required: ids, answers
@@ -1647,10 +1656,10 @@ public:
     //   - pixels: x, y pairs of floats
     //   - filters: nullptr: the defaults
     // Cost: at most that of as many single calls; shared among the scene's workers.
-    void pick_filtered_batch(const Scene& scene, Span<const float> pixels, const QueryFilterDesc* filters, Span<Hit> out_hits) const {
-        const uint32_t count = common_size({pixels.sizes()});
+    void pick_filtered_batch(const Scene& scene, Span<const float> pixels, Span<const QueryFilterDesc> filters, Span<Hit> out_hits) const {
+        const uint32_t count = common_size({pixels.sizes(), filters.sizes()});
         require_size(out_hits.size, count);
-        check(gphys_camera_pick_filtered_batch(handle(), scene.handle(), pixels.data, pixels.stride, count, filters, 0, out_hits.data, out_hits.stride));
+        check(gphys_camera_pick_filtered_batch(handle(), scene.handle(), pixels.data, pixels.stride, count, filters.data, filters.stride, out_hits.data, out_hits.stride));
     }
 
     // Marquee: ids of all models in the pixel rectangle that the filter sees, as Camera::pick_rectangle.

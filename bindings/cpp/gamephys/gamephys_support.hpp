@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <initializer_list>
 #include <memory>
 #include <new>
@@ -74,6 +75,7 @@ struct Span {
     uint32_t size = 0;
     uint32_t stride = sizeof(T);  // bytes
     Span() = default;
+    Span(std::nullptr_t) {}
     Span(T* first, size_t count, uint32_t step = sizeof(T)) : data(first), size(narrow(count)), stride(step) {}
     template <class C, class = ElementsOf<std::remove_reference_t<C>, T>>
     Span(C&& container) : Span(container.data(), container.size()) {}

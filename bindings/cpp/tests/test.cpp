@@ -259,6 +259,34 @@ TEST_CASE("batches answer as single calls do") {
     CHECK((same(wide.back().hit, hits.back()) && wide.back().mark == 5));
 }
 
+TEST_CASE("filters have lists of models, and batches a filter for each item") {
+    Scene scene;
+    std::vector<gphys_model_id> models;
+    for (int i = 0; i < 4; ++i) models.push_back(scene.add(Sphere{{0, 0, 4 * float(i)}, 1}));
+    const std::vector<Ray> rays(3, Ray{{0, 0, -5}, {0, 0, 1}, INF});
+    const QueryFilterDesc filter = query_filter_desc(Span<const gphys_model_id>(models.data(), 2));
+    CHECK(filter.ignored_count == 2);
+    CHECK(scene.raycast_filtered(rays[0], &filter)->model == models[2]);
+    CHECK(!scene.raycast_any_filtered(rays[0], std::array{query_filter_desc(models)}.data()));
+    CHECK_THROWS_AS(query_filter_desc(Span<const gphys_model_id>(models.data(), 2, 8)), std::invalid_argument);
+
+    std::vector<QueryFilterDesc> each(3, query_filter_desc());
+    each[1].ignored_model = models[0];
+    each[2] = filter;
+    std::vector<Hit> hits(3);
+    const auto met = [&hits] { return std::vector{hits[0].model, hits[1].model, hits[2].model}; };
+    scene.raycast_filtered_batch(rays, each, hits);
+    CHECK(met() == std::vector(models.begin(), models.begin() + 3));
+    scene.raycast_filtered_batch(rays, filter, hits);
+    CHECK(met() == std::vector(3, models[2]));
+    scene.raycast_filtered_batch(rays, nullptr, hits);
+    CHECK(met() == std::vector(3, models[0]));
+    const Sphere ball{{0, 0, 2}, 2};
+    CHECK(scene.overlap_filtered_batch(ball, each).offsets == std::vector<uint32_t>{0, 2, 3, 3});
+    each.pop_back();
+    CHECK_THROWS_AS(scene.raycast_filtered_batch(rays, each, hits), std::invalid_argument);
+}
+
 TEST_CASE("filters leave out models") {
     Scene scene;
     ModelDesc on_body = model_desc();
@@ -285,35 +313,35 @@ TEST_CASE("filters leave out models") {
     std::vector<Hit> hits(2);
     std::vector<Nearest> nearest(2);
     std::vector<int32_t> any(2);
-    scene.raycast_filtered_batch(rays, &filter, hits);
+    scene.raycast_filtered_batch(rays, filter, hits);
     CHECK(hits[1].model == target);
-    scene.segment_test_filtered_batch(segments, &filter, hits);
+    scene.segment_test_filtered_batch(segments, filter, hits);
     CHECK(hits[1].model == target);
-    scene.sweep_sphere_filtered_batch(moving, ways, &filter, hits);
+    scene.sweep_sphere_filtered_batch(moving, ways, filter, hits);
     CHECK(hits[1].model == target);
-    scene.nearest_filtered_batch(ways, INF, &filter, nearest);
+    scene.nearest_filtered_batch(ways, INF, filter, nearest);
     CHECK(nearest[1].model == target);
-    scene.raycast_any_filtered_batch(rays, &filter, any);
+    scene.raycast_any_filtered_batch(rays, filter, any);
     CHECK(any[1] == 1);
     std::vector<Distance> distances(2);
-    scene.raycast_distance_filtered_batch(rays, &filter, distances);
+    scene.raycast_distance_filtered_batch(rays, filter, distances);
     CHECK(distances[1].model == target);
-    const auto [all, hit_ends] = scene.raycast_all_filtered_batch(rays, &filter);
+    const auto [all, hit_ends] = scene.raycast_all_filtered_batch(rays, filter);
     CHECK((all.size() == 2 && hit_ends.back() == 2));
-    const auto [found, ends] = scene.overlap_filtered_batch(large, &filter);
+    const auto [found, ends] = scene.overlap_filtered_batch(large, filter);
     CHECK((found == two && ends.back() == 2));
     Camera camera;
     camera.look_at({0, 0, -10}, zero, up);
     CHECK(camera.pick_filtered(scene, 400, 300, &filter)->model == target);
     const std::vector<float> mice{400, 300, 1, 1};
-    camera.pick_filtered_batch(scene, Span<const float>(mice.data(), 2, 8), &filter, hits);
+    camera.pick_filtered_batch(scene, Span<const float>(mice.data(), 2, 8), filter, hits);
     CHECK((hits[0].model == target && hits[1].model == 0));
     CHECK(camera.pick_rectangle_filtered(scene, 0, 0, 800, 600, &filter) == one);
     CHECK(camera.cull_filtered(scene, &filter) == one);
     CHECK(scene.cull_filtered(camera.get_frustum(), &filter) == one);
     const std::vector<Frustum> views(2, camera.get_frustum());
     CHECK((scene.cull_batch(views).offsets == std::vector<uint32_t>{0, 3, 6}));
-    CHECK((scene.cull_filtered_batch(views, &filter).offsets == std::vector<uint32_t>{0, 1, 2}));
+    CHECK((scene.cull_filtered_batch(views, filter).offsets == std::vector<uint32_t>{0, 1, 2}));
 }
 
 TEST_CASE("solids move up to what they touch, and out of what they overlap") {
@@ -335,14 +363,14 @@ TEST_CASE("solids move up to what they touch, and out of what they overlap") {
     std::vector<Hit> hits(2);
     scene.sweep_batch(moving, ways, GPHYS_ALL_LAYERS, hits);
     CHECK((hits[1].model == target && hits[1].t == 0.5f));
-    scene.sweep_filtered_batch(moving, ways, &filter, hits);
+    scene.sweep_filtered_batch(moving, ways, filter, hits);
     CHECK(hits[1].model == 0);
     CHECK(scene.penetration(deep).at(0).depth == 0.5f);
     CHECK(scene.penetration_filtered(deep, &filter).empty());
     const std::vector<Sphere> crowd{deep, moving[0]};
     const auto [ways_out, ends] = scene.penetration_batch(crowd);
     CHECK((ways_out.size() == 1 && ways_out[0].model == target && ends == std::vector<uint32_t>{0, 1, 1}));
-    CHECK(scene.penetration_filtered_batch(crowd, &filter).offsets.back() == 0);
+    CHECK(scene.penetration_filtered_batch(crowd, filter).offsets.back() == 0);
     sweep_batch(centred, std::vector<Sphere>{above, inside}, Vec3{0, -4, 0}, hits);
     CHECK((hits[0].t == 0.5f && hits[1].t == 0));
     std::vector<Penetration> outs(2);

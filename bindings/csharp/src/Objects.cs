@@ -1069,35 +1069,36 @@ public sealed partial class Scene : IDisposable {
     /// <exception cref="GamephysException">Status.ErrorInvalidArgument: for unknown flags, or
     /// ignored_models null with an ignored_count above 0</exception>
     public unsafe Hit? RaycastFiltered(Ray ray, QueryFilterDesc? filter = null) {
-        var filter_ = filter.GetValueOrDefault();
         var hit = default(Hit);
-        var status = Low.gphys_scene_raycast_filtered(Handle, &ray, filter.HasValue ? &filter_ : null, &hit);
+        Status status;
+        using (var filter_ = new QueryFilterDescs(filter))
+        status = Low.gphys_scene_raycast_filtered(Handle, &ray, filter_.Pointer, &hit);
         return Found(status) ? hit : (Hit?)null;
     }
 
     /// <summary>Closest models on the rays that the filters see, as Scene.RaycastBatch.
     /// Cost: at most that of as many calls of Scene.RaycastFiltered; shared among workers.</summary>
     /// <param name="filters">null: the defaults</param>
-    public unsafe void RaycastFilteredBatch(ReadOnlySpan<Ray> rays, Span<Hit> hits, QueryFilterDesc? filters = null) {
-        var filters_ = filters.GetValueOrDefault();
-        var count = CommonLength(-1, rays.Length);
+    public unsafe void RaycastFilteredBatch(ReadOnlySpan<Ray> rays, Span<Hit> hits, ReadOnlySpan<QueryFilterDesc> filters = default(ReadOnlySpan<QueryFilterDesc>)) {
+        var count = CommonLength(-1, rays.Length, Optional(filters.Length));
         RequireLength(hits.Length, count);
         fixed (Ray* rays_ = &MemoryMarshal.GetReference(rays))
+        using (var filters_ = new QueryFilterDescs(filters))
         fixed (Hit* hits_ = &MemoryMarshal.GetReference(hits))
-        Check(Low.gphys_scene_raycast_filtered_batch(Handle, rays_, StrideOf(rays), count, filters.HasValue ? &filters_ : null, 0, hits_, (uint)sizeof(Hit)));
+        Check(Low.gphys_scene_raycast_filtered_batch(Handle, rays_, StrideOf(rays), count, filters_.Pointer, filters_.Stride, hits_, (uint)sizeof(Hit)));
     }
 
     /// <summary>How far each of the rays goes among the models that its filter sees, as Scene.RaycastDistanceBatch:
     /// a lidar leaves out the robot that carries it.
     /// Cost: less than that of Scene.RaycastFilteredBatch; shared among workers. Since 1.1.</summary>
     /// <param name="filters">null: the defaults</param>
-    public unsafe void RaycastDistanceFilteredBatch(ReadOnlySpan<Ray> rays, Span<Distance> distances, QueryFilterDesc? filters = null) {
-        var filters_ = filters.GetValueOrDefault();
-        var count = CommonLength(-1, rays.Length);
+    public unsafe void RaycastDistanceFilteredBatch(ReadOnlySpan<Ray> rays, Span<Distance> distances, ReadOnlySpan<QueryFilterDesc> filters = default(ReadOnlySpan<QueryFilterDesc>)) {
+        var count = CommonLength(-1, rays.Length, Optional(filters.Length));
         RequireLength(distances.Length, count);
         fixed (Ray* rays_ = &MemoryMarshal.GetReference(rays))
+        using (var filters_ = new QueryFilterDescs(filters))
         fixed (Distance* distances_ = &MemoryMarshal.GetReference(distances))
-        Check(Low.gphys_scene_raycast_distance_filtered_batch(Handle, rays_, StrideOf(rays), count, filters.HasValue ? &filters_ : null, 0, distances_, (uint)sizeof(Distance)));
+        Check(Low.gphys_scene_raycast_distance_filtered_batch(Handle, rays_, StrideOf(rays), count, filters_.Pointer, filters_.Stride, distances_, (uint)sizeof(Distance)));
     }
 
     /// <summary>Whether a ray meets anything that the filter sees, as Scene.RaycastAny: line of sight between two
@@ -1105,35 +1106,35 @@ public sealed partial class Scene : IDisposable {
     /// Cost: as Scene.RaycastFiltered.</summary>
     /// <param name="filter">null: the defaults</param>
     public unsafe bool RaycastAnyFiltered(Ray ray, QueryFilterDesc? filter = null) {
-        var filter_ = filter.GetValueOrDefault();
         var hit = default(int);
-        Check(Low.gphys_scene_raycast_any_filtered(Handle, &ray, filter.HasValue ? &filter_ : null, &hit));
+        using (var filter_ = new QueryFilterDescs(filter))
+        Check(Low.gphys_scene_raycast_any_filtered(Handle, &ray, filter_.Pointer, &hit));
         return hit != 0;
     }
 
     /// <summary>Whether each of the rays meets anything that its filter sees, as Scene.RaycastAnyBatch.
     /// Cost: at most that of as many single calls; shared among workers.</summary>
     /// <param name="filters">null: the defaults</param>
-    public unsafe void RaycastAnyFilteredBatch(ReadOnlySpan<Ray> rays, Span<int> hits, QueryFilterDesc? filters = null) {
-        var filters_ = filters.GetValueOrDefault();
-        var count = CommonLength(-1, rays.Length);
+    public unsafe void RaycastAnyFilteredBatch(ReadOnlySpan<Ray> rays, Span<int> hits, ReadOnlySpan<QueryFilterDesc> filters = default(ReadOnlySpan<QueryFilterDesc>)) {
+        var count = CommonLength(-1, rays.Length, Optional(filters.Length));
         RequireLength(hits.Length, count);
         fixed (Ray* rays_ = &MemoryMarshal.GetReference(rays))
+        using (var filters_ = new QueryFilterDescs(filters))
         fixed (int* hits_ = &MemoryMarshal.GetReference(hits))
-        Check(Low.gphys_scene_raycast_any_filtered_batch(Handle, rays_, StrideOf(rays), count, filters.HasValue ? &filters_ : null, 0, hits_, (uint)sizeof(int)));
+        Check(Low.gphys_scene_raycast_any_filtered_batch(Handle, rays_, StrideOf(rays), count, filters_.Pointer, filters_.Stride, hits_, (uint)sizeof(int)));
     }
 
     /// <summary>Every model that a ray meets and the filter sees, as Scene.RaycastAll.
     /// Cost: that of Scene.RaycastAll, and for each model as Scene.RaycastFiltered.</summary>
     /// <param name="filter">null: the defaults</param>
     public unsafe Hit[] RaycastAllFiltered(Ray ray, QueryFilterDesc? filter = null) {
-        var filter_ = filter.GetValueOrDefault();
         var result = new Hit[Guess];
         for (;;) {
             uint total;
             Status status;
+            using (var filter_ = new QueryFilterDescs(filter))
             fixed (Hit* out_ = result)
-            status = Low.gphys_scene_raycast_all_filtered(Handle, &ray, filter.HasValue ? &filter_ : null, out_, (uint)result.Length, &total);
+            status = Low.gphys_scene_raycast_all_filtered(Handle, &ray, filter_.Pointer, out_, (uint)result.Length, &total);
             Check(status);
             if (status != Status.Incomplete) {
                 Array.Resize(ref result, (int)total);
@@ -1146,17 +1147,17 @@ public sealed partial class Scene : IDisposable {
     /// <summary>Every model that each of the rays meets and its filter sees, as Scene.RaycastAllBatch.
     /// Cost: that of as many single calls; shared among workers.</summary>
     /// <param name="filters">null: the defaults</param>
-    public unsafe Ragged<Hit> RaycastAllFilteredBatch(ReadOnlySpan<Ray> rays, QueryFilterDesc? filters = null) {
-        var filters_ = filters.GetValueOrDefault();
-        var count = CommonLength(-1, rays.Length);
+    public unsafe Ragged<Hit> RaycastAllFilteredBatch(ReadOnlySpan<Ray> rays, ReadOnlySpan<QueryFilterDesc> filters = default(ReadOnlySpan<QueryFilterDesc>)) {
+        var count = CommonLength(-1, rays.Length, Optional(filters.Length));
         var result = new Hit[Guess + count];
         var offsets = new uint[count + 1];
         for (;;) {
             Status status;
             fixed (Ray* rays_ = &MemoryMarshal.GetReference(rays))
+            using (var filters_ = new QueryFilterDescs(filters))
             fixed (Hit* out_ = result)
             fixed (uint* offsets_ = offsets)
-            status = Low.gphys_scene_raycast_all_filtered_batch(Handle, rays_, StrideOf(rays), count, filters.HasValue ? &filters_ : null, 0, out_, (uint)result.Length, offsets_);
+            status = Low.gphys_scene_raycast_all_filtered_batch(Handle, rays_, StrideOf(rays), count, filters_.Pointer, filters_.Stride, out_, (uint)result.Length, offsets_);
             Check(status);
             var total = offsets[count];
             if (status != Status.Incomplete) {
@@ -1172,22 +1173,23 @@ public sealed partial class Scene : IDisposable {
     /// <param name="filter">null: the defaults</param>
     /// <returns>null if nothing is found.</returns>
     public unsafe Hit? SegmentTestFiltered(Segment segment, QueryFilterDesc? filter = null) {
-        var filter_ = filter.GetValueOrDefault();
         var hit = default(Hit);
-        var status = Low.gphys_scene_segment_test_filtered(Handle, &segment, filter.HasValue ? &filter_ : null, &hit);
+        Status status;
+        using (var filter_ = new QueryFilterDescs(filter))
+        status = Low.gphys_scene_segment_test_filtered(Handle, &segment, filter_.Pointer, &hit);
         return Found(status) ? hit : (Hit?)null;
     }
 
     /// <summary>Closest models along the segments that the filters see, as Scene.SegmentTestBatch.
     /// Cost: that of as many single calls; shared among workers.</summary>
     /// <param name="filters">null: the defaults</param>
-    public unsafe void SegmentTestFilteredBatch(ReadOnlySpan<Segment> segments, Span<Hit> hits, QueryFilterDesc? filters = null) {
-        var filters_ = filters.GetValueOrDefault();
-        var count = CommonLength(-1, segments.Length);
+    public unsafe void SegmentTestFilteredBatch(ReadOnlySpan<Segment> segments, Span<Hit> hits, ReadOnlySpan<QueryFilterDesc> filters = default(ReadOnlySpan<QueryFilterDesc>)) {
+        var count = CommonLength(-1, segments.Length, Optional(filters.Length));
         RequireLength(hits.Length, count);
         fixed (Segment* segments_ = &MemoryMarshal.GetReference(segments))
+        using (var filters_ = new QueryFilterDescs(filters))
         fixed (Hit* hits_ = &MemoryMarshal.GetReference(hits))
-        Check(Low.gphys_scene_segment_test_filtered_batch(Handle, segments_, StrideOf(segments), count, filters.HasValue ? &filters_ : null, 0, hits_, (uint)sizeof(Hit)));
+        Check(Low.gphys_scene_segment_test_filtered_batch(Handle, segments_, StrideOf(segments), count, filters_.Pointer, filters_.Stride, hits_, (uint)sizeof(Hit)));
     }
 
     /// <summary>Ids of all models that overlap a shape and that the filter sees, as Scene.Overlap.
@@ -1197,13 +1199,13 @@ public sealed partial class Scene : IDisposable {
     /// does not take</exception>
     public unsafe uint[] OverlapFiltered(Shape shape, QueryFilterDesc? filter = null) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
-        var filter_ = filter.GetValueOrDefault();
         var result = new uint[Guess];
         for (;;) {
             uint total;
             Status status;
+            using (var filter_ = new QueryFilterDescs(filter))
             fixed (uint* out_ = result)
-            status = Low.gphys_scene_overlap_filtered(Handle, shape.Type, shape_, filter.HasValue ? &filter_ : null, out_, (uint)result.Length, &total);
+            status = Low.gphys_scene_overlap_filtered(Handle, shape.Type, shape_, filter_.Pointer, out_, (uint)result.Length, &total);
             GC.KeepAlive(shape.Mesh);
             Check(status);
             if (status != Status.Incomplete) {
@@ -1219,18 +1221,18 @@ public sealed partial class Scene : IDisposable {
     /// Cost: at most that of as many single calls; shared among workers.</summary>
     /// <param name="filters">null: the defaults</param>
     /// <exception cref="GamephysException">Status.ErrorUnsupported: as there</exception>
-    public unsafe Ragged<uint> OverlapFilteredBatch(Shapes shapes, QueryFilterDesc? filters = null) {
+    public unsafe Ragged<uint> OverlapFilteredBatch(Shapes shapes, ReadOnlySpan<QueryFilterDesc> filters = default(ReadOnlySpan<QueryFilterDesc>)) {
         var shapesOne = shapes.One;
-        var filters_ = filters.GetValueOrDefault();
-        var count = CommonLength(-1, shapes.Count);
+        var count = CommonLength(-1, shapes.Count, Optional(filters.Length));
         var result = new uint[Guess + count];
         var offsets = new uint[count + 1];
         for (;;) {
             Status status;
             fixed (byte* shapesFirst = &MemoryMarshal.GetReference(shapes.Bytes))
+            using (var filters_ = new QueryFilterDescs(filters))
             fixed (uint* out_ = result)
             fixed (uint* offsets_ = offsets)
-            status = Low.gphys_scene_overlap_filtered_batch(Handle, shapes.Type, shapes.IsOne ? (shapesOne.Mesh == null ? (void*)&shapesOne.Data : shapesOne.Mesh.Pointer) : shapesFirst, shapes.Stride, count, filters.HasValue ? &filters_ : null, 0, out_, (uint)result.Length, offsets_);
+            status = Low.gphys_scene_overlap_filtered_batch(Handle, shapes.Type, shapes.IsOne ? (shapesOne.Mesh == null ? (void*)&shapesOne.Data : shapesOne.Mesh.Pointer) : shapesFirst, shapes.Stride, count, filters_.Pointer, filters_.Stride, out_, (uint)result.Length, offsets_);
             GC.KeepAlive(shapesOne.Mesh);
             Check(status);
             var total = offsets[count];
@@ -1247,13 +1249,13 @@ public sealed partial class Scene : IDisposable {
     /// Cost: that of Scene.Cull, and for each model as Scene.RaycastFiltered.</summary>
     /// <param name="filter">null: the defaults</param>
     public unsafe uint[] CullFiltered(Frustum frustum, QueryFilterDesc? filter = null) {
-        var filter_ = filter.GetValueOrDefault();
         var result = new uint[Guess];
         for (;;) {
             uint total;
             Status status;
+            using (var filter_ = new QueryFilterDescs(filter))
             fixed (uint* out_ = result)
-            status = Low.gphys_scene_cull_filtered(Handle, &frustum, filter.HasValue ? &filter_ : null, out_, (uint)result.Length, &total);
+            status = Low.gphys_scene_cull_filtered(Handle, &frustum, filter_.Pointer, out_, (uint)result.Length, &total);
             Check(status);
             if (status != Status.Incomplete) {
                 Array.Resize(ref result, (int)total);
@@ -1267,17 +1269,17 @@ public sealed partial class Scene : IDisposable {
     /// view leaves out the player's own head.
     /// Cost: that of as many single calls; shared among workers. Since 1.1.</summary>
     /// <param name="filters">null: the defaults</param>
-    public unsafe Ragged<uint> CullFilteredBatch(ReadOnlySpan<Frustum> frusta, QueryFilterDesc? filters = null) {
-        var filters_ = filters.GetValueOrDefault();
-        var count = CommonLength(-1, frusta.Length);
+    public unsafe Ragged<uint> CullFilteredBatch(ReadOnlySpan<Frustum> frusta, ReadOnlySpan<QueryFilterDesc> filters = default(ReadOnlySpan<QueryFilterDesc>)) {
+        var count = CommonLength(-1, frusta.Length, Optional(filters.Length));
         var result = new uint[Guess + count];
         var offsets = new uint[count + 1];
         for (;;) {
             Status status;
             fixed (Frustum* frusta_ = &MemoryMarshal.GetReference(frusta))
+            using (var filters_ = new QueryFilterDescs(filters))
             fixed (uint* out_ = result)
             fixed (uint* offsets_ = offsets)
-            status = Low.gphys_scene_cull_filtered_batch(Handle, frusta_, StrideOf(frusta), count, filters.HasValue ? &filters_ : null, 0, out_, (uint)result.Length, offsets_);
+            status = Low.gphys_scene_cull_filtered_batch(Handle, frusta_, StrideOf(frusta), count, filters_.Pointer, filters_.Stride, out_, (uint)result.Length, offsets_);
             Check(status);
             var total = offsets[count];
             if (status != Status.Incomplete) {
@@ -1297,9 +1299,10 @@ public sealed partial class Scene : IDisposable {
     /// <param name="filter">null: the defaults</param>
     /// <returns>null if nothing is found.</returns>
     public unsafe Nearest? NearestFiltered(Vec3 point, float maxDistance = float.PositiveInfinity, QueryFilterDesc? filter = null) {
-        var filter_ = filter.GetValueOrDefault();
         var nearest = default(Nearest);
-        var status = Low.gphys_scene_nearest_filtered(Handle, &point, maxDistance, filter.HasValue ? &filter_ : null, &nearest);
+        Status status;
+        using (var filter_ = new QueryFilterDescs(filter))
+        status = Low.gphys_scene_nearest_filtered(Handle, &point, maxDistance, filter_.Pointer, &nearest);
         return Found(status) ? nearest : (Nearest?)null;
     }
 
@@ -1307,13 +1310,13 @@ public sealed partial class Scene : IDisposable {
     /// Cost: that of as many single calls; shared among workers.</summary>
     /// <param name="maxDistance">metres, &gt;= 0, INFINITY allowed, for all points</param>
     /// <param name="filters">null: the defaults</param>
-    public unsafe void NearestFilteredBatch(ReadOnlySpan<Vec3> points, Span<Nearest> nearest, float maxDistance = float.PositiveInfinity, QueryFilterDesc? filters = null) {
-        var filters_ = filters.GetValueOrDefault();
-        var count = CommonLength(-1, points.Length);
+    public unsafe void NearestFilteredBatch(ReadOnlySpan<Vec3> points, Span<Nearest> nearest, float maxDistance = float.PositiveInfinity, ReadOnlySpan<QueryFilterDesc> filters = default(ReadOnlySpan<QueryFilterDesc>)) {
+        var count = CommonLength(-1, points.Length, Optional(filters.Length));
         RequireLength(nearest.Length, count);
         fixed (Vec3* points_ = &MemoryMarshal.GetReference(points))
+        using (var filters_ = new QueryFilterDescs(filters))
         fixed (Nearest* nearest_ = &MemoryMarshal.GetReference(nearest))
-        Check(Low.gphys_scene_nearest_filtered_batch(Handle, points_, StrideOf(points), count, maxDistance, filters.HasValue ? &filters_ : null, 0, nearest_, (uint)sizeof(Nearest)));
+        Check(Low.gphys_scene_nearest_filtered_batch(Handle, points_, StrideOf(points), count, maxDistance, filters_.Pointer, filters_.Stride, nearest_, (uint)sizeof(Nearest)));
     }
 
     /// <summary>First model that a moving sphere touches and the filter sees, as Scene.SweepSphere: the sphere may
@@ -1323,9 +1326,10 @@ public sealed partial class Scene : IDisposable {
     /// <param name="filter">null: the defaults</param>
     /// <returns>null if nothing is found.</returns>
     public unsafe Hit? SweepSphereFiltered(Sphere sphere, Vec3 displacement, QueryFilterDesc? filter = null) {
-        var filter_ = filter.GetValueOrDefault();
         var hit = default(Hit);
-        var status = Low.gphys_scene_sweep_sphere_filtered(Handle, &sphere, &displacement, filter.HasValue ? &filter_ : null, &hit);
+        Status status;
+        using (var filter_ = new QueryFilterDescs(filter))
+        status = Low.gphys_scene_sweep_sphere_filtered(Handle, &sphere, &displacement, filter_.Pointer, &hit);
         return Found(status) ? hit : (Hit?)null;
     }
 
@@ -1333,14 +1337,14 @@ public sealed partial class Scene : IDisposable {
     /// Cost: that of as many single calls; shared among workers.</summary>
     /// <param name="displacements">metres</param>
     /// <param name="filters">null: the defaults</param>
-    public unsafe void SweepSphereFilteredBatch(ReadOnlySpan<Sphere> spheres, ReadOnlySpan<Vec3> displacements, Span<Hit> hits, QueryFilterDesc? filters = null) {
-        var filters_ = filters.GetValueOrDefault();
-        var count = CommonLength(-1, spheres.Length, displacements.Length);
+    public unsafe void SweepSphereFilteredBatch(ReadOnlySpan<Sphere> spheres, ReadOnlySpan<Vec3> displacements, Span<Hit> hits, ReadOnlySpan<QueryFilterDesc> filters = default(ReadOnlySpan<QueryFilterDesc>)) {
+        var count = CommonLength(-1, spheres.Length, displacements.Length, Optional(filters.Length));
         RequireLength(hits.Length, count);
         fixed (Sphere* spheres_ = &MemoryMarshal.GetReference(spheres))
         fixed (Vec3* displacements_ = &MemoryMarshal.GetReference(displacements))
+        using (var filters_ = new QueryFilterDescs(filters))
         fixed (Hit* hits_ = &MemoryMarshal.GetReference(hits))
-        Check(Low.gphys_scene_sweep_sphere_filtered_batch(Handle, spheres_, StrideOf(spheres), displacements_, StrideOf(displacements), count, filters.HasValue ? &filters_ : null, 0, hits_, (uint)sizeof(Hit)));
+        Check(Low.gphys_scene_sweep_sphere_filtered_batch(Handle, spheres_, StrideOf(spheres), displacements_, StrideOf(displacements), count, filters_.Pointer, filters_.Stride, hits_, (uint)sizeof(Hit)));
     }
 
     /// <summary>First model that a moving sphere, capsule, AABB or OBB touches and the filter sees, as Scene.Sweep:
@@ -1352,9 +1356,10 @@ public sealed partial class Scene : IDisposable {
     /// <exception cref="GamephysException">Status.ErrorUnsupported: for other types</exception>
     public unsafe Hit? SweepFiltered(Shape shape, Vec3 displacement, QueryFilterDesc? filter = null) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
-        var filter_ = filter.GetValueOrDefault();
         var hit = default(Hit);
-        var status = Low.gphys_scene_sweep_filtered(Handle, shape.Type, shape_, &displacement, filter.HasValue ? &filter_ : null, &hit);
+        Status status;
+        using (var filter_ = new QueryFilterDescs(filter))
+        status = Low.gphys_scene_sweep_filtered(Handle, shape.Type, shape_, &displacement, filter_.Pointer, &hit);
         GC.KeepAlive(shape.Mesh);
         return Found(status) ? hit : (Hit?)null;
     }
@@ -1364,16 +1369,16 @@ public sealed partial class Scene : IDisposable {
     /// <param name="displacements">metres</param>
     /// <param name="filters">null: the defaults</param>
     /// <exception cref="GamephysException">Status.ErrorUnsupported: as Scene.Sweep</exception>
-    public unsafe void SweepFilteredBatch(Shapes shapes, ReadOnlySpan<Vec3> displacements, Span<Hit> hits, QueryFilterDesc? filters = null) {
+    public unsafe void SweepFilteredBatch(Shapes shapes, ReadOnlySpan<Vec3> displacements, Span<Hit> hits, ReadOnlySpan<QueryFilterDesc> filters = default(ReadOnlySpan<QueryFilterDesc>)) {
         var shapesOne = shapes.One;
-        var filters_ = filters.GetValueOrDefault();
-        var count = CommonLength(-1, shapes.Count, displacements.Length);
+        var count = CommonLength(-1, shapes.Count, displacements.Length, Optional(filters.Length));
         RequireLength(hits.Length, count);
         Status status;
         fixed (byte* shapesFirst = &MemoryMarshal.GetReference(shapes.Bytes))
         fixed (Vec3* displacements_ = &MemoryMarshal.GetReference(displacements))
+        using (var filters_ = new QueryFilterDescs(filters))
         fixed (Hit* hits_ = &MemoryMarshal.GetReference(hits))
-        status = Low.gphys_scene_sweep_filtered_batch(Handle, shapes.Type, shapes.IsOne ? (shapesOne.Mesh == null ? (void*)&shapesOne.Data : shapesOne.Mesh.Pointer) : shapesFirst, shapes.Stride, displacements_, StrideOf(displacements), count, filters.HasValue ? &filters_ : null, 0, hits_, (uint)sizeof(Hit));
+        status = Low.gphys_scene_sweep_filtered_batch(Handle, shapes.Type, shapes.IsOne ? (shapesOne.Mesh == null ? (void*)&shapesOne.Data : shapesOne.Mesh.Pointer) : shapesFirst, shapes.Stride, displacements_, StrideOf(displacements), count, filters_.Pointer, filters_.Stride, hits_, (uint)sizeof(Hit));
         GC.KeepAlive(shapesOne.Mesh);
         Check(status);
     }
@@ -1385,13 +1390,13 @@ public sealed partial class Scene : IDisposable {
     /// <exception cref="GamephysException">Status.ErrorUnsupported: for other types</exception>
     public unsafe Penetration[] PenetrationFiltered(Shape shape, QueryFilterDesc? filter = null) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
-        var filter_ = filter.GetValueOrDefault();
         var result = new Penetration[Guess];
         for (;;) {
             uint total;
             Status status;
+            using (var filter_ = new QueryFilterDescs(filter))
             fixed (Penetration* out_ = result)
-            status = Low.gphys_scene_penetration_filtered(Handle, shape.Type, shape_, filter.HasValue ? &filter_ : null, out_, (uint)result.Length, &total);
+            status = Low.gphys_scene_penetration_filtered(Handle, shape.Type, shape_, filter_.Pointer, out_, (uint)result.Length, &total);
             GC.KeepAlive(shape.Mesh);
             Check(status);
             if (status != Status.Incomplete) {
@@ -1407,18 +1412,18 @@ public sealed partial class Scene : IDisposable {
     /// Cost: that of as many single calls; shared among workers. Since 1.1.</summary>
     /// <param name="filters">null: the defaults</param>
     /// <exception cref="GamephysException">Status.ErrorUnsupported: as Scene.Penetration</exception>
-    public unsafe Ragged<Penetration> PenetrationFilteredBatch(Shapes shapes, QueryFilterDesc? filters = null) {
+    public unsafe Ragged<Penetration> PenetrationFilteredBatch(Shapes shapes, ReadOnlySpan<QueryFilterDesc> filters = default(ReadOnlySpan<QueryFilterDesc>)) {
         var shapesOne = shapes.One;
-        var filters_ = filters.GetValueOrDefault();
-        var count = CommonLength(-1, shapes.Count);
+        var count = CommonLength(-1, shapes.Count, Optional(filters.Length));
         var result = new Penetration[Guess + count];
         var offsets = new uint[count + 1];
         for (;;) {
             Status status;
             fixed (byte* shapesFirst = &MemoryMarshal.GetReference(shapes.Bytes))
+            using (var filters_ = new QueryFilterDescs(filters))
             fixed (Penetration* out_ = result)
             fixed (uint* offsets_ = offsets)
-            status = Low.gphys_scene_penetration_filtered_batch(Handle, shapes.Type, shapes.IsOne ? (shapesOne.Mesh == null ? (void*)&shapesOne.Data : shapesOne.Mesh.Pointer) : shapesFirst, shapes.Stride, count, filters.HasValue ? &filters_ : null, 0, out_, (uint)result.Length, offsets_);
+            status = Low.gphys_scene_penetration_filtered_batch(Handle, shapes.Type, shapes.IsOne ? (shapesOne.Mesh == null ? (void*)&shapesOne.Data : shapesOne.Mesh.Pointer) : shapesFirst, shapes.Stride, count, filters_.Pointer, filters_.Stride, out_, (uint)result.Length, offsets_);
             GC.KeepAlive(shapesOne.Mesh);
             Check(status);
             var total = offsets[count];
@@ -2092,9 +2097,10 @@ public sealed partial class Camera : IDisposable {
     /// <param name="filter">null: the defaults</param>
     /// <returns>null if nothing is found.</returns>
     public unsafe Hit? PickFiltered(Scene scene, float pixelX, float pixelY, QueryFilterDesc? filter = null) {
-        var filter_ = filter.GetValueOrDefault();
         var hit = default(Hit);
-        var status = Low.gphys_camera_pick_filtered(Handle, scene.Handle, pixelX, pixelY, filter.HasValue ? &filter_ : null, &hit);
+        Status status;
+        using (var filter_ = new QueryFilterDescs(filter))
+        status = Low.gphys_camera_pick_filtered(Handle, scene.Handle, pixelX, pixelY, filter_.Pointer, &hit);
         return Found(status) ? hit : (Hit?)null;
     }
 
@@ -2102,13 +2108,13 @@ public sealed partial class Camera : IDisposable {
     /// Cost: at most that of as many single calls; shared among the scene's workers.</summary>
     /// <param name="pixels">x, y pairs of floats</param>
     /// <param name="filters">null: the defaults</param>
-    public unsafe void PickFilteredBatch(Scene scene, ReadOnlySpan<Vec2> pixels, Span<Hit> hits, QueryFilterDesc? filters = null) {
-        var filters_ = filters.GetValueOrDefault();
-        var count = CommonLength(-1, pixels.Length);
+    public unsafe void PickFilteredBatch(Scene scene, ReadOnlySpan<Vec2> pixels, Span<Hit> hits, ReadOnlySpan<QueryFilterDesc> filters = default(ReadOnlySpan<QueryFilterDesc>)) {
+        var count = CommonLength(-1, pixels.Length, Optional(filters.Length));
         RequireLength(hits.Length, count);
         fixed (Vec2* pixels_ = &MemoryMarshal.GetReference(pixels))
+        using (var filters_ = new QueryFilterDescs(filters))
         fixed (Hit* hits_ = &MemoryMarshal.GetReference(hits))
-        Check(Low.gphys_camera_pick_filtered_batch(Handle, scene.Handle, (float*)pixels_, StrideOf(pixels), count, filters.HasValue ? &filters_ : null, 0, hits_, (uint)sizeof(Hit)));
+        Check(Low.gphys_camera_pick_filtered_batch(Handle, scene.Handle, (float*)pixels_, StrideOf(pixels), count, filters_.Pointer, filters_.Stride, hits_, (uint)sizeof(Hit)));
     }
 
     /// <summary>Marquee: ids of all models in the pixel rectangle that the filter sees, as Camera.PickRectangle.
@@ -2119,13 +2125,13 @@ public sealed partial class Camera : IDisposable {
     /// <param name="y1">pixels; opposite corners, in any order</param>
     /// <param name="filter">null: the defaults</param>
     public unsafe uint[] PickRectangleFiltered(Scene scene, float x0, float y0, float x1, float y1, QueryFilterDesc? filter = null) {
-        var filter_ = filter.GetValueOrDefault();
         var result = new uint[Guess];
         for (;;) {
             uint total;
             Status status;
+            using (var filter_ = new QueryFilterDescs(filter))
             fixed (uint* out_ = result)
-            status = Low.gphys_camera_pick_rectangle_filtered(Handle, scene.Handle, x0, y0, x1, y1, filter.HasValue ? &filter_ : null, out_, (uint)result.Length, &total);
+            status = Low.gphys_camera_pick_rectangle_filtered(Handle, scene.Handle, x0, y0, x1, y1, filter_.Pointer, out_, (uint)result.Length, &total);
             Check(status);
             if (status != Status.Incomplete) {
                 Array.Resize(ref result, (int)total);
@@ -2139,13 +2145,13 @@ public sealed partial class Camera : IDisposable {
     /// Cost: as Scene.CullFiltered.</summary>
     /// <param name="filter">null: the defaults</param>
     public unsafe uint[] CullFiltered(Scene scene, QueryFilterDesc? filter = null) {
-        var filter_ = filter.GetValueOrDefault();
         var result = new uint[Guess];
         for (;;) {
             uint total;
             Status status;
+            using (var filter_ = new QueryFilterDescs(filter))
             fixed (uint* out_ = result)
-            status = Low.gphys_camera_cull_filtered(Handle, scene.Handle, filter.HasValue ? &filter_ : null, out_, (uint)result.Length, &total);
+            status = Low.gphys_camera_cull_filtered(Handle, scene.Handle, filter_.Pointer, out_, (uint)result.Length, &total);
             Check(status);
             if (status != Status.Incomplete) {
                 Array.Resize(ref result, (int)total);

@@ -552,36 +552,69 @@ public partial struct ModelInfo {
     public uint ChildCount;
 }
 
+[StructLayout(LayoutKind.Sequential)]
+internal struct QueryFilterDescData {
+    internal uint StructSize;
+    internal uint Layers;
+    internal uint IgnoredModel;
+    internal uint Flags;
+    internal IntPtr IgnoredModels;
+    internal uint IgnoredCount;
+    internal uint Reserved;
+}
+
 /// <summary>
 /// Which models a query sees. Ids that name no model leave out nothing and are not an error: the
 /// model that asked may have been removed since.
 /// </summary>
-[StructLayout(LayoutKind.Sequential)]
-public partial struct QueryFilterDesc {
-    internal uint StructSize;
+public struct QueryFilterDesc {
+    internal QueryFilterDescData Data;
     /// <summary>a model is seen if its own mask shares a bit; default AllLayers</summary>
-    public uint Layers;
+    public uint Layers { get { return Data.Layers; } set { Data.Layers = value; } }
     /// <summary>left out; 0: none; default 0</summary>
-    public uint IgnoredModel;
+    public uint IgnoredModel { get { return Data.IgnoredModel; } set { Data.IgnoredModel = value; } }
     /// <summary>filter values; default 0</summary>
-    public uint Flags;
-    /// <summary>
-    /// left out as well, in any order; read during the call; default null
-    /// The address of a gphys_model_id.
-    /// </summary>
-    public IntPtr IgnoredModels;
-    /// <summary>of ignored_models; default 0</summary>
-    public uint IgnoredCount;
-    /// <summary>must be 0</summary>
-    internal uint Reserved;
+    public uint Flags { get { return Data.Flags; } set { Data.Flags = value; } }
+    /// <summary>left out as well, in any order; read during the call; default null</summary>
+    public uint[] IgnoredModels;
     /// <summary>The defaults of the loaded library, to be changed.</summary>
     public static unsafe QueryFilterDesc Default {
         get {
-            QueryFilterDesc desc;
-            Support.Check(Low.gphys_query_filter_desc_init(&desc, (uint)sizeof(QueryFilterDesc)));
-            return desc;
+            QueryFilterDescData desc;
+            Support.Check(Low.gphys_query_filter_desc_init(&desc, (uint)sizeof(QueryFilterDescData)));
+            return new QueryFilterDesc { Data = desc };
         }
     }
+}
+
+// Such settings in memory of the library's layout, with their lists behind them, for the time of a call.
+internal unsafe struct QueryFilterDescs : IDisposable {
+    internal readonly QueryFilterDescData* Pointer;
+    internal readonly uint Stride;
+
+    internal QueryFilterDescs(QueryFilterDesc? desc) : this(desc.HasValue ? new[] { desc.Value } : null) { }
+
+    internal QueryFilterDescs(ReadOnlySpan<QueryFilterDesc> descs) {
+        Pointer = null;
+        Stride = descs.Length == 1 ? 0 : (uint)sizeof(QueryFilterDescData);
+        if (descs.Length == 0) return;
+        var bytes = (long)sizeof(QueryFilterDescData) * descs.Length;
+        foreach (var desc in descs) {
+            bytes += IgnoredModelsOf(desc).Length * (long)sizeof(uint);
+        }
+        Pointer = (QueryFilterDescData*)Marshal.AllocHGlobal(new IntPtr(bytes));
+        var list = (uint*)(Pointer + descs.Length);
+        for (var i = 0; i < descs.Length; ++i) {
+            Pointer[i] = descs[i].Data;
+            var givenIgnoredModels = IgnoredModelsOf(descs[i]);
+            Pointer[i].IgnoredModels = givenIgnoredModels.Length == 0 ? IntPtr.Zero : (IntPtr)list;
+            Pointer[i].IgnoredCount = (uint)givenIgnoredModels.Length;
+            foreach (var number in givenIgnoredModels) *list++ = number;
+        }
+    }
+
+    private static uint[] IgnoredModelsOf(QueryFilterDesc desc) { return desc.IgnoredModels ?? Array.Empty<uint>(); }
+    public void Dispose() { Marshal.FreeHGlobal((IntPtr)Pointer); }
 }
 
 [StructLayout(LayoutKind.Sequential)]

@@ -1,5 +1,6 @@
 // Generated from gamephys_api.json by bindings/generate.py. Not for editing.
 using System;
+using System.Reflection;
 using Gamephys;
 
 // Size and offsets of each struct as C has them, on 64-bit machines.
@@ -32,7 +33,7 @@ static class Layout {
         (typeof(SceneDesc), 40, new string[] { "StructSize", "Allocator", "ReserveModels", "TaskRunner", "WorkerCount", "Reserved" }, new int[] { 0, 8, 16, 24, 32, 36 }),
         (typeof(ModelDesc), 28, new string[] { "StructSize", "Parent", "Layers", "Tag", "Scale" }, new int[] { 0, 4, 8, 12, 16 }),
         (typeof(ModelInfo), 20, new string[] { "Type", "Parent", "Layers", "Tag", "ChildCount" }, new int[] { 0, 4, 8, 12, 16 }),
-        (typeof(QueryFilterDesc), 32, new string[] { "StructSize", "Layers", "IgnoredModel", "Flags", "IgnoredModels", "IgnoredCount", "Reserved" }, new int[] { 0, 4, 8, 12, 16, 24, 28 }),
+        (typeof(QueryFilterDesc).GetField("Data", BindingFlags.Instance | BindingFlags.NonPublic).FieldType, 32, new string[] { "StructSize", "Layers", "IgnoredModel", "Flags", "IgnoredModels", "IgnoredCount", "Reserved" }, new int[] { 0, 4, 8, 12, 16, 24, 28 }),
         (typeof(CameraDesc), 40, new string[] { "StructSize", "Allocator", "Handedness", "DepthRange", "ReverseZ", "ViewportWidth", "ViewportHeight", "Reserved" }, new int[] { 0, 8, 16, 20, 24, 28, 32, 36 }),
         (typeof(Orbit), 60, new string[] { "Target", "Up", "Distance", "Yaw", "Pitch", "RadiansPerUnit", "MetresPerUnit", "MinDistance", "MaxDistance", "MinPitch", "MaxPitch" }, new int[] { 0, 12, 24, 28, 32, 36, 40, 44, 48, 52, 56 }),
         (typeof(OrbitSpeeds), 20, new string[] { "RotateX", "RotateY", "Zoom", "PanX", "PanY" }, new int[] { 0, 4, 8, 12, 16 }),

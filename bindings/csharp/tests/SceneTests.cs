@@ -105,32 +105,57 @@ public class SceneTests {
         var hits = new Hit[2];
         var any = new int[2];
         var nearest = new Nearest[2];
-        scene.RaycastFilteredBatch(new[] { ray, ray }, hits, filter);
+        scene.RaycastFilteredBatch(new[] { ray, ray }, hits, new[] { filter });
         Assert.AreEqual(target, hits[1].Model);
         var distances = new Distance[2];
-        scene.RaycastDistanceFilteredBatch(new[] { ray, ray }, distances, filter);
+        scene.RaycastDistanceFilteredBatch(new[] { ray, ray }, distances, new[] { filter });
         Assert.AreEqual(target, distances[1].Model);
-        scene.SegmentTestFilteredBatch(new[] { segment, segment }, hits, filter);
+        scene.SegmentTestFilteredBatch(new[] { segment, segment }, hits, new[] { filter });
         Assert.AreEqual(target, hits[1].Model);
-        scene.SweepSphereFilteredBatch(new[] { moving, moving }, new[] { way }, hits, filter);
+        scene.SweepSphereFilteredBatch(new[] { moving, moving }, new[] { way }, hits, new[] { filter });
         Assert.AreEqual(target, hits[1].Model);
-        scene.NearestFilteredBatch(new[] { way, way }, nearest, Far, filter);
+        scene.NearestFilteredBatch(new[] { way, way }, nearest, Far, new[] { filter });
         Assert.AreEqual(target, nearest[1].Model);
-        scene.RaycastAnyFilteredBatch(new[] { ray, ray }, any, filter);
+        scene.RaycastAnyFilteredBatch(new[] { ray, ray }, any, new[] { filter });
         CollectionAssert.AreEqual(new[] { 1, 1 }, any);
-        CollectionAssert.AreEqual(new[] { 0, 1, 2 }, scene.RaycastAllFilteredBatch(new[] { ray, ray }, filter).Offsets);
-        CollectionAssert.AreEqual(new[] { target }, scene.OverlapFilteredBatch(new[] { large, large }, filter)[1]);
+        CollectionAssert.AreEqual(new[] { 0, 1, 2 }, scene.RaycastAllFilteredBatch(new[] { ray, ray }, new[] { filter }).Offsets);
+        CollectionAssert.AreEqual(new[] { target }, scene.OverlapFilteredBatch(new[] { large, large }, new[] { filter })[1]);
         var camera = new Camera();
         camera.LookAt((0, 0, -10), origin, Up);
         Assert.AreEqual(target, camera.PickFiltered(scene, 400, 300, filter).Value.Model);
-        camera.PickFilteredBatch(scene, new[] { new Vec2(400, 300), new Vec2(1, 1) }, hits, filter);
+        camera.PickFilteredBatch(scene, new[] { new Vec2(400, 300), new Vec2(1, 1) }, hits, new[] { filter });
         Assert.AreEqual((target, 0u), (hits[0].Model, hits[1].Model));
         CollectionAssert.AreEqual(new[] { target }, camera.PickRectangleFiltered(scene, 0, 0, 800, 600, filter));
         CollectionAssert.AreEqual(new[] { target }, camera.CullFiltered(scene, filter));
         CollectionAssert.AreEqual(new[] { target }, scene.CullFiltered(camera.GetFrustum(), filter));
         var views = new[] { camera.GetFrustum(), camera.GetFrustum() };
         CollectionAssert.AreEqual(new[] { 0, 3, 6 }, scene.CullBatch(views).Offsets);
-        CollectionAssert.AreEqual(new[] { target }, scene.CullFilteredBatch(views, filter)[1]);
+        CollectionAssert.AreEqual(new[] { target }, scene.CullFilteredBatch(views, new[] { filter })[1]);
+    }
+
+    [Test]
+    public void FiltersHaveListsOfModelsAndBatchesAFilterForEach() {
+        var scene = new Scene();
+        var models = new uint[4];
+        for (var i = 0; i < 4; ++i) models[i] = scene.Add(new Sphere(new Vec3(0, 0, 4 * i), 1));
+        var ray = new Ray(new Vec3(0, 0, -5), new Vec3(0, 0, 1), float.PositiveInfinity);
+        QueryFilterDesc two = QueryFilterDesc.Default, one = two, none = two;
+        two.IgnoredModels = new[] { models[1], models[0] };
+        one.IgnoredModels = new[] { models[0] };
+        none.IgnoredModels = new uint[0];
+        Assert.AreEqual(models[2], scene.RaycastFiltered(ray, two).Value.Model);
+        Assert.AreEqual(models[0], scene.RaycastFiltered(ray, none).Value.Model);
+        CollectionAssert.AreEqual(new[] { models[2], models[3] }, scene.OverlapFiltered(new Sphere(new Vec3(0, 0, 0), 50), two));
+        var hits = new Hit[3];
+        scene.RaycastFilteredBatch(new[] { ray, ray, ray }, hits, new[] { none, one, two });
+        CollectionAssert.AreEqual(new[] { models[0], models[1], models[2] }, Array.ConvertAll(hits, hit => hit.Model));
+        scene.RaycastFilteredBatch(new[] { ray, ray, ray }, hits, new[] { two });
+        CollectionAssert.AreEqual(new[] { models[2], models[2], models[2] }, Array.ConvertAll(hits, hit => hit.Model));
+        scene.RaycastFilteredBatch(new[] { ray, ray, ray }, hits);
+        Assert.AreEqual(models[0], hits[2].Model);
+        var balls = new[] { new Sphere(new Vec3(0, 0, 2), 2), new Sphere(new Vec3(0, 0, 2), 2) };
+        CollectionAssert.AreEqual(new[] { 0, 1, 1 }, scene.OverlapFilteredBatch(balls, new[] { one, two }).Offsets);
+        Assert.Throws<ArgumentException>(() => scene.RaycastFilteredBatch(new[] { ray, ray, ray }, hits, new[] { one, two }));
     }
 
     [Test]
@@ -150,7 +175,7 @@ public class SceneTests {
         var hits = new Hit[2];
         scene.SweepBatch(new[] { moving, moving }, new[] { way }, hits);
         Assert.AreEqual((target, 0.5f), (hits[1].Model, hits[1].T));
-        scene.SweepFilteredBatch(new[] { moving, moving }, new[] { way }, hits, filter);
+        scene.SweepFilteredBatch(new[] { moving, moving }, new[] { way }, hits, new[] { filter });
         Assert.AreEqual(0u, hits[1].Model);
         Assert.AreEqual(0.5f, scene.Penetration(deep)[0].Depth);
         Assert.IsEmpty(scene.PenetrationFiltered(deep, filter));
@@ -158,7 +183,7 @@ public class SceneTests {
         var waysOut = scene.PenetrationBatch(crowd);
         CollectionAssert.AreEqual(new[] { 0, 1, 1 }, waysOut.Offsets);
         Assert.AreEqual(target, waysOut[0][0].Model);
-        CollectionAssert.AreEqual(new[] { 0, 0, 0 }, scene.PenetrationFilteredBatch(crowd, filter).Offsets);
+        CollectionAssert.AreEqual(new[] { 0, 0, 0 }, scene.PenetrationFilteredBatch(crowd, new[] { filter }).Offsets);
         Sphere above = new Sphere((0, 4, 0), 1), inside = new Sphere((0, 0, 1.5f), 1);
         Geometry.SweepBatch((Shape)ball, new[] { above, inside }, new Vec3[] { (0, -4, 0) }, hits);
         Assert.AreEqual((0.5f, 0f), (hits[0].T, hits[1].T));

@@ -17,13 +17,23 @@ export function memory() {
     const views = viewsOf(koffi.view(place, PASS_BYTES), 0, PASS_BYTES);
     views.wide = koffi.sizeof('void *') === 8;
     let list = new Uint8Array(0);
+    let held = [];
 
     return {
         native, views,
         base: Number(koffi.address(place)),
         text: (value) => value,
-        begin() {},
+        begin() {
+            for (const copy of held) koffi.free(copy);
+            held = [];
+        },
         locate() {},
+        hold(view) {
+            const copy = koffi.alloc('uint8_t', view.byteLength);
+            held.push(copy);
+            new Uint8Array(koffi.view(copy, view.byteLength)).set(new Uint8Array(view.buffer, view.byteOffset, view.byteLength));
+            return Number(koffi.address(copy));
+        },
         pass: (array) => array.view,
         nowhere: (address) => (address === 0 ? null : koffi.as(BigInt(address), 'void *')),
         finish() {},

@@ -406,6 +406,7 @@ export function objects(memory) {
             return ragged('penetration', offsets, (room, capacity) => native.gphys_scene_penetration_batch(this.pointer, shapes_.type, shapesAt, shapes_.stride, count, bits(layers, 'layers'), room, capacity, out_offsetsAt));
         }
         raycastFiltered(ray, filter) {
+            begin();
             writeRay(v, 0, ray);
             if (filter != null) { check(native.gphys_query_filter_desc_init(base + 32, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 8, filter); }
             if (check(native.gphys_scene_raycast_filtered(this.pointer, base, filter == null ? 0 : base + 32, base + 64)) !== OK) return null;
@@ -414,22 +415,23 @@ export function objects(memory) {
         raycastFilteredBatch(rays, filters, out) {
             begin();
             const rays_ = input(rays, 28, 'rays', 'f32');
-            if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
-            const count = common(rays_);
+            const filters_ = filters == null ? nothing : inputDescs(filters, 0, v.wide ? 32 : 28, native.gphys_query_filter_desc_init, writeQueryFilterDesc, 'filters');
+            const count = common(rays_, filters_);
             const out_hits_ = output(out, 'hit', count);
-            check(native.gphys_scene_raycast_filtered_batch(this.pointer, pass(rays_), 28, count, filters == null ? 0 : base, 0, pass(out_hits_), 52));
+            check(native.gphys_scene_raycast_filtered_batch(this.pointer, pass(rays_), 28, count, pass(filters_), filters_.stride, pass(out_hits_), 52));
             return finish(out_hits_);
         }
         raycastDistanceFilteredBatch(rays, filters, out) {
             begin();
             const rays_ = input(rays, 28, 'rays', 'f32');
-            if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
-            const count = common(rays_);
+            const filters_ = filters == null ? nothing : inputDescs(filters, 0, v.wide ? 32 : 28, native.gphys_query_filter_desc_init, writeQueryFilterDesc, 'filters');
+            const count = common(rays_, filters_);
             const out_distances_ = output(out, 'distance', count);
-            check(native.gphys_scene_raycast_distance_filtered_batch(this.pointer, pass(rays_), 28, count, filters == null ? 0 : base, 0, pass(out_distances_), 12));
+            check(native.gphys_scene_raycast_distance_filtered_batch(this.pointer, pass(rays_), 28, count, pass(filters_), filters_.stride, pass(out_distances_), 12));
             return finish(out_distances_);
         }
         raycastAnyFiltered(ray, filter) {
+            begin();
             writeRay(v, 0, ray);
             if (filter != null) { check(native.gphys_query_filter_desc_init(base + 32, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 8, filter); }
             check(native.gphys_scene_raycast_any_filtered(this.pointer, base, filter == null ? 0 : base + 32, base + 64));
@@ -438,10 +440,10 @@ export function objects(memory) {
         raycastAnyFilteredBatch(rays, filters, out) {
             begin();
             const rays_ = input(rays, 28, 'rays', 'f32');
-            if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
-            const count = common(rays_);
+            const filters_ = filters == null ? nothing : inputDescs(filters, 0, v.wide ? 32 : 28, native.gphys_query_filter_desc_init, writeQueryFilterDesc, 'filters');
+            const count = common(rays_, filters_);
             const out_hits_ = output(out, 'int32_t', count);
-            check(native.gphys_scene_raycast_any_filtered_batch(this.pointer, pass(rays_), 28, count, filters == null ? 0 : base, 0, pass(out_hits_), 4));
+            check(native.gphys_scene_raycast_any_filtered_batch(this.pointer, pass(rays_), 28, count, pass(filters_), filters_.stride, pass(out_hits_), 4));
             return finish(out_hits_);
         }
         raycastAllFiltered(ray, filter) {
@@ -453,14 +455,16 @@ export function objects(memory) {
         raycastAllFilteredBatch(rays, filters) {
             begin();
             const rays_ = input(rays, 28, 'rays', 'f32');
-            if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
-            const count = common(rays_);
+            const filters_ = filters == null ? nothing : inputDescs(filters, 0, v.wide ? 32 : 28, native.gphys_query_filter_desc_init, writeQueryFilterDesc, 'filters');
+            const count = common(rays_, filters_);
             const offsets = output(undefined, 'uint32_t', count + 1);
             const raysAt = pass(rays_);
+            const filtersAt = pass(filters_);
             const out_offsetsAt = pass(offsets);
-            return ragged('hit', offsets, (room, capacity) => native.gphys_scene_raycast_all_filtered_batch(this.pointer, raysAt, 28, count, filters == null ? 0 : base, 0, room, capacity, out_offsetsAt));
+            return ragged('hit', offsets, (room, capacity) => native.gphys_scene_raycast_all_filtered_batch(this.pointer, raysAt, 28, count, filtersAt, filters_.stride, room, capacity, out_offsetsAt));
         }
         segmentTestFiltered(segment, filter) {
+            begin();
             writeSegment(v, 0, segment);
             if (filter != null) { check(native.gphys_query_filter_desc_init(base + 24, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 6, filter); }
             if (check(native.gphys_scene_segment_test_filtered(this.pointer, base, filter == null ? 0 : base + 24, base + 56)) !== OK) return null;
@@ -469,10 +473,10 @@ export function objects(memory) {
         segmentTestFilteredBatch(segments, filters, out) {
             begin();
             const segments_ = input(segments, 24, 'segments', 'f32');
-            if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
-            const count = common(segments_);
+            const filters_ = filters == null ? nothing : inputDescs(filters, 0, v.wide ? 32 : 28, native.gphys_query_filter_desc_init, writeQueryFilterDesc, 'filters');
+            const count = common(segments_, filters_);
             const out_hits_ = output(out, 'hit', count);
-            check(native.gphys_scene_segment_test_filtered_batch(this.pointer, pass(segments_), 24, count, filters == null ? 0 : base, 0, pass(out_hits_), 52));
+            check(native.gphys_scene_segment_test_filtered_batch(this.pointer, pass(segments_), 24, count, pass(filters_), filters_.stride, pass(out_hits_), 52));
             return finish(out_hits_);
         }
         overlapFiltered(shape, filter) {
@@ -483,12 +487,13 @@ export function objects(memory) {
         overlapFilteredBatch(shapes, filters) {
             begin();
             const shapes_ = inputShapes(shapes);
-            if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
-            const count = common(shapes_);
+            const filters_ = filters == null ? nothing : inputDescs(filters, 0, v.wide ? 32 : 28, native.gphys_query_filter_desc_init, writeQueryFilterDesc, 'filters');
+            const count = common(shapes_, filters_);
             const offsets = output(undefined, 'uint32_t', count + 1);
             const shapesAt = pass(shapes_);
+            const filtersAt = pass(filters_);
             const out_offsetsAt = pass(offsets);
-            return ragged('uint32_t', offsets, (room, capacity) => native.gphys_scene_overlap_filtered_batch(this.pointer, shapes_.type, shapesAt, shapes_.stride, count, filters == null ? 0 : base, 0, room, capacity, out_offsetsAt));
+            return ragged('uint32_t', offsets, (room, capacity) => native.gphys_scene_overlap_filtered_batch(this.pointer, shapes_.type, shapesAt, shapes_.stride, count, filtersAt, filters_.stride, room, capacity, out_offsetsAt));
         }
         cullFiltered(frustum, filter) {
             begin();
@@ -499,14 +504,16 @@ export function objects(memory) {
         cullFilteredBatch(frusta, filters) {
             begin();
             const frusta_ = input(frusta, 108, 'frusta', 'f32');
-            if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
-            const count = common(frusta_);
+            const filters_ = filters == null ? nothing : inputDescs(filters, 0, v.wide ? 32 : 28, native.gphys_query_filter_desc_init, writeQueryFilterDesc, 'filters');
+            const count = common(frusta_, filters_);
             const offsets = output(undefined, 'uint32_t', count + 1);
             const frustaAt = pass(frusta_);
+            const filtersAt = pass(filters_);
             const out_offsetsAt = pass(offsets);
-            return ragged('uint32_t', offsets, (room, capacity) => native.gphys_scene_cull_filtered_batch(this.pointer, frustaAt, 108, count, filters == null ? 0 : base, 0, room, capacity, out_offsetsAt));
+            return ragged('uint32_t', offsets, (room, capacity) => native.gphys_scene_cull_filtered_batch(this.pointer, frustaAt, 108, count, filtersAt, filters_.stride, room, capacity, out_offsetsAt));
         }
         nearestFiltered(point, max_distance = Infinity, filter) {
+            begin();
             writeVec3(v, 0, point);
             if (filter != null) { check(native.gphys_query_filter_desc_init(base + 16, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 4, filter); }
             if (check(native.gphys_scene_nearest_filtered(this.pointer, base, real(max_distance, 'max_distance'), filter == null ? 0 : base + 16, base + 48)) !== OK) return null;
@@ -515,13 +522,14 @@ export function objects(memory) {
         nearestFilteredBatch(points, max_distance = Infinity, filters, out) {
             begin();
             const points_ = input(points, 12, 'points', 'f32');
-            if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
-            const count = common(points_);
+            const filters_ = filters == null ? nothing : inputDescs(filters, 0, v.wide ? 32 : 28, native.gphys_query_filter_desc_init, writeQueryFilterDesc, 'filters');
+            const count = common(points_, filters_);
             const out_nearest_ = output(out, 'nearest', count);
-            check(native.gphys_scene_nearest_filtered_batch(this.pointer, pass(points_), 12, count, real(max_distance, 'max_distance'), filters == null ? 0 : base, 0, pass(out_nearest_), 28));
+            check(native.gphys_scene_nearest_filtered_batch(this.pointer, pass(points_), 12, count, real(max_distance, 'max_distance'), pass(filters_), filters_.stride, pass(out_nearest_), 28));
             return finish(out_nearest_);
         }
         sweepSphereFiltered(sphere, displacement, filter) {
+            begin();
             writeSphere(v, 0, sphere);
             writeVec3(v, 4, displacement);
             if (filter != null) { check(native.gphys_query_filter_desc_init(base + 32, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 8, filter); }
@@ -532,13 +540,14 @@ export function objects(memory) {
             begin();
             const spheres_ = input(spheres, 16, 'spheres', 'f32');
             const displacements_ = input(displacements, 12, 'displacements', 'f32');
-            if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
-            const count = common(spheres_, displacements_);
+            const filters_ = filters == null ? nothing : inputDescs(filters, 0, v.wide ? 32 : 28, native.gphys_query_filter_desc_init, writeQueryFilterDesc, 'filters');
+            const count = common(spheres_, displacements_, filters_);
             const out_hits_ = output(out, 'hit', count);
-            check(native.gphys_scene_sweep_sphere_filtered_batch(this.pointer, pass(spheres_), 16, pass(displacements_), 12, count, filters == null ? 0 : base, 0, pass(out_hits_), 52));
+            check(native.gphys_scene_sweep_sphere_filtered_batch(this.pointer, pass(spheres_), 16, pass(displacements_), 12, count, pass(filters_), filters_.stride, pass(out_hits_), 52));
             return finish(out_hits_);
         }
         sweepFiltered(shape, displacement, filter) {
+            begin();
             writeVec3(v, 28, displacement);
             if (filter != null) { check(native.gphys_query_filter_desc_init(base + 128, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 32, filter); }
             if (check(native.gphys_scene_sweep_filtered(this.pointer, typeOf(shape), putShape(shape, 0), base + 112, filter == null ? 0 : base + 128, base + 160)) !== OK) return null;
@@ -548,10 +557,10 @@ export function objects(memory) {
             begin();
             const shapes_ = inputShapes(shapes);
             const displacements_ = input(displacements, 12, 'displacements', 'f32');
-            if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
-            const count = common(shapes_, displacements_);
+            const filters_ = filters == null ? nothing : inputDescs(filters, 0, v.wide ? 32 : 28, native.gphys_query_filter_desc_init, writeQueryFilterDesc, 'filters');
+            const count = common(shapes_, displacements_, filters_);
             const out_hits_ = output(out, 'hit', count);
-            check(native.gphys_scene_sweep_filtered_batch(this.pointer, shapes_.type, pass(shapes_), shapes_.stride, pass(displacements_), 12, count, filters == null ? 0 : base, 0, pass(out_hits_), 52));
+            check(native.gphys_scene_sweep_filtered_batch(this.pointer, shapes_.type, pass(shapes_), shapes_.stride, pass(displacements_), 12, count, pass(filters_), filters_.stride, pass(out_hits_), 52));
             return finish(out_hits_);
         }
         penetrationFiltered(shape, filter) {
@@ -562,12 +571,13 @@ export function objects(memory) {
         penetrationFilteredBatch(shapes, filters) {
             begin();
             const shapes_ = inputShapes(shapes);
-            if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
-            const count = common(shapes_);
+            const filters_ = filters == null ? nothing : inputDescs(filters, 0, v.wide ? 32 : 28, native.gphys_query_filter_desc_init, writeQueryFilterDesc, 'filters');
+            const count = common(shapes_, filters_);
             const offsets = output(undefined, 'uint32_t', count + 1);
             const shapesAt = pass(shapes_);
+            const filtersAt = pass(filters_);
             const out_offsetsAt = pass(offsets);
-            return ragged('penetration', offsets, (room, capacity) => native.gphys_scene_penetration_filtered_batch(this.pointer, shapes_.type, shapesAt, shapes_.stride, count, filters == null ? 0 : base, 0, room, capacity, out_offsetsAt));
+            return ragged('penetration', offsets, (room, capacity) => native.gphys_scene_penetration_filtered_batch(this.pointer, shapes_.type, shapesAt, shapes_.stride, count, filtersAt, filters_.stride, room, capacity, out_offsetsAt));
         }
         rebuildOctree() {
             check(native.gphys_scene_rebuild_octree(this.pointer));
@@ -811,6 +821,7 @@ export function objects(memory) {
             return list('uint32_t', 0, (room, capacity) => native.gphys_camera_cull(this.pointer, pointer(scene, Scene, 'scene', false), bits(layers, 'layers'), room, capacity, base));
         }
         pickFiltered(scene, pixel_x, pixel_y, filter) {
+            begin();
             if (filter != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filter); }
             if (check(native.gphys_camera_pick_filtered(this.pointer, pointer(scene, Scene, 'scene', false), real(pixel_x, 'pixel_x'), real(pixel_y, 'pixel_y'), filter == null ? 0 : base, base + 32)) !== OK) return null;
             return readHit(v, 8);
@@ -818,10 +829,10 @@ export function objects(memory) {
         pickFilteredBatch(scene, pixels, filters, out) {
             begin();
             const pixels_ = input(pixels, 8, 'pixels', 'f32');
-            if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
-            const count = common(pixels_);
+            const filters_ = filters == null ? nothing : inputDescs(filters, 0, v.wide ? 32 : 28, native.gphys_query_filter_desc_init, writeQueryFilterDesc, 'filters');
+            const count = common(pixels_, filters_);
             const out_hits_ = output(out, 'hit', count);
-            check(native.gphys_camera_pick_filtered_batch(this.pointer, pointer(scene, Scene, 'scene', false), pass(pixels_), 8, count, filters == null ? 0 : base, 0, pass(out_hits_), 52));
+            check(native.gphys_camera_pick_filtered_batch(this.pointer, pointer(scene, Scene, 'scene', false), pass(pixels_), 8, count, pass(filters_), filters_.stride, pass(out_hits_), 52));
             return finish(out_hits_);
         }
         pickRectangleFiltered(scene, x0, y0, x1, y1, filter) {

@@ -12,9 +12,11 @@
 //   finish(array)  brings results back into the view
 //   room(bytes)  { argument, bytes } for a list of at least so many bytes, until the next room or begin
 //   take(room, bytes)  a copy of its first bytes
+//   hold(view)   the address of a copy of a view, or of itself, until begin
 //   records(kind, length, address)  Records that native functions reach without a copy, at an address or of their own
 import { INCOMPLETE, SHAPE_AABB } from './constants.js';
 import * as constants from './constants.js';
+import { whole } from './numbers.js';
 import { readOrbit, types, writeTransform } from './structs.js';
 
 export const PASS_BYTES = 1024; // the generator asserts that it is enough for every function
@@ -56,6 +58,7 @@ export class Records {
     #views;
     constructor(kind, length, buffer, start = 0) {
         const { size } = typeNamed(kind);
+        whole(length, 'length');
         this.kind = kind;
         this.length = length;
         this.stride = size;
@@ -239,13 +242,20 @@ export function runtime(memory) {
         const view = new Uint32Array((many.length * size) / 4);
         check(init(base + 4 * at, size));
         many.forEach((desc, i) => view.set(v.u32.subarray(at, at + size / 4), (i * size) / 4));
-        const views = viewsOf(view.buffer, 0, view.byteLength);
+        const views = { ...viewsOf(view.buffer, 0, view.byteLength), wide: v.wide, hold: v.hold };
         many.forEach((desc, i) => {
             if (typeof desc !== 'object' || desc === null) throw new TypeError(`${name}: expected an object, got ${desc}`);
             write(views, (i * size) / 4, desc);
         });
         return many === descs ? input(view, size, name) : { view, stride: 0 };
     }
+
+    /** A list in a desc: where it is while the call reads it, and its length. */
+    v.hold = function (value, name) {
+        const view = Array.isArray(value) ? Uint32Array.from(value, (number) => whole(number, name)) : viewOf(value ?? new Uint32Array(0), name, 'u32');
+        if (view.byteLength % 4) throw new RangeError(`${name}: not a whole number of elements of 4 bytes`);
+        return { address: view.byteLength === 0 ? 0 : memory.hold(view), length: view.byteLength / 4 };
+    };
 
     /** The indices of vertices that are not shared. */
     const ascending = (count) => Uint32Array.from({ length: count }, (_, i) => i);
@@ -323,9 +333,14 @@ export function runtime(memory) {
         return {
             GamephysClosed, GamephysError, Records, Shape, Shapes,
             shapes: (kind, data) => new Shapes(kind, data),
+            /** Memory for rows, which are 0; rays have no end. */
             records(kind, length) {
-                if (!(Number.isSafeInteger(length) && length >= 0)) throw new RangeError(`length: expected a whole number from 0 on, got ${length}`);
-                return memory.records(kind, length);
+                const made = memory.records(kind, whole(length, 'length'));
+                if (kind === 'ray') {
+                    const { f32 } = made, step = made.stride / 4;
+                    for (let end = step - 1; end < f32.length; end += step) f32[end] = Infinity;
+                }
+                return made;
             },
             version: () => {
                 const version = native.gphys_version();

@@ -235,7 +235,13 @@ export function writeQueryFilterDesc(v, at, value) {
             case 'layers': v.u32[at + 1] = bits(value[name], 'layers'); break;
             case 'ignored_model': v.u32[at + 2] = whole(value[name], 'ignored_model'); break;
             case 'flags': v.u32[at + 3] = bits(value[name], 'flags'); break;
-            case 'ignored_count': v.u32[at + (v.wide ? 6 : 5)] = whole(value[name], 'ignored_count'); break;
+            case 'ignored_models': {
+                const { address, length } = v.hold(value[name], 'ignored_models');
+                v.u32[at + 4] = address;
+                if (v.wide) v.u32[at + 4 + 1] = Math.floor(address / 2 ** 32);
+                v.u32[at + (v.wide ? 6 : 5)] = length;
+                break;
+            }
             default: throw new TypeError(`query_filter_desc has no field ${name}`);
         }
     }

@@ -101,6 +101,12 @@ export async function memory(source) {
             while (blocks.length > 1) native.free(blocks.shift().address);
             used = 0;
         },
+        hold(view) {
+            if (view.buffer === native.memory.buffer) return view.byteOffset;
+            const copy = block(view.byteLength);
+            new Uint8Array(native.memory.buffer).set(bytesOf(view), copy);
+            return copy;
+        },
         locate: (view) => (view.buffer === native.memory.buffer ? view.byteOffset : undefined),
         pass(array) {
             if (array.address !== undefined) return array.address;

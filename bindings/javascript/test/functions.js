@@ -211,6 +211,50 @@ test('filters leave out models', () => {
     same([...scene.cullFilteredBatch(views, filter).values], [target, target]);
 });
 
+test('filters have lists of models', () => {
+    const scene = new gp.Scene();
+    const models = [0, 4, 8, 12].map((z) => scene.add(ball, at(0, 0, z))), two = models.slice(0, 2);
+    const ray = { origin: [0, 0, -5], direction: [0, 0, 1] };
+    const records = gp.records('uint32_t', 2);
+    records.u32.set(two);
+    for (const list of [two, Uint32Array.from(two), Int32Array.from(two), scene.overlap(gp.sphere([0, 0, 2], 2)), records]) {
+        assert.strictEqual(scene.raycastFiltered(ray, { ignored_models: list }).model, models[2]);
+        same([...scene.overlapFiltered(gp.sphere([0, 0, 2], 50), { ignored_models: list })], models.slice(2));
+    }
+    for (const list of [[], null, undefined, new Uint32Array(0)]) {
+        assert.strictEqual(scene.raycastFiltered(ray, { ignored_models: list }).model, models[0]);
+    }
+    const many = Uint32Array.from({ length: 1_000_000 }, (_, i) => models[i % 3]); // more memory than there was
+    assert.strictEqual(scene.raycastFiltered(ray, { layers: 1, ignored_models: many, flags: 0 }).model, models[3]);
+    assert.throws(() => scene.raycastFiltered(ray, { ignored_models: [0.5] }), /ignored_models 0.5 is not a whole number/);
+    assert.throws(() => scene.raycastFiltered(ray, { ignored_models: new Float32Array(1) }), /ignored_models must hold whole numbers/);
+    assert.throws(() => scene.raycastFiltered(ray, { ignored_models: 7 }), /ignored_models must be/);
+    assert.throws(() => scene.raycastFiltered(ray, { ignored_count: 1 }), /no field ignored_count/);
+});
+
+test('batches take a filter for each', () => {
+    const scene = new gp.Scene();
+    const models = [0, 4, 8, 12].map((z) => scene.add(ball, at(0, 0, z)));
+    const rays = gp.records('ray', 3);
+    for (let i = 0; i < 3; ++i) rays.set(i, { origin: [0, 0, -5], direction: [0, 0, 1] });
+    const met = (filters) => [...scene.raycastFilteredBatch(rays, filters)].map((hit) => hit.model);
+    same(met([0, 1, 2].map((i) => ({ ignored_models: models.slice(0, i) }))), models.slice(0, 3));
+    same(met([{}, { ignored_model: models[0] }, { ignored_model: models[1] }]), [models[0], models[1], models[0]]);
+    same(met({ ignored_models: models.slice(0, 2) }), [models[2], models[2], models[2]]);
+    same(met(null), [models[0], models[0], models[0]]);
+    const { offsets } = scene.overlapFilteredBatch(gp.sphere([0, 0, 2], 2), [{}, { ignored_models: models }, { ignored_model: models[0] }]);
+    same([...offsets], [0, 2, 2, 3]);
+    assert.throws(() => met([{}, {}]), /different lengths/);
+    assert.throws(() => met([{}, {}, null]), /filters: expected an object/);
+});
+
+test('records have a length, and rays no end', () => {
+    for (const length of [-1, 1.5, NaN, 2 ** 32, '3']) assert.throws(() => gp.records('ray', length), /length/);
+    const rays = gp.records('ray', 2);
+    same([...rays].map(({ t_max }) => t_max), [Infinity, Infinity]);
+    same([...gp.records('ray', 0)], []);
+});
+
 test('shapes change, trees and cameras are read', () => {
     const scene = new gp.Scene();
     const body = scene.add(ball), head = scene.add(ball, null, { parent: body });

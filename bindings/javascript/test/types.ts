@@ -17,6 +17,8 @@ const corners: number[][] | null = new wasm.Camera({ viewport_width: 3 }).getCor
 scene.addDescribedBatch(gp.sphere([0, 0, 0], 1), null, [{ tag: 1 }, { layers: 2, parent: ball }, {}]);
 scene.addDescribedBatch(gp.sphere([0, 0, 0], 1), rays, { tag: 1 }, new Uint32Array(10));
 
+scene.raycastFiltered(rays.get(0), { ignored_models: [ball] });
+scene.raycastFilteredBatch(rays, [{ ignored_models: models }, { ignored_model: ball }]);
 scene.setTransform(ball, { position: [1, 2, 3] });
 scene.raycast({ origin: [0, 0, 0], direction: [0, 0, 1] });
 const threes = new gp.Mesh(new Float32Array(9), new Uint16Array(3));
@@ -48,6 +50,8 @@ new gp.Mesh(new Float32Array(9), new Float32Array(3));
 scene.addDescribedBatch(gp.sphere([0, 0, 0], 1), null, [{ weight: 1 }]);
 // @ts-expect-error: there is no such field
 new gp.Camera({ width: 3 });
+// @ts-expect-error: it goes with the list
+scene.raycastFiltered(rays.get(0), { ignored_count: 1 });
 // @ts-expect-error: a ray may meet nothing
 scene.raycast(rays.get(0)).t;
 // @ts-expect-error: there is no such kind

@@ -869,9 +869,10 @@ end
 --- @param filters nil: the defaults
 function Scene:raycast_filtered_batch(rays, filters, out)
     local rays, rays_count, rays_stride = to_array(Ray, rays)
-    local count = common(rays_count)
+    local filters, filters_count, filters_stride = to_descs(QueryFilterDesc, filters)
+    local count = common(rays_count, filters_count)
     out = results(Hit, out, count)
-    check(C.gphys_scene_raycast_filtered_batch(opened(self), rays, rays_stride, count, filters and to_desc(QueryFilterDesc, filters), 0, out, Hit.size))
+    check(C.gphys_scene_raycast_filtered_batch(opened(self), rays, rays_stride, count, filters, filters_stride, out, Hit.size))
     return out
 end
 
@@ -881,9 +882,10 @@ end
 --- @param filters nil: the defaults
 function Scene:raycast_distance_filtered_batch(rays, filters, out)
     local rays, rays_count, rays_stride = to_array(Ray, rays)
-    local count = common(rays_count)
+    local filters, filters_count, filters_stride = to_descs(QueryFilterDesc, filters)
+    local count = common(rays_count, filters_count)
     out = results(Distance, out, count)
-    check(C.gphys_scene_raycast_distance_filtered_batch(opened(self), rays, rays_stride, count, filters and to_desc(QueryFilterDesc, filters), 0, out, Distance.size))
+    check(C.gphys_scene_raycast_distance_filtered_batch(opened(self), rays, rays_stride, count, filters, filters_stride, out, Distance.size))
     return out
 end
 
@@ -904,9 +906,10 @@ end
 --- @param filters nil: the defaults
 function Scene:raycast_any_filtered_batch(rays, filters, out)
     local rays, rays_count, rays_stride = to_array(Ray, rays)
-    local count = common(rays_count)
+    local filters, filters_count, filters_stride = to_descs(QueryFilterDesc, filters)
+    local count = common(rays_count, filters_count)
     out = results(int32_t, out, count)
-    check(C.gphys_scene_raycast_any_filtered_batch(opened(self), rays, rays_stride, count, filters and to_desc(QueryFilterDesc, filters), 0, out, int32_t.size))
+    check(C.gphys_scene_raycast_any_filtered_batch(opened(self), rays, rays_stride, count, filters, filters_stride, out, int32_t.size))
     return out
 end
 
@@ -924,9 +927,10 @@ end
 --- @param filters nil: the defaults
 function Scene:raycast_all_filtered_batch(rays, filters)
     local rays, rays_count, rays_stride = to_array(Ray, rays)
-    local count = common(rays_count)
+    local filters, filters_count, filters_stride = to_descs(QueryFilterDesc, filters)
+    local count = common(rays_count, filters_count)
     return ragged(Hit, function(out, capacity, offsets)
-        return C.gphys_scene_raycast_all_filtered_batch(opened(self), rays, rays_stride, count, filters and to_desc(QueryFilterDesc, filters), 0, out, capacity, offsets)
+        return C.gphys_scene_raycast_all_filtered_batch(opened(self), rays, rays_stride, count, filters, filters_stride, out, capacity, offsets)
     end, count)
 end
 
@@ -944,9 +948,10 @@ end
 --- @param filters nil: the defaults
 function Scene:segment_test_filtered_batch(segments, filters, out)
     local segments, segments_count, segments_stride = to_array(Segment, segments)
-    local count = common(segments_count)
+    local filters, filters_count, filters_stride = to_descs(QueryFilterDesc, filters)
+    local count = common(segments_count, filters_count)
     out = results(Hit, out, count)
-    check(C.gphys_scene_segment_test_filtered_batch(opened(self), segments, segments_stride, count, filters and to_desc(QueryFilterDesc, filters), 0, out, Hit.size))
+    check(C.gphys_scene_segment_test_filtered_batch(opened(self), segments, segments_stride, count, filters, filters_stride, out, Hit.size))
     return out
 end
 
@@ -967,9 +972,10 @@ end
 --- @raise status ERROR_UNSUPPORTED: as there
 function Scene:overlap_filtered_batch(shapes, filters)
     local shapes, shapes_kind, shapes_count, shapes_stride = to_shapes(shapes)
-    local count = common(shapes_count)
+    local filters, filters_count, filters_stride = to_descs(QueryFilterDesc, filters)
+    local count = common(shapes_count, filters_count)
     return ragged(uint32_t, function(out, capacity, offsets)
-        return C.gphys_scene_overlap_filtered_batch(opened(self), shapes_kind, shapes, shapes_stride, count, filters and to_desc(QueryFilterDesc, filters), 0, out, capacity, offsets)
+        return C.gphys_scene_overlap_filtered_batch(opened(self), shapes_kind, shapes, shapes_stride, count, filters, filters_stride, out, capacity, offsets)
     end, count)
 end
 
@@ -989,9 +995,10 @@ end
 --- @param filters nil: the defaults
 function Scene:cull_filtered_batch(frusta, filters)
     local frusta, frusta_count, frusta_stride = to_array(Frustum, frusta)
-    local count = common(frusta_count)
+    local filters, filters_count, filters_stride = to_descs(QueryFilterDesc, filters)
+    local count = common(frusta_count, filters_count)
     return ragged(uint32_t, function(out, capacity, offsets)
-        return C.gphys_scene_cull_filtered_batch(opened(self), frusta, frusta_stride, count, filters and to_desc(QueryFilterDesc, filters), 0, out, capacity, offsets)
+        return C.gphys_scene_cull_filtered_batch(opened(self), frusta, frusta_stride, count, filters, filters_stride, out, capacity, offsets)
     end, count)
 end
 
@@ -1013,9 +1020,10 @@ end
 --- @param filters nil: the defaults
 function Scene:nearest_filtered_batch(points, max_distance, filters, out)
     local points, points_count, points_stride = to_array(Vec3, points)
-    local count = common(points_count)
+    local filters, filters_count, filters_stride = to_descs(QueryFilterDesc, filters)
+    local count = common(points_count, filters_count)
     out = results(Nearest, out, count)
-    check(C.gphys_scene_nearest_filtered_batch(opened(self), points, points_stride, count, real(max_distance or math.huge, 'max_distance'), filters and to_desc(QueryFilterDesc, filters), 0, out, Nearest.size))
+    check(C.gphys_scene_nearest_filtered_batch(opened(self), points, points_stride, count, real(max_distance or math.huge, 'max_distance'), filters, filters_stride, out, Nearest.size))
     return out
 end
 
@@ -1037,9 +1045,10 @@ end
 function Scene:sweep_sphere_filtered_batch(spheres, displacements, filters, out)
     local spheres, spheres_count, spheres_stride = to_array(Sphere, spheres)
     local displacements, displacements_count, displacements_stride = to_array(Vec3, displacements)
-    local count = common(spheres_count, displacements_count)
+    local filters, filters_count, filters_stride = to_descs(QueryFilterDesc, filters)
+    local count = common(spheres_count, displacements_count, filters_count)
     out = results(Hit, out, count)
-    check(C.gphys_scene_sweep_sphere_filtered_batch(opened(self), spheres, spheres_stride, displacements, displacements_stride, count, filters and to_desc(QueryFilterDesc, filters), 0, out, Hit.size))
+    check(C.gphys_scene_sweep_sphere_filtered_batch(opened(self), spheres, spheres_stride, displacements, displacements_stride, count, filters, filters_stride, out, Hit.size))
     return out
 end
 
@@ -1063,9 +1072,10 @@ end
 function Scene:sweep_filtered_batch(shapes, displacements, filters, out)
     local shapes, shapes_kind, shapes_count, shapes_stride = to_shapes(shapes)
     local displacements, displacements_count, displacements_stride = to_array(Vec3, displacements)
-    local count = common(shapes_count, displacements_count)
+    local filters, filters_count, filters_stride = to_descs(QueryFilterDesc, filters)
+    local count = common(shapes_count, displacements_count, filters_count)
     out = results(Hit, out, count)
-    check(C.gphys_scene_sweep_filtered_batch(opened(self), shapes_kind, shapes, shapes_stride, displacements, displacements_stride, count, filters and to_desc(QueryFilterDesc, filters), 0, out, Hit.size))
+    check(C.gphys_scene_sweep_filtered_batch(opened(self), shapes_kind, shapes, shapes_stride, displacements, displacements_stride, count, filters, filters_stride, out, Hit.size))
     return out
 end
 
@@ -1087,9 +1097,10 @@ end
 --- @raise status ERROR_UNSUPPORTED: as Scene:penetration
 function Scene:penetration_filtered_batch(shapes, filters)
     local shapes, shapes_kind, shapes_count, shapes_stride = to_shapes(shapes)
-    local count = common(shapes_count)
+    local filters, filters_count, filters_stride = to_descs(QueryFilterDesc, filters)
+    local count = common(shapes_count, filters_count)
     return ragged(Penetration, function(out, capacity, offsets)
-        return C.gphys_scene_penetration_filtered_batch(opened(self), shapes_kind, shapes, shapes_stride, count, filters and to_desc(QueryFilterDesc, filters), 0, out, capacity, offsets)
+        return C.gphys_scene_penetration_filtered_batch(opened(self), shapes_kind, shapes, shapes_stride, count, filters, filters_stride, out, capacity, offsets)
     end, count)
 end
 
@@ -1704,9 +1715,10 @@ end
 --- @param filters nil: the defaults
 function Camera:pick_filtered_batch(scene, pixels, filters, out)
     local pixels, pixels_count, pixels_stride = to_array(float, pixels, 2)
-    local count = common(pixels_count)
+    local filters, filters_count, filters_stride = to_descs(QueryFilterDesc, filters)
+    local count = common(pixels_count, filters_count)
     out = results(Hit, out, count)
-    check(C.gphys_camera_pick_filtered_batch(opened(self), opened(scene), pixels, pixels_stride, count, filters and to_desc(QueryFilterDesc, filters), 0, out, Hit.size))
+    check(C.gphys_camera_pick_filtered_batch(opened(self), opened(scene), pixels, pixels_stride, count, filters, filters_stride, out, Hit.size))
     return out
 end
 

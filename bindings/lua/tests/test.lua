@@ -221,6 +221,28 @@ function tests.batches_answer_as_single_calls_do()
     assert(scene:raycast_batch(rays, nil, room) == room and same(room, hits))
 end
 
+function tests.filters_have_lists_of_models_and_batches_a_filter_for_each()
+    local scene, models = gp.Scene(), {}
+    for i = 1, 4 do models[i] = scene:add(gp.Sphere({ 0, 0, 4 * (i - 1) }, 1)) end
+    local ray, near = gp.Ray({ 0, 0, -5 }, { 0, 0, 1 }), gp.Sphere({ 0, 0, 2 }, 2)
+    for _, list in ipairs { { models[1], models[2] }, gp.array('uint32_t', { models[1], models[2] }), (scene:overlap(near)) } do
+        assert(scene:raycast_filtered(ray, { ignored_models = list }).model == models[3])
+        assert(scene:overlap_filtered(gp.Sphere({ 0, 0, 0 }, 50), { ignored_models = list })[0] == models[3])
+    end
+    assert(scene:raycast_filtered(ray, { ignored_models = {} }).model == models[1])
+    local function met(filters)
+        collectgarbage()
+        local hits = scene:raycast_filtered_batch({ ray, ray, ray }, filters)
+        return ('%d %d %d'):format(hits[0].model - models[1], hits[1].model - models[1], hits[2].model - models[1])
+    end
+    assert(met { {}, { ignored_model = models[1] }, { ignored_models = { models[1], models[2] } } } == '0 1 2')
+    assert(met { ignored_models = { models[1], models[2] } } == '2 2 2' and met() == '0 0 0')
+    local _, ends = scene:overlap_filtered_batch({ near, near }, { {}, { ignored_models = models } })
+    assert(ends[1] == 2 and ends[2] == 2)
+    raises('different lengths: 3 and 2', met, { {}, {} })
+    raises('not a whole number', scene.raycast_filtered, scene, ray, { ignored_models = { 0.5 } })
+end
+
 function tests.filters_leave_out_models()
     local scene = gp.Scene()
     local body = scene:add(ball)

@@ -9,6 +9,9 @@ the interpreter's lock: queries may run in several threads at once, changes need
 import ctypes as _ctypes
 from typing import Any as _Any
 
+import numpy as _np
+from numpy.typing import ArrayLike as _ArrayLike, NDArray as _NDArray
+
 from . import _low
 from ._library import Error, InvalidArgument, InvalidId, OutOfMemory, check as _check
 from ._low import *  # noqa: F401,F403
@@ -30,6 +33,15 @@ def default_orbit() -> _low.Orbit:
     orbit = _low.Orbit()
     _check(_low.gphys_orbit_init(_ctypes.byref(orbit)))
     return orbit
+
+
+def rays(count: int, origin: _ArrayLike = (0, 0, 0), direction: _ArrayLike = (0, 0, 0),
+         t_max: _ArrayLike = float("inf")) -> _NDArray[_np.void]:
+    """So many rays in an array, for a batch. A field is one value for all, or one for each; without t_max they have no
+    end, whereas those of numpy.zeros end where they begin."""
+    made: _NDArray[_np.void] = _np.zeros(count, _low.ray_dtype)
+    made["origin"], made["direction"], made["t_max"] = origin, direction, t_max
+    return made
 
 
 def transform(shape: _Any, by: _Any) -> _Any:

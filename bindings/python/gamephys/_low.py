@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from ctypes import POINTER, Array, Structure, c_char_p, c_float, c_int32, c_size_t, c_uint32, c_void_p
 from struct import Struct
-from typing import Any
+from typing import Any, Sequence
 
 from numpy import dtype
+from numpy.typing import NDArray
 
 from ._library import function, needs
 from ._runtime import shape_types
-from ._values import NOT_NUMBERS, Built, Desc, Field, Value, Vector, VectorLike, struct
+from ._values import NOT_NUMBERS, Built, Desc, Field, List, Value, Vector, VectorLike, struct
 
 OK = 0
 NO_HIT = 1  # the query found nothing; outputs untouched
@@ -572,6 +573,10 @@ class MeshDesc(Desc, Structure):
             self.deformable = deformable
 
 
+mesh_desc_dtype: dtype[Any] = dtype([("struct_size", "<u4"), ("allocator", "P"), ("deformable", "<i4"), ("reserved", "<u4")], align=True)
+MeshDesc.dtype = mesh_desc_dtype
+
+
 @struct
 class MeshInfo(Value, Structure):
     """What a mesh is. Frozen.  Since 1.1.
@@ -672,6 +677,10 @@ class SceneDesc(Desc, Structure):
             self.worker_count = worker_count
 
 
+scene_desc_dtype: dtype[Any] = dtype([("struct_size", "<u4"), ("allocator", "P"), ("reserve_models", "<u4"), ("task_runner", "P"), ("worker_count", "<u4"), ("reserved", "<u4")], align=True)
+SceneDesc.dtype = scene_desc_dtype
+
+
 @struct
 class ModelDesc(Desc, Structure):
     """ModelDesc: parent, layers, tag, scale.
@@ -736,20 +745,20 @@ class QueryFilterDesc(Desc, Structure):
         layers: a model is seen if its own mask shares a bit; default ALL_LAYERS
         ignored_model: left out; 0: none; default 0
         flags: filter values; default 0
-        ignored_models: left out as well, in any order; read during the call; default None
-        ignored_count: of ignored_models; default 0"""
+        ignored_models: left out as well, in any order; read during the call; default None"""
 
-    __slots__ = ()
+    __slots__ = ("_ignored_models",)
+    _lists = {"ignored_models": "ignored_count"}
     struct_size: int
     layers: int
     ignored_model: int
     flags: int
-    ignored_models: int | None
+    ignored_models: List
     ignored_count: int
     reserved: int
     _fields_ = [("struct_size", c_uint32), ("layers", c_uint32), ("ignored_model", c_uint32), ("flags", c_uint32), ("ignored_models", c_void_p), ("ignored_count", c_uint32), ("reserved", c_uint32)]
 
-    def __init__(self, *, layers: int | None = None, ignored_model: int | None = None, flags: int | None = None, ignored_models: int | None = None, ignored_count: int | None = None) -> None:
+    def __init__(self, *, layers: int | None = None, ignored_model: int | None = None, flags: int | None = None, ignored_models: Sequence[int] | NDArray[Any] | None = None) -> None:
         self._start()
         if layers is not None:
             self.layers = layers
@@ -759,8 +768,10 @@ class QueryFilterDesc(Desc, Structure):
             self.flags = flags
         if ignored_models is not None:
             self.ignored_models = ignored_models
-        if ignored_count is not None:
-            self.ignored_count = ignored_count
+
+
+query_filter_desc_dtype: dtype[Any] = dtype([("struct_size", "<u4"), ("layers", "<u4"), ("ignored_model", "<u4"), ("flags", "<u4"), ("ignored_models", "P"), ("ignored_count", "<u4"), ("reserved", "<u4")], align=True)
+QueryFilterDesc.dtype = query_filter_desc_dtype
 
 
 @struct
@@ -797,6 +808,10 @@ class CameraDesc(Desc, Structure):
             self.viewport_width = viewport_width
         if viewport_height is not None:
             self.viewport_height = viewport_height
+
+
+camera_desc_dtype: dtype[Any] = dtype([("struct_size", "<u4"), ("allocator", "P"), ("handedness", "<i4"), ("depth_range", "<i4"), ("reverse_z", "<i4"), ("viewport_width", "<f4"), ("viewport_height", "<f4"), ("reserved", "<u4")], align=True)
+CameraDesc.dtype = camera_desc_dtype
 
 
 @struct
@@ -930,6 +945,10 @@ class SolverDesc(Desc, Structure):
             self.max_substeps = max_substeps
         if max_work is not None:
             self.max_work = max_work
+
+
+solver_desc_dtype: dtype[Any] = dtype([("struct_size", "<u4"), ("allocator", "P"), ("gravity", "<f4", (3,)), ("substeps", "<u4"), ("fixed_step", "<f4"), ("max_steps", "<u4"), ("task_runner", "P"), ("worker_count", "<u4"), ("sleep_speed", "<f4"), ("sleep_strain", "<f4"), ("sleep_time", "<f4"), ("max_strain", "<f4"), ("tolerance", "<f4"), ("max_substeps", "<u4"), ("max_work", "<u4")], align=True)
+SolverDesc.dtype = solver_desc_dtype
 
 
 @struct
@@ -1453,26 +1472,26 @@ gphys_scene_penetration = function("gphys_scene_penetration", c_int32, [c_void_p
 gphys_scene_penetration_batch = function("gphys_scene_penetration_batch", c_int32, [c_void_p, c_int32, c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p])
 gphys_query_filter_desc_init = function("gphys_query_filter_desc_init", c_int32, [c_void_p, c_uint32])
 gphys_scene_raycast_filtered = function("gphys_scene_raycast_filtered", c_int32, [c_void_p, POINTER(Ray), POINTER(QueryFilterDesc), c_void_p])
-gphys_scene_raycast_filtered_batch = function("gphys_scene_raycast_filtered_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, POINTER(QueryFilterDesc), c_uint32, c_void_p, c_uint32])
-gphys_scene_raycast_distance_filtered_batch = function("gphys_scene_raycast_distance_filtered_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, POINTER(QueryFilterDesc), c_uint32, c_void_p, c_uint32])
+gphys_scene_raycast_filtered_batch = function("gphys_scene_raycast_filtered_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32])
+gphys_scene_raycast_distance_filtered_batch = function("gphys_scene_raycast_distance_filtered_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32])
 gphys_scene_raycast_any_filtered = function("gphys_scene_raycast_any_filtered", c_int32, [c_void_p, POINTER(Ray), POINTER(QueryFilterDesc), c_void_p])
-gphys_scene_raycast_any_filtered_batch = function("gphys_scene_raycast_any_filtered_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, POINTER(QueryFilterDesc), c_uint32, c_void_p, c_uint32])
+gphys_scene_raycast_any_filtered_batch = function("gphys_scene_raycast_any_filtered_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32])
 gphys_scene_raycast_all_filtered = function("gphys_scene_raycast_all_filtered", c_int32, [c_void_p, POINTER(Ray), POINTER(QueryFilterDesc), c_void_p, c_uint32, c_void_p])
-gphys_scene_raycast_all_filtered_batch = function("gphys_scene_raycast_all_filtered_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, POINTER(QueryFilterDesc), c_uint32, c_void_p, c_uint32, c_void_p])
+gphys_scene_raycast_all_filtered_batch = function("gphys_scene_raycast_all_filtered_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
 gphys_scene_segment_test_filtered = function("gphys_scene_segment_test_filtered", c_int32, [c_void_p, POINTER(Segment), POINTER(QueryFilterDesc), c_void_p])
-gphys_scene_segment_test_filtered_batch = function("gphys_scene_segment_test_filtered_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, POINTER(QueryFilterDesc), c_uint32, c_void_p, c_uint32])
+gphys_scene_segment_test_filtered_batch = function("gphys_scene_segment_test_filtered_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32])
 gphys_scene_overlap_filtered = function("gphys_scene_overlap_filtered", c_int32, [c_void_p, c_int32, c_void_p, POINTER(QueryFilterDesc), c_void_p, c_uint32, c_void_p])
-gphys_scene_overlap_filtered_batch = function("gphys_scene_overlap_filtered_batch", c_int32, [c_void_p, c_int32, c_void_p, c_uint32, c_uint32, POINTER(QueryFilterDesc), c_uint32, c_void_p, c_uint32, c_void_p])
+gphys_scene_overlap_filtered_batch = function("gphys_scene_overlap_filtered_batch", c_int32, [c_void_p, c_int32, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
 gphys_scene_cull_filtered = function("gphys_scene_cull_filtered", c_int32, [c_void_p, POINTER(Frustum), POINTER(QueryFilterDesc), c_void_p, c_uint32, c_void_p])
-gphys_scene_cull_filtered_batch = function("gphys_scene_cull_filtered_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, POINTER(QueryFilterDesc), c_uint32, c_void_p, c_uint32, c_void_p])
+gphys_scene_cull_filtered_batch = function("gphys_scene_cull_filtered_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
 gphys_scene_nearest_filtered = function("gphys_scene_nearest_filtered", c_int32, [c_void_p, POINTER(Vec3), c_float, POINTER(QueryFilterDesc), c_void_p])
-gphys_scene_nearest_filtered_batch = function("gphys_scene_nearest_filtered_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_float, POINTER(QueryFilterDesc), c_uint32, c_void_p, c_uint32])
+gphys_scene_nearest_filtered_batch = function("gphys_scene_nearest_filtered_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_float, c_void_p, c_uint32, c_void_p, c_uint32])
 gphys_scene_sweep_sphere_filtered = function("gphys_scene_sweep_sphere_filtered", c_int32, [c_void_p, POINTER(Sphere), POINTER(Vec3), POINTER(QueryFilterDesc), c_void_p])
-gphys_scene_sweep_sphere_filtered_batch = function("gphys_scene_sweep_sphere_filtered_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p, c_uint32, c_uint32, POINTER(QueryFilterDesc), c_uint32, c_void_p, c_uint32])
+gphys_scene_sweep_sphere_filtered_batch = function("gphys_scene_sweep_sphere_filtered_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32])
 gphys_scene_sweep_filtered = function("gphys_scene_sweep_filtered", c_int32, [c_void_p, c_int32, c_void_p, POINTER(Vec3), POINTER(QueryFilterDesc), c_void_p])
-gphys_scene_sweep_filtered_batch = function("gphys_scene_sweep_filtered_batch", c_int32, [c_void_p, c_int32, c_void_p, c_uint32, c_void_p, c_uint32, c_uint32, POINTER(QueryFilterDesc), c_uint32, c_void_p, c_uint32])
+gphys_scene_sweep_filtered_batch = function("gphys_scene_sweep_filtered_batch", c_int32, [c_void_p, c_int32, c_void_p, c_uint32, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32])
 gphys_scene_penetration_filtered = function("gphys_scene_penetration_filtered", c_int32, [c_void_p, c_int32, c_void_p, POINTER(QueryFilterDesc), c_void_p, c_uint32, c_void_p])
-gphys_scene_penetration_filtered_batch = function("gphys_scene_penetration_filtered_batch", c_int32, [c_void_p, c_int32, c_void_p, c_uint32, c_uint32, POINTER(QueryFilterDesc), c_uint32, c_void_p, c_uint32, c_void_p])
+gphys_scene_penetration_filtered_batch = function("gphys_scene_penetration_filtered_batch", c_int32, [c_void_p, c_int32, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
 gphys_scene_rebuild_octree = function("gphys_scene_rebuild_octree", c_int32, [c_void_p])
 gphys_scene_maintain_octree = function("gphys_scene_maintain_octree", c_int32, [c_void_p, c_uint32, c_void_p])
 gphys_scene_get_octree_stats = function("gphys_scene_get_octree_stats", c_int32, [c_void_p, c_void_p])
@@ -1534,7 +1553,7 @@ gphys_camera_pick_batch = function("gphys_camera_pick_batch", c_int32, [c_void_p
 gphys_camera_pick_rectangle = function("gphys_camera_pick_rectangle", c_int32, [c_void_p, c_void_p, c_float, c_float, c_float, c_float, c_uint32, c_void_p, c_uint32, c_void_p])
 gphys_camera_cull = function("gphys_camera_cull", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
 gphys_camera_pick_filtered = function("gphys_camera_pick_filtered", c_int32, [c_void_p, c_void_p, c_float, c_float, POINTER(QueryFilterDesc), c_void_p])
-gphys_camera_pick_filtered_batch = function("gphys_camera_pick_filtered_batch", c_int32, [c_void_p, c_void_p, c_void_p, c_uint32, c_uint32, POINTER(QueryFilterDesc), c_uint32, c_void_p, c_uint32])
+gphys_camera_pick_filtered_batch = function("gphys_camera_pick_filtered_batch", c_int32, [c_void_p, c_void_p, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32])
 gphys_camera_pick_rectangle_filtered = function("gphys_camera_pick_rectangle_filtered", c_int32, [c_void_p, c_void_p, c_float, c_float, c_float, c_float, POINTER(QueryFilterDesc), c_void_p, c_uint32, c_void_p])
 gphys_camera_cull_filtered = function("gphys_camera_cull_filtered", c_int32, [c_void_p, c_void_p, POINTER(QueryFilterDesc), c_void_p, c_uint32, c_void_p])
 gphys_solver_desc_init = function("gphys_solver_desc_init", c_int32, [c_void_p, c_uint32])
@@ -1646,12 +1665,13 @@ __all__ = [
     "segment_dtype", "Sphere", "sphere_dtype", "Capsule", "capsule_dtype", "Aabb", "aabb_dtype", "Obb",
     "obb_dtype", "Plane", "plane_dtype", "Triangle", "triangle_dtype", "Frustum", "frustum_dtype", "Hit",
     "hit_dtype", "Nearest", "nearest_dtype", "Distance", "distance_dtype", "Penetration", "penetration_dtype",
-    "MeshReport", "mesh_report_dtype", "MeshDesc", "MeshInfo", "mesh_info_dtype", "OctreeStats",
-    "octree_stats_dtype", "OctreeBox", "octree_box_dtype", "SceneDesc", "ModelDesc", "model_desc_dtype",
-    "ModelInfo", "model_info_dtype", "QueryFilterDesc", "CameraDesc", "Orbit", "orbit_dtype", "OrbitSpeeds",
-    "orbit_speeds_dtype", "SolverDesc", "SolverSettings", "solver_settings_dtype", "BodyDesc",
-    "body_desc_dtype", "BodySettings", "body_settings_dtype", "BodyInfo", "body_info_dtype", "Wind",
-    "wind_dtype", "AnimationTarget", "animation_target_dtype", "Attachment", "attachment_dtype",
+    "MeshReport", "mesh_report_dtype", "MeshDesc", "mesh_desc_dtype", "MeshInfo", "mesh_info_dtype",
+    "OctreeStats", "octree_stats_dtype", "OctreeBox", "octree_box_dtype", "SceneDesc", "scene_desc_dtype",
+    "ModelDesc", "model_desc_dtype", "ModelInfo", "model_info_dtype", "QueryFilterDesc",
+    "query_filter_desc_dtype", "CameraDesc", "camera_desc_dtype", "Orbit", "orbit_dtype", "OrbitSpeeds",
+    "orbit_speeds_dtype", "SolverDesc", "solver_desc_dtype", "SolverSettings", "solver_settings_dtype",
+    "BodyDesc", "body_desc_dtype", "BodySettings", "body_settings_dtype", "BodyInfo", "body_info_dtype",
+    "Wind", "wind_dtype", "AnimationTarget", "animation_target_dtype", "Attachment", "attachment_dtype",
     "ConstraintInfo", "constraint_info_dtype", "ConstraintSettings", "constraint_settings_dtype", "JointInfo",
     "joint_info_dtype", "Break", "break_dtype", "SolverStats", "solver_stats_dtype", "Contact",
     "contact_dtype", "BodyContact", "body_contact_dtype", "Impulse", "impulse_dtype",

@@ -981,21 +981,21 @@ class Scene(Models):
         if status < 0: check(status)
         return None if status else out_hit
 
-    def raycast_filtered_batch(self, rays: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
+    def raycast_filtered_batch(self, rays: ArrayLike, filters: NDArray[np.void] | Sequence[low.QueryFilterDesc] | low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """Closest models on the rays that the filters see, as Scene.raycast_batch.
         Cost: at most that of as many calls of Scene.raycast_filtered; shared among workers.
 
         Args:
             filters: None: the defaults"""
         rays_ = array_of(rays, low.ray_dtype)
-        filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
-        count = common_length(rays_)
+        filters_ = descs_of(filters, low.QueryFilterDesc)
+        count = common_length(rays_, filters_)
         out_ = result_array(out, count, low.hit_dtype)
-        status = low.gphys_scene_raycast_filtered_batch(self._handle, rays_.address, rays_.stride, count, filters_, 0, out_.address, out_.stride)
+        status = low.gphys_scene_raycast_filtered_batch(self._handle, rays_.address, rays_.stride, count, filters_.address, filters_.stride, out_.address, out_.stride)
         if status < 0: check(status)
         return out_.array
 
-    def raycast_distance_filtered_batch(self, rays: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
+    def raycast_distance_filtered_batch(self, rays: ArrayLike, filters: NDArray[np.void] | Sequence[low.QueryFilterDesc] | low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """How far each of the rays goes among the models that its filter sees, as
         Scene.raycast_distance_batch: a lidar leaves out the robot that carries it.
         Cost: less than that of Scene.raycast_filtered_batch; shared among workers. Since 1.1.
@@ -1003,10 +1003,10 @@ class Scene(Models):
         Args:
             filters: None: the defaults"""
         rays_ = array_of(rays, low.ray_dtype)
-        filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
-        count = common_length(rays_)
+        filters_ = descs_of(filters, low.QueryFilterDesc)
+        count = common_length(rays_, filters_)
         out_ = result_array(out, count, low.distance_dtype)
-        status = low.gphys_scene_raycast_distance_filtered_batch(self._handle, rays_.address, rays_.stride, count, filters_, 0, out_.address, out_.stride)
+        status = low.gphys_scene_raycast_distance_filtered_batch(self._handle, rays_.address, rays_.stride, count, filters_.address, filters_.stride, out_.address, out_.stride)
         if status < 0: check(status)
         return out_.array
 
@@ -1024,17 +1024,17 @@ class Scene(Models):
         if status < 0: check(status)
         return bool(out_hit.value)
 
-    def raycast_any_filtered_batch(self, rays: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.int32]:
+    def raycast_any_filtered_batch(self, rays: ArrayLike, filters: NDArray[np.void] | Sequence[low.QueryFilterDesc] | low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.int32]:
         """Whether each of the rays meets anything that its filter sees, as Scene.raycast_any_batch.
         Cost: at most that of as many single calls; shared among workers.
 
         Args:
             filters: None: the defaults"""
         rays_ = array_of(rays, low.ray_dtype)
-        filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
-        count = common_length(rays_)
+        filters_ = descs_of(filters, low.QueryFilterDesc)
+        count = common_length(rays_, filters_)
         out_ = result_array(out, count, "<i4")
-        status = low.gphys_scene_raycast_any_filtered_batch(self._handle, rays_.address, rays_.stride, count, filters_, 0, out_.address, out_.stride)
+        status = low.gphys_scene_raycast_any_filtered_batch(self._handle, rays_.address, rays_.stride, count, filters_.address, filters_.stride, out_.address, out_.stride)
         if status < 0: check(status)
         return out_.array
 
@@ -1048,16 +1048,16 @@ class Scene(Models):
         filter_ = filter if filter is None else value_of(filter, low.QueryFilterDesc, "filter")
         return list_of(low.gphys_scene_raycast_all_filtered, (self._handle, ray_, filter_,), low.hit_dtype)
 
-    def raycast_all_filtered_batch(self, rays: ArrayLike, filters: low.QueryFilterDesc | None = None) -> tuple[NDArray[np.void], NDArray[np.uint32]]:
+    def raycast_all_filtered_batch(self, rays: ArrayLike, filters: NDArray[np.void] | Sequence[low.QueryFilterDesc] | low.QueryFilterDesc | None = None) -> tuple[NDArray[np.void], NDArray[np.uint32]]:
         """Every model that each of the rays meets and its filter sees, as Scene.raycast_all_batch.
         Cost: that of as many single calls; shared among workers.
 
         Args:
             filters: None: the defaults"""
         rays_ = array_of(rays, low.ray_dtype)
-        filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
-        count = common_length(rays_)
-        return ragged_of(low.gphys_scene_raycast_all_filtered_batch, (self._handle, rays_.address, rays_.stride, count, filters_, 0,), low.hit_dtype, count)
+        filters_ = descs_of(filters, low.QueryFilterDesc)
+        count = common_length(rays_, filters_)
+        return ragged_of(low.gphys_scene_raycast_all_filtered_batch, (self._handle, rays_.address, rays_.stride, count, filters_.address, filters_.stride,), low.hit_dtype, count)
 
     def segment_test_filtered(self, segment: low.Segment | StructLike, filter: low.QueryFilterDesc | None = None) -> low.Hit | None:
         """Closest model along a segment that the filter sees, as Scene.segment_test.
@@ -1075,17 +1075,17 @@ class Scene(Models):
         if status < 0: check(status)
         return None if status else out_hit
 
-    def segment_test_filtered_batch(self, segments: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
+    def segment_test_filtered_batch(self, segments: ArrayLike, filters: NDArray[np.void] | Sequence[low.QueryFilterDesc] | low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """Closest models along the segments that the filters see, as Scene.segment_test_batch.
         Cost: that of as many single calls; shared among workers.
 
         Args:
             filters: None: the defaults"""
         segments_ = array_of(segments, low.segment_dtype)
-        filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
-        count = common_length(segments_)
+        filters_ = descs_of(filters, low.QueryFilterDesc)
+        count = common_length(segments_, filters_)
         out_ = result_array(out, count, low.hit_dtype)
-        status = low.gphys_scene_segment_test_filtered_batch(self._handle, segments_.address, segments_.stride, count, filters_, 0, out_.address, out_.stride)
+        status = low.gphys_scene_segment_test_filtered_batch(self._handle, segments_.address, segments_.stride, count, filters_.address, filters_.stride, out_.address, out_.stride)
         if status < 0: check(status)
         return out_.array
 
@@ -1102,7 +1102,7 @@ class Scene(Models):
         filter_ = filter if filter is None else value_of(filter, low.QueryFilterDesc, "filter")
         return list_of(low.gphys_scene_overlap_filtered, (self._handle, type_, shape_, filter_,), "<u4")
 
-    def overlap_filtered_batch(self, shapes: ArrayLike | Mesh, filters: low.QueryFilterDesc | None = None) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
+    def overlap_filtered_batch(self, shapes: ArrayLike | Mesh, filters: NDArray[np.void] | Sequence[low.QueryFilterDesc] | low.QueryFilterDesc | None = None) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
         """Ids of all models that each of the shapes of one type overlaps and its filter sees, as
         Scene.overlap_batch.
         Cost: at most that of as many single calls; shared among workers.
@@ -1113,9 +1113,9 @@ class Scene(Models):
         Raises:
             Error, status ERROR_UNSUPPORTED: as there"""
         type_, shapes_ = shapes_of(shapes)
-        filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
-        count = common_length(shapes_)
-        return ragged_of(low.gphys_scene_overlap_filtered_batch, (self._handle, type_, shapes_.address, shapes_.stride, count, filters_, 0,), "<u4", count)
+        filters_ = descs_of(filters, low.QueryFilterDesc)
+        count = common_length(shapes_, filters_)
+        return ragged_of(low.gphys_scene_overlap_filtered_batch, (self._handle, type_, shapes_.address, shapes_.stride, count, filters_.address, filters_.stride,), "<u4", count)
 
     def cull_filtered(self, frustum: low.Frustum | StructLike, filter: low.QueryFilterDesc | None = None) -> NDArray[np.uint32]:
         """Ids of all models in a frustum, by their world boxes, that the filter sees, as Scene.cull: a
@@ -1128,7 +1128,7 @@ class Scene(Models):
         filter_ = filter if filter is None else value_of(filter, low.QueryFilterDesc, "filter")
         return list_of(low.gphys_scene_cull_filtered, (self._handle, frustum_, filter_,), "<u4")
 
-    def cull_filtered_batch(self, frusta: ArrayLike, filters: low.QueryFilterDesc | None = None) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
+    def cull_filtered_batch(self, frusta: ArrayLike, filters: NDArray[np.void] | Sequence[low.QueryFilterDesc] | low.QueryFilterDesc | None = None) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
         """Ids of the models in each of count frusta that its filter sees, as Scene.cull_batch: each
         player's view leaves out the player's own head.
         Cost: that of as many single calls; shared among workers. Since 1.1.
@@ -1136,9 +1136,9 @@ class Scene(Models):
         Args:
             filters: None: the defaults"""
         frusta_ = array_of(frusta, low.frustum_dtype)
-        filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
-        count = common_length(frusta_)
-        return ragged_of(low.gphys_scene_cull_filtered_batch, (self._handle, frusta_.address, frusta_.stride, count, filters_, 0,), "<u4", count)
+        filters_ = descs_of(filters, low.QueryFilterDesc)
+        count = common_length(frusta_, filters_)
+        return ragged_of(low.gphys_scene_cull_filtered_batch, (self._handle, frusta_.address, frusta_.stride, count, filters_.address, filters_.stride,), "<u4", count)
 
     def nearest_filtered(self, point: VectorLike, max_distance: float = float("inf"), filter: low.QueryFilterDesc | None = None) -> low.Nearest | None:
         """The model nearest to a point that the filter sees, as Scene.nearest: the nearest other model, if
@@ -1160,7 +1160,7 @@ class Scene(Models):
         if status < 0: check(status)
         return None if status else out_nearest
 
-    def nearest_filtered_batch(self, points: ArrayLike, max_distance: float = float("inf"), filters: low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
+    def nearest_filtered_batch(self, points: ArrayLike, max_distance: float = float("inf"), filters: NDArray[np.void] | Sequence[low.QueryFilterDesc] | low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """The models nearest to the points that the filters see, as Scene.nearest_batch.
         Cost: that of as many single calls; shared among workers.
 
@@ -1169,10 +1169,10 @@ class Scene(Models):
             filters: None: the defaults"""
         points_ = array_of(points, low.vec3_dtype)
         if type(max_distance) is not float: max_distance = number(max_distance, "max_distance")
-        filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
-        count = common_length(points_)
+        filters_ = descs_of(filters, low.QueryFilterDesc)
+        count = common_length(points_, filters_)
         out_ = result_array(out, count, low.nearest_dtype)
-        status = low.gphys_scene_nearest_filtered_batch(self._handle, points_.address, points_.stride, count, max_distance, filters_, 0, out_.address, out_.stride)
+        status = low.gphys_scene_nearest_filtered_batch(self._handle, points_.address, points_.stride, count, max_distance, filters_.address, filters_.stride, out_.address, out_.stride)
         if status < 0: check(status)
         return out_.array
 
@@ -1195,7 +1195,7 @@ class Scene(Models):
         if status < 0: check(status)
         return None if status else out_hit
 
-    def sweep_sphere_filtered_batch(self, spheres: ArrayLike, displacements: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
+    def sweep_sphere_filtered_batch(self, spheres: ArrayLike, displacements: ArrayLike, filters: NDArray[np.void] | Sequence[low.QueryFilterDesc] | low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """First models that count moving spheres touch and the filters see, as Scene.sweep_sphere_batch.
         Cost: that of as many single calls; shared among workers.
 
@@ -1204,10 +1204,10 @@ class Scene(Models):
             filters: None: the defaults"""
         spheres_ = array_of(spheres, low.sphere_dtype)
         displacements_ = array_of(displacements, low.vec3_dtype)
-        filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
-        count = common_length(spheres_, displacements_)
+        filters_ = descs_of(filters, low.QueryFilterDesc)
+        count = common_length(spheres_, displacements_, filters_)
         out_ = result_array(out, count, low.hit_dtype)
-        status = low.gphys_scene_sweep_sphere_filtered_batch(self._handle, spheres_.address, spheres_.stride, displacements_.address, displacements_.stride, count, filters_, 0, out_.address, out_.stride)
+        status = low.gphys_scene_sweep_sphere_filtered_batch(self._handle, spheres_.address, spheres_.stride, displacements_.address, displacements_.stride, count, filters_.address, filters_.stride, out_.address, out_.stride)
         if status < 0: check(status)
         return out_.array
 
@@ -1233,7 +1233,7 @@ class Scene(Models):
         if status < 0: check(status)
         return None if status else out_hit
 
-    def sweep_filtered_batch(self, shapes: ArrayLike | Mesh, displacements: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
+    def sweep_filtered_batch(self, shapes: ArrayLike | Mesh, displacements: ArrayLike, filters: NDArray[np.void] | Sequence[low.QueryFilterDesc] | low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """First models that count moving shapes of one type touch and the filters see, as
         Scene.sweep_batch.
         Cost: that of as many single calls; shared among workers.
@@ -1246,10 +1246,10 @@ class Scene(Models):
             Error, status ERROR_UNSUPPORTED: as Scene.sweep"""
         type_, shapes_ = shapes_of(shapes)
         displacements_ = array_of(displacements, low.vec3_dtype)
-        filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
-        count = common_length(shapes_, displacements_)
+        filters_ = descs_of(filters, low.QueryFilterDesc)
+        count = common_length(shapes_, displacements_, filters_)
         out_ = result_array(out, count, low.hit_dtype)
-        status = low.gphys_scene_sweep_filtered_batch(self._handle, type_, shapes_.address, shapes_.stride, displacements_.address, displacements_.stride, count, filters_, 0, out_.address, out_.stride)
+        status = low.gphys_scene_sweep_filtered_batch(self._handle, type_, shapes_.address, shapes_.stride, displacements_.address, displacements_.stride, count, filters_.address, filters_.stride, out_.address, out_.stride)
         if status < 0: check(status)
         return out_.array
 
@@ -1267,7 +1267,7 @@ class Scene(Models):
         filter_ = filter if filter is None else value_of(filter, low.QueryFilterDesc, "filter")
         return list_of(low.gphys_scene_penetration_filtered, (self._handle, type_, shape_, filter_,), low.penetration_dtype)
 
-    def penetration_filtered_batch(self, shapes: ArrayLike | Mesh, filters: low.QueryFilterDesc | None = None) -> tuple[NDArray[np.void], NDArray[np.uint32]]:
+    def penetration_filtered_batch(self, shapes: ArrayLike | Mesh, filters: NDArray[np.void] | Sequence[low.QueryFilterDesc] | low.QueryFilterDesc | None = None) -> tuple[NDArray[np.void], NDArray[np.uint32]]:
         """What each of the shapes of one type overlaps and its filter sees, and how it gets out, as
         Scene.penetration_batch: each character leaves out its own model.
         Cost: that of as many single calls; shared among workers. Since 1.1.
@@ -1278,9 +1278,9 @@ class Scene(Models):
         Raises:
             Error, status ERROR_UNSUPPORTED: as Scene.penetration"""
         type_, shapes_ = shapes_of(shapes)
-        filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
-        count = common_length(shapes_)
-        return ragged_of(low.gphys_scene_penetration_filtered_batch, (self._handle, type_, shapes_.address, shapes_.stride, count, filters_, 0,), low.penetration_dtype, count)
+        filters_ = descs_of(filters, low.QueryFilterDesc)
+        count = common_length(shapes_, filters_)
+        return ragged_of(low.gphys_scene_penetration_filtered_batch, (self._handle, type_, shapes_.address, shapes_.stride, count, filters_.address, filters_.stride,), low.penetration_dtype, count)
 
     def rebuild_octree(self) -> None:
         """Rebuild the scene's octree, as good as that of one Scene.add_batch. Never required: ids, answers
@@ -2025,7 +2025,7 @@ class Camera(Object):
         if status < 0: check(status)
         return None if status else out_hit
 
-    def pick_filtered_batch(self, scene: Scene | None, pixels: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
+    def pick_filtered_batch(self, scene: Scene | None, pixels: ArrayLike, filters: NDArray[np.void] | Sequence[low.QueryFilterDesc] | low.QueryFilterDesc | None = None, *, out: NDArray[Any] | None = None) -> NDArray[np.void]:
         """The models under the pixels that the filters see, as Camera.pick_batch.
         Cost: at most that of as many single calls; shared among the scene's workers.
 
@@ -2033,10 +2033,10 @@ class Camera(Object):
             pixels: x, y pairs of floats
             filters: None: the defaults"""
         pixels_ = array_of(pixels, "<f4", 2)
-        filters_ = filters if filters is None else value_of(filters, low.QueryFilterDesc, "filters")
-        count = common_length(pixels_)
+        filters_ = descs_of(filters, low.QueryFilterDesc)
+        count = common_length(pixels_, filters_)
         out_ = result_array(out, count, low.hit_dtype)
-        status = low.gphys_camera_pick_filtered_batch(self._handle, handle_of(scene, Scene), pixels_.address, pixels_.stride, count, filters_, 0, out_.address, out_.stride)
+        status = low.gphys_camera_pick_filtered_batch(self._handle, handle_of(scene, Scene), pixels_.address, pixels_.stride, count, filters_.address, filters_.stride, out_.address, out_.stride)
         if status < 0: check(status)
         return out_.array
 

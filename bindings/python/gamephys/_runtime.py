@@ -192,6 +192,8 @@ def array_of(things: Any, dtype: Any, width: int = 1) -> Argument:
         return _NONE
     dtype = np.dtype(dtype)
     base, inner = dtype.subdtype or (dtype, ())
+    if isinstance(things, (bytes, bytearray)):  # what a file has, such as a snapshot
+        things = np.frombuffer(things, base)
     if isinstance(things, (list, tuple)) and things and isinstance(things[0], Value):
         kind = type(things[0])
         if hasattr(kind, "dtype") and kind.dtype == dtype:
@@ -233,7 +235,8 @@ def structs_of(things: Any, kind: Any) -> Argument:
             raise TypeError(f"expected {kind.__name__}, got {type(thing).__name__}")
     array = (kind * len(things))(*things)
     size = ctypes.sizeof(kind)
-    return Argument(ctypes.addressof(array), size, len(things), size // 4 * len(things), array)
+    # The elements keep what they point to alive.
+    return Argument(ctypes.addressof(array), size, len(things), size // 4 * len(things), (array, *things) if kind._lists else array)
 
 
 def descs_of(things: Any, kind: Any) -> Argument:

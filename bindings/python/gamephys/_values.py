@@ -24,6 +24,7 @@ class Value:
     __slots__ = ()
     dtype: ClassVar[np.dtype[Any]]
     _fields_: ClassVar[Any]
+    _lists: ClassVar[dict[str, str]] = {}  # fields that are a list: their names, and those of the fields with its length
 
     def __iter__(self) -> Iterator[Any]:
         return (getattr(self, name) for name, *_ in self._fields_)
@@ -38,13 +39,16 @@ class Value:
         return f"{type(self).__name__}({fields})"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        if any(kind is ctypes.c_void_p and getattr(self, name) for name, kind in self._fields_):
+        if any(kind is ctypes.c_void_p and name not in self._lists and getattr(self, name) for name, kind in self._fields_):
             raise TypeError(f"{type(self).__name__} with a pointer cannot be copied")
-        return _rebuilt, (type(self), bytes(self))
+        return _rebuilt, (type(self), bytes(self), *(getattr(self, name) for name in self._lists))
 
 
-def _rebuilt(kind: Any, memory: bytes) -> Any:
-    return kind.from_buffer_copy(memory)
+def _rebuilt(kind: Any, memory: bytes, *lists: Any) -> Any:
+    made = kind.from_buffer_copy(memory)
+    for name, numbers in zip(kind._lists, lists):
+        setattr(made, name, numbers)
+    return made
 
 
 class Vector(Value):
@@ -120,6 +124,17 @@ def vector_of(given: Any, kind: Any, name: str) -> Any:
 
 if TYPE_CHECKING:
 
+    class List:
+        """A list of ids in a struct: read as an array, or None, and set from anything that is a list of them."""
+
+        @overload
+        def __get__(self, owner: None, kind: Any) -> List: ...
+        @overload
+        def __get__(self, owner: Any, kind: Any) -> NDArray[np.uint32] | None: ...
+        def __get__(self, owner: Any, kind: Any) -> Any: ...
+        def __init__(self, kind: Any, name: str, length: str) -> None: ...
+        def __set__(self, owner: Any, given: Sequence[int] | NDArray[Any] | None) -> None: ...
+
     class Field(Generic[V]):
         """A vector in a struct: read as its class, and set from anything that has so many numbers."""
 
@@ -132,6 +147,25 @@ if TYPE_CHECKING:
         def __set__(self, owner: Any, given: VectorLike) -> None: ...
 
 else:
+
+    class List(property):
+        """A field that is a list of ids, which the struct keeps alive; the length goes with it."""
+
+        def __init__(self, kind, name, length):
+            pointer, count, kept = getattr(kind, name), getattr(kind, length), f"_{name}"
+
+            def read(struct):
+                return getattr(struct, kept, None) if pointer.__get__(struct) else None
+
+            def write(struct, given):
+                array = np.array([] if given is None else numbers_as(np.dtype("<u4"), np.asarray(given).reshape(-1)), "<u4")
+                array.flags.writeable = False
+                setattr(struct, kept, array)
+                pointer.__set__(struct, array.__array_interface__["data"][0] if array.size else None)
+                count.__set__(struct, array.size)
+
+            super().__init__(read, write)
+            self.offset, self.size = pointer.offset, pointer.size
 
     class Field(property):
         """A field of a struct that checks what it is set to; offset and size are those of ctypes."""
@@ -153,13 +187,22 @@ def struct(kind: type[V]) -> type[V]:
         for at, name in enumerate(made._names):
             setattr(made, name, property(itemgetter(at), partial(_set_number, at)))
         return kind
+    for name, length in made._lists.items():
+        setattr(made, name, List(made, name, length))
+        setattr(made, length, Field(getattr(made, length), partial(_refused, f"{made.__name__}.{length} goes with {name}")))
     for name, of, *_ in made._fields_:
+        if name in made._lists or name in made._lists.values():
+            continue
         check = mask if name in _MASKS else _CHECKS.get(of)
         if issubclass(of, Vector):
             check = partial(vector_of, kind=of)
         if check:
             setattr(made, name, Field(getattr(made, name), partial(check, name=f"{made.__name__}.{name}")))
     return kind
+
+
+def _refused(why: str, _: Any) -> Any:
+    raise AttributeError(why)
 
 
 def _set_number(at: int, vector: Any, given: Any) -> None:
@@ -189,6 +232,8 @@ class Desc(Value):
         """So many of them in a numpy array, for a batch. A field is one value for all, or one for each."""
         descs: NDArray[np.void] = np.full(count, np.frombuffer(bytes(cls()), cls.dtype))
         for name, values in fields.items():
+            if name in cls._lists:
+                raise TypeError(f"{cls.__name__}.array: {name} is a list; give a list of {cls.__name__} instead of an array")
             if name not in (cls.dtype.names or ()):
                 raise TypeError(f"{cls.__name__} has no field {name}")
             numbers = np.asarray(values)

@@ -1,5 +1,7 @@
 """Every function of the library with an answer that is known."""
+import gc
 import math
+import pickle
 import unittest
 
 import gamephys as gp
@@ -179,8 +181,7 @@ class Functions(unittest.TestCase):
         moving, way, origin = gp.Sphere((0, 0, 0), 0.5), (0, 0, 20), (0, 0, 0)
         alone = gp.QueryFilterDesc(ignored_model=body)
         both = gp.QueryFilterDesc(ignored_model=body, flags=gp.FILTER_SUBTREE)
-        ignored = np.uint32([head, target])
-        listed = gp.QueryFilterDesc(ignored_models=ignored.ctypes.data, ignored_count=2)
+        listed = gp.QueryFilterDesc(ignored_models=[head, target])
         for filter, first in ((None, body), (alone, head), (both, target), (listed, body)):
             self.assertEqual(scene.raycast_filtered(ray, filter).model, first)
             self.assertEqual(scene.segment_test_filtered(segment, filter).model, first)
@@ -214,6 +215,72 @@ class Functions(unittest.TestCase):
         views = [camera.get_frustum(), camera.get_frustum()]
         self.assertEqual(scene.cull_batch(views)[1].tolist(), [0, 3, 6])
         self.assertEqual(scene.cull_filtered_batch(views, both)[0].tolist(), [target, target])
+
+    def test_filters_have_lists_of_models(self):
+        scene = gp.Scene()
+        models = [scene.add(BALL, ((0, 0, 4 * i), STILL, 1)) for i in range(4)]
+        ray = gp.Ray((0, 0, -5), (0, 0, 1))
+        for ignored in (models[:2], tuple(models[:2]), np.int64(models[:2]), np.uint32(models)[:2], scene.overlap(gp.Sphere((0, 0, 7), 2))):
+            filter = gp.QueryFilterDesc(ignored_models=ignored)
+            del ignored  # the filter has a copy
+            gc.collect()
+            self.assertEqual((filter.ignored_models.tolist(), filter.ignored_count), (models[:2], 2))
+            self.assertEqual(scene.raycast_filtered(ray, filter).model, models[2])
+            self.assertEqual(scene.raycast_filtered(ray, pickle.loads(pickle.dumps(filter))).model, models[2])
+        filter.ignored_models = models
+        self.assertIsNone(scene.raycast_filtered(ray, filter))
+        for nothing in ([], None):
+            filter.ignored_models = nothing
+            self.assertEqual(scene.raycast_filtered(ray, filter).model, models[0])
+        for wrong in ([0.5], ["a"], {1: 2}):
+            with self.assertRaises(TypeError):
+                gp.QueryFilterDesc(ignored_models=wrong)
+        for wrong in ([-1], [2**32]):
+            with self.assertRaises(ValueError):
+                gp.QueryFilterDesc(ignored_models=wrong)
+        with self.assertRaises(TypeError):
+            gp.QueryFilterDesc(ignored_count=2)
+
+    def test_batches_take_a_filter_for_each(self):
+        scene = gp.Scene()
+        models = [scene.add(BALL, ((0, 0, 4 * i), STILL, 1)) for i in range(4)]
+        rays = gp.rays(3, (0, 0, -5), (0, 0, 1))
+        each = [gp.QueryFilterDesc(ignored_models=models[:i]) for i in range(3)]
+        self.assertEqual(scene.raycast_filtered_batch(rays, each)["model"].tolist(), models[:3])
+        array = gp.QueryFilterDesc.array(3, ignored_model=[0, models[0], models[1]])
+        first = [models[0], models[1], models[0]]
+        self.assertEqual(scene.raycast_filtered_batch(rays, array)["model"].tolist(), first)
+        self.assertEqual(scene.raycast_filtered_batch(rays[:2], array[::2])["model"].tolist(), first[::2])
+        self.assertEqual(scene.raycast_filtered_batch(rays, each[2])["model"].tolist(), [models[2]] * 3)
+        self.assertEqual(scene.raycast_distance_filtered_batch(rays, each)["model"].tolist(), models[:3])
+        self.assertEqual(scene.overlap_filtered_batch([gp.Sphere((0, 0, 7), 2)] * 3, each)[1].tolist(), [0, 2, 3, 3])
+        self.assertEqual(len(scene.raycast_filtered_batch(rays[:0], [])), 0)
+        with self.assertRaisesRegex(ValueError, "different lengths"):
+            scene.raycast_filtered_batch(rays, each[:2])
+        with self.assertRaisesRegex(TypeError, "ignored_models is a list"):
+            gp.QueryFilterDesc.array(2, ignored_models=[[1], [2]])
+        for wrong in ([gp.ModelDesc()] * 3, 7, [None] * 3):
+            with self.assertRaises(TypeError):
+                scene.raycast_filtered_batch(rays, wrong)
+
+    def test_rays_have_no_end_unless_one_is_given(self):
+        scene = gp.Scene()
+        scene.add(BALL)
+        rays = gp.rays(2, direction=(0, 0, 1))
+        rays["origin"] = (0, 0, -5)
+        self.assertEqual(scene.raycast_batch(rays)["t"].tolist(), [9, 9])
+        self.assertEqual(gp.rays(2, t_max=[1, 2])["t_max"].tolist(), [1, 2])
+
+    def test_snapshots_are_restored_from_bytes(self):
+        scene = gp.Scene()
+        scene.add(BALL)
+        saved = scene.get_snapshot(True).tobytes()
+        for data in (saved, bytearray(saved)):
+            scene.clear()
+            scene.restore(None, data)
+            self.assertEqual(len(scene), 1)
+        with self.assertRaises(ValueError):
+            scene.restore(None, saved[:-1])
 
     def test_solids_move_up_to_what_they_touch_and_out_of_what_they_overlap(self):
         centred = gp.Sphere((0, 0, 0), 1)

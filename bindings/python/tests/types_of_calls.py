@@ -20,6 +20,10 @@ lists: tuple[NDArray[np.uint32], NDArray[np.uint32]] = scene.overlap_batch([gp.S
 described: NDArray[np.uint32] = scene.add_described_batch([], None, [gp.ModelDesc(tag=1)])
 scene.add_described_batch([], descs=gp.ModelDesc.array(2, tag=[1, 2]))
 scene.add_described_batch([], descs=gp.ModelDesc())
+listed = gp.QueryFilterDesc(ignored_models=[ball])
+listed.ignored_models = scene.get_models()
+met: NDArray[np.void] = scene.raycast_filtered_batch(gp.rays(2, direction=(0, 0, 1)), [listed, gp.QueryFilterDesc()])
+scene.raycast_filtered_batch(np.zeros((2, 7), np.float32), gp.QueryFilterDesc.array(2, ignored_model=[ball, 0]))
 moved = gp.Transform(np.zeros(3), scale=2)
 moved.position = (1, 2, 3)
 x: float = moved.position.x
@@ -47,4 +51,5 @@ gp.Sphere(1, 2)  # type: ignore[arg-type]
 gp.CameraDesc(viewport_widht=3)  # type: ignore[call-arg]
 scene.add(gp.Ray((0, 0, 0), (0, 0, 1)))  # type: ignore[arg-type]
 scene.set_parent(ball, 0, 1)  # type: ignore[arg-type]
+listed.ignored_models = 3  # type: ignore[assignment]
 moved.position = 3  # type: ignore[assignment]

@@ -178,6 +178,26 @@ class TestGamephys < Minitest::Test
     assert_equal hits.to_s, scene.raycast_batch(Records.new(Ray, 200, memory)).to_s
   end
 
+  def test_filters_have_lists_of_models_and_batches_a_filter_for_each
+    scene = Scene.new
+    models = Array.new(4) { |i| scene.add(Sphere.new([0, 0, 4 * i], 1)) }
+    ray, near = Ray.new([0, 0, -5], [0, 0, 1], Float::INFINITY), Sphere.new([0, 0, 2], 2)
+    [models[0, 2], models[0, 2].pack('L*'), scene.overlap(near)].each do |list|
+      filter = { ignored_models: list }
+      GC.start
+      assert_equal models[2], scene.raycast_filtered(ray, filter).model
+      assert_equal models[2, 2], scene.overlap_filtered(Sphere.new([0, 0, 0], 50), filter).to_a
+    end
+    [[], nil].each { |list| assert_equal models[0], scene.raycast_filtered(ray, { ignored_models: list }).model }
+    met = ->(filters) { scene.raycast_filtered_batch([ray] * 3, filters).map(&:model) }
+    assert_equal models[0, 3], met.call([{}, { ignored_model: models[0] }, { ignored_models: models[0, 2] }])
+    assert_equal [models[2]] * 3, met.call({ ignored_models: models[0, 2] })
+    assert_equal [models[0]] * 3, met.call(nil)
+    assert_equal [0, 2, 2], scene.overlap_filtered_batch([near, near], [{}, { ignored_models: models }])[1].to_a
+    assert_raises(ArgumentError) { met.call([{}, {}]) }
+    assert_raises(ArgumentError) { met.call({ ignored_count: 1 }) }
+  end
+
   def test_filters_leave_out_models
     scene = Scene.new
     body = scene.add(BALL)

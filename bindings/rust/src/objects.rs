@@ -1128,12 +1128,13 @@ impl Scene {
     /// Cost: at most that of as many calls of `Scene::raycast_filtered`; shared among workers.
     ///
     /// * `filters`: None: the defaults
-    pub fn raycast_filtered_batch<'a>(&self, rays: impl Into<Batch<'a, Ray>>, filters: Option<&QueryFilterDesc>, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
+    pub fn raycast_filtered_batch<'a>(&self, rays: impl Into<Batch<'a, Ray>>, filters: impl Into<Batch<'a, QueryFilterDesc>>, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
         let rays = rays.into();
+        let filters = filters.into();
         let out_hits = out_hits.into();
-        let count = common_length(&[rays.length])?;
+        let count = common_length(&[rays.length, filters.length])?;
         out_hits.require(count.into())?;
-        check(unsafe { sys::gphys_scene_raycast_filtered_batch(self.handle.as_ptr(), rays.data, rays.stride, count, pointer(filters), 0, out_hits.data, out_hits.stride) })
+        check(unsafe { sys::gphys_scene_raycast_filtered_batch(self.handle.as_ptr(), rays.data, rays.stride, count, filters.data, filters.stride, out_hits.data, out_hits.stride) })
     }
 
     /// How far each of the rays goes among the models that its filter sees, as
@@ -1142,12 +1143,13 @@ impl Scene {
     /// Cost: less than that of `Scene::raycast_filtered_batch`; shared among workers. Since 1.1.
     ///
     /// * `filters`: None: the defaults
-    pub fn raycast_distance_filtered_batch<'a>(&self, rays: impl Into<Batch<'a, Ray>>, filters: Option<&QueryFilterDesc>, out_distances: impl Into<BatchMut<'a, Distance>>) -> Result<()> {
+    pub fn raycast_distance_filtered_batch<'a>(&self, rays: impl Into<Batch<'a, Ray>>, filters: impl Into<Batch<'a, QueryFilterDesc>>, out_distances: impl Into<BatchMut<'a, Distance>>) -> Result<()> {
         let rays = rays.into();
+        let filters = filters.into();
         let out_distances = out_distances.into();
-        let count = common_length(&[rays.length])?;
+        let count = common_length(&[rays.length, filters.length])?;
         out_distances.require(count.into())?;
-        check(unsafe { sys::gphys_scene_raycast_distance_filtered_batch(self.handle.as_ptr(), rays.data, rays.stride, count, pointer(filters), 0, out_distances.data, out_distances.stride) })
+        check(unsafe { sys::gphys_scene_raycast_distance_filtered_batch(self.handle.as_ptr(), rays.data, rays.stride, count, filters.data, filters.stride, out_distances.data, out_distances.stride) })
     }
 
     /// Whether a ray meets anything that the filter sees, as `Scene::raycast_any`: line of sight between
@@ -1167,12 +1169,13 @@ impl Scene {
     /// Cost: at most that of as many single calls; shared among workers.
     ///
     /// * `filters`: None: the defaults
-    pub fn raycast_any_filtered_batch<'a>(&self, rays: impl Into<Batch<'a, Ray>>, filters: Option<&QueryFilterDesc>, out_hits: impl Into<BatchMut<'a, i32>>) -> Result<()> {
+    pub fn raycast_any_filtered_batch<'a>(&self, rays: impl Into<Batch<'a, Ray>>, filters: impl Into<Batch<'a, QueryFilterDesc>>, out_hits: impl Into<BatchMut<'a, i32>>) -> Result<()> {
         let rays = rays.into();
+        let filters = filters.into();
         let out_hits = out_hits.into();
-        let count = common_length(&[rays.length])?;
+        let count = common_length(&[rays.length, filters.length])?;
         out_hits.require(count.into())?;
-        check(unsafe { sys::gphys_scene_raycast_any_filtered_batch(self.handle.as_ptr(), rays.data, rays.stride, count, pointer(filters), 0, out_hits.data, out_hits.stride) })
+        check(unsafe { sys::gphys_scene_raycast_any_filtered_batch(self.handle.as_ptr(), rays.data, rays.stride, count, filters.data, filters.stride, out_hits.data, out_hits.stride) })
     }
 
     /// Every model that a ray meets and the filter sees, as `Scene::raycast_all`.
@@ -1189,10 +1192,11 @@ impl Scene {
     /// Cost: that of as many single calls; shared among workers.
     ///
     /// * `filters`: None: the defaults
-    pub fn raycast_all_filtered_batch<'a>(&self, rays: impl Into<Batch<'a, Ray>>, filters: Option<&QueryFilterDesc>) -> Result<Ragged<Hit>> {
+    pub fn raycast_all_filtered_batch<'a>(&self, rays: impl Into<Batch<'a, Ray>>, filters: impl Into<Batch<'a, QueryFilterDesc>>) -> Result<Ragged<Hit>> {
         let rays = rays.into();
-        let count = common_length(&[rays.length])?;
-        ragged(count, |out_hits, capacity, offsets| unsafe { sys::gphys_scene_raycast_all_filtered_batch(self.handle.as_ptr(), rays.data, rays.stride, count, pointer(filters), 0, out_hits, capacity, offsets) })
+        let filters = filters.into();
+        let count = common_length(&[rays.length, filters.length])?;
+        ragged(count, |out_hits, capacity, offsets| unsafe { sys::gphys_scene_raycast_all_filtered_batch(self.handle.as_ptr(), rays.data, rays.stride, count, filters.data, filters.stride, out_hits, capacity, offsets) })
     }
 
     /// Closest model along a segment that the filter sees, as `Scene::segment_test`.
@@ -1212,12 +1216,13 @@ impl Scene {
     /// Cost: that of as many single calls; shared among workers.
     ///
     /// * `filters`: None: the defaults
-    pub fn segment_test_filtered_batch<'a>(&self, segments: impl Into<Batch<'a, Segment>>, filters: Option<&QueryFilterDesc>, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
+    pub fn segment_test_filtered_batch<'a>(&self, segments: impl Into<Batch<'a, Segment>>, filters: impl Into<Batch<'a, QueryFilterDesc>>, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
         let segments = segments.into();
+        let filters = filters.into();
         let out_hits = out_hits.into();
-        let count = common_length(&[segments.length])?;
+        let count = common_length(&[segments.length, filters.length])?;
         out_hits.require(count.into())?;
-        check(unsafe { sys::gphys_scene_segment_test_filtered_batch(self.handle.as_ptr(), segments.data, segments.stride, count, pointer(filters), 0, out_hits.data, out_hits.stride) })
+        check(unsafe { sys::gphys_scene_segment_test_filtered_batch(self.handle.as_ptr(), segments.data, segments.stride, count, filters.data, filters.stride, out_hits.data, out_hits.stride) })
     }
 
     /// Ids of all models that overlap a shape and that the filter sees, as `Scene::overlap`.
@@ -1241,10 +1246,11 @@ impl Scene {
     ///
     /// # Errors
     /// * `Status::ERROR_UNSUPPORTED`: as there
-    pub fn overlap_filtered_batch<'a>(&self, shapes: impl Into<Shapes<'a>>, filters: Option<&QueryFilterDesc>) -> Result<Ragged<ModelId>> {
+    pub fn overlap_filtered_batch<'a>(&self, shapes: impl Into<Shapes<'a>>, filters: impl Into<Batch<'a, QueryFilterDesc>>) -> Result<Ragged<ModelId>> {
         let shapes = shapes.into();
-        let count = common_length(&[shapes.length])?;
-        ragged(count, |out_models, capacity, offsets| unsafe { sys::gphys_scene_overlap_filtered_batch(self.handle.as_ptr(), shapes.shape_type(), shapes.data, shapes.stride, count, pointer(filters), 0, out_models, capacity, offsets) })
+        let filters = filters.into();
+        let count = common_length(&[shapes.length, filters.length])?;
+        ragged(count, |out_models, capacity, offsets| unsafe { sys::gphys_scene_overlap_filtered_batch(self.handle.as_ptr(), shapes.shape_type(), shapes.data, shapes.stride, count, filters.data, filters.stride, out_models, capacity, offsets) })
     }
 
     /// Ids of all models in a frustum, by their world boxes, that the filter sees, as `Scene::cull`: a
@@ -1263,10 +1269,11 @@ impl Scene {
     /// Cost: that of as many single calls; shared among workers. Since 1.1.
     ///
     /// * `filters`: None: the defaults
-    pub fn cull_filtered_batch<'a>(&self, frusta: impl Into<Batch<'a, Frustum>>, filters: Option<&QueryFilterDesc>) -> Result<Ragged<ModelId>> {
+    pub fn cull_filtered_batch<'a>(&self, frusta: impl Into<Batch<'a, Frustum>>, filters: impl Into<Batch<'a, QueryFilterDesc>>) -> Result<Ragged<ModelId>> {
         let frusta = frusta.into();
-        let count = common_length(&[frusta.length])?;
-        ragged(count, |out_models, capacity, offsets| unsafe { sys::gphys_scene_cull_filtered_batch(self.handle.as_ptr(), frusta.data, frusta.stride, count, pointer(filters), 0, out_models, capacity, offsets) })
+        let filters = filters.into();
+        let count = common_length(&[frusta.length, filters.length])?;
+        ragged(count, |out_models, capacity, offsets| unsafe { sys::gphys_scene_cull_filtered_batch(self.handle.as_ptr(), frusta.data, frusta.stride, count, filters.data, filters.stride, out_models, capacity, offsets) })
     }
 
     /// The model nearest to a point that the filter sees, as `Scene::nearest`: the nearest other model, if
@@ -1291,12 +1298,13 @@ impl Scene {
     ///
     /// * `max_distance`: metres, >= 0, INFINITY allowed, for all points
     /// * `filters`: None: the defaults
-    pub fn nearest_filtered_batch<'a>(&self, points: impl Into<Batch<'a, Vec3>>, max_distance: f32, filters: Option<&QueryFilterDesc>, out_nearest: impl Into<BatchMut<'a, Nearest>>) -> Result<()> {
+    pub fn nearest_filtered_batch<'a>(&self, points: impl Into<Batch<'a, Vec3>>, max_distance: f32, filters: impl Into<Batch<'a, QueryFilterDesc>>, out_nearest: impl Into<BatchMut<'a, Nearest>>) -> Result<()> {
         let points = points.into();
+        let filters = filters.into();
         let out_nearest = out_nearest.into();
-        let count = common_length(&[points.length])?;
+        let count = common_length(&[points.length, filters.length])?;
         out_nearest.require(count.into())?;
-        check(unsafe { sys::gphys_scene_nearest_filtered_batch(self.handle.as_ptr(), points.data, points.stride, count, max_distance, pointer(filters), 0, out_nearest.data, out_nearest.stride) })
+        check(unsafe { sys::gphys_scene_nearest_filtered_batch(self.handle.as_ptr(), points.data, points.stride, count, max_distance, filters.data, filters.stride, out_nearest.data, out_nearest.stride) })
     }
 
     /// First model that a moving sphere touches and the filter sees, as `Scene::sweep_sphere`: the sphere
@@ -1320,13 +1328,14 @@ impl Scene {
     ///
     /// * `displacements`: metres
     /// * `filters`: None: the defaults
-    pub fn sweep_sphere_filtered_batch<'a>(&self, spheres: impl Into<Batch<'a, Sphere>>, displacements: impl Into<Batch<'a, Vec3>>, filters: Option<&QueryFilterDesc>, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
+    pub fn sweep_sphere_filtered_batch<'a>(&self, spheres: impl Into<Batch<'a, Sphere>>, displacements: impl Into<Batch<'a, Vec3>>, filters: impl Into<Batch<'a, QueryFilterDesc>>, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
         let spheres = spheres.into();
         let displacements = displacements.into();
+        let filters = filters.into();
         let out_hits = out_hits.into();
-        let count = common_length(&[spheres.length, displacements.length])?;
+        let count = common_length(&[spheres.length, displacements.length, filters.length])?;
         out_hits.require(count.into())?;
-        check(unsafe { sys::gphys_scene_sweep_sphere_filtered_batch(self.handle.as_ptr(), spheres.data, spheres.stride, displacements.data, displacements.stride, count, pointer(filters), 0, out_hits.data, out_hits.stride) })
+        check(unsafe { sys::gphys_scene_sweep_sphere_filtered_batch(self.handle.as_ptr(), spheres.data, spheres.stride, displacements.data, displacements.stride, count, filters.data, filters.stride, out_hits.data, out_hits.stride) })
     }
 
     /// First model that a moving sphere, capsule, AABB or OBB touches and the filter sees, as
@@ -1357,13 +1366,14 @@ impl Scene {
     ///
     /// # Errors
     /// * `Status::ERROR_UNSUPPORTED`: as `Scene::sweep`
-    pub fn sweep_filtered_batch<'a>(&self, shapes: impl Into<Shapes<'a>>, displacements: impl Into<Batch<'a, Vec3>>, filters: Option<&QueryFilterDesc>, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
+    pub fn sweep_filtered_batch<'a>(&self, shapes: impl Into<Shapes<'a>>, displacements: impl Into<Batch<'a, Vec3>>, filters: impl Into<Batch<'a, QueryFilterDesc>>, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
         let shapes = shapes.into();
         let displacements = displacements.into();
+        let filters = filters.into();
         let out_hits = out_hits.into();
-        let count = common_length(&[shapes.length, displacements.length])?;
+        let count = common_length(&[shapes.length, displacements.length, filters.length])?;
         out_hits.require(count.into())?;
-        check(unsafe { sys::gphys_scene_sweep_filtered_batch(self.handle.as_ptr(), shapes.shape_type(), shapes.data, shapes.stride, displacements.data, displacements.stride, count, pointer(filters), 0, out_hits.data, out_hits.stride) })
+        check(unsafe { sys::gphys_scene_sweep_filtered_batch(self.handle.as_ptr(), shapes.shape_type(), shapes.data, shapes.stride, displacements.data, displacements.stride, count, filters.data, filters.stride, out_hits.data, out_hits.stride) })
     }
 
     /// What a sphere, capsule, AABB or OBB overlaps and the filter sees, and how it gets out, as
@@ -1388,10 +1398,11 @@ impl Scene {
     ///
     /// # Errors
     /// * `Status::ERROR_UNSUPPORTED`: as `Scene::penetration`
-    pub fn penetration_filtered_batch<'a>(&self, shapes: impl Into<Shapes<'a>>, filters: Option<&QueryFilterDesc>) -> Result<Ragged<Penetration>> {
+    pub fn penetration_filtered_batch<'a>(&self, shapes: impl Into<Shapes<'a>>, filters: impl Into<Batch<'a, QueryFilterDesc>>) -> Result<Ragged<Penetration>> {
         let shapes = shapes.into();
-        let count = common_length(&[shapes.length])?;
-        ragged(count, |out_penetrations, capacity, offsets| unsafe { sys::gphys_scene_penetration_filtered_batch(self.handle.as_ptr(), shapes.shape_type(), shapes.data, shapes.stride, count, pointer(filters), 0, out_penetrations, capacity, offsets) })
+        let filters = filters.into();
+        let count = common_length(&[shapes.length, filters.length])?;
+        ragged(count, |out_penetrations, capacity, offsets| unsafe { sys::gphys_scene_penetration_filtered_batch(self.handle.as_ptr(), shapes.shape_type(), shapes.data, shapes.stride, count, filters.data, filters.stride, out_penetrations, capacity, offsets) })
     }
 
     /// Rebuild the scene's octree, as good as that of one `Scene::add_batch`. Never required: ids, answers
@@ -2116,12 +2127,13 @@ impl Camera {
     ///
     /// * `pixels`: x, y pairs of floats
     /// * `filters`: None: the defaults
-    pub fn pick_filtered_batch<'a>(&self, scene: &Scene, pixels: impl Into<Batch<'a, [f32; 2]>>, filters: Option<&QueryFilterDesc>, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
+    pub fn pick_filtered_batch<'a>(&self, scene: &Scene, pixels: impl Into<Batch<'a, [f32; 2]>>, filters: impl Into<Batch<'a, QueryFilterDesc>>, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
         let pixels = pixels.into();
+        let filters = filters.into();
         let out_hits = out_hits.into();
-        let count = common_length(&[pixels.length])?;
+        let count = common_length(&[pixels.length, filters.length])?;
         out_hits.require(count.into())?;
-        check(unsafe { sys::gphys_camera_pick_filtered_batch(self.handle.as_ptr(), scene.handle.as_ptr(), pixels.data, pixels.stride, count, pointer(filters), 0, out_hits.data, out_hits.stride) })
+        check(unsafe { sys::gphys_camera_pick_filtered_batch(self.handle.as_ptr(), scene.handle.as_ptr(), pixels.data, pixels.stride, count, filters.data, filters.stride, out_hits.data, out_hits.stride) })
     }
 
     /// Marquee: ids of all models in the pixel rectangle that the filter sees, as `Camera::pick_rectangle`.

@@ -18,6 +18,7 @@ module Gamephys
 
     class QueryFilterDesc < FFI::Struct
       layout :struct_size, :uint32, :layers, :uint32, :ignored_model, :uint32, :flags, :uint32, :ignored_models, :pointer, :ignored_count, :uint32, :reserved, :uint32
+      LISTS = { ignored_models: :ignored_count }.freeze
     end
 
     class CameraDesc < FFI::Struct

@@ -789,9 +789,10 @@ module Gamephys
     # @param filters nil: the defaults
     def raycast_filtered_batch(rays, filters = nil, out: nil)
       rays = Low.array(Ray, rays)
-      count = Low.common(rays)
+      filters = Low.descs(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters)
+      count = Low.common(rays, filters)
       out = Low.results(Hit, out, count)
-      Low.check(Low.gphys_scene_raycast_filtered_batch(opened, rays.pointer, rays.stride, count, filters && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters), 0, out.pointer, Hit::BYTES))
+      Low.check(Low.gphys_scene_raycast_filtered_batch(opened, rays.pointer, rays.stride, count, filters.pointer, filters.stride, out.pointer, Hit::BYTES))
       out
     end
 
@@ -801,9 +802,10 @@ module Gamephys
     # @param filters nil: the defaults
     def raycast_distance_filtered_batch(rays, filters = nil, out: nil)
       rays = Low.array(Ray, rays)
-      count = Low.common(rays)
+      filters = Low.descs(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters)
+      count = Low.common(rays, filters)
       out = Low.results(Distance, out, count)
-      Low.check(Low.gphys_scene_raycast_distance_filtered_batch(opened, rays.pointer, rays.stride, count, filters && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters), 0, out.pointer, Distance::BYTES))
+      Low.check(Low.gphys_scene_raycast_distance_filtered_batch(opened, rays.pointer, rays.stride, count, filters.pointer, filters.stride, out.pointer, Distance::BYTES))
       out
     end
 
@@ -822,9 +824,10 @@ module Gamephys
     # @param filters nil: the defaults
     def raycast_any_filtered_batch(rays, filters = nil, out: nil)
       rays = Low.array(Ray, rays)
-      count = Low.common(rays)
+      filters = Low.descs(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters)
+      count = Low.common(rays, filters)
       out = Low.results(Int32, out, count)
-      Low.check(Low.gphys_scene_raycast_any_filtered_batch(opened, rays.pointer, rays.stride, count, filters && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters), 0, out.pointer, Int32::BYTES))
+      Low.check(Low.gphys_scene_raycast_any_filtered_batch(opened, rays.pointer, rays.stride, count, filters.pointer, filters.stride, out.pointer, Int32::BYTES))
       out
     end
 
@@ -840,8 +843,9 @@ module Gamephys
     # @param filters nil: the defaults
     def raycast_all_filtered_batch(rays, filters = nil)
       rays = Low.array(Ray, rays)
-      count = Low.common(rays)
-      Low.ragged(Hit, count) { |out, capacity, offsets| Low.gphys_scene_raycast_all_filtered_batch(opened, rays.pointer, rays.stride, count, filters && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters), 0, out, capacity, offsets) }
+      filters = Low.descs(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters)
+      count = Low.common(rays, filters)
+      Low.ragged(Hit, count) { |out, capacity, offsets| Low.gphys_scene_raycast_all_filtered_batch(opened, rays.pointer, rays.stride, count, filters.pointer, filters.stride, out, capacity, offsets) }
     end
 
     # Closest model along a segment that the filter sees, as Scene#segment_test.
@@ -858,9 +862,10 @@ module Gamephys
     # @param filters nil: the defaults
     def segment_test_filtered_batch(segments, filters = nil, out: nil)
       segments = Low.array(Segment, segments)
-      count = Low.common(segments)
+      filters = Low.descs(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters)
+      count = Low.common(segments, filters)
       out = Low.results(Hit, out, count)
-      Low.check(Low.gphys_scene_segment_test_filtered_batch(opened, segments.pointer, segments.stride, count, filters && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters), 0, out.pointer, Hit::BYTES))
+      Low.check(Low.gphys_scene_segment_test_filtered_batch(opened, segments.pointer, segments.stride, count, filters.pointer, filters.stride, out.pointer, Hit::BYTES))
       out
     end
 
@@ -879,8 +884,9 @@ module Gamephys
     # @raise [Error] as there (ERROR_UNSUPPORTED)
     def overlap_filtered_batch(shapes, filters = nil)
       shapes = Low.shapes(shapes)
-      count = Low.common(shapes)
-      Low.ragged(UInt32, count) { |out, capacity, offsets| Low.gphys_scene_overlap_filtered_batch(opened, shapes.kind::KIND, shapes.pointer, shapes.stride, count, filters && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters), 0, out, capacity, offsets) }
+      filters = Low.descs(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters)
+      count = Low.common(shapes, filters)
+      Low.ragged(UInt32, count) { |out, capacity, offsets| Low.gphys_scene_overlap_filtered_batch(opened, shapes.kind::KIND, shapes.pointer, shapes.stride, count, filters.pointer, filters.stride, out, capacity, offsets) }
     end
 
     # Ids of all models in a frustum, by their world boxes, that the filter sees, as Scene#cull: a
@@ -897,8 +903,9 @@ module Gamephys
     # @param filters nil: the defaults
     def cull_filtered_batch(frusta, filters = nil)
       frusta = Low.array(Frustum, frusta)
-      count = Low.common(frusta)
-      Low.ragged(UInt32, count) { |out, capacity, offsets| Low.gphys_scene_cull_filtered_batch(opened, frusta.pointer, frusta.stride, count, filters && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters), 0, out, capacity, offsets) }
+      filters = Low.descs(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters)
+      count = Low.common(frusta, filters)
+      Low.ragged(UInt32, count) { |out, capacity, offsets| Low.gphys_scene_cull_filtered_batch(opened, frusta.pointer, frusta.stride, count, filters.pointer, filters.stride, out, capacity, offsets) }
     end
 
     # The model nearest to a point that the filter sees, as Scene#nearest: the nearest other model, if the
@@ -919,9 +926,10 @@ module Gamephys
     # @param filters nil: the defaults
     def nearest_filtered_batch(points, filters = nil, max_distance: Float::INFINITY, out: nil)
       points = Low.array(Vec3, points)
-      count = Low.common(points)
+      filters = Low.descs(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters)
+      count = Low.common(points, filters)
       out = Low.results(Nearest, out, count)
-      Low.check(Low.gphys_scene_nearest_filtered_batch(opened, points.pointer, points.stride, count, max_distance, filters && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters), 0, out.pointer, Nearest::BYTES))
+      Low.check(Low.gphys_scene_nearest_filtered_batch(opened, points.pointer, points.stride, count, max_distance, filters.pointer, filters.stride, out.pointer, Nearest::BYTES))
       out
     end
 
@@ -943,9 +951,10 @@ module Gamephys
     def sweep_sphere_filtered_batch(spheres, displacements, filters = nil, out: nil)
       spheres = Low.array(Sphere, spheres)
       displacements = Low.array(Vec3, displacements)
-      count = Low.common(spheres, displacements)
+      filters = Low.descs(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters)
+      count = Low.common(spheres, displacements, filters)
       out = Low.results(Hit, out, count)
-      Low.check(Low.gphys_scene_sweep_sphere_filtered_batch(opened, spheres.pointer, spheres.stride, displacements.pointer, displacements.stride, count, filters && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters), 0, out.pointer, Hit::BYTES))
+      Low.check(Low.gphys_scene_sweep_sphere_filtered_batch(opened, spheres.pointer, spheres.stride, displacements.pointer, displacements.stride, count, filters.pointer, filters.stride, out.pointer, Hit::BYTES))
       out
     end
 
@@ -969,9 +978,10 @@ module Gamephys
     def sweep_filtered_batch(shapes, displacements, filters = nil, out: nil)
       shapes = Low.shapes(shapes)
       displacements = Low.array(Vec3, displacements)
-      count = Low.common(shapes, displacements)
+      filters = Low.descs(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters)
+      count = Low.common(shapes, displacements, filters)
       out = Low.results(Hit, out, count)
-      Low.check(Low.gphys_scene_sweep_filtered_batch(opened, shapes.kind::KIND, shapes.pointer, shapes.stride, displacements.pointer, displacements.stride, count, filters && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters), 0, out.pointer, Hit::BYTES))
+      Low.check(Low.gphys_scene_sweep_filtered_batch(opened, shapes.kind::KIND, shapes.pointer, shapes.stride, displacements.pointer, displacements.stride, count, filters.pointer, filters.stride, out.pointer, Hit::BYTES))
       out
     end
 
@@ -991,8 +1001,9 @@ module Gamephys
     # @raise [Error] as Scene#penetration (ERROR_UNSUPPORTED)
     def penetration_filtered_batch(shapes, filters = nil)
       shapes = Low.shapes(shapes)
-      count = Low.common(shapes)
-      Low.ragged(Penetration, count) { |out, capacity, offsets| Low.gphys_scene_penetration_filtered_batch(opened, shapes.kind::KIND, shapes.pointer, shapes.stride, count, filters && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters), 0, out, capacity, offsets) }
+      filters = Low.descs(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters)
+      count = Low.common(shapes, filters)
+      Low.ragged(Penetration, count) { |out, capacity, offsets| Low.gphys_scene_penetration_filtered_batch(opened, shapes.kind::KIND, shapes.pointer, shapes.stride, count, filters.pointer, filters.stride, out, capacity, offsets) }
     end
 
     # Rebuild the scene's octree, as good as that of one Scene#add_batch. Never required: ids, answers and
@@ -1607,9 +1618,10 @@ module Gamephys
     # @param filters nil: the defaults
     def pick_filtered_batch(scene, pixels, filters = nil, out: nil)
       pixels = Low.array(Float32, pixels, 2)
-      count = Low.common(pixels)
+      filters = Low.descs(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters)
+      count = Low.common(pixels, filters)
       out = Low.results(Hit, out, count)
-      Low.check(Low.gphys_camera_pick_filtered_batch(opened, Low.opened(scene, Scene), pixels.pointer, pixels.stride, count, filters && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters), 0, out.pointer, Hit::BYTES))
+      Low.check(Low.gphys_camera_pick_filtered_batch(opened, Low.opened(scene, Scene), pixels.pointer, pixels.stride, count, filters.pointer, filters.stride, out.pointer, Hit::BYTES))
       out
     end
 

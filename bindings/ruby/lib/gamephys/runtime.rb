@@ -120,7 +120,7 @@ module Gamephys
 
   # Turns arguments into memory and statuses into results.
   module Low
-    Memory = ::Struct.new(:kind, :pointer, :count, :stride)
+    Memory = ::Struct.new(:kind, :pointer, :count, :stride, :kept)
     ERRORS = { -1 => InvalidArgument, -2 => InvalidId, -4 => OutOfMemory }.freeze
     OK, INCOMPLETE = 0, 2
     FIRST_GUESS = 64
@@ -152,11 +152,26 @@ module Gamephys
     def filled(made, init, fields)
       check(public_send(init, made, made.class.size))
       fields.each do |name, value|
-        raise ArgumentError, "#{made.class.name.split('::').last} has no field #{name}" unless made.members.include?(name)
+        unless made.members.include?(name) && !lists_of(made).value?(name)
+          raise ArgumentError, "#{made.class.name.split('::').last} has no field #{name}"
+        end
+        next list_into(made, name, value) if lists_of(made).key?(name)
 
         value.is_a?(Array) ? value.each_with_index { |number, i| made[name][i] = number } : made[name] = value
       end
       made
+    end
+
+    # The lists among a struct's fields, and the fields with their lengths.
+    def lists_of(made) = made.class.const_defined?(:LISTS) ? made.class::LISTS : {}
+
+    # A list of ids, whose memory the struct keeps.
+    def list_into(made, name, value)
+      given = array(UInt32, value || [])
+      memory = given.pointer
+      memory = FFI::MemoryPointer.new(:uint8, [memory.bytesize, 1].max).put_bytes(0, memory) if memory.is_a?(String)
+      made[name] = given.count.zero? ? nil : memory
+      made[lists_of(made)[name]] = given.count
     end
 
     def kind(shape)
@@ -216,8 +231,8 @@ module Gamephys
       when Hash then Memory.new(kind, filled(kind.new, init, given), nil, 0)
       when Array
         memory = FFI::MemoryPointer.new(kind, [given.size, 1].max)
-        given.each_with_index { |fields, i| filled(kind.new(memory + i * kind.size), init, fields) }
-        Memory.new(kind, memory, given.size, kind.size)
+        kept = given.each_with_index.map { |fields, i| filled(kind.new(memory + i * kind.size), init, fields) }
+        Memory.new(kind, memory, given.size, kind.size, kept)
       else raise TypeError, "#{given.class} is neither an Array of Hashes nor a Hash"
       end
     end

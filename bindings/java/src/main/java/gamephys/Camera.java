@@ -1091,15 +1091,15 @@ public final class Camera extends Owned {
      * @param pixels x, y pairs of floats
      * @param filters null: the defaults
      */
-    public Batch<Hit> pickFilteredBatch(Scene scene, Batch<Float> pixels, QueryFilterDesc filters, Batch<Hit> out) {
-        int count = Low.common(pixels.common(2));
+    public Batch<Hit> pickFilteredBatch(Scene scene, Batch<Float> pixels, Batch<QueryFilterDesc> filters, Batch<Hit> out) {
+        int count = Low.common(pixels.common(2), Batch.common(filters));
         Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
         int status;
         Pointer self = Owned.enter(this);
         try {
             Pointer scene_ = Owned.enter(scene);
             try {
-                status = Low.gphys_camera_pick_filtered_batch(self, scene_, pixels.pointer(), pixels.stride(8), count, filters == null ? null : filters.pointer(), 0, room.pointer(), Hit.LAYOUT.bytes());
+                status = Low.gphys_camera_pick_filtered_batch(self, scene_, pixels.pointer(), pixels.stride(8), count, Batch.pointer(filters), Batch.stride(filters), room.pointer(), Hit.LAYOUT.bytes());
             } finally {
                 Owned.leave(scene);
             }
@@ -1112,13 +1112,13 @@ public final class Camera extends Owned {
     }
 
     /** The same with defaults. */
-    public Batch<Hit> pickFilteredBatch(Scene scene, Batch<Float> pixels, QueryFilterDesc filters) {
+    public Batch<Hit> pickFilteredBatch(Scene scene, Batch<Float> pixels, Batch<QueryFilterDesc> filters) {
         return pickFilteredBatch(scene, pixels, filters, (Batch<Hit>) null);
     }
 
     /** The same with defaults. */
     public Batch<Hit> pickFilteredBatch(Scene scene, Batch<Float> pixels) {
-        return pickFilteredBatch(scene, pixels, (QueryFilterDesc) null, (Batch<Hit>) null);
+        return pickFilteredBatch(scene, pixels, (Batch<QueryFilterDesc>) null, (Batch<Hit>) null);
     }
 
     /**

@@ -11,6 +11,9 @@ import java.nio.ByteBuffer;
  * </pre>
  */
 public final class QueryFilterDesc {
+    /** For a Batch of copies: Batch.copyOf, or Batch.shared for one that stands for all. */
+    public static final Layout<QueryFilterDesc> LAYOUT = new Layout<>(Low.pick(32, 28), 0, QueryFilterDesc::read, QueryFilterDesc::write);
+
     private final ByteBuffer memory = Batch.direct(Low.pick(32, 28));
 
     public QueryFilterDesc() {
@@ -85,5 +88,15 @@ public final class QueryFilterDesc {
 
     public int ignoredCount() {
         return memory.getInt(Low.pick(24, 20));
+    }
+
+    private static QueryFilterDesc read(ByteBuffer memory, int at) {
+        QueryFilterDesc copy = new QueryFilterDesc();
+        copy.memory.put(0, memory, at, Low.pick(32, 28));
+        return copy;
+    }
+
+    private void write(ByteBuffer to, int at) {
+        to.put(at, memory, 0, Low.pick(32, 28));
     }
 }

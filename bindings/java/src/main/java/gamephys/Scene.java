@@ -1277,13 +1277,13 @@ public final class Scene extends SceneBase {
      * Cost: at most that of as many calls of Scene.raycastFiltered; shared among workers.
      * @param filters null: the defaults
      */
-    public Batch<Hit> raycastFilteredBatch(Batch<Ray> rays, QueryFilterDesc filters, Batch<Hit> out) {
-        int count = Low.common(rays.common());
+    public Batch<Hit> raycastFilteredBatch(Batch<Ray> rays, Batch<QueryFilterDesc> filters, Batch<Hit> out) {
+        int count = Low.common(rays.common(), Batch.common(filters));
         Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
         int status;
         Pointer self = Owned.enter(this);
         try {
-            status = Low.gphys_scene_raycast_filtered_batch(self, rays.pointer(), rays.stride(), count, filters == null ? null : filters.pointer(), 0, room.pointer(), Hit.LAYOUT.bytes());
+            status = Low.gphys_scene_raycast_filtered_batch(self, rays.pointer(), rays.stride(), count, Batch.pointer(filters), Batch.stride(filters), room.pointer(), Hit.LAYOUT.bytes());
         } finally {
             Owned.leave(this);
         }
@@ -1293,13 +1293,13 @@ public final class Scene extends SceneBase {
     }
 
     /** The same with defaults. */
-    public Batch<Hit> raycastFilteredBatch(Batch<Ray> rays, QueryFilterDesc filters) {
+    public Batch<Hit> raycastFilteredBatch(Batch<Ray> rays, Batch<QueryFilterDesc> filters) {
         return raycastFilteredBatch(rays, filters, (Batch<Hit>) null);
     }
 
     /** The same with defaults. */
     public Batch<Hit> raycastFilteredBatch(Batch<Ray> rays) {
-        return raycastFilteredBatch(rays, (QueryFilterDesc) null, (Batch<Hit>) null);
+        return raycastFilteredBatch(rays, (Batch<QueryFilterDesc>) null, (Batch<Hit>) null);
     }
 
     /**
@@ -1308,13 +1308,13 @@ public final class Scene extends SceneBase {
      * Cost: less than that of Scene.raycastFilteredBatch; shared among workers. Since 1.1.
      * @param filters null: the defaults
      */
-    public Batch<Distance> raycastDistanceFilteredBatch(Batch<Ray> rays, QueryFilterDesc filters, Batch<Distance> out) {
-        int count = Low.common(rays.common());
+    public Batch<Distance> raycastDistanceFilteredBatch(Batch<Ray> rays, Batch<QueryFilterDesc> filters, Batch<Distance> out) {
+        int count = Low.common(rays.common(), Batch.common(filters));
         Batch<Distance> room = Batch.room(Distance.LAYOUT, count, out);
         int status;
         Pointer self = Owned.enter(this);
         try {
-            status = Low.gphys_scene_raycast_distance_filtered_batch(self, rays.pointer(), rays.stride(), count, filters == null ? null : filters.pointer(), 0, room.pointer(), Distance.LAYOUT.bytes());
+            status = Low.gphys_scene_raycast_distance_filtered_batch(self, rays.pointer(), rays.stride(), count, Batch.pointer(filters), Batch.stride(filters), room.pointer(), Distance.LAYOUT.bytes());
         } finally {
             Owned.leave(this);
         }
@@ -1324,13 +1324,13 @@ public final class Scene extends SceneBase {
     }
 
     /** The same with defaults. */
-    public Batch<Distance> raycastDistanceFilteredBatch(Batch<Ray> rays, QueryFilterDesc filters) {
+    public Batch<Distance> raycastDistanceFilteredBatch(Batch<Ray> rays, Batch<QueryFilterDesc> filters) {
         return raycastDistanceFilteredBatch(rays, filters, (Batch<Distance>) null);
     }
 
     /** The same with defaults. */
     public Batch<Distance> raycastDistanceFilteredBatch(Batch<Ray> rays) {
-        return raycastDistanceFilteredBatch(rays, (QueryFilterDesc) null, (Batch<Distance>) null);
+        return raycastDistanceFilteredBatch(rays, (Batch<QueryFilterDesc>) null, (Batch<Distance>) null);
     }
 
     /**
@@ -1363,13 +1363,13 @@ public final class Scene extends SceneBase {
      * Cost: at most that of as many single calls; shared among workers.
      * @param filters null: the defaults
      */
-    public Batch<Integer> raycastAnyFilteredBatch(Batch<Ray> rays, QueryFilterDesc filters, Batch<Integer> out) {
-        int count = Low.common(rays.common());
+    public Batch<Integer> raycastAnyFilteredBatch(Batch<Ray> rays, Batch<QueryFilterDesc> filters, Batch<Integer> out) {
+        int count = Low.common(rays.common(), Batch.common(filters));
         Batch<Integer> room = Batch.room(Layout.INT, count, out);
         int status;
         Pointer self = Owned.enter(this);
         try {
-            status = Low.gphys_scene_raycast_any_filtered_batch(self, rays.pointer(), rays.stride(), count, filters == null ? null : filters.pointer(), 0, room.pointer(), Layout.INT.bytes());
+            status = Low.gphys_scene_raycast_any_filtered_batch(self, rays.pointer(), rays.stride(), count, Batch.pointer(filters), Batch.stride(filters), room.pointer(), Layout.INT.bytes());
         } finally {
             Owned.leave(this);
         }
@@ -1379,13 +1379,13 @@ public final class Scene extends SceneBase {
     }
 
     /** The same with defaults. */
-    public Batch<Integer> raycastAnyFilteredBatch(Batch<Ray> rays, QueryFilterDesc filters) {
+    public Batch<Integer> raycastAnyFilteredBatch(Batch<Ray> rays, Batch<QueryFilterDesc> filters) {
         return raycastAnyFilteredBatch(rays, filters, (Batch<Integer>) null);
     }
 
     /** The same with defaults. */
     public Batch<Integer> raycastAnyFilteredBatch(Batch<Ray> rays) {
-        return raycastAnyFilteredBatch(rays, (QueryFilterDesc) null, (Batch<Integer>) null);
+        return raycastAnyFilteredBatch(rays, (Batch<QueryFilterDesc>) null, (Batch<Integer>) null);
     }
 
     /**
@@ -1418,13 +1418,13 @@ public final class Scene extends SceneBase {
      * Cost: that of as many single calls; shared among workers.
      * @param filters null: the defaults
      */
-    public Ragged<Hit> raycastAllFilteredBatch(Batch<Ray> rays, QueryFilterDesc filters) {
-        int count = Low.common(rays.common());
+    public Ragged<Hit> raycastAllFilteredBatch(Batch<Ray> rays, Batch<QueryFilterDesc> filters) {
+        int count = Low.common(rays.common(), Batch.common(filters));
         return Low.ragged(Hit.LAYOUT, count, (room, capacity, offsets) -> {
                 int status;
                 Pointer self = Owned.enter(this);
                 try {
-                    status = Low.gphys_scene_raycast_all_filtered_batch(self, rays.pointer(), rays.stride(), count, filters == null ? null : filters.pointer(), 0, room, capacity, offsets);
+                    status = Low.gphys_scene_raycast_all_filtered_batch(self, rays.pointer(), rays.stride(), count, Batch.pointer(filters), Batch.stride(filters), room, capacity, offsets);
                 } finally {
                     Owned.leave(this);
                 }
@@ -1435,7 +1435,7 @@ public final class Scene extends SceneBase {
 
     /** The same with defaults. */
     public Ragged<Hit> raycastAllFilteredBatch(Batch<Ray> rays) {
-        return raycastAllFilteredBatch(rays, (QueryFilterDesc) null);
+        return raycastAllFilteredBatch(rays, (Batch<QueryFilterDesc>) null);
     }
 
     /**
@@ -1467,13 +1467,13 @@ public final class Scene extends SceneBase {
      * Cost: that of as many single calls; shared among workers.
      * @param filters null: the defaults
      */
-    public Batch<Hit> segmentTestFilteredBatch(Batch<Segment> segments, QueryFilterDesc filters, Batch<Hit> out) {
-        int count = Low.common(segments.common());
+    public Batch<Hit> segmentTestFilteredBatch(Batch<Segment> segments, Batch<QueryFilterDesc> filters, Batch<Hit> out) {
+        int count = Low.common(segments.common(), Batch.common(filters));
         Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
         int status;
         Pointer self = Owned.enter(this);
         try {
-            status = Low.gphys_scene_segment_test_filtered_batch(self, segments.pointer(), segments.stride(), count, filters == null ? null : filters.pointer(), 0, room.pointer(), Hit.LAYOUT.bytes());
+            status = Low.gphys_scene_segment_test_filtered_batch(self, segments.pointer(), segments.stride(), count, Batch.pointer(filters), Batch.stride(filters), room.pointer(), Hit.LAYOUT.bytes());
         } finally {
             Owned.leave(this);
         }
@@ -1483,13 +1483,13 @@ public final class Scene extends SceneBase {
     }
 
     /** The same with defaults. */
-    public Batch<Hit> segmentTestFilteredBatch(Batch<Segment> segments, QueryFilterDesc filters) {
+    public Batch<Hit> segmentTestFilteredBatch(Batch<Segment> segments, Batch<QueryFilterDesc> filters) {
         return segmentTestFilteredBatch(segments, filters, (Batch<Hit>) null);
     }
 
     /** The same with defaults. */
     public Batch<Hit> segmentTestFilteredBatch(Batch<Segment> segments) {
-        return segmentTestFilteredBatch(segments, (QueryFilterDesc) null, (Batch<Hit>) null);
+        return segmentTestFilteredBatch(segments, (Batch<QueryFilterDesc>) null, (Batch<Hit>) null);
     }
 
     /**
@@ -1526,13 +1526,13 @@ public final class Scene extends SceneBase {
      * @param filters null: the defaults
      * @throws GamephysException with ERROR_UNSUPPORTED: as there
      */
-    public Ragged<Integer> overlapFilteredBatch(Shapes shapes, QueryFilterDesc filters) {
-        int count = Low.common(shapes.common());
+    public Ragged<Integer> overlapFilteredBatch(Shapes shapes, Batch<QueryFilterDesc> filters) {
+        int count = Low.common(shapes.common(), Batch.common(filters));
         return Low.ragged(Layout.INT, count, (room, capacity, offsets) -> {
                 int status;
                 Pointer self = Owned.enter(this);
                 try {
-                    status = Low.gphys_scene_overlap_filtered_batch(self, shapes.kind(), shapes.pointer(), shapes.stride(), count, filters == null ? null : filters.pointer(), 0, room, capacity, offsets);
+                    status = Low.gphys_scene_overlap_filtered_batch(self, shapes.kind(), shapes.pointer(), shapes.stride(), count, Batch.pointer(filters), Batch.stride(filters), room, capacity, offsets);
                 } finally {
                     Owned.leave(this);
                 }
@@ -1543,7 +1543,7 @@ public final class Scene extends SceneBase {
 
     /** The same with defaults. */
     public Ragged<Integer> overlapFilteredBatch(Shapes shapes) {
-        return overlapFilteredBatch(shapes, (QueryFilterDesc) null);
+        return overlapFilteredBatch(shapes, (Batch<QueryFilterDesc>) null);
     }
 
     /**
@@ -1578,13 +1578,13 @@ public final class Scene extends SceneBase {
      * Cost: that of as many single calls; shared among workers. Since 1.1.
      * @param filters null: the defaults
      */
-    public Ragged<Integer> cullFilteredBatch(Batch<Frustum> frusta, QueryFilterDesc filters) {
-        int count = Low.common(frusta.common());
+    public Ragged<Integer> cullFilteredBatch(Batch<Frustum> frusta, Batch<QueryFilterDesc> filters) {
+        int count = Low.common(frusta.common(), Batch.common(filters));
         return Low.ragged(Layout.INT, count, (room, capacity, offsets) -> {
                 int status;
                 Pointer self = Owned.enter(this);
                 try {
-                    status = Low.gphys_scene_cull_filtered_batch(self, frusta.pointer(), frusta.stride(), count, filters == null ? null : filters.pointer(), 0, room, capacity, offsets);
+                    status = Low.gphys_scene_cull_filtered_batch(self, frusta.pointer(), frusta.stride(), count, Batch.pointer(filters), Batch.stride(filters), room, capacity, offsets);
                 } finally {
                     Owned.leave(this);
                 }
@@ -1595,7 +1595,7 @@ public final class Scene extends SceneBase {
 
     /** The same with defaults. */
     public Ragged<Integer> cullFilteredBatch(Batch<Frustum> frusta) {
-        return cullFilteredBatch(frusta, (QueryFilterDesc) null);
+        return cullFilteredBatch(frusta, (Batch<QueryFilterDesc>) null);
     }
 
     /**
@@ -1636,13 +1636,13 @@ public final class Scene extends SceneBase {
      * @param maxDistance metres, &gt;= 0, INFINITY allowed, for all points
      * @param filters null: the defaults
      */
-    public Batch<Nearest> nearestFilteredBatch(Batch<Vec3> points, float maxDistance, QueryFilterDesc filters, Batch<Nearest> out) {
-        int count = Low.common(points.common());
+    public Batch<Nearest> nearestFilteredBatch(Batch<Vec3> points, float maxDistance, Batch<QueryFilterDesc> filters, Batch<Nearest> out) {
+        int count = Low.common(points.common(), Batch.common(filters));
         Batch<Nearest> room = Batch.room(Nearest.LAYOUT, count, out);
         int status;
         Pointer self = Owned.enter(this);
         try {
-            status = Low.gphys_scene_nearest_filtered_batch(self, points.pointer(), points.stride(), count, maxDistance, filters == null ? null : filters.pointer(), 0, room.pointer(), Nearest.LAYOUT.bytes());
+            status = Low.gphys_scene_nearest_filtered_batch(self, points.pointer(), points.stride(), count, maxDistance, Batch.pointer(filters), Batch.stride(filters), room.pointer(), Nearest.LAYOUT.bytes());
         } finally {
             Owned.leave(this);
         }
@@ -1652,18 +1652,18 @@ public final class Scene extends SceneBase {
     }
 
     /** The same with defaults. */
-    public Batch<Nearest> nearestFilteredBatch(Batch<Vec3> points, float maxDistance, QueryFilterDesc filters) {
+    public Batch<Nearest> nearestFilteredBatch(Batch<Vec3> points, float maxDistance, Batch<QueryFilterDesc> filters) {
         return nearestFilteredBatch(points, maxDistance, filters, (Batch<Nearest>) null);
     }
 
     /** The same with defaults. */
     public Batch<Nearest> nearestFilteredBatch(Batch<Vec3> points, float maxDistance) {
-        return nearestFilteredBatch(points, maxDistance, (QueryFilterDesc) null, (Batch<Nearest>) null);
+        return nearestFilteredBatch(points, maxDistance, (Batch<QueryFilterDesc>) null, (Batch<Nearest>) null);
     }
 
     /** The same with defaults. */
     public Batch<Nearest> nearestFilteredBatch(Batch<Vec3> points) {
-        return nearestFilteredBatch(points, Float.POSITIVE_INFINITY, (QueryFilterDesc) null, (Batch<Nearest>) null);
+        return nearestFilteredBatch(points, Float.POSITIVE_INFINITY, (Batch<QueryFilterDesc>) null, (Batch<Nearest>) null);
     }
 
     /**
@@ -1698,13 +1698,13 @@ public final class Scene extends SceneBase {
      * @param displacements metres
      * @param filters null: the defaults
      */
-    public Batch<Hit> sweepSphereFilteredBatch(Batch<Sphere> spheres, Batch<Vec3> displacements, QueryFilterDesc filters, Batch<Hit> out) {
-        int count = Low.common(spheres.common(), displacements.common());
+    public Batch<Hit> sweepSphereFilteredBatch(Batch<Sphere> spheres, Batch<Vec3> displacements, Batch<QueryFilterDesc> filters, Batch<Hit> out) {
+        int count = Low.common(spheres.common(), displacements.common(), Batch.common(filters));
         Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
         int status;
         Pointer self = Owned.enter(this);
         try {
-            status = Low.gphys_scene_sweep_sphere_filtered_batch(self, spheres.pointer(), spheres.stride(), displacements.pointer(), displacements.stride(), count, filters == null ? null : filters.pointer(), 0, room.pointer(), Hit.LAYOUT.bytes());
+            status = Low.gphys_scene_sweep_sphere_filtered_batch(self, spheres.pointer(), spheres.stride(), displacements.pointer(), displacements.stride(), count, Batch.pointer(filters), Batch.stride(filters), room.pointer(), Hit.LAYOUT.bytes());
         } finally {
             Owned.leave(this);
         }
@@ -1714,13 +1714,13 @@ public final class Scene extends SceneBase {
     }
 
     /** The same with defaults. */
-    public Batch<Hit> sweepSphereFilteredBatch(Batch<Sphere> spheres, Batch<Vec3> displacements, QueryFilterDesc filters) {
+    public Batch<Hit> sweepSphereFilteredBatch(Batch<Sphere> spheres, Batch<Vec3> displacements, Batch<QueryFilterDesc> filters) {
         return sweepSphereFilteredBatch(spheres, displacements, filters, (Batch<Hit>) null);
     }
 
     /** The same with defaults. */
     public Batch<Hit> sweepSphereFilteredBatch(Batch<Sphere> spheres, Batch<Vec3> displacements) {
-        return sweepSphereFilteredBatch(spheres, displacements, (QueryFilterDesc) null, (Batch<Hit>) null);
+        return sweepSphereFilteredBatch(spheres, displacements, (Batch<QueryFilterDesc>) null, (Batch<Hit>) null);
     }
 
     /**
@@ -1757,13 +1757,13 @@ public final class Scene extends SceneBase {
      * @param filters null: the defaults
      * @throws GamephysException with ERROR_UNSUPPORTED: as Scene.sweep
      */
-    public Batch<Hit> sweepFilteredBatch(Shapes shapes, Batch<Vec3> displacements, QueryFilterDesc filters, Batch<Hit> out) {
-        int count = Low.common(shapes.common(), displacements.common());
+    public Batch<Hit> sweepFilteredBatch(Shapes shapes, Batch<Vec3> displacements, Batch<QueryFilterDesc> filters, Batch<Hit> out) {
+        int count = Low.common(shapes.common(), displacements.common(), Batch.common(filters));
         Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
         int status;
         Pointer self = Owned.enter(this);
         try {
-            status = Low.gphys_scene_sweep_filtered_batch(self, shapes.kind(), shapes.pointer(), shapes.stride(), displacements.pointer(), displacements.stride(), count, filters == null ? null : filters.pointer(), 0, room.pointer(), Hit.LAYOUT.bytes());
+            status = Low.gphys_scene_sweep_filtered_batch(self, shapes.kind(), shapes.pointer(), shapes.stride(), displacements.pointer(), displacements.stride(), count, Batch.pointer(filters), Batch.stride(filters), room.pointer(), Hit.LAYOUT.bytes());
         } finally {
             Owned.leave(this);
         }
@@ -1773,13 +1773,13 @@ public final class Scene extends SceneBase {
     }
 
     /** The same with defaults. */
-    public Batch<Hit> sweepFilteredBatch(Shapes shapes, Batch<Vec3> displacements, QueryFilterDesc filters) {
+    public Batch<Hit> sweepFilteredBatch(Shapes shapes, Batch<Vec3> displacements, Batch<QueryFilterDesc> filters) {
         return sweepFilteredBatch(shapes, displacements, filters, (Batch<Hit>) null);
     }
 
     /** The same with defaults. */
     public Batch<Hit> sweepFilteredBatch(Shapes shapes, Batch<Vec3> displacements) {
-        return sweepFilteredBatch(shapes, displacements, (QueryFilterDesc) null, (Batch<Hit>) null);
+        return sweepFilteredBatch(shapes, displacements, (Batch<QueryFilterDesc>) null, (Batch<Hit>) null);
     }
 
     /**
@@ -1816,13 +1816,13 @@ public final class Scene extends SceneBase {
      * @param filters null: the defaults
      * @throws GamephysException with ERROR_UNSUPPORTED: as Scene.penetration
      */
-    public Ragged<Penetration> penetrationFilteredBatch(Shapes shapes, QueryFilterDesc filters) {
-        int count = Low.common(shapes.common());
+    public Ragged<Penetration> penetrationFilteredBatch(Shapes shapes, Batch<QueryFilterDesc> filters) {
+        int count = Low.common(shapes.common(), Batch.common(filters));
         return Low.ragged(Penetration.LAYOUT, count, (room, capacity, offsets) -> {
                 int status;
                 Pointer self = Owned.enter(this);
                 try {
-                    status = Low.gphys_scene_penetration_filtered_batch(self, shapes.kind(), shapes.pointer(), shapes.stride(), count, filters == null ? null : filters.pointer(), 0, room, capacity, offsets);
+                    status = Low.gphys_scene_penetration_filtered_batch(self, shapes.kind(), shapes.pointer(), shapes.stride(), count, Batch.pointer(filters), Batch.stride(filters), room, capacity, offsets);
                 } finally {
                     Owned.leave(this);
                 }
@@ -1833,7 +1833,7 @@ public final class Scene extends SceneBase {
 
     /** The same with defaults. */
     public Ragged<Penetration> penetrationFilteredBatch(Shapes shapes) {
-        return penetrationFilteredBatch(shapes, (QueryFilterDesc) null);
+        return penetrationFilteredBatch(shapes, (Batch<QueryFilterDesc>) null);
     }
 
     /**
