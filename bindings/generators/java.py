@@ -1,8 +1,8 @@
 """Java: native methods for JNA, records for values, classes for settings and objects."""
 from ._calls import arguments, batch_arrays
 from ._docs import Language, as_tags, as_text, translated
-from ._names import (ANSWERS, OF_THE_DESC, SHAPES, base_type, calls, camel, constants, creations, element, lower_camel,
-                     other_creations, plain)
+from ._names import (ANSWERS, OF_THE_DESC, SHAPES, base_type, calls, camel, constants, creations, element, lists, lower_camel,
+                     other_creations, plain, settable)
 
 HEADER = "// Generated from gamephys_api.json by bindings/generate.py. Not for editing.\npackage gamephys;\n\n"
 PRIMITIVES = {"float": "float", "double": "double", "int32_t": "int", "uint32_t": "int", "size_t": "long"}
@@ -124,7 +124,9 @@ def settings(api, s):
     size = str(wide) if wide == narrow else f"Low.pick({wide}, {narrow})"
     text = HEADER + "import com.sun.jna.Pointer;\nimport java.nio.ByteBuffer;\n\n"
     text += (doc(s["doc"], "") or f"/** Settings: the library's defaults, until one is changed. */\n")
-    text += f"public final class {name} {{\n"
+    listed, places = lists(s), {f["name"]: place(f) for f in s["fields"]}
+    assert len(listed) < 2, "Listed keeps one"
+    text += f"public final class {name}{' extends Listed' if listed else ''} {{\n"
     if any(p["role"] == "array" and element(p) == s["name"] for f in api["functions"] for p in f["parameters"]):
         text += (f"    /** For a Batch of copies: Batch.copyOf, or Batch.shared for one that stands for all. */\n"
                  f"    public static final Layout<{name}> LAYOUT = new Layout<>({size}, 0, {name}::read, {name}::write);\n\n")
@@ -136,10 +138,15 @@ def settings(api, s):
     text += f"    private final ByteBuffer memory = Batch.direct({size});\n\n"
     text += f"    public {name}() {{\n        Low.check(Low.{s['name']}_init(pointer(), memory.capacity()));\n    }}\n\n"
     text += "    Pointer pointer() {\n        return com.sun.jna.Native.getDirectBufferPointer(memory);\n    }\n"
-    for f in s["fields"]:
-        if f["name"] in OF_THE_DESC:
-            continue
+    for f in settable(s):
         n, about = lower_camel(f["name"]), doc(f["doc"], "    ")
+        if f["name"] in listed:
+            text += (f"\n{about}    public {name} {n}(int... value) {{\n        Batch<Integer> copy = Batch.ints(value);\n"
+                     f"        pointer().setPointer({place(f)}, value.length == 0 ? null : copy.pointer());\n"
+                     f"        memory.putInt({places[listed[f['name']]]}, value.length);\n        list = copy;\n        return this;\n    }}\n"
+                     f"\n    /** The same from a Batch or another list. */\n    public {name} {n}(java.util.List<Integer> value) {{\n"
+                     f"        return {n}(value.stream().mapToInt(Integer::intValue).toArray());\n    }}\n")
+            continue
         if "*" in f["type"]:
             text += (f"\n{about}    public {name} {n}(Pointer value) {{\n        pointer().setPointer({place(f)}, value);\n        return this;\n    }}\n")
             continue

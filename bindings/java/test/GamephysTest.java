@@ -269,6 +269,34 @@ public class GamephysTest {
     }
 
     @Test
+    public void filtersHaveListsOfModelsAndBatchesAFilterForEach() {
+        Scene scene = new Scene();
+        int[] models = new int[4];
+        for (int i = 0; i < 4; ++i) models[i] = scene.add(new Sphere(new Vec3(0, 0, 4 * i), 1));
+        Ray ray = new Ray(new Vec3(0, 0, -5), new Vec3(0, 0, 1), Float.POSITIVE_INFINITY);
+        Sphere near = new Sphere(new Vec3(0, 0, 2), 2);
+        QueryFilterDesc none = new QueryFilterDesc().ignoredModels();
+        for (QueryFilterDesc two : List.of(new QueryFilterDesc().ignoredModels(models[1], models[0]),
+                new QueryFilterDesc().ignoredModels(scene.overlap(near)))) {
+            System.gc();
+            assertEquals(models[2], scene.raycastFiltered(ray, two).orElseThrow().model());
+            assertEquals(List.of(models[2], models[3]), scene.overlapFiltered(new Sphere(ZERO, 50), two));
+        }
+        assertEquals(models[0], scene.raycastFiltered(ray, none).orElseThrow().model());
+        Batch<Ray> rays = Batch.copyOf(Ray.LAYOUT, List.of(ray, ray, ray));
+        Batch<QueryFilterDesc> each = Batch.copyOf(QueryFilterDesc.LAYOUT, List.of(none, new QueryFilterDesc().ignoredModel(models[0]),
+                new QueryFilterDesc().ignoredModels(models[0], models[1])));
+        System.gc(); // the batch keeps the lists
+        Batch<Hit> hits = scene.raycastFilteredBatch(rays, each);
+        for (int i = 0; i < 3; ++i) assertEquals(models[i], hits.get(i).model());
+        assertEquals(models[2], scene.raycastFiltered(ray, each.get(2)).orElseThrow().model());
+        assertEquals(models[2], scene.raycastFilteredBatch(rays, Batch.shared(QueryFilterDesc.LAYOUT, each.get(2))).get(0).model());
+        assertEquals(models[0], scene.raycastFilteredBatch(rays, null).get(2).model());
+        assertEquals(List.of(0, 2, 3, 3), scene.overlapFilteredBatch(Shapes.of(List.of(near, near, near)), each).offsets());
+        assertThrows(IllegalArgumentException.class, () -> scene.raycastFilteredBatch(rays, each.first(2)));
+    }
+
+    @Test
     public void filtersLeaveOutModels() {
         Scene scene = new Scene();
         int body = scene.add(BALL);
@@ -290,24 +318,24 @@ public class GamephysTest {
         Batch<Ray> rays = Batch.copyOf(Ray.LAYOUT, List.of(ray, ray));
         Batch<Segment> segments = Batch.copyOf(Segment.LAYOUT, List.of(segment, segment));
         Batch<Sphere> spheres = Batch.copyOf(Sphere.LAYOUT, List.of(moving, moving));
-        assertEquals(target, scene.raycastFilteredBatch(rays, filter).get(1).model());
-        assertEquals(target, scene.segmentTestFilteredBatch(segments, filter).get(1).model());
-        assertEquals(target, scene.sweepSphereFilteredBatch(spheres, points(way, way), filter).get(1).model());
-        assertEquals(target, scene.nearestFilteredBatch(points(way, way), Float.POSITIVE_INFINITY, filter).get(1).model());
-        assertEquals(List.of(1, 1), scene.raycastAnyFilteredBatch(rays, filter));
-        assertEquals(target, scene.raycastDistanceFilteredBatch(rays, filter).get(1).model());
-        assertEquals(List.of(0, 1, 2), scene.raycastAllFilteredBatch(rays, filter).offsets());
-        assertEquals(List.of(target), scene.overlapFilteredBatch(Shapes.of(List.of(large, large)), filter).get(1));
+        assertEquals(target, scene.raycastFilteredBatch(rays, Batch.shared(QueryFilterDesc.LAYOUT, filter)).get(1).model());
+        assertEquals(target, scene.segmentTestFilteredBatch(segments, Batch.shared(QueryFilterDesc.LAYOUT, filter)).get(1).model());
+        assertEquals(target, scene.sweepSphereFilteredBatch(spheres, points(way, way), Batch.shared(QueryFilterDesc.LAYOUT, filter)).get(1).model());
+        assertEquals(target, scene.nearestFilteredBatch(points(way, way), Float.POSITIVE_INFINITY, Batch.shared(QueryFilterDesc.LAYOUT, filter)).get(1).model());
+        assertEquals(List.of(1, 1), scene.raycastAnyFilteredBatch(rays, Batch.shared(QueryFilterDesc.LAYOUT, filter)));
+        assertEquals(target, scene.raycastDistanceFilteredBatch(rays, Batch.shared(QueryFilterDesc.LAYOUT, filter)).get(1).model());
+        assertEquals(List.of(0, 1, 2), scene.raycastAllFilteredBatch(rays, Batch.shared(QueryFilterDesc.LAYOUT, filter)).offsets());
+        assertEquals(List.of(target), scene.overlapFilteredBatch(Shapes.of(List.of(large, large)), Batch.shared(QueryFilterDesc.LAYOUT, filter)).get(1));
         Camera camera = new Camera();
         camera.lookAt(v(0, 0, -10), ZERO, UP);
         assertEquals(target, camera.pickFiltered(scene, 400, 300, filter).orElseThrow().model());
-        assertEquals(target, camera.pickFilteredBatch(scene, Batch.floats(400, 300, 1, 1), filter).get(0).model());
+        assertEquals(target, camera.pickFilteredBatch(scene, Batch.floats(400, 300, 1, 1), Batch.shared(QueryFilterDesc.LAYOUT, filter)).get(0).model());
         assertEquals(List.of(target), camera.pickRectangleFiltered(scene, 0, 0, 800, 600, filter));
         assertEquals(List.of(target), camera.cullFiltered(scene, filter));
         assertEquals(List.of(target), scene.cullFiltered(camera.getFrustum(), filter));
         Batch<Frustum> views = Batch.copyOf(Frustum.LAYOUT, List.of(camera.getFrustum(), camera.getFrustum()));
         assertEquals(List.of(0, 3, 6), scene.cullBatch(views).offsets());
-        assertEquals(List.of(target), scene.cullFilteredBatch(views, filter).get(1));
+        assertEquals(List.of(target), scene.cullFilteredBatch(views, Batch.shared(QueryFilterDesc.LAYOUT, filter)).get(1));
     }
 
     @Test
@@ -325,13 +353,13 @@ public class GamephysTest {
         assertEquals(target, scene.sweep(moving, way).orElseThrow().model());
         assertTrue(scene.sweepFiltered(moving, way, filter).isEmpty());
         assertEquals(target, scene.sweepBatch(Shapes.of(spheres), points(way, way)).get(1).model());
-        assertEquals(0, scene.sweepFilteredBatch(Shapes.of(spheres), points(way, way), filter).get(1).model());
+        assertEquals(0, scene.sweepFilteredBatch(Shapes.of(spheres), points(way, way), Batch.shared(QueryFilterDesc.LAYOUT, filter)).get(1).model());
         assertEquals(0.5, scene.penetration(deep).get(0).depth(), 0);
         assertEquals(0, scene.penetrationFiltered(deep, filter).size());
         Shapes crowd = Shapes.of(List.of(deep, moving));
         assertEquals(List.of(0, 1, 1), scene.penetrationBatch(crowd).offsets());
         assertEquals(target, scene.penetrationBatch(crowd).get(0).get(0).model());
-        assertEquals(List.of(0, 0, 0), scene.penetrationFilteredBatch(crowd, filter).offsets());
+        assertEquals(List.of(0, 0, 0), scene.penetrationFilteredBatch(crowd, Batch.shared(QueryFilterDesc.LAYOUT, filter)).offsets());
         Sphere above = new Sphere(v(0, 4, 0), 1), inside = new Sphere(v(0, 0, 1.5f), 1);
         Batch<Hit> hits = sweepBatch(Shapes.of(centred), Shapes.of(List.of(above, inside)), points(v(0, -4, 0), v(0, -4, 0)));
         assertEquals(0.5, hits.get(0).t(), 0);

@@ -16,6 +16,7 @@ public final class Batch<T> extends AbstractList<T> {
     private final ByteBuffer memory;
     private final Pointer pointer;
     private final boolean shared;
+    private Object[] kept; // what elements point to
 
     private Batch(Layout<T> layout, ByteBuffer memory, boolean shared) {
         if (memory.capacity() % layout.bytes() != 0) {
@@ -75,13 +76,19 @@ public final class Batch<T> extends AbstractList<T> {
 
     @Override
     public T get(int index) {
-        return layout.reader().read(memory, at(index));
+        T value = layout.reader().read(memory, at(index));
+        if (kept != null && value instanceof Listed) ((Listed) value).list = kept[index];
+        return value;
     }
 
     /** Changes the memory; nothing is returned. */
     @Override
     public T set(int index, T value) {
         layout.writer().write(value, memory, at(index));
+        if (value instanceof Listed) {
+            if (kept == null) kept = new Object[size()];
+            kept[index] = ((Listed) value).list;
+        }
         return null;
     }
 
@@ -92,7 +99,9 @@ public final class Batch<T> extends AbstractList<T> {
 
     /** The first elements, in the same memory. */
     public Batch<T> first(int size) {
-        return new Batch<>(layout, memory.slice(0, size * layout.bytes()).order(ByteOrder.nativeOrder()), false);
+        Batch<T> part = new Batch<>(layout, memory.slice(0, size * layout.bytes()).order(ByteOrder.nativeOrder()), false);
+        part.kept = kept;
+        return part;
     }
 
     private int at(int index) {

@@ -10,7 +10,7 @@ import java.nio.ByteBuffer;
  * model that asked may have been removed since.
  * </pre>
  */
-public final class QueryFilterDesc {
+public final class QueryFilterDesc extends Listed {
     /** For a Batch of copies: Batch.copyOf, or Batch.shared for one that stands for all. */
     public static final Layout<QueryFilterDesc> LAYOUT = new Layout<>(Low.pick(32, 28), 0, QueryFilterDesc::read, QueryFilterDesc::write);
 
@@ -71,23 +71,17 @@ public final class QueryFilterDesc {
      * left out as well, in any order; read during the call; default null
      * </pre>
      */
-    public QueryFilterDesc ignoredModels(Pointer value) {
-        pointer().setPointer(16, value);
+    public QueryFilterDesc ignoredModels(int... value) {
+        Batch<Integer> copy = Batch.ints(value);
+        pointer().setPointer(16, value.length == 0 ? null : copy.pointer());
+        memory.putInt(Low.pick(24, 20), value.length);
+        list = copy;
         return this;
     }
 
-    /**
-     * <pre>
-     * of ignored_models; default 0
-     * </pre>
-     */
-    public QueryFilterDesc ignoredCount(int value) {
-        memory.putInt(Low.pick(24, 20), value);
-        return this;
-    }
-
-    public int ignoredCount() {
-        return memory.getInt(Low.pick(24, 20));
+    /** The same from a Batch or another list. */
+    public QueryFilterDesc ignoredModels(java.util.List<Integer> value) {
+        return ignoredModels(value.stream().mapToInt(Integer::intValue).toArray());
     }
 
     private static QueryFilterDesc read(ByteBuffer memory, int at) {
