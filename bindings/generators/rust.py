@@ -3,7 +3,7 @@ import re
 
 from ._calls import arguments, batch_arrays
 from ._docs import Language, outcome, paragraphs, translated, wrapped
-from ._names import BUILT, SHAPES, base_type, calls, camel, common_prefix, creations, element, other_creations, plain
+from ._names import BUILT, SHAPES, base_type, calls, camel, common_prefix, creations, element, has_lists, lists, other_creations, plain
 
 HEADER = "// Generated from gamephys_api.json by bindings/generate.py. Not for editing.\n"
 NUMBERS = {"float": "f32", "double": "f64", "int32_t": "i32", "uint32_t": "u32", "size_t": "usize", "void": "c_void"}
@@ -27,6 +27,11 @@ TEMPLATES = {
     "out": "&mut {n}", "in_fixed": "{n}.as_ptr()", "out_fixed": "{n}.as_mut_ptr()", "list": "{n}", "capacity": "capacity",
     "total": "total", "ragged": "{n}", "offsets": "offsets", "new": "&mut made",
 }
+
+
+def with_life(api, of):
+    """A struct's name, with the lifetime of what it points to."""
+    return camel(of) + ("<'a>" if has_lists(api, of) else "")
 
 
 def field_name(name):
@@ -65,12 +70,18 @@ def struct(api, s):
     derive = "Clone, Copy, Debug" + ("" if is_desc or name in CALLBACKS else ", PartialEq")
     if not is_desc and name not in CALLBACKS + OWN_DEFAULT:
         derive += ", Default"
-    out = docs(s["doc"]) + f"#[repr(C)]\n#[derive({derive})]\npub struct {camel(name)} {{\n"
+    listed = lists(s)
+    align = '#[cfg_attr(target_pointer_width = "64", repr(align(8)))]\n' if listed else ""  # which a List does not ask for
+    out = docs(s["doc"]) + f"#[repr(C)]\n{align}#[derive({derive})]\npub struct {with_life(api, name)} {{\n"
     for f in s["fields"]:
+        if f["name"] in listed.values():
+            continue
         kind = callback(f["type"]) if "(*)" in f["type"] else rust_type(api, f["type"])
         # What the library reads through is not for safe code to set.
         if is_desc and f["name"] == "struct_size":
-            kind = f"Size<{camel(name)}>"
+            kind = f"Size<{with_life(api, name)}>"
+        elif f["name"] in listed:
+            kind = f"List<'a, {rust_type(api, element(f))}>"
         elif is_desc and "*" in f["type"]:
             kind = f"Hook<{rust_type(api, element(f))}>"
         kind = f"[{kind}; {f['count']}]" if f["count"] > 1 else kind
@@ -87,7 +98,7 @@ def callback(of):
 
 
 def types(api):
-    out = [HEADER + "use crate::support::{Hook, Size};\nuse std::ffi::c_void;\n"]
+    out = [HEADER + "use crate::support::{Hook, List, Size};\nuse std::ffi::c_void;\n"]
     for enum in api["enums"]:
         if enum["name"]:
             kind = camel(enum["name"])
@@ -120,7 +131,7 @@ def types(api):
     for s in api["structs"]:
         out.append(f"    let s = std::mem::MaybeUninit::<{camel(s['name'])}>::uninit();\n    let p = s.as_ptr();")
         out += [f"    assert_eq!(unsafe {{ std::ptr::addr_of!((*p).{field_name(f['name'])}) }} as usize - p as usize, {f['offset'][0]});"
-                for f in s["fields"]]
+                for f in s["fields"] if f["name"] not in lists(s).values()]
     out.append("}\n")
     return "\n".join(out)
 
@@ -168,7 +179,7 @@ def parameter(api, call, p):
     if p["role"] == "array":
         if element(p) == "void":
             return f"{n}: impl Into<Shapes<'a>>"
-        return f"{n}: impl Into<Batch<'a, {item(api, p)}>>" if has_stride(call, p) else f"{n}: &[{of}]"
+        return f"{n}: impl Into<Batch<'a, {with_life(api, element(p)) if has_lists(api, element(p)) else item(api, p)}>>" if has_stride(call, p) else f"{n}: &[{of}]"
     if p["role"] == "handle":
         reference = "&" if p["type"].startswith("const ") else "&mut "
         return f"{n}: Option<{reference}{of}>" if p.get("nullable") else f"{n}: {reference}{of}"
@@ -296,7 +307,8 @@ def objects(api):
     for s in api["structs"]:
         if s["name"].endswith("_desc"):
             name = camel(s["name"])
-            out.append(f"impl Default for {name} {{\n    /// The defaults of the loaded library.\n    fn default() -> {name} {{\n"
+            life = "<'_>" if lists(s) else ""
+            out.append(f"impl Default for {name}{life} {{\n    /// The defaults of the loaded library.\n    fn default() -> Self {{\n"
                        f"        initialized(|desc| unsafe {{ sys::{s['name']}_init(desc, std::mem::size_of::<{name}>() as u32) }})\n    }}\n}}\n")
     shapes = [s for s in SHAPES if s != "mesh"]
     out += [f"plain_shape!({camel(s)}, {s.upper()}, {'Obb' if s == 'aabb' else camel(s)});" for s in shapes]

@@ -13,7 +13,7 @@ mod types;
 
 pub use objects::*;
 pub use shapes::{transform, PlainShape, Shape, Shapes};
-pub use support::{Batch, BatchMut, Error, Hook, Ragged, Result, Size};
+pub use support::{Batch, BatchMut, Error, Hook, List, Ragged, Result, Size};
 pub use types::*;
 
 /// Major, minor and patch version of the loaded library.

@@ -74,49 +74,49 @@ impl Triangle {
 
 impl Default for MeshDesc {
     /// The defaults of the loaded library.
-    fn default() -> MeshDesc {
+    fn default() -> Self {
         initialized(|desc| unsafe { sys::gphys_mesh_desc_init(desc, std::mem::size_of::<MeshDesc>() as u32) })
     }
 }
 
 impl Default for SceneDesc {
     /// The defaults of the loaded library.
-    fn default() -> SceneDesc {
+    fn default() -> Self {
         initialized(|desc| unsafe { sys::gphys_scene_desc_init(desc, std::mem::size_of::<SceneDesc>() as u32) })
     }
 }
 
 impl Default for ModelDesc {
     /// The defaults of the loaded library.
-    fn default() -> ModelDesc {
+    fn default() -> Self {
         initialized(|desc| unsafe { sys::gphys_model_desc_init(desc, std::mem::size_of::<ModelDesc>() as u32) })
     }
 }
 
-impl Default for QueryFilterDesc {
+impl Default for QueryFilterDesc<'_> {
     /// The defaults of the loaded library.
-    fn default() -> QueryFilterDesc {
+    fn default() -> Self {
         initialized(|desc| unsafe { sys::gphys_query_filter_desc_init(desc, std::mem::size_of::<QueryFilterDesc>() as u32) })
     }
 }
 
 impl Default for CameraDesc {
     /// The defaults of the loaded library.
-    fn default() -> CameraDesc {
+    fn default() -> Self {
         initialized(|desc| unsafe { sys::gphys_camera_desc_init(desc, std::mem::size_of::<CameraDesc>() as u32) })
     }
 }
 
 impl Default for SolverDesc {
     /// The defaults of the loaded library.
-    fn default() -> SolverDesc {
+    fn default() -> Self {
         initialized(|desc| unsafe { sys::gphys_solver_desc_init(desc, std::mem::size_of::<SolverDesc>() as u32) })
     }
 }
 
 impl Default for BodyDesc {
     /// The defaults of the loaded library.
-    fn default() -> BodyDesc {
+    fn default() -> Self {
         initialized(|desc| unsafe { sys::gphys_body_desc_init(desc, std::mem::size_of::<BodyDesc>() as u32) })
     }
 }
@@ -1128,7 +1128,7 @@ impl Scene {
     /// Cost: at most that of as many calls of `Scene::raycast_filtered`; shared among workers.
     ///
     /// * `filters`: None: the defaults
-    pub fn raycast_filtered_batch<'a>(&self, rays: impl Into<Batch<'a, Ray>>, filters: impl Into<Batch<'a, QueryFilterDesc>>, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
+    pub fn raycast_filtered_batch<'a>(&self, rays: impl Into<Batch<'a, Ray>>, filters: impl Into<Batch<'a, QueryFilterDesc<'a>>>, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
         let rays = rays.into();
         let filters = filters.into();
         let out_hits = out_hits.into();
@@ -1143,7 +1143,7 @@ impl Scene {
     /// Cost: less than that of `Scene::raycast_filtered_batch`; shared among workers. Since 1.1.
     ///
     /// * `filters`: None: the defaults
-    pub fn raycast_distance_filtered_batch<'a>(&self, rays: impl Into<Batch<'a, Ray>>, filters: impl Into<Batch<'a, QueryFilterDesc>>, out_distances: impl Into<BatchMut<'a, Distance>>) -> Result<()> {
+    pub fn raycast_distance_filtered_batch<'a>(&self, rays: impl Into<Batch<'a, Ray>>, filters: impl Into<Batch<'a, QueryFilterDesc<'a>>>, out_distances: impl Into<BatchMut<'a, Distance>>) -> Result<()> {
         let rays = rays.into();
         let filters = filters.into();
         let out_distances = out_distances.into();
@@ -1169,7 +1169,7 @@ impl Scene {
     /// Cost: at most that of as many single calls; shared among workers.
     ///
     /// * `filters`: None: the defaults
-    pub fn raycast_any_filtered_batch<'a>(&self, rays: impl Into<Batch<'a, Ray>>, filters: impl Into<Batch<'a, QueryFilterDesc>>, out_hits: impl Into<BatchMut<'a, i32>>) -> Result<()> {
+    pub fn raycast_any_filtered_batch<'a>(&self, rays: impl Into<Batch<'a, Ray>>, filters: impl Into<Batch<'a, QueryFilterDesc<'a>>>, out_hits: impl Into<BatchMut<'a, i32>>) -> Result<()> {
         let rays = rays.into();
         let filters = filters.into();
         let out_hits = out_hits.into();
@@ -1192,7 +1192,7 @@ impl Scene {
     /// Cost: that of as many single calls; shared among workers.
     ///
     /// * `filters`: None: the defaults
-    pub fn raycast_all_filtered_batch<'a>(&self, rays: impl Into<Batch<'a, Ray>>, filters: impl Into<Batch<'a, QueryFilterDesc>>) -> Result<Ragged<Hit>> {
+    pub fn raycast_all_filtered_batch<'a>(&self, rays: impl Into<Batch<'a, Ray>>, filters: impl Into<Batch<'a, QueryFilterDesc<'a>>>) -> Result<Ragged<Hit>> {
         let rays = rays.into();
         let filters = filters.into();
         let count = common_length(&[rays.length, filters.length])?;
@@ -1216,7 +1216,7 @@ impl Scene {
     /// Cost: that of as many single calls; shared among workers.
     ///
     /// * `filters`: None: the defaults
-    pub fn segment_test_filtered_batch<'a>(&self, segments: impl Into<Batch<'a, Segment>>, filters: impl Into<Batch<'a, QueryFilterDesc>>, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
+    pub fn segment_test_filtered_batch<'a>(&self, segments: impl Into<Batch<'a, Segment>>, filters: impl Into<Batch<'a, QueryFilterDesc<'a>>>, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
         let segments = segments.into();
         let filters = filters.into();
         let out_hits = out_hits.into();
@@ -1246,7 +1246,7 @@ impl Scene {
     ///
     /// # Errors
     /// * `Status::ERROR_UNSUPPORTED`: as there
-    pub fn overlap_filtered_batch<'a>(&self, shapes: impl Into<Shapes<'a>>, filters: impl Into<Batch<'a, QueryFilterDesc>>) -> Result<Ragged<ModelId>> {
+    pub fn overlap_filtered_batch<'a>(&self, shapes: impl Into<Shapes<'a>>, filters: impl Into<Batch<'a, QueryFilterDesc<'a>>>) -> Result<Ragged<ModelId>> {
         let shapes = shapes.into();
         let filters = filters.into();
         let count = common_length(&[shapes.length, filters.length])?;
@@ -1269,7 +1269,7 @@ impl Scene {
     /// Cost: that of as many single calls; shared among workers. Since 1.1.
     ///
     /// * `filters`: None: the defaults
-    pub fn cull_filtered_batch<'a>(&self, frusta: impl Into<Batch<'a, Frustum>>, filters: impl Into<Batch<'a, QueryFilterDesc>>) -> Result<Ragged<ModelId>> {
+    pub fn cull_filtered_batch<'a>(&self, frusta: impl Into<Batch<'a, Frustum>>, filters: impl Into<Batch<'a, QueryFilterDesc<'a>>>) -> Result<Ragged<ModelId>> {
         let frusta = frusta.into();
         let filters = filters.into();
         let count = common_length(&[frusta.length, filters.length])?;
@@ -1298,7 +1298,7 @@ impl Scene {
     ///
     /// * `max_distance`: metres, >= 0, INFINITY allowed, for all points
     /// * `filters`: None: the defaults
-    pub fn nearest_filtered_batch<'a>(&self, points: impl Into<Batch<'a, Vec3>>, max_distance: f32, filters: impl Into<Batch<'a, QueryFilterDesc>>, out_nearest: impl Into<BatchMut<'a, Nearest>>) -> Result<()> {
+    pub fn nearest_filtered_batch<'a>(&self, points: impl Into<Batch<'a, Vec3>>, max_distance: f32, filters: impl Into<Batch<'a, QueryFilterDesc<'a>>>, out_nearest: impl Into<BatchMut<'a, Nearest>>) -> Result<()> {
         let points = points.into();
         let filters = filters.into();
         let out_nearest = out_nearest.into();
@@ -1328,7 +1328,7 @@ impl Scene {
     ///
     /// * `displacements`: metres
     /// * `filters`: None: the defaults
-    pub fn sweep_sphere_filtered_batch<'a>(&self, spheres: impl Into<Batch<'a, Sphere>>, displacements: impl Into<Batch<'a, Vec3>>, filters: impl Into<Batch<'a, QueryFilterDesc>>, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
+    pub fn sweep_sphere_filtered_batch<'a>(&self, spheres: impl Into<Batch<'a, Sphere>>, displacements: impl Into<Batch<'a, Vec3>>, filters: impl Into<Batch<'a, QueryFilterDesc<'a>>>, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
         let spheres = spheres.into();
         let displacements = displacements.into();
         let filters = filters.into();
@@ -1366,7 +1366,7 @@ impl Scene {
     ///
     /// # Errors
     /// * `Status::ERROR_UNSUPPORTED`: as `Scene::sweep`
-    pub fn sweep_filtered_batch<'a>(&self, shapes: impl Into<Shapes<'a>>, displacements: impl Into<Batch<'a, Vec3>>, filters: impl Into<Batch<'a, QueryFilterDesc>>, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
+    pub fn sweep_filtered_batch<'a>(&self, shapes: impl Into<Shapes<'a>>, displacements: impl Into<Batch<'a, Vec3>>, filters: impl Into<Batch<'a, QueryFilterDesc<'a>>>, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
         let shapes = shapes.into();
         let displacements = displacements.into();
         let filters = filters.into();
@@ -1398,7 +1398,7 @@ impl Scene {
     ///
     /// # Errors
     /// * `Status::ERROR_UNSUPPORTED`: as `Scene::penetration`
-    pub fn penetration_filtered_batch<'a>(&self, shapes: impl Into<Shapes<'a>>, filters: impl Into<Batch<'a, QueryFilterDesc>>) -> Result<Ragged<Penetration>> {
+    pub fn penetration_filtered_batch<'a>(&self, shapes: impl Into<Shapes<'a>>, filters: impl Into<Batch<'a, QueryFilterDesc<'a>>>) -> Result<Ragged<Penetration>> {
         let shapes = shapes.into();
         let filters = filters.into();
         let count = common_length(&[shapes.length, filters.length])?;
@@ -2127,7 +2127,7 @@ impl Camera {
     ///
     /// * `pixels`: x, y pairs of floats
     /// * `filters`: None: the defaults
-    pub fn pick_filtered_batch<'a>(&self, scene: &Scene, pixels: impl Into<Batch<'a, [f32; 2]>>, filters: impl Into<Batch<'a, QueryFilterDesc>>, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
+    pub fn pick_filtered_batch<'a>(&self, scene: &Scene, pixels: impl Into<Batch<'a, [f32; 2]>>, filters: impl Into<Batch<'a, QueryFilterDesc<'a>>>, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
         let pixels = pixels.into();
         let filters = filters.into();
         let out_hits = out_hits.into();

@@ -78,6 +78,50 @@ impl<T> Hook<T> {
     }
 }
 
+/// A list in a desc: a slice that is borrowed as long as the desc is used. `(&ids).into()` makes one.
+// The length follows the pointer at once, as in C.
+#[repr(C, packed(4))]
+pub struct List<'a, T> {
+    data: *const T,
+    length: u32,
+    borrowed: PhantomData<&'a [T]>,
+}
+
+impl<'a, T> From<&'a [T]> for List<'a, T> {
+    /// # Panics
+    /// If there are more elements than a call takes.
+    fn from(elements: &'a [T]) -> Self {
+        let length = u32::try_from(elements.len()).expect("fewer than 2^32 elements");
+        let data = if length == 0 { null() } else { elements.as_ptr() };
+        List { data, length, borrowed: PhantomData }
+    }
+}
+impl<'a, T> From<&'a Vec<T>> for List<'a, T> {
+    fn from(elements: &'a Vec<T>) -> Self {
+        elements.as_slice().into()
+    }
+}
+impl<'a, T, const N: usize> From<&'a [T; N]> for List<'a, T> {
+    fn from(elements: &'a [T; N]) -> Self {
+        elements.as_slice().into()
+    }
+}
+// It is a shared slice.
+unsafe impl<T: Sync> Send for List<'_, T> {}
+unsafe impl<T: Sync> Sync for List<'_, T> {}
+impl<T> Clone for List<'_, T> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<T> Copy for List<'_, T> {}
+impl<T> std::fmt::Debug for List<'_, T> {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        let length = self.length;
+        write!(f, "List of {length}")
+    }
+}
+
 impl<Desc> Clone for Size<Desc> {
     fn clone(&self) -> Self {
         *self

@@ -1,5 +1,5 @@
 // Generated from gamephys_api.json by bindings/generate.py. Not for editing.
-use crate::support::{Hook, Size};
+use crate::support::{Hook, List, Size};
 use std::ffi::c_void;
 
 /// A later library may have values that are not listed here.
@@ -558,9 +558,10 @@ pub struct ModelInfo {
 /// Which models a query sees. Ids that name no model leave out nothing and are not an error: the
 /// model that asked may have been removed since.
 #[repr(C)]
+#[cfg_attr(target_pointer_width = "64", repr(align(8)))]
 #[derive(Clone, Copy, Debug)]
-pub struct QueryFilterDesc {
-    pub struct_size: Size<QueryFilterDesc>,
+pub struct QueryFilterDesc<'a> {
+    pub struct_size: Size<QueryFilterDesc<'a>>,
     /// a model is seen if its own mask shares a bit; default `ALL_LAYERS`
     pub layers: u32,
     /// left out; 0: none; default 0
@@ -568,9 +569,7 @@ pub struct QueryFilterDesc {
     /// filter values; default 0
     pub flags: u32,
     /// left out as well, in any order; read during the call; default None
-    pub ignored_models: Hook<ModelId>,
-    /// of ignored_models; default 0
-    pub ignored_count: u32,
+    pub ignored_models: List<'a, ModelId>,
     /// must be 0
     pub reserved: u32,
 }
@@ -1210,7 +1209,6 @@ fn fields_stand_where_c_has_them() {
     assert_eq!(unsafe { std::ptr::addr_of!((*p).ignored_model) } as usize - p as usize, 8);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).flags) } as usize - p as usize, 12);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).ignored_models) } as usize - p as usize, 16);
-    assert_eq!(unsafe { std::ptr::addr_of!((*p).ignored_count) } as usize - p as usize, 24);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).reserved) } as usize - p as usize, 28);
     let s = std::mem::MaybeUninit::<CameraDesc>::uninit();
     let p = s.as_ptr();

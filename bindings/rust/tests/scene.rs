@@ -73,6 +73,31 @@ fn models_with_descs_of_their_own() {
 }
 
 #[test]
+fn filters_have_lists_of_models_and_batches_a_filter_for_each() {
+    let mut scene = Scene::new(None).unwrap();
+    let mut models = [0; 4];
+    for (i, model) in models.iter_mut().enumerate() {
+        *model = scene.add(&Sphere::new([0.0, 0.0, 4.0 * i as f32], 1.0), None, None).unwrap();
+    }
+    let ray = Ray::new([0.0, 0.0, -5.0], [0.0, 0.0, 1.0], FAR);
+    let ignoring = |n: usize| QueryFilterDesc { ignored_models: models[..n].into(), ..Default::default() };
+    assert_eq!(scene.raycast_filtered(&ray, Some(&ignoring(2))).unwrap().unwrap().model, models[2]);
+    assert_eq!(scene.raycast_filtered(&ray, Some(&ignoring(0))).unwrap().unwrap().model, models[0]);
+    let large = Sphere::new([0.0; 3], 50.0);
+    assert_eq!(scene.overlap_filtered(&large, Some(&ignoring(2))).unwrap(), models[2..]);
+    let (rays, mut hits, each) = ([ray; 3], [Hit::default(); 3], [ignoring(0), ignoring(1), ignoring(2)]);
+    scene.raycast_filtered_batch(&rays, &each, &mut hits).unwrap();
+    assert_eq!(hits.map(|hit| hit.model), models[..3]);
+    scene.raycast_filtered_batch(&rays, Batch::one(&each[2]), &mut hits).unwrap();
+    assert_eq!(hits.map(|hit| hit.model), [models[2]; 3]);
+    scene.raycast_filtered_batch(&rays, Batch::none(), &mut hits).unwrap();
+    assert_eq!(hits.map(|hit| hit.model), [models[0]; 3]);
+    let near = [Sphere::new([0.0, 0.0, 2.0], 2.0); 3];
+    assert_eq!(scene.overlap_filtered_batch(&near, &each).unwrap().offsets, [0, 2, 3, 3]);
+    assert!(scene.raycast_filtered_batch(&rays, &each[..2], &mut hits).is_err());
+}
+
+#[test]
 fn filters_leave_out_models() {
     let mut scene = Scene::new(None).unwrap();
     let ball = Sphere::new([0.0; 3], 1.0);
@@ -95,32 +120,32 @@ fn filters_leave_out_models() {
     assert_eq!(scene.raycast_all_filtered(&ray, without).unwrap().len(), 1);
     assert_eq!(scene.overlap_filtered(&large, without).unwrap(), [target]);
     let (mut hits, mut any, mut nearest) = ([Hit::default(); 2], [0; 2], [Nearest::default(); 2]);
-    scene.raycast_filtered_batch(&[ray; 2], without, &mut hits).unwrap();
+    scene.raycast_filtered_batch(&[ray; 2], Batch::one(&filter), &mut hits).unwrap();
     assert_eq!(hits[1].model, target);
-    scene.segment_test_filtered_batch(&[segment; 2], without, &mut hits).unwrap();
+    scene.segment_test_filtered_batch(&[segment; 2], Batch::one(&filter), &mut hits).unwrap();
     assert_eq!(hits[1].model, target);
-    scene.sweep_sphere_filtered_batch(&[moving; 2], &[way; 2], without, &mut hits).unwrap();
+    scene.sweep_sphere_filtered_batch(&[moving; 2], &[way; 2], Batch::one(&filter), &mut hits).unwrap();
     assert_eq!(hits[1].model, target);
-    scene.nearest_filtered_batch(&[way; 2], FAR, without, &mut nearest).unwrap();
+    scene.nearest_filtered_batch(&[way; 2], FAR, Batch::one(&filter), &mut nearest).unwrap();
     assert_eq!(nearest[1].model, target);
-    scene.raycast_any_filtered_batch(&[ray; 2], without, &mut any).unwrap();
+    scene.raycast_any_filtered_batch(&[ray; 2], Batch::one(&filter), &mut any).unwrap();
     assert_eq!(any, [1, 1]);
     let mut distances = [Distance::default(); 2];
-    scene.raycast_distance_filtered_batch(&[ray; 2], without, &mut distances).unwrap();
+    scene.raycast_distance_filtered_batch(&[ray; 2], Batch::one(&filter), &mut distances).unwrap();
     assert_eq!(distances[1].model, target);
-    assert_eq!(scene.raycast_all_filtered_batch(&[ray; 2], without).unwrap()[1].len(), 1);
-    assert_eq!(scene.overlap_filtered_batch(&[large; 2], without).unwrap()[1], [target]);
+    assert_eq!(scene.raycast_all_filtered_batch(&[ray; 2], Batch::one(&filter)).unwrap()[1].len(), 1);
+    assert_eq!(scene.overlap_filtered_batch(&[large; 2], Batch::one(&filter)).unwrap()[1], [target]);
     let mut camera = Camera::new(None).unwrap();
     camera.look_at([0.0, 0.0, -10.0], [0.0; 3], [0.0, 1.0, 0.0]).unwrap();
     assert_eq!(camera.pick_filtered(&scene, 400.0, 300.0, without).unwrap().unwrap().model, target);
-    camera.pick_filtered_batch(&scene, &[[400.0, 300.0], [1.0, 1.0]], without, &mut hits).unwrap();
+    camera.pick_filtered_batch(&scene, &[[400.0, 300.0], [1.0, 1.0]], Batch::one(&filter), &mut hits).unwrap();
     assert_eq!((hits[0].model, hits[1].model), (target, 0));
     assert_eq!(camera.pick_rectangle_filtered(&scene, 0.0, 0.0, 800.0, 600.0, without).unwrap(), [target]);
     assert_eq!(camera.cull_filtered(&scene, without).unwrap(), [target]);
     assert_eq!(scene.cull_filtered(&camera.get_frustum().unwrap(), without).unwrap(), [target]);
     let views = [camera.get_frustum().unwrap(); 2];
     assert_eq!(scene.cull_batch(&views, ALL_LAYERS).unwrap()[1].len(), 3);
-    assert_eq!(scene.cull_filtered_batch(&views, without).unwrap()[1], [target]);
+    assert_eq!(scene.cull_filtered_batch(&views, Batch::one(&filter)).unwrap()[1], [target]);
 }
 
 #[test]
@@ -139,13 +164,13 @@ fn solids_move_up_to_what_they_touch_and_out_of_what_they_overlap() {
     let mut hits = [Hit::default(); 2];
     scene.sweep_batch(&[moving; 2], &[way; 2], ALL_LAYERS, &mut hits).unwrap();
     assert_eq!(hits[1].model, target);
-    scene.sweep_filtered_batch(&[moving; 2], &[way; 2], Some(&others), &mut hits).unwrap();
+    scene.sweep_filtered_batch(&[moving; 2], &[way; 2], Batch::one(&others), &mut hits).unwrap();
     assert_eq!(hits[1].model, 0);
     assert_eq!(scene.penetration(&deep, ALL_LAYERS).unwrap()[0].depth, 0.5);
     assert!(scene.penetration_filtered(&deep, Some(&others)).unwrap().is_empty());
     let ways_out = scene.penetration_batch(&[deep, moving], ALL_LAYERS).unwrap();
     assert_eq!((ways_out[0].len(), ways_out[0][0].model, ways_out[1].len()), (1, target, 0));
-    assert!(scene.penetration_filtered_batch(&[deep, moving], Some(&others)).unwrap()[0].is_empty());
+    assert!(scene.penetration_filtered_batch(&[deep, moving], Batch::one(&others)).unwrap()[0].is_empty());
     let solids = [Sphere::new([0.0, 4.0, 0.0], 1.0), Sphere::new([0.0, 0.0, 1.5], 1.0)];
     sweep_batch(Shapes::one(&ball), &solids, Batch::one(&Vec3::new(0.0, -4.0, 0.0)), &mut hits).unwrap();
     assert_eq!((hits[0].t, hits[1].t), (0.5, 0.0));
