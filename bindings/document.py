@@ -45,7 +45,7 @@ Each package has a short README, examples, and a method for each C function. Its
 
 {packages}
 
-A method has the name of the C function without the prefix and the object, in the style of the language. In all languages a batch takes your arrays. Closing an object while other threads are in calls of it frees it after the last of them in Python, C# and Java; it does not compile in Rust; Ruby runs one call at a time; Go and C++ leave it to the program. The reference lists every function, with examples in C: `./docs.sh` builds it.
+A method has the name of the C function without the prefix and the object, in the style of the language. In all languages a batch takes your arrays, and settings such as filters one for all items or one for each; the models that a filter ignores are a list or an array. Closing an object while other threads are in calls of it frees it after the last of them in Python, C# and Java; it does not compile in Rust; Ruby runs one call at a time; Go and C++ leave it to the program. The reference lists every function, with examples in C: `./docs.sh` builds it.
 
 {names}
 

@@ -30,7 +30,11 @@ class Value:
         return (getattr(self, name) for name, *_ in self._fields_)
 
     def __eq__(self, other: object) -> bool:
-        return type(self) is type(other) and bytes(self) == bytes(other)  # type: ignore[call-overload]
+        if not isinstance(other, Value) or type(self) is not type(other):
+            return False
+        if self._lists:
+            return list(map(_comparable, self)) == list(map(_comparable, other))
+        return bytes(self) == bytes(other)
 
     __hash__ = None  # type: ignore[assignment]
 
@@ -42,6 +46,10 @@ class Value:
         if any(kind is ctypes.c_void_p and name not in self._lists and getattr(self, name) for name, kind in self._fields_):
             raise TypeError(f"{type(self).__name__} with a pointer cannot be copied")
         return _rebuilt, (type(self), bytes(self), *(getattr(self, name) for name in self._lists))
+
+
+def _comparable(field: Any) -> Any:
+    return field.tolist() if isinstance(field, np.ndarray) else field
 
 
 def _rebuilt(kind: Any, memory: bytes, *lists: Any) -> Any:

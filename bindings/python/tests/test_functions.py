@@ -225,6 +225,8 @@ class Functions(unittest.TestCase):
             del ignored  # the filter has a copy
             gc.collect()
             self.assertEqual((filter.ignored_models.tolist(), filter.ignored_count), (models[:2], 2))
+            self.assertEqual(filter, gp.QueryFilterDesc(ignored_models=models[:2]))
+            self.assertNotEqual(filter, gp.QueryFilterDesc(ignored_models=models[1:3]))
             self.assertEqual(scene.raycast_filtered(ray, filter).model, models[2])
             self.assertEqual(scene.raycast_filtered(ray, pickle.loads(pickle.dumps(filter))).model, models[2])
         filter.ignored_models = models
