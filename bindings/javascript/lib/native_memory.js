@@ -17,15 +17,14 @@ export function memory() {
     const views = viewsOf(koffi.view(place, PASS_BYTES), 0, PASS_BYTES);
     views.wide = koffi.sizeof('void *') === 8;
     let list = new Uint8Array(0);
-    let held = [];
+    const held = [];
 
     return {
         native, views,
         base: Number(koffi.address(place)),
         text: (value) => value,
         begin() {
-            for (const copy of held) koffi.free(copy);
-            held = [];
+            while (held.length > 0) koffi.free(held.pop());
         },
         locate() {},
         hold(view) {

@@ -238,16 +238,19 @@ export function runtime(memory) {
 
     /** Settings over the library's defaults, which are written at a place first: for each element, or for all. */
     function inputDescs(descs, at, size, init, write, name) {
-        const many = Array.isArray(descs) ? descs : [descs];
-        const view = new Uint32Array((many.length * size) / 4);
         check(init(base + 4 * at, size));
-        many.forEach((desc, i) => view.set(v.u32.subarray(at, at + size / 4), (i * size) / 4));
+        if (!Array.isArray(descs)) {
+            write(v, at, descs);
+            return { view: v.u32.subarray(at, at + size / 4), address: base + 4 * at, stride: 0 };
+        }
+        const view = new Uint32Array((descs.length * size) / 4);
+        descs.forEach((desc, i) => view.set(v.u32.subarray(at, at + size / 4), (i * size) / 4));
         const views = { ...viewsOf(view.buffer, 0, view.byteLength), wide: v.wide, hold: v.hold };
-        many.forEach((desc, i) => {
+        descs.forEach((desc, i) => {
             if (typeof desc !== 'object' || desc === null) throw new TypeError(`${name}: expected an object, got ${desc}`);
             write(views, (i * size) / 4, desc);
         });
-        return many === descs ? input(view, size, name) : { view, stride: 0 };
+        return input(view, size, name);
     }
 
     /** A list in a desc: where it is while the call reads it, and its length. */
