@@ -471,7 +471,7 @@ class Functions(unittest.TestCase):
         steps, leftover = solver.advance(scene, 0.025)
         self.assertEqual(steps, 1)
         self.assertAlmostEqual(leftover, 0.5, 5)
-        self.assertAlmostEqual(solver.get_positions(rope, 0, 1)[0][1], 9, 5)
+        self.assertAlmostEqual(solver.get_positions(rope, 0, 1)[0][1], 8 + 2 / 3, 5)
         self.assertEqual(solver.get_stats(rope).pinned_count, 1)
         solver.detach(rope, 0)
         with self.assertRaises(gp.InvalidArgument):
