@@ -150,6 +150,8 @@ void adapt_substep(Body& body, const SolverSettings& settings, double dt, uint32
     double wanted =
         std::min(h * std::max(factor, most_shrinking), last * (relaxed ? most_growth_relaxed : most_growth));
     if (relaxed) wanted = std::min(wanted, body.cloth.relaxation.wanted_substep);
+    // What no number of substeps cures takes the set number in the end.
+    if (relaxed && body.cloth.relaxation.given_up) wanted = std::min(wanted, std::max(last, dt / settings.substeps));
     body.substeps.wanted = std::min(std::max(wanted, dt / settings.max_substeps), dt);
 }
 

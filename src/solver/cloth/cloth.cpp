@@ -57,7 +57,7 @@ void begin_cloth(Body& body, const CollisionContext& around, Vec3 gravity) {
         cloth.cache.search_balls.clear();
     }
     cloth.state.average_mass = extent.mass / body.particles.size();
-    cloth.relaxation.wanted_substep = infinity;
+    cloth.relaxation.begin_step();
     cloth.balance.current = cloth.yielding.current = false;
     cloth.balance.pulled =
         (body.history.earlier_step == 0 && !body.contacts.has_contact) || !body.constraints.length_changes.empty();

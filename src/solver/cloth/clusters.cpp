@@ -13,6 +13,8 @@ namespace {
 // rotation first. With two of them the free particles determine the rotation about the line through these, with one the
 // whole rotation.
 constexpr double held_weight = 1e6;
+// Clusters that share particles are solved one after the other, in several passes (Gauss-Seidel).
+constexpr int passes_of_overlapping = 8;
 
 /// Second moments of points about an origin: sums of products of coordinates.
 struct SecondMoments {
@@ -199,7 +201,9 @@ void MovingCluster::solve_friction(ClusterContact& contact) {
 
 /// Projected Gauss-Seidel on the impulses of all contacts, linear in the small displacement of the shape.
 void MovingCluster::solve_contacts(Body& body) {
-    constexpr int most_sweeps = 32;
+    // Each pass over clusters that share particles starts with the impulses of the last one, and their neighbours
+    // change what they found. So the sweeps of one cluster are spread over the passes.
+    constexpr int sweeps_alone = 32, sweeps_in_pass = sweeps_alone / passes_of_overlapping;
     constexpr double rounding = 1e-8;  // relative to the size of the cluster, below that of float32 positions
     Vector<ClusterContact>& contacts = body.cloth.clusters.contacts;
     list_contacts(body);
@@ -207,6 +211,7 @@ void MovingCluster::solve_contacts(Body& body) {
     find_inertia();
     for (ClusterContact& contact : contacts)
         contact.inverse_effective_mass = inverse_effective_mass(contact.normal, contact.arm);
+    const int most_sweeps = body.cloth.clusters.overlap ? sweeps_in_pass : sweeps_alone;
     double largest = infinity;
     for (int sweep = 0; sweep < most_sweeps && largest > rounding * size_; ++sweep) {
         largest = 0;
@@ -288,10 +293,8 @@ void each_cluster(const Clusters& clusters, Visit&& visit) {
     }
 }
 
-/// Clusters that share particles are solved one after the other, in several passes (Gauss-Seidel).
 template <class Visit>
 void sweep_clusters(const Clusters& clusters, Visit&& visit) {
-    constexpr int passes_of_overlapping = 8;
     for (int pass = 0; pass < (clusters.overlap ? passes_of_overlapping : 1); ++pass) each_cluster(clusters, visit);
 }
 

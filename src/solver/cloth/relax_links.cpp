@@ -23,6 +23,10 @@ constexpr uint32_t most_passes = 64;
 // Without a strain target, at most this many relaxations of links in a substep, relative to the number of links. So
 // infeasible lengths, as between pins too far apart, do not take many times as long as the rest.
 constexpr uint32_t most_work = 4;
+// A strain of this many times the target after all passes is one that nothing will cure if the next substep does not
+// reduce it by this factor either: animation targets or pins contradict models or each other. Failures of cloth that is
+// only fast are smaller, or vanish with the length of substeps.
+constexpr double hopeless = 8, cured = 0.75;
 // On a mesh this many passes take about as long as the rest of the substep, so shorter substeps would be slower.
 constexpr double aimed_passes = 12;
 // Links strained by more than this fraction of the target are relaxed, so that their effect on others stays below it.
@@ -181,7 +185,7 @@ std::optional<double> relax_links(Body& body, bool collides, double h) {
     double lost = 0;
     uint32_t passes = 0, count = 0;
     const size_t all = relaxation.kept.links.size();
-    size_t work = relaxation.braces_yield ? most_work * all : most_passes * all;
+    size_t work = relaxation.braces_yield || relaxation.given_up ? most_work * all : most_passes * all;
     while (passes < most_passes) {
         const double largest = relaxer.find_strained(count);
         if (count == 0 || largest <= relaxation.most_strain - rounding) break;
@@ -194,6 +198,14 @@ std::optional<double> relax_links(Body& body, bool collides, double h) {
     }
     // The remaining error grows with the square of the substep, and so does the number of passes.
     if (passes == 0) return std::nullopt;
+    if (passes == most_passes) {
+        const double left = relaxer.find_strained(count);
+        const bool fails = left > hopeless * relaxation.most_strain;
+        relaxation.given_up = fails && relaxation.infeasible > 0 && left > cured * relaxation.infeasible;
+        relaxation.infeasible = fails ? left : 0;
+        if (relaxation.given_up) relaxation.wanted_substep = infinity;
+    }
+    if (relaxation.given_up) return lost;
     relaxation.wanted_substep = std::min(relaxation.wanted_substep, h * std::sqrt(aimed_passes / passes));
     return lost;
 }

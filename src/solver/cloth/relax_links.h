@@ -18,10 +18,17 @@ struct Relaxation {
     double most_strain = 0;     // of rigid links; 0: the cloth is not relaxed
     bool braces_yield = false;  // braces are not relaxed
     double wanted_substep = 0;  // seconds: the longest that would have sufficed, in the worst substep of this step
+    double infeasible = 0;      // the strain that was left when a substep of this step failed by far; else 0
+    bool given_up = false;      // in this step: shorter substeps did not help
     KeptLinks kept;
     Vector<uint32_t> strained, waiting;  // capacity for all links
     Vector<uint8_t> listed;              // by kept link: whether it is waiting
 
+    void begin_step() {
+        wanted_substep = infinity;
+        infeasible = 0;
+        given_up = false;
+    }
     /// For cloth that is relaxed. `places`: the length of ClothBatches::rest. Throws std::bad_alloc.
     void reserve(size_t places) {
         strained.resize(places);
