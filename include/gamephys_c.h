@@ -2613,7 +2613,8 @@ typedef uint32_t gphys_cluster_id;
  *  @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or appears twice; GPHYS_ERROR_CAPACITY
  *          beyond 2^24 - 1 clusters of a body, or that many particles in them
  *  Cost: O(particles); allocates. In each substep about 1 us a cluster, 50 ns a particle of it and 0.3 us one that
- *  touches a model; the first and the last cluster plan the body again, O(constraints).  Since 1.1. */
+ *  touches a model, and up to eight times that if clusters of the body share particles; the first and the last
+ *  cluster plan the body again, O(constraints).  Since 1.1. */
 GPHYS_API gphys_status gphys_solver_add_cluster(gphys_solver* solver, gphys_body_id body, const uint32_t* particles,
                                                 uint32_t count, gphys_cluster_id* out_cluster);
 /** End a cluster. Its particles stay where they are; its id stays invalid. Wakes the body.
@@ -2769,7 +2770,8 @@ GPHYS_API gphys_status gphys_solver_get_leftover(const gphys_solver* solver, flo
  *  and the local error of the time scheme, both proportional to the square of that length. It is at
  *  most quartered and grows by at most an eighth from one step to the next, so a sudden impact exceeds a
  *  target for a few steps; one of strain only where links of cloth cannot be relaxed below it. A target that
- *  cannot be met takes max_substeps. Where positions jump, by contacts, the error is that of the jump.
+ *  cannot be met takes max_substeps, unless the strain of cloth stays above eight times the target. Where
+ *  positions jump, by contacts, the error is that of the jump.
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_solver_get_substeps(const gphys_solver* solver, gphys_body_id body,
                                                  uint32_t* out_substeps);

@@ -2269,8 +2269,8 @@ public:
     // Throws Error with GPHYS_ERROR_CAPACITY beyond 2^24 - 1 clusters of a body, or that many particles in
     // them.
     // Cost: O(particles); allocates. In each substep about 1 us a cluster, 50 ns a particle of it and 0.3
-    // us one that touches a model; the first and the last cluster plan the body again, O(constraints).
-    // Since 1.1.
+    // us one that touches a model, and up to eight times that if clusters of the body share particles; the
+    // first and the last cluster plan the body again, O(constraints). Since 1.1.
     gphys_cluster_id add_cluster(gphys_body_id body, Span<const uint32_t> particles) {
         const uint32_t count = common_size({particles.sizes()});
         gphys_cluster_id out_cluster{};
@@ -2422,7 +2422,8 @@ public:
     // scheme, both proportional to the square of that length. It is at most quartered and grows by at most
     // an eighth from one step to the next, so a sudden impact exceeds a target for a few steps; one of
     // strain only where links of cloth cannot be relaxed below it. A target that cannot be met takes
-    // max_substeps. Where positions jump, by contacts, the error is that of the jump.
+    // max_substeps, unless the strain of cloth stays above eight times the target. Where positions jump,
+    // by contacts, the error is that of the jump.
     // Cost: O(1).
     uint32_t get_substeps(gphys_body_id body) const {
         uint32_t out_substeps{};

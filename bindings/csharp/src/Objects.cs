@@ -2878,8 +2878,8 @@ public sealed partial class Solver : IDisposable {
     /// as cloth (SolveMethod.Graph), ropes and free particles too. The rest positions of cloth are not
     /// changed by a cluster.
     /// Cost: O(particles); allocates. In each substep about 1 us a cluster, 50 ns a particle of it and 0.3
-    /// us one that touches a model; the first and the last cluster plan the body again, O(constraints).
-    /// Since 1.1.</summary>
+    /// us one that touches a model, and up to eight times that if clusters of the body share particles; the
+    /// first and the last cluster plan the body again, O(constraints). Since 1.1.</summary>
     /// <param name="particles">count different particles, at least 2</param>
     /// <exception cref="GamephysException">Status.ErrorInvalidArgument: for a particle that does not exist
     /// or appears twice</exception>
@@ -3096,7 +3096,8 @@ public sealed partial class Solver : IDisposable {
     /// scheme, both proportional to the square of that length. It is at most quartered and grows by at most
     /// an eighth from one step to the next, so a sudden impact exceeds a target for a few steps; one of
     /// strain only where links of cloth cannot be relaxed below it. A target that cannot be met takes
-    /// max_substeps. Where positions jump, by contacts, the error is that of the jump.
+    /// max_substeps, unless the strain of cloth stays above eight times the target. Where positions jump,
+    /// by contacts, the error is that of the jump.
     /// Cost: O(1).</summary>
     public unsafe uint GetSubsteps(uint body) {
         var substeps = default(uint);
