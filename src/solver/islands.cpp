@@ -154,7 +154,7 @@ void Solver::move_colliding(const Island& island, const Joined& joined, const Co
         }
         particle_contacts_.move_loads(island, state_.bodies, slots, within, gravity, part);
         end_joined(joined, within, gravity, part);
-        particle_contacts_.solve_velocities(island, state_.bodies, slots);
+        particle_contacts_.solve_velocities(island, state_.bodies, slots, within);
     };
     if (interrupted && !has_contact) {
         start_slowly(around, h, move_once);

@@ -84,6 +84,7 @@ void ParticleContacts::reserve(const BodyTable& bodies, Vector<Island>& islands,
     buckets_.resize(size_t{most} * 4);
     sorted_.resize(most);
     keys_.resize(most);
+    supports_.resize(most);
     order_.resize(most);
     groups_.resize(groups);
     listed_.reserve(most);
@@ -107,6 +108,7 @@ ParticleContacts::Range ParticleContacts::range(const Island& island) {
             table,
             &sorted_[first],
             &keys_[first],
+            &supports_[first],
             &order_[first],
             &groups_[island.first_group],
             group_count(island.colliding_count),
@@ -134,7 +136,7 @@ void ParticleContacts::begin(const Island& island, const IdTable& ids, const Bod
     range.listed.clear();
 }
 
-void ParticleContacts::gather(const Range& range, const BodyTable& bodies) const {
+void ParticleContacts::gather(const Range& range, const BodyTable& bodies, const CollisionContext& around) const {
     share_particles(range, [&](uint32_t first, uint32_t end) {
         for (uint32_t i = first; i < end; ++i) {
             Particle& p = range.particles[i];
@@ -143,7 +145,11 @@ void ParticleContacts::gather(const Range& range, const BodyTable& bodies) const
             p.at = p.uncorrected = place_of(body, p.number);
             p.velocity = p.uncorrected_velocity = velocity_of(body, p.number);
             p.inverse_mass = body.particles.inverse_mass[p.number];
-            p.blocking = contact_points_of(body, p.number);
+            p.supports = nullptr;
+            if (const ContactPoint* const points = contact_points_of(body, p.number)) {
+                p.supports = &range.supports[i];
+                p.supports->find_for_positions(body, p.number, p.at, points, around);
+            }
         }
     });
 }
@@ -186,7 +192,9 @@ bool ParticleContacts::find_contacts(const Range& range, const BodyTable& bodies
                                                  approach > bounce_threshold ? restitution * approach : 0,
                                                  0,
                                                  0,
+                                                 0,
                                                  closing + most_correction * radii,
+                                                 0,
                                                  0,
                                                  0};
         }
@@ -202,80 +210,101 @@ bool ParticleContacts::find_contacts(const Range& range, const BodyTable& bodies
 
 namespace {
 
-/// The value without motion into the models in contact: other particles cannot push a particle into a model.
 template <class Particle>
-Vec3 blocked_by_models(const Particle& p, Vec3 value, Vec3 uncorrected) {
-    if (!p.blocking) return value;
-    for (uint32_t i = 0; i < contact_points_per_particle && p.blocking[i].model != 0; ++i) {
-        const Vec3 normal = widen(p.blocking[i].normal);
-        value -= normal * std::min(0.0, dot(value - uncorrected, normal));
-    }
-    return value;
+Vec3 stopped(Particle& p, Vec3 value, Vec3 uncorrected) {
+    return p.supports ? p.supports->stop(value, uncorrected) : value;
 }
 
-/// apply_correction where models may block one of them: then the other takes its share.
+/// The fraction of a correction that a particle could make without the models that stop it.
 template <class Particle>
-GPHYS_NOINLINE void apply_blocked(Particle& a, Particle& b, Vec3 correction, Vec3 to_a, Vec3 to_b,
-                                  Vec3 Particle::*value, Vec3 Particle::*uncorrected) {
+double yielding(const Particle& p, Vec3 correction) {
+    return p.supports ? dot(p.supports->yielding(correction), correction) / length_squared(correction) : 1;
+}
+
+/// apply_correction where models may stop one of them. What these take from the correction is made up for by a further
+/// one, which the inverse masses do not share as such, but as far as the models let the particles move.
+template <class Particle, class Contact>
+GPHYS_NOINLINE double apply_supported(const Contact& contact, Particle& a, Particle& b, Vec3 correction,
+                                      Vec3 Particle::*value, Vec3 Particle::*uncorrected) {
+    // Two particles that are wedged between models give way by less.
+    constexpr double least_yielding = 1e-6;
     const double square = length_squared(correction);
-    if (square == 0) return;
-    a.*value = blocked_by_models(a, to_a, a.*uncorrected);
-    b.*value = blocked_by_models(b, to_b, b.*uncorrected);
-    const double lost_a = dot(a.*value - to_a, correction) / square, lost_b = dot(to_b - b.*value, correction) / square;
-    if (lost_a > 0 && b.inverse_mass > 0)
-        b.*value = blocked_by_models(b, b.*value + correction * lost_a, b.*uncorrected);
-    if (lost_b > 0 && a.inverse_mass > 0)
-        a.*value = blocked_by_models(a, a.*value - correction * lost_b, a.*uncorrected);
+    if (square == 0) return 0;
+    const auto apply = [&](Vec3 change) {
+        const Vec3 to_a = a.*value - change * contact.part_of_a, to_b = b.*value + change * contact.part_of_b;
+        a.*value = stopped(a, to_a, a.*uncorrected);
+        b.*value = stopped(b, to_b, b.*uncorrected);
+        return dot((a.*value - to_a) + (to_b - b.*value), correction) / square;
+    };
+    const double lost = apply(correction);
+    if (lost <= 0) return 0;
+    const double yields = contact.part_of_a * yielding(a, correction) + contact.part_of_b * yielding(b, correction);
+    if (yields <= least_yielding) return 0;
+    apply(correction * (lost / yields));
+    return lost / yields;
 }
 
 /// Adds a correction to the relative position or velocity of two particles, in proportion to their inverse masses.
+/// Returns what models have made necessary besides, as a fraction of it.
 template <class Particle, class Contact>
-GPHYS_INLINE void apply_correction(const Contact& contact, Particle& a, Particle& b, Vec3 correction,
-                                   Vec3 Particle::*value, Vec3 Particle::*uncorrected) {
-    const Vec3 to_a = a.*value - correction * contact.part_of_a, to_b = b.*value + correction * contact.part_of_b;
-    if (a.blocking || b.blocking) return apply_blocked(a, b, correction, to_a, to_b, value, uncorrected);
-    a.*value = to_a;
-    b.*value = to_b;
+GPHYS_INLINE double apply_correction(const Contact& contact, Particle& a, Particle& b, Vec3 correction,
+                                     Vec3 Particle::*value, Vec3 Particle::*uncorrected) {
+    if (a.supports || b.supports) return apply_supported(contact, a, b, correction, value, uncorrected);
+    a.*value -= correction * contact.part_of_a;
+    b.*value += correction * contact.part_of_b;
+    return 0;
+}
+
+/// Friction on the models that a contact presses them onto.
+template <class Particle>
+void hold_on_models(Particle& a, Particle& b, Vec3 Particle::*value, Vec3 Particle::*still) {
+    for (Particle* p : {&a, &b}) {
+        if (p->supports) p->*value = p->supports->hold(p->*value, still ? p->*still : Vec3{});
+    }
 }
 
 template <class Particle, class Contact>
 void solve_position(Contact& contact, Particle& a, Particle& b) {
     const auto move = [&](Vec3 displacement) {
-        apply_correction(contact, a, b, displacement, &Particle::at, &Particle::uncorrected);
+        return apply_correction(contact, a, b, displacement, &Particle::at, &Particle::uncorrected);
     };
     const double overlap = contact.radii - dot(b.at - a.at, contact.normal);
     // The accumulated separation is clamped, so a correction that was too large is undone.
     const double correction = std::clamp(overlap, -contact.separation, contact.most_separation - contact.separation);
     contact.separation += correction;
-    move(contact.normal * correction);
+    contact.more_separation += correction * move(contact.normal * correction);
     const Vec3 relative = (b.at - b.before) - (a.at - a.before),
                tangential = relative - contact.normal * dot(relative, contact.normal);
     const double sliding = length(tangential),
-                 most = contact.friction * contact.separation - contact.friction_displacement;
-    if (sliding == 0 || most <= 0) return;
-    const double held = std::min(sliding, most);
-    contact.friction_displacement += held;
-    move(tangential * (-held / sliding));
+                 most = contact.friction * contact.all_separation() - contact.friction_displacement;
+    if (sliding > 0 && most > 0) {
+        const double held = std::min(sliding, most);
+        contact.friction_displacement += held;
+        move(tangential * (-held / sliding));
+    }
+    hold_on_models(a, b, &Particle::at, &Particle::before);
 }
 
 template <class Particle, class Contact>
 void solve_velocity(Contact& contact, Particle& a, Particle& b) {
     if (contact.separation <= 0) return;
     const auto accelerate = [&](Vec3 change) {
-        apply_correction(contact, a, b, change, &Particle::velocity, &Particle::uncorrected_velocity);
+        return apply_correction(contact, a, b, change, &Particle::velocity, &Particle::uncorrected_velocity);
     };
     const double normal_speed = dot(b.velocity - a.velocity, contact.normal);
     const double change = std::max(contact.target_speed - normal_speed, -contact.normal_change);
     contact.normal_change += change;
-    accelerate(contact.normal * change);
+    contact.more_change += change * accelerate(contact.normal * change);
     // Coulomb's law for the change of velocity alone: friction has acted on the correction of positions already.
     const Vec3 relative = b.velocity - a.velocity,
                tangential = relative - contact.normal * dot(relative, contact.normal);
-    const double speed = length(tangential), most = contact.friction * contact.normal_change - contact.friction_change;
-    if (speed == 0 || most <= 0) return;
-    const double held = std::min(speed, most);
-    contact.friction_change += held;
-    accelerate(tangential * (-held / speed));
+    const double speed = length(tangential), most = contact.friction * contact.all_change() - contact.friction_change;
+    if (speed > 0 && most > 0) {
+        const double held = std::min(speed, most);
+        contact.friction_change += held;
+        accelerate(tangential * (-held / speed));
+    }
+    hold_on_models<Particle>(a, b, &Particle::velocity, nullptr);
 }
 
 /// Calls visit(particle, displacement) for the particles that contacts have moved.
@@ -373,11 +402,24 @@ void ParticleContacts::add_to_list(const Range& range, Pair& pair, Vec3 normal, 
 
 /// For pairs of different bodies that have been separated in this substep: adds `change` of their contact, times
 /// `rate`, to their impulse.
-void ParticleContacts::add_impulses(const Range& range, double Contact::*change, double rate) const {
+void ParticleContacts::add_impulses(const Range& range, double (Contact::*change)() const, double rate) const {
     each_between_bodies(range, [&](Pair& pair, const Contact& contact) {
         if (!(contact.separation > 0)) return;
         const double inverse_mass = range.particles[contact.a].inverse_mass + range.particles[contact.b].inverse_mass;
-        add_to_list(range, pair, contact.normal, contact.*change * rate / inverse_mass);
+        add_to_list(range, pair, contact.normal, (contact.*change)() * rate / inverse_mass);
+    });
+}
+
+/// Adds the impulses of what the sweeps have pressed onto models.
+void ParticleContacts::add_support_impulses(const Island& island, BodyTable& bodies, const uint32_t* slots,
+                                            const CollisionContext& around, double rate) {
+    each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
+        SupportImpulses impulses(body, around, rate);
+        for (const Particle* p = first; p != end; ++p) {
+            if (p->supports)
+                impulses.add(p->number, place_of(body, p->number), contact_points_of(body, p->number), *p->supports);
+        }
+        impulses.end();
     });
 }
 
@@ -503,9 +545,10 @@ void ParticleContacts::sweep(const Range& range, Solve&& solve) {
 }
 
 ParticleContacts::Found ParticleContacts::solve_contacts(const Island& island, const BodyTable& bodies,
-                                                         double bounce_threshold, double h) {
+                                                         const CollisionContext& around, double bounce_threshold,
+                                                         double h) {
     const Range range = this->range(island);
-    gather(range, bodies);
+    gather(range, bodies, around);
     if (!list_is_valid(range)) find_pairs(range, bodies);
     const bool any_deep = find_contacts(range, bodies, bounce_threshold, h);
     sweep(range, [](Contact& contact, Particle& a, Particle& b) { solve_position(contact, a, b); });
@@ -517,10 +560,11 @@ ParticleContacts::Found ParticleContacts::solve_contacts(const Island& island, c
 void ParticleContacts::solve_positions(const Island& island, BodyTable& bodies, const uint32_t* slots,
                                        const CollisionContext& around, Vec3 gravity, double h) {
     const double bounce_threshold = find_bounce_threshold(gravity, h);
-    const Found contacts = solve_contacts(island, bodies, bounce_threshold, h);
+    const Found contacts = solve_contacts(island, bodies, around, bounce_threshold, h);
     const Range range = this->range(island);
     // Separating deep pairs changes no velocity, so it transfers no impulse.
-    if (contacts.any && island.body_count > 1) add_impulses(range, &Contact::separation, contacts.deep ? 0 : 1 / h);
+    if (contacts.any && island.body_count > 1) add_impulses(range, &Contact::all_separation, contacts.deep ? 0 : 1 / h);
+    if (contacts.any && !contacts.deep) add_support_impulses(island, bodies, slots, around, 1 / h);
     for (const Group* group = range.groups; group != range.groups + range.group_count; ++group) {
         for (uint32_t i = group->pairs.begin; i < group->pairs.begin + group->pairs.count; ++i) {
             for (const uint32_t p : {range.pairs[i].a, range.pairs[i].b})
@@ -545,18 +589,24 @@ void ParticleContacts::solve_positions(const Island& island, BodyTable& bodies, 
     if (contacts.any && !contacts.deep && island.body_count > 1) load_cloth(island, range, bodies, slots, gravity, h);
 }
 
-void ParticleContacts::solve_velocities(const Island& island, BodyTable& bodies, const uint32_t* slots) {
+void ParticleContacts::solve_velocities(const Island& island, BodyTable& bodies, const uint32_t* slots,
+                                        const CollisionContext& around) {
     const Range range = this->range(island);
     share_particles(range, [&](uint32_t first, uint32_t end) {
         for (uint32_t i = first; i < end; ++i) {
             Particle& p = range.particles[i];
             const Body& body = bodies[p.body];
             p.velocity = p.uncorrected_velocity = velocity_of(body, p.number);
-            p.blocking = contact_points_of(body, p.number);
+            p.supports = nullptr;
+            if (const ContactPoint* const points = contact_points_of(body, p.number)) {
+                p.supports = &range.supports[i];
+                p.supports->find_for_velocities(body, p.number, place_of(body, p.number), p.velocity, points, around);
+            }
         }
     });
     sweep(range, [](Contact& contact, Particle& a, Particle& b) { solve_velocity(contact, a, b); });
-    if (island.body_count > 1) add_impulses(range, &Contact::normal_change, 1);
+    if (island.body_count > 1) add_impulses(range, &Contact::all_change, 1);
+    add_support_impulses(island, bodies, slots, around, 1);
     share_particles(range, [&](uint32_t first, uint32_t end) {
         for (uint32_t i = first; i < end; ++i) {
             const Particle& p = range.particles[i];
@@ -581,7 +631,7 @@ void ParticleContacts::solve_velocities(const Island& island, BodyTable& bodies,
 void ParticleContacts::solve_final_positions(const Island& island, BodyTable& bodies, const uint32_t* slots,
                                              const CollisionContext& around, Vec3 gravity, double h) {
     const double bounce_threshold = find_bounce_threshold(gravity, h);
-    if (!solve_contacts(island, bodies, bounce_threshold, h).any) return;
+    if (!solve_contacts(island, bodies, around, bounce_threshold, h).any) return;
     each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
         if (!moves_freely(body)) correct_moved(first, end, body, around, bounce_threshold);
     });

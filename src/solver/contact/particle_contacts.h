@@ -24,11 +24,10 @@
 #include "foundation/team.h"
 #include "solver/body_table.h"
 #include "solver/contact/body_contacts.h"
+#include "solver/contact/supports.h"
 #include "solver/islands.h"
 
 namespace gphys {
-
-struct CollisionContext;
 
 class ParticleContacts {
 public:
@@ -39,6 +38,7 @@ public:
           buckets_(memory),
           sorted_(memory),
           keys_(memory),
+          supports_(memory),
           order_(memory),
           groups_(memory),
           listed_(memory) {}
@@ -66,7 +66,8 @@ public:
     void move_loads(const Island& island, BodyTable& bodies, const uint32_t* slots, const CollisionContext& around,
                     Vec3 gravity, double h);
     /// Call at the end of the substep: restitution and friction of pairs in contact.
-    void solve_velocities(const Island& island, BodyTable& bodies, const uint32_t* slots);
+    void solve_velocities(const Island& island, BodyTable& bodies, const uint32_t* slots,
+                          const CollisionContext& around);
     /// Call after the last substep: separates pairs that constraints have made overlap.
     void solve_final_positions(const Island& island, BodyTable& bodies, const uint32_t* slots,
                                const CollisionContext& around, Vec3 gravity, double h);
@@ -76,7 +77,7 @@ private:
     struct alignas(64) Particle {
         Vec3 at, before;  // before: at the beginning of the substep
         double inverse_mass;
-        const ContactPoint* blocking;  // contact_points_per_particle of this step, or null if it touches no model
+        Supports* supports;                                // null if it has touched no model in this step
         Vec3 velocity, uncorrected, uncorrected_velocity;  // uncorrected: at the end of the substep, without contacts
         double radius, margin;
         Vec3 list_position;  // position at which the list was made
@@ -105,10 +106,16 @@ private:
         double friction;
         double target_speed;           // m/s: separating speed by restitution
         double separation;             // metres: accumulated correction along the normal in this substep
+        double more_separation;        // metres: accumulated correction that models have made necessary besides
         double friction_displacement;  // metres: accumulated correction along the tangent
         double most_separation;        // metres
         double normal_change;          // m/s: accumulated change of the relative velocity along the normal
+        double more_change;            // m/s: what models have made necessary besides
         double friction_change;        // m/s: the same along the tangent
+
+        // What the impulse between the particles would have done without models.
+        double all_separation() const { return separation + more_separation; }
+        double all_change() const { return normal_change + more_change; }
     };
     /// Items of a group, in the array of the island.
     struct Items {
@@ -130,7 +137,8 @@ private:
         uint32_t table_size;
         Near* sorted;
         uint64_t* keys;
-        uint32_t* order;  // of the particles, by group
+        Supports* supports;  // by particle
+        uint32_t* order;     // of the particles, by group
         Group* groups;
         uint32_t group_count;  // colour by colour, as many of each
         Team* team;            // of all workers, or null
@@ -164,7 +172,7 @@ private:
     static bool fill_groups(const Range& range, Items Group::*items, uint32_t per_particle, Emit&& emit);
     template <class Solve>
     static void sweep(const Range& range, Solve&& solve);
-    void gather(const Range& range, const BodyTable& bodies) const;
+    void gather(const Range& range, const BodyTable& bodies, const CollisionContext& around) const;
     bool list_is_valid(const Range& range) const;
     void find_pairs(const Range& range, const BodyTable& bodies) const;
     bool find_contacts(const Range& range, const BodyTable& bodies, double bounce_threshold, double h) const;
@@ -173,8 +181,11 @@ private:
     static void add_to_list(const Range& range, Pair& pair, Vec3 normal, double impulse);
     static void load_cloth(const Island& island, const Range& range, BodyTable& bodies, const uint32_t* slots,
                            Vec3 gravity, double h);
-    void add_impulses(const Range& range, double Contact::*change, double rate) const;
-    Found solve_contacts(const Island& island, const BodyTable& bodies, double bounce_threshold, double h);
+    void add_impulses(const Range& range, double (Contact::*change)() const, double rate) const;
+    void add_support_impulses(const Island& island, BodyTable& bodies, const uint32_t* slots,
+                              const CollisionContext& around, double rate);
+    Found solve_contacts(const Island& island, const BodyTable& bodies, const CollisionContext& around,
+                         double bounce_threshold, double h);
 
     Vector<Particle> particles_;
     Vector<Pair> pairs_;
@@ -182,6 +193,7 @@ private:
     Vector<uint32_t> buckets_;
     Vector<Near> sorted_;
     Vector<uint64_t> keys_;
+    Vector<Supports> supports_;
     Vector<uint32_t> order_;
     Vector<Group> groups_;
     BodyContacts listed_;
