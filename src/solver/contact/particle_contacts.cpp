@@ -225,7 +225,7 @@ double yielding(const Particle& p, Vec3 correction) {
 /// one, which the inverse masses do not share as such, but as far as the models let the particles move.
 template <class Particle, class Contact>
 GPHYS_NOINLINE double apply_supported(const Contact& contact, Particle& a, Particle& b, Vec3 correction,
-                                      Vec3 Particle::*value, Vec3 Particle::*uncorrected) {
+                                      double most_more, Vec3 Particle::*value, Vec3 Particle::*uncorrected) {
     // Two particles that are wedged between models give way by less.
     constexpr double least_yielding = 1e-6;
     const double square = length_squared(correction);
@@ -240,16 +240,17 @@ GPHYS_NOINLINE double apply_supported(const Contact& contact, Particle& a, Parti
     if (lost <= 0) return 0;
     const double yields = contact.part_of_a * yielding(a, correction) + contact.part_of_b * yielding(b, correction);
     if (yields <= least_yielding) return 0;
-    apply(correction * (lost / yields));
-    return lost / yields;
+    const double more = std::min(lost / yields, most_more);
+    apply(correction * more);
+    return more;
 }
 
 /// Adds a correction to the relative position or velocity of two particles, in proportion to their inverse masses.
-/// Returns what models have made necessary besides, as a fraction of it.
+/// Returns what models have made necessary besides, as a fraction of it, which is at most `most_more`.
 template <class Particle, class Contact>
 GPHYS_INLINE double apply_correction(const Contact& contact, Particle& a, Particle& b, Vec3 correction,
-                                     Vec3 Particle::*value, Vec3 Particle::*uncorrected) {
-    if (a.supports || b.supports) return apply_supported(contact, a, b, correction, value, uncorrected);
+                                     double most_more, Vec3 Particle::*value, Vec3 Particle::*uncorrected) {
+    if (a.supports || b.supports) return apply_supported(contact, a, b, correction, most_more, value, uncorrected);
     a.*value -= correction * contact.part_of_a;
     b.*value += correction * contact.part_of_b;
     return 0;
@@ -263,16 +264,22 @@ void hold_on_models(Particle& a, Particle& b, Vec3 Particle::*value, Vec3 Partic
     }
 }
 
+/// Particles never attract each other: as many times a correction that undoes what has been accumulated may be undone
+/// besides.
+double most_more_of(double correction, double left) { return correction < 0 ? left / -correction : infinity; }
+
 template <class Particle, class Contact>
 void solve_position(Contact& contact, Particle& a, Particle& b) {
-    const auto move = [&](Vec3 displacement) {
-        return apply_correction(contact, a, b, displacement, &Particle::at, &Particle::uncorrected);
+    const auto move = [&](Vec3 displacement, double most_more) {
+        return apply_correction(contact, a, b, displacement, most_more, &Particle::at, &Particle::uncorrected);
     };
     const double overlap = contact.radii - dot(b.at - a.at, contact.normal);
     // The accumulated separation is clamped, so a correction that was too large is undone.
-    const double correction = std::clamp(overlap, -contact.separation, contact.most_separation - contact.separation);
+    const double correction =
+        std::clamp(overlap, -contact.all_separation(), contact.most_separation - contact.separation);
     contact.separation += correction;
-    contact.more_separation += correction * move(contact.normal * correction);
+    contact.more_separation +=
+        correction * move(contact.normal * correction, most_more_of(correction, contact.all_separation()));
     const Vec3 relative = (b.at - b.before) - (a.at - a.before),
                tangential = relative - contact.normal * dot(relative, contact.normal);
     const double sliding = length(tangential),
@@ -280,21 +287,21 @@ void solve_position(Contact& contact, Particle& a, Particle& b) {
     if (sliding > 0 && most > 0) {
         const double held = std::min(sliding, most);
         contact.friction_displacement += held;
-        move(tangential * (-held / sliding));
+        move(tangential * (-held / sliding), 0);
     }
     hold_on_models(a, b, &Particle::at, &Particle::before);
 }
 
 template <class Particle, class Contact>
 void solve_velocity(Contact& contact, Particle& a, Particle& b) {
-    if (contact.separation <= 0) return;
-    const auto accelerate = [&](Vec3 change) {
-        return apply_correction(contact, a, b, change, &Particle::velocity, &Particle::uncorrected_velocity);
+    if (contact.all_separation() <= 0) return;
+    const auto accelerate = [&](Vec3 change, double most_more) {
+        return apply_correction(contact, a, b, change, most_more, &Particle::velocity, &Particle::uncorrected_velocity);
     };
     const double normal_speed = dot(b.velocity - a.velocity, contact.normal);
-    const double change = std::max(contact.target_speed - normal_speed, -contact.normal_change);
+    const double change = std::max(contact.target_speed - normal_speed, -contact.all_change());
     contact.normal_change += change;
-    contact.more_change += change * accelerate(contact.normal * change);
+    contact.more_change += change * accelerate(contact.normal * change, most_more_of(change, contact.all_change()));
     // Coulomb's law for the change of velocity alone: friction has acted on the correction of positions already.
     const Vec3 relative = b.velocity - a.velocity,
                tangential = relative - contact.normal * dot(relative, contact.normal);
@@ -302,7 +309,7 @@ void solve_velocity(Contact& contact, Particle& a, Particle& b) {
     if (speed > 0 && most > 0) {
         const double held = std::min(speed, most);
         contact.friction_change += held;
-        accelerate(tangential * (-held / speed));
+        accelerate(tangential * (-held / speed), 0);
     }
     hold_on_models<Particle>(a, b, &Particle::velocity, nullptr);
 }
@@ -404,7 +411,7 @@ void ParticleContacts::add_to_list(const Range& range, Pair& pair, Vec3 normal, 
 /// `rate`, to their impulse.
 void ParticleContacts::add_impulses(const Range& range, double (Contact::*change)() const, double rate) const {
     each_between_bodies(range, [&](Pair& pair, const Contact& contact) {
-        if (!(contact.separation > 0)) return;
+        if (!(contact.all_separation() > 0)) return;
         const double inverse_mass = range.particles[contact.a].inverse_mass + range.particles[contact.b].inverse_mass;
         add_to_list(range, pair, contact.normal, (contact.*change)() * rate / inverse_mass);
     });
