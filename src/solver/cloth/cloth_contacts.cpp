@@ -231,6 +231,8 @@ void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity
         const size_t i = 4 * size_t{n.particle};
         float* at = &state.at[i];
         const bool was_active = n.active_plane >= 0;
+        const Vec3 corrected = n.corrected;
+        n.corrected = {};
         n.active_plane = -1;
         double depth;
         const uint32_t plane = deepest(n, get(at), depth);
@@ -242,7 +244,8 @@ void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity
         n.normal_total = 0;
         n.predicted_velocity = (scheme.from_history(get(&state.velocity[i]), get(&state.velocity_before[i])) +
                                 get(&state.acceleration[i]) * h) *
-                               drag;
+                                   drag +
+                               corrected * (scheme.next * rate);
         n.active_plane = static_cast<int32_t>(plane);
         n.active_planes |= 1u << plane;
         contacts.has_moving_model = contacts.has_moving_model || is_on_moving_model(n);
@@ -472,6 +475,11 @@ void sweep_escaped(Body& body, const CollisionContext& around, Vec3 gravity, dou
 void push_out_of_planes(ClothContacts& contacts, ClothState& state, uint32_t particle) {
     const uint32_t number = contacts.candidate_of[particle];
     if (number != ClothContacts::none) push_out(contacts.candidates[number], &state.at[4 * size_t{particle}]);
+}
+
+void note_correction(ClothContacts& contacts, uint32_t particle, Vec3 displacement) {
+    const uint32_t number = contacts.candidate_of[particle];
+    if (number != ClothContacts::none) contacts.candidates[number].corrected += displacement;
 }
 
 void finish_contact(ClothContact& n, Body& body, const CollisionContext& around) {

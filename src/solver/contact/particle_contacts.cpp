@@ -329,6 +329,7 @@ void correct_predicted(const Particle* first, const Particle* end, Body& body) {
         if (is_graph(body)) {
             float* const at = &body.cloth.state.at[4 * size_t{p}];
             put(at, get(at) + displacement);
+            note_correction(body.cloth.contacts, p, displacement);
             return;
         }
         body.particles.position[p] += displacement;
