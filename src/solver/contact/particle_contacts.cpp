@@ -221,97 +221,96 @@ double yielding(const Particle& p, Vec3 correction) {
     return p.supports ? dot(p.supports->yielding(correction), correction) / length_squared(correction) : 1;
 }
 
-/// apply_correction where models may stop one of them. What these take from the correction is made up for by a further
-/// one, which the inverse masses do not share as such, but as far as the models let the particles move.
+/// Adds a correction to the relative position or velocity of two particles, in proportion to their inverse masses.
 template <class Particle, class Contact>
-GPHYS_NOINLINE double apply_supported(const Contact& contact, Particle& a, Particle& b, Vec3 correction,
-                                      double most_more, Vec3 Particle::*value, Vec3 Particle::*uncorrected) {
+GPHYS_INLINE void apply_correction(const Contact& contact, Particle& a, Particle& b, Vec3 correction,
+                                   Vec3 Particle::*value, Vec3 Particle::*uncorrected) {
+    a.*value = stopped(a, a.*value - correction * contact.part_of_a, a.*uncorrected);
+    b.*value = stopped(b, b.*value + correction * contact.part_of_b, b.*uncorrected);
+}
+
+/// The same for one that must be made in full although models may stop a particle. What these take from it is made up
+/// for by a further one, which the inverse masses do not share as such, but as far as the models let the particles
+/// move. Returns that as a fraction of the correction; it is at most `most_more`.
+template <class Particle, class Contact>
+GPHYS_NOINLINE double apply_in_full(const Contact& contact, Particle& a, Particle& b, Vec3 correction, double most_more,
+                                    Vec3 Particle::*value, Vec3 Particle::*uncorrected) {
     // Two particles that are wedged between models give way by less.
     constexpr double least_yielding = 1e-6;
-    const double square = length_squared(correction);
-    if (square == 0) return 0;
-    const auto apply = [&](Vec3 change) {
-        const Vec3 to_a = a.*value - change * contact.part_of_a, to_b = b.*value + change * contact.part_of_b;
-        a.*value = stopped(a, to_a, a.*uncorrected);
-        b.*value = stopped(b, to_b, b.*uncorrected);
-        return dot((a.*value - to_a) + (to_b - b.*value), correction) / square;
-    };
-    const double lost = apply(correction);
-    if (lost <= 0) return 0;
+    const Vec3 before = b.*value - a.*value;
+    apply_correction(contact, a, b, correction, value, uncorrected);
+    const Vec3 lost = correction - (b.*value - a.*value - before);
+    const double square = length_squared(correction), part = dot(lost, correction) / square;
+    // Less is the rounding of the sums above.
+    if (part <= 1e-9) return 0;
     const double yields = contact.part_of_a * yielding(a, correction) + contact.part_of_b * yielding(b, correction);
     if (yields <= least_yielding) return 0;
-    const double more = std::min(lost / yields, most_more);
-    apply(correction * more);
+    const double more = std::min(part / yields, most_more);
+    apply_correction(contact, a, b, correction * more, value, uncorrected);
     return more;
 }
 
-/// Adds a correction to the relative position or velocity of two particles, in proportion to their inverse masses.
-/// Returns what models have made necessary besides, as a fraction of it, which is at most `most_more`.
+/// Changes the relative position or velocity along the normal of a contact, by at least as much as undoes what has been
+/// accumulated: particles never attract each other. Returns whether that does anything.
 template <class Particle, class Contact>
-GPHYS_INLINE double apply_correction(const Contact& contact, Particle& a, Particle& b, Vec3 correction,
-                                     double most_more, Vec3 Particle::*value, Vec3 Particle::*uncorrected) {
-    if (a.supports || b.supports) return apply_supported(contact, a, b, correction, most_more, value, uncorrected);
-    a.*value -= correction * contact.part_of_a;
-    b.*value += correction * contact.part_of_b;
-    return 0;
-}
-
-/// Friction on the models that a contact presses them onto.
-template <class Particle>
-void hold_on_models(Particle& a, Particle& b, Vec3 Particle::*value, Vec3 Particle::*still) {
-    for (Particle* p : {&a, &b}) {
-        if (p->supports) p->*value = p->supports->hold(p->*value, still ? p->*still : Vec3{});
+GPHYS_INLINE bool separate(const Contact& contact, Particle& a, Particle& b, double correction, double& accumulated,
+                           double& more, Vec3 Particle::*value, Vec3 Particle::*uncorrected) {
+    if (correction == 0) return false;
+    accumulated += correction;
+    if (a.supports || b.supports) {
+        const double left = accumulated + more, most_more = correction < 0 ? left / -correction : infinity;
+        more += correction * apply_in_full(contact, a, b, contact.normal * correction, most_more, value, uncorrected);
+    } else {
+        a.*value -= contact.normal * (correction * contact.part_of_a);
+        b.*value += contact.normal * (correction * contact.part_of_b);
     }
+    return true;
 }
 
-/// Particles never attract each other: as many times a correction that undoes what has been accumulated may be undone
-/// besides.
-double most_more_of(double correction, double left) { return correction < 0 ? left / -correction : infinity; }
+/// Friction: takes the sliding of two particles in contact, at most `most` of it. Returns how much.
+template <class Particle, class Contact>
+GPHYS_INLINE double hold(const Contact& contact, Particle& a, Particle& b, Vec3 relative, double most,
+                         Vec3 Particle::*value, Vec3 Particle::*uncorrected) {
+    const Vec3 tangential = relative - contact.normal * dot(relative, contact.normal);
+    const double sliding = length(tangential);
+    if (sliding == 0 || most <= 0) return 0;
+    const double held = std::min(sliding, most);
+    apply_correction(contact, a, b, tangential * (-held / sliding), value, uncorrected);
+    return held;
+}
 
 template <class Particle, class Contact>
 void solve_position(Contact& contact, Particle& a, Particle& b) {
-    const auto move = [&](Vec3 displacement, double most_more) {
-        return apply_correction(contact, a, b, displacement, most_more, &Particle::at, &Particle::uncorrected);
-    };
     const double overlap = contact.radii - dot(b.at - a.at, contact.normal);
     // The accumulated separation is clamped, so a correction that was too large is undone.
     const double correction =
         std::clamp(overlap, -contact.all_separation(), contact.most_separation - contact.separation);
-    contact.separation += correction;
-    contact.more_separation +=
-        correction * move(contact.normal * correction, most_more_of(correction, contact.all_separation()));
-    const Vec3 relative = (b.at - b.before) - (a.at - a.before),
-               tangential = relative - contact.normal * dot(relative, contact.normal);
-    const double sliding = length(tangential),
-                 most = contact.friction * contact.all_separation() - contact.friction_displacement;
-    if (sliding > 0 && most > 0) {
-        const double held = std::min(sliding, most);
-        contact.friction_displacement += held;
-        move(tangential * (-held / sliding), 0);
-    }
-    hold_on_models(a, b, &Particle::at, &Particle::before);
+    const bool separated = separate(contact, a, b, correction, contact.separation, contact.more_separation,
+                                    &Particle::at, &Particle::uncorrected);
+    const double held = hold(contact, a, b, (b.at - b.before) - (a.at - a.before),
+                             contact.friction * contact.all_separation() - contact.friction_displacement, &Particle::at,
+                             &Particle::uncorrected);
+    contact.friction_displacement += held;
+    if (!separated && held == 0) return;
+    if (a.supports) a.at = a.supports->hold(a.at, a.before);
+    if (b.supports) b.at = b.supports->hold(b.at, b.before);
 }
 
 template <class Particle, class Contact>
 void solve_velocity(Contact& contact, Particle& a, Particle& b) {
     if (contact.all_separation() <= 0) return;
-    const auto accelerate = [&](Vec3 change, double most_more) {
-        return apply_correction(contact, a, b, change, most_more, &Particle::velocity, &Particle::uncorrected_velocity);
-    };
     const double normal_speed = dot(b.velocity - a.velocity, contact.normal);
     const double change = std::max(contact.target_speed - normal_speed, -contact.all_change());
-    contact.normal_change += change;
-    contact.more_change += change * accelerate(contact.normal * change, most_more_of(change, contact.all_change()));
+    const bool changed = separate(contact, a, b, change, contact.normal_change, contact.more_change,
+                                  &Particle::velocity, &Particle::uncorrected_velocity);
     // Coulomb's law for the change of velocity alone: friction has acted on the correction of positions already.
-    const Vec3 relative = b.velocity - a.velocity,
-               tangential = relative - contact.normal * dot(relative, contact.normal);
-    const double speed = length(tangential), most = contact.friction * contact.all_change() - contact.friction_change;
-    if (speed > 0 && most > 0) {
-        const double held = std::min(speed, most);
-        contact.friction_change += held;
-        accelerate(tangential * (-held / speed), 0);
-    }
-    hold_on_models<Particle>(a, b, &Particle::velocity, nullptr);
+    const double held =
+        hold(contact, a, b, b.velocity - a.velocity, contact.friction * contact.all_change() - contact.friction_change,
+             &Particle::velocity, &Particle::uncorrected_velocity);
+    contact.friction_change += held;
+    if (!changed && held == 0) return;
+    if (a.supports) a.velocity = a.supports->hold(a.velocity, {});
+    if (b.supports) b.velocity = b.supports->hold(b.velocity, {});
 }
 
 /// Calls visit(particle, displacement) for the particles that contacts have moved.
