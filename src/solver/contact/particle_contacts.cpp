@@ -218,7 +218,8 @@ Vec3 stopped(Particle& p, Vec3 value, Vec3 uncorrected) {
 /// The fraction of a correction that a particle could make without the models that stop it.
 template <class Particle>
 double yielding(const Particle& p, Vec3 correction) {
-    return p.supports ? dot(p.supports->yielding(correction), correction) / length_squared(correction) : 1;
+    if (!p.supports) return 1;
+    return std::max(0.0, dot(p.supports->yielding(correction), correction) / length_squared(correction));
 }
 
 /// Adds a correction to the relative position or velocity of two particles, in proportion to their inverse masses.
@@ -235,23 +236,26 @@ GPHYS_INLINE void apply_correction(const Contact& contact, Particle& a, Particle
 template <class Particle, class Contact>
 GPHYS_NOINLINE double apply_in_full(const Contact& contact, Particle& a, Particle& b, Vec3 correction, double most_more,
                                     Vec3 Particle::*value, Vec3 Particle::*uncorrected) {
-    // Two particles that are wedged between models give way by less.
-    constexpr double least_yielding = 1e-6;
+    // A particle is not moved by more corrections. One that is pressed onto a model almost along its normal would be
+    // squeezed out as far as only straight motion along the model would take it.
+    constexpr double farthest = 4;
     const Vec3 before = b.*value - a.*value;
     apply_correction(contact, a, b, correction, value, uncorrected);
     const Vec3 lost = correction - (b.*value - a.*value - before);
     const double square = length_squared(correction), part = dot(lost, correction) / square;
     // Less is the rounding of the sums above.
     if (part <= 1e-9) return 0;
-    const double yields = contact.part_of_a * yielding(a, correction) + contact.part_of_b * yielding(b, correction);
-    if (yields <= least_yielding) return 0;
-    const double more = std::min(part / yields, most_more);
+    const double of_a = yielding(a, correction), of_b = yielding(b, correction);
+    const double yields = contact.part_of_a * of_a + contact.part_of_b * of_b;
+    const double way = std::max(contact.part_of_a * std::sqrt(of_a), contact.part_of_b * std::sqrt(of_b));
+    if (!(way > 0)) return 0;  // wedged between models
+    const double more = std::min({part / yields, farthest / way, most_more});
     apply_correction(contact, a, b, correction * more, value, uncorrected);
     return more;
 }
 
-/// Changes the relative position or velocity along the normal of a contact, by at least as much as undoes what has been
-/// accumulated: particles never attract each other. Returns whether that does anything.
+/// Changes the relative position or velocity along the normal of a contact. At most undoes what has been accumulated:
+/// particles never attract each other. Returns whether it has done anything.
 template <class Particle, class Contact>
 GPHYS_INLINE bool separate(const Contact& contact, Particle& a, Particle& b, double correction, double& accumulated,
                            double& more, Vec3 Particle::*value, Vec3 Particle::*uncorrected) {
