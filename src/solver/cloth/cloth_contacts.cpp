@@ -479,7 +479,7 @@ void push_out_of_planes(ClothContacts& contacts, ClothState& state, uint32_t par
 
 void note_correction(ClothContacts& contacts, uint32_t particle, Vec3 displacement) {
     const uint32_t number = contacts.candidate_of[particle];
-    if (number != ClothContacts::none) contacts.candidates[number].corrected += displacement;
+    if (number != ClothContacts::none) contacts.candidates[number].corrected = displacement;
 }
 
 void finish_contact(ClothContact& n, Body& body, const CollisionContext& around) {

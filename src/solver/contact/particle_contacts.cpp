@@ -327,12 +327,12 @@ void each_moved(const Particle* first, const Particle* end, Visit&& visit) {
 
 /// For particles of a body whose constraints are solved afterwards: corrects their predicted positions.
 template <class Particle>
-void correct_predicted(const Particle* first, const Particle* end, Body& body) {
+void correct_predicted(const Particle* first, const Particle* end, Body& body, const CollisionContext& around) {
     each_moved(first, end, [&](uint32_t p, Vec3 displacement) {
         if (is_graph(body)) {
             float* const at = &body.cloth.state.at[4 * size_t{p}];
             put(at, get(at) + displacement);
-            note_correction(body.cloth.contacts, p, displacement);
+            if (collides(body, around)) note_correction(body.cloth.contacts, p, displacement);
             return;
         }
         body.particles.position[p] += displacement;
@@ -588,7 +588,7 @@ void ParticleContacts::solve_positions(const Island& island, BodyTable& bodies, 
         if (body.contacts.near) body.cloth.balance.closed = false;  // others do work
         if (!contacts.any) return;
         if (!moves_freely(body)) {
-            correct_predicted(first, end, body);
+            correct_predicted(first, end, body, around);
             return;
         }
         // If many pairs overlap deeply, the correction changes no velocities, because it would give the particles high
