@@ -5,7 +5,8 @@
 // a particle is, the larger its margin in the next list. After each substep, the pairs whose paths came into contact
 // become contacts, with the normal at the time of impact, so that none passes through another at any speed.
 // Gauss-Seidel sweeps over the contacts correct positions, with friction. The velocities follow from the positions;
-// further sweeps apply restitution to them.
+// further sweeps apply restitution to them. The models that a particle touches take part in the sweeps
+// (supports.h).
 //
 // The pairs of a large island are in groups, by the cell of a coarse grid that one of their particles is in. A cell has
 // one of eight colours, by the parity of its coordinates, and two cells of one colour are so far apart that no particle
