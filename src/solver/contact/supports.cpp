@@ -11,8 +11,8 @@ Vec3 carried_by(const CollisionContext& around, gphys_model_id model, Vec3 point
     const MovedModel* const moved = find_moved(around, model);
     if (!moved) return {};
     const gphys_transform& after = around.scene->world(model);
-    const Vec3 on_model = interpolate(moved->world, after, around.end).inverse_apply(point);
-    return point - interpolate(moved->world, after, around.begin).apply(on_model);
+    const Vec3 on_model = interpolate(moved->world, after, around.way(around.end)).inverse_apply(point);
+    return point - interpolate(moved->world, after, around.way(around.begin)).apply(on_model);
 }
 
 }  // namespace
