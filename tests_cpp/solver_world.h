@@ -125,6 +125,15 @@ inline std::vector<gphys_vec3> line(gphys_vec3 from, gphys_vec3 step, uint32_t c
     return points;
 }
 
+/// Of the last step, on eight models at most.
+inline std::vector<gphys_impulse> impulses(const World& world) {
+    std::vector<gphys_impulse> out(8);
+    uint32_t total = 0;
+    REQUIRE(gphys_solver_get_impulses(world.solver, out.data(), 8, &total) == GPHYS_OK);
+    out.resize(total);
+    return out;
+}
+
 /// What a case measured, for the record.
 inline void figure(const char* what, double value, const char* unit) {
     std::printf("    %s: %.4g %s\n", what, value, unit);

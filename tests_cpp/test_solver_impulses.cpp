@@ -31,14 +31,6 @@ gphys_model_id ball(World& world, float x, float y, float z) {
     return world.model(GPHYS_SHAPE_SPHERE, &sphere, &transform);
 }
 
-std::vector<gphys_impulse> impulses(const World& world) {
-    std::vector<gphys_impulse> out(8);
-    uint32_t total = 0;
-    REQUIRE(gphys_solver_get_impulses(world.solver, out.data(), 8, &total) == GPHYS_OK);
-    out.resize(total);
-    return out;
-}
-
 Vec3 linear(const World& world, gphys_model_id model) {
     for (const gphys_impulse& impulse : impulses(world)) {
         if (impulse.model == model) return gphys::widen(impulse.linear);

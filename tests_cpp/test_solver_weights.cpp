@@ -51,14 +51,6 @@ gphys_body_id add_layers(World& world, int count, float friction) {
     return world.particles(places, desc);
 }
 
-std::vector<gphys_impulse> impulses(const World& world) {
-    std::vector<gphys_impulse> out(8);
-    uint32_t total = 0;
-    REQUIRE(gphys_solver_get_impulses(world.solver, out.data(), 8, &total) == GPHYS_OK);
-    out.resize(total);
-    return out;
-}
-
 /// On one model, or on all: 0.
 Vec3 impulse_on(const World& world, gphys_model_id model) {
     Vec3 sum;
