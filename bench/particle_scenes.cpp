@@ -161,6 +161,18 @@ void run_scene(const Scene& scene, const Options& options) {
                 times.mean / 10, world.contacts(), outside, 1e3 * slip);
 }
 
+/// The distance of the nearest pair of balls of a diameter of `diameter`, in diameters; at most 1.
+double nearest_pair(std::vector<gphys_vec3> at, float diameter) {
+    double nearest = 1;
+    std::sort(at.begin(), at.end(), [](const gphys_vec3& a, const gphys_vec3& b) { return a.x < b.x; });
+    for (size_t i = 0; i < at.size(); ++i) {
+        for (size_t j = i + 1; j < at.size() && at[j].x - at[i].x < diameter; ++j) {
+            nearest = std::min(nearest, distance(at[i], at[j]) / double{diameter});
+        }
+    }
+    return nearest;
+}
+
 // 10 000 balls that collide with each other, poured into a pit.
 
 void run_pit(const Options& options) {
@@ -184,17 +196,8 @@ void run_pit(const Options& options) {
     const gphys_body_id balls = world.add_particles(points);
     const int frames = options.frames > 0 ? options.frames : 180;
     double nearest = 1;
-    const auto measure = [&] {
-        std::vector<gphys_vec3> at = world.positions(balls, 10000);
-        std::sort(at.begin(), at.end(), [](const gphys_vec3& a, const gphys_vec3& b) { return a.x < b.x; });
-        for (size_t i = 0; i < at.size(); ++i) {
-            for (size_t j = i + 1; j < at.size() && at[j].x - at[i].x < 0.1f; ++j) {
-                nearest = std::min(nearest, distance(at[i], at[j]) / 0.1);
-            }
-        }
-    };
     const Times times = summary(step_frames(world, frames, [&](int i) {
-        if (i % 10 == 0) measure();
+        if (i % 10 == 0) nearest = std::min(nearest, nearest_pair(world.positions(balls, 10000), 0.1f));
     }));
     const std::vector<gphys_vec3> at = world.positions(balls, 10000);
     float top = 0;
@@ -205,6 +208,57 @@ void run_pit(const Options& options) {
     }
     std::printf("ball_pit       %7.2f %7.2f %7.2f | nearest pair %.3f diameters, top %.3f m, outside %u\n", times.mean,
                 times.p99, times.worst, nearest, double{top}, outside);
+}
+
+// 500 marbles that collide with each other, poured into a mesh: a funnel of 192 triangles that is too narrow at its end
+// for all of them.
+
+void run_funnel(const Options& options) {
+    World world(options.substeps);
+    world.body.radius = 0.04f;
+    world.body.mass = 5;
+    world.body.self_collision = 1;
+    world.body.friction = 0.2f;
+    world.body.restitution = 0.3f;
+    const gphys_plane ground{{0, 1, 0}, 0};
+    world.add(GPHYS_SHAPE_PLANE, &ground);
+    constexpr uint32_t sides = 32, rings = 4;
+    constexpr float profile[rings][2] = {{1.2f, 2.5f}, {0.9f, 2}, {0.15f, 1.2f}, {0.15f, 0.9f}};
+    std::vector<float> vertices;
+    std::vector<uint32_t> indices;
+    for (uint32_t ring = 0; ring < rings; ++ring) {
+        for (uint32_t side = 0; side < sides; ++side) {
+            const float angle = 2 * 3.14159265f * static_cast<float>(side) / sides, wide = profile[ring][0];
+            for (const float part : {wide * std::cos(angle), profile[ring][1], wide * std::sin(angle)})
+                vertices.push_back(part);
+            if (ring + 1 == rings) continue;
+            const uint32_t a = ring * sides + side, b = ring * sides + (side + 1) % sides;
+            for (const uint32_t corner : {a, b, a + sides, b, b + sides, a + sides}) indices.push_back(corner);
+        }
+    }
+    gphys_mesh* mesh = nullptr;
+    check(gphys_mesh_create(nullptr, vertices.data(), 12, rings * sides, indices.data(),
+                            static_cast<uint32_t>(indices.size()), &mesh));
+    world.add(GPHYS_SHAPE_MESH, mesh);
+    gphys_mesh_destroy(mesh);
+    std::vector<gphys_vec3> points;
+    for (int i = 0; i < 500; ++i) {
+        points.push_back({-0.5f + 0.1f * static_cast<float>(i % 10), 2.2f + 0.1f * static_cast<float>(i / 100),
+                          -0.5f + 0.1f * static_cast<float>(i / 10 % 10)});
+    }
+    require_distinct(points);
+    const gphys_body_id marbles = world.add_particles(points);
+    const int frames = options.frames > 0 ? options.frames : 240;
+    const Times times = summary(step_frames(world, frames, [](int) {}));
+    const std::vector<gphys_vec3> at = world.positions(marbles, 500);
+    uint32_t outside = 0, above = 0;
+    for (const gphys_vec3& p : at) {
+        const float wide = std::hypot(p.x, p.z);
+        above += p.y > 1.2f;
+        outside += p.y < 0 || (p.y > 1.2f && wide > 0.15f + 0.94f * (p.y - 1.2f)) || (p.y > 0.9f && wide > 1.2f);
+    }
+    std::printf("ball_funnel    %7.2f %7.2f %7.2f | nearest pair %.3f diameters, still above %u, outside %u\n",
+                times.mean, times.p99, times.worst, nearest_pair(at, 0.08f), above, outside);
 }
 
 }  // namespace
@@ -218,6 +272,7 @@ int main(int count, char** arguments) {
             if (options.wants(scene.name)) run_scene(scene, options);
         }
         if (options.wants("ball_pit")) run_pit(options);
+        if (options.wants("ball_funnel")) run_funnel(options);
     } catch (const std::exception& problem) {
         std::fprintf(stderr, "%s\n", problem.what());
         return 1;

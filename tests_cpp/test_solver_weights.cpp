@@ -1,5 +1,6 @@
 // Heaps, against the laws of statics: what lies on other things presses a model with its weight, and friction on the
 // model follows.
+#include "snapshots.h"
 #include "solver_world.h"
 
 using gphys::Vec3;
@@ -39,16 +40,42 @@ gphys_body_desc balls(float mass, float friction) {
 }
 
 /// Layers of 10 x 10 balls, each 1 kg, one on the other.
-gphys_body_id add_layers(World& world, int count, float friction) {
+gphys_body_id add_layers(World& world, int count, float friction, float height = 0) {
     std::vector<gphys_vec3> places;
     for (int i = 0; i < 100 * count; ++i) {
         const int row = i / 10 % 10, layer = i / 100;
-        places.push_back({0.1f * static_cast<float>(i % 10) - 0.45f, 0.1f * static_cast<float>(layer) + radius,
+        places.push_back({0.1f * static_cast<float>(i % 10) - 0.45f, height + 0.1f * static_cast<float>(layer) + radius,
                           0.1f * static_cast<float>(row) - 0.45f});
     }
     gphys_body_desc desc = balls(100 * static_cast<float>(count), friction);
     desc.radius = 0.049f;
     return world.particles(places, desc);
+}
+
+/// A pit of triangles, 1 m square, with a floor of 10 x 10 cells that rises towards the walls by `rise` metres.
+test::MeshHandle mesh_pit(float rise) {
+    constexpr int cells = 10, row = cells + 1;
+    std::vector<float> vertices;
+    std::vector<uint32_t> indices;
+    const auto add_cell = [&](int a, int b, int c, int d) {
+        for (const int corner : {a, b, c, b, d, c}) indices.push_back(static_cast<uint32_t>(corner));
+    };
+    for (int z = 0; z < row; ++z) {
+        for (int x = 0; x < row; ++x) {
+            const float u = 0.2f * static_cast<float>(x) - 1, v = 0.2f * static_cast<float>(z) - 1;
+            for (const float part : {0.5f * u, rise * std::max(u * u, v * v), 0.5f * v}) vertices.push_back(part);
+            if (x < cells && z < cells)
+                add_cell(z * row + x, (z + 1) * row + x, z * row + x + 1, (z + 1) * row + x + 1);
+        }
+    }
+    const int corners[] = {0, cells, row * row - 1, cells * row}, above = row * row;
+    for (const int corner : corners) {
+        const size_t at = size_t{3} * static_cast<size_t>(corner);
+        const float place[] = {vertices[at], 3, vertices[at + 2]};
+        vertices.insert(vertices.end(), place, place + 3);
+    }
+    for (int i = 0; i < 4; ++i) add_cell(corners[i], above + i, corners[(i + 1) % 4], above + (i + 1) % 4);
+    return {vertices, indices};
 }
 
 /// On one model, or on all: 0.
@@ -82,6 +109,40 @@ TEST_CASE("Layers of balls between walls press the floor with the weight of all"
         figure("layers", count, "");
         figure("floor carries", part, "of the weight");
         CHECK(std::fabs(part - 1) < 0.01);
+    }
+}
+
+TEST_CASE("Layers of balls in a pit of triangles press it with the weight of all, and stay inside") {
+    for (const float rise : {0.0f, 0.1f}) {
+        World world;
+        const test::MeshHandle pit = mesh_pit(rise);
+        const gphys_model_id model = world.model(GPHYS_SHAPE_MESH, pit.mesh);
+        const gphys_body_id body = add_layers(world, 4, 0.3f, rise);
+        const double part = mean_weight_on(world, model) / (400 * g);
+        figure("mesh carries", part, "of the weight");
+        CHECK(std::fabs(part - 1) < 0.01);
+        for (const gphys_vec3& at : world.positions(body)) {
+            const float edge = std::max(std::fabs(at.x), std::fabs(at.z));
+            CHECK(edge < 0.5f - 0.0489f);
+            CHECK(at.y > 0.0489f);
+        }
+    }
+}
+
+TEST_CASE("A heap in a pit of triangles goes on with the same bits after it is restored") {
+    World world, other;
+    const test::MeshHandle pit = mesh_pit(0.1f);
+    world.model(GPHYS_SHAPE_MESH, pit.mesh);
+    other.model(GPHYS_SHAPE_MESH, pit.mesh);
+    add_layers(world, 2, 0.3f, 0.1f);
+    for (int i = 0; i < 40; ++i) world.step(frame);
+    for (int round = 0; round < 3; ++round) {
+        REQUIRE(test::restore(other.solver, test::snapshot(world.solver)) == GPHYS_OK);
+        for (int i = 0; i < 20; ++i) {
+            world.step(frame);
+            other.step(frame);
+            REQUIRE(test::hash(world.solver) == test::hash(other.solver));
+        }
     }
 }
 

@@ -131,7 +131,8 @@ void Solver::list_islands() {
 
 /// One substep of bodies that collide with others. Contacts are solved between the prediction and the constraints, so
 /// that corrections undone by constraints do not count as motion. The velocities are turned at the end.
-void Solver::move_colliding(const Island& island, const Joined& joined, const CollisionContext& around, double h) {
+void Solver::move_colliding(const Island& island, const Joined& joined, const CollisionContext& around, double h,
+                            FlightPlanes* planes) {
     const uint32_t* const slots = &island_bodies_[island.first_body];
     const Vec3 gravity = state_.settings.gravity;
     bool interrupted = false, has_contact = false;
@@ -144,15 +145,15 @@ void Solver::move_colliding(const Island& island, const Joined& joined, const Co
     const auto move_once = [&](const CollisionContext& within, double part) {
         for (uint32_t i = 0; i < island.body_count; ++i) {
             Body& body = state_.bodies[slots[i]];
-            if (!body.plan.joined) begin_move(body, within, gravity, part);
+            if (!body.plan.joined) begin_move(body, within, gravity, part, planes);
         }
         begin_joined(joined, within, gravity, part);
-        particle_contacts_.solve_positions(island, state_.bodies, slots, within, gravity, part);
+        particle_contacts_.solve_positions(island, state_.bodies, slots, within, gravity, part, planes);
         for (uint32_t i = 0; i < island.body_count; ++i) {
             Body& body = state_.bodies[slots[i]];
             if (!body.plan.joined) end_move(body, within, gravity, part);
         }
-        particle_contacts_.move_loads(island, state_.bodies, slots, within, gravity, part);
+        particle_contacts_.move_loads(island, state_.bodies, slots, within, gravity, part, planes);
         end_joined(joined, within, gravity, part);
         particle_contacts_.solve_velocities(island, state_.bodies, slots, within);
     };
@@ -164,7 +165,7 @@ void Solver::move_colliding(const Island& island, const Joined& joined, const Co
 }
 
 /// All substeps of the bodies of an island. Accesses no other bodies, and allocates nothing.
-void Solver::move_island(const Island& island, const Scene* scene, double dt) {
+void Solver::move_island(const Island& island, uint32_t worker, const Scene* scene, double dt) {
     const uint32_t* const slots = &island_bodies_[island.first_body];
     const uint32_t* const joined_slots = joined_bodies_.data() + island.first_joined;
     const uint32_t* const systems = island_systems_.data() + island.first_system;
@@ -198,7 +199,7 @@ void Solver::move_island(const Island& island, const Scene* scene, double dt) {
         const CollisionContext around = context_of(scene, dt, begin, end);
         const double h = dt / substeps;
         if (island.colliding_count > 0) {
-            move_colliding(island, joined, around, h);
+            move_colliding(island, joined, around, h, flight_planes(worker, scene));
             continue;
         }
         each_body([&](Body& body) {
@@ -217,6 +218,7 @@ void Solver::move_island(const Island& island, const Scene* scene, double dt) {
         if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body, whole);
         body.constraints.length_changes.clear();
         end_targets(body, share_);
+        body.flight.last_surroundings = body.flight.surroundings;
         stay_in_range(body);
         adapt_substep(body, state_.settings, dt, substeps);
         add_attached_impulses(body, whole, -1, gravity, dt);

@@ -6,11 +6,13 @@
 
 namespace gphys {
 
+class FlightPlanes;
+
 /// step.cpp: one substep of a single body.
 void move(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 /// The same in two parts, between which other bodies may push its particles. The first part moves bodies without
-/// constraints, and only predicts all others.
-void begin_move(Body& body, const CollisionContext& around, Vec3 gravity, double h);
+/// constraints, and only predicts all others. `planes` are those of the worker, or null.
+void begin_move(Body& body, const CollisionContext& around, Vec3 gravity, double h, FlightPlanes* planes);
 void end_move(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 
 /// Moves the attached particles from first to end with their models, to a fraction of the step, in h seconds; and

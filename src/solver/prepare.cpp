@@ -209,10 +209,10 @@ void Solver::begin_step(const Scene* scene) noexcept {
     particle_contacts_.begin_step(state_.ids, state_.bodies, islands_);
 }
 
-/// Memory for what free particles find near meshes, and the hash of the models near them that do not move.
+/// Memory for what free particles find near models, and the hash of the models near them that do not move.
 static void reserve_balls(Body& body, const Scene& scene, const Vector<MovedModel>& moved, const Box& search_box,
-                          bool meshes) {
-    if (body.plan.method != GPHYS_SOLVE_FREE || !meshes) {
+                          bool keep) {
+    if (body.plan.method != GPHYS_SOLVE_FREE || !keep) {
         body.flight.all.clear();
         return;
     }
@@ -323,8 +323,10 @@ void Solver::list_near_models(const Scene& scene, double dt) {
             // find_disturbed handles models that have moved.
             if (active.undisturbed && scene.overlaps_box(model, active.reachable)) active.undisturbed = false;
         });
-        reserve_balls(body, scene, moved_models_, active.search_box, meshes);
         active.near_model_count = static_cast<uint32_t>(next_near_models_.size() - before);
+        // Particles that others push are swept in each substep, against any shape.
+        const bool keeps_balls = meshes || (active.in_island && active.near_model_count > 0);
+        reserve_balls(body, scene, moved_models_, active.search_box, keeps_balls);
         see_attached_models(&scene, body.constraints, before);
         if (active.near_model_count == 0) continue;
         const uint32_t least = substeps_near_models(body.cloth, state_.settings, active.fastest, dt);

@@ -331,8 +331,9 @@ private:
     void unite_bodies(const Scene* scene, double dt);
     void unite_near_bodies(DisjointSets& sets, double dt);
     void list_islands();
-    void move_colliding(const Island& island, const Joined& joined, const CollisionContext& around, double h);
-    void move_island(const Island& island, const Scene* scene, double dt);
+    void move_colliding(const Island& island, const Joined& joined, const CollisionContext& around, double h,
+                        FlightPlanes* planes);
+    void move_island(const Island& island, uint32_t worker, const Scene* scene, double dt);
     /// Whether the body sleeps and nothing wakes it.
     bool stays_asleep(const Body& body, const Scene* scene);
     /// steady.cpp: whether a step, from the state after the last one, would change nothing.

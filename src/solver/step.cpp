@@ -67,7 +67,7 @@ void follow_models(Body& body, double way, double h, uint32_t first, uint32_t en
 void move(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     switch (body.plan.method) {
         case GPHYS_SOLVE_FREE:
-            fly(body, around, gravity, h);
+            fly(body, around, gravity, h, nullptr);
             break;
         case GPHYS_SOLVE_DIRECT:
             move_rope(body, around, gravity, h);
@@ -77,10 +77,10 @@ void move(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     }
 }
 
-void begin_move(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
+void begin_move(Body& body, const CollisionContext& around, Vec3 gravity, double h, FlightPlanes* planes) {
     switch (body.plan.method) {
         case GPHYS_SOLVE_FREE:
-            fly(body, around, gravity, h);
+            fly(body, around, gravity, h, planes);
             break;
         case GPHYS_SOLVE_DIRECT:
             begin_friction(body, gravity);
@@ -270,7 +270,7 @@ void Solver::move_shared(const ActiveBody& active, const Scene* scene, double dt
 void Solver::move_shared(Island& island, const Scene* scene, double dt) {
     Team team;
     island.team = &team;
-    workers_.run(workers_.count(), [&](uint32_t) { team.join([&] { move_island(island, scene, dt); }); });
+    workers_.run(workers_.count(), [&](uint32_t) { team.join([&] { move_island(island, 0, scene, dt); }); });
     island.team = nullptr;
 }
 
@@ -306,7 +306,7 @@ void Solver::simulate(const Scene* scene, double dt, bool first) {
     workers_.run(workers_.count(), [&](uint32_t worker) {
         for (size_t i; (i = next.fetch_add(1, std::memory_order_relaxed)) < islands_.size() + tasks_.size();) {
             if (i < islands_.size()) {
-                if (!islands_[i].shared) move_island(islands_[i], scene, dt);
+                if (!islands_[i].shared) move_island(islands_[i], worker, scene, dt);
                 continue;
             }
             const Task& task = tasks_[i - islands_.size()];

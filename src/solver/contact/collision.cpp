@@ -32,12 +32,14 @@ Collider::Collider(const CollisionContext& around, const Body& body, const Box& 
         if (has_moved(around_, model)) return;
         if (count_ == most_listed) {
             listed_ = false;
+            any_boxed_ = true;
             return;
         }
         Near& near = near_[count_++];
         near.model = model;
         near.bounded = around.scene->bounds(model, near.box);
         near.is_flat = near.flat.prepare(*around.scene, model);
+        any_boxed_ = any_boxed_ || (near.bounded && !near.is_flat);
     });
 }
 
@@ -56,7 +58,8 @@ void Collider::sweep_model(gphys_model_id model, const Sphere& moving, Vec3 disp
                        Vec3{}});
 }
 
-void Collider::sweep_listed(const Near& near, const Sphere& moving, Vec3 displacement, Impact& first) const {
+void Collider::sweep_listed(const Near& near, const Sphere& moving, Vec3 displacement, const Box& path,
+                            Impact& first) const {
     if (near.is_flat) {
         Hit hit;
         const TriState result = near.flat.sweep(moving, displacement, hit);
@@ -74,7 +77,7 @@ void Collider::sweep_listed(const Near& near, const Sphere& moving, Vec3 displac
                                Vec3{}});
             return;
         }
-    } else if (near.bounded && !overlaps(near.box, path_box(moving, displacement))) {
+    } else if (near.bounded && !overlaps(near.box, path)) {
         return;
     }
     sweep_model(near.model, moving, displacement, first);
@@ -85,17 +88,19 @@ void Collider::sweep_unmoved(uint32_t particle, Vec3 from, Vec3 displacement, gp
     first = {};
     if (planes_ && ignored == 0 && planes_->sweep_known(body_, particle, from, displacement, first)) return;
     const Sphere moving{from, body_.particles.radius[particle]};
+    if (listed_ && count_ == 0) return;
+    // Its rounding takes longer than a sweep against a flat model.
+    const Box path = any_boxed_ ? path_box(moving, displacement) : Box{};
     if (listed_) {
         for (uint32_t i = 0; i < count_; ++i) {
-            if (near_[i].model != ignored) sweep_listed(near_[i], moving, displacement, first);
+            if (near_[i].model != ignored) sweep_listed(near_[i], moving, displacement, path, first);
         }
     } else {
-        around_.scene->for_each_in_box(path_box(moving, displacement), body_.settings.layers,
-                                       [&](gphys_model_id model) {
-                                           if (model != ignored && !has_moved(around_, model)) {
-                                               sweep_model(model, moving, displacement, first);
-                                           }
-                                       });
+        around_.scene->for_each_in_box(path, body_.settings.layers, [&](gphys_model_id model) {
+            if (model != ignored && !has_moved(around_, model)) {
+                sweep_model(model, moving, displacement, first);
+            }
+        });
     }
 }
 

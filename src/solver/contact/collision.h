@@ -204,7 +204,7 @@ private:
     void for_each_moving(const Box& box, Visit&& visit) const;
     Box bounds_of_pushed(const Box& paths) const;
     void sweep_model(gphys_model_id model, const Sphere& moving, Vec3 displacement, Impact& first) const;
-    void sweep_listed(const Near& near, const Sphere& moving, Vec3 displacement, Impact& first) const;
+    void sweep_listed(const Near& near, const Sphere& moving, Vec3 displacement, const Box& path, Impact& first) const;
     void sweep_moved(const Moving& model, uint32_t particle, const Sphere& moving, Vec3 displacement, double time,
                      Impact& first) const;
     /// Sweeps against models that have not moved.
@@ -223,6 +223,7 @@ private:
     const double most_push_;
     bool listed_ = true;  // false if there are too many; then the scene is queried for each particle
     uint32_t count_ = 0;
+    bool any_boxed_ = false;  // whether the box of a path decides about any of them
     Near near_[most_listed];
     uint32_t moving_count_ = 0;  // models that have moved and are near; the first of them are listed
     uint32_t moving_[most_listed];

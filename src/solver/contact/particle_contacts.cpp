@@ -5,6 +5,7 @@
 #include "solver/contact/friction.h"
 #include "solver/contact/pair_corrections.h"
 #include "solver/contact/particle_pairs.h"
+#include "solver/particles/flight_planes.h"
 #include "solver/quads.h"
 
 namespace gphys {
@@ -235,24 +236,22 @@ void correct_predicted(const Particle* first, const Particle* end, Body& body, c
     });
 }
 
-/// For particles at the end of their substep: corrects their positions as far as the models allow.
+/// The same for consecutive particles of a body without links, or with links that have been solved.
 template <class Particle>
-void correct_moved(const Particle* first, const Particle* end, Body& body, const CollisionContext& around,
-                   double bounce_threshold) {
-    if (is_graph(body)) {
-        each_moved(first, end, [&](uint32_t p, Vec3 displacement) {
-            float* const at = &body.cloth.state.at[4 * size_t{p}];
-            put(at, get(at) + displacement);
-            if (collides(body, around)) push_out_of_planes(body.cloth.contacts, body.cloth.state, p);
-        });
-        return;
-    }
+void correct_block(const Particle* first, const Particle* end, Body& body, const CollisionContext& around,
+                   double bounce_threshold, bool may_collide, FlightPlanes* planes) {
+    Extent places;
     double longest = 0;
-    each_moved(first, end,
-               [&](uint32_t, Vec3 displacement) { longest = std::max(longest, length_squared(displacement)); });
-    if (longest > 0 && collides(body, around)) {
-        const Collider collider(around, body,
-                                swept_box(body, body.particles.position, body.particles.position, std::sqrt(longest)));
+    each_moved(first, end, [&](uint32_t p, Vec3 displacement) {
+        places.add({{body.particles.position[p], body.particles.position[p]}, {}});
+        longest = std::max(longest, length_squared(displacement));
+    });
+    if (longest > 0 && may_collide) {
+        const double room = 2 * body.particles.largest_radius + std::sqrt(longest);
+        const Vec3 reach{room, room, room};
+        if (planes) planes->select_pushed(body, around, first->number, static_cast<uint32_t>(end - first));
+        const Collider collider(around, body, bounds(Aabb{places.box.min - reach, places.box.max + reach}),
+                                {body.contacts.impulses, body.contacts.has_contact}, planes);
         if (!collider.idle()) {
             each_moved(first, end, [&](uint32_t p, Vec3 displacement) {
                 collider.slide(body, p, body.particles.position[p], displacement, around.end, bounce_threshold);
@@ -264,6 +263,27 @@ void correct_moved(const Particle* first, const Particle* end, Body& body, const
         body.particles.position[p] += displacement;
         keep_in_range(body.particles.position[p], body.particles.velocity[p]);
     });
+}
+
+/// For particles at the end of their substep: corrects their positions as far as the models allow. `planes`: as in
+/// ParticleContacts::solve_positions.
+template <class Particle>
+void correct_moved(const Particle* first, const Particle* end, Body& body, const CollisionContext& around,
+                   double bounce_threshold, FlightPlanes* planes) {
+    if (is_graph(body)) {
+        each_moved(first, end, [&](uint32_t p, Vec3 displacement) {
+            float* const at = &body.cloth.state.at[4 * size_t{p}];
+            put(at, get(at) + displacement);
+            if (collides(body, around)) push_out_of_planes(body.cloth.contacts, body.cloth.state, p);
+        });
+        return;
+    }
+    const bool may_collide = collides(body, around);
+    if (body.flight.all.empty()) planes = nullptr;
+    for (; first < end; first += std::min<ptrdiff_t>(FlightPlanes::most_particles, end - first)) {
+        const Particle* const block_end = first + std::min<ptrdiff_t>(FlightPlanes::most_particles, end - first);
+        correct_block(first, block_end, body, around, bounce_threshold, may_collide, planes);
+    }
 }
 
 }  // namespace
@@ -386,7 +406,7 @@ void ParticleContacts::load_cloth(const Island& island, const Range& range, Body
 }
 
 void ParticleContacts::move_loads(const Island& island, BodyTable& bodies, const uint32_t* slots,
-                                  const CollisionContext& around, Vec3 gravity, double h) {
+                                  const CollisionContext& around, Vec3 gravity, double h, FlightPlanes* planes) {
     const Range range = this->range(island);
     bool loaded = false;
     for (uint32_t i = 0; i < island.body_count; ++i) loaded = loaded || bodies[slots[i]].cloth.loads.any();
@@ -419,7 +439,7 @@ void ParticleContacts::move_loads(const Island& island, BodyTable& bodies, const
     }
     const double bounce_threshold = find_bounce_threshold(gravity, h);
     each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
-        if (moves_freely(body)) correct_moved(first, end, body, around, bounce_threshold);
+        if (moves_freely(body)) correct_moved(first, end, body, around, bounce_threshold, planes);
     });
 }
 
@@ -463,7 +483,7 @@ ParticleContacts::Found ParticleContacts::solve_contacts(const Island& island, c
 }
 
 void ParticleContacts::solve_positions(const Island& island, BodyTable& bodies, const uint32_t* slots,
-                                       const CollisionContext& around, Vec3 gravity, double h) {
+                                       const CollisionContext& around, Vec3 gravity, double h, FlightPlanes* planes) {
     const double bounce_threshold = find_bounce_threshold(gravity, h);
     const Found contacts = solve_contacts(island, bodies, around, bounce_threshold, h);
     const Range range = this->range(island);
@@ -489,7 +509,7 @@ void ParticleContacts::solve_positions(const Island& island, BodyTable& bodies, 
         // speeds. Approaching pairs are stopped by solve_velocities.
         if (!contacts.deep)
             each_moved(first, end, [&](uint32_t p, Vec3 change) { body.particles.velocity[p] += change / h; });
-        correct_moved(first, end, body, around, bounce_threshold);
+        correct_moved(first, end, body, around, bounce_threshold, planes);
     });
     if (contacts.any && !contacts.deep && island.body_count > 1) load_cloth(island, range, bodies, slots, gravity, h);
 }
@@ -538,7 +558,7 @@ void ParticleContacts::solve_final_positions(const Island& island, BodyTable& bo
     const double bounce_threshold = find_bounce_threshold(gravity, h);
     if (!solve_contacts(island, bodies, around, bounce_threshold, h).any) return;
     each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
-        if (!moves_freely(body)) correct_moved(first, end, body, around, bounce_threshold);
+        if (!moves_freely(body)) correct_moved(first, end, body, around, bounce_threshold, nullptr);
     });
 }
 

@@ -61,11 +61,12 @@ public:
     // For one island; the data of others are not accessed.
     void begin(const Island& island, const IdTable& ids, const BodyTable& bodies, const uint32_t* slots);
     /// Call when all bodies are predicted: separates pairs in contact, with friction. h: seconds of the substep.
+    /// `planes` have what free particles have found around them; null if there are no models.
     void solve_positions(const Island& island, BodyTable& bodies, const uint32_t* slots, const CollisionContext& around,
-                         Vec3 gravity, double h);
+                         Vec3 gravity, double h, FlightPlanes* planes);
     /// Call when the links are solved: moves the heavy particles that press on cloth (cloth/contact_loads.h).
     void move_loads(const Island& island, BodyTable& bodies, const uint32_t* slots, const CollisionContext& around,
-                    Vec3 gravity, double h);
+                    Vec3 gravity, double h, FlightPlanes* planes);
     /// Call at the end of the substep: restitution and friction of pairs in contact.
     void solve_velocities(const Island& island, BodyTable& bodies, const uint32_t* slots,
                           const CollisionContext& around);

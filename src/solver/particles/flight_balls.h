@@ -12,7 +12,7 @@ enum class Sight : uint8_t { not_searched, clear, blocked };
 
 /// Where a slow particle may move, and the planes that it may touch there.
 struct FlightBall {
-    static constexpr uint32_t most_planes = 2;
+    static constexpr uint32_t most_planes = 4;
     struct Plane {
         Vec3 normal;
         double height;  // contact if dot(normal, position of the particle) equals it
@@ -33,9 +33,11 @@ struct FlightBall {
     Plane planes[most_planes];
     uint32_t count = 0;
     Sight sight = Sight::not_searched;
+    bool in_use = false;  // the particle has been slow in this step
 };
 
-/// By particle, of a body near meshes; else empty. Not in snapshots: a search at the same place finds the same.
+/// By particle, of a body near meshes, or near any model if others may push its particles; else empty. Not in
+/// snapshots: a search at the same place finds the same.
 struct FlightBalls {
     explicit FlightBalls(std::pmr::memory_resource* memory) : all(memory) {}
 

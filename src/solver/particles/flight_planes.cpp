@@ -13,41 +13,43 @@ Box around(const Aabb& centers, double radius) {
 
 }  // namespace
 
-void FlightPlanes::begin(Body& body, const CollisionContext& step, Vec3 gravity, uint32_t first, uint32_t count) {
+void FlightPlanes::select(const Body& body, const CollisionContext& step, uint32_t first, uint32_t count) {
     scene_ = step.scene;
     moved_ = step.moved;
     first_ = first;
     count_ = count;
     layers_ = body.settings.layers;
     share_ = step.share;
-    resting_ = moving_count_ = 0;
-    std::fill_n(ways_, count, Sight::not_searched);
-    std::fill_n(rests_, count, false);
-    std::fill_n(slow_, count, false);
-    std::fill_n(still_, count, scene_ != nullptr);
-    std::fill_n(moving_of_, count, gphys_model_id{0});
-    const bool kept = !body.flight.all.empty(), current = kept && body.flight.current();
-    balls_ = kept ? &body.flight.all[first] : own_balls_;
-    Aabb all{body.particles.position[first], body.particles.position[first]};
-    double fastest = 0;
-    for (uint32_t i = 0; i < count; ++i) {
-        const Vec3 at = body.particles.position[first + i];
-        if (!current || balls_[i].center != at) {
-            balls_[i].center = at;
-            balls_[i].sight = Sight::not_searched;
-        }
-        all = {min(all.min, at), max(all.max, at)};
-        fastest = std::max(fastest, length_squared(body.particles.velocity[first + i]));
+}
+
+/// Particles at the place of the last search, among the same models, keep their balls.
+void FlightPlanes::reset_balls(const Body& body, bool keep) {
+    for (uint32_t i = 0; i < count_; ++i) {
+        const Vec3 at = body.particles.position[first_ + i];
+        balls_[i].in_use = false;
+        if (keep && balls_[i].center == at) continue;
+        balls_[i].center = at;
+        balls_[i].sight = Sight::not_searched;
     }
-    if (!scene_ || step.moved->empty()) return;
+}
+
+/// Lists the models that move and may come near the particles, which go as far as `way` in the rest of the step, and
+/// near their balls.
+void FlightPlanes::find_still(const Body& body, double way) {
+    std::fill_n(still_, count_, scene_ != nullptr);
+    moving_count_ = 0;
+    if (!scene_ || moved_->empty()) return;
+    Aabb all{body.particles.position[first_], body.particles.position[first_]};
+    for (uint32_t p = first_; p < first_ + count_; ++p) {
+        all = {min(all.min, body.particles.position[p]), max(all.max, body.particles.position[p])};
+    }
     // Slow particles move by at most their radius, and their surface reaches as far again, twice.
     constexpr double ball_reach = 3;
     const Box near_balls = around(all, ball_reach * body.particles.largest_radius);
-    uint32_t near_count = 0;
-    const double way = step.step_time * (std::sqrt(fastest) + step.step_time * length(gravity));
     const Box near_ways = around(all, body.particles.largest_radius + way);
-    for (uint32_t i = 0; i < step.moved->size(); ++i) {
-        const MovedModel& before = (*step.moved)[i];
+    uint32_t near_count = 0;
+    for (uint32_t i = 0; i < moved_->size(); ++i) {
+        const MovedModel& before = (*moved_)[i];
         if (!(scene_->layers(before.model) & layers_)) continue;
         if (!before.bounded || overlaps(before.swept, near_balls)) {
             if (near_count < most_near) near_[near_count] = i;
@@ -58,14 +60,42 @@ void FlightPlanes::begin(Body& body, const CollisionContext& step, Vec3 gravity,
         ++moving_count_;
     }
     if (near_count == 0) return;
-    for (uint32_t i = 0; i < count; ++i) {
-        const Vec3 at = body.particles.position[first + i];
-        const Box near_ball = around({at, at}, ball_reach * body.particles.radius[first + i]);
+    for (uint32_t i = 0; i < count_; ++i) {
+        const Vec3 at = body.particles.position[first_ + i];
+        const Box near_ball = around({at, at}, ball_reach * body.particles.radius[first_ + i]);
         still_[i] = near_count <= most_near && std::none_of(near_, near_ + near_count, [&](uint32_t k) {
-                        const MovedModel& model = (*step.moved)[k];
+                        const MovedModel& model = (*moved_)[k];
                         return !model.bounded || overlaps(model.swept, near_ball);
                     });
     }
+}
+
+void FlightPlanes::begin(Body& body, const CollisionContext& step, Vec3 gravity, uint32_t first, uint32_t count) {
+    select(body, step, first, count);
+    pushed_ = false;
+    resting_ = 0;
+    std::fill_n(ways_, count, Sight::not_searched);
+    std::fill_n(rests_, count, false);
+    std::fill_n(moving_of_, count, gphys_model_id{0});
+    const bool kept = !body.flight.all.empty();
+    balls_ = kept ? &body.flight.all[first] : own_balls_;
+    reset_balls(body, kept && body.flight.current());
+    double fastest = 0;
+    for (uint32_t p = first; p < first + count; ++p)
+        fastest = std::max(fastest, length_squared(body.particles.velocity[p]));
+    find_still(body, step.step_time * (std::sqrt(fastest) + step.step_time * length(gravity)));
+}
+
+void FlightPlanes::select_pushed(Body& body, const CollisionContext& substep, uint32_t first, uint32_t count) {
+    select(body, substep, first, count);
+    pushed_ = true;
+    balls_ = &body.flight.all[first];
+}
+
+void FlightPlanes::begin_pushed(Body& body, const CollisionContext& substep, uint32_t first, uint32_t count) {
+    select_pushed(body, substep, first, count);
+    if (substep.begin == 0) reset_balls(body, body.flight.current());
+    find_still(body, 0);
 }
 
 bool FlightPlanes::is_moved(gphys_model_id model) const { return find_moved(*moved_, model) != nullptr; }
@@ -193,12 +223,12 @@ bool FlightBall::clear_of_others(const Plane& plane, Vec3 at, double radius) con
 bool FlightPlanes::sweep(const Body& body, uint32_t p, Vec3 from, Vec3 displacement, double reach, Impact& impact) {
     if (!scene_ || reach > body.particles.radius[p]) return false;
     if (ball(p).sight == Sight::not_searched) search(body, p);
-    slow_[p - first_] = true;
+    ball(p).in_use = true;
     return sweep_known(body, p, from, displacement, impact);
 }
 
 bool FlightPlanes::sweep_known(const Body& body, uint32_t p, Vec3 from, Vec3 displacement, Impact& impact) const {
-    if (!slow_[p - first_]) return false;
+    if (!ball(p).in_use) return false;
     const double radius = body.particles.radius[p];
     const FlightBall::Plane* plane;
     double t;
@@ -215,6 +245,7 @@ bool FlightPlanes::sweep_known(const Body& body, uint32_t p, Vec3 from, Vec3 dis
 
 const FlightBall* FlightPlanes::moving_ball(const Body& body, uint32_t p, gphys_model_id model, Vec3 from,
                                             Vec3 displacement) {
+    if (pushed_) return nullptr;
     const double radius = body.particles.radius[p];
     FlightBall& ball = moving_balls_[p - first_];
     gphys_model_id& of = moving_of_[p - first_];

@@ -32,13 +32,19 @@ struct FlightWay {
     double curvature;  // the largest acceleration, m/s^2
 };
 
-/// For a block of particles, in a step. About 200 KB: each worker has one, which `prepare` allocates.
+/// For a block of particles, in a step. About 280 KB: each worker has one, which `prepare` allocates.
 class FlightPlanes {
 public:
     static constexpr uint32_t most_particles = 512;
 
     /// Resets all particles to "not searched", except those whose ball has been kept.
     void begin(Body& body, const CollisionContext& step, Vec3 gravity, uint32_t first, uint32_t count);
+    /// For a block of a body whose particles others push in each substep: selects it, with what its particles have
+    /// found of models that do not move. That is in the balls of the body, so these must be kept. Nothing is known of
+    /// moving models, of ways to the end of the step, and of particles at rest.
+    void select_pushed(Body& body, const CollisionContext& substep, uint32_t first, uint32_t count);
+    /// The same before a substep, the first of which resets the balls.
+    void begin_pushed(Body& body, const CollisionContext& substep, uint32_t first, uint32_t count);
     /// The first hit of a slow particle on a path; `reach` is the distance that it can go in the rest of the step.
     /// Returns false if it is not known.
     bool sweep(const Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double reach, Impact& impact);
@@ -51,26 +57,33 @@ public:
     const FlightBall* moving_ball(const Body& body, uint32_t particle, gphys_model_id model, Vec3 from,
                                   Vec3 displacement);
     /// Whether the particle knows that model.
-    bool has_searched(uint32_t particle, gphys_model_id model) const { return moving_of_[particle - first_] == model; }
+    bool has_searched(uint32_t particle, gphys_model_id model) const {
+        return !pushed_ && moving_of_[particle - first_] == model;
+    }
     /// Whether the particle hits nothing in the rest of the step; searches once.
     bool flies(const Body& body, uint32_t particle, const FlightWay& way) {
+        if (pushed_) return false;
         const uint32_t i = particle - first_;
         if (ways_[i] == Sight::not_searched) ways_[i] = search_way(body.particles.radius[particle], way);
         return ways_[i] == Sight::clear;
     }
     /// Whether that has been found.
-    bool flies(uint32_t particle) const { return ways_[particle - first_] == Sight::clear; }
+    bool flies(uint32_t particle) const { return !pushed_ && ways_[particle - first_] == Sight::clear; }
+    bool pushed() const { return pushed_; }
     /// Particles that rest on a plane until the step ends.
     void set_rests(uint32_t particle) {
         rests_[particle - first_] = true;
         ++resting_;
     }
-    bool rests(uint32_t particle) const { return rests_[particle - first_]; }
-    bool all_rest() const { return resting_ == count_; }
+    bool rests(uint32_t particle) const { return !pushed_ && rests_[particle - first_]; }
+    bool all_rest() const { return !pushed_ && resting_ == count_; }
     /// Whether no model that moves comes near the ball of the particle.
     bool still(uint32_t particle) const { return still_[particle - first_]; }
 
 private:
+    void select(const Body& body, const CollisionContext& step, uint32_t first, uint32_t count);
+    void reset_balls(const Body& body, bool keep);
+    void find_still(const Body& body, double way);
     bool is_moved(gphys_model_id model) const;
     Sight search_way(double radius, const FlightWay& way) const;
     bool crosses(const MovedModel& before, double radius, const FlightWay& way) const;
@@ -84,6 +97,7 @@ private:
 
     const Scene* scene_ = nullptr;
     uint32_t first_ = 0, count_ = 0;
+    bool pushed_ = false;
     uint32_t layers_ = 0;
     double share_ = 1;  // of the step (CollisionContext)
     const Vector<MovedModel>* moved_ = nullptr;
@@ -93,7 +107,6 @@ private:
     FlightBall own_balls_[most_particles];
     FlightBall moving_balls_[most_particles];   // relative to one model that moves,
     gphys_model_id moving_of_[most_particles];  // this one, or 0
-    bool slow_[most_particles];                 // whether `sweep` has used the ball in this step
     bool still_[most_particles];
     bool rests_[most_particles];
     uint32_t resting_ = 0;

@@ -82,7 +82,8 @@ private:
     /// Whether particles that a static model holds in this substep are held in all that follow. Otherwise others may
     /// act on them, or friction depends on what they have done.
     bool holds_till_end(uint32_t first, uint32_t end) const {
-        if (!planes_ || body_.particles.forced || body_.settings.sticks() || !body_.targets.empty()) return false;
+        if (!planes_ || planes_->pushed()) return false;
+        if (body_.particles.forced || body_.settings.sticks() || !body_.targets.empty()) return false;
         while (first < end && planes_->still(first)) ++first;
         return first == end;
     }
@@ -388,11 +389,12 @@ void FreeFlight::move_block(uint32_t first, uint32_t count) {
 
 }  // namespace
 
-void fly(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
-    FreeFlight flight(body, {body.contacts.impulses, body.contacts.has_contact}, gravity, h, nullptr);
+void fly(Body& body, const CollisionContext& around, Vec3 gravity, double h, FlightPlanes* planes) {
+    if (body.flight.all.empty()) planes = nullptr;
+    FreeFlight flight(body, {body.contacts.impulses, body.contacts.has_contact}, gravity, h, planes);
     for (uint32_t first = 0; first < body.particles.size(); first += block_size) {
         const uint32_t count = std::min(block_size, body.particles.size() - first);
-        flight.begin_block(around, first, count);
+        if (planes) planes->begin_pushed(body, around, first, count);
         flight.fly_block(around, first, count, 1);
     }
 }

@@ -10,10 +10,11 @@ struct Body;
 struct CollisionContext;
 class FlightPlanes;
 
-/// Moves and collides a body without constraints in one substep.
-void fly(Body& body, const CollisionContext& around, Vec3 gravity, double h);
+/// Moves and collides a body without constraints in one substep, between which others may push its particles. `planes`
+/// are those of the worker, or null to sweep every path.
+void fly(Body& body, const CollisionContext& around, Vec3 gravity, double h, FlightPlanes* planes);
 /// The same for some particles and all substeps of a step. Impulses and contacts go to the accumulator. Several threads
-/// may work on one body, each on its own particles. `planes` are those of the worker, or null to sweep every path.
+/// may work on one body, each on its own particles.
 /// Returns the extent of the particles.
 Extent fly_through(Body& body, uint32_t first, uint32_t end, const ImpulseAccumulator& accumulator,
                    const CollisionContext& step, Vec3 gravity, uint32_t substeps, FlightPlanes* planes);
