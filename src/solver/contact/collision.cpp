@@ -300,6 +300,13 @@ void Collider::hold(Body& body, uint32_t first, uint32_t count, uint32_t obstacl
     add_impulse(accumulator_.impulses, around_, near.model, middle / mass, velocity * mass);
 }
 
+bool Collider::push(const Body& body, uint32_t particle, Vec3& at, Vec3 out, gphys_model_id of, Impact& wall) const {
+    sweep_unmoved(particle, at, out, of, wall);
+    const bool free = wall.model == 0 || wall.inside;
+    at += free ? out : out * stop_short(body, particle, at, out, wall);
+    return free;
+}
+
 void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double time,
                      double bounce_threshold) const {
     Impact impact;
@@ -321,11 +328,14 @@ void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement
             const Vec3 out = minimum_translation(body, particle, at, impact);
             const double depth = length(out);
             if (depth <= most_push_) {
-                // Not through another model: a mesh has no inside from which the particle would come back.
+                // Not through another model: a mesh has no inside from which the particle would come back. It is pushed
+                // along that one instead, and its velocity may take it out.
                 Impact wall;
-                sweep_unmoved(particle, at, out, impact.model, wall);
-                const bool free = wall.model == 0 || wall.inside;
-                at += free ? out : out * stop_short(body, particle, at, out, wall);
+                if (!push(body, particle, at, out, impact.model, wall)) {
+                    const Vec3 along = out + wall.normal * std::max(0.0, -dot(out, wall.normal));
+                    push(body, particle, at, along, impact.model, wall);
+                    ignored = impact.model;
+                }
             } else {
                 ignored = impact.model;
                 body.contacts.penetrating = true;

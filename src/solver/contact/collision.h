@@ -212,6 +212,9 @@ private:
     /// Sweeps against all but one that the particle is in.
     bool sweep_others(uint32_t particle, Vec3 from, Vec3 displacement, double time, gphys_model_id ignored,
                       Impact& first) const;
+    /// Moves a particle that is in the model `of`, as far as other models that do not move allow. Returns false if
+    /// `wall` is one of those.
+    bool push(const Body& body, uint32_t particle, Vec3& at, Vec3 out, gphys_model_id of, Impact& wall) const;
     bool try_slide_on(const Moving& model, Body& body, uint32_t particle, Vec3 displacement, Vec3 velocity) const;
     Transform place_at_end(gphys_model_id moved) const;
     /// The impact at the end of the substep, if the particle moves with the model.

@@ -19,6 +19,10 @@ constexpr double near_gap = 0.02;
 // Pairs that overlap at the beginning of a substep separate by at most this much in it, in sums of their radii.
 // Separating them at once would give them a high speed.
 constexpr double most_correction = 0.1;
+// Where all bodies are of free particles, as much of an overlap is an error of the sweeps, which the next ones correct
+// with the velocities. The rest was there before, so what removes it gives no speed. Links would turn every correction
+// into speed.
+constexpr double allowed_overlap = 1e-3;
 bool collides_with_others(const Body& body) { return body.settings.self_collision || body.settings.body_layers != 0; }
 
 Vec3 place_of(const Body& body, uint32_t p) {
@@ -34,6 +38,13 @@ const ContactPoint* contact_points_of(const Body& body, uint32_t p) {
 
 Vec3 velocity_of(const Body& body, uint32_t p) {
     return is_graph(body) ? get(&body.cloth.state.velocity[4 * size_t{p}]) : body.particles.velocity[p];
+}
+
+/// Whether a particle has moved farther than its velocities take it: a model that it was in has moved it at once. Then
+/// its way is no motion, with which it would hit others.
+bool was_pushed_out(Vec3 way, Vec3 velocity_before, Vec3 velocity, double h) {
+    const double fastest = std::max(length_squared(velocity_before), length_squared(velocity));
+    return length_squared(way) > 1.01 * 1.01 * h * h * fastest;
 }
 
 bool moves_freely(const Body& body) { return body.plan.method == GPHYS_SOLVE_FREE && !body.plan.joined; }
@@ -132,20 +143,25 @@ void ParticleContacts::begin(const Island& island, const IdTable& ids, const Bod
             next->radius = body.particles.radius[p];
             next->margin = -1;  // in no list yet
             next->at = place_of(body, p);
+            next->velocity = velocity_of(body, p);
         }
     }
     std::fill(range.groups, range.groups + range.group_count, Group{});
     range.listed.clear();
 }
 
-void ParticleContacts::gather(const Range& range, const BodyTable& bodies, const CollisionContext& around) const {
+void ParticleContacts::gather(const Range& range, const BodyTable& bodies, const CollisionContext& around,
+                              double h) const {
     share_particles(range, [&](uint32_t first, uint32_t end) {
         for (uint32_t i = first; i < end; ++i) {
             Particle& p = range.particles[i];
             const Body& body = bodies[p.body];
             p.before = p.at;
             p.at = p.uncorrected = place_of(body, p.number);
+            const Vec3 velocity_before = p.velocity;
             p.velocity = p.uncorrected_velocity = velocity_of(body, p.number);
+            if (moves_freely(body) && was_pushed_out(p.at - p.before, velocity_before, p.velocity, h))
+                p.before = p.at - p.velocity * h;
             p.inverse_mass = body.particles.inverse_mass[p.number];
             p.supports = nullptr;
             if (const ContactPoint* const points = contact_points_of(body, p.number)) {
@@ -157,11 +173,12 @@ void ParticleContacts::gather(const Range& range, const BodyTable& bodies, const
 }
 
 /// Returns whether many pairs overlap deeply: more than one contact in one_deep_of.
-bool ParticleContacts::find_contacts(const Range& range, const BodyTable& bodies, double bounce_threshold,
-                                     double h) const {
+bool ParticleContacts::find_contacts(const Range& range, const BodyTable& bodies, bool all_free,
+                                     double bounce_threshold, double h) const {
     fill_groups(range, &Group::contacts, contacts_per_particle, [&](Group& group, uint32_t begin, uint32_t room) {
         uint32_t found = 0;
         group.deep = 0;
+        group.overlapping = false;
         for (uint32_t i = 0; i < group.pairs.count; ++i) {
             const Pair& pair = range.pairs[group.pairs.begin + i];
             const Particle &a = range.particles[pair.a], &b = range.particles[pair.b];
@@ -175,6 +192,8 @@ bool ParticleContacts::find_contacts(const Range& range, const BodyTable& bodies
             const double length = gphys::length(at_impact);
             const Vec3 normal = length > 0 ? at_impact / length : direction_of_pair(pair.a, pair.b);
             const Body &of_a = bodies[a.body], &of_b = bodies[b.body];
+            const double overlap = (1 - allowed_overlap) * radii - gphys::length(before);
+            group.overlapping = group.overlapping || (all_free && overlap > 0);
             // The speed at the time of impact. The speed at the end of the substep is larger, and with it particles
             // would bounce for ever.
             const Vec3 at_end = b.velocity - a.velocity, gained = (at_end - (now - before) / h) * 2;
@@ -187,7 +206,8 @@ bool ParticleContacts::find_contacts(const Range& range, const BodyTable& bodies
             range.contacts[begin + found - 1] = {pair.a,
                                                  pair.b,
                                                  normal,
-                                                 radii,
+                                                 all_free ? radii - std::max(0.0, overlap) : radii,
+                                                 std::clamp(overlap, 0.0, (most_correction - allowed_overlap) * radii),
                                                  a.inverse_mass / inverse_mass,
                                                  b.inverse_mass / inverse_mass,
                                                  friction,
@@ -469,23 +489,46 @@ void ParticleContacts::sweep(const Range& range, Solve&& solve) {
     }
 }
 
+/// Removes what was too near at the beginning of the substep, without speed.
+void ParticleContacts::separate_overlapping(const Island& island, BodyTable& bodies, const uint32_t* slots,
+                                            const CollisionContext& around, double bounce_threshold,
+                                            FlightPlanes* planes) {
+    each_body(island, bodies, slots, [&](Body& body, Particle* first, Particle* end) {
+        for (Particle* p = first; p != end; ++p) p->at = p->uncorrected = place_of(body, p->number);
+    });
+    sweep(range(island), [](Contact& contact, Particle& a, Particle& b) {
+        const double correction = contact.radii + contact.overlap - dot(b.at - a.at, contact.normal);
+        if (correction <= 0) return;
+        a.at -= contact.normal * (correction * contact.part_of_a);
+        b.at += contact.normal * (correction * contact.part_of_b);
+    });
+    each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
+        correct_moved(first, end, body, around, bounce_threshold, planes);
+    });
+}
+
 ParticleContacts::Found ParticleContacts::solve_contacts(const Island& island, const BodyTable& bodies,
-                                                         const CollisionContext& around, double bounce_threshold,
-                                                         double h) {
+                                                         const uint32_t* slots, const CollisionContext& around,
+                                                         double bounce_threshold, double h) {
     const Range range = this->range(island);
-    gather(range, bodies, around);
+    gather(range, bodies, around, h);
     if (!list_is_valid(range)) find_pairs(range, bodies);
-    const bool any_deep = find_contacts(range, bodies, bounce_threshold, h);
+    const bool all_free =
+        std::all_of(slots, slots + island.body_count, [&](uint32_t slot) { return moves_freely(bodies[slot]); });
+    const bool any_deep = find_contacts(range, bodies, all_free, bounce_threshold, h);
     sweep(range, [](Contact& contact, Particle& a, Particle& b) { solve_position(contact, a, b); });
-    const bool any = std::any_of(range.groups, range.groups + range.group_count,
-                                 [](const Group& group) { return group.contacts.count > 0; });
-    return {any, any_deep};
+    Found found{false, false, any_deep};
+    for (const Group* group = range.groups; group != range.groups + range.group_count; ++group) {
+        found.any = found.any || group->contacts.count > 0;
+        found.overlapping = found.overlapping || group->overlapping;
+    }
+    return found;
 }
 
 void ParticleContacts::solve_positions(const Island& island, BodyTable& bodies, const uint32_t* slots,
                                        const CollisionContext& around, Vec3 gravity, double h, FlightPlanes* planes) {
     const double bounce_threshold = find_bounce_threshold(gravity, h);
-    const Found contacts = solve_contacts(island, bodies, around, bounce_threshold, h);
+    const Found contacts = solve_contacts(island, bodies, slots, around, bounce_threshold, h);
     const Range range = this->range(island);
     // Separating deep pairs changes no velocity, so it transfers no impulse.
     if (contacts.any && island.body_count > 1) add_impulses(range, &Contact::all_separation, contacts.deep ? 0 : 1 / h);
@@ -511,6 +554,7 @@ void ParticleContacts::solve_positions(const Island& island, BodyTable& bodies, 
             each_moved(first, end, [&](uint32_t p, Vec3 change) { body.particles.velocity[p] += change / h; });
         correct_moved(first, end, body, around, bounce_threshold, planes);
     });
+    if (contacts.overlapping) separate_overlapping(island, bodies, slots, around, bounce_threshold, planes);
     if (contacts.any && !contacts.deep && island.body_count > 1) load_cloth(island, range, bodies, slots, gravity, h);
 }
 
@@ -556,7 +600,7 @@ void ParticleContacts::solve_velocities(const Island& island, BodyTable& bodies,
 void ParticleContacts::solve_final_positions(const Island& island, BodyTable& bodies, const uint32_t* slots,
                                              const CollisionContext& around, Vec3 gravity, double h) {
     const double bounce_threshold = find_bounce_threshold(gravity, h);
-    if (!solve_contacts(island, bodies, around, bounce_threshold, h).any) return;
+    if (!solve_contacts(island, bodies, slots, around, bounce_threshold, h).any) return;
     each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
         if (!moves_freely(body)) correct_moved(first, end, body, around, bounce_threshold, nullptr);
     });

@@ -103,7 +103,8 @@ private:
     struct Contact {
         uint32_t a, b;
         Vec3 normal;                  // unit, from a to b
-        double radii;                 // their sum
+        double radii;                 // the distance at which they touch: their sum, or less if they overlap
+        double overlap;               // metres: how much of that this substep removes
         double part_of_a, part_of_b;  // of a correction, by their inverse masses
         double friction;
         double target_speed;           // m/s: separating speed by restitution
@@ -127,7 +128,8 @@ private:
     struct Group {
         uint32_t first, size;  // of the particles, in `order`
         Items pairs, contacts;
-        uint32_t deep;  // pairs, or contacts, that overlap deeply
+        uint32_t deep;     // pairs, or contacts, that overlap deeply
+        bool overlapping;  // whether any contact has an overlap
     };
     /// The ranges of an island in the arrays.
     struct Range {
@@ -149,7 +151,8 @@ private:
         uint32_t most_pairs() const { return count * pairs_per_particle; }
     };
     struct Found {
-        bool any, deep;  // whether there are contacts; whether many pairs overlap deeply
+        bool any, overlapping;  // whether there are contacts, and any with an overlap
+        bool deep;              // whether many pairs overlap deeply
     };
     class PairSearch;
 
@@ -174,10 +177,11 @@ private:
     static bool fill_groups(const Range& range, Items Group::*items, uint32_t per_particle, Emit&& emit);
     template <class Solve>
     static void sweep(const Range& range, Solve&& solve);
-    void gather(const Range& range, const BodyTable& bodies, const CollisionContext& around) const;
+    void gather(const Range& range, const BodyTable& bodies, const CollisionContext& around, double h) const;
     bool list_is_valid(const Range& range) const;
     void find_pairs(const Range& range, const BodyTable& bodies) const;
-    bool find_contacts(const Range& range, const BodyTable& bodies, double bounce_threshold, double h) const;
+    bool find_contacts(const Range& range, const BodyTable& bodies, bool all_free, double bounce_threshold,
+                       double h) const;
     template <class Visit>
     static void each_between_bodies(const Range& range, Visit&& visit);
     static void add_to_list(const Range& range, Pair& pair, Vec3 normal, double impulse);
@@ -186,8 +190,10 @@ private:
     void add_impulses(const Range& range, double (Contact::*change)() const, double rate) const;
     void add_support_impulses(const Island& island, BodyTable& bodies, const uint32_t* slots,
                               const CollisionContext& around, double rate);
-    Found solve_contacts(const Island& island, const BodyTable& bodies, const CollisionContext& around,
-                         double bounce_threshold, double h);
+    void separate_overlapping(const Island& island, BodyTable& bodies, const uint32_t* slots,
+                              const CollisionContext& around, double bounce_threshold, FlightPlanes* planes);
+    Found solve_contacts(const Island& island, const BodyTable& bodies, const uint32_t* slots,
+                         const CollisionContext& around, double bounce_threshold, double h);
 
     Vector<Particle> particles_;
     Vector<Pair> pairs_;
