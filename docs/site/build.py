@@ -119,6 +119,8 @@ def main():
     shutil.copytree(source / "docs/images", tree / "docs/images", dirs_exist_ok=True)
     (tree / "_static").mkdir()
     shutil.copyfile(source / "docs/site/site.css", tree / "_static/site.css")
+    from theme import write_theme_files
+    write_theme_files(tree / "_static")
     (tree / "reference").mkdir()
     for name, text in reference.pages().items():
         (tree / "reference" / f"{name}.rst").write_text(text + "\n")

@@ -10,6 +10,7 @@ html_copy_source = False
 html_show_sphinx = False
 html_static_path = ["_static"]
 html_css_files = ["site.css"]
+html_js_files = ["search_of_files.js"]
 html_theme_options = {"navigation_with_keys": True}
 primary_domain = "c"
 highlight_language = "text"
