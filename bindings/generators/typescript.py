@@ -51,6 +51,8 @@ export class Records<T = any> {
     get(index: number): T;
     set(index: number, value: Given<T>): void;
     [Symbol.iterator](): Iterator<T>;
+    /** The elements, for JSON. Records are not cloned: post f32.slice() or u32.slice(). */
+    toJSON(): T[];
     /** Gives the library's memory back at once. */
     close(): void;
     [Symbol.dispose](): void;
@@ -175,7 +177,8 @@ def typescript(api):
     made = creations(api)
     for h in api["handles"]:
         out.append(doc(made[h].function["doc"], "") + f"export class {camel(h)} {{\n    constructor({signature(made[h])});\n"
-                   "    /** Frees the object at once. */\n    close(): void;\n    [Symbol.dispose](): void;")
+                   "    /** Frees the object at once. */\n    close(): void;\n    [Symbol.dispose](): void;\n"
+                   "    /** Throws: an object is not data, and is not cloned. */\n    toJSON(): never;")
         out += [doc(c.function["doc"], "    ") + f"    static {lower_camel(c.name)}({signature(c)}): {camel(h)};"
                 for c in other_creations(api, h)]
         out += [doc(c.function["doc"], "    ") + f"    {lower_camel(c.name)}({signature(c)}): {got(c)};"

@@ -42,6 +42,8 @@ export class Records<T = any> {
     get(index: number): T;
     set(index: number, value: Given<T>): void;
     [Symbol.iterator](): Iterator<T>;
+    /** The elements, for JSON. Records are not cloned: post f32.slice() or u32.slice(). */
+    toJSON(): T[];
     /** Gives the library's memory back at once. */
     close(): void;
     [Symbol.dispose](): void;
@@ -677,6 +679,8 @@ export class Mesh {
     /** Frees the object at once. */
     close(): void;
     [Symbol.dispose](): void;
+    /** Throws: an object is not data, and is not cloned. */
+    toJSON(): never;
     /** Make the convex hull of points: a mesh that is solid, as spheres and boxes are. It can be used
      * wherever a mesh can: functions of shapes, models of scenes, snapshots, and solvers, whose particles
      * stay outside and are pushed out. A ray that starts inside hits at t = 0 with HIT_INSIDE; one from
@@ -826,6 +830,8 @@ export class Scene {
     /** Frees the object at once. */
     close(): void;
     [Symbol.dispose](): void;
+    /** Throws: an object is not data, and is not cloned. */
+    toJSON(): never;
     /** Change the number of threads that share the calls of a scene, for example when the user changes a
      * setting. They are those of its task_runner if it was created with one. In a child of fork they are
      * started again. Answers keep their bits.
@@ -932,10 +938,13 @@ export class Scene {
     /** Scale a model's own shape along the three axes of the model, before its transform: a tree grows, a
      * unit box becomes a wall, a rock is stretched. Every query, and solvers, see the scaled shape;
      * normals are those of its surface. Children and attached particles (Solver.attach) are not affected:
-     * they follow the transform, whose scale is one number. A new scale replaces the old one. A mesh or a
-     * hull is scaled exactly, without a copy: answers are those of a mesh of the scaled vertices. Of a box
-     * or a triangle each number is multiplied and rounded to float32. A sphere, capsule or plane, and an
-     * OBB whose own rotation is not the identity, take three equal numbers only.
+     * they follow the transform, whose scale is one number. A new scale replaces the old one. No scale
+     * mirrors: for that, negate a coordinate of a mesh's vertices and swap two corners of each triangle.
+     * There is no form for many models: three equal numbers belong in their transforms
+     * (Scene.setTransforms), and Scene.addDescribedBatch takes a scale for each model that it adds. A mesh
+     * or a hull is scaled exactly, without a copy: answers are those of a mesh of the scaled vertices. Of
+     * a box or a triangle each number is multiplied and rounded to float32. A sphere, capsule or plane,
+     * and an OBB whose own rotation is not the identity, take three equal numbers only.
      * Cost: as Scene.setTransform of a model without children. Models that have a scale take 16 bytes more
      * if they are meshes, else 52, up to the highest id. Queries of a scaled mesh or hull take 1 to 11 %
      * more; rays at a mesh that is flattened to a twentieth take 1.3 times those at a mesh of the scaled
@@ -1287,6 +1296,8 @@ export class Camera {
     /** Frees the object at once. */
     close(): void;
     [Symbol.dispose](): void;
+    /** Throws: an object is not data, and is not cloned. */
+    toJSON(): never;
     /** Move the point of the world that the camera's coordinates count from; see Scene.setOrigin. The
      * camera and the target of its orbit stay where they are in the world. Picking and culling need a
      * scene of the same origin, else they fail with ERROR_INVALID_ARGUMENT.
@@ -1584,6 +1595,8 @@ export class Solver {
     /** Frees the object at once. */
     close(): void;
     [Symbol.dispose](): void;
+    /** Throws: an object is not data, and is not cloned. */
+    toJSON(): never;
     /** Change the number of threads that share the steps of a solver, as Scene.setWorkerCount. The bits of
      * the motion stay the same.
      * Cost: as Scene.setWorkerCount; allocates. Since 1.1.

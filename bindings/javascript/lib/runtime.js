@@ -17,6 +17,7 @@
 import { INCOMPLETE, SHAPE_AABB } from './constants.js';
 import * as constants from './constants.js';
 import { whole } from './numbers.js';
+import { elements, inspected, noData, showObject, showRecords } from './plain.js';
 import { readOrbit, types, writeTransform } from './structs.js';
 
 export const PASS_BYTES = 1024; // the generator asserts that it is enough for every function
@@ -62,6 +63,7 @@ export class Records {
         this.kind = kind;
         this.length = length;
         this.stride = size;
+        this.toJSON = elements;
         if (buffer !== null) this.#views = viewsOf(buffer ?? new ArrayBuffer(length * size), start, length * size);
     }
     get views() {
@@ -95,6 +97,7 @@ export class Records {
     /** Gives the memory back at once, where it is the library's. */
     close() {}
 }
+Records.prototype[inspected] = showRecords;
 if (Symbol.dispose) {
     Records.prototype[Symbol.dispose] = function () {
         this.close();
@@ -177,6 +180,7 @@ export function runtime(memory) {
             const address = create();
             this.#address = address;
             this.#destroy = destroy;
+            this.toJSON = noData;
             registry.register(this, { destroy, address }, this);
         }
         get pointer() {
@@ -188,6 +192,9 @@ export function runtime(memory) {
             registry.unregister(this);
             this.#destroy(this.#address);
             this.#address = 0;
+        }
+        [inspected](...how) {
+            return showObject.call(this, this.#address === 0, ...how);
         }
     }
     if (Symbol.dispose) Handle.prototype[Symbol.dispose] = Handle.prototype.close;

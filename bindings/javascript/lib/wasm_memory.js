@@ -72,7 +72,9 @@ export async function memory(source) {
         constructor(kind, length, address) {
             super(kind, length, null);
             this.#address = address ?? allocate(Math.max(8, length * this.stride));
-            if (address === undefined) registry.register(this, this.#address, this);
+            if (address !== undefined) return;
+            registry.register(this, this.#address, this);
+            this.u32.fill(0); // memory that was freed keeps what was in it
         }
         get views() {
             if (this.#address === 0) throw new GamephysClosed('Records');

@@ -7,6 +7,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import test from 'node:test';
 import { fileURLToPath } from 'node:url';
+import { inspect } from 'node:util';
 import * as gp from 'gamephys';
 import init from 'gamephys/init';
 
@@ -32,6 +33,15 @@ test('a batch answers as single calls do', () => {
     assert(met > 0 && met < 200);
 });
 
+test('new records are 0, also in memory that was used before', () => {
+    for (let i = 0; i < 5; ++i) {
+        const records = gp.records('hit', 300);
+        assert(records.u32.every((word) => word === 0));
+        records.u32.fill(7);
+        records.close();
+    }
+});
+
 test('results go into the memory given', () => {
     const rays = new Float32Array([0, 0, -5, 0, 0, 1, Infinity]);
     const out = new Float32Array(2 + 13);
@@ -52,6 +62,27 @@ test('workers, where there are threads for them, change no answer', () => {
         return [scene.raycastBatch(rays).u32, solver.getHash()];
     });
     assert.deepStrictEqual(answers[1], answers[0]);
+});
+
+test('Records and objects are no plain data: they are printed, and not cloned to nothing', () => {
+    const scene = someScene();
+    const all = scene.getModels();
+    assert.strictEqual(JSON.stringify({ all }), JSON.stringify({ all: [...all.u32] }));
+    assert.strictEqual(inspect(scene), 'Scene { models: 30 }');
+    assert.strictEqual(inspect([[[[all, scene]]]]), '[ [ [ [Array] ] ] ]');
+    assert.strictEqual(inspect([[[all, scene]]]), '[ [ [ [Records uint32_t (30)], [Scene] ] ] ]');
+    assert.match(inspect(scene.raycastAll([[0, 0, 0], [0, 0, 1], 0])), /^Records hit \(0\) \[\]$/);
+    assert.match(inspect(gp.records('hit', 300)), /^Records hit \(300\) \[\n {2}\{\n {4}model: 0,[^]* and 200 more$/);
+    for (const value of [all, gp.records('ray', 2), scene, new gp.Camera(), new gp.Solver()]) {
+        assert.throws(() => structuredClone(value), { name: 'DataCloneError' });
+        assert.throws(() => structuredClone({ inside: [value] }), { name: 'DataCloneError' });
+    }
+    assert.throws(() => JSON.stringify({ scene }), { name: 'TypeError', message: /^a Scene is an object of the library, not data: take its getSnapshot\(\)$/ });
+    const room = gp.records('ray', 2);
+    room.close();
+    scene.close();
+    assert.strictEqual(inspect(scene), 'Scene (closed)');
+    inspect(room);
 });
 
 test('ids and masks that are not whole numbers of 32 bits are refused by name', () => {

@@ -10,6 +10,7 @@ const ordered: gp.Hit | null = scene.raycast([[0, 0, 0], [0, 0, 1], 1], gp.ALL_L
 const rays: gp.Records<gp.Ray> = gp.records('ray', 10);
 const hits: gp.Records<gp.Hit> = scene.raycastBatch(rays, undefined, new Float32Array(130));
 for (const { t, point: [x] } of hits) t + x;
+const plain: gp.Hit[] = hits.toJSON();
 const there: boolean = scene.has(ball);
 const [side, distance]: [number, number] = gp.classifyPlane(gp.sphere([0, 0, 0], 1), [[0, 1, 0], 0]);
 const models: Uint32Array = scene.overlap(new gp.Mesh(new Float32Array(9), new Uint32Array(3))).u32;
