@@ -1006,7 +1006,10 @@ GPHYS_API gphys_status gphys_scene_set_shape(gphys_scene* scene, gphys_model_id 
 /** Scale a model's own shape along the three axes of the model, before its transform: a tree grows, a unit box
  *  becomes a wall, a rock is stretched. Every query, and solvers, see the scaled shape; normals are those of
  *  its surface. Children and attached particles (gphys_solver_attach) are not affected: they follow the transform,
- *  whose scale is one number. A new scale replaces the old one.
+ *  whose scale is one number. A new scale replaces the old one. No scale mirrors: for that, negate a coordinate
+ *  of a mesh's vertices and swap two corners of each triangle.
+ *    There is no form for many models: three equal numbers belong in their transforms (gphys_scene_set_transforms),
+ *  and gphys_scene_add_described_batch takes a scale for each model that it adds.
  *    A mesh or a hull is scaled exactly, without a copy: answers are those of a mesh of the scaled vertices.
  *  Of a box or a triangle each number is multiplied and rounded to float32. A sphere, capsule or plane, and an
  *  OBB whose own rotation is not the identity, take three equal numbers only.

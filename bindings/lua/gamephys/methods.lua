@@ -517,10 +517,13 @@ end
 --- Scale a model's own shape along the three axes of the model, before its transform: a tree grows, a
 --- unit box becomes a wall, a rock is stretched. Every query, and solvers, see the scaled shape;
 --- normals are those of its surface. Children and attached particles (Solver:attach) are not affected:
---- they follow the transform, whose scale is one number. A new scale replaces the old one. A mesh or a
---- hull is scaled exactly, without a copy: answers are those of a mesh of the scaled vertices. Of a box
---- or a triangle each number is multiplied and rounded to float32. A sphere, capsule or plane, and an
---- OBB whose own rotation is not the identity, take three equal numbers only.
+--- they follow the transform, whose scale is one number. A new scale replaces the old one. No scale
+--- mirrors: for that, negate a coordinate of a mesh's vertices and swap two corners of each triangle.
+--- There is no form for many models: three equal numbers belong in their transforms
+--- (Scene:set_transforms), and Scene:add_described_batch takes a scale for each model that it adds. A
+--- mesh or a hull is scaled exactly, without a copy: answers are those of a mesh of the scaled
+--- vertices. Of a box or a triangle each number is multiplied and rounded to float32. A sphere, capsule
+--- or plane, and an OBB whose own rotation is not the identity, take three equal numbers only.
 --- Cost: as Scene:set_transform of a model without children. Models that have a scale take 16 bytes
 --- more if they are meshes, else 52, up to the highest id. Queries of a scaled mesh or hull take 1 to
 --- 11 % more; rays at a mesh that is flattened to a twentieth take 1.3 times those at a mesh of the

@@ -541,8 +541,11 @@ class Scene(Models):
         a unit box becomes a wall, a rock is stretched. Every query, and solvers, see the scaled shape;
         normals are those of its surface. Children and attached particles (Solver.attach) are not
         affected: they follow the transform, whose scale is one number. A new scale replaces the old
-        one. A mesh or a hull is scaled exactly, without a copy: answers are those of a mesh of the
-        scaled vertices. Of a box or a triangle each number is multiplied and rounded to float32. A
+        one. No scale mirrors: for that, negate a coordinate of a mesh's vertices and swap two corners
+        of each triangle. There is no form for many models: three equal numbers belong in their
+        transforms (Scene.set_transforms), and Scene.add_described_batch takes a scale for each model
+        that it adds. A mesh or a hull is scaled exactly, without a copy: answers are those of a mesh of
+        the scaled vertices. Of a box or a triangle each number is multiplied and rounded to float32. A
         sphere, capsule or plane, and an OBB whose own rotation is not the identity, take three equal
         numbers only.
         Cost: as Scene.set_transform of a model without children. Models that have a scale take 16 bytes
