@@ -396,6 +396,17 @@ static void put_cloth(canvas* c, const gphys_vec3* points, uint32_t point_count,
                        paint, 0);
         }
     }
+    uint32_t count, *rim = cloth_rim(indices, index_count, point_count, &count);
+    for (uint32_t i = 0; i < count; i += 2) {
+        const uint32_t a = rim[i], b = rim[i + 1];
+        const uint32_t corners[6] = {a, a, b, b, a, b};
+        for (int k = 0; k < 6; ++k) { /* two triangles between the faces, lit like them */
+            const float away = k == 0 || k == 2 || k == 3 ? -radius / 2 : radius / 2;
+            const gphys_vec3 normal = mesh.normals[corners[k]];
+            put_corner(c, sum(points[corners[k]], scaled(normal, away)), normal, paint, 0);
+        }
+    }
+    free(rim);
     free(mesh.normals);
 }
 

@@ -57,6 +57,12 @@ int stage_create(stage* s, uint32_t preset, const char* path);
 void stage_step(stage* s, float time);
 void stage_destroy(stage* s);
 
+/* --- rim.c: the edges of one triangle only ---------------------------------------------------- */
+
+/* Pairs of points, in the order in which their triangle has them, and their number, twice that of the edges. Freed by
+ * the caller. */
+uint32_t* cloth_rim(const uint32_t* indices, uint32_t index_count, uint32_t point_count, uint32_t* out_count);
+
 /* --- draw.c ------------------------------------------------------------------------------------ */
 
 typedef struct canvas canvas;
