@@ -44,7 +44,7 @@ for argument in "$@"; do
         solver) solver=ON ;;
         batches) batches=ON ;;
         --help | -h)
-            echo "$usage"
+            sed -n '2,/^set /s/^# //p' "${0##*/}"
             exit
             ;;
         *)

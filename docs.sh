@@ -6,11 +6,8 @@ set -euo pipefail
 cd "$(dirname "$0")"
 case ${1:-} in
     '' | --write) ;;
-    *)
-        echo "usage: ./docs.sh [--write]" >&2
-        [[ $1 =~ ^(--help|-h)$ ]]
-        exit
-        ;;
+    --help | -h) sed -n '2,/^set /s/^# //p' "${0##*/}" && exit ;;
+    *) echo "usage: ./docs.sh [--write]" >&2 && exit 2 ;;
 esac
 source cmake/install_packages.sh
 install_packages python3 python3-sphinx python3-myst-parser furo

@@ -11,7 +11,7 @@ known=(npm page wheel crate go nuget maven rock gem deb vcpkg conan)
 usage="usage: ./package.sh NAME... of ${known[*]}, or all"
 case ${1:-} in
     '') echo "$usage" >&2 && exit 2 ;;
-    --help | -h) echo "$usage" && exit ;;
+    --help | -h) sed -n '2,/^set /s/^# //p' "${0##*/}" && exit ;;
     all) set -- "${known[@]}" ;;
 esac
 for name in "$@"; do

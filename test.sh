@@ -30,6 +30,7 @@ usage() {
 }
 case ${1:-} in
     '') ;;
+    --help | -h) sed -n '2,/^set /s/^# //p' "${0##*/}" && exit ;;
     --long)
         presets=(release clang exact-gcc-O0 exact-gcc-haswell exact-clang-O0 exact-clang-haswell asan-ubsan tsan)
         configuration=(-C Long)
