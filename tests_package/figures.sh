@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The report: an interrupted run goes on; its tables and sentences say what was measured; labels of figures do not overlap, and none is lost
-# silently. 77: matplotlib is not installed.
+# The report: an interrupted run goes on where it was; tables and sentences say what was measured; labels of figures do
+# not overlap, and none is lost silently. 77: matplotlib is not installed.
 source "$SOURCE/tests_package/common.sh"
 python=/usr/bin/python3
 [ -x $python ] || python=python3
