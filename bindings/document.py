@@ -61,7 +61,7 @@ Nanoseconds per call through the package of the language, including the library'
 
 {times}
 
-In a batch the language hardly matters: it is one call, and the arrays are not copied. WebAssembly runs the library's WebAssembly build, whose vectors have 128 bits instead of 256.
+In a batch the language hardly matters: it is one call, and the arrays are not copied. WebAssembly runs the library's WebAssembly build, whose vectors have 128 bits instead of 256 or 512.
 
 {reach}
 """

@@ -17,10 +17,14 @@ ROUNDS = 5
 
 
 def processor():
+    """Its name, and its generation: virtual machines shorten the name."""
+    said = {}
     for line in Path("/proc/cpuinfo").read_text().splitlines():
-        if line.startswith("model name"):
-            return line.split(":", 1)[1].strip()
-    return platform.processor()
+        name, _, value = line.partition(":")
+        said.setdefault(name.strip(), value.strip())
+    if not {"model name", "cpu family", "model"} <= said.keys():
+        return said.get("model name") or platform.processor()
+    return f"{said['model name']} (family {said['cpu family']}, model {said['model']})"
 
 
 def measure(commands, rounds, all_must_run):
