@@ -39,6 +39,7 @@ void classify_links(Plan& plan, const Constraints& constraints) {
     plan.branched = plan.method == GPHYS_SOLVE_DIRECT && std::any_of(constraints.links.begin(), constraints.links.end(),
                                                                      [](Links links) { return links.degree > 2; });
     plan.damped = std::any_of(plan.damping.begin(), plan.damping.end(), [](double damping) { return damping > 0; });
+    plan.crowded = plan.method == GPHYS_SOLVE_GRAPH && has_hub(constraints);
     plan.limited = std::find(plan.limit.begin(), plan.limit.end(), 1u) != plan.limit.end();
 }
 

@@ -4,6 +4,7 @@
 //   plan.cpp               updating it
 //   rope/plan_chains.cpp   chains of ropes and trees, for direct solution
 //   plan_colours.cpp       chains of cloth and their colours
+//   hubs.cpp               whether some particle has so many links that sweeps go forth and back
 //   cloth/plan_cloth.cpp   their layout in the kernels; plan_edits.cpp: edits without planning the body again
 #pragma once
 
@@ -67,6 +68,7 @@ struct Plan {
     Vector<uint32_t> limit;                    // by link: 1 if it only pulls
     bool damped = false, limited = false;      // whether any link is
     bool branched = false;                     // direct, and chains have particles in common: joints/ solves them
+    bool crowded = false;                      // a graph that is swept forth and back (hubs.cpp)
     bool joined = false;                       // branched, or to other bodies; set at the beginning of a step
 };
 
@@ -86,6 +88,8 @@ void plan_direct_chains(Plan& plan, Rope& rope, const Constraints& constraints);
 /// Copies the parameters of links that are solved directly.
 void copy_direct_parameters(Plan& plan, Rope& rope, const Constraints& constraints);
 void plan_chain_colours(Plan& plan, const Constraints& constraints, const Particles& particles);
+/// Whether some particle has many links of one kind. O(particles), and O(n log n) for those with many links.
+bool has_hub(const Constraints& constraints);
 
 /// plan_edits.cpp: whether a constraint can be added to or removed from the plan of cloth without planning the body
 /// again. Call before anything changes, because it reserves memory: the result of an edit must not depend on whether

@@ -115,10 +115,14 @@ void solve_cloth(Body& body) {
     correct_volume();
     const bool loaded = cloth.loads.any();
     if (loaded) note_places(cloth.loads, cloth.state);
-    for (int sweep = 0; sweep < (loaded ? ContactLoads::sweeps : 1); ++sweep) {
-        const auto solve = [&](const ChainBatch& batch, const ClothChains& chains, float* rows) {
+    const bool returns = body.plan.crowded;
+    const int sweeps = returns ? 2 : 1;
+    for (int sweep = 0; sweep < (loaded ? ContactLoads::sweeps : sweeps); ++sweep) {
+        const bool backward = returns && sweep == 1;
+        const auto solve = [&](const ChainBatch& batch, ClothChains chains, float* rows) {
             // The force of an elastic link acts once.
-            if (sweep > 0 && batch.elastic) return;
+            if (sweep >= sweeps && batch.elastic) return;
+            if (backward && batch.elastic) chains.rest = cloth.batches.continued.data();
             float* const at = cloth.state.at.data();
             const ClothSurfaces surfaces{in_chains.normals.data(), in_chains.pulls.data()};
             if (body.plan.joined || loaded) {
@@ -132,9 +136,12 @@ void solve_cloth(Body& body) {
             } else {
                 kernels.solve(at, chains, batch, rows);
             }
-            if (body.breaking.possible()) note_pulls(body.breaking, batch, rows, sweep > 0);
+            const bool continued = returns && !backward && batch.elastic, breaks = body.breaking.possible();
+            if (continued || breaks) kernels.find_tensions(rows, batch.link_count);
+            if (continued) continue_links(cloth.batches, batch, chains, rows);
+            if (breaks) note_pulls(body.breaking, batch, rows, sweep > 0);
         };
-        solve_colours(cloth.batches, cloth.shares.team, solve, [&] {
+        solve_colours(cloth.batches, cloth.shares.team, backward, solve, [&] {
             if (loaded) move_loads(cloth.loads, cloth.state);
         });
     }

@@ -57,6 +57,17 @@ void damp_links(ClothBatches& batches, const ClothState& state, const TimeScheme
     }
 }
 
+void continue_links(ClothBatches& batches, const ChainBatch& batch, const ClothChains& chains, const float* rows) {
+    for (uint32_t j = 0; j < batch.link_count; ++j) {
+        const float* const tension = rows + cloth_row_floats * j;
+        for (size_t lane = 0; lane < lanes; ++lane) {
+            const size_t place = lanes * (batch.first_link + j) + lane;
+            const float softness = batches.softness[place];
+            batches.continued[place] = chains.rest[place] + (softness > 0 ? softness * tension[lane] : 0);
+        }
+    }
+}
+
 double add_stored_in_links(double sum, const ClothBatches& batches, const ClothState& state, ClothShares& shares) {
     if (!batches.elastic) return sum;
     const ClothKernels& kernels = cloth_kernels(chosen_isa());

@@ -22,12 +22,18 @@ double add_stored_in_links(double sum, const ClothBatches& batches, const ClothS
 /// One sweep over the chains and limits, without contacts.
 void project_links(ClothBatches& batches, const ReachLimits& reach, ClothState& state, Team* team);
 
-/// Calls solve(batch, chains, rows) for each batch: colours one after the other, the batches of a colour in any order;
-/// and solved() after each colour.
+/// For the way back of a sweep: what is left of elastic links after the tensions of the way there, which `rows` holds
+/// (ClothKernels::find_tensions).
+void continue_links(ClothBatches& batches, const ChainBatch& batch, const ClothChains& chains, const float* rows);
+
+/// Calls solve(batch, chains, rows) for each batch: colours one after the other, or from the last to the first, the
+/// batches of a colour in any order; and solved() after each colour.
 template <class Solve, class Solved>
-void solve_colours(ClothBatches& batches, Team* team, Solve&& solve, Solved&& solved) {
+void solve_colours(ClothBatches& batches, Team* team, bool backward, Solve&& solve, Solved&& solved) {
     const ClothChains chains = chains_of(batches);
-    for (size_t colour = 0; colour + 1 < batches.colours.size(); ++colour) {
+    const size_t colours = batches.colours.size() - 1;
+    for (size_t nth = 0; nth < colours; ++nth) {
+        const size_t colour = backward ? colours - 1 - nth : nth;
         const uint32_t first = batches.colours[colour], end = batches.colours[colour + 1];
         share(team, end - first, [&](uint32_t i, uint32_t member) {
             solve(batches.chains[first + i], chains,
@@ -39,7 +45,7 @@ void solve_colours(ClothBatches& batches, Team* team, Solve&& solve, Solved&& so
 
 template <class Solve>
 void solve_colours(ClothBatches& batches, Team* team, Solve&& solve) {
-    solve_colours(batches, team, solve, [] {});
+    solve_colours(batches, team, false, solve, [] {});
 }
 
 }  // namespace gphys

@@ -57,8 +57,8 @@ void reserve_breaking(Body& body);
 void begin_loads(Body& body) noexcept;
 /// Call at the end of a substep of chains that are solved directly.
 void add_chain_loads(Body& body, const TimeScheme& scheme);
-/// Call after a batch of cloth was solved. `rows` are those of the elimination, and are overwritten.
-void note_pulls(Breaking& breaking, const ChainBatch& batch, float* rows, bool again);
+/// Call after a batch of cloth was solved. `rows`: the tensions of its links (ClothKernels::find_tensions).
+void note_pulls(Breaking& breaking, const ChainBatch& batch, const float* rows, bool again);
 /// Call at the end of the substep of cloth, when it is decided whether the time scheme restarts. A force acts on the
 /// velocity by h / next in its substep, and by the rest of h through the history of the scheme. A restart drops that.
 void add_cloth_loads(Body& body, const TimeScheme& scheme);

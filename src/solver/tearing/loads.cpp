@@ -50,9 +50,8 @@ void add_chain_loads(Body& body, const TimeScheme& scheme) {
     }
 }
 
-void note_pulls(Breaking& breaking, const ChainBatch& batch, float* rows, bool again) {
+void note_pulls(Breaking& breaking, const ChainBatch& batch, const float* rows, bool again) {
     constexpr uint32_t lanes = 8;
-    cloth_kernels(chosen_isa()).find_tensions(rows, batch.link_count);
     for (uint32_t j = 0; j < batch.link_count; ++j) {
         const float* const row = rows + cloth_row_floats * j;
         float* const pull = &breaking.pull[lanes * size_t{batch.first_link + j}];
