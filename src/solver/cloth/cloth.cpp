@@ -2,7 +2,8 @@
 // with graph colouring). Within a chain the corrections of all links are found together by elimination of their
 // tridiagonal system (Thomas's algorithm). So tension crosses the cloth in one sweep, where single constraints would
 // need as many sweeps as there are links. There is one pass per substep, always in the same order, because alternating
-// between forward and backward was seen to add energy.
+// between forward and backward was seen to add energy. Around particles with many links one pass adds energy, too, so
+// there each substep goes there and back (hubs.cpp).
 //
 // A substep reads: predict, contact planes, chains and limits, velocities, contacts, relaxation, energy.
 #include "solver/cloth/cloth_attachments.h"
@@ -115,14 +116,15 @@ void solve_cloth(Body& body) {
     correct_volume();
     const bool loaded = cloth.loads.any();
     if (loaded) note_places(cloth.loads, cloth.state);
-    const bool returns = body.plan.crowded;
-    const int sweeps = returns ? 2 : 1;
-    for (int sweep = 0; sweep < (loaded ? ContactLoads::sweeps : sweeps); ++sweep) {
-        const bool backward = returns && sweep == 1;
+    const bool both_ways = body.plan.crowded;
+    const int least_sweeps = both_ways ? 2 : 1;
+    for (int sweep = 0; sweep < (loaded ? ContactLoads::sweeps : least_sweeps); ++sweep) {
+        // The sides of cells come last, and have no error left.
+        const bool backward = both_ways && sweep == 0;
         const auto solve = [&](const ChainBatch& batch, ClothChains chains, float* rows) {
             // The force of an elastic link acts once.
-            if (sweep >= sweeps && batch.elastic) return;
-            if (backward && batch.elastic) chains.rest = cloth.batches.continued.data();
+            if (sweep >= least_sweeps && batch.elastic) return;
+            if (sweep == 1 && batch.elastic) chains.rest = cloth.batches.continued.data();
             float* const at = cloth.state.at.data();
             const ClothSurfaces surfaces{in_chains.normals.data(), in_chains.pulls.data()};
             if (body.plan.joined || loaded) {
@@ -136,7 +138,7 @@ void solve_cloth(Body& body) {
             } else {
                 kernels.solve(at, chains, batch, rows);
             }
-            const bool continued = returns && !backward && batch.elastic, breaks = body.breaking.possible();
+            const bool continued = backward && batch.elastic, breaks = body.breaking.possible();
             if (continued || breaks) kernels.find_tensions(rows, batch.link_count);
             if (continued) continue_links(cloth.batches, batch, chains, rows);
             if (breaks) note_pulls(body.breaking, batch, rows, sweep > 0);

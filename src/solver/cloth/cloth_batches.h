@@ -49,9 +49,8 @@ struct ClothBatches {
     Vector<float> stiffness;    // 1 / (compliance * average mass); 0 for rigid links and absent ones
     bool elastic = false;       // whether any link stores energy
     Vector<DampedInCloth> damped;
-    Vector<float> target;  // rest, with the lengths that damped links and taut rows aim at; empty if there are none
-    Vector<float>
-        continued;  // the lengths that elastic links aim at on the way back of a sweep; empty if there is none
+    Vector<float> target;     // rest, with the lengths that damped links and taut rows aim at; empty if there are none
+    Vector<float> continued;  // the lengths that elastic links aim at on the way back; empty if there is none
     Vector<LimitInCloth> limits;
     uint32_t longest = 0;    // links
     double link_length = 0;  // metres, the average

@@ -22,8 +22,8 @@ double add_stored_in_links(double sum, const ClothBatches& batches, const ClothS
 /// One sweep over the chains and limits, without contacts.
 void project_links(ClothBatches& batches, const ReachLimits& reach, ClothState& state, Team* team);
 
-/// For the way back of a sweep: what is left of elastic links after the tensions of the way there, which `rows` holds
-/// (ClothKernels::find_tensions).
+/// For the way back of a sweep: the lengths at which elastic links have the tensions of the way there, which `rows`
+/// holds (ClothKernels::find_tensions). So the way back adds what these lack, as iterations of one system do.
 void continue_links(ClothBatches& batches, const ChainBatch& batch, const ClothChains& chains, const float* rows);
 
 /// Calls solve(batch, chains, rows) for each batch: colours one after the other, or from the last to the first, the
