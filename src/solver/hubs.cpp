@@ -8,7 +8,6 @@
 // is a symmetric product. It is what exact solution gives for links of some other stiffness, and so it is stable for
 // every length of the substep.
 #include <algorithm>
-#include <iterator>
 
 #include "solver/constraints.h"
 #include "solver/plan.h"
@@ -26,46 +25,54 @@ struct HubSize {
 // Stanford bunny has six at most within the first of these ratios, eight within the second. Links against bending are
 // longer than the edges beside them by more than the last (straight_kernels.cpp).
 constexpr HubSize hub_sizes[] = {{8, 1.1}, {9, 1.25}, {12, 1.75}};
-constexpr uint32_t least_of_hub = hub_sizes[0].links;
 
 /// A link as one of its particles sees it.
 struct Spoke {
-    uint32_t particle;
+    double rest, compliance;
     bool limit;
-    double compliance, rest;
 
-    bool same_kind(const Spoke& other) const {
-        return particle == other.particle && limit == other.limit && compliance == other.compliance;
-    }
+    bool same_kind(const Spoke& other) const { return limit == other.limit && compliance == other.compliance; }
     bool operator<(const Spoke& other) const {
-        if (particle != other.particle) return particle < other.particle;
         if (limit != other.limit) return limit < other.limit;
         return compliance != other.compliance ? compliance < other.compliance : rest < other.rest;
     }
 };
 
+bool is_hub(Spoke* spokes, uint32_t count) {
+    std::sort(spokes, spokes + count);
+    for (const HubSize& size : hub_sizes) {
+        for (uint32_t i = 0; i + size.links <= count; ++i) {
+            const Spoke &shortest = spokes[i], &longest = spokes[i + size.links - 1];
+            if (shortest.same_kind(longest) && longest.rest <= size.ratio * shortest.rest) return true;
+        }
+    }
+    return false;
+}
+
 }  // namespace
 
+/// Particles with the number of links that one must have are listed by counting sort.
 bool has_hub(const Constraints& constraints) {
-    const auto may_be_hub = [](Links links) { return links.degree >= least_of_hub; };
-    if (std::none_of(constraints.links.begin(), constraints.links.end(), may_be_hub)) return false;
-    Vector<Spoke> spokes(constraints.by_slot.get_allocator());
+    const uint32_t particles = static_cast<uint32_t>(constraints.links.size());
+    Vector<uint32_t> begin(particles + size_t{1}, 0, constraints.by_slot.get_allocator());
+    for (uint32_t p = 0; p < particles; ++p) {
+        const uint32_t degree = constraints.links[p].degree;
+        begin[p + 1] = begin[p] + (degree >= hub_sizes[0].links ? degree : 0);
+    }
+    if (begin.back() == 0) return false;
+    Vector<Spoke> spokes(begin.back(), begin.get_allocator());
+    Vector<uint32_t> next(begin.begin(), begin.end() - 1, begin.get_allocator());
     for (uint32_t slot = 0; slot < constraints.ids.slots(); ++slot) {
         if (!constraints.ids.live(slot)) continue;
         const DistanceConstraint& link = constraints.by_slot[slot];
         for (const uint32_t p : {link.a, link.b}) {
-            if (may_be_hub(constraints.links[p])) spokes.push_back({p, link.limit != 0, link.compliance, link.rest});
+            if (begin[p] < begin[p + 1]) spokes[next[p]++] = {link.rest, link.compliance, link.limit != 0};
         }
     }
-    std::sort(spokes.begin(), spokes.end());
-    const auto begins_hub = [&](const Spoke& shortest) {
-        return std::any_of(std::begin(hub_sizes), std::end(hub_sizes), [&](const HubSize& size) {
-            if (static_cast<size_t>(&spokes.back() - &shortest) + 1 < size.links) return false;
-            const Spoke& longest = *(&shortest + size.links - 1);
-            return shortest.same_kind(longest) && longest.rest <= size.ratio * shortest.rest;
-        });
-    };
-    return std::any_of(spokes.begin(), spokes.end(), begins_hub);
+    for (uint32_t p = 0; p < particles; ++p) {
+        if (begin[p] < begin[p + 1] && is_hub(&spokes[begin[p]], begin[p + 1] - begin[p])) return true;
+    }
+    return false;
 }
 
 }  // namespace gphys

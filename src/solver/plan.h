@@ -88,7 +88,7 @@ void plan_direct_chains(Plan& plan, Rope& rope, const Constraints& constraints);
 /// Copies the parameters of links that are solved directly.
 void copy_direct_parameters(Plan& plan, Rope& rope, const Constraints& constraints);
 void plan_chain_colours(Plan& plan, const Constraints& constraints, const Particles& particles);
-/// Whether some particle has many links of one kind. O(particles), and O(n log n) for those with many links.
+/// Whether some particle has many links of one kind. O(links log links). Throws std::bad_alloc.
 bool has_hub(const Constraints& constraints);
 
 /// plan_edits.cpp: whether a constraint can be added to or removed from the plan of cloth without planning the body
