@@ -4,9 +4,9 @@
 // One sweep over chains moves a particle by each chain through it, one after the other. Written as a matrix, that is a
 // product of projections, which is not symmetric: its eigenvalues may be complex, and then a substep turns the errors
 // of one link into those of the next and feeds them with energy, as a force that follows the motion does. Around a hub
-// the links form such a circle, and the more they are the less of the error each of them takes. A sweep forth and back
+// the links form such a circle, and the more they are the less of the error each of them takes. A sweep there and back
 // is a symmetric product. It is what exact solution gives for links of some other stiffness, and so it is stable for
-// every length of the substep.
+// every length of the substep. A pinned hub is not moved, and its links do not form a circle.
 #include <algorithm>
 
 #include "solver/constraints.h"
@@ -52,14 +52,14 @@ bool is_hub(Spoke* spokes, uint32_t count) {
 }  // namespace
 
 /// Particles with the number of links that one must have are listed by counting sort.
-bool has_hub(const Constraints& constraints) {
+void list_hubs(Vector<uint32_t>& hubs, const Constraints& constraints) {
     const uint32_t particles = static_cast<uint32_t>(constraints.links.size());
     Vector<uint32_t> begin(particles + size_t{1}, 0, constraints.by_slot.get_allocator());
     for (uint32_t p = 0; p < particles; ++p) {
         const uint32_t degree = constraints.links[p].degree;
         begin[p + 1] = begin[p] + (degree >= hub_sizes[0].links ? degree : 0);
     }
-    if (begin.back() == 0) return false;
+    if (begin.back() == 0) return;
     Vector<Spoke> spokes(begin.back(), begin.get_allocator());
     Vector<uint32_t> next(begin.begin(), begin.end() - 1, begin.get_allocator());
     for (uint32_t slot = 0; slot < constraints.ids.slots(); ++slot) {
@@ -70,9 +70,8 @@ bool has_hub(const Constraints& constraints) {
         }
     }
     for (uint32_t p = 0; p < particles; ++p) {
-        if (begin[p] < begin[p + 1] && is_hub(&spokes[begin[p]], begin[p + 1] - begin[p])) return true;
+        if (begin[p] < begin[p + 1] && is_hub(&spokes[begin[p]], begin[p + 1] - begin[p])) hubs.push_back(p);
     }
-    return false;
 }
 
 }  // namespace gphys

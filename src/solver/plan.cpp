@@ -39,7 +39,8 @@ void classify_links(Plan& plan, const Constraints& constraints) {
     plan.branched = plan.method == GPHYS_SOLVE_DIRECT && std::any_of(constraints.links.begin(), constraints.links.end(),
                                                                      [](Links links) { return links.degree > 2; });
     plan.damped = std::any_of(plan.damping.begin(), plan.damping.end(), [](double damping) { return damping > 0; });
-    plan.crowded = plan.method == GPHYS_SOLVE_GRAPH && has_hub(constraints);
+    plan.hubs.clear();
+    if (plan.method == GPHYS_SOLVE_GRAPH) list_hubs(plan.hubs, constraints);
     plan.limited = std::find(plan.limit.begin(), plan.limit.end(), 1u) != plan.limit.end();
 }
 
@@ -128,6 +129,8 @@ void update_plan(Body& body) {
         pack_reach_limits(body.cloth.reach, body.particles.size());
         mark_attached(body.cloth.batches, body.constraints, body.particles.size());
         list_pinned_spans(body.cloth, plan, body.particles);
+        plan.crowded =
+            std::any_of(plan.hubs.begin(), plan.hubs.end(), [&](uint32_t hub) { return !body.particles.pinned(hub); });
         plan.pins_packed = true;
     }
 }

@@ -4,7 +4,7 @@
 //   plan.cpp               updating it
 //   rope/plan_chains.cpp   chains of ropes and trees, for direct solution
 //   plan_colours.cpp       chains of cloth and their colours
-//   hubs.cpp               whether some particle has so many links that sweeps go forth and back
+//   hubs.cpp               particles with so many links that sweeps go there and back
 //   cloth/plan_cloth.cpp   their layout in the kernels; plan_edits.cpp: edits without planning the body again
 #pragma once
 
@@ -34,7 +34,8 @@ struct Plan {
           rest(memory),
           compliance(memory),
           damping(memory),
-          limit(memory) {}
+          limit(memory),
+          hubs(memory) {}
 
     void clear_chains();
     void begin_chain(uint32_t particle) {
@@ -66,9 +67,10 @@ struct Plan {
     Vector<uint32_t> slots;                    // by link: of its constraint
     Vector<double> rest, compliance, damping;  // by link
     Vector<uint32_t> limit;                    // by link: 1 if it only pulls
+    Vector<uint32_t> hubs;                     // of a graph: particles with many links (hubs.cpp)
     bool damped = false, limited = false;      // whether any link is
     bool branched = false;                     // direct, and chains have particles in common: joints/ solves them
-    bool crowded = false;                      // a graph that is swept forth and back (hubs.cpp)
+    bool crowded = false;                      // whether some hub may move: sweeps go there and back
     bool joined = false;                       // branched, or to other bodies; set at the beginning of a step
 };
 
@@ -88,8 +90,8 @@ void plan_direct_chains(Plan& plan, Rope& rope, const Constraints& constraints);
 /// Copies the parameters of links that are solved directly.
 void copy_direct_parameters(Plan& plan, Rope& rope, const Constraints& constraints);
 void plan_chain_colours(Plan& plan, const Constraints& constraints, const Particles& particles);
-/// Whether some particle has many links of one kind. O(links log links). Throws std::bad_alloc.
-bool has_hub(const Constraints& constraints);
+/// Lists the particles with many links of one kind. O(links log links).
+void list_hubs(Vector<uint32_t>& hubs, const Constraints& constraints);
 
 /// plan_edits.cpp: whether a constraint can be added to or removed from the plan of cloth without planning the body
 /// again. Call before anything changes, because it reserves memory: the result of an edit must not depend on whether

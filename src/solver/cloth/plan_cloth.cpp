@@ -98,7 +98,7 @@ void pack_cloth_chains(ClothBatches& batches, const Plan& plan, uint32_t particl
     batches.link_length = length / static_cast<double>(std::max<size_t>(1, plan.rest.size()));
     batches.target.clear();
     if (!batches.damped.empty()) batches.target = batches.rest;
-    batches.continued.resize(plan.crowded ? batches.rest.size() : 0);
+    batches.continued.resize(plan.hubs.empty() ? 0 : batches.rest.size());
     batches.softness.resize(batches.rest.size());
     batches.stiffness.resize(batches.rest.size());
     batches.scale = 0;
