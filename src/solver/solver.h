@@ -11,6 +11,7 @@
 //   constraint_settings.cpp  settings of constraints: winches and muscles
 //   plan.cpp           in which order the constraints of a body are solved
 //   plan_colours.cpp   chains of cloth and their colours; straight_kernels.cpp: which links continue each other
+//   hubs.cpp           particles with many links, around which the sweeps of cloth go there and back
 //   prepare.cpp        before a step: plans, memory, broad phase, tasks
 //   step.cpp           the step: how each body is moved
 //   time_scheme.h      the time integration of constrained bodies
