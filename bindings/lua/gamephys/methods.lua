@@ -2165,9 +2165,10 @@ end
 --- along n; on a link of a rope -rho/2 C_D 2 r l |u'| u', u' the part of u across it, r the radius (the
 --- cross-flow principle: Hoerner 1965, "Fluid-dynamic drag"); on a free particle -rho/2 C_D pi r^2 |u|
 --- u. Strong wind carries bodies along but never overshoots: whatever the density, a substep does not
---- reverse u.
---- Cost: O(1) a body; in each substep of cloth some 370 instructions a triangle, in each step of others
---- as many for each link or particle.
+--- reverse u. The drag of a free particle is of second order in the substep; that of a link is the one
+--- at the beginning of the step.
+--- Cost: O(1) a body; in each substep of cloth some 370 instructions a triangle, in each step of a rope
+--- as many for each link; some 100 for each free particle, as often as drag takes 1/32 of a speed.
 --- @param body 0: all bodies there are
 --- @param wind of density 0: no air
 function Solver:set_wind(body, wind)

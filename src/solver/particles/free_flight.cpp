@@ -48,13 +48,16 @@ public:
           gravity_(gravity),
           h_(h),
           whole_(body.settings.damping, h),
-          planes_(planes) {
+          planes_(planes),
+          in_air_(flies_in_air(body)) {
         for (uint32_t i = 0; i < flight_group; ++i) put(acceleration_ + size_t{3} * i, gravity);
     }
 
     /// Call before the substeps of a block.
     void begin_block(const CollisionContext& step, uint32_t first, uint32_t count) {
         if (planes_) planes_->begin(body_, step, gravity_, first, count);
+        same_air_left_ = 0;
+        if (!in_air_) find_accelerations(first, count);
     }
     /// Runs one substep; `left` is the number of those that the block has still to run, with this one.
     void fly_block(const CollisionContext& around, uint32_t first, uint32_t count, uint32_t left);
@@ -64,6 +67,12 @@ private:
         if (!body_.particles.forced) return {gravity_, body_.settings.damping};
         return {gravity_ + body_.particles.force[p] * body_.particles.inverse_mass[p], body_.settings.damping};
     }
+    void find_accelerations(uint32_t first, uint32_t count) {
+        for (uint32_t i = 0; i < count && body_.particles.forced; ++i)
+            put(acceleration_ + size_t{3} * i, flight_of(first + i).acceleration);
+    }
+    /// Renews the forces of the air after as many substeps as they may last.
+    void blow(uint32_t first, uint32_t count);
     /// Lists the regions in which particles may hit something, and those in which friction holds all of them.
     void list_obstacles(const Collider& collider, const Aabb& region, uint32_t first, uint32_t count);
     /// Moves the particles of the block, without regard to targets.
@@ -100,9 +109,11 @@ private:
     double h_;
     FlightTime whole_;  // the whole substep
     FlightPlanes* const planes_;
+    const bool in_air_;
     const FlightKernels& kernels_ = flight_kernels(chosen_isa());
     // For the block under way:
     double acceleration_[flight_numbers * block_groups];  // of each group, or of one group for all
+    uint32_t same_air_left_ = 0;                          // substeps in which the forces of the air stay the same
     bool known_ = false;                                  // whether the list of obstacles is complete
     uint32_t obstacle_count_ = 0;
     FlightObstacle obstacles_[most_obstacles];
@@ -310,11 +321,23 @@ void FreeFlight::keep_to_targets(uint32_t first, uint32_t count) {
     });
 }
 
+void FreeFlight::blow(uint32_t first, uint32_t count) {
+    if (same_air_left_ == 0) {
+        const double lasting = body_.air.lasting / h_;
+        while (same_air_left_ < substeps_left_ && (same_air_left_ == 0 || same_air_left_ + 1 <= lasting))
+            ++same_air_left_;
+        blow_flying(body_, gravity_, h_ * same_air_left_, first, first + count);
+        find_accelerations(first, count);
+    }
+    --same_air_left_;
+}
+
 void FreeFlight::fly_block(const CollisionContext& around, uint32_t first, uint32_t count, uint32_t left) {
     if (planes_ && planes_->all_rest()) return;
     around_ = around;
     substeps_left_ = left;
     follow_models(body_, around.way(around.end), h_, first, first + count);
+    if (in_air_) blow(first, count);
     begin_friction(body_, gravity_, first, first + count);
     move_block(first, count);
     if (!body_.targets.empty()) keep_to_targets(first, count);
@@ -323,9 +346,6 @@ void FreeFlight::fly_block(const CollisionContext& around, uint32_t first, uint3
 
 /// A collider takes 12 KB of stack: that of this function is gone when keep_to_targets makes its own.
 void FreeFlight::move_block(uint32_t first, uint32_t count) {
-    if (body_.particles.forced) {
-        for (uint32_t i = 0; i < count; ++i) put(acceleration_ + size_t{3} * i, flight_of(first + i).acceleration);
-    }
     const FlightGroups groups{count / flight_group,
                               &body_.particles.position[first].x,
                               &body_.particles.velocity[first].x,
