@@ -9,6 +9,7 @@
 #include "solver/cloth/cloth_attachments.h"
 #include "solver/cloth/cloth_chains.h"
 #include "solver/cloth/cloth_targets.h"
+#include "solver/cloth/hinged_clusters.h"
 #include "solver/cloth/whole_motion.h"
 #include "solver/contact/collision.h"
 #include "solver/contact/leave_solids.h"
@@ -199,6 +200,7 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
         balance.gain = (gain + balance.stored - before) * state.average_mass;
         if (balance.gain > 0 && !body.plan.joined) remove(balance.gain);
     }
+    keep_hinged_energy(body, collides, h);
     stop_cloth_at_targets(body.targets, state);
     body.contacts.has_contact = has_limit_impact || bounded || cloth.yielding.any;
     if (collides) {
