@@ -670,3 +670,38 @@ TEST_CASE("a plank on a hinge swings as high as it fell, and less with damping")
         }
     }
 }
+
+TEST_CASE("a hoop that slides and rolls has the friction of Coulomb's law") {
+    for (const int around : {16, 64}) {
+        for (const float friction : {0.05f, 0.1f}) {
+            // A slope of 0.3 rad as gravity that leans; it takes more than twice the friction to roll only.
+            const float g = 9.81f, tilt = 0.3f;
+            World world(8, {g * std::sin(tilt), -g * std::cos(tilt), 0});
+            const gphys_aabb box{{-5, -1, -5}, {50, 0, 5}};
+            world.model(GPHYS_SHAPE_AABB, &box);
+            gphys_body_desc desc = World::body_desc();
+            desc.friction = friction;
+            desc.radius = 0.02f;
+            std::vector<gphys_vec3> points;
+            for (const float z : {0.0f, 0.2f}) {
+                for (int i = 0; i < around; ++i) {
+                    const double angle = 2 * gphys::pi * i / around;
+                    points.push_back({static_cast<float>(0.3 * std::cos(angle)),
+                                      static_cast<float>(0.32 + 0.3 * std::sin(angle)), z});
+                }
+            }
+            add(world, points, desc);
+            Vec3 sum;
+            for (int i = 0; i < 120; ++i) {
+                world.step(frame);
+                gphys_impulse impulse{};
+                uint32_t total = 0;
+                REQUIRE(gphys_solver_get_impulses(world.solver, &impulse, 1, &total) == GPHYS_OK);
+                sum += gphys::widen(impulse.linear);
+            }
+            const double ratio = sum.x / -sum.y;
+            INFO("hoop of " << around << ", friction " << friction << ": " << ratio);
+            CHECK(std::fabs(ratio / static_cast<double>(friction) - 1) < 0.02);
+        }
+    }
+}

@@ -264,7 +264,10 @@ void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity
         put(&in_chains.pulls[i], {});
         put(&in_chains.normals[i], normal);
         // The pull of links against the plane is known from the last substep.
-        const double squared = length_squared(along), hold = friction.kinetic * std::max(normal_before, depth);
+        // A cluster finds the normal force and the friction of its particles together.
+        const bool is_member = !body.cloth.clusters.empty() && body.cloth.clusters.is_member[n.particle];
+        const double squared = length_squared(along),
+                     hold = is_member ? 0 : friction.kinetic * std::max(normal_before, depth);
         if (squared > hold * hold) {
             n.friction_before = hold;
             if (hold > 0) put(at, get(at) - along * (hold / std::sqrt(squared)));
