@@ -56,6 +56,14 @@ public:
     /// Call before the substeps of a block.
     void begin_block(const CollisionContext& step, uint32_t first, uint32_t count) {
         if (planes_) planes_->begin(body_, step, gravity_, first, count);
+        begin_air_and_forces(first, count);
+    }
+    /// The same before one substep of a body whose particles others may push.
+    void begin_pushed_block(const CollisionContext& substep, uint32_t first, uint32_t count) {
+        if (planes_) planes_->begin_pushed(body_, substep, first, count);
+        begin_air_and_forces(first, count);
+    }
+    void begin_air_and_forces(uint32_t first, uint32_t count) {
         same_air_left_ = 0;
         if (!in_air_) find_accelerations(first, count);
     }
@@ -414,7 +422,7 @@ void fly(Body& body, const CollisionContext& around, Vec3 gravity, double h, Fli
     FreeFlight flight(body, {body.contacts.impulses, body.contacts.has_contact}, gravity, h, planes);
     for (uint32_t first = 0; first < body.particles.size(); first += block_size) {
         const uint32_t count = std::min(block_size, body.particles.size() - first);
-        if (planes) planes->begin_pushed(body, around, first, count);
+        flight.begin_pushed_block(around, first, count);
         flight.fly_block(around, first, count, 1);
     }
 }
