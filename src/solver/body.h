@@ -54,11 +54,14 @@ struct Body {
 
 inline bool is_graph(const Body& body) { return body.plan.method == GPHYS_SOLVE_GRAPH; }
 
-/// Unit direction from a to b. Coincident particles separate along a fixed axis; any direction will do.
-inline Vec3 link_direction(const Particles& particles, uint32_t a, uint32_t b) {
-    const Vec3 along = particles.position[b] - particles.position[a];
+/// Unit direction. Coincident particles separate along a fixed axis; any direction will do.
+inline Vec3 direction(Vec3 from, Vec3 to) {
+    const Vec3 along = to - from;
     const double length = gphys::length(along);
     return length > 0 ? along / length : Vec3{1, 0, 0};
+}
+inline Vec3 link_direction(const Particles& particles, uint32_t a, uint32_t b) {
+    return direction(particles.position[a], particles.position[b]);
 }
 /// The impulse of a rope's link, from a to b, on its particle a in a substep, newton seconds.
 inline Vec3 link_impulse(const Body& body, uint32_t a, uint32_t b, uint32_t link, const TimeScheme& scheme) {

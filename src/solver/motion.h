@@ -15,9 +15,9 @@ void move(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 void begin_move(Body& body, const CollisionContext& around, Vec3 gravity, double h, FlightPlanes* planes);
 void end_move(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 
-/// Moves the attached particles from first to end with their models, to a fraction of the step, in h seconds; and
+/// Moves the attached particles from first to end with their models, to the end of the substep, in h seconds; and
 /// particles that animation targets carry with these.
-void follow_models(Body& body, double fraction, double h, uint32_t first, uint32_t end);
+void follow_models(Body& body, const CollisionContext& around, double h, uint32_t first, uint32_t end);
 
 /// Substep i of a step, or of the rest of one.
 inline CollisionContext part_of_step(const CollisionContext& step, uint32_t i, uint32_t substeps) {

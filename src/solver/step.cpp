@@ -35,6 +35,7 @@
 //   graph        predict, chain colours, reach limits, velocities, collide  cloth.cpp
 #include <chrono>
 
+#include "solver/attached_places.h"
 #include "solver/contact/collision.h"
 #include "solver/motion.h"
 #include "solver/particles/free_flight.h"
@@ -46,13 +47,15 @@
 
 namespace gphys {
 
-void follow_models(Body& body, double way, double h, uint32_t first, uint32_t end) {
+void follow_models(Body& body, const CollisionContext& around, double h, uint32_t first, uint32_t end) {
     const auto before = [](const Attachment& attachment, uint32_t p) { return attachment.particle < p; };
     auto attachment =
         std::lower_bound(body.constraints.attachments.begin(), body.constraints.attachments.end(), first, before);
+    const double way = around.way(around.end);
+    AttachedPlaces places(around, body.settings.layers);
     for (; attachment != body.constraints.attachments.end() && attachment->particle < end; ++attachment) {
         Vec3& position = body.particles.position[attachment->particle];
-        const Vec3 next = attachment->begin + (attachment->end - attachment->begin) * way;
+        const Vec3 next = places.at_end(*attachment);
         body.particles.velocity[attachment->particle] = (next - position) / h;
         position = next;
     }

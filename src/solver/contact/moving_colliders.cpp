@@ -40,6 +40,8 @@ void find_moving_colliders(Vector<MovingCollider>& moving_colliders, Vec3 origin
         moving_collider.before = before.world;
         moving_collider.bounded = before.bounded;
         moving_collider.swept_bounds = before.swept;
+        const Vec3 way = widen(after.position) - widen(before.world.position);
+        moving_collider.jump = distance(way / around.way_time(), widen(before.velocity));
         // For unit quaternions, up to rounding: |q - p| = 2 sin(angle / 4), and their dot product is the cosine of half
         // the angle.
         const Quat p = normalized(widen(before.world.rotation)), q = normalized(widen(after.rotation));

@@ -34,6 +34,7 @@ struct MovingCollider {
     double bulge;                // bound for the distance of an arc of radius 1 with its angle from the chord
     RigidMotion substep_motion;  // during this substep
     RigidMotion from_end;        // from the end of the step back to that of this substep
+    double jump = 0;             // m/s, by which its velocity differs from that in the step before
     Vec3 middle;                 // the model's position at the end of the substep
 
     /// A bound for the distance that the point would move with the model in the rest of the step.

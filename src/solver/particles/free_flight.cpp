@@ -344,7 +344,7 @@ void FreeFlight::fly_block(const CollisionContext& around, uint32_t first, uint3
     if (planes_ && planes_->all_rest()) return;
     around_ = around;
     substeps_left_ = left;
-    follow_models(body_, around.way(around.end), h_, first, first + count);
+    follow_models(body_, around, h_, first, first + count);
     if (in_air_) blow(first, count);
     begin_friction(body_, gravity_, first, first + count);
     move_block(first, count);

@@ -26,6 +26,14 @@ Vec3 slip_of(const RopeContact& contact, const Body& body, uint32_t p) {
     return displacement - contact.normal * dot(displacement, contact.normal);
 }
 
+/// The greatest friction force. A model that speeds up has one speed in each step, so it starts each with a jump. A
+/// particle that sticks gets what it needs for the jump at once, as far as its friction in the rest of the step would
+/// have sufficed: it follows the model as one that speeds up evenly.
+double most_friction(const RopeContact& contact, double coefficient) {
+    const double by_law = coefficient * contact.normal_force;
+    return by_law > 0 && contact.state == RopeContact::stick ? by_law + contact.ahead : by_law;
+}
+
 double clearance(double radius, Vec3 at) { return radius + skin(radius, at); }
 
 /// Whether the plane for a place is still that of the contact. Along the normal the closest point stays the same. Along
@@ -50,6 +58,26 @@ void place_ball(RopeContact& contact, const AnimationTargets& targets, uint32_t 
     const TargetBound ball = ball_of(targets.all[p], targets.fraction, targets.time, at);
     contact.normal = ball.normal;
     contact.outside = ball.offset;
+}
+
+/// By particle, into Rope::solved: the force that has moved it from its predicted position besides those of its links,
+/// times the square of the step, kg m. Summed over all particles this is exactly their change of momentum, however far
+/// the iterations have converged.
+template <class Place>
+void find_contact_forces(Body& body, double step, Place&& place) {
+    const Plan& plan = body.plan;
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
+        body.rope.solved[p] = (place(p) - body.history.predicted[p]) * body.particles.mass[p];
+    }
+    for (const Chain& chain : plan.chains) {
+        for (uint32_t i = 0; i < chain.link_count; ++i) {
+            const uint32_t a = plan.particles[chain.first_particle + i],
+                           b = plan.particles[chain.first_particle + i + 1];
+            const Vec3 pull = direction(place(a), place(b)) * (body.rope.tension[chain.first_link + i] * step * step);
+            body.rope.solved[a] -= pull;
+            body.rope.solved[b] += pull;
+        }
+    }
 }
 
 }  // namespace
@@ -306,7 +334,39 @@ void RopeContacts::begin_contact(RopeContact& contact, const Body& body, uint32_
     contact.is_updated = true;
 }
 
-bool RopeContacts::begin(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
+/// Whether friction may stop the particle: to stop a fast one would take a larger normal force than there is.
+bool RopeContacts::is_slow(const RopeContact& contact, const Body& body, uint32_t p) const {
+    const Vec3 velocity = body.history.start_velocity[p], relative = velocity - surface_velocity(contact);
+    const double slowest = 2 * distance(body.particles.velocity[p], velocity) + contact.jump;
+    return length_squared(relative - contact.normal * dot(relative, contact.normal)) <= slowest * slowest;
+}
+
+/// Guesses the normal forces of contacts that have just been found, from the tensions of the last substep: those that
+/// would keep their particles where they are on the model.
+void RopeContacts::guess_forces(Body& body, double step) {
+    find_contact_forces(body, step, [&](uint32_t p) { return body.history.start[p]; });
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
+        if (body.particles.pinned(p)) continue;
+        each_of_models(p, [&](RopeContact& contact) {
+            const Vec3 start = body.history.start[p];
+            if (dot(contact.normal, start + contact.carried) >= contact.outside) return;
+            if (!is_slow(contact, body, p)) return;
+            const Vec3 held = body.rope.solved[p] + contact.carried * body.particles.mass[p];
+            const double normal_force = dot(contact.normal, held);
+            if (normal_force <= 0) return;
+            contact.normal_force = normal_force;
+            const Vec3 friction = held - contact.normal * normal_force;
+            const double length = gphys::length(friction);
+            contact.state = RopeContact::stick;
+            if (length <= most_friction(contact, friction_of(body, p))) return;
+            contact.state = RopeContact::slip;
+            contact.slip_direction = friction / -length;
+        });
+    }
+}
+
+bool RopeContacts::begin(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme) {
+    const double h = scheme.advance;
     const auto stays = [&] {
         if (!near_models_) return true;
         for (uint32_t p = 0; p < body.particles.size(); ++p) {
@@ -315,21 +375,31 @@ bool RopeContacts::begin(Body& body, const CollisionContext& around, Vec3 gravit
         return true;
     };
     seconds_ = h;
-    if (!searched_ || !stays()) searched_ = search(body, around, gravity, h);
+    const bool searches = !searched_ || !stays();
+    if (searches) searched_ = search(body, around, gravity, h);
     if (!searched_) return false;
     if (planes_at_ != around.begin) move_planes(around, around.begin);  // after a substep that was taken back
     move_planes(around, around.end);
     active_ = !contacts_.empty();
     if (has_targets_) place_bounds(body.targets, body.particles.position);
     const double most_push = leaving_speed * around.step_time * (around.end - around.begin);
+    const double step = scheme.step(body.settings.damping), rest = std::max(h, around.step_time * (1 - around.begin));
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
+        if (body.particles.pinned(p)) continue;
+        each_of_models(p, [&](RopeContact& contact) {
+            if (contact.moving_collider == MovingCollider::unmoved) return;
+            const MovingCollider& moving = moving_colliders_[contact.moving_collider];
+            const Vec3 start = body.history.start[p] - origin_;
+            contact.carried = moving.substep_motion.apply(start) - start;
+            contact.jump = around.begin == 0 ? moving.jump : 0;
+            contact.ahead = body.particles.mass[p] * contact.jump * step * step * (1 / h - 1 / rest);
+        });
+    }
+    if (searches && active_ && near_models_) guess_forces(body, step);
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (body.particles.pinned(p)) continue;
         bool penetrating = false;
         each_of_models(p, [&](RopeContact& contact) {
-            if (contact.moving_collider != MovingCollider::unmoved) {
-                const Vec3 start = body.history.start[p] - origin_;
-                contact.carried = moving_colliders_[contact.moving_collider].substep_motion.apply(start) - start;
-            }
             // As long as the particle is in front of an earlier plane, that separates it from the model, too.
             const bool in_front = dot(contact.normal, body.history.start[p] + contact.carried) >= contact.outside;
             contact.is_updated = contact.is_fixed || contact.state != RopeContact::open || !in_front;
@@ -355,7 +425,7 @@ ContactTerm RopeContacts::term(const Body& body, uint32_t p, double mass) {
         const double k = contact.stiffness = stiffness_ratio * mass;
         const Vec3 n = contact.normal;
         term.force += n * (k * (contact.offset - dot(n, body.particles.position[p])));
-        const double friction_limit = contact.model != 0 ? friction_of(body, p) * contact.normal_force : 0;
+        const double friction_limit = contact.model != 0 ? most_friction(contact, friction_of(body, p)) : 0;
         if (friction_limit == 0) return term.add_stiffness(n, k, 0);
         const Vec3 slip = slip_of(contact, body, p);
         const double length = gphys::length(slip);
@@ -395,7 +465,7 @@ bool RopeContacts::update(RopeContact& contact, const Body& body, uint32_t p, in
     } else {
         const double normal_force = -contact.stiffness * gap, before = contact.normal_force;
         const Vec3 slip = slip_of(contact, body, p);
-        const double length = gphys::length(slip), friction_limit = friction * before;
+        const double length = gphys::length(slip), friction_limit = most_friction(contact, friction);
         contact.normal_force = std::max(0.0, normal_force);
         contact.force +=
             contact.normal * contact.normal_force - slip * (friction_limit > 0 ? contact.friction_stiffness : 0);
@@ -403,11 +473,7 @@ bool RopeContacts::update(RopeContact& contact, const Body& body, uint32_t p, in
             contact.state = RopeContact::open;
             converged = false;
         } else if (before == 0) {
-            // The initial guess is slip for a fast particle: to stop it would take a larger normal force than there is.
-            const Vec3 velocity = body.history.start_velocity[p], slipping = velocity - surface_velocity(contact);
-            const Vec3 tangential_velocity = slipping - contact.normal * dot(slipping, contact.normal);
-            const bool slow =
-                length_squared(tangential_velocity) <= 4 * length_squared(body.particles.velocity[p] - velocity);
+            const bool slow = is_slow(contact, body, p);
             contact.state = slow || length == 0 ? RopeContact::stick : RopeContact::slip;
             if (!slow && length > 0) contact.slip_direction = slip / length;
         } else if (friction_limit > 0 && contact.iterations < most_switches) {
@@ -487,37 +553,15 @@ void RopeContacts::sweep_escaped(Body& body, const CollisionContext& around, dou
     }
 }
 
-namespace {
-
-/// By particle, into Rope::solved: the force that has moved it from its predicted position besides those of its links,
-/// times the square of the step, kg m. Summed over all particles this is exactly their change of momentum, however far
-/// the iterations have converged.
-void find_contact_forces(Body& body, double step) {
-    const Plan& plan = body.plan;
-    for (uint32_t p = 0; p < body.particles.size(); ++p) {
-        body.rope.solved[p] = (body.particles.position[p] - body.history.predicted[p]) * body.particles.mass[p];
-    }
-    for (const Chain& chain : plan.chains) {
-        for (uint32_t i = 0; i < chain.link_count; ++i) {
-            const uint32_t a = plan.particles[chain.first_particle + i],
-                           b = plan.particles[chain.first_particle + i + 1];
-            const Vec3 pull =
-                link_direction(body.particles, a, b) * (body.rope.tension[chain.first_link + i] * step * step);
-            body.rope.solved[a] -= pull;
-            body.rope.solved[b] += pull;
-        }
-    }
-}
-
-}  // namespace
-
 void RopeContacts::finish(Body& body, const CollisionContext& around, double bounce_threshold,
                           const TimeScheme& scheme) {
     body.contacts.has_contact = body.contacts.penetrating = false;
     std::fill(body.contacts.held.begin(), body.contacts.held.end(), uint8_t{0});
     const BodySettings& settings = body.settings;
     const double rate = scheme.next / scheme.h;  // 1/s: a correction of the position changes the velocity by this
-    if (active_) find_contact_forces(body, scheme.step(settings.damping));
+    if (active_)
+        find_contact_forces(body, scheme.step(settings.damping),
+                            [&](uint32_t p) { return body.particles.position[p]; });
     for (uint32_t p = 0; p < body.particles.size() && active_; ++p) {
         if (body.particles.pinned(p)) continue;
         bool sticks = false;
@@ -549,7 +593,8 @@ void RopeContacts::finish(Body& body, const CollisionContext& around, double bou
                 velocity -= speed > most_taken ? tangential_velocity * (most_taken / speed) : tangential_velocity;
             }
             const Vec3 point = body.particles.position[p] - contact.normal * body.particles.radius[p];
-            add_impulse(body, around, contact.model, point,
+            // The force acts on the particle's centre, so its moment is that about this point.
+            add_impulse(body, around, contact.model, body.particles.position[p],
                         (contact.force + (&contact == strongest ? unassigned : Vec3{})) * -rate -
                             (velocity - before) * body.particles.mass[p]);
             body.contacts.has_contact = true;

@@ -15,6 +15,9 @@
 // behind it. Then it is a stiff spring along its normal; the others are absent (primal-dual active set; Hintermueller,
 // Ito, Kunisch 2002).
 //
+// First guess. Contacts that a search finds on particles at rest start with the normal forces that the tensions of the
+// last substep imply. Without them the first iteration is without friction, and a rope wound around a drum slides.
+//
 // Friction. It is another spring, which holds the particle at its place (stick), until it would exceed Coulomb's bound.
 // Then it is the Coulomb force, against the direction of slip. So tensions, normal forces and friction belong to the
 // same time, and tension passes around a post. If particles in contact were pinned while links are solved, none would.
@@ -52,6 +55,9 @@ struct RopeContact {
     double stiffness = 0;           // kg, of the normal spring
     double friction_stiffness = 0;  // kg, of friction as a spring
     Vec3 slip_direction;            // unit
+    // Of friction in the rest of the step, what the particle may get in this substep if it sticks:
+    double ahead = 0;
+    double jump = 0;  // m/s, in the model's velocity at the beginning of the substep
 };
 
 /// The contribution of contacts to the equation of a particle.
@@ -83,7 +89,7 @@ public:
     bool near_models() const { return near_models_; }
     /// Call after the prediction. Returns false if a particle is deeper in a solid than it can leave at once, or near a
     /// model that changes its size or turns too fast to be followed.
-    bool begin(Body& body, const CollisionContext& around, Vec3 gravity, double h);
+    bool begin(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme);
 
     bool has_contacts(uint32_t particle) const { return first_[particle] < first_[particle + 1]; }
     /// Whether any contact of the particle is active.
@@ -132,6 +138,8 @@ private:
     void make_contacts(uint32_t particle, Vec3 at, double particle_radius, uint32_t point);
     void move_planes(const CollisionContext& around, double to);
     bool is_followed(gphys_model_id model) const;
+    void guess_forces(Body& body, double step);
+    bool is_slow(const RopeContact& contact, const Body& body, uint32_t particle) const;
     void begin_particle(uint32_t particle);
     void begin_contact(RopeContact& contact, const Body& body, uint32_t particle) const;
     Vec3 surface_velocity(const RopeContact& contact) const { return contact.carried / seconds_; }

@@ -97,7 +97,7 @@ void begin_chains(Body& body, const CollisionContext& around, Vec3 gravity, cons
     if (!body.constraints.length_changes.empty()) change_lengths(body, around.end);
     aim_targets(body, around);
     predict_chains(body, scheme, gravity);
-    follow_models(body, around.way(around.end), scheme.advance, 0, body.particles.size());
+    follow_models(body, around, scheme.advance, 0, body.particles.size());
     if (body.plan.damped) damp_chains(body.rope, body.plan, body.history, scheme);
 }
 
@@ -226,7 +226,7 @@ bool restarts(const History& history, const Contacts& contacts) {
 void RopeMotion::begin(const CollisionContext& around, double h) {
     scheme = by_trapezoid ? TimeScheme::trapezoid(h) : TimeScheme(h, body.history.earlier_step);
     begin_chains(body, around, gravity, scheme);
-    const auto begin_contacts = [&] { return contacts && contacts->begin(body, around, gravity, scheme.advance); };
+    const auto begin_contacts = [&] { return contacts && contacts->begin(body, around, gravity, scheme); };
     with_contacts = begin_contacts();
     stop_yielding(body);
     if (contacts && begin_stretched(body, with_contacts ? contacts : nullptr, around, scheme)) {
@@ -243,7 +243,7 @@ bool RopeMotion::began_feasible() const { return largest_strain(body, body.histo
 void RopeMotion::finish(const CollisionContext& around, double) {
     if (stay_if_torn(body) && with_contacts) {
         contacts->search_again();
-        with_contacts = contacts->begin(body, around, gravity, scheme.advance);
+        with_contacts = contacts->begin(body, around, gravity, scheme);
     }
     if (with_contacts) {
         end_with_contacts(body, *contacts, around, gravity, scheme);
