@@ -189,6 +189,40 @@ TEST_CASE("A ball at rest in a net presses on it with its weight") {
     CHECK(part == Approx(1).margin(0.1));
 }
 
+TEST_CASE("Heavy balls on a rug on the floor stay slow and near") {
+    const auto check = [](double mass, float radius, float gap, int side, double fastest_allowed) {
+        World world;
+        const gphys_plane floor = {{0, 1, 0}, 0};
+        world.model(GPHYS_SHAPE_PLANE, &floor);
+        constexpr float thickness = 0.018f;
+        const gphys_body_id rug =
+            world.cloth({-0.5f, thickness, -0.5f}, {1, 0, 0}, {0, 0, 1}, 26, 26, colliding(1, thickness));
+        std::vector<gphys_vec3> places;
+        for (int i = 0; i < side * side; ++i) {
+            const auto at = [&](int k) { return gap * (static_cast<float>(k) - static_cast<float>(side - 1) / 2); };
+            places.push_back({at(i % side), 2 * thickness + radius + 0.004f, at(i / side)});
+        }
+        const gphys_body_id balls = world.particles(places, colliding(static_cast<float>(mass * side * side), radius));
+        double fastest = 0, farthest = 0;
+        for (int i = 0; i < 400; ++i) {
+            world.step(frame);
+            for (const gphys_body_id body : {rug, balls}) {
+                for (const gphys_vec3& v : world.velocities(body)) fastest = std::max(fastest, length(gphys::widen(v)));
+                for (const gphys_vec3& p : world.positions(body))
+                    farthest = std::max(farthest, length(gphys::widen(p)));
+            }
+        }
+        test::figure("fastest", fastest, "m/s");
+        test::figure("farthest", farthest, "m");
+        CHECK(fastest < fastest_allowed);
+        CHECK(farthest < 2);
+    };
+    // Corners of the rug are 0.71 m from its middle. Balls fall by 4 mm.
+    SECTION("one of 5 kg") { check(5, 0.03f, 0, 1, 2); }
+    SECTION("four of 5 kg") { check(5, 0.02f, 0.08f, 2, 2); }
+    SECTION("25 of 0.8 kg") { check(0.8, 0.05f, 0.12f, 5, 5); }
+}
+
 TEST_CASE("Balls in a net fall asleep") {
     gphys_solver_desc desc = World::desc();
     desc.sleep_speed = 0.05f;

@@ -43,7 +43,7 @@ void reserve_cloth(Body& body, bool collides) {
     const bool may_be_loaded = body.settings.body_layers != 0 && !body.plan.joined;
     if (!body.targets.empty() || body.plan.joined || may_be_loaded || collides) cloth.in_chains.reserve(floats);
     if (body.plan.joined || may_be_loaded) cloth.tethers.reserve(floats);
-    if (may_be_loaded) reserve_loads(cloth.loads, particles);
+    if (may_be_loaded) reserve_loads(cloth.loads, particles, floats);
     if (cloth.volume.held) cloth.volume.gradient.resize(particles);
     if (!cloth.clusters.empty()) reserve_clusters(cloth.clusters, particles);
     if (!collides) return;
@@ -99,29 +99,21 @@ void predict_cloth(Body& body, const CollisionContext& around, double h) {
     stretch_taut_spans(cloth);
 }
 
-void solve_cloth(Body& body) {
+namespace {
+
+/// Bodies with hubs are swept there and back (hubs.cpp).
+int least_sweeps_of(const Body& body) { return body.plan.crowded ? 2 : 1; }
+
+/// So many sweeps over all chains, with the masses of loads if there are any.
+void sweep_chains(Body& body, bool has_contact, int sweeps) {
     const ClothKernels& kernels = cloth_kernels(chosen_isa());
     Cloth& cloth = body.cloth;
-    ClothContacts& contacts = cloth.contacts;
     ChainContacts& in_chains = cloth.in_chains;
-    find_target_contacts(body.targets, cloth.state, in_chains, contacts.any_active());
-    const bool has_contact = contacts.any_active() || !body.targets.pressing.empty();
-    const bool pulls_count = contacts.any_active() || !body.constraints.attachments.empty();
-    const auto correct_volume = [&] {
-        if (!cloth.volume.held) return;
-        solve_volume(cloth.volume, cloth.sheet, cloth.state, in_chains, cloth.batches.scale, contacts.any_active(),
-                     pulls_count);
-    };
-    // Before the chains, which need the volume for their shape, and after them, because they leave an error in it.
-    cloth.volume.multiplier = 0;
-    correct_volume();
     const bool loaded = cloth.loads.any();
-    if (loaded) note_places(cloth.loads, cloth.state);
-    const bool both_ways = body.plan.crowded;
-    const int least_sweeps = both_ways ? 2 : 1;
-    for (int sweep = 0; sweep < (loaded ? ContactLoads::sweeps : least_sweeps); ++sweep) {
+    const int least_sweeps = least_sweeps_of(body);
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
         // The sides of cells come last, and have no error left.
-        const bool backward = both_ways && sweep == 0;
+        const bool backward = least_sweeps == 2 && sweep == 0;
         const auto solve = [&](const ChainBatch& batch, ClothChains chains, float* rows) {
             // The force of an elastic link acts once.
             if (sweep >= least_sweeps && batch.elastic) return;
@@ -147,6 +139,37 @@ void solve_cloth(Body& body) {
         solve_colours(cloth.batches, cloth.shares.team, backward, solve, [&] {
             if (loaded) move_loads(cloth.loads, cloth.state);
         });
+    }
+}
+
+}  // namespace
+
+void solve_cloth(Body& body) {
+    Cloth& cloth = body.cloth;
+    ClothContacts& contacts = cloth.contacts;
+    ChainContacts& in_chains = cloth.in_chains;
+    find_target_contacts(body.targets, cloth.state, in_chains, contacts.any_active());
+    const bool has_contact = contacts.any_active() || !body.targets.pressing.empty();
+    const bool pulls_count = contacts.any_active() || !body.constraints.attachments.empty();
+    const auto correct_volume = [&] {
+        if (!cloth.volume.held) return;
+        solve_volume(cloth.volume, cloth.sheet, cloth.state, in_chains, cloth.batches.scale, contacts.any_active(),
+                     pulls_count);
+    };
+    // Before the chains, which need the volume for their shape, and after them, because they leave an error in it.
+    cloth.volume.multiplier = 0;
+    correct_volume();
+    const bool loaded = cloth.loads.any();
+    if (loaded) {
+        note_places(cloth.loads, cloth.state);
+        cloth.loads.predicted = cloth.state.at;
+        sweep_chains(body, has_contact, ContactLoads::sweeps);
+        if (links_threw_loads(cloth)) {
+            undo_loads(cloth);
+            sweep_chains(body, has_contact, least_sweeps_of(body));
+        }
+    } else {
+        sweep_chains(body, has_contact, least_sweeps_of(body));
     }
     correct_volume();
     if (!cloth.clusters.empty()) solve_clusters(body, pulls_count || body.plan.joined);

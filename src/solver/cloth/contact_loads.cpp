@@ -46,6 +46,16 @@ double energy_before_links(Cloth& cloth, double h) {
     return sum;
 }
 
+/// Mass * square of the way in the substep, of cloth and loads.
+double motion_before_links(const Cloth& cloth, double h) {
+    const ClothState& state = cloth.state;
+    double sum = 0;
+    for (size_t i = 0; i < 4 * size_t{state.particles}; i += 4)
+        sum += state.acceleration[i + 3] * length_squared(get(&state.at[i]) - get(&state.start[i]));
+    for (const HeavyParticle& heavy : cloth.loads.heavy) sum += heavy.mass * length_squared(heavy.velocity * h);
+    return sum;
+}
+
 double energy_after_links(Cloth& cloth) {
     const ClothState& state = cloth.state;
     double sum = stored_energy(cloth) + energy_of_cloth(state, [&](size_t i) { return get(&state.velocity[i]); });
@@ -53,11 +63,12 @@ double energy_after_links(Cloth& cloth) {
     return sum;
 }
 
-/// Removes energy, per average mass, from the motion of cloth and loads relative to their drift.
+/// Removes energy, per average mass, from the motion of cloth and loads relative to their drift. What pins or models
+/// hold has none: their forces change the momentum, and what sweeps add to it is not motion that must stay.
 void slow_by(Cloth& cloth, double energy) {
     ClothState& state = cloth.state;
     Vec3 drift;
-    if (!state.held) {
+    if (!state.held && !cloth.contacts.any_active()) {
         Motion whole = motion_of_cloth(state);
         for (const HeavyParticle& heavy : cloth.loads.heavy) whole.add(heavy.mass * state.average_mass, heavy.velocity);
         drift = whole.momentum / whole.mass;
@@ -72,10 +83,11 @@ void slow_by(Cloth& cloth, double energy) {
 
 }  // namespace
 
-void reserve_loads(ContactLoads& loads, uint32_t particles) {
+void reserve_loads(ContactLoads& loads, uint32_t particles, size_t floats) {
     loads.all.reserve(particles);
     loads.heavy.reserve(particles);
     loads.is_loaded.resize(particles);
+    loads.predicted.reserve(floats);
 }
 
 void begin_loads(Body& body, double h) {
@@ -86,6 +98,7 @@ void begin_loads(Body& body, double h) {
         cloth.loads.is_loaded[load.particle] = 1;
         set_inertia(cloth.tethers, load, cloth.state.at[4 * size_t{load.particle} + 3]);
     }
+    cloth.loads.motion = motion_before_links(cloth, h);
     cloth.loads.energy = energy_before_links(cloth, h);
 }
 
@@ -107,6 +120,34 @@ void move_loads(ContactLoads& loads, const ClothState& state) {
         heavy.moved += sum / heavy.mass;
     }
     note_places(loads, state);
+}
+
+bool links_threw_loads(const Cloth& cloth) {
+    // Corrections are a projection: with the masses as weights, they are no longer than the way that the prediction
+    // went off the constraints, and those of sweeps at most twice as long.
+    constexpr double farthest = 2;
+    // Links that earlier substeps have left strained also get their lengths back: this part of a link.
+    constexpr double error = 0.05;
+    const ClothState& state = cloth.state;
+    const ContactLoads& loads = cloth.loads;
+    double moved = 0, mass = 0;
+    for (const ContactLoad& load : loads.all) {
+        const size_t i = 4 * size_t{load.particle};
+        const double both = state.acceleration[i + 3] + load.along;
+        moved += both * length_squared(get(&state.at[i]) - get(&loads.predicted[i]));
+        mass += both;
+    }
+    const double strained = error * cloth.batches.link_length;
+    return !(moved <= farthest * farthest * loads.motion + mass * strained * strained);
+}
+
+void undo_loads(Cloth& cloth) {
+    ContactLoads& loads = cloth.loads;
+    cloth.state.at = loads.predicted;
+    cloth.tethers.clear();
+    for (ContactLoad& load : loads.all) load.along = load.across = load.impulse = 0;
+    for (HeavyParticle& heavy : loads.heavy) heavy.moved = {};
+    note_places(loads, cloth.state);
 }
 
 void restore_places(const ContactLoads& loads, ClothState& state) {

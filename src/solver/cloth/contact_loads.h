@@ -10,6 +10,10 @@
 // The links must not do work on the load: they are a little elastic by their regularisation, and the lengths that
 // sweeps give back to them would be a spring without a loss. So the energy of cloth and loads is bounded by what it was
 // before the links were solved.
+//
+// Where cloth is crumpled between loads and a model, the elimination of a chain of very unequal masses has no accurate
+// solution, and throws particles and loads far beyond all that moves. Energy could not bring them back. Such sweeps are
+// undone, and the links are solved without loads in that substep.
 #pragma once
 
 #include "foundation/math.h"
@@ -18,6 +22,7 @@
 namespace gphys {
 
 struct Body;
+struct Cloth;
 struct ClothState;
 
 /// The share of a heavy particle that presses on one particle of the cloth.
@@ -44,7 +49,8 @@ struct HeavyParticle {
 };
 
 struct ContactLoads {
-    explicit ContactLoads(std::pmr::memory_resource* memory) : all(memory), heavy(memory), is_loaded(memory) {}
+    explicit ContactLoads(std::pmr::memory_resource* memory)
+        : all(memory), heavy(memory), is_loaded(memory), predicted(memory) {}
 
     static constexpr int sweeps = 6;  // over the links, if there is any load
 
@@ -52,6 +58,8 @@ struct ContactLoads {
     Vector<ContactLoad> all;
     Vector<HeavyParticle> heavy;
     Vector<uint8_t> is_loaded;  // by particle of the cloth; empty if there cannot be any load
+    Vector<float> predicted;    // ClothState::at before the links are solved
+    double motion = 0;          // before the links are solved: mass * square of the way, of cloth and loads
     bool closed = false;        // whether no energy comes from outside
     double energy = 0;          // before the links are solved, see limit_energy_of_loads
 
@@ -59,12 +67,17 @@ struct ContactLoads {
 };
 
 /// Throws std::bad_alloc.
-void reserve_loads(ContactLoads& loads, uint32_t particles);
+void reserve_loads(ContactLoads& loads, uint32_t particles, size_t floats);
 /// Call when all loads of the substep are known, in the order of what presses: `all` and `heavy`.
 void begin_loads(Body& body, double h);
 /// Before the links are solved, or after something else has moved loaded particles; and when links have moved them.
 void note_places(ContactLoads& loads, const ClothState& state);
 void move_loads(ContactLoads& loads, const ClothState& state);
+/// Call when all sweeps are done: whether they have moved loaded particles farther than the motion before them, and the
+/// strain of the links, can have made necessary.
+bool links_threw_loads(const Cloth& cloth);
+/// Undoes the sweeps. In those that follow, loads neither add to the masses nor move.
+void undo_loads(Cloth& cloth);
 /// Undoes the motion of loaded particles since note_places.
 void restore_places(const ContactLoads& loads, ClothState& state);
 /// Call when the velocities are known: adds the links' to those of the heavy particles, and slows cloth and loads so
