@@ -126,19 +126,36 @@ bool links_threw_loads(const Cloth& cloth) {
     // Corrections are a projection: with the masses as weights, they are no longer than the way that the prediction
     // went off the constraints, and those of sweeps at most twice as long.
     constexpr double farthest = 2;
-    // Links that earlier substeps have left strained also get their lengths back: this part of a link.
-    constexpr double error = 0.05;
+    // Links that earlier substeps have left strained also get their lengths back. Under a load that a model carries
+    // they are hardly strained: this part of a link. A net may be strained along whole chains by what falls into it.
+    constexpr double error_on_model = 0.05;
     const ClothState& state = cloth.state;
     const ContactLoads& loads = cloth.loads;
-    double moved = 0, mass = 0;
-    for (const ContactLoad& load : loads.all) {
-        const size_t i = 4 * size_t{load.particle};
-        const double both = state.acceleration[i + 3] + load.along;
-        moved += both * length_squared(get(&state.at[i]) - get(&loads.predicted[i]));
-        mass += both;
+    struct Moved {
+        double square = 0, mass = 0;
+    };
+    Moved moved[2];  // in the air, and on models
+    uint32_t i = 0;
+    for (const HeavyParticle& heavy : loads.heavy) {
+        Moved of_shares;
+        bool carried = false;
+        for (; i < heavy.end; ++i) {
+            const size_t at = 4 * size_t{loads.all[i].particle};
+            const double mass = state.acceleration[at + 3] + loads.all[i].along;
+            of_shares.square += mass * length_squared(get(&state.at[at]) - get(&loads.predicted[at]));
+            of_shares.mass += mass;
+            carried = carried || length_squared(get(&cloth.in_chains.normals[at])) > 0;
+        }
+        moved[carried].square += of_shares.square;
+        moved[carried].mass += of_shares.mass;
     }
-    const double strained = error * cloth.batches.link_length;
-    return !(moved <= farthest * farthest * loads.motion + mass * strained * strained);
+    const double links[2] = {static_cast<double>(cloth.batches.longest), error_on_model};
+    const auto is_thrown = [&](int carried) {
+        const double strained = links[carried] * cloth.batches.link_length;
+        const double most = farthest * farthest * loads.motion + moved[carried].mass * strained * strained;
+        return !(moved[carried].square <= most);
+    };
+    return is_thrown(0) || is_thrown(1);
 }
 
 void undo_loads(Cloth& cloth) {
