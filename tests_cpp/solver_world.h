@@ -59,6 +59,12 @@ struct World {
         REQUIRE(gphys_scene_add(scene, type, shape, transform, nullptr, &model) == GPHYS_OK);
         return model;
     }
+    /// Parallel to the axes.
+    gphys_model_id box(gphys_vec3 half, gphys_vec3 at) {
+        const gphys_aabb box{{-half.x, -half.y, -half.z}, half};
+        const gphys_transform there{at, {0, 0, 0, 1}, 1};
+        return model(GPHYS_SHAPE_AABB, &box, &there);
+    }
     void pin(gphys_body_id body, uint32_t particle) {
         REQUIRE(gphys_solver_set_pinned(solver, body, particle, 1, 1) == GPHYS_OK);
     }

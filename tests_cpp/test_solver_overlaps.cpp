@@ -10,12 +10,6 @@ constexpr float frame = 1 / 60.0f;
 
 gphys_transform placed(gphys_vec3 at) { return {at, {0, 0, 0, 1}, 1}; }
 
-gphys_model_id box(World& world, gphys_vec3 half, gphys_vec3 at) {
-    const gphys_aabb box{{-half.x, -half.y, -half.z}, half};
-    const gphys_transform transform = placed(at);
-    return world.model(GPHYS_SHAPE_AABB, &box, &transform);
-}
-
 gphys_model_id ball(World& world, float radius, gphys_vec3 at) {
     const gphys_sphere sphere{{0, 0, 0}, radius};
     const gphys_transform transform = placed(at);
@@ -47,8 +41,8 @@ struct Heap {
         const gphys_plane ground{{0, 1, 0}, 0};
         world.model(GPHYS_SHAPE_PLANE, &ground);
         for (const float side : {-1.1f, 1.1f}) {
-            box(world, {0.1f, 1, 1.1f}, {side, 1, 0});
-            box(world, {1.1f, 1, 0.1f}, {0, 1, side});
+            world.box({0.1f, 1, 1.1f}, {side, 1, 0});
+            world.box({1.1f, 1, 0.1f}, {0, 1, side});
         }
         std::vector<gphys_vec3> places;
         for (int i = 0; i < 324; ++i) {
@@ -110,7 +104,7 @@ TEST_CASE("A model that appears in a heap of balls, or grows there, throws none 
     }
     {
         Heap heap;
-        box(heap.world, {0.2f, 0.2f, 0.2f}, {0, 0.3f, 0});
+        heap.world.box({0.2f, 0.2f, 0.2f}, {0, 0.3f, 0});
         const float most = heap.fastest_while([](int) {});
         figure("a crate appears", most, "m/s");
         CHECK(most < falling);
@@ -135,13 +129,13 @@ TEST_CASE("What a model presses against a wall gets no more than its speed") {
                 World world;
                 const gphys_plane ground{{0, 1, 0}, 0};
                 world.model(GPHYS_SHAPE_PLANE, &ground);
-                box(world, {0.1f, 1, 1}, {1.1f, 1, 0});
+                world.box({0.1f, 1, 1}, {1.1f, 1, 0});
                 std::vector<gphys_vec3> places;
                 for (int i = 0; i < count; ++i) places.push_back({0.9f - 0.2f * static_cast<float>(i), 0.0901f, 0});
                 const gphys_body_id body = world.particles(places, balls(radius));
                 const float to = 0.7f - 2 * radius * static_cast<float>(count) + overlap, from = to - 0.3f;
                 const gphys_model_id presses =
-                    round ? ball(world, 0.3f, {from, 0.3f, 0}) : box(world, {0.3f, 0.3f, 0.3f}, {from, 0.3f, 0});
+                    round ? ball(world, 0.3f, {from, 0.3f, 0}) : world.box({0.3f, 0.3f, 0.3f}, {from, 0.3f, 0});
                 float most = 0;
                 for (int i = 0; i < 100; ++i) {
                     const gphys_transform there =

@@ -15,17 +15,11 @@ constexpr float radius = 0.05f;
 
 gphys_transform placed(gphys_vec3 at) { return {at, {0, 0, 0, 1}, 1}; }
 
-gphys_model_id box(World& world, gphys_vec3 half, gphys_vec3 at) {
-    const gphys_aabb box{{-half.x, -half.y, -half.z}, half};
-    const gphys_transform transform = placed(at);
-    return world.model(GPHYS_SHAPE_AABB, &box, &transform);
-}
-
 /// Walls around a square of 1 m.
 void add_walls(World& world, float half = 0.5f) {
     for (const float side : {-1.0f, 1.0f}) {
-        box(world, {0.5f, 3, 3}, {side * (half + 0.5f), 3.02f, 0});
-        box(world, {3, 3, 0.5f}, {0, 3.02f, side * (half + 0.5f)});
+        world.box({0.5f, 3, 3}, {side * (half + 0.5f), 3.02f, 0});
+        world.box({3, 3, 0.5f}, {0, 3.02f, side * (half + 0.5f)});
     }
 }
 
@@ -102,7 +96,7 @@ double mean_weight_on(World& world, gphys_model_id model) {
 TEST_CASE("Layers of balls between walls press the floor with the weight of all") {
     for (const int count : {1, 2, 4, 8}) {
         World world;
-        const gphys_model_id floor = box(world, {5, 0.5f, 5}, {0, -0.5f, 0});
+        const gphys_model_id floor = world.box({5, 0.5f, 5}, {0, -0.5f, 0});
         add_walls(world);
         add_layers(world, count, 0);
         const double part = mean_weight_on(world, floor) / (100 * count * g);
@@ -148,7 +142,7 @@ TEST_CASE("A heap in a pit of triangles goes on with the same bits after it is r
 
 TEST_CASE("A ball passes on the weight of one that is a hundred times as heavy") {
     World world;
-    const gphys_model_id floor = box(world, {5, 0.5f, 5}, {0, -0.5f, 0});
+    const gphys_model_id floor = world.box({5, 0.5f, 5}, {0, -0.5f, 0});
     add_walls(world, 0.0505f);
     world.particles({{0, radius, 0}}, balls(1, 0.5f));
     world.particles({{0, 3 * radius, 0}}, balls(100, 0.5f));
@@ -162,7 +156,7 @@ TEST_CASE("A ball passes on the weight of one that is a hundred times as heavy")
 
 TEST_CASE("A sheet and a rope pass on the weight of what lies on them") {
     World world;
-    const gphys_model_id floor = box(world, {5, 0.5f, 5}, {0, -0.5f, 0});
+    const gphys_model_id floor = world.box({5, 0.5f, 5}, {0, -0.5f, 0});
     gphys_body_desc desc = balls(1, 0.5f);
     desc.self_collision = 0;
     desc.radius = 0.02f;
@@ -182,7 +176,7 @@ TEST_CASE("A sheet and a rope pass on the weight of what lies on them") {
 TEST_CASE("The impulses on models are the change of momentum of a heap, which gains no energy") {
     for (const float restitution : {0.0f, 0.5f}) {
         World world;
-        box(world, {5, 0.5f, 5}, {0, -0.5f, 0});
+        world.box({5, 0.5f, 5}, {0, -0.5f, 0});
         add_walls(world, 0.25f);
         std::vector<gphys_vec3> places;
         for (int i = 0; i < 60; ++i) {
@@ -257,7 +251,7 @@ TEST_CASE("A floor that moves under layers of balls drags them by Coulomb's law 
     for (const float friction : {0.2f, 0.5f}) {
         for (const int layers : {1, 4}) {
             World world;
-            const gphys_model_id floor = box(world, {50, 0.5f, 50}, {0, -0.5f, 0});
+            const gphys_model_id floor = world.box({50, 0.5f, 50}, {0, -0.5f, 0});
             add_walls(world);
             add_layers(world, layers, friction);
             Vec3 sum, on_all;
@@ -282,7 +276,7 @@ TEST_CASE("A heap that presses on models moves alike with every number of worker
         gphys_solver_desc settings = World::desc();
         settings.worker_count = workers;
         World world(settings);
-        const gphys_model_id floor = box(world, {5, 0.5f, 5}, {0, -0.5f, 0});
+        const gphys_model_id floor = world.box({5, 0.5f, 5}, {0, -0.5f, 0});
         add_walls(world);
         add_layers(world, 25, 0.4f);
         for (int i = 0; i < 20; ++i) world.step(frame);
