@@ -3,8 +3,8 @@
 #   ./bench.sh                     the quick report, a part of the work in about five minutes: build/bench/report.md.
 #                                  The same with --report --quick
 #   ./bench.sh --report            the report in full, about an hour: docs/report.md, its figures and the README's table,
-#                                  and what was measured in docs/accuracy.md and docs/solver_figures.md. An interrupted
-#                                  run goes on where it was
+#                                  and what was measured in docs/accuracy.md, docs/solver.md and docs/solver_figures.md.
+#                                  An interrupted run goes on where it was
 #   ./bench.sh SUITE...            of scene mesh query update accuracy batches solver: build/bench/<suite>.csv with a
 #                                  plot beside each, the machine's description and ratios.md
 #   ./bench.sh energy              energy over a million steps, beside the book's integrators: build/bench/energy.csv and
@@ -99,6 +99,7 @@ if [ -n "$report" ]; then
     if [ ${#readme[@]} -gt 0 ]; then
         python3 bench/accuracy.py "$work" docs/accuracy_scores.csv docs/accuracy.md
         python3 bench/report.py "$work" --docs-solver >docs/solver_figures.md
+        python3 bench/solver_comparison.py "$work" docs/solver.md
     fi
     echo "the report: $report"
     exit

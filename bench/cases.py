@@ -63,6 +63,7 @@ SOLVER = {
     "free_100k_flying": "100,000 particles in the air", "free_100k_landing": "100,000 particles landing on boxes",
     "free_100k_lying": "100,000 particles at rest on boxes", "free_100k_steady": "100,000 particles at rest, steps of equal length",
     "free_100k_all": "100,000 particles, mean of three seconds",
+    "ball_pit": "2000 balls poured into a pit", "rope_over_post": "a rope over a post, 1 kg against 3 kg",
     "drape_over_mesh": "cloth over a mesh", "drape_within_2_percent_mean": "cloth over a mesh within 2 % strain, mean frame",
     "drape_within_2_percent_longest": "cloth over a mesh within 2 % strain, longest frame",
 }

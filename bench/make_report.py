@@ -24,7 +24,7 @@ from cost_error import figure as cost_error_figure
 from languages import languages
 from marks import look
 from panels import answer_panels, hard_panels, ordinary_panels, solver_panels, usual
-from report import QUANTILES, latencies, linked_from, read, tables
+from report import QUANTILES, latencies, linked_from, put_between, read, tables
 from verdicts import against_fastest, against_most_exact, hard_input, sentences, summary, unstable_methods
 
 MARKS = ("<!-- summary: written by ./bench.sh --report -->\n", "<!-- end of summary -->\n")
@@ -128,7 +128,7 @@ On most of this input floating-point formulas fail; the first four panels show o
 {hard}
 ## The solver
 
-The error is the largest strain of rigid links, or the distance from a reference solution; the cost is the time of a frame of 1/60 s. The number after a name is the number of substeps a frame, or of iterations for Bullet and Jakobsen. The Euler schemes have springs for links, as stiff as the substep allows. Cloth that falls on a mesh has a number of substeps, with the strain at the end; or `max_strain`, with the largest strain of the whole run and the time of the mean or the longest frame. No other library of the comparison has such cloth.
+The error is the largest strain of rigid links, the distance from a reference solution or the exact place, or the largest overlap; the cost is the time of a frame of 1/60 s. The number after a name is the number of substeps a frame, or of iterations for Bullet and Jakobsen; Bullet with substeps has ten iterations in each. The Euler schemes have springs for links, as stiff as the substep allows. Cloth that falls on a mesh has a number of substeps, with the strain at the end; or `max_strain`, with the largest strain of the whole run and the time of the mean or the longest frame. No other library of the comparison has such cloth.
 
 ![Cost against error, solver](images/report_solver.png)
 
@@ -187,11 +187,6 @@ On hard input other libraries give wrong answers; the largest share is {others},
 """
 
 
-def put_summary(readme, text):
-    before, rest = readme.read_text().split(MARKS[0])
-    readme.write_text(before + MARKS[0] + "\n" + text + MARKS[1] + rest.split(MARKS[1])[1])
-
-
 def main():
     directory, page, images = Path(sys.argv[1]), Path(sys.argv[2]), Path(sys.argv[3])
     images.mkdir(parents=True, exist_ok=True)
@@ -222,7 +217,7 @@ def main():
                        rows=tables(suites, solver).replace("## ", "### "))
     page.write_text(linked_from(page, text))
     for readme in sys.argv[4:]:
-        put_summary(Path(readme), README.format(machine="  \n".join(machine), summary=summary(rows, solver), **hard_input(hard)))
+        put_between(Path(readme), MARKS, "\n" + README.format(machine="  \n".join(machine), summary=summary(rows, solver), **hard_input(hard)))
 
 
 main()

@@ -52,10 +52,13 @@ SOLVER = {
     "The cloth, stiff against bending": ["cloth_100_bend"],
     "Cloth that falls on a mesh": ["drape_over_mesh", "drape_within_2_percent_mean", "drape_within_2_percent_longest"],
     "100,000 particles landing on boxes": ["free_100k_landing"],
+    "2000 balls poured into a pit": ["ball_pit"],
+    "Rope over a post, 1 kg against 3 kg": ["rope_over_post"],
 }
 # The error of a case of the solver, if it is not the strain: the column, and the label of the axis.
 SOLVER_ERRORS = {"chain_30": ("position_error", "distance, m"), "free_100k_landing": ("position_error", "depth in a box, m"),
-                 "free_100k_all": ("position_error", "depth in a box, m")}
+                 "free_100k_all": ("position_error", "depth in a box, m"), "ball_pit": ("position_error", "overlap, m"),
+                 "rope_over_post": ("position_error", "distance, m")}
 STRAIN = ("strain_max", "largest strain")
 # What a label says instead of a number of substeps, where that is not the setting.
 SOLVER_SETTINGS = {"drape_within_2_percent_mean": "max_strain 2 %", "drape_within_2_percent_longest": "max_strain 2 %, longest frame",

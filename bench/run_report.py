@@ -17,8 +17,8 @@ from pathlib import Path
 
 # Case, and whether a quick report has it.
 SOLVER = {"chain_30": True, "rope_1e3": True, "rope_1e6": False, "ropes_1000x30": True, "cloth_100": True, "cloth_100_bend": True,
-          "ropes_threads": True, "cloth_300_threads": True, "free_1M": False, "free_100k": True, "drape_over_mesh": False,
-          "drape_within_2_percent": False}
+          "ropes_threads": True, "cloth_300_threads": True, "free_1M": False, "free_100k": True, "ball_pit": True, "rope_over_post": True,
+          "drape_over_mesh": False, "drape_within_2_percent": False}
 
 
 OVERHEAD = Path(__file__).resolve().parent.parent / "bindings/overhead/measure.py"

@@ -14,7 +14,6 @@
 #include <stdexcept>
 #include <thread>
 
-#include "spread.h"
 #include "thread_counts.h"
 
 namespace bench {
@@ -253,6 +252,18 @@ double milliseconds_apart(const System& system, double seconds, uint32_t substep
     return 1 / std::accumulate(frames_per_ms.begin(), frames_per_ms.end(), 0.0);
 }
 
+/// Of positions at the end, metres.
+using ErrorOf = std::function<double(const std::vector<gphys_vec3>&)>;
+
+/// The root mean square of the distances from where the particles should be.
+ErrorOf distance_from(const std::vector<gphys_vec3>& truth) {
+    return [truth](const std::vector<gphys_vec3>& positions) {
+        double squares = 0;
+        for (size_t i = 0; i < truth.size(); ++i) squares += std::pow(distance(positions[i], truth[i]), 2);
+        return std::sqrt(squares / static_cast<double>(truth.size()));
+    };
+}
+
 class Table {
 public:
     /// Of all cases if none is wanted.
@@ -267,11 +278,11 @@ public:
     ~Table() { std::fclose(file_); }
 
     void run(const char* name, const System& system, double seconds, const std::vector<Contender>& contenders,
-             const std::vector<gphys_vec3>& truth = {}) {
+             const ErrorOf& error_of = {}) {
         if (!wants(name)) return;
         for (const Contender& contender : contenders) {
             for (const uint32_t effort : contender.efforts) {
-                print(name, contender, effort, measure(system, seconds, contender, effort, truth));
+                print(name, contender, effort, measure(system, seconds, contender, effort, error_of));
             }
         }
     }
@@ -331,6 +342,21 @@ public:
         std::fflush(stdout);
     }
 
+    void run_pit(const char* name, const Pit& pit, double seconds, const char* method_name,
+                 const std::vector<uint32_t>& efforts,
+                 const std::function<std::unique_ptr<Method>(const Pit&, uint32_t)>& make) {
+        if (!wants(name)) return;
+        for (const uint32_t effort : efforts) {
+            const PitResult result = measure_pit(pit, *make(pit, effort), seconds);
+            const Spread ms = result.seconds.scaled(1e3);
+            std::printf("%-18s %-10s %5u %9.3f ms   overlap %.3g m\n", name, method_name, effort, ms.median,
+                        result.overlap);
+            std::fprintf(file_, "solver,%s,%s,%u,%.4g,,,,%.3g,,%.4g,%.4g\n", name, method_name, effort, ms.median,
+                         result.overlap, ms.lower, ms.upper);
+        }
+        std::fflush(stdout);
+    }
+
     void run_drape(const char* name, const char* method_name, const Drape& drape, double seconds, uint32_t effort,
                    const std::function<std::unique_ptr<Method>(const Drape&, uint32_t)>& make) {
         if (!wants(name)) return;
@@ -378,7 +404,7 @@ private:
     };
 
     Row measure(const System& system, double seconds, const Contender& contender, uint32_t effort,
-                const std::vector<gphys_vec3>& truth) {
+                const ErrorOf& error_of) {
         const auto clock = contender.several_threads ? seconds_on_the_wall : now;
         const std::unique_ptr<Method> method = contender.make(system, effort);
         const double before = energy(system, *method);
@@ -398,12 +424,9 @@ private:
         }
         const double gain = (energy(system, *method) - before) / (weight * size);
         std::string error;
-        if (!truth.empty()) {
-            const std::vector<gphys_vec3> positions = method->positions();
-            double squares = 0;
-            for (size_t i = 0; i < truth.size(); ++i) squares += std::pow(distance(positions[i], truth[i]), 2);
+        if (error_of) {
             char text[32];
-            std::snprintf(text, sizeof text, "%.3g", std::sqrt(squares / static_cast<double>(truth.size())));
+            std::snprintf(text, sizeof text, "%.3g", error_of(method->positions()));
             error = text;
         }
         return {spread_of(times).scaled(1e3), strain, gain, error};
@@ -460,7 +483,7 @@ int run(int argc, char** argv) {
     const double seconds = quick ? 1 : 10;
     const System chain = ropes(1, 30, 0.1f, 10);
     table.run("chain_30", chain, 1, everybody({2, 4, 8, 16, 32}, {20, 100}),
-              table.wants("chain_30") ? reference(chain, 1) : std::vector<gphys_vec3>());
+              table.wants("chain_30") ? distance_from(reference(chain, 1)) : ErrorOf());
     table.run("rope_1e3", ropes(1, 1000, 0.01f, 1e3f), seconds, everybody({2, 4, 8}, {100, 1000}));
     table.run("rope_1e6", ropes(1, 1000, 0.01f, 1e6f), seconds, everybody({2, 4, 8}, {100, 1000}));
     table.run("ropes_1000x30", ropes(1000, 30, 0.1f, 1), quick ? 0.5 : 5, everybody({1, 2, 4}, {20}));
@@ -472,6 +495,22 @@ int run(int argc, char** argv) {
     const Rain drizzle = make_rain(100000, 1000);
     if (!quick) table.run_rain("free_1M", "gamephys", make_rain(1000000, 1000), make_gamephys_rain);
     table.run_rain("free_100k", "gamephys", drizzle, make_gamephys_rain);
+    const Pit pit = make_pit(2000);
+    const double pouring = quick ? 1.5 : 4;
+    table.run_pit("ball_pit", pit, pouring, "gamephys", {2, 4, 8, 16}, make_gamephys_pit);
+    const System over_post = make_post_rope();
+    std::vector<Contender> winders{{"gamephys", make_gamephys_post, {2, 4, 8, 16}},
+                                   {"jakobsen", make_jakobsen, {50}},
+                                   {"xpbd", make_xpbd, {20, 100}}};
+#ifdef GAMEPHYS_BENCH_PEERS
+    table.run_pit("ball_pit", pit, pouring, "bullet", {10, 50}, make_bullet_pit);
+    table.run_pit("ball_pit", pit, pouring, "bullet_substeps", {4, 8}, make_bullet_pit_substeps);
+    winders.push_back({"bullet", make_bullet_post, {10, 50}});
+#endif
+    constexpr double falling = 0.6;  // s
+    table.run("rope_over_post", over_post, falling, winders, [&](const std::vector<gphys_vec3>& positions) {
+        return std::fabs(positions.back().y - post_rope_height(over_post, falling));
+    });
     const Drape drape = make_drape(100);
     for (const uint32_t substeps : {8u, 16u}) {
         table.run_drape("drape_over_mesh", "gamephys", drape, quick ? 0.5 : 3, substeps, make_gamephys_drape);

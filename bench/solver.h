@@ -9,6 +9,7 @@
 
 #include "gamephys_c.h"
 #include "measure.h"
+#include "spread.h"
 
 namespace bench {
 
@@ -26,6 +27,7 @@ struct System {
     uint32_t body_size = 0;  // particles of each body
     uint32_t columns = 0;    // of a square sheet, which is one body; 0: ropes
     bool bend = false;       // whether the sheet has links that resist folding
+    double post = 0;         // how far particles stay from the z axis: a fixed round post, and their own radius
 };
 
 constexpr double gravity = 9.81;
@@ -71,10 +73,29 @@ struct Drape {
 };
 Drape make_drape(uint32_t columns);
 
+/// Balls in layers above a square pit, without friction: rigid spheres and particles move alike.
+struct Pit {
+    std::vector<gphys_vec3> balls;
+    float radius, half_width;  // metres
+};
+Pit make_pit(uint32_t balls);
+
+/// Atwood's machine without friction: a rope of 0.5 kg over a post, 1 kg at its first end and 3 kg at its last.
+System make_post_rope();
+/// How high its last end is after some seconds, metres: exact as long as the rope is on the post.
+double post_rope_height(const System& rope, double seconds);
+constexpr float post_radius = 0.3f, post_rope_radius = 0.03f;
+
 std::unique_ptr<Method> make_gamephys_rain(const Rain& rain);
+std::unique_ptr<Method> make_gamephys_pit(const Pit& pit, uint32_t substeps);
+std::unique_ptr<Method> make_gamephys_post(const System& rope, uint32_t substeps);
 std::unique_ptr<Method> make_gamephys_drape(const Drape& drape, uint32_t substeps);
 #ifdef GAMEPHYS_BENCH_PEERS
 std::unique_ptr<Method> make_bullet_rain(const Rain& rain);
+/// Rigid spheres. A frame is one step with iterations, or substeps with the usual ten.
+std::unique_ptr<Method> make_bullet_pit(const Pit& pit, uint32_t iterations);
+std::unique_ptr<Method> make_bullet_pit_substeps(const Pit& pit, uint32_t substeps);
+std::unique_ptr<Method> make_bullet_post(const System& rope, uint32_t iterations);
 #endif
 
 /// Of the frames of some part of the time.
@@ -85,6 +106,11 @@ struct RainResult {
 /// Three seconds, after which all lie, and half a second of equal steps; `depth` gets how deep the deepest centre is in
 /// a box or the ground, metres.
 std::vector<RainResult> measure_rain(const Rain& rain, Method& method, double& depth);
+struct PitResult {
+    Spread seconds;  // of the frames
+    double overlap;  // the largest of two balls, or of a ball and the pit, at the end of a frame; metres
+};
+PitResult measure_pit(const Pit& pit, Method& method, double seconds);
 /// Seconds of a frame: the median.
 double measure_drape(Method& method, double seconds);
 /// The same sheet with a target of strain instead of a number of substeps.

@@ -39,6 +39,16 @@ protected:
         }
     }
 
+    void push_out_of_post() {
+        const float least = static_cast<float>(system_.post);
+        for (size_t i = 0; least > 0 && i < at_.size(); ++i) {
+            const float away = std::hypot(at_[i].x, at_[i].y);
+            if (away >= least) continue;
+            at_[i].x *= least / away;
+            at_[i].y *= least / away;
+        }
+    }
+
     System system_;
     std::vector<Vec> at_, velocities_;
     std::vector<float> inverse_mass_;
@@ -62,7 +72,10 @@ public:
             at_[i] = now + (now - before_[i]) * keep + Vec{0, -static_cast<float>(gravity) * h * h, 0};
             before_[i] = now;
         }
-        for (uint32_t i = 0; i < iterations_; ++i) project(1 / (h * h));
+        for (uint32_t i = 0; i < iterations_; ++i) {
+            project(1 / (h * h));
+            push_out_of_post();
+        }
         for (size_t i = 0; i < at_.size(); ++i) velocities_[i] = (at_[i] - before_[i]) * (1 / h);
     }
 
@@ -84,6 +97,7 @@ public:
                 at_[i] = at_[i] + velocities_[i] * h;
             }
             project(1 / (h * h));
+            push_out_of_post();
             for (size_t i = 0; i < at_.size(); ++i) velocities_[i] = (at_[i] - before[i]) * (keep / h);
         }
     }

@@ -1,4 +1,5 @@
-// Bodies that collide: a rain of free particles on boxes, and a sheet over a fine mesh.
+// Bodies that collide: a rain of free particles on boxes, balls in a pit, a rope over a post, and a sheet over a fine
+// mesh.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -126,6 +127,54 @@ Rain make_rain(uint32_t particles, uint32_t boxes) {
     return rain;
 }
 
+Pit make_pit(uint32_t balls) {
+    Pit pit{{}, 0.1f, 1};
+    std::mt19937 random(2);
+    const auto uniform = [&](double low, double high) {
+        return static_cast<float>(std::uniform_real_distribution<double>(low, high)(random));
+    };
+    constexpr uint32_t row = 8;
+    constexpr float spacing = 0.24f;
+    for (uint32_t i = 0; i < balls; ++i) {
+        const auto along = [&](uint32_t place) {
+            return spacing * (static_cast<float>(place) - 0.5f * (row - 1)) + uniform(-0.01, 0.01);
+        };
+        const float y = 0.2f + spacing * static_cast<float>(i / (row * row));
+        pit.balls.push_back({along(i % row), y, along(i / row % row)});
+    }
+    return pit;
+}
+
+System make_post_rope() {
+    constexpr uint32_t links = 120;
+    constexpr double length = 0.03, away = double{post_radius} + double{post_rope_radius}, half = pi * away / 2;
+    System rope;
+    rope.body_size = links + 1;
+    rope.post = away;
+    for (uint32_t i = 0; i <= links; ++i) {
+        const double way = (i - 0.5 * links) * length;
+        const bool on = std::fabs(way) < half;
+        rope.positions.push_back({static_cast<float>(on ? away * std::sin(way / away) : std::copysign(away, way)),
+                                  static_cast<float>(on ? away * std::cos(way / away) : half - std::fabs(way)), 0});
+        if (i > 0) rope.links.push_back({i - 1, i, length, 0});
+    }
+    // The sides of the polygon on the post are shorter than the arc: links have the lengths that they are given.
+    for (Link& link : rope.links) {
+        const gphys_vec3 a = rope.positions[link.a], b = rope.positions[link.b];
+        link.rest = std::hypot(double{a.x} - b.x, double{a.y} - b.y);
+    }
+    rope.masses.assign(links + 1, 0.5f / (links + 1));
+    rope.masses.front() = 1;
+    rope.masses.back() = 3;
+    return rope;
+}
+
+double post_rope_height(const System& rope, double seconds) {
+    // What has come over the post adds its weight: y'' m = g (difference + 2 s y).
+    const double of_rope = 0.5 / 3.6, mass = 1 + 3 + 0.5, rate = std::sqrt(2 * of_rope * gravity / mass);
+    return rope.positions.back().y - (3.0 - 1.0) / (2 * of_rope) * (std::cosh(rate * seconds) - 1);
+}
+
 Drape make_drape(uint32_t columns) {
     Drape drape;
     make_bumpy_ball(133, drape.vertices, drape.indices);
@@ -156,6 +205,41 @@ std::unique_ptr<Method> make_gamephys_rain(const Rain& rain) {
                                          cloud_size, &body));
         world->bodies.emplace_back(body, cloud_size);
     }
+    return world;
+}
+
+std::unique_ptr<Method> make_gamephys_pit(const Pit& pit, uint32_t substeps) {
+    auto world = std::make_unique<GamephysInScene>(substeps);
+    const float wide = pit.half_width;
+    const gphys_plane planes[] = {
+        {{0, 1, 0}, 0}, {{1, 0, 0}, -wide}, {{-1, 0, 0}, -wide}, {{0, 0, 1}, -wide}, {{0, 0, -1}, -wide}};
+    for (const gphys_plane& plane : planes) world->add(GPHYS_SHAPE_PLANE, &plane);
+    gphys_body_desc desc;
+    check(gphys_body_desc_init(&desc, sizeof desc));
+    desc.radius = pit.radius;
+    desc.self_collision = 1;
+    desc.friction = 0;
+    desc.restitution = 0;
+    const auto count = static_cast<uint32_t>(pit.balls.size());
+    gphys_body_id body = 0;
+    check(gphys_solver_add_particles(world->solver, &desc, pit.balls.data(), sizeof pit.balls[0], count, &body));
+    world->bodies.emplace_back(body, count);
+    return world;
+}
+
+std::unique_ptr<Method> make_gamephys_post(const System& rope, uint32_t substeps) {
+    auto world = std::make_unique<GamephysInScene>(substeps);
+    const gphys_capsule post{{0, 0, -2}, {0, 0, 2}, post_radius};
+    world->add(GPHYS_SHAPE_CAPSULE, &post);
+    gphys_body_desc desc;
+    check(gphys_body_desc_init(&desc, sizeof desc));
+    desc.radius = post_rope_radius;
+    desc.friction = 0;
+    gphys_body_id body = 0;
+    check(gphys_solver_add_rope(world->solver, &desc, rope.positions.data(), sizeof rope.positions[0], rope.body_size,
+                                0, &body));
+    check(gphys_solver_set_masses(world->solver, body, 0, rope.body_size, rope.masses.data(), sizeof(float)));
+    world->bodies.emplace_back(body, rope.body_size);
     return world;
 }
 
@@ -225,6 +309,48 @@ std::vector<RainResult> measure_rain(const Rain& rain, Method& method, double& d
             {"lying", between(2.5, 3)},
             {"all", sum / static_cast<double>(times.size())},
             {"steady", median(equal_steps)}};
+}
+
+/// The largest overlap of two balls, or of a ball and the pit; `touching` gets how many pairs are nearer than 1.1
+/// diameters.
+static double overlap_in(const Pit& pit, std::vector<gphys_vec3> balls, size_t& touching) {
+    const float diameter = 2 * pit.radius;
+    double overlap = 0;
+    touching = 0;
+    std::sort(balls.begin(), balls.end(), [](const gphys_vec3& a, const gphys_vec3& b) { return a.x < b.x; });
+    for (size_t i = 0; i < balls.size(); ++i) {
+        const gphys_vec3& a = balls[i];
+        const float out = std::max({-a.y, std::fabs(a.x) - pit.half_width, std::fabs(a.z) - pit.half_width});
+        overlap = std::max(overlap, double{out} + double{pit.radius});
+        for (size_t j = i + 1; j < balls.size() && balls[j].x - a.x < 1.1f * diameter; ++j) {
+            const gphys_vec3& b = balls[j];
+            const double apart = std::hypot(double{b.x} - a.x, double{b.y} - a.y, double{b.z} - a.z);
+            overlap = std::max(overlap, double{diameter} - apart);
+            touching += apart < 1.1 * double{diameter};
+        }
+    }
+    return overlap;
+}
+
+PitResult measure_pit(const Pit& pit, Method& method, double seconds) {
+    const auto same = [](const gphys_vec3& a, const gphys_vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
+    const std::vector<gphys_vec3> begin = method.positions();
+    size_t touching = 0;
+    if (!std::equal(begin.begin(), begin.end(), pit.balls.begin(), pit.balls.end(), same) ||
+        overlap_in(pit, begin, touching) > 0) {
+        throw std::runtime_error("the balls are not where the pit has them, or overlap there");
+    }
+    std::vector<double> times;
+    double overlap = 0;
+    for (long i = 0; i < std::lround(seconds / frame); ++i) {
+        const double start = now();
+        method.step(frame_time(i));
+        times.push_back(now() - start);
+        overlap = std::max(overlap, overlap_in(pit, method.positions(), touching));
+    }
+
+    if (touching < 3 * begin.size()) throw std::runtime_error("the balls are no heap");
+    return {spread_of(times), overlap};
 }
 
 double measure_drape(Method& method, double seconds) { return median(time_steps(method, seconds)); }

@@ -8,6 +8,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parent))
 from panels import answer_panels, ordinary_panels, solver_panels, unstable
 from report import linked_from, thread_table
+from solver_comparison import comparison
 from verdicts import against_fastest, against_most_exact, hard_input, sentences, summary, unstable_methods, verdict
 
 
@@ -132,6 +133,19 @@ class Threads(unittest.TestCase):
         self.assertEqual(cells(table, "a segment")[2:], ["2", "", "2.5", "4"])
         self.assertEqual(cells(table, "1000 ropes")[2:], ["", "", "3", ""])
         self.assertNotIn("cull", table)
+
+
+class Comparison(unittest.TestCase):
+    def test_rows_have_the_settings_and_errors_of_each_library(self):
+        rows = [dict(solver_row("rope_1e3", "gamephys", 4, 0.5, "1e-4"), compression_max="0"), dict(solver_row("rope_1e3", "bullet", 10, 0.2, "51"), compression_max="0"),
+                dict(solver_row("ball_pit", "gamephys", 8, 27, ""), position_error="0.004"), dict(solver_row("ball_pit", "bullet_substeps", 8, 107, ""), position_error="0.013"),
+                dict(solver_row("cloth_100", "gamephys", 20, 4, "0.005"), compression_max="0.017"), dict(solver_row("cloth_100", "bullet", 10, 6, "inf"), compression_max="0.9")]
+        text = comparison(rows, "Processor: some, 2 cores\n")
+        self.assertEqual(cells(text, "rope of 1000 links")[1:], ["0.01 % in 0.5 ms (4 substeps)", "5,100 % in 0.2 ms", ""])
+        self.assertEqual(cells(text, "2000 balls")[1:], ["4 mm in 27 ms (8 substeps)", "", "13 mm in 107 ms (8 substeps)"])
+        self.assertEqual(cells(text, "cloth of 100")[2], "unstable in 6 ms")
+        self.assertIn("by up to 1.7 %; Bullet's by up to 90 %", text)
+        self.assertNotIn("free particles", text)  # which were not measured
 
 
 unittest.main()

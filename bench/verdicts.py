@@ -47,6 +47,8 @@ SOLVER_SUMMARY = [
     ("1000 ropes, per frame", "ropes_1000x30", 31000),
     ("cloth on two corners, per frame", "cloth_100", 10000),
     ("particles that land on boxes, per frame", "free_100k_landing", 100000),
+    ("balls poured into a pit, per frame", "ball_pit", 2000),
+    ("a rope over a post, per frame", "rope_over_post", 121),
 ]
 
 
@@ -64,7 +66,7 @@ def plain(error):
 
 # What a sentence calls the error of an axis.
 NOUNS = {"wrong answers": "share of wrong answers", "false answers": "share of false answers", "distance, m": "distance from the reference",
-         "depth in a box, m": "depth in a box", "largest error, part of the way": "largest error"}
+         "depth in a box, m": "depth in a box", "overlap, m": "largest overlap", "largest error, part of the way": "largest error"}
 
 
 def writer(label):

@@ -11,6 +11,7 @@ LOOKS = {
     "embree_packets": ("#56B4E9", "s"),
     "embree_packets_robust": ("#56B4E9", "D"),
     "bullet": ("#009E73", "^"),
+    "bullet_substeps": ("#009E73", "<"),
     "fcl": ("#CC79A7", "v"),
     "nanoflann": ("#E69F00", "X"),
     "simd_sweep": ("#666666", "<"),
@@ -23,6 +24,7 @@ LOOKS = {
 NAMES = {
     "gamephys_float": "gamephys, float tests", "embree": "Embree", "embree_robust": "Embree robust",
     "embree_packets": "Embree packets", "embree_packets_robust": "Embree robust packets", "bullet": "Bullet",
+    "bullet_substeps": "Bullet, substeps",
     "gamephys_fresh": "built anew", "gamephys_plain": "without a filter", "gamephys_multiplied": "multiplied vertices",
     "gamephys_mesh": "as a mesh", "1_thread": "gamephys, one thread",
     "fcl": "FCL", "simd_sweep": "linear scan", "simd_blocks": "linear scan of blocks", "xpbd": "XPBD", "jakobsen": "Jakobsen",
