@@ -27,6 +27,32 @@ GPHYS_INLINE void apply_correction(const Contact& contact, Particle& a, Particle
     b.*value = stopped(b, b.*value + correction * contact.part_of_b, b.*uncorrected);
 }
 
+/// What a correction of two particles has changed.
+template <class Particle>
+class MovedPair {
+public:
+    MovedPair(const Particle& a, const Particle& b, Vec3 Particle::*value) : a_(a, value), b_(b, value) {}
+    void restore(Particle& a, Particle& b, Vec3 Particle::*value) const {
+        a_.restore(a, value);
+        b_.restore(b, value);
+    }
+
+private:
+    struct Moved {
+        Vec3 value;
+        Supports supports;
+
+        Moved(const Particle& p, Vec3 Particle::*value) : value(p.*value) {
+            if (p.supports) supports = *p.supports;
+        }
+        void restore(Particle& p, Vec3 Particle::*member) const {
+            p.*member = value;
+            if (p.supports) *p.supports = supports;
+        }
+    };
+    Moved a_, b_;
+};
+
 /// The same for one that must be made in full although models may stop a particle. What these take from it is made up
 /// for by a further one, which the inverse masses do not share as such, but as far as the models let the particles
 /// move. Returns that as a fraction of the correction; it is at most `most_more`.
@@ -46,9 +72,19 @@ GPHYS_NOINLINE double apply_in_full(const Contact& contact, Particle& a, Particl
     const double yields = contact.part_of_a * of_a + contact.part_of_b * of_b;
     const double way = std::max(contact.part_of_a * std::sqrt(of_a), contact.part_of_b * std::sqrt(of_b));
     if (!(way > 0)) return 0;  // wedged between models
-    const double more = std::min({part / yields, farthest / way, most_more});
-    apply_correction(contact, a, b, correction * more, value, uncorrected);
-    return more;
+    // Models that have pushed a particle let go of it on the way, and then it goes farther than its yielding tells.
+    // Beyond the full correction the sweeps would gain energy, so less is tried: a chord of the way, which is convex
+    // there.
+    double more = std::min({part / yields, farthest / way, most_more});
+    const MovedPair<Particle> moved(a, b, value);
+    for (int tries = 0; tries < 4; ++tries) {
+        apply_correction(contact, a, b, correction * more, value, uncorrected);
+        const double gained = dot(b.*value - a.*value - before, correction) / square;
+        if (gained <= 1 + 1e-9) return more;
+        moved.restore(a, b, value);
+        more *= part / (part + gained - 1);
+    }
+    return 0;
 }
 
 /// Changes the relative position or velocity along the normal of a contact. At most undoes what has been accumulated:

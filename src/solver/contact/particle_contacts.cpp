@@ -19,10 +19,19 @@ constexpr double near_gap = 0.02;
 // Pairs that overlap at the beginning of a substep separate by at most this much in it, in sums of their radii.
 // Separating them at once would give them a high speed.
 constexpr double most_correction = 0.1;
-// Where all bodies are of free particles, as much of an overlap is an error of the sweeps, which the next ones correct
-// with the velocities. The rest was there before, so what removes it gives no speed. Links would turn every correction
-// into speed.
-constexpr double allowed_overlap = 1e-3;
+// Where all bodies are of free particles, a small overlap is an error of the sweeps, which the next ones correct with
+// the velocities: without these, deep heaps would sink into themselves. It is what the sweeps leave of the fall of as
+// many layers in a substep, and at least a part of the sum of the radii. The rest was there before, as a deep overlap
+// was, so what removes it gives no speed. Links would turn every correction into speed.
+constexpr double fallen_layers = 16;
+constexpr double least_error = 1e-3, shallow_overlap = 0.03, deep_overlap = 0.06;  // in sums of the radii
+
+double error_of_sweeps(double overlap, double radii, Vec3 gravity, double h) {
+    const double shallow = (deep_overlap - overlap / radii) / (deep_overlap - shallow_overlap);
+    const double fallen = fallen_layers * length(gravity) * h * h * std::clamp(shallow, 0.0, 1.0);
+    return std::clamp(fallen, least_error * radii, most_correction * radii);
+}
+
 bool collides_with_others(const Body& body) { return body.settings.self_collision || body.settings.body_layers != 0; }
 
 Vec3 place_of(const Body& body, uint32_t p) {
@@ -173,8 +182,9 @@ void ParticleContacts::gather(const Range& range, const BodyTable& bodies, const
 }
 
 /// Returns whether many pairs overlap deeply: more than one contact in one_deep_of.
-bool ParticleContacts::find_contacts(const Range& range, const BodyTable& bodies, bool all_free,
-                                     double bounce_threshold, double h) const {
+bool ParticleContacts::find_contacts(const Range& range, const BodyTable& bodies, bool all_free, Vec3 gravity,
+                                     double h) const {
+    const double bounce_threshold = find_bounce_threshold(gravity, h);
     fill_groups(range, &Group::contacts, contacts_per_particle, [&](Group& group, uint32_t begin, uint32_t room) {
         uint32_t found = 0;
         group.deep = 0;
@@ -192,7 +202,8 @@ bool ParticleContacts::find_contacts(const Range& range, const BodyTable& bodies
             const double length = gphys::length(at_impact);
             const Vec3 normal = length > 0 ? at_impact / length : direction_of_pair(pair.a, pair.b);
             const Body &of_a = bodies[a.body], &of_b = bodies[b.body];
-            const double overlap = (1 - allowed_overlap) * radii - gphys::length(before);
+            const double all_overlap = radii - gphys::length(before);
+            const double error = error_of_sweeps(all_overlap, radii, gravity, h), overlap = all_overlap - error;
             group.overlapping = group.overlapping || (all_free && overlap > 0);
             // The speed at the time of impact. The speed at the end of the substep is larger, and with it particles
             // would bounce for ever.
@@ -207,7 +218,7 @@ bool ParticleContacts::find_contacts(const Range& range, const BodyTable& bodies
                                                  pair.b,
                                                  normal,
                                                  all_free ? radii - std::max(0.0, overlap) : radii,
-                                                 std::clamp(overlap, 0.0, (most_correction - allowed_overlap) * radii),
+                                                 std::clamp(overlap, 0.0, most_correction * radii - error),
                                                  a.inverse_mass / inverse_mass,
                                                  b.inverse_mass / inverse_mass,
                                                  friction,
@@ -463,16 +474,16 @@ void ParticleContacts::move_loads(const Island& island, BodyTable& bodies, const
     });
 }
 
-/// Gauss-Seidel sweeps: solve(contact, its particles), colour after colour. A processor overlaps the work on the
-/// contacts of two groups, while those of one group mostly wait for each other.
+/// So many Gauss-Seidel sweeps: solve(contact, its particles), colour after colour. A processor overlaps the work on
+/// the contacts of two groups, while those of one group mostly wait for each other.
 template <class Solve>
-void ParticleContacts::sweep(const Range& range, Solve&& solve) {
+void ParticleContacts::sweep(const Range& range, int times, Solve&& solve) {
     const uint32_t in_colour = std::min(range.group_count, groups_per_colour), together = std::min(in_colour, 2u);
     const auto solve_one = [&](uint32_t i) {
         Contact& contact = range.contacts[i];
         solve(contact, range.particles[contact.a], range.particles[contact.b]);
     };
-    for (int sweep = 0; sweep < sweeps; ++sweep) {
+    for (int sweep = 0; sweep < times; ++sweep) {
         for (uint32_t first = 0; first < range.group_count; first += in_colour) {
             share(range.team, in_colour / together, [&](uint32_t k, uint32_t) {
                 const Group* const group = &range.groups[first + together * k];
@@ -496,7 +507,7 @@ void ParticleContacts::separate_overlapping(const Island& island, BodyTable& bod
     each_body(island, bodies, slots, [&](Body& body, Particle* first, Particle* end) {
         for (Particle* p = first; p != end; ++p) p->at = p->uncorrected = place_of(body, p->number);
     });
-    sweep(range(island), [](Contact& contact, Particle& a, Particle& b) {
+    sweep(range(island), sweeps, [](Contact& contact, Particle& a, Particle& b) {
         const double correction = contact.radii + contact.overlap - dot(b.at - a.at, contact.normal);
         if (correction <= 0) return;
         a.at -= contact.normal * (correction * contact.part_of_a);
@@ -509,26 +520,28 @@ void ParticleContacts::separate_overlapping(const Island& island, BodyTable& bod
 
 ParticleContacts::Found ParticleContacts::solve_contacts(const Island& island, const BodyTable& bodies,
                                                          const uint32_t* slots, const CollisionContext& around,
-                                                         double bounce_threshold, double h) {
+                                                         Vec3 gravity, double h) {
     const Range range = this->range(island);
     gather(range, bodies, around, h);
     if (!list_is_valid(range)) find_pairs(range, bodies);
     const bool all_free =
         std::all_of(slots, slots + island.body_count, [&](uint32_t slot) { return moves_freely(bodies[slot]); });
-    const bool any_deep = find_contacts(range, bodies, all_free, bounce_threshold, h);
-    sweep(range, [](Contact& contact, Particle& a, Particle& b) { solve_position(contact, a, b); });
+    const bool any_deep = find_contacts(range, bodies, all_free, gravity, h);
     Found found{false, false, any_deep};
     for (const Group* group = range.groups; group != range.groups + range.group_count; ++group) {
         found.any = found.any || group->contacts.count > 0;
         found.overlapping = found.overlapping || group->overlapping;
     }
+    // Overlaps tell that the sweeps have not sufficed.
+    sweep(range, found.overlapping ? 2 * sweeps : sweeps,
+          [](Contact& contact, Particle& a, Particle& b) { solve_position(contact, a, b); });
     return found;
 }
 
 void ParticleContacts::solve_positions(const Island& island, BodyTable& bodies, const uint32_t* slots,
                                        const CollisionContext& around, Vec3 gravity, double h, FlightPlanes* planes) {
     const double bounce_threshold = find_bounce_threshold(gravity, h);
-    const Found contacts = solve_contacts(island, bodies, slots, around, bounce_threshold, h);
+    const Found contacts = solve_contacts(island, bodies, slots, around, gravity, h);
     const Range range = this->range(island);
     // Separating deep pairs changes no velocity, so it transfers no impulse.
     if (contacts.any && island.body_count > 1) add_impulses(range, &Contact::all_separation, contacts.deep ? 0 : 1 / h);
@@ -573,7 +586,7 @@ void ParticleContacts::solve_velocities(const Island& island, BodyTable& bodies,
             }
         }
     });
-    sweep(range, [](Contact& contact, Particle& a, Particle& b) { solve_velocity(contact, a, b); });
+    sweep(range, sweeps, [](Contact& contact, Particle& a, Particle& b) { solve_velocity(contact, a, b); });
     if (island.body_count > 1) add_impulses(range, &Contact::all_change, 1);
     add_support_impulses(island, bodies, slots, around, 1);
     share_particles(range, [&](uint32_t first, uint32_t end) {
@@ -599,8 +612,8 @@ void ParticleContacts::solve_velocities(const Island& island, BodyTable& bodies,
 
 void ParticleContacts::solve_final_positions(const Island& island, BodyTable& bodies, const uint32_t* slots,
                                              const CollisionContext& around, Vec3 gravity, double h) {
+    if (!solve_contacts(island, bodies, slots, around, gravity, h).any) return;
     const double bounce_threshold = find_bounce_threshold(gravity, h);
-    if (!solve_contacts(island, bodies, slots, around, bounce_threshold, h).any) return;
     each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
         if (!moves_freely(body)) correct_moved(first, end, body, around, bounce_threshold, nullptr);
     });

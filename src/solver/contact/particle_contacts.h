@@ -176,12 +176,11 @@ private:
     template <class Emit>
     static bool fill_groups(const Range& range, Items Group::*items, uint32_t per_particle, Emit&& emit);
     template <class Solve>
-    static void sweep(const Range& range, Solve&& solve);
+    static void sweep(const Range& range, int times, Solve&& solve);
     void gather(const Range& range, const BodyTable& bodies, const CollisionContext& around, double h) const;
     bool list_is_valid(const Range& range) const;
     void find_pairs(const Range& range, const BodyTable& bodies) const;
-    bool find_contacts(const Range& range, const BodyTable& bodies, bool all_free, double bounce_threshold,
-                       double h) const;
+    bool find_contacts(const Range& range, const BodyTable& bodies, bool all_free, Vec3 gravity, double h) const;
     template <class Visit>
     static void each_between_bodies(const Range& range, Visit&& visit);
     static void add_to_list(const Range& range, Pair& pair, Vec3 normal, double impulse);
@@ -193,7 +192,7 @@ private:
     void separate_overlapping(const Island& island, BodyTable& bodies, const uint32_t* slots,
                               const CollisionContext& around, double bounce_threshold, FlightPlanes* planes);
     Found solve_contacts(const Island& island, const BodyTable& bodies, const uint32_t* slots,
-                         const CollisionContext& around, double bounce_threshold, double h);
+                         const CollisionContext& around, Vec3 gravity, double h);
 
     Vector<Particle> particles_;
     Vector<Pair> pairs_;
