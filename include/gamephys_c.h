@@ -2090,6 +2090,7 @@ typedef struct gphys_body_desc {
     uint32_t body_layers;   /* two bodies collide with each other if their masks share a bit; 0: with none; default 0 */
     float shear_compliance; /* of GPHYS_CLOTH_SHEAR constraints of a grid, m/N, >= 0; 0: as compliance; default 0 */
     float breaking_force;   /* of each constraint, newtons, >= 0; 0: none breaks; default 0; see gphys_break */
+    float bending_stiffness; /* of a rope, E I in N m^2, >= 0; 0: it bends freely; default 0; see below */
 } gphys_body_desc;
 /* Woven cloth drapes because it shears and bends easily, and by default sheets do neither: on round or sharp models
  * their rigid constraints cannot all hold, and a sheet moves by centimetres a second until it is brought to rest. It

@@ -36,6 +36,7 @@ constexpr gphys_body_desc default_body_desc{sizeof(gphys_body_desc),
                                             0,
                                             0,
                                             0,
+                                            0,
                                             0};
 
 gphys_status read_body_desc(const gphys_body_desc* from, gphys_body_desc& desc) {
@@ -51,6 +52,7 @@ gphys_status read_body_desc(const gphys_body_desc* from, gphys_body_desc& desc) 
     GPHYS_TRY(check_amount("desc.bend_compliance", desc.bend_compliance));
     GPHYS_TRY(check_amount("desc.shear_compliance", desc.shear_compliance));
     GPHYS_TRY(check_amount("desc.breaking_force", desc.breaking_force));
+    GPHYS_TRY(check_amount("desc.bending_stiffness", desc.bending_stiffness));
     GPHYS_REQUIRE_IN_RANGE((desc.cloth_flags & ~uint32_t{GPHYS_CLOTH_SHEAR | GPHYS_CLOTH_BEND}) == 0,
                            "desc.cloth_flags", desc.cloth_flags,
                            "a combination of GPHYS_CLOTH_SHEAR and GPHYS_CLOTH_BEND");

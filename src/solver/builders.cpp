@@ -15,6 +15,7 @@ BodyOwner make_body(gphys_body_kind kind, const gphys_body_desc& desc, uint32_t 
                      desc.layers};
     body.settings.body_layers = desc.body_layers;
     body.settings.self_collision = desc.self_collision;
+    body.rope.bending.stiffness = desc.bending_stiffness;
     const double mass = static_cast<double>(desc.mass) / count;
     body.particles.position.resize(count);
     body.particles.velocity.resize(count);

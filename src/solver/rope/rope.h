@@ -4,6 +4,7 @@
 
 #include "foundation/math.h"
 #include "foundation/memory.h"
+#include "solver/rope/bending.h"
 
 namespace gphys {
 
@@ -24,6 +25,15 @@ struct DirectRow {
     double value[4];
 };
 
+constexpr int stiff_band = 8;
+
+/// A row of the factor of a chain that resists bending. lower[8 - k] is the entry k columns before the diagonal. After
+/// substitution, value is the solution.
+struct StiffRow {
+    double lower[stiff_band];
+    double inverse_pivot, value;
+};
+
 /// State of chains that are solved directly.
 struct Rope {
     explicit Rope(std::pmr::memory_resource* memory)
@@ -32,7 +42,9 @@ struct Rope {
           target(memory),
           tension(memory),
           earlier_tension(memory),
+          bending(memory),
           rows(memory),
+          stiff_rows(memory),
           solved(memory),
           slack(memory) {}
 
@@ -43,7 +55,10 @@ struct Rope {
     Vector<double> earlier_tension;                 // of the substep before
     bool yields = false;  // whether links between pins share a stretch that they cannot correct in this substep
 
-    Vector<DirectRow> rows;  // for the longest chain
+    Bending bending;
+
+    Vector<DirectRow> rows;       // for the longest chain
+    Vector<StiffRow> stiff_rows;  // the same, four for each particle, if the body resists bending
     // By particle:
     Vector<Vec3> solved;    // positions solved with the links alone, before contacts
     Vector<uint8_t> slack;  // if there are limits: whether all its links were slack at the start of the substep

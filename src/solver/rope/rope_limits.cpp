@@ -91,7 +91,8 @@ struct TautLinks {
 }  // namespace
 
 void predict_slack_particles(Body& body, Vec3 gravity, double h) {
-    std::fill(body.rope.slack.begin(), body.rope.slack.end(), uint8_t{1});
+    // Where links are slack, bending still acts.
+    std::fill(body.rope.slack.begin(), body.rope.slack.end(), uint8_t{!body.rope.bending.resists()});
     for (const Chain& chain : body.plan.chains) {
         for (uint32_t i = 0; i < chain.link_count; ++i) {
             const uint32_t a = body.plan.particles[chain.first_particle + i];

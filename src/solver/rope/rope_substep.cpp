@@ -46,7 +46,10 @@ void predict_chains(Body& body, const TimeScheme& scheme, Vec3 gravity) {
     body.history.start_velocity = body.particles.velocity;
     const double damping = body.settings.damping, drag = scheme.drag(damping);
     Vector<Vec3>& link_forces = body.history.predicted;  // which is not in use yet
-    if (scheme.explicit_h > 0) sum_tensions(body.rope, body.plan, body.particles, link_forces);
+    if (scheme.explicit_h > 0) {
+        sum_tensions(body.rope, body.plan, body.particles, link_forces);
+        add_bending_forces(body.rope.bending, body.plan, body.particles.position, link_forces);
+    }
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (body.particles.pinned(p)) continue;
         const Vec3 velocity = body.particles.velocity[p],
@@ -151,6 +154,7 @@ void add_tension_impulses(Body& body, const CollisionContext& around, const Time
             if (body.particles.pinned(b)) add_anchor_impulse(body, around, b, -impulse);
         }
     }
+    add_bending_impulses(body, around, scheme);
 }
 
 namespace {
@@ -161,7 +165,9 @@ void leave_solids(Body& body, const CollisionContext& around, double step) {
     body.rope.earlier_tension = body.rope.tension;
     std::fill(body.rope.tension.begin(), body.rope.tension.end(), 0.0);
     body.history.predicted = body.particles.position;
+    body.rope.bending.keeps_shape = true;
     const bool solved = solve_directly(body, step);
+    body.rope.bending.keeps_shape = false;
     body.rope.tension = body.rope.earlier_tension;
     end_leaving(body, around, solved);
 }

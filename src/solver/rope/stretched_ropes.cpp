@@ -72,8 +72,10 @@ bool restore_lengths(Body& body, RopeContacts& contacts, const CollisionContext&
     body.rope.solved = body.history.predicted;
     body.history.predicted = body.particles.position = body.history.start;
     constexpr int most_solutions = 8;
+    body.rope.bending.keeps_shape = true;
     for (int i = 0; i < most_solutions && !solve_with_contacts(body, step, &contacts); ++i) {
     }
+    body.rope.bending.keeps_shape = false;
     contacts.push_out(body.particles);
     std::fill(body.rope.tension.begin(), body.rope.tension.end(), 0.0);
     contacts.search_again();

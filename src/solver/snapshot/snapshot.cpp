@@ -21,7 +21,7 @@ constexpr uint32_t format = 9;
 /// Arrays that few bodies have. They come last, in the order of their keys: the key, which is the array and the slot of
 /// the body, and the elements; of clusters their ids come before. A snapshot without them is as it was before there
 /// were any.
-enum class RareArray : uint32_t { targets, friction_factors, clusters, breaking_forces };
+enum class RareArray : uint32_t { targets, friction_factors, clusters, breaking_forces, bending };
 constexpr uint32_t slot_bits = 24;
 static_assert(IdTable::capacity < 1u << slot_bits);
 
@@ -142,6 +142,15 @@ void write_rare(Archive& archive, const SolverState& state, RareArray which, Arr
     }
 }
 
+template <class Archive>
+void write_bending(Archive& archive, const SolverState& state) {
+    for (uint32_t slot = 0; slot < state.ids.slots(); ++slot) {
+        if (!state.ids.live(slot) || !state.bodies[slot].rope.bending.resists()) continue;
+        archive.value(static_cast<uint32_t>(RareArray::bending) << slot_bits | slot);
+        archive.value(state.bodies[slot].rope.bending.stiffness);
+    }
+}
+
 /// Also of a body that has none any more, because stale ids must stay stale.
 template <class Archive>
 void write_clusters(Archive& archive, const SolverState& state) {
@@ -170,6 +179,7 @@ void write(Sink& sink, const SolverState& state) {
     write_clusters(archive, state);
     write_rare(
         archive, state, RareArray::breaking_forces, [](const Body& body) -> auto& { return body.breaking.force; });
+    write_bending(archive, state);
 }
 
 /// Computes what is not in a snapshot, except the plan. Throws std::bad_alloc.
@@ -212,6 +222,10 @@ const char* read_rare(Reader& archive, SolverState& state) {
             case RareArray::breaking_forces:
                 archive.array(body.breaking.force);
                 wrong = defect_of_breaking_forces(body);
+                break;
+            case RareArray::bending:
+                archive.value(body.rope.bending.stiffness);
+                wrong = defect_of_bending(body);
                 break;
             default:
                 return cut_short;

@@ -295,6 +295,11 @@ const char* defect_of_breaking_forces(const Body& body) {
     return fine ? nullptr : "words: a breaking force is out of range";
 }
 
+const char* defect_of_bending(const Body& body) {
+    const double stiffness = body.rope.bending.stiffness;
+    return stiffness > 0 && is_amount(stiffness) ? nullptr : "words: a bending stiffness is out of range";
+}
+
 const char* defect_of_clusters(const Body& body) {
     constexpr const char* wrong = "words: a cluster is out of range";
     const Clusters& clusters = body.cloth.clusters;

@@ -23,5 +23,6 @@ const char* defect_of_friction_factors(const Body& body);
 const char* defect_of_clusters(const Body& body);
 /// The same of breaking forces.
 const char* defect_of_breaking_forces(const Body& body);
+const char* defect_of_bending(const Body& body);
 
 }  // namespace gphys

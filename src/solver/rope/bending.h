@@ -1,0 +1,54 @@
+// Bending stiffness of chains. At a particle between two links of rest lengths l and l', which are straight at rest,
+// the energy is that of a rod with unit tangents T and T' (Bergou et al. 2008, "Discrete elastic rods", with the chord
+// of the turning angle in place of its tangent):
+//
+//     stiffness / (l + l') |T' - T|^2 = |r|^2 / 2,   r = after (x_next - x) - before (x - x_previous),
+//     before = s / l, after = s / l', s = sqrt(2 stiffness / (l + l'))
+//
+// Between links of equal length it is stiffness / l (1 - cos angle). With the links at rest length it is quadratic in
+// the positions and the same in all directions. So the matrix of its second derivatives is constant and
+// semidefinite: three equal matrices of five diagonals, which stiff_chains.cpp and joints/ add to the equations of the
+// links. Newton's method solves it exactly, in each iteration. Forces and torques add up to zero.
+#pragma once
+
+#include "foundation/math.h"
+#include "foundation/memory.h"
+
+namespace gphys {
+
+struct Body;
+struct Constraints;
+struct Plan;
+struct TimeScheme;
+struct CollisionContext;
+
+/// A particle between two links of a chain, sqrt(N/m); 0 where the chain does not resist bending.
+struct Bend {
+    double before = 0, after = 0;
+
+    bool resists() const { return after > 0; }
+    Vec3 strain(Vec3 previous, Vec3 at, Vec3 next) const { return (next - at) * after - (at - previous) * before; }
+};
+
+struct Bending {
+    explicit Bending(std::pmr::memory_resource* memory) : bends(memory) {}
+
+    bool resists() const { return stiffness > 0; }
+
+    double stiffness = 0;  // N m^2
+    Vector<Bend> bends;    // by link of the plan, at its first particle; empty if the body does not resist bending
+    // Whether the chains are not moved but corrected. Then they keep their predicted shape instead of straightening.
+    bool keeps_shape = false;
+};
+
+/// Computes the bends from the rest lengths of the plan. A chain bends freely at particles with more than two links, as
+/// it does beside a link without length. Throws std::bad_alloc, but not if only lengths have changed.
+void plan_bends(Bending& bending, const Plan& plan, const Constraints& constraints);
+
+/// Adds the forces at the given places, newtons.
+void add_bending_forces(const Bending& bending, const Plan& plan, const Vector<Vec3>& at, Vector<Vec3>& forces);
+
+/// Adds the bending forces at attached particles to the impulses of their models.
+void add_bending_impulses(Body& body, const CollisionContext& around, const TimeScheme& scheme);
+
+}  // namespace gphys
