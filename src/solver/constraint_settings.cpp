@@ -118,7 +118,6 @@ void change_lengths(Body& body, double fraction) {
             plan.rest[link.place] = body.rope.damped_rest[link.place] = rest < rope_shortest ? 0 : rest;
         }
     }
-    if (!is_graph(body)) plan_bends(body.rope.bending, plan, body.constraints);
 }
 
 }  // namespace gphys

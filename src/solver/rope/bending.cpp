@@ -21,16 +21,21 @@ void each_bend(const Bending& bending, const Plan& plan, Visit&& visit) {
 
 }  // namespace
 
-void plan_bends(Bending& bending, const Plan& plan, const Constraints& constraints) {
+void find_bends(Bending& bending, const Plan& plan, const Constraints& constraints, const Particles& particles) {
     if (!bending.resists()) return;
-    bending.bends.assign(plan.rest.size(), Bend{});
     for (const Chain& chain : plan.chains) {
+        const uint32_t* const particle = &plan.particles[chain.first_particle];
+        const auto is_held = [&](uint32_t i) {
+            return particles.pinned(particle[i]) && particles.pinned(particle[i + 1]);
+        };
         for (uint32_t i = 1; i < chain.link_count; ++i) {
             const uint32_t link = chain.first_link + i;
             const double before = plan.rest[link - 1], after = plan.rest[link];
-            const bool branches = constraints.links[plan.particles[chain.first_particle + i]].degree > 2;
-            if (branches || before == 0 || after == 0) continue;
-            const double s = std::sqrt(2 * bending.stiffness / (before + after));
+            const double bent = (is_held(i - 1) ? 0 : before) + (is_held(i) ? 0 : after);
+            const bool branches = constraints.links[particle[i]].degree > 2;
+            bending.bends[link] = {};
+            if (branches || before == 0 || after == 0 || bent == 0) continue;
+            const double s = std::sqrt(2 * bending.stiffness / bent);
             bending.bends[link] = {s / before, s / after};
         }
     }

@@ -18,6 +18,7 @@ namespace gphys {
 
 struct Body;
 struct Constraints;
+struct Particles;
 struct Plan;
 struct TimeScheme;
 struct CollisionContext;
@@ -41,9 +42,10 @@ struct Bending {
     bool keeps_shape = false;
 };
 
-/// Computes the bends from the rest lengths of the plan. A chain bends freely at particles with more than two links, as
-/// it does beside a link without length. Throws std::bad_alloc, but not if only lengths have changed.
-void plan_bends(Bending& bending, const Plan& plan, const Constraints& constraints);
+/// Computes the bends from the rest lengths of the plan and the pins. A chain bends freely at particles with more than
+/// two links, as it does beside a link without length. Half of each link belongs to either end. A link between two pins
+/// does not bend, so only the other half counts: then a clamped end is exact to second order in the lengths of links.
+void find_bends(Bending& bending, const Plan& plan, const Constraints& constraints, const Particles& particles);
 
 /// Adds the forces at the given places, newtons.
 void add_bending_forces(const Bending& bending, const Plan& plan, const Vector<Vec3>& at, Vector<Vec3>& forces);

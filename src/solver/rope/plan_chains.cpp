@@ -71,7 +71,6 @@ void copy_direct_parameters(Plan& plan, Rope& rope, const Constraints& constrain
     rope.damped_rest = plan.rest;
     rope.damped_compliance = plan.compliance;
     rope.target = plan.rest;
-    plan_bends(rope.bending, plan, constraints);
 }
 
 void plan_direct_chains(Plan& plan, Rope& rope, const Constraints& constraints) {
@@ -82,9 +81,11 @@ void plan_direct_chains(Plan& plan, Rope& rope, const Constraints& constraints) 
         [&](uint32_t slot, uint32_t particle) { plan.add_link(slot, particle); });
     copy_direct_parameters(plan, rope, constraints);
     rope.rows.resize(longest_chain(plan) + 1);
-    if (rope.bending.resists()) rope.stiff_rows.resize(4 * rope.rows.size());
     rope.earlier_tension.assign(plan.rest.size(), 0.0);
     rope.tension.assign(plan.rest.size(), 0.0);
+    if (!rope.bending.resists()) return;
+    rope.bending.bends.assign(plan.rest.size(), Bend{});
+    rope.stiff_rows.resize(4 * rope.rows.size());
 }
 
 }  // namespace gphys

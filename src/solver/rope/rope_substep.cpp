@@ -99,6 +99,7 @@ void begin_chains(Body& body, const CollisionContext& around, Vec3 gravity, cons
     body.rope.earlier_tension = body.rope.tension;
     if (!body.constraints.length_changes.empty()) change_lengths(body, around.end);
     aim_targets(body, around);
+    find_bends(body.rope.bending, body.plan, body.constraints, body.particles);
     predict_chains(body, scheme, gravity);
     follow_models(body, around, scheme.advance, 0, body.particles.size());
     if (body.plan.damped) damp_chains(body.rope, body.plan, body.history, scheme);
