@@ -139,10 +139,12 @@ void leave_solids_joined(const Joined& joined, const CollisionContext& around, d
         if (is_graph(body)) return;
         if (!body.contacts.penetrating) body.history.start = body.particles.position;
         body.history.predicted = body.particles.position;
+        body.rope.bending.keeps_shape = true;
     });
     gather_systems(joined, h);
     const bool solved = solve_systems(joined);
     each_body(joined, [&](Body& body, uint32_t) {
+        body.rope.bending.keeps_shape = false;
         if (!is_graph(body)) end_leaving(body, around, solved);
     });
 }

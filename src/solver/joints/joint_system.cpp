@@ -38,6 +38,9 @@ constexpr int most_soft_iterations = 300;
 
 constexpr Vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
+/// The pairs of the nodes of a bend.
+constexpr int bend_pairs[3][2] = {{0, 1}, {1, 2}, {0, 2}};
+
 Vec3 cloth_position(const ClothState& state, uint32_t particle) {
     const float* at = &state.at[4 * size_t{particle}];
     return state.origin + Vec3{at[0], at[1], at[2]};
@@ -58,6 +61,7 @@ void JointSystem::plan() {
     const uint32_t count = node_count();
     Vector<Edge> edges(memory);
     for (const Link& link : links_) edges.push_back({link.a, link.b});
+    for (const NodeBend& bend : bends_) edges.push_back({bend.nodes[0], bend.nodes[2]});
     Vector<uint32_t> order(memory), place(count, memory);
     order_by_degree(count, edges, order);
     for (uint32_t i = 0; i < count; ++i) place[order[i]] = i;
@@ -65,6 +69,9 @@ void JointSystem::plan() {
     for (const uint32_t node : order) ordered.push_back(nodes_[node]);
     nodes_.swap(ordered);
     for (Link& link : links_) link.a = place[link.a], link.b = place[link.b];
+    for (NodeBend& bend : bends_) {
+        for (uint32_t& node : bend.nodes) node = place[node];
+    }
 
     // The tension of a link is eliminated right after the later of its ends, whose mass keeps its pivot from zero. But
     // to eliminate a node couples all tensions that come after it: with n links to a hub, n^2 entries. The tensions of
@@ -80,15 +87,31 @@ void JointSystem::plan() {
     std::stable_sort(by_end.begin(), by_end.end(),
                      [&](uint32_t a, uint32_t b) { return links_[a].later() < links_[b].later(); });
 
+    struct BendCoupling {
+        uint32_t later, earlier;
+        uint32_t* entry;  // of the bend
+    };
+    Vector<BendCoupling> by_later(memory);
+    for (NodeBend& bend : bends_) {
+        for (int pair = 0; pair < 3; ++pair) {
+            const uint32_t a = bend.nodes[bend_pairs[pair][0]], b = bend.nodes[bend_pairs[pair][1]];
+            by_later.push_back({std::max(a, b), std::min(a, b), &bend.entries[pair]});
+        }
+    }
+    std::stable_sort(by_later.begin(), by_later.end(),
+                     [](const BendCoupling& a, const BendCoupling& b) { return a.later < b.later; });
+
     Vector<uint32_t> column_begin(1, 0, memory), rows(memory);
     uint32_t scalar = 0;
-    size_t next_end = 0, next_link = 0;
+    size_t next_end = 0, next_link = 0, next_bend = 0;
     for (uint32_t i = 0; i < count; ++i) {
         nodes_[i].scalar = scalar;
         const size_t first_end = next_end;
         while (next_end < by_end.size() && links_[by_end[next_end]].later() == i) ++next_end;
-        // The rows of each column of the node: the nodes to which it is coupled, tensions eliminated before it, then
-        // the entries above its diagonal.
+        const size_t first_bend = next_bend;
+        while (next_bend < by_later.size() && by_later[next_bend].later == i) ++next_bend;
+        // The rows of each column of the node: the nodes to which it is coupled, tensions eliminated before it, nodes
+        // to which bends couple it, then the entries above its diagonal.
         uint32_t couplings = 0, tensions = 0;
         for (size_t e = first_end; e < next_end; ++e) {
             Link& link = links_[by_end[e]];
@@ -98,6 +121,8 @@ void JointSystem::plan() {
             Link& link = links_[by_end[e]];
             if (link.after_earlier) link.tension_row = 3 * couplings + tensions++;
         }
+        for (size_t e = first_bend; e < next_bend; ++e)
+            *by_later[e].entry = 3 * couplings + tensions + static_cast<uint32_t>(e - first_bend);
         for (uint32_t k = 0; k < 3; ++k, ++scalar) {
             for (size_t e = first_end; e < next_end; ++e) {
                 const Link& link = links_[by_end[e]];
@@ -109,6 +134,7 @@ void JointSystem::plan() {
                 const Link& link = links_[by_end[e]];
                 if (link.after_earlier) rows.push_back(link.scalar);
             }
+            for (size_t e = first_bend; e < next_bend; ++e) rows.push_back(nodes_[by_later[e].earlier].scalar + k);
             for (uint32_t above = 0; above < k; ++above) rows.push_back(nodes_[i].scalar + above);
             column_begin.push_back(static_cast<uint32_t>(rows.size()));
         }
@@ -156,13 +182,27 @@ void JointSystem::gather(const BodyTable& bodies, const Vector<Joint>& joints, d
             link.tension = body.rope.tension[link.index];
         }
     }
+    for (NodeBend& bend : bends_) {
+        const Bending& bending = bodies[bend.body].rope.bending;
+        bend.bend = bending.bends[bend.index];
+        bend.keeps_shape = bending.keeps_shape;
+    }
     elastic_energy_before_ = elastic_energy();
 }
 
 double JointSystem::elastic_energy() const {
     double sum = 0;
     for (const Link& link : links_) sum += link.compliance * link.tension * link.tension / 2;
+    for (const NodeBend& bend : bends_) sum += length_squared(strain(bend)) / 2;
     return sum;
+}
+
+Vec3 JointSystem::strain(const NodeBend& bend) const {
+    const auto place = [&](int i) {
+        const Node& node = nodes_[bend.nodes[i]];
+        return bend.keeps_shape ? node.position - node.predicted : node.position;
+    };
+    return bend.bend.strain(place(0), place(1), place(2));
 }
 
 void JointSystem::scatter(BodyTable& bodies) const {
@@ -274,6 +314,33 @@ void JointSystem::assemble() {
     }
 }
 
+/// Adds the forces and the stiffness of bends.
+void JointSystem::assemble_bends() {
+    for (const NodeBend& bend : bends_) {
+        double factors[3];
+        bend.factors(factors);
+        const Vec3 strain = this->strain(bend);
+        for (int i = 0; i < 3; ++i) {
+            const Node& node = nodes_[bend.nodes[i]];
+            if (!node.free) continue;
+            const Vec3 force = strain * -factors[i];
+            for (uint32_t k = 0; k < 3; ++k) {
+                diagonal_[node.scalar + k] += factors[i] * factors[i];
+                solution_[node.scalar + k] += force[static_cast<int>(k)];
+            }
+        }
+        for (int pair = 0; pair < 3; ++pair) {
+            const int first = bend_pairs[pair][0], second = bend_pairs[pair][1];
+            const uint32_t a = bend.nodes[first], b = bend.nodes[second];
+            if (!nodes_[a].free || !nodes_[b].free) continue;
+            const Node& later = nodes_[std::max(a, b)];
+            for (uint32_t k = 0; k < 3; ++k)
+                entries_[matrix_.column_begin(later.scalar + k) + bend.entries[pair]] =
+                    factors[first] * factors[second];
+        }
+    }
+}
+
 /// A bound of corrections, metres: the sum of all link lengths, as placed and at rest, and of the distances to the
 /// predicted positions.
 double JointSystem::most_displacement() const {
@@ -328,6 +395,7 @@ bool JointSystem::solve() {
     int iterations = limited ? most_limited_iterations : most_iterations;
     for (int iteration = 0; iteration < iterations; ++iteration) {
         assemble();
+        assemble_bends();
         matrix_.factor(entries_.data(), diagonal_.data());
         matrix_.solve(solution_.data());
         for (Link& link : links_) link.tension = solution_[link.scalar];

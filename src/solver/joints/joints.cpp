@@ -102,7 +102,8 @@ void add_chain_nodes(const Body& body, uint32_t slot, Vector<Part>& nodes) {
     }
 }
 
-void add_chain_links(const Plan& plan, uint32_t slot, JointSystem& system) {
+void add_chain_links(const Body& body, uint32_t slot, JointSystem& system) {
+    const Plan& plan = body.plan;
     for (const Chain& chain : plan.chains) {
         const uint32_t* particle = &plan.particles[chain.first_particle];
         for (uint32_t i = 0; i < chain.link_count; ++i) {
@@ -112,6 +113,8 @@ void add_chain_links(const Plan& plan, uint32_t slot, JointSystem& system) {
             link.owner = slot;
             link.index = chain.first_link + i;
             system.add_link(link);
+            if (i == 0 || !body.rope.bending.resists()) continue;
+            system.add_bend({{system.find_node(slot, particle[i - 1]), link.a, link.b}, slot, link.index});
         }
     }
 }
@@ -191,7 +194,7 @@ void Solver::plan_joints() {
     }
     for (uint32_t i = 0; i < parts.size(); ++i) {
         if (parts[i].particle == Part::whole) {
-            add_chain_links(state_.bodies[parts[i].body].plan, parts[i].body, systems_[system_of[i]]);
+            add_chain_links(state_.bodies[parts[i].body], parts[i].body, systems_[system_of[i]]);
         }
     }
     each_joint([&](const Joint& joint, uint32_t slot) { add_joint(joint, slot, systems_[system_of[part_a(joint)]]); });

@@ -13,6 +13,7 @@
 
 #include "foundation/math.h"
 #include "solver/joints/sparse_ldl.h"
+#include "solver/rope/bending.h"
 
 namespace gphys {
 
@@ -31,7 +32,13 @@ struct Joint {
 class JointSystem {
 public:
     explicit JointSystem(std::pmr::memory_resource* memory)
-        : nodes_(memory), links_(memory), entries_(memory), diagonal_(memory), solution_(memory), matrix_(memory) {}
+        : nodes_(memory),
+          links_(memory),
+          bends_(memory),
+          entries_(memory),
+          diagonal_(memory),
+          solution_(memory),
+          matrix_(memory) {}
 
     /// A particle of the system. Nodes are stored in the order of elimination.
     struct Node {
@@ -61,13 +68,27 @@ public:
         uint32_t earlier() const { return std::min(a, b); }
         uint32_t later() const { return std::max(a, b); }
     };
+    /// A node between two others of a chain that resists bending.
+    struct NodeBend {
+        uint32_t nodes[3];         // along the chain
+        uint32_t body, index;      // slot of the body, and the bend in it
+        uint32_t entries[3] = {};  // of nodes 0 and 1, 1 and 2, 0 and 2: place in the columns of the later one
+        Bend bend = {};            // of the substep under way
+        bool keeps_shape = false;  // see Bending
+
+        /// By node: the factors of their places in the strain.
+        void factors(double (&out)[3]) const {
+            out[0] = bend.before, out[1] = -(bend.before + bend.after), out[2] = bend.after;
+        }
+    };
     static constexpr int along = -1;
     static constexpr uint32_t of_joint = 0xffffffff;
 
-    // To build a system: add all nodes, by body and particle, then the links between them, then call plan().
+    // To build a system: add all nodes, by body and particle, then the links and bends between them, then call plan().
     void add_node(uint32_t body, uint32_t particle, bool of_graph) { nodes_.push_back({body, particle, 0, of_graph}); }
     uint32_t find_node(uint32_t body, uint32_t particle) const;
     void add_link(const Link& link) { links_.push_back(link); }
+    void add_bend(const NodeBend& bend) { bends_.push_back(bend); }
     /// Orders the nodes and computes the fill of the elimination (symbolic factorisation). Throws std::bad_alloc.
     void plan();
     /// Number of entries of the factor below the diagonal. Call after plan().
@@ -93,7 +114,7 @@ public:
     bool solve();
     /// Whether all rigid links had their lengths before the substep, nearly. Not for cloth.
     bool began_feasible() const;
-    /// Joules, in elastic links: now, and before the substep.
+    /// Joules, in elastic links and in bends: now, and before the substep.
     double elastic_energy() const;
     double elastic_energy_before() const { return elastic_energy_before_; }
     /// The compliance matrix of a node, m/N: its displacement by a unit force along each axis, as three columns.
@@ -107,7 +128,9 @@ private:
         bool active;
     };
     LinkEquation linearise(const Link& link) const;
+    Vec3 strain(const NodeBend& bend) const;
     void assemble();
+    void assemble_bends();
     double most_displacement() const;
     bool is_converged() const;
     bool is_solved() const;
@@ -116,6 +139,7 @@ private:
 
     Vector<Node> nodes_;
     Vector<Link> links_;
+    Vector<NodeBend> bends_;
     Vector<double> entries_, diagonal_, solution_;
     SparseLdl matrix_;
     bool outdated_ = false;

@@ -306,7 +306,8 @@ void RopeScratch::reserve(size_t alone, size_t in_lanes, size_t in_contact_lanes
 bool is_plain_rope(const Body& body) {
     const Plan& plan = body.plan;
     return plan.method == GPHYS_SOLVE_DIRECT && plan.particles.size() == body.particles.size() && !plan.limited &&
-           !plan.damped && !body.rope.bending.resists() && body.constraints.length_changes.empty() && body.targets.empty();
+           !plan.damped && !body.rope.bending.resists() && body.constraints.length_changes.empty() &&
+           body.targets.empty();
 }
 
 void move_ropes(UndisturbedRope* ropes, uint32_t count, RopeScratch& scratch, const RopeStepSettings& step) {
