@@ -2090,13 +2090,20 @@ typedef struct gphys_body_desc {
     uint32_t body_layers;   /* two bodies collide with each other if their masks share a bit; 0: with none; default 0 */
     float shear_compliance; /* of GPHYS_CLOTH_SHEAR constraints of a grid, m/N, >= 0; 0: as compliance; default 0 */
     float breaking_force;   /* of each constraint, newtons, >= 0; 0: none breaks; default 0; see gphys_break */
-    float bending_stiffness; /* of a rope, E I in N m^2, >= 0; 0: it bends freely; default 0; see below */
+    float bending_stiffness; /* of ropes, E I in N m^2, >= 0; 0: they bend freely; default 0; see below */
 } gphys_body_desc;
 /* Woven cloth drapes because it shears and bends easily, and by default sheets do neither: on round or sharp models
  * their rigid constraints cannot all hold, and a sheet moves by centimetres a second until it is brought to rest. It
  * drapes with shear_compliance and bend_compliance of about 1 / (m w^2), where m = mass / (columns * rows) and w = 30
  * rad/s, and a damping of 1 or 2 per second. It hangs with more strain beside its pins; curtains and capes do better
  * with damping alone. docs/solver.md has measured both. */
+/* A bending stiffness makes a rope an elastic rod that is straight at rest: a cable, a fishing rod, a whip. That of a
+ * round rod of radius r is E pi r^4 / 4, with Young's modulus E in pascals. The energy between two links of length l is
+ * bending_stiffness / l (1 - cos of the angle between them). It is part of the equations of the links, so no value is
+ * too stiff for the step. A pinned or attached particle is a hinge; two neighbours hold the direction as well. It acts
+ * on all bodies that are solved directly (gphys_solve_method), not on cloth; where more than two links meet, and beside
+ * a link of length 0, it does not. Links should stretch by little: it also evens out their lengths. Ropes do not resist
+ * twisting. */
 /* Particles that collide with particles are spheres that do not pass through each other whatever their speed;
  * friction and restitution of a pair are the geometric means of its particles' (sqrt(a b)). Within a body with
  * constraints, those collide that were placed further apart than their radii reach and are not linked

@@ -17,6 +17,7 @@ void add(const Body& body, Vec3 gravity, Totals& totals) {
             totals.kinetic += 0.5 * body.particles.mass[p] * length_squared(body.particles.velocity[p]);
         totals.potential -= body.particles.mass[p] * dot(gravity, body.particles.position[p]);
     }
+    totals.potential += bending_energy(body);
     if (body.cloth.volume.held)
         totals.potential += stored_in_volume(body.cloth.volume, volume_of(body.cloth.sheet, body.particles));
     totals.constraints += body.constraints.ids.size();

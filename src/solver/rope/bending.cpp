@@ -31,12 +31,9 @@ void find_bends(Bending& bending, const Plan& plan, const Constraints& constrain
         for (uint32_t i = 1; i < chain.link_count; ++i) {
             const uint32_t link = chain.first_link + i;
             const double before = plan.rest[link - 1], after = plan.rest[link];
-            const double bent = (is_held(i - 1) ? 0 : before) + (is_held(i) ? 0 : after);
+            const double bent = (is_held(i - 1) ? 0 : before / 2) + (is_held(i) ? 0 : after / 2);
             const bool branches = constraints.links[particle[i]].degree > 2;
-            bending.bends[link] = {};
-            if (branches || before == 0 || after == 0 || bent == 0) continue;
-            const double s = std::sqrt(2 * bending.stiffness / bent);
-            bending.bends[link] = {s / before, s / after};
+            bending.bends[link] = branches ? Bend{} : Bend::between(bending.stiffness, before, after, bent);
         }
     }
 }
@@ -49,6 +46,35 @@ void add_bending_forces(const Bending& bending, const Plan& plan, const Vector<V
         forces[p] += strain * (bend.before + bend.after);
         forces[next] -= strain * bend.after;
     });
+}
+
+double bending_energy(const Body& body) {
+    const double stiffness = body.rope.bending.stiffness;
+    const Constraints& constraints = body.constraints;
+    const Particles& particles = body.particles;
+    const bool direct =
+        stiffness > 0 && (body.plan.chains_current ? body.plan.method : method_of(body)) == GPHYS_SOLVE_DIRECT;
+    if (!direct) return 0;
+    const auto bent = [&](const DistanceConstraint& link) {
+        return particles.pinned(link.a) && particles.pinned(link.b) ? 0 : counted_length(link.rest) / 2;
+    };
+    double sum = 0;
+    // The plan may be out of date. Each pair of links is found at that with the lower slot.
+    for (uint32_t slot = 0; slot < constraints.ids.slots(); ++slot) {
+        if (!constraints.ids.live(slot)) continue;
+        const DistanceConstraint& link = constraints.by_slot[slot];
+        for (const uint32_t p : {link.a, link.b}) {
+            const uint32_t other_slot = constraints.links[p].slots ^ slot;
+            if (constraints.links[p].degree != 2 || other_slot < slot) continue;
+            const DistanceConstraint& other = constraints.by_slot[other_slot];
+            const Bend bend = Bend::between(stiffness, counted_length(link.rest), counted_length(other.rest),
+                                            bent(link) + bent(other));
+            sum += length_squared(bend.strain(particles.position[other_end(link, p)], particles.position[p],
+                                              particles.position[other_end(other, p)])) /
+                   2;
+        }
+    }
+    return sum;
 }
 
 void add_bending_impulses(Body& body, const CollisionContext& around, const TimeScheme& scheme) {

@@ -27,6 +27,12 @@ struct CollisionContext;
 struct Bend {
     double before = 0, after = 0;
 
+    /// Between links of these rest lengths, of which `bent` metres belong to the particle and can bend.
+    static Bend between(double stiffness, double before, double after, double bent) {
+        if (before == 0 || after == 0 || bent == 0) return {};
+        const double s = std::sqrt(stiffness / bent);
+        return {s / before, s / after};
+    }
     bool resists() const { return after > 0; }
     Vec3 strain(Vec3 previous, Vec3 at, Vec3 next) const { return (next - at) * after - (at - previous) * before; }
 };
@@ -49,6 +55,9 @@ void find_bends(Bending& bending, const Plan& plan, const Constraints& constrain
 
 /// Adds the forces at the given places, newtons.
 void add_bending_forces(const Bending& bending, const Plan& plan, const Vector<Vec3>& at, Vector<Vec3>& forces);
+
+/// Joules, with the present constraints and pins; 0 for bodies that are not solved directly. May throw std::bad_alloc.
+double bending_energy(const Body& body);
 
 /// Adds the bending forces at attached particles to the impulses of their models.
 void add_bending_impulses(Body& body, const CollisionContext& around, const TimeScheme& scheme);
