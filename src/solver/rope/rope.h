@@ -58,7 +58,7 @@ struct Rope {
     Bending bending;
 
     Vector<DirectRow> rows;       // for the longest chain
-    Vector<StiffRow> stiff_rows;  // the same, four for each particle, if the body resists bending
+    Vector<StiffRow> stiff_rows;  // if the body resists bending: eight that stay 0, then four for each particle
     // By particle:
     Vector<Vec3> solved;    // positions solved with the links alone, before contacts
     Vector<uint8_t> slack;  // if there are limits: whether all its links were slack at the start of the substep

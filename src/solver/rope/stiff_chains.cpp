@@ -8,6 +8,7 @@
 // of two particles, which would be block tridiagonal, are 8 x 8, and take three times as many.
 #include "solver/rope/stiff_chains.h"
 
+#include "foundation/compiler.h"
 #include "solver/rope/rope_contacts.h"
 
 namespace gphys {
@@ -21,25 +22,25 @@ struct Row {
     double value = 0;
 };
 
-/// Eliminates row r and writes its factor.
-void eliminate(Row& row, StiffRow* rows, uint32_t r) {
+/// Eliminates row r and writes its factor. Unrolled, it takes two thirds of the time.
+void eliminate(const Row& row, StiffRow* rows, uint32_t r) {
     StiffRow& out = rows[r];
-    const int first = r < band ? band - static_cast<int>(r) : 0;
-    double scaled[band] = {};  // L D
-    for (int k = first; k < band; ++k) {
-        const StiffRow& before = rows[r - static_cast<uint32_t>(band - k)];
-        // The entry of column j is at before.lower[j + band - k].
+    const StiffRow* const column = rows + r - band;  // by k: the row of the entry's column
+    double scaled[band];                             // L D
+    double pivot = row.at[band], value = row.value;
+    GPHYS_UNROLLED
+    for (int k = 0; k < band; ++k) {
         double sum = row.at[k];
-        for (int j = first; j < k; ++j) sum -= scaled[j] * before.lower[j + band - k];
+        GPHYS_UNROLLED
+        for (int j = 0; j < k; ++j) sum -= scaled[j] * column[k].lower[j + band - k];
         scaled[k] = sum;
-        out.lower[k] = sum * before.inverse_pivot;
-        row.value -= out.lower[k] * before.value;
+        const double entry = sum * column[k].inverse_pivot;
+        pivot -= sum * entry;
+        value -= entry * column[k].value;
+        out.lower[k] = entry;
     }
-    double pivot = row.at[band];
-    for (int k = first; k < band; ++k) pivot -= scaled[k] * out.lower[k];
-    for (int k = 0; k < first; ++k) out.lower[k] = 0;
     out.inverse_pivot = pivot != 0 ? 1 / pivot : 0;  // 0 if the row depends linearly on earlier ones
-    out.value = row.value;
+    out.value = value;
 }
 
 void substitute(StiffRow* rows, uint32_t count) {
@@ -77,6 +78,7 @@ struct ChainBends {
 void solve_stiff(const ChainView& view, StiffRow* stiff, DirectRow* rows, RopeContacts* contacts) {
     const Body& body = view.body;
     const ChainBends bends{view, body.rope.bending, 1 / view.inverse_step_squared};
+    stiff += band;  // those before the first are 0, so that all rows have as many before them
     Link arriving;  // none arrives at the first particle
     const auto is_free = [&](uint32_t i) { return !body.particles.pinned(view.particle(i)); };
     for (uint32_t i = 0; i <= view.chain.link_count; ++i) {
