@@ -2798,7 +2798,7 @@ typedef struct gphys_solver_stats {
     float strain_max;       /* largest |length / rest length - 1| of rigid constraints whose rest length is not 0 */
     float strain_rms;       /* root mean square of the same */
     float kinetic_energy;   /* joules */
-    float potential_energy; /* joules: of gravity, 0 at the solver's origin, of stretch and of held volumes */
+    float potential_energy; /* joules: of gravity, 0 at the solver's origin, of stretch, bending and held volumes */
 } gphys_solver_stats;
 
 /** Counts, strain and energy of a body at present.

@@ -647,6 +647,8 @@ type BodyDesc struct {
 	ShearCompliance float32
 	// of each constraint, newtons, >= 0; 0: none breaks; default 0; see Break
 	BreakingForce float32
+	// of ropes, E I in N m^2, >= 0; 0: they bend freely; default 0; see below
+	BendingStiffness float32
 }
 
 // What all particles of a body share and may change later. Fields as in BodyDesc. Frozen.
@@ -778,7 +780,7 @@ type SolverStats struct {
 	StrainRms float32
 	// joules
 	KineticEnergy float32
-	// joules: of gravity, 0 at the solver's origin, of stretch and of held volumes
+	// joules: of gravity, 0 at the solver's origin, of stretch, bending and held volumes
 	PotentialEnergy float32
 }
 
@@ -1016,6 +1018,7 @@ var (
 	_ [unsafe.Offsetof(C.gphys_body_desc{}.body_layers)]byte = [unsafe.Offsetof(BodyDesc{}.BodyLayers)]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_desc{}.shear_compliance)]byte = [unsafe.Offsetof(BodyDesc{}.ShearCompliance)]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_desc{}.breaking_force)]byte = [unsafe.Offsetof(BodyDesc{}.BreakingForce)]byte{}
+	_ [unsafe.Offsetof(C.gphys_body_desc{}.bending_stiffness)]byte = [unsafe.Offsetof(BodyDesc{}.BendingStiffness)]byte{}
 	_ [C.sizeof_gphys_body_settings]byte = [unsafe.Sizeof(BodySettings{})]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_settings{}.damping)]byte = [unsafe.Offsetof(BodySettings{}.Damping)]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_settings{}.friction)]byte = [unsafe.Offsetof(BodySettings{}.Friction)]byte{}

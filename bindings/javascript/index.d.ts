@@ -452,6 +452,8 @@ export interface BodyDesc {
     shear_compliance: number;
     /** of each constraint, newtons, >= 0; 0: none breaks; default 0; see Break */
     breaking_force: number;
+    /** of ropes, E I in N m^2, >= 0; 0: they bend freely; default 0; see below */
+    bending_stiffness: number;
 }
 /** What all particles of a body share and may change later. Fields as in BodyDesc. Frozen. */
 export interface BodySettings {
@@ -573,7 +575,7 @@ export interface SolverStats {
     strain_rms: number;
     /** joules */
     kinetic_energy: number;
-    /** joules: of gravity, 0 at the solver's origin, of stretch and of held volumes */
+    /** joules: of gravity, 0 at the solver's origin, of stretch, bending and held volumes */
     potential_energy: number;
 }
 /** A particle that touched a model in the last step. Frozen. */

@@ -812,6 +812,8 @@ public partial struct BodyDesc {
     public float ShearCompliance;
     /// <summary>of each constraint, newtons, &gt;= 0; 0: none breaks; default 0; see Break</summary>
     public float BreakingForce;
+    /// <summary>of ropes, E I in N m^2, &gt;= 0; 0: they bend freely; default 0; see below</summary>
+    public float BendingStiffness;
     /// <summary>The defaults of the loaded library, to be changed.</summary>
     public static unsafe BodyDesc Default {
         get {
@@ -967,7 +969,7 @@ public partial struct SolverStats {
     public float StrainRms;
     /// <summary>joules</summary>
     public float KineticEnergy;
-    /// <summary>joules: of gravity, 0 at the solver's origin, of stretch and of held volumes</summary>
+    /// <summary>joules: of gravity, 0 at the solver's origin, of stretch, bending and held volumes</summary>
     public float PotentialEnergy;
 }
 

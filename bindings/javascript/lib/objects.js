@@ -886,22 +886,22 @@ export function objects(memory) {
         }
         addParticles(positions, desc) {
             begin();
-            if (desc != null) { check(native.gphys_body_desc_init(base, 60)); writeBodyDesc(v, 0, desc); }
+            if (desc != null) { check(native.gphys_body_desc_init(base, 64)); writeBodyDesc(v, 0, desc); }
             const positions_ = input(positions, 12, 'positions', 'f32');
             const count = common(positions_);
-            check(native.gphys_solver_add_particles(this.pointer, desc == null ? 0 : base, pass(positions_), 12, count, base + 60));
-            return v.u32[15];
+            check(native.gphys_solver_add_particles(this.pointer, desc == null ? 0 : base, pass(positions_), 12, count, base + 64));
+            return v.u32[16];
         }
         addRope(positions, link_length = 0, desc) {
             begin();
-            if (desc != null) { check(native.gphys_body_desc_init(base, 60)); writeBodyDesc(v, 0, desc); }
+            if (desc != null) { check(native.gphys_body_desc_init(base, 64)); writeBodyDesc(v, 0, desc); }
             const positions_ = input(positions, 12, 'positions', 'f32');
             const count = common(positions_);
-            check(native.gphys_solver_add_rope(this.pointer, desc == null ? 0 : base, pass(positions_), 12, count, real(link_length, 'link_length'), base + 60));
-            return v.u32[15];
+            check(native.gphys_solver_add_rope(this.pointer, desc == null ? 0 : base, pass(positions_), 12, count, real(link_length, 'link_length'), base + 64));
+            return v.u32[16];
         }
         addCloth(corner, edge_u, edge_v, columns, rows, desc) {
-            if (desc != null) { check(native.gphys_body_desc_init(base, 60)); writeBodyDesc(v, 0, desc); }
+            if (desc != null) { check(native.gphys_body_desc_init(base, 64)); writeBodyDesc(v, 0, desc); }
             writeVec3(v, 16, corner);
             writeVec3(v, 20, edge_u);
             writeVec3(v, 24, edge_v);
@@ -909,7 +909,7 @@ export function objects(memory) {
             return v.u32[27];
         }
         addClothMesh(mesh, transform, desc) {
-            if (desc != null) { check(native.gphys_body_desc_init(base, 60)); writeBodyDesc(v, 0, desc); }
+            if (desc != null) { check(native.gphys_body_desc_init(base, 64)); writeBodyDesc(v, 0, desc); }
             if (transform != null) { writeTransform(v, 16, transform); }
             check(native.gphys_solver_add_cloth_mesh(this.pointer, desc == null ? 0 : base, pointer(mesh, Mesh, 'mesh', false), transform == null ? 0 : base + 64, base + 96));
             return v.u32[24];

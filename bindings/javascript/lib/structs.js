@@ -336,6 +336,7 @@ export function writeBodyDesc(v, at, value) {
             case 'body_layers': v.u32[at + 12] = bits(value[name], 'body_layers'); break;
             case 'shear_compliance': v.f32[at + 13] = real(value[name], 'shear_compliance'); break;
             case 'breaking_force': v.f32[at + 14] = real(value[name], 'breaking_force'); break;
+            case 'bending_stiffness': v.f32[at + 15] = real(value[name], 'bending_stiffness'); break;
             default: throw new TypeError(`body_desc has no field ${name}`);
         }
     }

@@ -1008,7 +1008,8 @@ class BodyDesc(Desc, Structure):
         self_collision: 1: its particles collide with one another, see below; default 0
         body_layers: two bodies collide with each other if their masks share a bit; 0: with none; default 0
         shear_compliance: of CLOTH_SHEAR constraints of a grid, m/N, >= 0; 0: as compliance; default 0
-        breaking_force: of each constraint, newtons, >= 0; 0: none breaks; default 0; see Break"""
+        breaking_force: of each constraint, newtons, >= 0; 0: none breaks; default 0; see Break
+        bending_stiffness: of ropes, E I in N m^2, >= 0; 0: they bend freely; default 0; see below"""
 
     __slots__ = ()
     struct_size: int
@@ -1026,9 +1027,10 @@ class BodyDesc(Desc, Structure):
     body_layers: int
     shear_compliance: float
     breaking_force: float
-    _fields_ = [("struct_size", c_uint32), ("mass", c_float), ("radius", c_float), ("damping", c_float), ("friction", c_float), ("restitution", c_float), ("compliance", c_float), ("bend_compliance", c_float), ("cloth_flags", c_uint32), ("layers", c_uint32), ("static_friction", c_float), ("self_collision", c_uint32), ("body_layers", c_uint32), ("shear_compliance", c_float), ("breaking_force", c_float)]
+    bending_stiffness: float
+    _fields_ = [("struct_size", c_uint32), ("mass", c_float), ("radius", c_float), ("damping", c_float), ("friction", c_float), ("restitution", c_float), ("compliance", c_float), ("bend_compliance", c_float), ("cloth_flags", c_uint32), ("layers", c_uint32), ("static_friction", c_float), ("self_collision", c_uint32), ("body_layers", c_uint32), ("shear_compliance", c_float), ("breaking_force", c_float), ("bending_stiffness", c_float)]
 
-    def __init__(self, *, mass: float | None = None, radius: float | None = None, damping: float | None = None, friction: float | None = None, restitution: float | None = None, compliance: float | None = None, bend_compliance: float | None = None, cloth_flags: int | None = None, layers: int | None = None, static_friction: float | None = None, self_collision: int | None = None, body_layers: int | None = None, shear_compliance: float | None = None, breaking_force: float | None = None) -> None:
+    def __init__(self, *, mass: float | None = None, radius: float | None = None, damping: float | None = None, friction: float | None = None, restitution: float | None = None, compliance: float | None = None, bend_compliance: float | None = None, cloth_flags: int | None = None, layers: int | None = None, static_friction: float | None = None, self_collision: int | None = None, body_layers: int | None = None, shear_compliance: float | None = None, breaking_force: float | None = None, bending_stiffness: float | None = None) -> None:
         self._start()
         if mass is not None:
             self.mass = mass
@@ -1058,9 +1060,11 @@ class BodyDesc(Desc, Structure):
             self.shear_compliance = shear_compliance
         if breaking_force is not None:
             self.breaking_force = breaking_force
+        if bending_stiffness is not None:
+            self.bending_stiffness = bending_stiffness
 
 
-body_desc_dtype: dtype[Any] = dtype([("struct_size", "<u4"), ("mass", "<f4"), ("radius", "<f4"), ("damping", "<f4"), ("friction", "<f4"), ("restitution", "<f4"), ("compliance", "<f4"), ("bend_compliance", "<f4"), ("cloth_flags", "<u4"), ("layers", "<u4"), ("static_friction", "<f4"), ("self_collision", "<u4"), ("body_layers", "<u4"), ("shear_compliance", "<f4"), ("breaking_force", "<f4")])
+body_desc_dtype: dtype[Any] = dtype([("struct_size", "<u4"), ("mass", "<f4"), ("radius", "<f4"), ("damping", "<f4"), ("friction", "<f4"), ("restitution", "<f4"), ("compliance", "<f4"), ("bend_compliance", "<f4"), ("cloth_flags", "<u4"), ("layers", "<u4"), ("static_friction", "<f4"), ("self_collision", "<u4"), ("body_layers", "<u4"), ("shear_compliance", "<f4"), ("breaking_force", "<f4"), ("bending_stiffness", "<f4")])
 BodyDesc.dtype = body_desc_dtype
 
 
@@ -1278,7 +1282,7 @@ class SolverStats(Value, Structure):
         strain_max: largest |length / rest length - 1| of rigid constraints whose rest length is not 0
         strain_rms: root mean square of the same
         kinetic_energy: joules
-        potential_energy: joules: of gravity, 0 at the solver's origin, of stretch and of held volumes"""
+        potential_energy: joules: of gravity, 0 at the solver's origin, of stretch, bending and held volumes"""
 
     __slots__ = ()
     particle_count: int

@@ -738,6 +738,8 @@ pub struct BodyDesc {
     pub shear_compliance: f32,
     /// of each constraint, newtons, >= 0; 0: none breaks; default 0; see `Break`
     pub breaking_force: f32,
+    /// of ropes, E I in N m^2, >= 0; 0: they bend freely; default 0; see below
+    pub bending_stiffness: f32,
 }
 
 /// What all particles of a body share and may change later. Fields as in `BodyDesc`. Frozen.
@@ -889,7 +891,7 @@ pub struct SolverStats {
     pub strain_rms: f32,
     /// joules
     pub kinetic_energy: f32,
-    /// joules: of gravity, 0 at the solver's origin, of stretch and of held volumes
+    /// joules: of gravity, 0 at the solver's origin, of stretch, bending and held volumes
     pub potential_energy: f32,
 }
 
@@ -975,7 +977,7 @@ const _: () = {
     assert!(std::mem::size_of::<OrbitSpeeds>() == 20);
     assert!(std::mem::size_of::<SolverDesc>() == 80);
     assert!(std::mem::size_of::<SolverSettings>() == 52);
-    assert!(std::mem::size_of::<BodyDesc>() == 60);
+    assert!(std::mem::size_of::<BodyDesc>() == 64);
     assert!(std::mem::size_of::<BodySettings>() == 28);
     assert!(std::mem::size_of::<BodyInfo>() == 20);
     assert!(std::mem::size_of::<Wind>() == 24);
@@ -1025,7 +1027,7 @@ const _: () = {
     assert!(std::mem::size_of::<OrbitSpeeds>() == 20);
     assert!(std::mem::size_of::<SolverDesc>() == 68);
     assert!(std::mem::size_of::<SolverSettings>() == 52);
-    assert!(std::mem::size_of::<BodyDesc>() == 60);
+    assert!(std::mem::size_of::<BodyDesc>() == 64);
     assert!(std::mem::size_of::<BodySettings>() == 28);
     assert!(std::mem::size_of::<BodyInfo>() == 20);
     assert!(std::mem::size_of::<Wind>() == 24);
@@ -1287,6 +1289,7 @@ fn fields_stand_where_c_has_them() {
     assert_eq!(unsafe { std::ptr::addr_of!((*p).body_layers) } as usize - p as usize, 48);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).shear_compliance) } as usize - p as usize, 52);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).breaking_force) } as usize - p as usize, 56);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).bending_stiffness) } as usize - p as usize, 60);
     let s = std::mem::MaybeUninit::<BodySettings>::uninit();
     let p = s.as_ptr();
     assert_eq!(unsafe { std::ptr::addr_of!((*p).damping) } as usize - p as usize, 0);

@@ -30,7 +30,7 @@ module Gamephys
     end
 
     class BodyDesc < FFI::Struct
-      layout :struct_size, :uint32, :mass, :float, :radius, :float, :damping, :float, :friction, :float, :restitution, :float, :compliance, :float, :bend_compliance, :float, :cloth_flags, :uint32, :layers, :uint32, :static_friction, :float, :self_collision, :uint32, :body_layers, :uint32, :shear_compliance, :float, :breaking_force, :float
+      layout :struct_size, :uint32, :mass, :float, :radius, :float, :damping, :float, :friction, :float, :restitution, :float, :compliance, :float, :bend_compliance, :float, :cloth_flags, :uint32, :layers, :uint32, :static_friction, :float, :self_collision, :uint32, :body_layers, :uint32, :shear_compliance, :float, :breaking_force, :float, :bending_stiffness, :float
     end
 
     attach_function :gphys_version, [], :uint32

@@ -10,7 +10,7 @@ import java.nio.ByteBuffer;
  * </pre>
  */
 public final class BodyDesc {
-    private final ByteBuffer memory = Batch.direct(60);
+    private final ByteBuffer memory = Batch.direct(64);
 
     public BodyDesc() {
         Low.check(Low.gphys_body_desc_init(pointer(), memory.capacity()));
@@ -215,5 +215,19 @@ public final class BodyDesc {
 
     public float breakingForce() {
         return memory.getFloat(56);
+    }
+
+    /**
+     * <pre>
+     * of ropes, E I in N m^2, &gt;= 0; 0: they bend freely; default 0; see below
+     * </pre>
+     */
+    public BodyDesc bendingStiffness(float value) {
+        memory.putFloat(60, value);
+        return this;
+    }
+
+    public float bendingStiffness() {
+        return memory.getFloat(60);
     }
 }
