@@ -70,6 +70,8 @@ void fill(Program& p, gphys_solver* solver, const gphys_scene* scene, gphys_mode
         desc.compliance = p.one_in(2) ? 1e-4f : 0;
         desc.self_collision = p.one_in(3) ? 1 : 0;
         desc.body_layers = p.below(2);
+        // By an earlier choice, so that the programs of the corpus keep their meaning.
+        desc.bending_stiffness = desc.body_layers == 1 ? 0.1f : 0;
         const float x = static_cast<float>(i), y = 0.05f + static_cast<float>(p.below(3)) / 2;
         const gphys_vec3 points[5] = {{x, y, 0}, {x, y, 0.5f}, {x, y, 1}, {x, y + 0.3f, 1.5f}, {x, y, 2}};
         const gphys_vec3 u{1, 0, 0}, v{0, 0, 1};

@@ -108,6 +108,7 @@ void World::add_body() {
     desc.body_layers = p_.below(3);
     // By an earlier choice, so that the programs of the corpus keep their meaning.
     desc.shear_compliance = desc.body_layers == 2 ? 1e-2f : 0;
+    desc.bending_stiffness = desc.restitution > 0 ? 0.1f : 0;
     if (p_.one_in(6)) desc.layers = 0;
     p_.spoil(desc, 20);
     desc.struct_size = p_.one_in(40) ? p_.byte() : sizeof desc;

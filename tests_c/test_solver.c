@@ -75,9 +75,16 @@ static void test_body_desc(void** state) {
     fixture* f = *state;
     gphys_body_desc desc;
     gphys_body_id body = 7;
-    float* const amounts[] = {
-        &desc.mass,       &desc.radius,          &desc.damping,         &desc.friction,        &desc.restitution,
-        &desc.compliance, &desc.bend_compliance, &desc.static_friction, &desc.shear_compliance};
+    float* const amounts[] = {&desc.mass,
+                              &desc.radius,
+                              &desc.damping,
+                              &desc.friction,
+                              &desc.restitution,
+                              &desc.compliance,
+                              &desc.bend_compliance,
+                              &desc.static_friction,
+                              &desc.shear_compliance,
+                              &desc.bending_stiffness};
     size_t field, i;
     assert_int_equal(gphys_body_desc_init(NULL, sizeof desc), BAD);
     assert_int_equal(gphys_body_desc_init(&desc, 3), GPHYS_ERROR_STRUCT_SIZE);

@@ -191,6 +191,15 @@ const State states[] = {
          world.pin(rope, 0);
      },
      8},
+    {"ropes that resist bending",
+     [](World& world) {
+         add_floor(world);
+         gphys_body_desc desc = World::body_desc();
+         desc.bending_stiffness = 0.1f;
+         world.pin(world.rope(line({0, 0.3f, 0}, {0.1f, 0, 0}, 4), 0, desc), 0);
+         world.rope(line({0, 0.1f, 1}, {0.1f, 0, 0.1f}, 3), 0, desc);
+     },
+     8},
     {"sleepers",
      [](World& world) {
          replace_solver(world, with_sleep());

@@ -467,6 +467,8 @@ void add_impulses_through_held(Body& body, const CollisionContext& around, const
             add_to_holder(b, -pull);
         }
     }
+    each_bending_force(body.rope.bending, body.plan, body.particles.position,
+                       [&](uint32_t p, Vec3 force) { add_to_holder(p, force * to_impulse); });
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         add_to_holder(p, (body.history.predicted[p] - body.rope.solved[p]) * (body.particles.mass[p] * again.rate));
     }

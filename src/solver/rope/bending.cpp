@@ -5,21 +5,6 @@
 #include "solver/contact/impulses.h"
 
 namespace gphys {
-namespace {
-
-/// visit(previous particle, particle, next one, bend) where chains resist bending.
-template <class Visit>
-void each_bend(const Bending& bending, const Plan& plan, Visit&& visit) {
-    for (const Chain& chain : plan.chains) {
-        const uint32_t* const particle = &plan.particles[chain.first_particle];
-        for (uint32_t i = 1; i < chain.link_count; ++i) {
-            const Bend& bend = bending.bends[chain.first_link + i];
-            if (bend.resists()) visit(particle[i - 1], particle[i], particle[i + 1], bend);
-        }
-    }
-}
-
-}  // namespace
 
 void find_bends(Bending& bending, const Plan& plan, const Constraints& constraints, const Particles& particles) {
     if (!bending.resists()) return;
@@ -36,16 +21,6 @@ void find_bends(Bending& bending, const Plan& plan, const Constraints& constrain
             bending.bends[link] = branches ? Bend{} : Bend::between(bending.stiffness, before, after, bent);
         }
     }
-}
-
-void add_bending_forces(const Bending& bending, const Plan& plan, const Vector<Vec3>& at, Vector<Vec3>& forces) {
-    if (!bending.resists()) return;
-    each_bend(bending, plan, [&](uint32_t previous, uint32_t p, uint32_t next, const Bend& bend) {
-        const Vec3 strain = bend.strain(at[previous], at[p], at[next]);
-        forces[previous] -= strain * bend.before;
-        forces[p] += strain * (bend.before + bend.after);
-        forces[next] -= strain * bend.after;
-    });
 }
 
 double bending_energy(const Body& body) {
@@ -78,19 +53,13 @@ double bending_energy(const Body& body) {
 }
 
 void add_bending_impulses(Body& body, const CollisionContext& around, const TimeScheme& scheme) {
-    const Bending& bending = body.rope.bending;
-    if (!bending.resists()) return;
-    const Vector<Vec3>&now = body.particles.position, &before = body.history.start;
-    each_bend(bending, body.plan, [&](uint32_t previous, uint32_t p, uint32_t next, const Bend& bend) {
-        const Vec3 impulse = bend.strain(now[previous], now[p], now[next]) * scheme.h +
-                             bend.strain(before[previous], before[p], before[next]) * scheme.explicit_h;
-        const auto add = [&](uint32_t particle, double factor) {
-            if (body.particles.pinned(particle)) add_anchor_impulse(body, around, particle, impulse * factor);
-        };
-        add(previous, -bend.before);
-        add(p, bend.before + bend.after);
-        add(next, -bend.after);
-    });
+    const auto add = [&](const Vector<Vec3>& at, double seconds) {
+        each_bending_force(body.rope.bending, body.plan, at, [&](uint32_t p, Vec3 force) {
+            if (body.particles.pinned(p)) add_anchor_impulse(body, around, p, force * seconds);
+        });
+    };
+    add(body.particles.position, scheme.h);
+    if (scheme.explicit_h > 0) add(body.history.start, scheme.explicit_h);
 }
 
 }  // namespace gphys

@@ -13,13 +13,13 @@
 
 #include "foundation/math.h"
 #include "foundation/memory.h"
+#include "solver/plan.h"
 
 namespace gphys {
 
 struct Body;
 struct Constraints;
 struct Particles;
-struct Plan;
 struct TimeScheme;
 struct CollisionContext;
 
@@ -53,8 +53,22 @@ struct Bending {
 /// does not bend, so only the other half counts: then a clamped end is exact to second order in the lengths of links.
 void find_bends(Bending& bending, const Plan& plan, const Constraints& constraints, const Particles& particles);
 
-/// Adds the forces at the given places, newtons.
-void add_bending_forces(const Bending& bending, const Plan& plan, const Vector<Vec3>& at, Vector<Vec3>& forces);
+/// Calls visit(particle, newtons), three times for each bend, with the forces at the given places.
+template <class Visit>
+void each_bending_force(const Bending& bending, const Plan& plan, const Vector<Vec3>& at, Visit&& visit) {
+    if (!bending.resists()) return;
+    for (const Chain& chain : plan.chains) {
+        const uint32_t* const particle = &plan.particles[chain.first_particle];
+        for (uint32_t i = 1; i < chain.link_count; ++i) {
+            const Bend& bend = bending.bends[chain.first_link + i];
+            if (!bend.resists()) continue;
+            const Vec3 strain = bend.strain(at[particle[i - 1]], at[particle[i]], at[particle[i + 1]]);
+            visit(particle[i - 1], strain * -bend.before);
+            visit(particle[i], strain * (bend.before + bend.after));
+            visit(particle[i + 1], strain * -bend.after);
+        }
+    }
+}
 
 /// Joules, with the present constraints and pins; 0 for bodies that are not solved directly. May throw std::bad_alloc.
 double bending_energy(const Body& body);

@@ -48,7 +48,8 @@ void predict_chains(Body& body, const TimeScheme& scheme, Vec3 gravity) {
     Vector<Vec3>& link_forces = body.history.predicted;  // which is not in use yet
     if (scheme.explicit_h > 0) {
         sum_tensions(body.rope, body.plan, body.particles, link_forces);
-        add_bending_forces(body.rope.bending, body.plan, body.particles.position, link_forces);
+        each_bending_force(body.rope.bending, body.plan, body.particles.position,
+                           [&](uint32_t p, Vec3 force) { link_forces[p] += force; });
     }
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (body.particles.pinned(p)) continue;
