@@ -27,9 +27,10 @@ double bending_energy(const Body& body) {
     const double stiffness = body.rope.bending.stiffness;
     const Constraints& constraints = body.constraints;
     const Particles& particles = body.particles;
+    // Whether the links are a forest is known from the last step. Before that, by their number, without a search.
     const bool direct =
-        stiffness > 0 && (body.plan.chains_current ? body.plan.method : method_of(body)) == GPHYS_SOLVE_DIRECT;
-    if (!direct) return 0;
+        body.plan.chains_current ? body.plan.method == GPHYS_SOLVE_DIRECT : constraints.ids.size() < particles.size();
+    if (stiffness == 0 || !direct) return 0;
     const auto bent = [&](const DistanceConstraint& link) {
         return particles.pinned(link.a) && particles.pinned(link.b) ? 0 : counted_length(link.rest) / 2;
     };

@@ -70,7 +70,7 @@ void each_bending_force(const Bending& bending, const Plan& plan, const Vector<V
     }
 }
 
-/// Joules, with the present constraints and pins; 0 for bodies that are not solved directly. May throw std::bad_alloc.
+/// Joules, with the present constraints and pins; 0 for bodies that are not solved directly.
 double bending_energy(const Body& body);
 
 /// Adds the bending forces at attached particles to the impulses of their models.

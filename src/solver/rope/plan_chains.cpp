@@ -85,7 +85,7 @@ void plan_direct_chains(Plan& plan, Rope& rope, const Constraints& constraints) 
     rope.tension.assign(plan.rest.size(), 0.0);
     if (!rope.bending.resists()) return;
     rope.bending.bends.assign(plan.rest.size(), Bend{});
-    rope.stiff_rows.resize(stiff_band + 4 * rope.rows.size());
+    rope.stiff_rows.resize(4 * rope.rows.size() + 2 * stiff_band);
 }
 
 }  // namespace gphys

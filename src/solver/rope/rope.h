@@ -58,7 +58,7 @@ struct Rope {
     Bending bending;
 
     Vector<DirectRow> rows;       // for the longest chain
-    Vector<StiffRow> stiff_rows;  // if the body resists bending: eight that stay 0, then four for each particle
+    Vector<StiffRow> stiff_rows;  // if the body resists bending: four for each particle, between eight of zeros
     // By particle:
     Vector<Vec3> solved;    // positions solved with the links alone, before contacts
     Vector<uint8_t> slack;  // if there are limits: whether all its links were slack at the start of the substep

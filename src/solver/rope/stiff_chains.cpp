@@ -44,9 +44,12 @@ void eliminate(const Row& row, StiffRow* rows, uint32_t r) {
 }
 
 void substitute(StiffRow* rows, uint32_t count) {
+    std::fill_n(rows + count, band, StiffRow{});  // so that all rows have as many after them, too
     for (uint32_t r = count; r-- > 0;) {
         double sum = rows[r].value * rows[r].inverse_pivot;
-        for (uint32_t k = 1; k <= band && r + k < count; ++k) sum -= rows[r + k].lower[band - k] * rows[r + k].value;
+        // The row that has just become known comes last, so that the sum need not wait for it.
+        GPHYS_UNROLLED
+        for (uint32_t k = band; k > 0; --k) sum -= rows[r + k].lower[band - k] * rows[r + k].value;
         rows[r].value = sum;
     }
 }
@@ -73,6 +76,19 @@ struct ChainBends {
     }
 };
 
+/// K of a link, see rope_direct.cpp.
+struct Geometric {
+    double at[3][3] = {};
+
+    Geometric() = default;
+    explicit Geometric(const Link& link) {
+        for (int r = 0; r < 3; ++r) {
+            const double along = link.stiffness * link.direction[r];
+            for (int c = 0; c < 3; ++c) at[r][c] = (r == c ? link.stiffness : 0) - along * link.direction[c];
+        }
+    }
+};
+
 }  // namespace
 
 void solve_stiff(const ChainView& view, StiffRow* stiff, DirectRow* rows, RopeContacts* contacts) {
@@ -80,10 +96,12 @@ void solve_stiff(const ChainView& view, StiffRow* stiff, DirectRow* rows, RopeCo
     const ChainBends bends{view, body.rope.bending, 1 / view.inverse_step_squared};
     stiff += band;  // those before the first are 0, so that all rows have as many before them
     Link arriving;  // none arrives at the first particle
+    Geometric arriving_stiffness;
     const auto is_free = [&](uint32_t i) { return !body.particles.pinned(view.particle(i)); };
     for (uint32_t i = 0; i <= view.chain.link_count; ++i) {
         const uint32_t p = view.particle(i);
         const Link leaving = i < view.chain.link_count ? view.link(i) : Link{};
+        const Geometric leaving_stiffness(leaving);
         const bool free = is_free(i), next_to_free = i > 0 && is_free(i - 1);
         Row x[3];
         if (free) {
@@ -108,15 +126,13 @@ void solve_stiff(const ChainView& view, StiffRow* stiff, DirectRow* rows, RopeCo
             const double to_second = before.before * before.after * bends.step_squared;
             const bool second_free = i > 1 && is_free(i - 2);
             for (int r = 0; r < 3; ++r) {
-                Vec3 axis;
-                axis[r] = 1;
-                const Vec3 of_links = arriving.geometric(axis) + leaving.geometric(axis);
-                for (int c = 0; c <= r; ++c) x[r].at[band - (r - c)] = of_links[c] + of_contacts[r][c];
+                for (int c = 0; c <= r; ++c)
+                    x[r].at[band - (r - c)] =
+                        arriving_stiffness.at[r][c] + leaving_stiffness.at[r][c] + of_contacts[r][c];
                 x[r].at[band] += m + lateral;
                 x[r].value = force[r];
                 if (next_to_free) {
-                    const Vec3 of_link = -arriving.geometric(axis);
-                    for (int c = 0; c < 3; ++c) x[r].at[band - (4 + r - c)] = of_link[c];
+                    for (int c = 0; c < 3; ++c) x[r].at[band - (4 + r - c)] = -arriving_stiffness.at[r][c];
                     x[r].at[band - 4] += to_previous;
                 }
                 if (second_free) x[r].at[band - 8] = to_second;
@@ -136,6 +152,7 @@ void solve_stiff(const ChainView& view, StiffRow* stiff, DirectRow* rows, RopeCo
         for (uint32_t r = 0; r < 3; ++r) eliminate(x[r], stiff, 4 * i + r);
         eliminate(tension, stiff, 4 * i + 3);
         arriving = leaving;
+        arriving_stiffness = leaving_stiffness;
     }
     substitute(stiff, 4 * (view.chain.link_count + 1));
     for (uint32_t i = 0; i <= view.chain.link_count; ++i) {
