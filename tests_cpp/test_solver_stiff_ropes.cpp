@@ -259,6 +259,41 @@ TEST_CASE("A stiff cable lies on two supports and on the ground, and balances on
     CHECK(end < -0.5);
 }
 
+TEST_CASE("Supports carry the weight of a stiff cable, alone or joined") {
+    for (const bool joined : {false, true}) {
+        CAPTURE(joined);
+        World world;
+        for (const float x : {-0.7f, 0.7f}) world.box({0.1f, 0.1f, 0.5f}, {x, 0.15f, 0});
+        const gphys_body_id body = world.rope(test::line({-1, 0.27f, 0}, {0.05f, 0, 0}, 41), 0, stiff(10, 0.5, 0.2));
+        double weight = 0.5 * 9.81;
+        if (joined) {
+            gphys_joint_id joint = 0;
+            const gphys_body_id load = world.particles({{0, 0.27f, 0}}, stiff(0, 0.2));
+            REQUIRE(gphys_solver_join(world.solver, body, 20, load, 0, 0, 0, &joint) == GPHYS_OK);
+            weight += 0.2 * 9.81;
+        }
+        for (int i = 0; i < 600; ++i) world.step(frame);
+        double carried = 0;
+        for (int i = 0; i < 60; ++i) {
+            world.step(frame);
+            for (const gphys_impulse& impulse : test::impulses(world)) carried -= double{impulse.linear.y};
+        }
+        figure("impulses on the supports in a second, of the weight", carried / weight, "");
+        CHECK(std::fabs(carried / weight - 1) < 0.01);
+    }
+}
+
+TEST_CASE("A stiff rod slides by Coulomb's law") {
+    World world;
+    world.box({5, 0.5f, 5}, {0, -0.5f, 0});
+    const gphys_body_id rod = world.rope(test::line({0, 0.01f, 0}, {0.05f, 0, 0.02f}, 21), 0, stiff(5, 0.5));
+    for (uint32_t i = 0; i < 21; ++i) world.set_velocity(rod, i, {0, 0, 2});
+    for (int i = 0; i < 120; ++i) world.step(frame);
+    const double way = world.position(rod, 0).z, exact = 4 / (2 * 0.5 * 9.81);
+    figure("way, of the exact one", way / exact, "");
+    CHECK(std::fabs(way / exact - 1) < 0.01);
+}
+
 TEST_CASE("A model that holds two particles carries the weight of the rod and its moment, and turns it") {
     World world;
     const gphys_aabb shape{{-0.1f, -0.1f, -0.1f}, {0.1f, 0.1f, 0.1f}};
@@ -365,6 +400,18 @@ TEST_CASE("Rods that may meet, hang by links that only pull, or change their len
     settings.rest_length = 0.05f * static_cast<float>(std::sqrt(2.0));  // F L^2 / E I = 2
     REQUIRE(gphys_solver_set_constraint_settings(grows.solver, grows.body, ids.data(), &settings, 0, 20) == GPHYS_OK);
     CHECK(std::fabs(-grows.tip_at_rest().y / std::sqrt(2.0) / 0.49346 - 1) < 5e-3);
+}
+
+TEST_CASE("The bound of an animation target stops a rod, which then bends like a propped one") {
+    Cantilever bar(1, 20, stiff(1, 1, 2));
+    bar.load({0, -1, 0});
+    const gphys_animation_target bound{{1, 0, 0}, {0, 1, 0}, 0.1f, INFINITY};
+    REQUIRE(gphys_solver_set_animation_targets(bar.solver, bar.body, bar.tip, 1, &bound, 0) == GPHYS_OK);
+    const Vec3 tip = bar.tip_at_rest();
+    CHECK(std::fabs(distance(tip, {1, 0, 0}) - 0.1) < 1e-4);
+    // A load at the tip bends a bar by (3 x^2 - x^3) / 2 of the tip's deflection.
+    CHECK(std::fabs(bar.position(bar.body, 11).y / tip.y - 0.3125) < 0.01);
+    for (const gphys_vec3& v : bar.velocities(bar.body)) CHECK(length(widen(v)) < 1e-4);
 }
 
 TEST_CASE("Stiff ropes go on alike after a snapshot, and with any number of threads") {

@@ -60,24 +60,25 @@ void place_ball(RopeContact& contact, const AnimationTargets& targets, uint32_t 
     contact.outside = ball.offset;
 }
 
-/// By particle, into Rope::solved: the force that has moved it from its predicted position besides those of its links,
-/// times the square of the step, kg m. Summed over all particles this is exactly their change of momentum, however far
-/// the iterations have converged.
-template <class Place>
-void find_contact_forces(Body& body, double step, Place&& place) {
+/// By particle, into Rope::solved: the force that has moved it from its predicted position besides those of its links
+/// and bends, times the square of the step, kg m. Summed over all particles this is exactly their change of momentum,
+/// however far the iterations have converged.
+void find_contact_forces(Body& body, double step, const Vector<Vec3>& at) {
     const Plan& plan = body.plan;
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
-        body.rope.solved[p] = (place(p) - body.history.predicted[p]) * body.particles.mass[p];
+        body.rope.solved[p] = (at[p] - body.history.predicted[p]) * body.particles.mass[p];
     }
     for (const Chain& chain : plan.chains) {
         for (uint32_t i = 0; i < chain.link_count; ++i) {
             const uint32_t a = plan.particles[chain.first_particle + i],
                            b = plan.particles[chain.first_particle + i + 1];
-            const Vec3 pull = direction(place(a), place(b)) * (body.rope.tension[chain.first_link + i] * step * step);
+            const Vec3 pull = direction(at[a], at[b]) * (body.rope.tension[chain.first_link + i] * step * step);
             body.rope.solved[a] -= pull;
             body.rope.solved[b] += pull;
         }
     }
+    each_bending_force(body.rope.bending, plan, at,
+                       [&](uint32_t p, Vec3 force) { body.rope.solved[p] -= force * (step * step); });
 }
 
 }  // namespace
@@ -344,7 +345,7 @@ bool RopeContacts::is_slow(const RopeContact& contact, const Body& body, uint32_
 /// Guesses the normal forces of contacts that have just been found, from the tensions of the last substep: those that
 /// would keep their particles where they are on the model.
 void RopeContacts::guess_forces(Body& body, double step) {
-    find_contact_forces(body, step, [&](uint32_t p) { return body.history.start[p]; });
+    find_contact_forces(body, step, body.history.start);
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (body.particles.pinned(p)) continue;
         each_of_models(p, [&](RopeContact& contact) {
@@ -559,9 +560,7 @@ void RopeContacts::finish(Body& body, const CollisionContext& around, double bou
     std::fill(body.contacts.held.begin(), body.contacts.held.end(), uint8_t{0});
     const BodySettings& settings = body.settings;
     const double rate = scheme.next / scheme.h;  // 1/s: a correction of the position changes the velocity by this
-    if (active_)
-        find_contact_forces(body, scheme.step(settings.damping),
-                            [&](uint32_t p) { return body.particles.position[p]; });
+    if (active_) find_contact_forces(body, scheme.step(settings.damping), body.particles.position);
     for (uint32_t p = 0; p < body.particles.size() && active_; ++p) {
         if (body.particles.pinned(p)) continue;
         bool sticks = false;
