@@ -371,14 +371,10 @@ static void test_advance(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_ropes),
-        cmocka_unit_test(test_cloth),
-        cmocka_unit_test(test_changes),
-        cmocka_unit_test(test_stiff_ropes),
-        cmocka_unit_test(test_tears),
-        cmocka_unit_test(test_collisions_of_particles),
-        cmocka_unit_test(test_sleepers),
-        cmocka_unit_test(test_step_after_one_that_failed),
+        cmocka_unit_test(test_ropes),    cmocka_unit_test(test_cloth),
+        cmocka_unit_test(test_changes),  cmocka_unit_test(test_stiff_ropes),
+        cmocka_unit_test(test_tears),    cmocka_unit_test(test_collisions_of_particles),
+        cmocka_unit_test(test_sleepers), cmocka_unit_test(test_step_after_one_that_failed),
         cmocka_unit_test(test_advance),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
