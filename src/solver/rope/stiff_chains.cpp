@@ -5,7 +5,7 @@
 // stays quasi-definite, and L D L^T without pivoting exists (Vanderbei 1995).
 //
 // Why rows and not blocks: the band of scalars takes 60 multiplications a row and has no fill that is not used. Blocks
-// of two particles, which would be block tridiagonal, are 8 x 8, and take three times as many.
+// of two particles, which would be block tridiagonal, are 8 x 8, and take twice as many.
 #include "solver/rope/stiff_chains.h"
 
 #include "foundation/compiler.h"
