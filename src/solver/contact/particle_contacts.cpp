@@ -27,8 +27,9 @@ constexpr double fallen_layers = 16;
 constexpr double least_error = 1e-3, shallow_overlap = 0.03, deep_overlap = 0.06;  // in sums of the radii
 
 double error_of_sweeps(double overlap, double radii, Vec3 gravity, double h) {
-    const double shallow = (deep_overlap - overlap / radii) / (deep_overlap - shallow_overlap);
-    const double fallen = fallen_layers * length(gravity) * h * h * std::clamp(shallow, 0.0, 1.0);
+    double fallen = fallen_layers * length(gravity) * h * h;
+    if (overlap > shallow_overlap * radii)
+        fallen *= std::max(0.0, (deep_overlap - overlap / radii) / (deep_overlap - shallow_overlap));
     return std::clamp(fallen, least_error * radii, most_correction * radii);
 }
 
