@@ -383,7 +383,9 @@ GPHYS_API gphys_status gphys_shape_closest_point_batch(gphys_shape_type type, co
 
 /** The closest points of two segments and their distance. Parallel segments have many: the first
  *  along a, always the same.
- *  @param out_a, out_b, out_distance  each may be NULL; metres
+ *  @param out_a         may be NULL; metres
+ *  @param out_b         may be NULL; metres
+ *  @param out_distance  may be NULL; metres
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_segment_closest_points(const gphys_segment* a, const gphys_segment* b, gphys_vec3* out_a,
                                                     gphys_vec3* out_b, float* out_distance);
@@ -399,8 +401,8 @@ GPHYS_API gphys_status gphys_segment_closest_points(const gphys_segment* a, cons
 GPHYS_API gphys_status gphys_shape_overlaps(gphys_shape_type a_type, const void* a, gphys_shape_type b_type,
                                             const void* b, int32_t* out_overlaps);
 /** Whether the shapes of each of count pairs overlap, as gphys_shape_overlaps: pair i is a[i] against b[i].
- *  @param a, b          shapes of one type each; a stride of 0 tests one shape against many, and a mesh
- *                       needs 0
+ *  @param a             shapes of one type; a stride of 0 tests one shape against many, and a mesh needs 0
+ *  @param b             shapes of one type; a stride of 0 tests one shape against many, and a mesh needs 0
  *  @param out_overlaps  count elements, each 0 or 1
  *  @return GPHYS_ERROR_UNSUPPORTED for rays and segments
  *  Cost: that of count single calls. */
@@ -493,10 +495,11 @@ GPHYS_API gphys_status gphys_shape_sweep(gphys_shape_type type, const void* shap
 
 /** First contacts of count moving shapes of one type with count shapes of another, as gphys_shape_sweep: moving[i] with
  *  shapes[i]. One that touches nothing gets t = INFINITY, triangle = GPHYS_NO_TRIANGLE and zeros.
- *  @param shapes, moving  shapes of one type each; a stride of 0 takes one throughout, and a mesh needs 0
- *  @param moving_type     sphere, capsule, AABB or OBB
- *  @param displacements   metres; a stride of 0 moves all alike
- *  @param out_hits        count elements
+ *  @param shapes         shapes of one type; a stride of 0 takes one throughout, and a mesh needs 0
+ *  @param moving         shapes of one type; a stride of 0 takes one throughout, and a mesh needs 0
+ *  @param moving_type    sphere, capsule, AABB or OBB
+ *  @param displacements  metres; a stride of 0 moves all alike
+ *  @param out_hits       count elements
  *  @return GPHYS_ERROR_UNSUPPORTED as gphys_shape_sweep
  *  Cost: that of count single calls.  Since 1.1. */
 GPHYS_API gphys_status gphys_shape_sweep_batch(gphys_shape_type type, const void* shapes, uint32_t shape_stride,
@@ -527,7 +530,8 @@ GPHYS_API gphys_status gphys_shape_penetration(gphys_shape_type type, const void
 /** The shortest translations that take count shapes of one type out of count shapes of another, as
  *  gphys_shape_penetration: moving[i] out of shapes[i]. One that overlaps nothing gets depth = -INFINITY,
  *  triangle = GPHYS_NO_TRIANGLE and zeros.
- *  @param shapes, moving    shapes of one type each; a stride of 0 takes one throughout, and a mesh needs 0
+ *  @param shapes            shapes of one type; a stride of 0 takes one throughout, and a mesh needs 0
+ *  @param moving            shapes of one type; a stride of 0 takes one throughout, and a mesh needs 0
  *  @param moving_type       sphere, capsule, AABB or OBB
  *  @param out_penetrations  count elements
  *  @return GPHYS_ERROR_UNSUPPORTED as gphys_shape_penetration
@@ -555,7 +559,9 @@ GPHYS_API gphys_status gphys_frustum_corners(const gphys_frustum* frustum, gphys
 GPHYS_API gphys_status gphys_planes_intersection(const gphys_plane* a, const gphys_plane* b, const gphys_plane* c,
                                                  gphys_vec3* out_point);
 /** The points of count triples of planes, as gphys_planes_intersection; one without gets x = y = z = INFINITY.
- *  @param a, b, c     count planes each; a stride of 0 takes one for all
+ *  @param a           count planes; a stride of 0 takes one for all
+ *  @param b           count planes; a stride of 0 takes one for all
+ *  @param c           count planes; a stride of 0 takes one for all
  *  @param out_points  count elements
  *  Cost: that of count single calls.  Since 1.1. */
 GPHYS_API gphys_status gphys_planes_intersection_batch(const gphys_plane* a, uint32_t a_stride, const gphys_plane* b,
@@ -994,8 +1000,8 @@ GPHYS_API gphys_status gphys_scene_get_scene_bounds(const gphys_scene* scene, gp
  *  crouches, a level of detail changes, a wall breaks. Its id, parent, children, tag, layers, scale and
  *  transforms stay. Sleeping bodies near it wake, and particles that are inside then come out as they do
  *  of any solid.
- *  @param type, shape  as in gphys_scene_add: a struct, copied, or a mesh with GPHYS_SHAPE_MESH. The scene
- *                      holds the new mesh and no longer the old one, which may be the same.
+ *  @param shape  as in gphys_scene_add: a struct, copied, or a mesh with GPHYS_SHAPE_MESH. The scene holds the new mesh
+ *                and no longer the old one, which may be the same.
  *  @return GPHYS_ERROR_UNSUPPORTED for a frustum, ray or segment, and for a shape that cannot have the
  *          model's scale (gphys_scene_set_scale); GPHYS_ERROR_INVALID_ARGUMENT also if the model would leave
  *          the range of the world; GPHYS_ERROR_OUT_OF_MEMORY
@@ -1648,9 +1654,10 @@ GPHYS_API gphys_status gphys_camera_get_origin(const gphys_camera* camera, doubl
 GPHYS_API gphys_status gphys_camera_set_perspective(gphys_camera* camera, float fov_y, float near_distance,
                                                     float far_distance);
 /** Use an orthographic projection: the distance does not change apparent size.
- *  @param height  metres seen from top to bottom, >= 1e-6; the width follows from the viewport and
- *                 is at most twice GPHYS_MAX_COORDINATE
- *  @param near_distance, far_distance  metres; far at least 1e-6 above near, which may be negative
+ *  @param height         metres seen from top to bottom, >= 1e-6; the width follows from the viewport and is at most
+ *                        twice GPHYS_MAX_COORDINATE
+ *  @param near_distance  metres, may be negative
+ *  @param far_distance   metres, at least 1e-6 above near_distance
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_set_orthographic(gphys_camera* camera, float height, float near_distance,
                                                      float far_distance);
@@ -1671,19 +1678,23 @@ GPHYS_API gphys_status gphys_camera_set_projection(gphys_camera* camera, const g
 GPHYS_API gphys_status gphys_camera_set_perspective_aspect(gphys_camera* camera, float fov_y, float aspect,
                                                            float near_distance, float far_distance);
 /** As gphys_camera_set_orthographic, with a width of its own, which the viewport does not change.
- *  @param width, height  metres seen from left to right and from top to bottom, >= 1e-6
- *  @param near_distance, far_distance  metres; far at least 1e-6 above near, which may be negative
+ *  @param width          metres seen from left to right, >= 1e-6
+ *  @param height         metres seen from top to bottom, >= 1e-6
+ *  @param near_distance  metres, may be negative
+ *  @param far_distance   metres, at least 1e-6 above near_distance
  *  Cost: O(1).  Since 1.1. */
 GPHYS_API gphys_status gphys_camera_set_orthographic_size(gphys_camera* camera, float width, float height,
                                                           float near_distance, float far_distance);
 /** Set the size of the viewport. A perspective keeps fov_y, an orthographic projection its height; the call is
  *  refused if that makes the width more than twice GPHYS_MAX_COORDINATE.
- *  @param width, height  pixels, 1e-3 .. 1e6
+ *  @param width   pixels, 1e-3 .. 1e6
+ *  @param height  pixels, 1e-3 .. 1e6
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_set_viewport(gphys_camera* camera, float width, float height);
 /** Where the viewport is in its window, as one of several of a split screen: pixels of all functions count from
  *  the window's top left corner. (0, 0) at creation.
- *  @param x, y  pixels of the window, of the viewport's top left corner
+ *  @param x  pixels from the window's left edge to the viewport's
+ *  @param y  pixels from the window's top edge to the viewport's
  *  Cost: O(1).  Since 1.1. */
 GPHYS_API gphys_status gphys_camera_set_viewport_origin(gphys_camera* camera, float x, float y);
 /** Where the rays of a perspective begin, for all functions that pick. From the near plane at creation; rays of
@@ -1693,11 +1704,11 @@ GPHYS_API gphys_status gphys_camera_set_pick_start(gphys_camera* camera, gphys_p
 
 /** How the camera projects, as it was set.
  *  @param out_kind  what of the following was called last: gphys_camera_set_perspective, as at creation,
- *                   gphys_camera_set_orthographic (or those with a width of their own), or
- *                   gphys_camera_set_projection
- *  @param out_size  the vertical field of view in radians of a perspective, the height in metres of an
- *                   orthographic projection, 0 of a matrix
- *  @param out_near, out_far  metres; INFINITY without a far plane; 0 of a matrix
+ *                   gphys_camera_set_orthographic (or those with a width of their own), or gphys_camera_set_projection
+ *  @param out_size  the vertical field of view in radians of a perspective, the height in metres of an orthographic
+ *                   projection, 0 of a matrix
+ *  @param out_near  metres; INFINITY without a far plane; 0 of a matrix
+ *  @param out_far   metres; INFINITY without a far plane; 0 of a matrix
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_get_projection(const gphys_camera* camera, gphys_projection* out_kind,
                                                    float* out_size, float* out_near, float* out_far);
@@ -1807,7 +1818,8 @@ GPHYS_API gphys_status gphys_camera_set_orbit_speeds(gphys_camera* camera, const
  *  Cost: O(1).  Since 1.1. */
 GPHYS_API gphys_status gphys_camera_get_orbit_speeds(const gphys_camera* camera, gphys_orbit_speeds* out_speeds);
 /** Add input to the orbit: yaw by units_x, pitch by units_y, times radians_per_unit or the speeds that were set.
- *  @param units_x, units_y  finite, any size
+ *  @param units_x  finite, any size
+ *  @param units_y  finite, any size
  *  @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_orbit_rotate(gphys_camera* camera, float units_x, float units_y);
@@ -1818,7 +1830,8 @@ GPHYS_API gphys_status gphys_camera_orbit_rotate(gphys_camera* camera, float uni
 GPHYS_API gphys_status gphys_camera_orbit_zoom(gphys_camera* camera, float units);
 /** Add input to the orbit: move the target to the camera's right and up, as the last update left them,
  *  by units times metres_per_unit or the speeds that were set.
- *  @param units_right, units_up  finite, any size
+ *  @param units_right  finite, any size
+ *  @param units_up     finite, any size
  *  @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_orbit_pan(gphys_camera* camera, float units_right, float units_up);
@@ -1838,14 +1851,20 @@ GPHYS_API gphys_status gphys_camera_get_frustum(const gphys_camera* camera, gphy
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_get_corners(const gphys_camera* camera, gphys_vec3 out_corners[8]);
 /** What is seen in a rectangle of pixels, as gphys_camera_get_frustum: of a tile, a marquee, a portal.
- *  @param x0, y0, x1, y1  pixels, opposite corners in any order; may lie outside the viewport
+ *  @param x0  pixels, a corner of the rectangle; may lie outside the viewport
+ *  @param y0  pixels, a corner of the rectangle; may lie outside the viewport
+ *  @param x1  pixels, the opposite corner, in any order; may lie outside the viewport
+ *  @param y1  pixels, the opposite corner, in any order; may lie outside the viewport
  *  @return GPHYS_ERROR_INVALID_ARGUMENT if the rectangle has no area, or a side of what a matrix shows in it lies
  *          at infinity or beyond GPHYS_MAX_COORDINATE
  *  Cost: O(1).  Since 1.1. */
 GPHYS_API gphys_status gphys_camera_get_rectangle_frustum(const gphys_camera* camera, float x0, float y0, float x1,
                                                           float y1, gphys_frustum* out_frustum);
 /** World positions of the corners of what is seen in a rectangle of pixels, as gphys_camera_get_corners.
- *  @param x0, y0, x1, y1  as gphys_camera_get_rectangle_frustum
+ *  @param x0  as gphys_camera_get_rectangle_frustum
+ *  @param y0  as gphys_camera_get_rectangle_frustum
+ *  @param x1  as gphys_camera_get_rectangle_frustum
+ *  @param y1  as gphys_camera_get_rectangle_frustum
  *  @return GPHYS_UNBOUNDED as gphys_camera_get_corners
  *  Cost: O(1).  Since 1.1. */
 GPHYS_API gphys_status gphys_camera_get_rectangle_corners(const gphys_camera* camera, float x0, float y0, float x1,
@@ -1886,15 +1905,19 @@ GPHYS_API gphys_status gphys_camera_unproject_batch(const gphys_camera* camera, 
  *  an ulp of its direction. Its start is rounded to float32, too, which moves the ray by half an ulp of the
  *  coordinates (but not from the camera's position, which has float coordinates); gphys_camera_pick is not
  *  limited in this way.
- *  @param pixel_x, pixel_y  pixels; may lie outside the viewport
+ *  @param pixel_x  pixels; may lie outside the viewport
+ *  @param pixel_y  pixels; may lie outside the viewport
  *  @return GPHYS_UNBOUNDED if the line of sight does not meet the near plane (user projections), or would
  *          begin beyond GPHYS_MAX_COORDINATE
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_pick_ray(const gphys_camera* camera, float pixel_x, float pixel_y,
                                              gphys_ray* out_ray);
 /** Rays for a rectangle of pixel centres, as gphys_camera_pick_ray, row by row.
- *  @param x, y, width, height  pixels; width * height rays, fewer than 2^32
- *  @param out_rays             width * height elements
+ *  @param x         the left column of the rectangle
+ *  @param y         its top row
+ *  @param width     its columns
+ *  @param height    its rows; width * height fewer than 2^32
+ *  @param out_rays  width * height elements
  *  @return GPHYS_UNBOUNDED if one of them has none, as there
  *  Cost: O(width * height). */
 GPHYS_API gphys_status gphys_camera_pick_rays(const gphys_camera* camera, uint32_t x, uint32_t y, uint32_t width,
@@ -1902,7 +1925,8 @@ GPHYS_API gphys_status gphys_camera_pick_rays(const gphys_camera* camera, uint32
 
 /** The model under a pixel: the first hit of gphys_camera_pick_ray, before that is rounded to
  *  float32; t is in metres from where it starts.
- *  @param pixel_x, pixel_y  pixels; may lie outside the viewport
+ *  @param pixel_x  pixels; may lie outside the viewport
+ *  @param pixel_y  pixels; may lie outside the viewport
  *  @return GPHYS_OK or GPHYS_NO_HIT
  *  Cost: O(log n) expected. */
 GPHYS_API gphys_status gphys_camera_pick(const gphys_camera* camera, const gphys_scene* scene, float pixel_x,
@@ -1917,7 +1941,10 @@ GPHYS_API gphys_status gphys_camera_pick_batch(const gphys_camera* camera, const
                                                uint32_t layers, gphys_hit* out_hits, uint32_t out_stride);
 /** Marquee: ids of all models in the pixel rectangle, hidden ones included, between near and far plane;
  *  tested by their exact shapes, ascending. Kept when too many: the lowest.
- *  @param x0, y0, x1, y1  pixels, opposite corners in any order; may lie outside the viewport
+ *  @param x0  pixels, a corner of the rectangle; may lie outside the viewport
+ *  @param y0  pixels, a corner of the rectangle; may lie outside the viewport
+ *  @param x1  pixels, the opposite corner, in any order; may lie outside the viewport
+ *  @param y1  pixels, the opposite corner, in any order; may lie outside the viewport
  *  @return GPHYS_ERROR_INVALID_ARGUMENT if the rectangle has no area
  *  Cost: that of gphys_scene_overlap. */
 GPHYS_API gphys_status gphys_camera_pick_rectangle(const gphys_camera* camera, const gphys_scene* scene, float x0,
@@ -1930,8 +1957,9 @@ GPHYS_API gphys_status gphys_camera_cull(const gphys_camera* camera, const gphys
                                          gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total);
 
 /** The model under a pixel that the filter sees, as gphys_camera_pick: what lies behind a selection.
- *  @param pixel_x, pixel_y  pixels; may lie outside the viewport
- *  @param filter            NULL: the defaults
+ *  @param pixel_x  pixels; may lie outside the viewport
+ *  @param pixel_y  pixels; may lie outside the viewport
+ *  @param filter   NULL: the defaults
  *  @return GPHYS_OK or GPHYS_NO_HIT
  *  Cost: as gphys_scene_raycast_filtered. */
 GPHYS_API gphys_status gphys_camera_pick_filtered(const gphys_camera* camera, const gphys_scene* scene, float pixel_x,
@@ -1947,8 +1975,11 @@ GPHYS_API gphys_status gphys_camera_pick_filtered_batch(const gphys_camera* came
                                                         const gphys_query_filter_desc* filters, uint32_t filter_stride,
                                                         gphys_hit* out_hits, uint32_t out_stride);
 /** Marquee: ids of all models in the pixel rectangle that the filter sees, as gphys_camera_pick_rectangle.
- *  @param x0, y0, x1, y1  pixels; opposite corners, in any order
- *  @param filter          NULL: the defaults
+ *  @param x0      pixels, a corner of the rectangle
+ *  @param y0      pixels, a corner of the rectangle
+ *  @param x1      pixels, the opposite corner, in any order
+ *  @param y1      pixels, the opposite corner, in any order
+ *  @param filter  NULL: the defaults
  *  Cost: as gphys_scene_overlap_filtered. */
 GPHYS_API gphys_status gphys_camera_pick_rectangle_filtered(const gphys_camera* camera, const gphys_scene* scene,
                                                             float x0, float y0, float x1, float y1,
@@ -2140,10 +2171,12 @@ GPHYS_API gphys_status gphys_solver_add_rope(gphys_solver* solver, const gphys_b
  *  corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v. Its constraints, in the order of their ids,
  *  are those from row to row, those from column to column, both diagonals (GPHYS_CLOTH_SHEAR), and those that resist
  *  folding (GPHYS_CLOTH_BEND); gphys_solver_set_constraint_settings makes them softer or stiffer later.
- *  @param desc           NULL: the defaults
- *  @param corner         metres
- *  @param edge_u, edge_v metres, from the corner along a row and along a column
- *  @param columns, rows  >= 2
+ *  @param desc     NULL: the defaults
+ *  @param corner   metres
+ *  @param edge_u   metres, from the corner along a row
+ *  @param edge_v   metres, from the corner along a column
+ *  @param columns  >= 2
+ *  @param rows     >= 2
  *  @return GPHYS_ERROR_INVALID_ARGUMENT if the edges are parallel or zero;
  *          GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles, links or bodies
  *  Cost: O(columns * rows). */
@@ -2285,8 +2318,8 @@ GPHYS_API gphys_status gphys_solver_get_nearest_particle(const gphys_solver* sol
  * the body is GPHYS_ERROR_INVALID_ARGUMENT. Setters check all elements before they change any. */
 
 /** Where the particles are, metres.
- *  @param first, count   the particles first .. first + count - 1; a range beyond the body is
- *                        GPHYS_ERROR_INVALID_ARGUMENT
+ *  @param first          the first particle
+ *  @param count          how many from there on; a range beyond the body is GPHYS_ERROR_INVALID_ARGUMENT
  *  @param out_positions  count elements
  *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_get_positions(const gphys_solver* solver, gphys_body_id body, uint32_t first,
@@ -2295,51 +2328,59 @@ GPHYS_API gphys_status gphys_solver_get_positions(const gphys_solver* solver, gp
  *  Pinned particles that are moved alone pull the others: during the next step they go evenly from where they
  *  were to their new places, as attached ones do. They are placed at once before the body's first step, or if a
  *  free particle of the body is placed as well.
- *  @param first, count  as in gphys_solver_get_positions
- *  @param positions     metres, count elements; a stride of 0 is refused for more than one
+ *  @param first      as in gphys_solver_get_positions
+ *  @param count      as in gphys_solver_get_positions
+ *  @param positions  metres, count elements; a stride of 0 is refused for more than one
  *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_set_positions(gphys_solver* solver, gphys_body_id body, uint32_t first,
                                                   uint32_t count, const gphys_vec3* positions, uint32_t stride);
 /** How fast the particles are, m/s.
- *  @param first, count    as in gphys_solver_get_positions
+ *  @param first           as in gphys_solver_get_positions
+ *  @param count           as in gphys_solver_get_positions
  *  @param out_velocities  count elements; 0 of what is pinned and stands still
  *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_get_velocities(const gphys_solver* solver, gphys_body_id body, uint32_t first,
                                                    uint32_t count, gphys_vec3* out_velocities, uint32_t out_stride);
 /** Give particles a velocity, which the next step starts from. Wakes the body. Pinned particles keep 0.
- *  @param first, count  as in gphys_solver_get_positions
- *  @param velocities    m/s; a stride of 0 gives all the same
+ *  @param first       as in gphys_solver_get_positions
+ *  @param count       as in gphys_solver_get_positions
+ *  @param velocities  m/s; a stride of 0 gives all the same
  *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_set_velocities(gphys_solver* solver, gphys_body_id body, uint32_t first,
                                                    uint32_t count, const gphys_vec3* velocities, uint32_t stride);
 /** Masses of particles, kg. That of a pinned particle is what it has when it is released.
- *  @param first, count  as in gphys_solver_get_positions
- *  @param out_masses    count elements
+ *  @param first       as in gphys_solver_get_positions
+ *  @param count       as in gphys_solver_get_positions
+ *  @param out_masses  count elements
  *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_get_masses(const gphys_solver* solver, gphys_body_id body, uint32_t first,
                                                uint32_t count, float* out_masses, uint32_t out_stride);
 /** Change the masses of particles. A pinned particle keeps its mass for the time when it is released.
  *  Wakes the body.
- *  @param first, count  as in gphys_solver_get_positions
- *  @param masses        kg, > 0; a stride of 0 gives all the same
+ *  @param first   as in gphys_solver_get_positions
+ *  @param count   as in gphys_solver_get_positions
+ *  @param masses  kg, > 0; a stride of 0 gives all the same
  *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_set_masses(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                                const float* masses, uint32_t stride);
 /** Collision radii of particles, metres.
- *  @param first, count  as in gphys_solver_get_positions
- *  @param out_radii     count elements
+ *  @param first      as in gphys_solver_get_positions
+ *  @param count      as in gphys_solver_get_positions
+ *  @param out_radii  count elements
  *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_get_radii(const gphys_solver* solver, gphys_body_id body, uint32_t first,
                                               uint32_t count, float* out_radii, uint32_t out_stride);
 /** Change the collision radii of particles. Wakes the body.
- *  @param first, count  as in gphys_solver_get_positions
- *  @param radii         metres, >= 0; a stride of 0 gives all the same
+ *  @param first  as in gphys_solver_get_positions
+ *  @param count  as in gphys_solver_get_positions
+ *  @param radii  metres, >= 0; a stride of 0 gives all the same
  *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_set_radii(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                               const float* radii, uint32_t stride);
 /** Friction factors of particles; 1 until they are set.
- *  @param first, count  as in gphys_solver_get_positions
- *  @param out_factors   count elements
+ *  @param first        as in gphys_solver_get_positions
+ *  @param count        as in gphys_solver_get_positions
+ *  @param out_factors  count elements
  *  Cost: O(count).  Since 1.1. */
 GPHYS_API gphys_status gphys_solver_get_friction_factors(const gphys_solver* solver, gphys_body_id body, uint32_t first,
                                                          uint32_t count, float* out_factors, uint32_t out_stride);
@@ -2347,34 +2388,39 @@ GPHYS_API gphys_status gphys_solver_get_friction_factors(const gphys_solver* sol
  *  models and with particles, the coefficients of a particle are the friction and the static_friction of its body times
  *  its factor. A body with a friction of 1 thus has the factors for coefficients; gphys_solver_set_body_settings scales
  *  them all and keeps the factors. Wakes the body.
- *  @param first, count  as in gphys_solver_get_positions
- *  @param factors       >= 0; a stride of 0 gives all the same
+ *  @param first    as in gphys_solver_get_positions
+ *  @param count    as in gphys_solver_get_positions
+ *  @param factors  >= 0; a stride of 0 gives all the same
  *  Cost: O(count); the first factor other than 1 O(particles), and it allocates.  Since 1.1. */
 GPHYS_API gphys_status gphys_solver_set_friction_factors(gphys_solver* solver, gphys_body_id body, uint32_t first,
                                                          uint32_t count, const float* factors, uint32_t stride);
 /** The forces that were set for particles, newtons.
- *  @param first, count  as in gphys_solver_get_positions
- *  @param out_forces    count elements
+ *  @param first       as in gphys_solver_get_positions
+ *  @param count       as in gphys_solver_get_positions
+ *  @param out_forces  count elements
  *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_get_forces(const gphys_solver* solver, gphys_body_id body, uint32_t first,
                                                uint32_t count, gphys_vec3* out_forces, uint32_t out_stride);
 /** Set the forces that act on particles beside gravity, from now on until set again. Wakes the body.
- *  @param first, count  as in gphys_solver_get_positions
- *  @param forces        newtons; a stride of 0 gives all the same
+ *  @param first   as in gphys_solver_get_positions
+ *  @param count   as in gphys_solver_get_positions
+ *  @param forces  newtons; a stride of 0 gives all the same
  *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_set_forces(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                                const gphys_vec3* forces, uint32_t stride);
 /** Which particles are pinned or attached.
- *  @param first, count  as in gphys_solver_get_positions
- *  @param out_pinned    count elements, 1 or 0
+ *  @param first       as in gphys_solver_get_positions
+ *  @param count       as in gphys_solver_get_positions
+ *  @param out_pinned  count elements, 1 or 0
  *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_get_pinned(const gphys_solver* solver, gphys_body_id body, uint32_t first,
                                                uint32_t count, int32_t* out_pinned, uint32_t out_stride);
 /** Pin or release particles. A pinned particle stays where it is put and moves only by
  *  gphys_solver_set_positions, or with an animation target of max_distance 0; else its speed is 0. Both pinning and
  *  releasing end an attachment.
- *  @param first, count  as in gphys_solver_get_positions
- *  @param pinned        1: pin; 0: release
+ *  @param first   as in gphys_solver_get_positions
+ *  @param count   as in gphys_solver_get_positions
+ *  @param pinned  1: pin; 0: release
  *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_set_pinned(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                                int32_t pinned);
@@ -2409,13 +2455,15 @@ GPHYS_API gphys_status gphys_solver_set_wind(gphys_solver* solver, gphys_body_id
 GPHYS_API gphys_status gphys_solver_get_wind(const gphys_solver* solver, gphys_body_id body, gphys_wind* out_wind);
 /** Give the air at particles a velocity beside that of gphys_wind, from now on until set again: gusts, eddies,
  *  a field of your own that is sampled at the particles' positions. Wakes the body.
- *  @param first, count  as in gphys_solver_get_positions
- *  @param velocities    m/s; a stride of 0 gives all the same
+ *  @param first       as in gphys_solver_get_positions
+ *  @param count       as in gphys_solver_get_positions
+ *  @param velocities  m/s; a stride of 0 gives all the same
  *  Cost: O(count); the first time O(particles), and it allocates. */
 GPHYS_API gphys_status gphys_solver_set_air_velocities(gphys_solver* solver, gphys_body_id body, uint32_t first,
                                                        uint32_t count, const gphys_vec3* velocities, uint32_t stride);
 /** Velocities of the air at particles, m/s, beside that of gphys_wind.
- *  @param first, count    as in gphys_solver_get_positions
+ *  @param first           as in gphys_solver_get_positions
+ *  @param count           as in gphys_solver_get_positions
  *  @param out_velocities  count elements
  *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_get_air_velocities(const gphys_solver* solver, gphys_body_id body, uint32_t first,
@@ -2448,16 +2496,18 @@ typedef struct gphys_animation_target {
  *  and in ropes that are moved alone; ropes and free particles that are joined, or collide with bodies, are put back
  *  particle by particle, and links beside these may be strained by the motion of a substep.
  *  Wakes the body if a target changes.
- *  @param first, count  as in gphys_solver_get_positions
- *  @param targets       max_distance and backstop INFINITY: no target any more; a stride of 0 gives all the same
+ *  @param first    as in gphys_solver_get_positions
+ *  @param count    as in gphys_solver_get_positions
+ *  @param targets  max_distance and backstop INFINITY: no target any more; a stride of 0 gives all the same
  *  Cost: O(count); the first time O(particles), and it allocates. In each substep some 100 ns a particle; ropes with
  *  targets are solved one by one, as those that touch models.  Since 1.1. */
 GPHYS_API gphys_status gphys_solver_set_animation_targets(gphys_solver* solver, gphys_body_id body, uint32_t first,
                                                           uint32_t count, const gphys_animation_target* targets,
                                                           uint32_t stride);
 /** Animation targets of particles as they were set; 0 and INFINITY of what has none.
- *  @param first, count  as in gphys_solver_get_positions
- *  @param out_targets   count elements
+ *  @param first        as in gphys_solver_get_positions
+ *  @param count        as in gphys_solver_get_positions
+ *  @param out_targets  count elements
  *  Cost: O(count).  Since 1.1. */
 GPHYS_API gphys_status gphys_solver_get_animation_targets(const gphys_solver* solver, gphys_body_id body,
                                                           uint32_t first, uint32_t count,
@@ -2534,13 +2584,15 @@ GPHYS_API gphys_status gphys_solver_set_volume(gphys_solver* solver, gphys_body_
                                                float compliance);
 /** The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
  *  held at the end of the last step: above 0 it pushes outward.
- *  @param out_volume, out_pressure  may be NULL
+ *  @param out_volume    may be NULL
+ *  @param out_pressure  may be NULL
  *  @return GPHYS_ERROR_UNSUPPORTED if none is held
  *  Cost: O(triangles). */
 GPHYS_API gphys_status gphys_solver_get_volume(const gphys_solver* solver, gphys_body_id body, float* out_volume,
                                                float* out_pressure);
 /** What was given to gphys_solver_set_volume: m^3 (for a negative volume the one at that time), and m^3 per pascal.
- *  @param out_rest_volume, out_compliance  may be NULL
+ *  @param out_rest_volume  may be NULL
+ *  @param out_compliance   may be NULL
  *  @return GPHYS_ERROR_UNSUPPORTED if none is held
  *  Cost: O(1).  Since 1.1. */
 GPHYS_API gphys_status gphys_solver_get_volume_settings(const gphys_solver* solver, gphys_body_id body,

@@ -151,6 +151,7 @@ refused only_later '^gcc -std' compiled "$(at_end 'typedef struct gphys_extra { 
 refused only_gcc '^gcc -std' compiled "$(at_end 'typedef struct gphys_extra { int values[0]; } gphys_extra;')"
 refused unguarded '^gcc -std=c99' compiled '/GAMEPHYS_C_H/d'
 refused needs_another '^gcc -std=c99' compiled "$(at_end 'GPHYS_API FILE* gphys_log(void);')"
+refused comment_of_two '^clang -Wdocumentation -std=c99' compiled 's/@param fov_y /@param fov_y, near_distance /'
 refused includes 'more than stddef.h' compiled '/^#include <stdint.h>/a #include <string.h>'
 refused cpp_linkage 'by its C name' compiled '/^#ifdef __cplusplus/,/^#endif/d'
 refused attribute 'not plain C' compiled 's/^GPHYS_API uint32_t gphys_version/GPHYS_API __attribute__((const)) uint32_t gphys_version/'

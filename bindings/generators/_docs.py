@@ -61,7 +61,7 @@ def blocks(comment):
     """(kind, name, text): '' for text, 'param' and 'return' with the lines that are indented below."""
     found = []
     for line in comment.split("\n"):
-        entry = re.match(r"@param\s+((?:\w+, )*\w+)\s+(.*)|@return\s+(.*)", line)
+        entry = re.match(r"@param\s+(\w+)\s+(.*)|@return\s+(.*)", line)
         inner = re.search(r"^(.+?)\s{2,}@return\s+(.*)", line)
         if inner:
             found += [["", "", inner[1]], ["return", "", inner[2]]]
@@ -92,16 +92,16 @@ def taken_apart(call):
     inputs = {p.get("c_name", p["name"]) for p in call.inputs}
     paragraphs = []
     counted = function["doc"] if "count" in inputs else without_count(function["doc"])
-    for kind, names, text in blocks(counted):
+    for kind, name, text in blocks(counted):
         if not kind:
             paragraphs.append(kept(text))
         elif kind == "param":
-            given = [OF_A_SHAPE.get(name, name) for name in names.split(", ")]
-            given = [name for name in given if name in inputs]
-            rest = kept(text)
-            if given and rest:
-                doc.parameters.append((", ".join(given), rest))
-            elif rest != "0 or 1" and rest and names.startswith("out_"):
+            given, rest = OF_A_SHAPE.get(name, name), kept(text)
+            if given in inputs and doc.parameters and doc.parameters[-1][1] == rest:
+                doc.parameters[-1] = (f"{doc.parameters[-1][0]}, {given}", rest)
+            elif given in inputs and rest:
+                doc.parameters.append((given, rest))
+            elif rest != "0 or 1" and rest and name.startswith("out_") and f"{rest.rstrip('.')}." not in doc.result:
                 doc.result += (" " if doc.result else "") + rest.rstrip(".") + "."
         else:
             answers = statuses(text)

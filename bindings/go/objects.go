@@ -874,8 +874,8 @@ func (o *Scene) SceneBounds() (bounds AABB, found bool, err error) {
 // a level of detail changes, a wall breaks. Its id, parent, children, tag, layers, scale and
 // transforms stay. Sleeping bodies near it wake, and particles that are inside then come out as they
 // do of any solid.
-//   - shape, shape: as in Scene.Add: a struct, copied, or a mesh with ShapeMesh. The scene holds the
-//     new mesh and no longer the old one, which may be the same.
+//   - shape: as in Scene.Add: a struct, copied, or a mesh with ShapeMesh. The scene holds the new mesh
+//     and no longer the old one, which may be the same.
 // The error is ErrUnsupported for a frustum, ray or segment, and for a shape that cannot have the
 // model's scale (Scene.SetScale).
 // The error is ErrInvalidArgument also if the model would leave the range of the world.
@@ -2274,7 +2274,8 @@ func (o *Camera) SetPerspective(fovY float32, nearDistance float32, farDistance 
 // Use an orthographic projection: the distance does not change apparent size.
 //   - height: metres seen from top to bottom, >= 1e-6; the width follows from the viewport and is at
 //     most twice MaxCoordinate
-//   - nearDistance, farDistance: metres; far at least 1e-6 above near, which may be negative
+//   - nearDistance: metres, may be negative
+//   - farDistance: metres, at least 1e-6 above nearDistance
 // Cost: O(1).
 func (o *Camera) SetOrthographic(height float32, nearDistance float32, farDistance float32) (err error) {
 	self, err := o.open()
@@ -2323,8 +2324,10 @@ func (o *Camera) SetPerspectiveAspect(fovY float32, aspect float32, nearDistance
 }
 
 // As Camera.SetOrthographic, with a width of its own, which the viewport does not change.
-//   - width, height: metres seen from left to right and from top to bottom, >= 1e-6
-//   - nearDistance, farDistance: metres; far at least 1e-6 above near, which may be negative
+//   - width: metres seen from left to right, >= 1e-6
+//   - height: metres seen from top to bottom, >= 1e-6
+//   - nearDistance: metres, may be negative
+//   - farDistance: metres, at least 1e-6 above nearDistance
 // Cost: O(1). Since 1.1.
 func (o *Camera) SetOrthographicSize(width float32, height float32, nearDistance float32, farDistance float32) (err error) {
 	self, err := o.open()
@@ -2354,7 +2357,8 @@ func (o *Camera) SetViewport(width float32, height float32) (err error) {
 
 // Where the viewport is in its window, as one of several of a split screen: pixels of all functions
 // count from the window's top left corner. (0, 0) at creation.
-//   - x, y: pixels of the window, of the viewport's top left corner
+//   - x: pixels from the window's left edge to the viewport's
+//   - y: pixels from the window's top edge to the viewport's
 // Cost: O(1). Since 1.1.
 func (o *Camera) SetViewportOrigin(x float32, y float32) (err error) {
 	self, err := o.open()
@@ -2821,7 +2825,8 @@ func (o *Camera) Corners() (corners [8]Vec3, found bool, err error) {
 }
 
 // What is seen in a rectangle of pixels, as Camera.Frustum: of a tile, a marquee, a portal.
-//   - x0, y0, x1, y1: pixels, opposite corners in any order; may lie outside the viewport
+//   - x0, y0: pixels, a corner of the rectangle; may lie outside the viewport
+//   - x1, y1: pixels, the opposite corner, in any order; may lie outside the viewport
 // The error is ErrInvalidArgument if the rectangle has no area, or a side of what a matrix shows in it
 // lies at infinity or beyond MaxCoordinate.
 // Cost: O(1). Since 1.1.
@@ -2966,7 +2971,10 @@ func (o *Camera) PickRay(pixelX float32, pixelY float32) (ray Ray, found bool, e
 }
 
 // Rays for a rectangle of pixel centres, as Camera.PickRay, row by row.
-//   - x, y, width, height: pixels; width * height rays, fewer than 2^32
+//   - x: the left column of the rectangle
+//   - y: its top row
+//   - width: its columns
+//   - height: its rows; width * height fewer than 2^32
 // Cost: O(width * height).
 func (o *Camera) PickRays(x uint32, y uint32, width uint32, height uint32, rays []Ray) (err error) {
 	self, err := o.open()
@@ -3035,7 +3043,8 @@ func (o *Camera) PickBatch(scene *Scene, pixels [][2]float32, layers uint32, hit
 
 // Marquee: ids of all models in the pixel rectangle, hidden ones included, between near and far plane;
 // tested by their exact shapes, ascending.
-//   - x0, y0, x1, y1: pixels, opposite corners in any order; may lie outside the viewport
+//   - x0, y0: pixels, a corner of the rectangle; may lie outside the viewport
+//   - x1, y1: pixels, the opposite corner, in any order; may lie outside the viewport
 // The error is ErrInvalidArgument if the rectangle has no area.
 // Cost: that of Scene.Overlap.
 func (o *Camera) PickRectangle(scene *Scene, x0 float32, y0 float32, x1 float32, y1 float32, layers uint32) (result []ModelID, err error) {
@@ -3133,7 +3142,8 @@ func (o *Camera) PickFilteredBatch(scene *Scene, pixels [][2]float32, filters []
 }
 
 // Marquee: ids of all models in the pixel rectangle that the filter sees, as Camera.PickRectangle.
-//   - x0, y0, x1, y1: pixels; opposite corners, in any order
+//   - x0, y0: pixels, a corner of the rectangle
+//   - x1, y1: pixels, the opposite corner, in any order
 //   - filter: nil: the defaults
 // Cost: as Scene.OverlapFiltered.
 func (o *Camera) PickRectangleFiltered(scene *Scene, x0 float32, y0 float32, x1 float32, y1 float32, filter *QueryFilterDesc) (result []ModelID, err error) {
@@ -3398,7 +3408,8 @@ func (o *Solver) AddRope(positions []Vec3, linkLength float32, desc *BodyDesc) (
 // later.
 //   - desc: nil: the defaults
 //   - corner: metres
-//   - edgeU, edgeV: metres, from the corner along a row and along a column
+//   - edgeU: metres, from the corner along a row
+//   - edgeV: metres, from the corner along a column
 //   - columns, rows: >= 2
 // The error is ErrInvalidArgument if the edges are parallel or zero.
 // The error is ErrCapacity beyond 2^24 - 1 particles, links or bodies.
@@ -3598,8 +3609,8 @@ func (o *Solver) NearestParticle(body BodyID, triangle uint32, point Vec3) (part
 }
 
 // Where the particles are, metres.
-//   - first, count: the particles first .. first + count - 1; a range beyond the body is
-//     ErrInvalidArgument
+//   - first: the first particle
+//   - count: how many from there on; a range beyond the body is ErrInvalidArgument
 // Cost: O(count).
 func (o *Solver) Positions(body BodyID, first uint32, positions []Vec3) (err error) {
 	self, err := o.open()
@@ -4879,7 +4890,7 @@ func Overlaps(a Shape, b Shape) (overlaps bool, err error) {
 }
 
 // Whether the shapes of each of the pairs overlap, as Overlaps: pair i is a[i] against b[i].
-//   - a, b: shapes of one type each
+//   - a, b: shapes of one type
 // The error is ErrUnsupported for rays and segments.
 // Cost: that of as many single calls.
 func OverlapsBatch(a Shapes, b Shapes, overlaps []int32) (err error) {
@@ -5072,7 +5083,7 @@ func Sweep(shape Shape, moving Shape, displacement Vec3) (hit Hit, found bool, e
 
 // First contacts of count moving shapes of one type with the shapes of another, as Sweep: moving[i]
 // with shapes[i]. One that touches nothing gets t = INFINITY, triangle = NoTriangle and zeros.
-//   - shapes, moving: shapes of one type each
+//   - shapes, moving: shapes of one type
 //   - displacements: metres
 // The error is ErrUnsupported as Sweep.
 // Cost: that of as many single calls. Since 1.1.
@@ -5139,7 +5150,7 @@ func ShapePenetration(shape Shape, moving Shape) (penetration Penetration, found
 // The shortest translations that take the shapes of one type out of the shapes of another, as
 // Penetration: moving[i] out of shapes[i]. One that overlaps nothing gets depth = -INFINITY, triangle
 // = NoTriangle and zeros.
-//   - shapes, moving: shapes of one type each
+//   - shapes, moving: shapes of one type
 // The error is ErrUnsupported as Penetration.
 // Cost: that of as many single calls. Since 1.1.
 func PenetrationBatch(shapes Shapes, moving Shapes, penetrations []Penetration) (err error) {
@@ -5199,7 +5210,7 @@ func PlanesIntersection(a Plane, b Plane, c Plane) (point Vec3, found bool, err 
 }
 
 // The points of the triples of planes, as PlanesIntersection; one without gets x = y = z = INFINITY.
-//   - a, b, c: the planes each
+//   - a, b, c: the planes
 // Cost: that of as many single calls. Since 1.1.
 func PlanesIntersectionBatch(a []Plane, b []Plane, c []Plane, points []Vec3) (err error) {
 	count, err := commonLength([]int{}, len(a), len(b), len(c))

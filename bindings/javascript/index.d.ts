@@ -930,8 +930,6 @@ export class Scene {
      * Cost: as Scene.setTransform of a model without children, whatever the size of a mesh.
      * @param shape - as in Scene.add: a struct, copied, or a mesh with SHAPE_MESH. The scene holds the new
      *     mesh and no longer the old one, which may be the same.
-     * @param shape - as in Scene.add: a struct, copied, or a mesh with SHAPE_MESH. The scene holds the new
-     *     mesh and no longer the old one, which may be the same.
      * @throws {GamephysError} ERROR_UNSUPPORTED: for a frustum, ray or segment, and for a shape that
      *     cannot have the model's scale (Scene.setScale)
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: also if the model would leave the range of the world
@@ -1319,8 +1317,8 @@ export class Camera {
      * Cost: O(1).
      * @param height - metres seen from top to bottom, >= 1e-6; the width follows from the viewport and is
      *     at most twice MAX_COORDINATE
-     * @param near_distance - metres; far at least 1e-6 above near, which may be negative
-     * @param far_distance - metres; far at least 1e-6 above near, which may be negative */
+     * @param near_distance - metres, may be negative
+     * @param far_distance - metres, at least 1e-6 above near_distance */
     setOrthographic(height: number, near_distance: number, far_distance: number): void;
     /** Use any projection matrix of the camera's depth range and direction (off-centre, oblique, another
      * library's). It is not changed by Camera.setViewport.
@@ -1340,10 +1338,10 @@ export class Camera {
     setPerspectiveAspect(fov_y: number, aspect: number, near_distance: number, far_distance: number): void;
     /** As Camera.setOrthographic, with a width of its own, which the viewport does not change.
      * Cost: O(1). Since 1.1.
-     * @param width - metres seen from left to right and from top to bottom, >= 1e-6
-     * @param height - metres seen from left to right and from top to bottom, >= 1e-6
-     * @param near_distance - metres; far at least 1e-6 above near, which may be negative
-     * @param far_distance - metres; far at least 1e-6 above near, which may be negative */
+     * @param width - metres seen from left to right, >= 1e-6
+     * @param height - metres seen from top to bottom, >= 1e-6
+     * @param near_distance - metres, may be negative
+     * @param far_distance - metres, at least 1e-6 above near_distance */
     setOrthographicSize(width: number, height: number, near_distance: number, far_distance: number): void;
     /** Set the size of the viewport. A perspective keeps fov_y, an orthographic projection its height; the
      * call is refused if that makes the width more than twice MAX_COORDINATE.
@@ -1354,8 +1352,8 @@ export class Camera {
     /** Where the viewport is in its window, as one of several of a split screen: pixels of all functions
      * count from the window's top left corner. (0, 0) at creation.
      * Cost: O(1). Since 1.1.
-     * @param x - pixels of the window, of the viewport's top left corner
-     * @param y - pixels of the window, of the viewport's top left corner */
+     * @param x - pixels from the window's left edge to the viewport's
+     * @param y - pixels from the window's top edge to the viewport's */
     setViewportOrigin(x: number, y: number): void;
     /** Where the rays of a perspective begin, for all functions that pick. From the near plane at creation;
      * rays of other projections always begin there.
@@ -1485,10 +1483,10 @@ export class Camera {
     getCorners(): number[][] | null;
     /** What is seen in a rectangle of pixels, as Camera.getFrustum: of a tile, a marquee, a portal.
      * Cost: O(1). Since 1.1.
-     * @param x0 - pixels, opposite corners in any order; may lie outside the viewport
-     * @param y0 - pixels, opposite corners in any order; may lie outside the viewport
-     * @param x1 - pixels, opposite corners in any order; may lie outside the viewport
-     * @param y1 - pixels, opposite corners in any order; may lie outside the viewport
+     * @param x0 - pixels, a corner of the rectangle; may lie outside the viewport
+     * @param y0 - pixels, a corner of the rectangle; may lie outside the viewport
+     * @param x1 - pixels, the opposite corner, in any order; may lie outside the viewport
+     * @param y1 - pixels, the opposite corner, in any order; may lie outside the viewport
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: if the rectangle has no area, or a side of what a
      *     matrix shows in it lies at infinity or beyond MAX_COORDINATE */
     getRectangleFrustum(x0: number, y0: number, x1: number, y1: number): Frustum;
@@ -1534,10 +1532,10 @@ export class Camera {
     pickRay(pixel_x: number, pixel_y: number): Ray | null;
     /** Rays for a rectangle of pixel centres, as Camera.pickRay, row by row.
      * Cost: O(width * height).
-     * @param x - pixels; width * height rays, fewer than 2^32
-     * @param y - pixels; width * height rays, fewer than 2^32
-     * @param width - pixels; width * height rays, fewer than 2^32
-     * @param height - pixels; width * height rays, fewer than 2^32 */
+     * @param x - the left column of the rectangle
+     * @param y - its top row
+     * @param width - its columns
+     * @param height - its rows; width * height fewer than 2^32 */
     pickRays(x: number, y: number, width: number, height: number, out?: Elements): Records<Ray>;
     /** The model under a pixel: the first hit of Camera.pickRay, before that is rounded to float32; t is in
      * metres from where it starts.
@@ -1553,10 +1551,10 @@ export class Camera {
     /** Marquee: ids of all models in the pixel rectangle, hidden ones included, between near and far plane;
      * tested by their exact shapes, ascending.
      * Cost: that of Scene.overlap.
-     * @param x0 - pixels, opposite corners in any order; may lie outside the viewport
-     * @param y0 - pixels, opposite corners in any order; may lie outside the viewport
-     * @param x1 - pixels, opposite corners in any order; may lie outside the viewport
-     * @param y1 - pixels, opposite corners in any order; may lie outside the viewport
+     * @param x0 - pixels, a corner of the rectangle; may lie outside the viewport
+     * @param y0 - pixels, a corner of the rectangle; may lie outside the viewport
+     * @param x1 - pixels, the opposite corner, in any order; may lie outside the viewport
+     * @param y1 - pixels, the opposite corner, in any order; may lie outside the viewport
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: if the rectangle has no area */
     pickRectangle(scene: Scene, x0: number, y0: number, x1: number, y1: number, layers?: number): Records<number>;
     /** Ids of the models to draw: Scene.cull with the camera's frustum.
@@ -1576,10 +1574,10 @@ export class Camera {
     pickFilteredBatch(scene: Scene, pixels: Floats, filters?: readonly Partial<QueryFilterDesc>[] | Partial<QueryFilterDesc> | null, out?: Elements): Records<Hit>;
     /** Marquee: ids of all models in the pixel rectangle that the filter sees, as Camera.pickRectangle.
      * Cost: as Scene.overlapFiltered.
-     * @param x0 - pixels; opposite corners, in any order
-     * @param y0 - pixels; opposite corners, in any order
-     * @param x1 - pixels; opposite corners, in any order
-     * @param y1 - pixels; opposite corners, in any order
+     * @param x0 - pixels, a corner of the rectangle
+     * @param y0 - pixels, a corner of the rectangle
+     * @param x1 - pixels, the opposite corner, in any order
+     * @param y1 - pixels, the opposite corner, in any order
      * @param filter - null: the defaults */
     pickRectangleFiltered(scene: Scene, x0: number, y0: number, x1: number, y1: number, filter?: Partial<QueryFilterDesc> | null): Records<number>;
     /** Ids of the models to draw that the filter sees: Scene.cullFiltered with the camera's frustum.
@@ -1661,8 +1659,8 @@ export class Solver {
      * Cost: O(columns * rows).
      * @param desc - null: the defaults
      * @param corner - metres
-     * @param edge_u - metres, from the corner along a row and along a column
-     * @param edge_v - metres, from the corner along a row and along a column
+     * @param edge_u - metres, from the corner along a row
+     * @param edge_v - metres, from the corner along a column
      * @param columns - >= 2
      * @param rows - >= 2
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: if the edges are parallel or zero
@@ -1728,10 +1726,8 @@ export class Solver {
     getNearestParticle(body: number, triangle: number, point: Given<number[]>): number;
     /** Where the particles are, metres.
      * Cost: O(count).
-     * @param first - the particles first .. first + count - 1; a range beyond the body is
-     *     ERROR_INVALID_ARGUMENT
-     * @param count - the particles first .. first + count - 1; a range beyond the body is
-     *     ERROR_INVALID_ARGUMENT */
+     * @param first - the first particle
+     * @param count - how many from there on; a range beyond the body is ERROR_INVALID_ARGUMENT */
     getPositions(body: number, first?: number, count?: number, out?: Elements): Records<number[]>;
     /** Move particles at once and without collision on the way; velocities stay as they are. Wakes the
      * body. Pinned particles that are moved alone pull the others: during the next step they go evenly
@@ -2161,8 +2157,8 @@ export function segmentClosestPoints(a: Given<Segment>, b: Given<Segment>): [num
 export function overlaps(a: AnyShape, b: AnyShape): boolean;
 /** Whether the shapes of each of the pairs overlap, as overlaps: pair i is a[i] against b[i].
  * Cost: that of as many single calls.
- * @param a - shapes of one type each
- * @param b - shapes of one type each
+ * @param a - shapes of one type
+ * @param b - shapes of one type
  * @throws {GamephysError} ERROR_UNSUPPORTED: for rays and segments */
 export function overlapsBatch(a: Shapes | AnyShape, b: Shapes | AnyShape, out?: Elements): Records<number>;
 /** Classify a sphere, capsule, AABB, OBB or triangle against a plane.
@@ -2228,8 +2224,8 @@ export function sweep(shape: AnyShape, moving: AnyShape, displacement: Given<num
 /** First contacts of count moving shapes of one type with the shapes of another, as sweep: moving[i]
  * with shapes[i]. One that touches nothing gets t = INFINITY, triangle = NO_TRIANGLE and zeros.
  * Cost: that of as many single calls. Since 1.1.
- * @param shapes - shapes of one type each
- * @param moving - shapes of one type each
+ * @param shapes - shapes of one type
+ * @param moving - shapes of one type
  * @param displacements - metres
  * @throws {GamephysError} ERROR_UNSUPPORTED: as sweep */
 export function sweepBatch(shapes: Shapes | AnyShape, moving: Shapes | AnyShape, displacements: Floats, out?: Elements): Records<Hit>;
@@ -2255,8 +2251,8 @@ export function penetration(shape: AnyShape, moving: AnyShape): Penetration | nu
  * penetration: moving[i] out of shapes[i]. One that overlaps nothing gets depth = -INFINITY, triangle
  * = NO_TRIANGLE and zeros.
  * Cost: that of as many single calls. Since 1.1.
- * @param shapes - shapes of one type each
- * @param moving - shapes of one type each
+ * @param shapes - shapes of one type
+ * @param moving - shapes of one type
  * @throws {GamephysError} ERROR_UNSUPPORTED: as penetration */
 export function penetrationBatch(shapes: Shapes | AnyShape, moving: Shapes | AnyShape, out?: Elements): Records<Penetration>;
 /** The eight corners, each the intersection of three planes: near then far, each in the order
@@ -2276,9 +2272,9 @@ export function frustumCorners(frustum: Given<Frustum>): number[][] | null;
 export function planesIntersection(a: Given<Plane>, b: Given<Plane>, c: Given<Plane>): number[] | null;
 /** The points of the triples of planes, as planesIntersection; one without gets x = y = z = INFINITY.
  * Cost: that of as many single calls. Since 1.1.
- * @param a - the planes each
- * @param b - the planes each
- * @param c - the planes each */
+ * @param a - the planes
+ * @param b - the planes
+ * @param c - the planes */
 export function planesIntersectionBatch(a: Floats, b: Floats, c: Floats, out?: Elements): Records<number[]>;
 /** How far the axes of a matrix (its first three columns without the last row) are from orthonormal:
  * the largest |a_i . a_j - d_ij|, where d_ij is 1 for i = j, else 0. 0 for the identity, below 2^-22

@@ -46,6 +46,17 @@ def calls(text):
     return re.findall(r"\bgphys_\w+(?=\()", text)
 
 
+def alike_joined(fields):
+    """One field for parameters in a row that have the same text."""
+    joined = []
+    for title, body in fields:
+        if joined and title.startswith("param ") and joined[-1][0].startswith("param ") and joined[-1][1] == body:
+            joined[-1] = (f"{joined[-1][0]}, {title[len('param '):]}", body)
+        else:
+            joined.append((title, body))
+    return joined
+
+
 class Reference:
     def __init__(self, source):
         self.source = source
@@ -140,7 +151,7 @@ class Reference:
         fields, text = [], []
         target = text
         for line in doc.splitlines():
-            tag = re.match(r"@param +((?:\w+, )*\w+) +(.*)|@return +(.*)", line)
+            tag = re.match(r"@param +(\w+) +(.*)|@return +(.*)", line)
             own = re.match(r"(Cost|Threads|Error): +(.*)", line)
             if tag:
                 title = f"param {tag.group(1)}" if tag.group(1) else "returns"
@@ -155,7 +166,7 @@ class Reference:
                 target = text
                 text += ["", line]
         lines += self.paragraphs("\n".join(text), "   ")
-        for title, body in sorted(fields, key=lambda field: field[0] in ("Cost", "Threads", "Error")):
+        for title, body in sorted(alike_joined(fields), key=lambda field: field[0] in ("Cost", "Threads", "Error")):
             body = self.prose(" ".join(part.strip() for part in body))
             lines.append(f"   :{title.replace('param', 'Parameters', 1) if ',' in title else title}: {body}")
         programs = self.programs[name][:4]

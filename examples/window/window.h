@@ -63,7 +63,7 @@ void stage_destroy(stage* s);
  * the caller. */
 uint32_t* cloth_rim(const uint32_t* indices, uint32_t index_count, uint32_t point_count, uint32_t* out_count);
 
-/* --- draw.c ------------------------------------------------------------------------------------ */
+/* --- canvas.c and draw.c ------------------------------------------------------------------------------------ */
 
 typedef struct canvas canvas;
 

@@ -558,8 +558,8 @@ public:
     // crouches, a level of detail changes, a wall breaks. Its id, parent, children, tag, layers, scale and
     // transforms stay. Sleeping bodies near it wake, and particles that are inside then come out as they
     // do of any solid.
-    //   - shape, shape: as in Scene::add: a struct, copied, or a mesh with GPHYS_SHAPE_MESH. The scene
-    //     holds the new mesh and no longer the old one, which may be the same.
+    //   - shape: as in Scene::add: a struct, copied, or a mesh with GPHYS_SHAPE_MESH. The scene holds the
+    //     new mesh and no longer the old one, which may be the same.
     // Throws Error with GPHYS_ERROR_UNSUPPORTED for a frustum, ray or segment, and for a shape that cannot
     // have the model's scale (Scene::set_scale).
     // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT also if the model would leave the range of the world.
@@ -1224,7 +1224,8 @@ public:
     // Use an orthographic projection: the distance does not change apparent size.
     //   - height: metres seen from top to bottom, >= 1e-6; the width follows from the viewport and is at
     //     most twice GPHYS_MAX_COORDINATE
-    //   - near_distance, far_distance: metres; far at least 1e-6 above near, which may be negative
+    //   - near_distance: metres, may be negative
+    //   - far_distance: metres, at least 1e-6 above near_distance
     // Cost: O(1).
     void set_orthographic(float height, float near_distance, float far_distance) {
         check(gphys_camera_set_orthographic(handle(), height, near_distance, far_distance));
@@ -1253,8 +1254,10 @@ public:
     }
 
     // As Camera::set_orthographic, with a width of its own, which the viewport does not change.
-    //   - width, height: metres seen from left to right and from top to bottom, >= 1e-6
-    //   - near_distance, far_distance: metres; far at least 1e-6 above near, which may be negative
+    //   - width: metres seen from left to right, >= 1e-6
+    //   - height: metres seen from top to bottom, >= 1e-6
+    //   - near_distance: metres, may be negative
+    //   - far_distance: metres, at least 1e-6 above near_distance
     // Cost: O(1). Since 1.1.
     void set_orthographic_size(float width, float height, float near_distance, float far_distance) {
         check(gphys_camera_set_orthographic_size(handle(), width, height, near_distance, far_distance));
@@ -1270,7 +1273,8 @@ public:
 
     // Where the viewport is in its window, as one of several of a split screen: pixels of all functions
     // count from the window's top left corner. (0, 0) at creation.
-    //   - x, y: pixels of the window, of the viewport's top left corner
+    //   - x: pixels from the window's left edge to the viewport's
+    //   - y: pixels from the window's top edge to the viewport's
     // Cost: O(1). Since 1.1.
     void set_viewport_origin(float x, float y) {
         check(gphys_camera_set_viewport_origin(handle(), x, y));
@@ -1524,7 +1528,8 @@ public:
     }
 
     // What is seen in a rectangle of pixels, as Camera::get_frustum: of a tile, a marquee, a portal.
-    //   - x0, y0, x1, y1: pixels, opposite corners in any order; may lie outside the viewport
+    //   - x0, y0: pixels, a corner of the rectangle; may lie outside the viewport
+    //   - x1, y1: pixels, the opposite corner, in any order; may lie outside the viewport
     // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT if the rectangle has no area, or a side of what a
     // matrix shows in it lies at infinity or beyond GPHYS_MAX_COORDINATE.
     // Cost: O(1). Since 1.1.
@@ -1602,7 +1607,10 @@ public:
     }
 
     // Rays for a rectangle of pixel centres, as Camera::pick_ray, row by row.
-    //   - x, y, width, height: pixels; width * height rays, fewer than 2^32
+    //   - x: the left column of the rectangle
+    //   - y: its top row
+    //   - width: its columns
+    //   - height: its rows; width * height fewer than 2^32
     // Cost: O(width * height).
     void pick_rays(uint32_t x, uint32_t y, uint32_t width, uint32_t height, Span<Ray> out_rays) const {
         require_size(out_rays.size, width * height);
@@ -1631,7 +1639,8 @@ public:
 
     // Marquee: ids of all models in the pixel rectangle, hidden ones included, between near and far plane;
     // tested by their exact shapes, ascending.
-    //   - x0, y0, x1, y1: pixels, opposite corners in any order; may lie outside the viewport
+    //   - x0, y0: pixels, a corner of the rectangle; may lie outside the viewport
+    //   - x1, y1: pixels, the opposite corner, in any order; may lie outside the viewport
     // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT if the rectangle has no area.
     // Cost: that of Scene::overlap.
     std::vector<gphys_model_id> pick_rectangle(const Scene& scene, float x0, float y0, float x1, float y1, uint32_t layers = GPHYS_ALL_LAYERS) const {
@@ -1666,7 +1675,8 @@ public:
     }
 
     // Marquee: ids of all models in the pixel rectangle that the filter sees, as Camera::pick_rectangle.
-    //   - x0, y0, x1, y1: pixels; opposite corners, in any order
+    //   - x0, y0: pixels, a corner of the rectangle
+    //   - x1, y1: pixels, the opposite corner, in any order
     //   - filter: nullptr: the defaults
     // Cost: as Scene::overlap_filtered.
     std::vector<gphys_model_id> pick_rectangle_filtered(const Scene& scene, float x0, float y0, float x1, float y1, const QueryFilterDesc* filter = nullptr) const {
@@ -1798,7 +1808,8 @@ public:
     // Solver::set_constraint_settings makes them softer or stiffer later.
     //   - desc: nullptr: the defaults
     //   - corner: metres
-    //   - edge_u, edge_v: metres, from the corner along a row and along a column
+    //   - edge_u: metres, from the corner along a row
+    //   - edge_v: metres, from the corner along a column
     //   - columns, rows: >= 2
     // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT if the edges are parallel or zero.
     // Throws Error with GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles, links or bodies.
@@ -1906,8 +1917,8 @@ public:
     }
 
     // Where the particles are, metres.
-    //   - first, count: the particles first .. first + count - 1; a range beyond the body is
-    //     GPHYS_ERROR_INVALID_ARGUMENT
+    //   - first: the first particle
+    //   - count: how many from there on; a range beyond the body is GPHYS_ERROR_INVALID_ARGUMENT
     // Cost: O(count).
     void get_positions(gphys_body_id body, uint32_t first, uint32_t count, Span<Vec3> out_positions) const {
         require_size(out_positions.size, count);
@@ -2605,7 +2616,7 @@ inline bool overlaps(ShapeRef a, ShapeRef b) {
 }
 
 // Whether the shapes of each of the pairs overlap, as gamephys::overlaps: pair i is a[i] against b[i].
-//   - a, b: shapes of one type each
+//   - a, b: shapes of one type
 // Throws Error with GPHYS_ERROR_UNSUPPORTED for rays and segments.
 // Cost: that of as many single calls.
 inline void overlaps_batch(ShapeSpan a, ShapeSpan b, Span<int32_t> out_overlaps) {
@@ -2713,7 +2724,7 @@ inline std::optional<Hit> sweep(ShapeRef shape, ShapeRef moving, const Vec3& dis
 // First contacts of count moving shapes of one type with the shapes of another, as gamephys::sweep:
 // moving[i] with shapes[i]. One that touches nothing gets t = INFINITY, triangle = GPHYS_NO_TRIANGLE
 // and zeros.
-//   - shapes, moving: shapes of one type each
+//   - shapes, moving: shapes of one type
 //   - displacements: metres
 // Throws Error with GPHYS_ERROR_UNSUPPORTED as gamephys::sweep.
 // Cost: that of as many single calls. Since 1.1.
@@ -2749,7 +2760,7 @@ inline std::optional<Penetration> penetration(ShapeRef shape, ShapeRef moving) {
 // The shortest translations that take the shapes of one type out of the shapes of another, as
 // gamephys::penetration: moving[i] out of shapes[i]. One that overlaps nothing gets depth = -INFINITY,
 // triangle = GPHYS_NO_TRIANGLE and zeros.
-//   - shapes, moving: shapes of one type each
+//   - shapes, moving: shapes of one type
 // Throws Error with GPHYS_ERROR_UNSUPPORTED as gamephys::penetration.
 // Cost: that of as many single calls. Since 1.1.
 inline void penetration_batch(ShapeSpan shapes, ShapeSpan moving, Span<Penetration> out_penetrations) {
@@ -2785,7 +2796,7 @@ inline std::optional<Vec3> planes_intersection(const Plane& a, const Plane& b, c
 
 // The points of the triples of planes, as gamephys::planes_intersection; one without gets x = y = z =
 // INFINITY.
-//   - a, b, c: the planes each
+//   - a, b, c: the planes
 // Cost: that of as many single calls. Since 1.1.
 inline void planes_intersection_batch(Span<const Plane> a, Span<const Plane> b, Span<const Plane> c, Span<Vec3> out_points) {
     const uint32_t count = common_size({a.sizes(), b.sizes(), c.sizes()});

@@ -601,8 +601,6 @@ public sealed partial class Scene : IDisposable {
     /// Cost: as Scene.SetTransform of a model without children, whatever the size of a mesh.</summary>
     /// <param name="shape">as in Scene.Add: a struct, copied, or a mesh with ShapeType.Mesh. The scene
     /// holds the new mesh and no longer the old one, which may be the same.</param>
-    /// <param name="shape">as in Scene.Add: a struct, copied, or a mesh with ShapeType.Mesh. The scene
-    /// holds the new mesh and no longer the old one, which may be the same.</param>
     /// <exception cref="GamephysException">Status.ErrorUnsupported: for a frustum, ray or segment, and for
     /// a shape that cannot have the model's scale (Scene.SetScale)</exception>
     /// <exception cref="GamephysException">Status.ErrorInvalidArgument: also if the model would leave the
@@ -1608,8 +1606,8 @@ public sealed partial class Camera : IDisposable {
     /// Cost: O(1).</summary>
     /// <param name="height">metres seen from top to bottom, &gt;= 1e-6; the width follows from the viewport
     /// and is at most twice MaxCoordinate</param>
-    /// <param name="nearDistance">metres; far at least 1e-6 above near, which may be negative</param>
-    /// <param name="farDistance">metres; far at least 1e-6 above near, which may be negative</param>
+    /// <param name="nearDistance">metres, may be negative</param>
+    /// <param name="farDistance">metres, at least 1e-6 above nearDistance</param>
     public unsafe void SetOrthographic(float height, float nearDistance, float farDistance) {
         Check(Low.gphys_camera_set_orthographic(Handle, height, nearDistance, farDistance));
     }
@@ -1639,10 +1637,10 @@ public sealed partial class Camera : IDisposable {
 
     /// <summary>As Camera.SetOrthographic, with a width of its own, which the viewport does not change.
     /// Cost: O(1). Since 1.1.</summary>
-    /// <param name="width">metres seen from left to right and from top to bottom, &gt;= 1e-6</param>
-    /// <param name="height">metres seen from left to right and from top to bottom, &gt;= 1e-6</param>
-    /// <param name="nearDistance">metres; far at least 1e-6 above near, which may be negative</param>
-    /// <param name="farDistance">metres; far at least 1e-6 above near, which may be negative</param>
+    /// <param name="width">metres seen from left to right, &gt;= 1e-6</param>
+    /// <param name="height">metres seen from top to bottom, &gt;= 1e-6</param>
+    /// <param name="nearDistance">metres, may be negative</param>
+    /// <param name="farDistance">metres, at least 1e-6 above nearDistance</param>
     public unsafe void SetOrthographicSize(float width, float height, float nearDistance, float farDistance) {
         Check(Low.gphys_camera_set_orthographic_size(Handle, width, height, nearDistance, farDistance));
     }
@@ -1659,8 +1657,8 @@ public sealed partial class Camera : IDisposable {
     /// <summary>Where the viewport is in its window, as one of several of a split screen: pixels of all functions
     /// count from the window's top left corner. (0, 0) at creation.
     /// Cost: O(1). Since 1.1.</summary>
-    /// <param name="x">pixels of the window, of the viewport's top left corner</param>
-    /// <param name="y">pixels of the window, of the viewport's top left corner</param>
+    /// <param name="x">pixels from the window's left edge to the viewport's</param>
+    /// <param name="y">pixels from the window's top edge to the viewport's</param>
     public unsafe void SetViewportOrigin(float x, float y) {
         Check(Low.gphys_camera_set_viewport_origin(Handle, x, y));
     }
@@ -1927,10 +1925,10 @@ public sealed partial class Camera : IDisposable {
 
     /// <summary>What is seen in a rectangle of pixels, as Camera.GetFrustum: of a tile, a marquee, a portal.
     /// Cost: O(1). Since 1.1.</summary>
-    /// <param name="x0">pixels, opposite corners in any order; may lie outside the viewport</param>
-    /// <param name="y0">pixels, opposite corners in any order; may lie outside the viewport</param>
-    /// <param name="x1">pixels, opposite corners in any order; may lie outside the viewport</param>
-    /// <param name="y1">pixels, opposite corners in any order; may lie outside the viewport</param>
+    /// <param name="x0">pixels, a corner of the rectangle; may lie outside the viewport</param>
+    /// <param name="y0">pixels, a corner of the rectangle; may lie outside the viewport</param>
+    /// <param name="x1">pixels, the opposite corner, in any order; may lie outside the viewport</param>
+    /// <param name="y1">pixels, the opposite corner, in any order; may lie outside the viewport</param>
     /// <exception cref="GamephysException">Status.ErrorInvalidArgument: if the rectangle has no area, or a
     /// side of what a matrix shows in it lies at infinity or beyond MaxCoordinate</exception>
     public unsafe Frustum GetRectangleFrustum(float x0, float y0, float x1, float y1) {
@@ -2017,10 +2015,10 @@ public sealed partial class Camera : IDisposable {
 
     /// <summary>Rays for a rectangle of pixel centres, as Camera.PickRay, row by row.
     /// Cost: O(width * height).</summary>
-    /// <param name="x">pixels; width * height rays, fewer than 2^32</param>
-    /// <param name="y">pixels; width * height rays, fewer than 2^32</param>
-    /// <param name="width">pixels; width * height rays, fewer than 2^32</param>
-    /// <param name="height">pixels; width * height rays, fewer than 2^32</param>
+    /// <param name="x">the left column of the rectangle</param>
+    /// <param name="y">its top row</param>
+    /// <param name="width">its columns</param>
+    /// <param name="height">its rows; width * height fewer than 2^32</param>
     public unsafe void PickRays(uint x, uint y, uint width, uint height, Span<Ray> rays) {
         RequireLength(rays.Length, (ulong)width * height);
         fixed (Ray* rays_ = &MemoryMarshal.GetReference(rays))
@@ -2053,10 +2051,10 @@ public sealed partial class Camera : IDisposable {
     /// <summary>Marquee: ids of all models in the pixel rectangle, hidden ones included, between near and far plane;
     /// tested by their exact shapes, ascending.
     /// Cost: that of Scene.Overlap.</summary>
-    /// <param name="x0">pixels, opposite corners in any order; may lie outside the viewport</param>
-    /// <param name="y0">pixels, opposite corners in any order; may lie outside the viewport</param>
-    /// <param name="x1">pixels, opposite corners in any order; may lie outside the viewport</param>
-    /// <param name="y1">pixels, opposite corners in any order; may lie outside the viewport</param>
+    /// <param name="x0">pixels, a corner of the rectangle; may lie outside the viewport</param>
+    /// <param name="y0">pixels, a corner of the rectangle; may lie outside the viewport</param>
+    /// <param name="x1">pixels, the opposite corner, in any order; may lie outside the viewport</param>
+    /// <param name="y1">pixels, the opposite corner, in any order; may lie outside the viewport</param>
     /// <exception cref="GamephysException">Status.ErrorInvalidArgument: if the rectangle has no
     /// area</exception>
     public unsafe uint[] PickRectangle(Scene scene, float x0, float y0, float x1, float y1, uint layers = Constants.AllLayers) {
@@ -2122,10 +2120,10 @@ public sealed partial class Camera : IDisposable {
 
     /// <summary>Marquee: ids of all models in the pixel rectangle that the filter sees, as Camera.PickRectangle.
     /// Cost: as Scene.OverlapFiltered.</summary>
-    /// <param name="x0">pixels; opposite corners, in any order</param>
-    /// <param name="y0">pixels; opposite corners, in any order</param>
-    /// <param name="x1">pixels; opposite corners, in any order</param>
-    /// <param name="y1">pixels; opposite corners, in any order</param>
+    /// <param name="x0">pixels, a corner of the rectangle</param>
+    /// <param name="y0">pixels, a corner of the rectangle</param>
+    /// <param name="x1">pixels, the opposite corner, in any order</param>
+    /// <param name="y1">pixels, the opposite corner, in any order</param>
     /// <param name="filter">null: the defaults</param>
     public unsafe uint[] PickRectangleFiltered(Scene scene, float x0, float y0, float x1, float y1, QueryFilterDesc? filter = null) {
         var result = new uint[Guess];
@@ -2299,8 +2297,8 @@ public sealed partial class Solver : IDisposable {
     /// Cost: O(columns * rows).</summary>
     /// <param name="desc">null: the defaults</param>
     /// <param name="corner">metres</param>
-    /// <param name="edgeU">metres, from the corner along a row and along a column</param>
-    /// <param name="edgeV">metres, from the corner along a row and along a column</param>
+    /// <param name="edgeU">metres, from the corner along a row</param>
+    /// <param name="edgeV">metres, from the corner along a column</param>
     /// <param name="columns">&gt;= 2</param>
     /// <param name="rows">&gt;= 2</param>
     /// <exception cref="GamephysException">Status.ErrorInvalidArgument: if the edges are parallel or
@@ -2452,9 +2450,8 @@ public sealed partial class Solver : IDisposable {
 
     /// <summary>Where the particles are, metres.
     /// Cost: O(count).</summary>
-    /// <param name="first">the particles first .. first + count - 1; a range beyond the body is
-    /// Status.ErrorInvalidArgument</param>
-    /// <param name="count">the particles first .. first + count - 1; a range beyond the body is
+    /// <param name="first">the first particle</param>
+    /// <param name="count">how many from there on; a range beyond the body is
     /// Status.ErrorInvalidArgument</param>
     public unsafe void GetPositions(uint body, uint first, Span<Vec3> positions) {
         var count = (uint)positions.Length;
@@ -3349,8 +3346,8 @@ public static partial class Geometry {
 
     /// <summary>Whether the shapes of each of the pairs overlap, as Geometry.Overlaps: pair i is a[i] against b[i].
     /// Cost: that of as many single calls.</summary>
-    /// <param name="a">shapes of one type each</param>
-    /// <param name="b">shapes of one type each</param>
+    /// <param name="a">shapes of one type</param>
+    /// <param name="b">shapes of one type</param>
     /// <exception cref="GamephysException">Status.ErrorUnsupported: for rays and segments</exception>
     public static unsafe void OverlapsBatch(Shapes a, Shapes b, Span<int> overlaps) {
         var aOne = a.One;
@@ -3494,8 +3491,8 @@ public static partial class Geometry {
     /// moving[i] with shapes[i]. One that touches nothing gets t = INFINITY, triangle = NoTriangle and
     /// zeros.
     /// Cost: that of as many single calls. Since 1.1.</summary>
-    /// <param name="shapes">shapes of one type each</param>
-    /// <param name="moving">shapes of one type each</param>
+    /// <param name="shapes">shapes of one type</param>
+    /// <param name="moving">shapes of one type</param>
     /// <param name="displacements">metres</param>
     /// <exception cref="GamephysException">Status.ErrorUnsupported: as Geometry.Sweep</exception>
     public static unsafe void SweepBatch(Shapes shapes, Shapes moving, ReadOnlySpan<Vec3> displacements, Span<Hit> hits) {
@@ -3545,8 +3542,8 @@ public static partial class Geometry {
     /// Geometry.Penetration: moving[i] out of shapes[i]. One that overlaps nothing gets depth = -INFINITY,
     /// triangle = NoTriangle and zeros.
     /// Cost: that of as many single calls. Since 1.1.</summary>
-    /// <param name="shapes">shapes of one type each</param>
-    /// <param name="moving">shapes of one type each</param>
+    /// <param name="shapes">shapes of one type</param>
+    /// <param name="moving">shapes of one type</param>
     /// <exception cref="GamephysException">Status.ErrorUnsupported: as Geometry.Penetration</exception>
     public static unsafe void PenetrationBatch(Shapes shapes, Shapes moving, Span<Penetration> penetrations) {
         var shapesOne = shapes.One;
@@ -3593,9 +3590,9 @@ public static partial class Geometry {
     /// <summary>The points of the triples of planes, as Geometry.PlanesIntersection; one without gets x = y = z =
     /// INFINITY.
     /// Cost: that of as many single calls. Since 1.1.</summary>
-    /// <param name="a">the planes each</param>
-    /// <param name="b">the planes each</param>
-    /// <param name="c">the planes each</param>
+    /// <param name="a">the planes</param>
+    /// <param name="b">the planes</param>
+    /// <param name="c">the planes</param>
     public static unsafe void PlanesIntersectionBatch(ReadOnlySpan<Plane> a, ReadOnlySpan<Plane> b, ReadOnlySpan<Plane> c, Span<Vec3> points) {
         var count = CommonLength(-1, a.Length, b.Length, c.Length);
         RequireLength(points.Length, count);

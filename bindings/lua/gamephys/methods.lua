@@ -504,8 +504,6 @@ end
 --- Cost: as Scene:set_transform of a model without children, whatever the size of a mesh.
 --- @param shape as in Scene:add: a struct, copied, or a mesh with SHAPE_MESH. The scene holds the new
 ---     mesh and no longer the old one, which may be the same.
---- @param shape as in Scene:add: a struct, copied, or a mesh with SHAPE_MESH. The scene holds the new
----     mesh and no longer the old one, which may be the same.
 --- @raise status ERROR_UNSUPPORTED: for a frustum, ray or segment, and for a shape that cannot have the
 ---     model's scale (Scene:set_scale)
 --- @raise status ERROR_INVALID_ARGUMENT: also if the model would leave the range of the world
@@ -1244,8 +1242,8 @@ end
 --- Cost: O(1).
 --- @param height metres seen from top to bottom, >= 1e-6; the width follows from the viewport and is at
 ---     most twice MAX_COORDINATE
---- @param near_distance metres; far at least 1e-6 above near, which may be negative
---- @param far_distance metres; far at least 1e-6 above near, which may be negative
+--- @param near_distance metres, may be negative
+--- @param far_distance metres, at least 1e-6 above near_distance
 function Camera:set_orthographic(height, near_distance, far_distance)
     check(C.gphys_camera_set_orthographic(opened(self), real(height, 'height'), real(near_distance, 'near_distance'), real(far_distance, 'far_distance')))
 end
@@ -1273,10 +1271,10 @@ end
 
 --- As Camera:set_orthographic, with a width of its own, which the viewport does not change.
 --- Cost: O(1). Since 1.1.
---- @param width metres seen from left to right and from top to bottom, >= 1e-6
---- @param height metres seen from left to right and from top to bottom, >= 1e-6
---- @param near_distance metres; far at least 1e-6 above near, which may be negative
---- @param far_distance metres; far at least 1e-6 above near, which may be negative
+--- @param width metres seen from left to right, >= 1e-6
+--- @param height metres seen from top to bottom, >= 1e-6
+--- @param near_distance metres, may be negative
+--- @param far_distance metres, at least 1e-6 above near_distance
 function Camera:set_orthographic_size(width, height, near_distance, far_distance)
     check(C.gphys_camera_set_orthographic_size(opened(self), real(width, 'width'), real(height, 'height'), real(near_distance, 'near_distance'), real(far_distance, 'far_distance')))
 end
@@ -1293,8 +1291,8 @@ end
 --- Where the viewport is in its window, as one of several of a split screen: pixels of all functions
 --- count from the window's top left corner. (0, 0) at creation.
 --- Cost: O(1). Since 1.1.
---- @param x pixels of the window, of the viewport's top left corner
---- @param y pixels of the window, of the viewport's top left corner
+--- @param x pixels from the window's left edge to the viewport's
+--- @param y pixels from the window's top edge to the viewport's
 function Camera:set_viewport_origin(x, y)
     check(C.gphys_camera_set_viewport_origin(opened(self), real(x, 'x'), real(y, 'y')))
 end
@@ -1563,10 +1561,10 @@ end
 
 --- What is seen in a rectangle of pixels, as Camera:get_frustum: of a tile, a marquee, a portal.
 --- Cost: O(1). Since 1.1.
---- @param x0 pixels, opposite corners in any order; may lie outside the viewport
---- @param y0 pixels, opposite corners in any order; may lie outside the viewport
---- @param x1 pixels, opposite corners in any order; may lie outside the viewport
---- @param y1 pixels, opposite corners in any order; may lie outside the viewport
+--- @param x0 pixels, a corner of the rectangle; may lie outside the viewport
+--- @param y0 pixels, a corner of the rectangle; may lie outside the viewport
+--- @param x1 pixels, the opposite corner, in any order; may lie outside the viewport
+--- @param y1 pixels, the opposite corner, in any order; may lie outside the viewport
 --- @raise status ERROR_INVALID_ARGUMENT: if the rectangle has no area, or a side of what a matrix shows
 ---     in it lies at infinity or beyond MAX_COORDINATE
 function Camera:get_rectangle_frustum(x0, y0, x1, y1, out_frustum)
@@ -1647,10 +1645,10 @@ end
 
 --- Rays for a rectangle of pixel centres, as Camera:pick_ray, row by row.
 --- Cost: O(width * height).
---- @param x pixels; width * height rays, fewer than 2^32
---- @param y pixels; width * height rays, fewer than 2^32
---- @param width pixels; width * height rays, fewer than 2^32
---- @param height pixels; width * height rays, fewer than 2^32
+--- @param x the left column of the rectangle
+--- @param y its top row
+--- @param width its columns
+--- @param height its rows; width * height fewer than 2^32
 function Camera:pick_rays(x, y, width, height, out)
     out = results(Ray, out, width * height)
     check(C.gphys_camera_pick_rays(opened(self), whole(x, 'x'), whole(y, 'y'), whole(width, 'width'), whole(height, 'height'), out, Ray.size))
@@ -1682,10 +1680,10 @@ end
 --- Marquee: ids of all models in the pixel rectangle, hidden ones included, between near and far plane;
 --- tested by their exact shapes, ascending.
 --- Cost: that of Scene:overlap.
---- @param x0 pixels, opposite corners in any order; may lie outside the viewport
---- @param y0 pixels, opposite corners in any order; may lie outside the viewport
---- @param x1 pixels, opposite corners in any order; may lie outside the viewport
---- @param y1 pixels, opposite corners in any order; may lie outside the viewport
+--- @param x0 pixels, a corner of the rectangle; may lie outside the viewport
+--- @param y0 pixels, a corner of the rectangle; may lie outside the viewport
+--- @param x1 pixels, the opposite corner, in any order; may lie outside the viewport
+--- @param y1 pixels, the opposite corner, in any order; may lie outside the viewport
 --- @raise status ERROR_INVALID_ARGUMENT: if the rectangle has no area
 function Camera:pick_rectangle(scene, x0, y0, x1, y1, layers)
     return list(uint32_t, function(out, capacity, total)
@@ -1727,10 +1725,10 @@ end
 
 --- Marquee: ids of all models in the pixel rectangle that the filter sees, as Camera:pick_rectangle.
 --- Cost: as Scene:overlap_filtered.
---- @param x0 pixels; opposite corners, in any order
---- @param y0 pixels; opposite corners, in any order
---- @param x1 pixels; opposite corners, in any order
---- @param y1 pixels; opposite corners, in any order
+--- @param x0 pixels, a corner of the rectangle
+--- @param y0 pixels, a corner of the rectangle
+--- @param x1 pixels, the opposite corner, in any order
+--- @param y1 pixels, the opposite corner, in any order
 --- @param filter nil: the defaults
 function Camera:pick_rectangle_filtered(scene, x0, y0, x1, y1, filter)
     return list(uint32_t, function(out, capacity, total)
@@ -1872,8 +1870,8 @@ do
     --- Cost: O(columns * rows).
     --- @param desc nil: the defaults
     --- @param corner metres
-    --- @param edge_u metres, from the corner along a row and along a column
-    --- @param edge_v metres, from the corner along a row and along a column
+    --- @param edge_u metres, from the corner along a row
+    --- @param edge_v metres, from the corner along a column
     --- @param columns >= 2
     --- @param rows >= 2
     --- @raise status ERROR_INVALID_ARGUMENT: if the edges are parallel or zero
@@ -1992,10 +1990,8 @@ end
 
 --- Where the particles are, metres.
 --- Cost: O(count).
---- @param first the particles first .. first + count - 1; a range beyond the body is
----     ERROR_INVALID_ARGUMENT
---- @param count the particles first .. first + count - 1; a range beyond the body is
----     ERROR_INVALID_ARGUMENT
+--- @param first the first particle
+--- @param count how many from there on; a range beyond the body is ERROR_INVALID_ARGUMENT
 function Solver:get_positions(body, first, count, out)
     first = first or 0
     count = count or math.max(0, self:get_body_info(body).particle_count - first)
@@ -2782,8 +2778,8 @@ end
 
 --- Whether the shapes of each of the pairs overlap, as gp.overlaps: pair i is a[i] against b[i].
 --- Cost: that of as many single calls.
---- @param a shapes of one type each
---- @param b shapes of one type each
+--- @param a shapes of one type
+--- @param b shapes of one type
 --- @raise status ERROR_UNSUPPORTED: for rays and segments
 function gp.overlaps_batch(a, b, out)
     local a, a_kind, a_count, a_stride = to_shapes(a)
@@ -2895,8 +2891,8 @@ end
 --- First contacts of count moving shapes of one type with the shapes of another, as gp.sweep: moving[i]
 --- with shapes[i]. One that touches nothing gets t = INFINITY, triangle = NO_TRIANGLE and zeros.
 --- Cost: that of as many single calls. Since 1.1.
---- @param shapes shapes of one type each
---- @param moving shapes of one type each
+--- @param shapes shapes of one type
+--- @param moving shapes of one type
 --- @param displacements metres
 --- @raise status ERROR_UNSUPPORTED: as gp.sweep
 function gp.sweep_batch(shapes, moving, displacements, out)
@@ -2935,8 +2931,8 @@ end
 --- gp.penetration: moving[i] out of shapes[i]. One that overlaps nothing gets depth = -INFINITY,
 --- triangle = NO_TRIANGLE and zeros.
 --- Cost: that of as many single calls. Since 1.1.
---- @param shapes shapes of one type each
---- @param moving shapes of one type each
+--- @param shapes shapes of one type
+--- @param moving shapes of one type
 --- @raise status ERROR_UNSUPPORTED: as gp.penetration
 function gp.penetration_batch(shapes, moving, out)
     local shapes, shapes_kind, shapes_count, shapes_stride = to_shapes(shapes)
@@ -2973,9 +2969,9 @@ end
 --- The points of the triples of planes, as gp.planes_intersection; one without gets x = y = z =
 --- INFINITY.
 --- Cost: that of as many single calls. Since 1.1.
---- @param a the planes each
---- @param b the planes each
---- @param c the planes each
+--- @param a the planes
+--- @param b the planes
+--- @param c the planes
 function gp.planes_intersection_batch(a, b, c, out)
     local a, a_count, a_stride = to_array(Plane, a)
     local b, b_count, b_stride = to_array(Plane, b)

@@ -523,8 +523,8 @@ class Scene(Models):
         Cost: as Scene.set_transform of a model without children, whatever the size of a mesh.
 
         Args:
-            shape, shape: as in Scene.add: a struct, copied, or a mesh with SHAPE_MESH. The scene holds
-                the new mesh and no longer the old one, which may be the same.
+            shape: as in Scene.add: a struct, copied, or a mesh with SHAPE_MESH. The scene holds the new
+                mesh and no longer the old one, which may be the same.
 
         Raises:
             Error, status ERROR_UNSUPPORTED: for a frustum, ray or segment, and for a shape that cannot
@@ -1453,7 +1453,8 @@ class Camera(Object):
         Args:
             height: metres seen from top to bottom, >= 1e-6; the width follows from the viewport and is
                 at most twice MAX_COORDINATE
-            near_distance, far_distance: metres; far at least 1e-6 above near, which may be negative"""
+            near_distance: metres, may be negative
+            far_distance: metres, at least 1e-6 above near_distance"""
         if type(height) is not float: height = number(height, "height")
         if type(near_distance) is not float: near_distance = number(near_distance, "near_distance")
         if type(far_distance) is not float: far_distance = number(far_distance, "far_distance")
@@ -1495,8 +1496,10 @@ class Camera(Object):
         Cost: O(1). Since 1.1.
 
         Args:
-            width, height: metres seen from left to right and from top to bottom, >= 1e-6
-            near_distance, far_distance: metres; far at least 1e-6 above near, which may be negative"""
+            width: metres seen from left to right, >= 1e-6
+            height: metres seen from top to bottom, >= 1e-6
+            near_distance: metres, may be negative
+            far_distance: metres, at least 1e-6 above near_distance"""
         if type(width) is not float: width = number(width, "width")
         if type(height) is not float: height = number(height, "height")
         if type(near_distance) is not float: near_distance = number(near_distance, "near_distance")
@@ -1522,7 +1525,8 @@ class Camera(Object):
         Cost: O(1). Since 1.1.
 
         Args:
-            x, y: pixels of the window, of the viewport's top left corner"""
+            x: pixels from the window's left edge to the viewport's
+            y: pixels from the window's top edge to the viewport's"""
         if type(x) is not float: x = number(x, "x")
         if type(y) is not float: y = number(y, "y")
         status = low.gphys_camera_set_viewport_origin(self._handle, x, y)
@@ -1830,7 +1834,8 @@ class Camera(Object):
         Cost: O(1). Since 1.1.
 
         Args:
-            x0, y0, x1, y1: pixels, opposite corners in any order; may lie outside the viewport
+            x0, y0: pixels, a corner of the rectangle; may lie outside the viewport
+            x1, y1: pixels, the opposite corner, in any order; may lie outside the viewport
 
         Raises:
             InvalidArgument: if the rectangle has no area, or a side of what a matrix shows in it lies
@@ -1944,7 +1949,10 @@ class Camera(Object):
         Cost: O(width * height).
 
         Args:
-            x, y, width, height: pixels; width * height rays, fewer than 2^32"""
+            x: the left column of the rectangle
+            y: its top row
+            width: its columns
+            height: its rows; width * height fewer than 2^32"""
         if type(x) is not int or x >> 32: x = whole(x, "x")
         if type(y) is not int or y >> 32: y = whole(y, "y")
         if type(width) is not int or width >> 32: width = whole(width, "width")
@@ -1993,7 +2001,8 @@ class Camera(Object):
         Cost: that of Scene.overlap.
 
         Args:
-            x0, y0, x1, y1: pixels, opposite corners in any order; may lie outside the viewport
+            x0, y0: pixels, a corner of the rectangle; may lie outside the viewport
+            x1, y1: pixels, the opposite corner, in any order; may lie outside the viewport
 
         Raises:
             InvalidArgument: if the rectangle has no area"""
@@ -2049,7 +2058,8 @@ class Camera(Object):
         Cost: as Scene.overlap_filtered.
 
         Args:
-            x0, y0, x1, y1: pixels; opposite corners, in any order
+            x0, y0: pixels, a corner of the rectangle
+            x1, y1: pixels, the opposite corner, in any order
             filter: None: the defaults"""
         if type(x0) is not float: x0 = number(x0, "x0")
         if type(y0) is not float: y0 = number(y0, "y0")
@@ -2224,7 +2234,8 @@ class Solver(Bodies):
         Args:
             desc: None: the defaults
             corner: metres
-            edge_u, edge_v: metres, from the corner along a row and along a column
+            edge_u: metres, from the corner along a row
+            edge_v: metres, from the corner along a column
             columns, rows: >= 2
 
         Raises:
@@ -2363,8 +2374,8 @@ class Solver(Bodies):
         Cost: O(count).
 
         Args:
-            first, count: the particles first .. first + count - 1; a range beyond the body is
-                ERROR_INVALID_ARGUMENT"""
+            first: the first particle
+            count: how many from there on; a range beyond the body is ERROR_INVALID_ARGUMENT"""
         if type(body) is not int or body >> 32: body = whole(body, "body")
         if type(first) is not int or first >> 32: first = whole(first, "first")
         if count is None: count = self._rest(body, first)
@@ -3358,7 +3369,7 @@ def overlaps_batch(a: ArrayLike | Mesh, b: ArrayLike | Mesh, *, out: NDArray[Any
     Cost: that of as many single calls.
 
     Args:
-        a, b: shapes of one type each
+        a, b: shapes of one type
 
     Raises:
         Error, status ERROR_UNSUPPORTED: for rays and segments"""
@@ -3527,7 +3538,7 @@ def sweep_batch(shapes: ArrayLike | Mesh, moving: ArrayLike | Mesh, displacement
     Cost: that of as many single calls. Since 1.1.
 
     Args:
-        shapes, moving: shapes of one type each
+        shapes, moving: shapes of one type
         displacements: metres
 
     Raises:
@@ -3579,7 +3590,7 @@ def penetration_batch(shapes: ArrayLike | Mesh, moving: ArrayLike | Mesh, *, out
     Cost: that of as many single calls. Since 1.1.
 
     Args:
-        shapes, moving: shapes of one type each
+        shapes, moving: shapes of one type
 
     Raises:
         Error, status ERROR_UNSUPPORTED: as gamephys.penetration"""
@@ -3633,7 +3644,7 @@ def planes_intersection_batch(a: ArrayLike, b: ArrayLike, c: ArrayLike, *, out: 
     Cost: that of as many single calls. Since 1.1.
 
     Args:
-        a, b, c: the planes each"""
+        a, b, c: the planes"""
     a_ = array_of(a, low.plane_dtype)
     b_ = array_of(b, low.plane_dtype)
     c_ = array_of(c, low.plane_dtype)

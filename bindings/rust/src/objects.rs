@@ -702,8 +702,8 @@ impl Scene {
     ///
     /// Cost: as `Scene::set_transform` of a model without children, whatever the size of a mesh.
     ///
-    /// * `shape`, `shape`: as in `Scene::add`: a struct, copied, or a mesh with `ShapeType::MESH`. The
-    ///   scene holds the new mesh and no longer the old one, which may be the same.
+    /// * `shape`: as in `Scene::add`: a struct, copied, or a mesh with `ShapeType::MESH`. The scene holds
+    ///   the new mesh and no longer the old one, which may be the same.
     ///
     /// # Errors
     /// * `Status::ERROR_UNSUPPORTED`: for a frustum, ray or segment, and for a shape that cannot have the
@@ -1590,7 +1590,8 @@ impl Camera {
     ///
     /// * `height`: metres seen from top to bottom, >= 1e-6; the width follows from the viewport and is at
     ///   most twice `MAX_COORDINATE`
-    /// * `near_distance`, `far_distance`: metres; far at least 1e-6 above near, which may be negative
+    /// * `near_distance`: metres, may be negative
+    /// * `far_distance`: metres, at least 1e-6 above near_distance
     pub fn set_orthographic(&mut self, height: f32, near_distance: f32, far_distance: f32) -> Result<()> {
         check(unsafe { sys::gphys_camera_set_orthographic(self.handle.as_ptr(), height, near_distance, far_distance) })
     }
@@ -1625,8 +1626,10 @@ impl Camera {
     ///
     /// Cost: O(1). Since 1.1.
     ///
-    /// * `width`, `height`: metres seen from left to right and from top to bottom, >= 1e-6
-    /// * `near_distance`, `far_distance`: metres; far at least 1e-6 above near, which may be negative
+    /// * `width`: metres seen from left to right, >= 1e-6
+    /// * `height`: metres seen from top to bottom, >= 1e-6
+    /// * `near_distance`: metres, may be negative
+    /// * `far_distance`: metres, at least 1e-6 above near_distance
     pub fn set_orthographic_size(&mut self, width: f32, height: f32, near_distance: f32, far_distance: f32) -> Result<()> {
         check(unsafe { sys::gphys_camera_set_orthographic_size(self.handle.as_ptr(), width, height, near_distance, far_distance) })
     }
@@ -1646,7 +1649,8 @@ impl Camera {
     ///
     /// Cost: O(1). Since 1.1.
     ///
-    /// * `x`, `y`: pixels of the window, of the viewport's top left corner
+    /// * `x`: pixels from the window's left edge to the viewport's
+    /// * `y`: pixels from the window's top edge to the viewport's
     pub fn set_viewport_origin(&mut self, x: f32, y: f32) -> Result<()> {
         check(unsafe { sys::gphys_camera_set_viewport_origin(self.handle.as_ptr(), x, y) })
     }
@@ -1960,7 +1964,8 @@ impl Camera {
     ///
     /// Cost: O(1). Since 1.1.
     ///
-    /// * `x0`, `y0`, `x1`, `y1`: pixels, opposite corners in any order; may lie outside the viewport
+    /// * `x0`, `y0`: pixels, a corner of the rectangle; may lie outside the viewport
+    /// * `x1`, `y1`: pixels, the opposite corner, in any order; may lie outside the viewport
     ///
     /// # Errors
     /// * `Status::ERROR_INVALID_ARGUMENT`: if the rectangle has no area, or a side of what a matrix shows
@@ -2058,7 +2063,10 @@ impl Camera {
     ///
     /// Cost: O(width * height).
     ///
-    /// * `x`, `y`, `width`, `height`: pixels; width * height rays, fewer than 2^32
+    /// * `x`: the left column of the rectangle
+    /// * `y`: its top row
+    /// * `width`: its columns
+    /// * `height`: its rows; width * height fewer than 2^32
     pub fn pick_rays<'a>(&self, x: u32, y: u32, width: u32, height: u32, out_rays: impl Into<BatchMut<'a, Ray>>) -> Result<()> {
         let out_rays = out_rays.into();
         out_rays.require(u64::from(width) * u64::from(height))?;
@@ -2096,7 +2104,8 @@ impl Camera {
     ///
     /// Cost: that of `Scene::overlap`.
     ///
-    /// * `x0`, `y0`, `x1`, `y1`: pixels, opposite corners in any order; may lie outside the viewport
+    /// * `x0`, `y0`: pixels, a corner of the rectangle; may lie outside the viewport
+    /// * `x1`, `y1`: pixels, the opposite corner, in any order; may lie outside the viewport
     ///
     /// # Errors
     /// * `Status::ERROR_INVALID_ARGUMENT`: if the rectangle has no area
@@ -2143,7 +2152,8 @@ impl Camera {
     ///
     /// Cost: as `Scene::overlap_filtered`.
     ///
-    /// * `x0`, `y0`, `x1`, `y1`: pixels; opposite corners, in any order
+    /// * `x0`, `y0`: pixels, a corner of the rectangle
+    /// * `x1`, `y1`: pixels, the opposite corner, in any order
     /// * `filter`: None: the defaults
     pub fn pick_rectangle_filtered(&self, scene: &Scene, x0: f32, y0: f32, x1: f32, y1: f32, filter: Option<&QueryFilterDesc>) -> Result<Vec<ModelId>> {
         list(|out_models, capacity, total| unsafe { sys::gphys_camera_pick_rectangle_filtered(self.handle.as_ptr(), scene.handle.as_ptr(), x0, y0, x1, y1, pointer(filter), out_models, capacity, total) })
@@ -2325,7 +2335,8 @@ impl Solver {
     ///
     /// * `desc`: None: the defaults
     /// * `corner`: metres
-    /// * `edge_u`, `edge_v`: metres, from the corner along a row and along a column
+    /// * `edge_u`: metres, from the corner along a row
+    /// * `edge_v`: metres, from the corner along a column
     /// * `columns`, `rows`: >= 2
     ///
     /// # Errors
@@ -2457,8 +2468,8 @@ impl Solver {
     ///
     /// Cost: O(count).
     ///
-    /// * `first`, `count`: the particles first .. first + count - 1; a range beyond the body is
-    ///   `Status::ERROR_INVALID_ARGUMENT`
+    /// * `first`: the first particle
+    /// * `count`: how many from there on; a range beyond the body is `Status::ERROR_INVALID_ARGUMENT`
     pub fn get_positions<'a>(&self, body: BodyId, first: u32, out_positions: impl Into<BatchMut<'a, Vec3>>) -> Result<()> {
         let out_positions = out_positions.into();
         let count = out_positions.count()?;
@@ -3325,7 +3336,7 @@ pub fn overlaps(a: &dyn Shape, b: &dyn Shape) -> Result<bool> {
 ///
 /// Cost: that of as many single calls.
 ///
-/// * `a`, `b`: shapes of one type each
+/// * `a`, `b`: shapes of one type
 ///
 /// # Errors
 /// * `Status::ERROR_UNSUPPORTED`: for rays and segments
@@ -3469,7 +3480,7 @@ pub fn sweep(shape: &dyn Shape, moving: &dyn Shape, displacement: impl Into<Vec3
 ///
 /// Cost: that of as many single calls. Since 1.1.
 ///
-/// * `shapes`, `moving`: shapes of one type each
+/// * `shapes`, `moving`: shapes of one type
 /// * `displacements`: metres
 ///
 /// # Errors
@@ -3517,7 +3528,7 @@ pub fn penetration(shape: &dyn Shape, moving: &dyn Shape) -> Result<Option<Penet
 ///
 /// Cost: that of as many single calls. Since 1.1.
 ///
-/// * `shapes`, `moving`: shapes of one type each
+/// * `shapes`, `moving`: shapes of one type
 ///
 /// # Errors
 /// * `Status::ERROR_UNSUPPORTED`: as `penetration`
@@ -3562,7 +3573,7 @@ pub fn planes_intersection(a: &Plane, b: &Plane, c: &Plane) -> Result<Option<Vec
 ///
 /// Cost: that of as many single calls. Since 1.1.
 ///
-/// * `a`, `b`, `c`: the planes each
+/// * `a`, `b`, `c`: the planes
 pub fn planes_intersection_batch<'a>(a: impl Into<Batch<'a, Plane>>, b: impl Into<Batch<'a, Plane>>, c: impl Into<Batch<'a, Plane>>, out_points: impl Into<BatchMut<'a, Vec3>>) -> Result<()> {
     let a = a.into();
     let b = b.into();

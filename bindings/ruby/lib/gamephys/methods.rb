@@ -436,8 +436,6 @@ module Gamephys
     # Cost: as Scene#set_transform of a model without children, whatever the size of a mesh.
     # @param shape as in Scene#add: a struct, copied, or a mesh with SHAPE_MESH. The scene holds the new
     #     mesh and no longer the old one, which may be the same.
-    # @param shape as in Scene#add: a struct, copied, or a mesh with SHAPE_MESH. The scene holds the new
-    #     mesh and no longer the old one, which may be the same.
     # @raise [Error] for a frustum, ray or segment, and for a shape that cannot have the model's scale
     #     (Scene#set_scale) (ERROR_UNSUPPORTED)
     # @raise [InvalidArgument] also if the model would leave the range of the world
@@ -1148,8 +1146,8 @@ module Gamephys
     # Cost: O(1).
     # @param height metres seen from top to bottom, >= 1e-6; the width follows from the viewport and is at
     #     most twice MAX_COORDINATE
-    # @param near_distance metres; far at least 1e-6 above near, which may be negative
-    # @param far_distance metres; far at least 1e-6 above near, which may be negative
+    # @param near_distance metres, may be negative
+    # @param far_distance metres, at least 1e-6 above near_distance
     def set_orthographic(height, near_distance, far_distance)
       Low.check(Low.gphys_camera_set_orthographic(opened, height, near_distance, far_distance))
       nil
@@ -1180,10 +1178,10 @@ module Gamephys
 
     # As Camera#set_orthographic, with a width of its own, which the viewport does not change.
     # Cost: O(1). Since 1.1.
-    # @param width metres seen from left to right and from top to bottom, >= 1e-6
-    # @param height metres seen from left to right and from top to bottom, >= 1e-6
-    # @param near_distance metres; far at least 1e-6 above near, which may be negative
-    # @param far_distance metres; far at least 1e-6 above near, which may be negative
+    # @param width metres seen from left to right, >= 1e-6
+    # @param height metres seen from top to bottom, >= 1e-6
+    # @param near_distance metres, may be negative
+    # @param far_distance metres, at least 1e-6 above near_distance
     def set_orthographic_size(width, height, near_distance, far_distance)
       Low.check(Low.gphys_camera_set_orthographic_size(opened, width, height, near_distance, far_distance))
       nil
@@ -1202,8 +1200,8 @@ module Gamephys
     # Where the viewport is in its window, as one of several of a split screen: pixels of all functions
     # count from the window's top left corner. (0, 0) at creation.
     # Cost: O(1). Since 1.1.
-    # @param x pixels of the window, of the viewport's top left corner
-    # @param y pixels of the window, of the viewport's top left corner
+    # @param x pixels from the window's left edge to the viewport's
+    # @param y pixels from the window's top edge to the viewport's
     def set_viewport_origin(x, y)
       Low.check(Low.gphys_camera_set_viewport_origin(opened, x, y))
       nil
@@ -1470,10 +1468,10 @@ module Gamephys
 
     # What is seen in a rectangle of pixels, as Camera#get_frustum: of a tile, a marquee, a portal.
     # Cost: O(1). Since 1.1.
-    # @param x0 pixels, opposite corners in any order; may lie outside the viewport
-    # @param y0 pixels, opposite corners in any order; may lie outside the viewport
-    # @param x1 pixels, opposite corners in any order; may lie outside the viewport
-    # @param y1 pixels, opposite corners in any order; may lie outside the viewport
+    # @param x0 pixels, a corner of the rectangle; may lie outside the viewport
+    # @param y0 pixels, a corner of the rectangle; may lie outside the viewport
+    # @param x1 pixels, the opposite corner, in any order; may lie outside the viewport
+    # @param y1 pixels, the opposite corner, in any order; may lie outside the viewport
     # @raise [InvalidArgument] if the rectangle has no area, or a side of what a matrix shows in it lies
     #     at infinity or beyond MAX_COORDINATE
     def get_rectangle_frustum(x0, y0, x1, y1)
@@ -1554,10 +1552,10 @@ module Gamephys
 
     # Rays for a rectangle of pixel centres, as Camera#pick_ray, row by row.
     # Cost: O(width * height).
-    # @param x pixels; width * height rays, fewer than 2^32
-    # @param y pixels; width * height rays, fewer than 2^32
-    # @param width pixels; width * height rays, fewer than 2^32
-    # @param height pixels; width * height rays, fewer than 2^32
+    # @param x the left column of the rectangle
+    # @param y its top row
+    # @param width its columns
+    # @param height its rows; width * height fewer than 2^32
     def pick_rays(x, y, width, height, out: nil)
       out = Low.results(Ray, out, width * height)
       Low.check(Low.gphys_camera_pick_rays(opened, x, y, width, height, out.pointer, Ray::BYTES))
@@ -1589,10 +1587,10 @@ module Gamephys
     # Marquee: ids of all models in the pixel rectangle, hidden ones included, between near and far plane;
     # tested by their exact shapes, ascending.
     # Cost: that of Scene#overlap.
-    # @param x0 pixels, opposite corners in any order; may lie outside the viewport
-    # @param y0 pixels, opposite corners in any order; may lie outside the viewport
-    # @param x1 pixels, opposite corners in any order; may lie outside the viewport
-    # @param y1 pixels, opposite corners in any order; may lie outside the viewport
+    # @param x0 pixels, a corner of the rectangle; may lie outside the viewport
+    # @param y0 pixels, a corner of the rectangle; may lie outside the viewport
+    # @param x1 pixels, the opposite corner, in any order; may lie outside the viewport
+    # @param y1 pixels, the opposite corner, in any order; may lie outside the viewport
     # @raise [InvalidArgument] if the rectangle has no area
     def pick_rectangle(scene, x0, y0, x1, y1, layers: ALL_LAYERS)
       Low.list(UInt32) { |out, capacity, total| Low.gphys_camera_pick_rectangle(opened, Low.opened(scene, Scene), x0, y0, x1, y1, layers, out, capacity, total) }
@@ -1630,10 +1628,10 @@ module Gamephys
 
     # Marquee: ids of all models in the pixel rectangle that the filter sees, as Camera#pick_rectangle.
     # Cost: as Scene#overlap_filtered.
-    # @param x0 pixels; opposite corners, in any order
-    # @param y0 pixels; opposite corners, in any order
-    # @param x1 pixels; opposite corners, in any order
-    # @param y1 pixels; opposite corners, in any order
+    # @param x0 pixels, a corner of the rectangle
+    # @param y0 pixels, a corner of the rectangle
+    # @param x1 pixels, the opposite corner, in any order
+    # @param y1 pixels, the opposite corner, in any order
     # @param filter nil: the defaults
     def pick_rectangle_filtered(scene, x0, y0, x1, y1, filter = nil)
       Low.list(UInt32) { |out, capacity, total| Low.gphys_camera_pick_rectangle_filtered(opened, Low.opened(scene, Scene), x0, y0, x1, y1, filter && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filter), out, capacity, total) }
@@ -1771,8 +1769,8 @@ module Gamephys
     # Cost: O(columns * rows).
     # @param desc nil: the defaults
     # @param corner metres
-    # @param edge_u metres, from the corner along a row and along a column
-    # @param edge_v metres, from the corner along a row and along a column
+    # @param edge_u metres, from the corner along a row
+    # @param edge_v metres, from the corner along a column
     # @param columns >= 2
     # @param rows >= 2
     # @raise [InvalidArgument] if the edges are parallel or zero
@@ -1884,10 +1882,8 @@ module Gamephys
 
     # Where the particles are, metres.
     # Cost: O(count).
-    # @param first the particles first .. first + count - 1; a range beyond the body is
-    #     ERROR_INVALID_ARGUMENT
-    # @param count the particles first .. first + count - 1; a range beyond the body is
-    #     ERROR_INVALID_ARGUMENT
+    # @param first the first particle
+    # @param count how many from there on; a range beyond the body is ERROR_INVALID_ARGUMENT
     def get_positions(body, first, count, out: nil)
       out = Low.results(Vec3, out, count)
       Low.check(Low.gphys_solver_get_positions(opened, body, first, count, out.pointer, Vec3::BYTES))
@@ -2631,8 +2627,8 @@ module Gamephys
 
   # Whether the shapes of each of the pairs overlap, as Gamephys.overlaps: pair i is a[i] against b[i].
   # Cost: that of as many single calls.
-  # @param a shapes of one type each
-  # @param b shapes of one type each
+  # @param a shapes of one type
+  # @param b shapes of one type
   # @raise [Error] for rays and segments (ERROR_UNSUPPORTED)
   def self.overlaps_batch(a, b, out: nil)
     a = Low.shapes(a)
@@ -2741,8 +2737,8 @@ module Gamephys
   # moving[i] with shapes[i]. One that touches nothing gets t = INFINITY, triangle = NO_TRIANGLE and
   # zeros.
   # Cost: that of as many single calls. Since 1.1.
-  # @param shapes shapes of one type each
-  # @param moving shapes of one type each
+  # @param shapes shapes of one type
+  # @param moving shapes of one type
   # @param displacements metres
   # @raise [Error] as Gamephys.sweep (ERROR_UNSUPPORTED)
   def self.sweep_batch(shapes, moving, displacements, out: nil)
@@ -2781,8 +2777,8 @@ module Gamephys
   # Gamephys.penetration: moving[i] out of shapes[i]. One that overlaps nothing gets depth = -INFINITY,
   # triangle = NO_TRIANGLE and zeros.
   # Cost: that of as many single calls. Since 1.1.
-  # @param shapes shapes of one type each
-  # @param moving shapes of one type each
+  # @param shapes shapes of one type
+  # @param moving shapes of one type
   # @raise [Error] as Gamephys.penetration (ERROR_UNSUPPORTED)
   def self.penetration_batch(shapes, moving, out: nil)
     shapes = Low.shapes(shapes)
@@ -2819,9 +2815,9 @@ module Gamephys
   # The points of the triples of planes, as Gamephys.planes_intersection; one without gets x = y = z =
   # INFINITY.
   # Cost: that of as many single calls. Since 1.1.
-  # @param a the planes each
-  # @param b the planes each
-  # @param c the planes each
+  # @param a the planes
+  # @param b the planes
+  # @param c the planes
   def self.planes_intersection_batch(a, b, c, out: nil)
     a = Low.array(Plane, a)
     b = Low.array(Plane, b)

@@ -86,8 +86,8 @@ public final class Camera extends Owned {
      * Cost: O(1).
      * @param height metres seen from top to bottom, &gt;= 1e-6; the width follows from the viewport and is at
      *     most twice MAX_COORDINATE
-     * @param nearDistance metres; far at least 1e-6 above near, which may be negative
-     * @param farDistance metres; far at least 1e-6 above near, which may be negative
+     * @param nearDistance metres, may be negative
+     * @param farDistance metres, at least 1e-6 above nearDistance
      */
     public void setOrthographic(float height, float nearDistance, float farDistance) {
         int status;
@@ -147,10 +147,10 @@ public final class Camera extends Owned {
     /**
      * As Camera.setOrthographic, with a width of its own, which the viewport does not change.
      * Cost: O(1). Since 1.1.
-     * @param width metres seen from left to right and from top to bottom, &gt;= 1e-6
-     * @param height metres seen from left to right and from top to bottom, &gt;= 1e-6
-     * @param nearDistance metres; far at least 1e-6 above near, which may be negative
-     * @param farDistance metres; far at least 1e-6 above near, which may be negative
+     * @param width metres seen from left to right, &gt;= 1e-6
+     * @param height metres seen from top to bottom, &gt;= 1e-6
+     * @param nearDistance metres, may be negative
+     * @param farDistance metres, at least 1e-6 above nearDistance
      */
     public void setOrthographicSize(float width, float height, float nearDistance, float farDistance) {
         int status;
@@ -187,8 +187,8 @@ public final class Camera extends Owned {
      * Where the viewport is in its window, as one of several of a split screen: pixels of all functions
      * count from the window's top left corner. (0, 0) at creation.
      * Cost: O(1). Since 1.1.
-     * @param x pixels of the window, of the viewport's top left corner
-     * @param y pixels of the window, of the viewport's top left corner
+     * @param x pixels from the window's left edge to the viewport's
+     * @param y pixels from the window's top edge to the viewport's
      */
     public void setViewportOrigin(float x, float y) {
         int status;
@@ -740,10 +740,10 @@ public final class Camera extends Owned {
     /**
      * What is seen in a rectangle of pixels, as Camera.getFrustum: of a tile, a marquee, a portal.
      * Cost: O(1). Since 1.1.
-     * @param x0 pixels, opposite corners in any order; may lie outside the viewport
-     * @param y0 pixels, opposite corners in any order; may lie outside the viewport
-     * @param x1 pixels, opposite corners in any order; may lie outside the viewport
-     * @param y1 pixels, opposite corners in any order; may lie outside the viewport
+     * @param x0 pixels, a corner of the rectangle; may lie outside the viewport
+     * @param y0 pixels, a corner of the rectangle; may lie outside the viewport
+     * @param x1 pixels, the opposite corner, in any order; may lie outside the viewport
+     * @param y1 pixels, the opposite corner, in any order; may lie outside the viewport
      * @throws GamephysException with ERROR_INVALID_ARGUMENT: if the rectangle has no area, or a side of
      *     what a matrix shows in it lies at infinity or beyond MAX_COORDINATE
      */
@@ -902,10 +902,10 @@ public final class Camera extends Owned {
     /**
      * Rays for a rectangle of pixel centres, as Camera.pickRay, row by row.
      * Cost: O(width * height).
-     * @param x pixels; width * height rays, fewer than 2^32
-     * @param y pixels; width * height rays, fewer than 2^32
-     * @param width pixels; width * height rays, fewer than 2^32
-     * @param height pixels; width * height rays, fewer than 2^32
+     * @param x the left column of the rectangle
+     * @param y its top row
+     * @param width its columns
+     * @param height its rows; width * height fewer than 2^32
      */
     public Batch<Ray> pickRays(int x, int y, int width, int height, Batch<Ray> out) {
         Batch<Ray> room = Batch.room(Ray.LAYOUT, width * height, out);
@@ -996,10 +996,10 @@ public final class Camera extends Owned {
      * Marquee: ids of all models in the pixel rectangle, hidden ones included, between near and far plane;
      * tested by their exact shapes, ascending.
      * Cost: that of Scene.overlap.
-     * @param x0 pixels, opposite corners in any order; may lie outside the viewport
-     * @param y0 pixels, opposite corners in any order; may lie outside the viewport
-     * @param x1 pixels, opposite corners in any order; may lie outside the viewport
-     * @param y1 pixels, opposite corners in any order; may lie outside the viewport
+     * @param x0 pixels, a corner of the rectangle; may lie outside the viewport
+     * @param y0 pixels, a corner of the rectangle; may lie outside the viewport
+     * @param x1 pixels, the opposite corner, in any order; may lie outside the viewport
+     * @param y1 pixels, the opposite corner, in any order; may lie outside the viewport
      * @throws GamephysException with ERROR_INVALID_ARGUMENT: if the rectangle has no area
      */
     public Batch<Integer> pickRectangle(Scene scene, float x0, float y0, float x1, float y1, int layers) {
@@ -1124,10 +1124,10 @@ public final class Camera extends Owned {
     /**
      * Marquee: ids of all models in the pixel rectangle that the filter sees, as Camera.pickRectangle.
      * Cost: as Scene.overlapFiltered.
-     * @param x0 pixels; opposite corners, in any order
-     * @param y0 pixels; opposite corners, in any order
-     * @param x1 pixels; opposite corners, in any order
-     * @param y1 pixels; opposite corners, in any order
+     * @param x0 pixels, a corner of the rectangle
+     * @param y0 pixels, a corner of the rectangle
+     * @param x1 pixels, the opposite corner, in any order
+     * @param y1 pixels, the opposite corner, in any order
      * @param filter null: the defaults
      */
     public Batch<Integer> pickRectangleFiltered(Scene scene, float x0, float y0, float x1, float y1, QueryFilterDesc filter) {

@@ -216,8 +216,8 @@ public final class Gamephys extends GamephysBase {
     /**
      * Whether the shapes of each of the pairs overlap, as Gamephys.overlaps: pair i is a[i] against b[i].
      * Cost: that of as many single calls.
-     * @param a shapes of one type each
-     * @param b shapes of one type each
+     * @param a shapes of one type
+     * @param b shapes of one type
      * @throws GamephysException with ERROR_UNSUPPORTED: for rays and segments
      */
     public static Batch<Integer> overlapsBatch(Shapes a, Shapes b, Batch<Integer> out) {
@@ -368,8 +368,8 @@ public final class Gamephys extends GamephysBase {
      * moving[i] with shapes[i]. One that touches nothing gets t = INFINITY, triangle = NO_TRIANGLE and
      * zeros.
      * Cost: that of as many single calls. Since 1.1.
-     * @param shapes shapes of one type each
-     * @param moving shapes of one type each
+     * @param shapes shapes of one type
+     * @param moving shapes of one type
      * @param displacements metres
      * @throws GamephysException with ERROR_UNSUPPORTED: as Gamephys.sweep
      */
@@ -418,8 +418,8 @@ public final class Gamephys extends GamephysBase {
      * Gamephys.penetration: moving[i] out of shapes[i]. One that overlaps nothing gets depth = -INFINITY,
      * triangle = NO_TRIANGLE and zeros.
      * Cost: that of as many single calls. Since 1.1.
-     * @param shapes shapes of one type each
-     * @param moving shapes of one type each
+     * @param shapes shapes of one type
+     * @param moving shapes of one type
      * @throws GamephysException with ERROR_UNSUPPORTED: as Gamephys.penetration
      */
     public static Batch<Penetration> penetrationBatch(Shapes shapes, Shapes moving, Batch<Penetration> out) {
@@ -469,9 +469,9 @@ public final class Gamephys extends GamephysBase {
      * The points of the triples of planes, as Gamephys.planesIntersection; one without gets x = y = z =
      * INFINITY.
      * Cost: that of as many single calls. Since 1.1.
-     * @param a the planes each
-     * @param b the planes each
-     * @param c the planes each
+     * @param a the planes
+     * @param b the planes
+     * @param c the planes
      */
     public static Batch<Vec3> planesIntersectionBatch(Batch<Plane> a, Batch<Plane> b, Batch<Plane> c, Batch<Vec3> out) {
         int count = Low.common(a.common(), b.common(), c.common());

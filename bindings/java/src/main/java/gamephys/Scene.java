@@ -428,8 +428,6 @@ public final class Scene extends SceneBase {
      * Cost: as Scene.setTransform of a model without children, whatever the size of a mesh.
      * @param shape as in Scene.add: a struct, copied, or a mesh with SHAPE_MESH. The scene holds the new
      *     mesh and no longer the old one, which may be the same.
-     * @param shape as in Scene.add: a struct, copied, or a mesh with SHAPE_MESH. The scene holds the new
-     *     mesh and no longer the old one, which may be the same.
      * @throws GamephysException with ERROR_UNSUPPORTED: for a frustum, ray or segment, and for a shape
      *     that cannot have the model's scale (Scene.setScale)
      * @throws GamephysException with ERROR_INVALID_ARGUMENT: also if the model would leave the range of

@@ -249,8 +249,8 @@ public final class Solver extends Owned {
      * Cost: O(columns * rows).
      * @param desc null: the defaults
      * @param corner metres
-     * @param edgeU metres, from the corner along a row and along a column
-     * @param edgeV metres, from the corner along a row and along a column
+     * @param edgeU metres, from the corner along a row
+     * @param edgeV metres, from the corner along a column
      * @param columns &gt;= 2
      * @param rows &gt;= 2
      * @throws GamephysException with ERROR_INVALID_ARGUMENT: if the edges are parallel or zero
@@ -496,10 +496,8 @@ public final class Solver extends Owned {
     /**
      * Where the particles are, metres.
      * Cost: O(count).
-     * @param first the particles first .. first + count - 1; a range beyond the body is
-     *     ERROR_INVALID_ARGUMENT
-     * @param count the particles first .. first + count - 1; a range beyond the body is
-     *     ERROR_INVALID_ARGUMENT
+     * @param first the first particle
+     * @param count how many from there on; a range beyond the body is ERROR_INVALID_ARGUMENT
      */
     public Batch<Vec3> getPositions(int body, int first, int count, Batch<Vec3> out) {
         Batch<Vec3> room = Batch.room(Vec3.LAYOUT, count, out);
