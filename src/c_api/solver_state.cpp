@@ -29,9 +29,11 @@ gphys_status check_particle(const gphys_solver* solver, gphys_body_id body, uint
     return GPHYS_OK;
 }
 
-/// Checks all elements of a setter's input array before any is used. defect_of(element).
+/// A setter checks the range and all elements of its array before it uses any. defect_of(element).
 template <class T, class DefectOf>
-gphys_status check_array(const char* name, const T* elements, uint32_t stride, uint32_t count, DefectOf&& defect_of) {
+gphys_status check_each(const gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
+                        const char* name, const T* elements, uint32_t stride, DefectOf&& defect_of) {
+    GPHYS_TRY(check_range(solver, body, first, count));
     if (count != 0) GPHYS_TRY(check_pointers(name, elements));
     GPHYS_TRY(check_stride("stride", stride, sizeof(T)));
     const Strided<T> element(elements, stride);
@@ -60,17 +62,16 @@ Defect defect_of_target(const gphys_animation_target& target) {
     return widen(target.normal) == Vec3{} ? Defect{".normal: length", 0, 0, "above 0"} : Defect{};
 }
 
-template <class T>
-gphys_status check_out(const char* name, const T* out, uint32_t stride, uint32_t count) {
-    if (count != 0) GPHYS_TRY(check_pointers(name, out));
-    return check_out_stride("out_stride", stride, sizeof(T));
-}
-
-gphys_status copy_out(const Vector<Vec3>& values, uint32_t first, uint32_t count, const char* out_name, gphys_vec3* out,
-                      uint32_t stride) {
-    GPHYS_TRY(check_out(out_name, out, stride, count));
-    const StridedOut<gphys_vec3> to(out, stride);
-    for (uint32_t i = 0; i < count; ++i) to[i] = narrow(values[first + i]);
+/// A getter of a range of particles: value_of(body, i) for each.
+template <class T, class ValueOf>
+gphys_status get_each(const gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
+                      const char* out_name, T* out, uint32_t stride, const ValueOf& value_of) {
+    GPHYS_TRY(check_range(solver, body, first, count));
+    if (count != 0) GPHYS_TRY(check_pointers(out_name, out));
+    GPHYS_TRY(check_out_stride("out_stride", stride, sizeof(T)));
+    const Body& from = unwrap(solver)->body(body);
+    const StridedOut<T> to(out, stride);
+    for (uint32_t i = 0; i < count; ++i) to[i] = value_of(from, first + i);
     return GPHYS_OK;
 }
 
@@ -78,10 +79,9 @@ gphys_status copy_out(const Vector<Vec3>& values, uint32_t first, uint32_t count
 
 gphys_status gphys_solver_get_positions(const gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                         gphys_vec3* out_positions, uint32_t out_stride) {
-    return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_TRY(check_range(solver, body, first, count));
-        return copy_out(unwrap(solver)->body(body).particles.position, first, count, "out_positions", out_positions,
-                        out_stride);
+    return guarded(__func__, [&] {
+        return get_each(solver, body, first, count, "out_positions", out_positions, out_stride,
+                        [](const Body& from, uint32_t i) { return narrow(from.particles.position[i]); });
     });
 }
 
@@ -90,7 +90,7 @@ gphys_status gphys_solver_set_positions(gphys_solver* solver, gphys_body_id body
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_range(solver, body, first, count));
         GPHYS_TRY(check_position_stride("stride", stride, count));
-        GPHYS_TRY(check_array("positions", positions, stride, count, defect_of_vector));
+        GPHYS_TRY(check_each(solver, body, first, count, "positions", positions, stride, defect_of_vector));
         set_positions(unwrap(solver)->edit(body), first, count, positions, stride);
         unwrap(solver)->update_mesh(body);
         return GPHYS_OK;
@@ -99,18 +99,16 @@ gphys_status gphys_solver_set_positions(gphys_solver* solver, gphys_body_id body
 
 gphys_status gphys_solver_get_velocities(const gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                          gphys_vec3* out_velocities, uint32_t out_stride) {
-    return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_TRY(check_range(solver, body, first, count));
-        return copy_out(unwrap(solver)->body(body).particles.velocity, first, count, "out_velocities", out_velocities,
-                        out_stride);
+    return guarded(__func__, [&] {
+        return get_each(solver, body, first, count, "out_velocities", out_velocities, out_stride,
+                        [](const Body& from, uint32_t i) { return narrow(from.particles.velocity[i]); });
     });
 }
 
 gphys_status gphys_solver_set_velocities(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                          const gphys_vec3* velocities, uint32_t stride) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_TRY(check_range(solver, body, first, count));
-        GPHYS_TRY(check_array("velocities", velocities, stride, count, defect_of_vector));
+        GPHYS_TRY(check_each(solver, body, first, count, "velocities", velocities, stride, defect_of_vector));
         set_velocities(unwrap(solver)->edit(body), first, count, velocities, stride);
         return GPHYS_OK;
     });
@@ -118,23 +116,19 @@ gphys_status gphys_solver_set_velocities(gphys_solver* solver, gphys_body_id bod
 
 gphys_status gphys_solver_get_masses(const gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                      float* out_masses, uint32_t out_stride) {
-    return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_TRY(check_range(solver, body, first, count));
-        GPHYS_TRY(check_out("out_masses", out_masses, out_stride, count));
-        const StridedOut<float> to(out_masses, out_stride);
+    return guarded(__func__, [&] {
         // A mass that was divided among many particles may be below the smallest float. It is not reported as 0.
-        constexpr float least = std::numeric_limits<float>::denorm_min();
-        const Vector<double>& mass = unwrap(solver)->body(body).particles.mass;
-        for (uint32_t i = 0; i < count; ++i) to[i] = std::max(static_cast<float>(mass[first + i]), least);
-        return GPHYS_OK;
+        return get_each(
+            solver, body, first, count, "out_masses", out_masses, out_stride, [](const Body& from, uint32_t i) {
+                return std::max(static_cast<float>(from.particles.mass[i]), std::numeric_limits<float>::denorm_min());
+            });
     });
 }
 
 gphys_status gphys_solver_set_masses(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                      const float* masses, uint32_t stride) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_TRY(check_range(solver, body, first, count));
-        GPHYS_TRY(check_array("masses", masses, stride, count, defect_of_mass));
+        GPHYS_TRY(check_each(solver, body, first, count, "masses", masses, stride, defect_of_mass));
         set_masses(unwrap(solver)->edit(body), first, count, masses, stride);
         return GPHYS_OK;
     });
@@ -142,21 +136,16 @@ gphys_status gphys_solver_set_masses(gphys_solver* solver, gphys_body_id body, u
 
 gphys_status gphys_solver_get_radii(const gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                     float* out_radii, uint32_t out_stride) {
-    return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_TRY(check_range(solver, body, first, count));
-        GPHYS_TRY(check_out("out_radii", out_radii, out_stride, count));
-        const StridedOut<float> to(out_radii, out_stride);
-        const Vector<double>& radius = unwrap(solver)->body(body).particles.radius;
-        for (uint32_t i = 0; i < count; ++i) to[i] = static_cast<float>(radius[first + i]);
-        return GPHYS_OK;
+    return guarded(__func__, [&] {
+        return get_each(solver, body, first, count, "out_radii", out_radii, out_stride,
+                        [](const Body& from, uint32_t i) { return static_cast<float>(from.particles.radius[i]); });
     });
 }
 
 gphys_status gphys_solver_set_radii(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                     const float* radii, uint32_t stride) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_TRY(check_range(solver, body, first, count));
-        GPHYS_TRY(check_array("radii", radii, stride, count, defect_of_amount));
+        GPHYS_TRY(check_each(solver, body, first, count, "radii", radii, stride, defect_of_amount));
         set_radii(unwrap(solver)->edit(body), first, count, radii, stride);
         unwrap(solver)->update_mesh(body);
         return GPHYS_OK;
@@ -165,21 +154,16 @@ gphys_status gphys_solver_set_radii(gphys_solver* solver, gphys_body_id body, ui
 
 gphys_status gphys_solver_get_friction_factors(const gphys_solver* solver, gphys_body_id body, uint32_t first,
                                                uint32_t count, float* out_factors, uint32_t out_stride) {
-    return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_TRY(check_range(solver, body, first, count));
-        GPHYS_TRY(check_out("out_factors", out_factors, out_stride, count));
-        const StridedOut<float> to(out_factors, out_stride);
-        const Body& b = unwrap(solver)->body(body);
-        for (uint32_t i = 0; i < count; ++i) to[i] = static_cast<float>(friction_factor(b, first + i));
-        return GPHYS_OK;
+    return guarded(__func__, [&] {
+        return get_each(solver, body, first, count, "out_factors", out_factors, out_stride,
+                        [](const Body& from, uint32_t i) { return static_cast<float>(friction_factor(from, i)); });
     });
 }
 
 gphys_status gphys_solver_set_friction_factors(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                                const float* factors, uint32_t stride) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_TRY(check_range(solver, body, first, count));
-        GPHYS_TRY(check_array("factors", factors, stride, count, defect_of_amount));
+        GPHYS_TRY(check_each(solver, body, first, count, "factors", factors, stride, defect_of_amount));
         set_friction_factors(unwrap(solver)->body(body), first, count, factors, stride);
         return GPHYS_OK;
     });
@@ -187,17 +171,16 @@ gphys_status gphys_solver_set_friction_factors(gphys_solver* solver, gphys_body_
 
 gphys_status gphys_solver_get_forces(const gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                      gphys_vec3* out_forces, uint32_t out_stride) {
-    return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_TRY(check_range(solver, body, first, count));
-        return copy_out(unwrap(solver)->body(body).particles.force, first, count, "out_forces", out_forces, out_stride);
+    return guarded(__func__, [&] {
+        return get_each(solver, body, first, count, "out_forces", out_forces, out_stride,
+                        [](const Body& from, uint32_t i) { return narrow(from.particles.force[i]); });
     });
 }
 
 gphys_status gphys_solver_set_forces(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                      const gphys_vec3* forces, uint32_t stride) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_TRY(check_range(solver, body, first, count));
-        GPHYS_TRY(check_array("forces", forces, stride, count, defect_of_vector));
+        GPHYS_TRY(check_each(solver, body, first, count, "forces", forces, stride, defect_of_vector));
         set_forces(unwrap(solver)->edit(body), first, count, forces, stride);
         return GPHYS_OK;
     });
@@ -206,8 +189,7 @@ gphys_status gphys_solver_set_forces(gphys_solver* solver, gphys_body_id body, u
 gphys_status gphys_solver_set_air_velocities(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                              const gphys_vec3* velocities, uint32_t stride) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_TRY(check_range(solver, body, first, count));
-        GPHYS_TRY(check_array("velocities", velocities, stride, count, defect_of_vector));
+        GPHYS_TRY(check_each(solver, body, first, count, "velocities", velocities, stride, defect_of_vector));
         set_air_velocities(unwrap(solver)->body(body), first, count, velocities, stride);
         return GPHYS_OK;
     });
@@ -215,14 +197,12 @@ gphys_status gphys_solver_set_air_velocities(gphys_solver* solver, gphys_body_id
 
 gphys_status gphys_solver_get_air_velocities(const gphys_solver* solver, gphys_body_id body, uint32_t first,
                                              uint32_t count, gphys_vec3* out_velocities, uint32_t out_stride) {
-    return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_TRY(check_range(solver, body, first, count));
-        const Vector<Vec3>& velocity = unwrap(solver)->body(body).air.velocity;
-        if (!velocity.empty()) return copy_out(velocity, first, count, "out_velocities", out_velocities, out_stride);
-        GPHYS_TRY(check_out("out_velocities", out_velocities, out_stride, count));
-        const StridedOut<gphys_vec3> to(out_velocities, out_stride);
-        for (uint32_t i = 0; i < count; ++i) to[i] = {0, 0, 0};
-        return GPHYS_OK;
+    return guarded(__func__, [&] {
+        return get_each(solver, body, first, count, "out_velocities", out_velocities, out_stride,
+                        [](const Body& from, uint32_t i) {
+                            const Vector<Vec3>& velocity = from.air.velocity;
+                            return velocity.empty() ? gphys_vec3{0, 0, 0} : narrow(velocity[i]);
+                        });
     });
 }
 
@@ -230,8 +210,7 @@ gphys_status gphys_solver_set_animation_targets(gphys_solver* solver, gphys_body
                                                 uint32_t count, const gphys_animation_target* targets,
                                                 uint32_t stride) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_TRY(check_range(solver, body, first, count));
-        GPHYS_TRY(check_array("targets", targets, stride, count, defect_of_target));
+        GPHYS_TRY(check_each(solver, body, first, count, "targets", targets, stride, defect_of_target));
         set_animation_targets(unwrap(solver)->body(body), first, count, targets, stride);
         return GPHYS_OK;
     });
@@ -240,23 +219,17 @@ gphys_status gphys_solver_set_animation_targets(gphys_solver* solver, gphys_body
 gphys_status gphys_solver_get_animation_targets(const gphys_solver* solver, gphys_body_id body, uint32_t first,
                                                 uint32_t count, gphys_animation_target* out_targets,
                                                 uint32_t out_stride) {
-    return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_TRY(check_range(solver, body, first, count));
-        GPHYS_TRY(check_out("out_targets", out_targets, out_stride, count));
-        const StridedOut<gphys_animation_target> to(out_targets, out_stride);
-        for (uint32_t i = 0; i < count; ++i) to[i] = animation_target(unwrap(solver)->body(body), first + i);
-        return GPHYS_OK;
+    return guarded(__func__, [&] {
+        return get_each(solver, body, first, count, "out_targets", out_targets, out_stride,
+                        [](const Body& from, uint32_t i) { return animation_target(from, i); });
     });
 }
 
 gphys_status gphys_solver_get_pinned(const gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                      int32_t* out_pinned, uint32_t out_stride) {
-    return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_TRY(check_range(solver, body, first, count));
-        GPHYS_TRY(check_out("out_pinned", out_pinned, out_stride, count));
-        const StridedOut<int32_t> to(out_pinned, out_stride);
-        for (uint32_t i = 0; i < count; ++i) to[i] = unwrap(solver)->body(body).particles.pinned(first + i);
-        return GPHYS_OK;
+    return guarded(__func__, [&] {
+        return get_each(solver, body, first, count, "out_pinned", out_pinned, out_stride,
+                        [](const Body& from, uint32_t i) { return int32_t{from.particles.pinned(i)}; });
     });
 }
 
