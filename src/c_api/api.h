@@ -72,6 +72,9 @@ auto guarded(const char* function, Body&& body) noexcept -> decltype(body()) {
 /// Return from the entry point if the parameter has a defect (shapes.h): GPHYS_REQUIRE_VALID(*ray).
 #define GPHYS_REQUIRE_VALID(value) GPHYS_TRY(gphys::check_valid(#value[0] == '*' ? &#value[1] : #value, value))
 
+/// Both, for a pointer to one value: GPHYS_REQUIRE_INPUT(ray).
+#define GPHYS_REQUIRE_INPUT(pointer) GPHYS_TRY(gphys::check_input(#pointer, pointer))
+
 /// `names` are those of the pointers, separated by ", ".
 GPHYS_NOINLINE inline gphys_status name_null_pointer(const char* names,
                                                      std::initializer_list<const void*> pointers) noexcept {
@@ -96,6 +99,11 @@ template <class T>
 gphys_status check_valid(const char* name, const T& value) noexcept {
     const Defect wrong = defect(value);
     return wrong ? fail(GPHYS_ERROR_INVALID_ARGUMENT, name, wrong) : GPHYS_OK;
+}
+template <class T>
+gphys_status check_input(const char* name, const T* value) noexcept {
+    GPHYS_TRY(check_pointers(name, value));
+    return check_valid(name, *value);
 }
 template <class T>
 gphys_status check_element(const char* array, uint32_t index, const T& value) noexcept {

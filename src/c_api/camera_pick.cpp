@@ -17,24 +17,27 @@ gphys_status check_origins(const gphys_camera* camera, const gphys_scene* scene)
     return GPHYS_OK;
 }
 
-template <class Filter>
+template <class Given>
 gphys_status camera_pick(const gphys_camera* camera, const gphys_scene* scene, float pixel_x, float pixel_y,
-                         const Filter& filter, gphys_hit* out_hit) {
+                         const Given& given, gphys_hit* out_hit) {
     GPHYS_REQUIRE_POINTERS(camera, scene, out_hit);
     GPHYS_TRY(check_origins(camera, scene));
+    FilterFrom<Given> filter;
+    GPHYS_TRY(read_filter(*unwrap(scene), given, filter));
     GPHYS_TRY(check_coordinate("pixel_x", pixel_x));
     GPHYS_TRY(check_coordinate("pixel_y", pixel_y));
     return pick(*unwrap(camera), *unwrap(scene), pixel_x, pixel_y, filter, *out_hit);
 }
 
-template <class Filter>
+template <class Given>
 gphys_status camera_pick_batch(const gphys_camera* camera, const gphys_scene* scene, const float* pixels,
-                               uint32_t pixel_stride, uint32_t count, const Filter& filter, gphys_hit* out_hits,
+                               uint32_t pixel_stride, uint32_t count, const Given& given, gphys_hit* out_hits,
                                uint32_t out_stride) {
     GPHYS_REQUIRE_POINTERS(camera, scene);
     GPHYS_TRY(check_origins(camera, scene));
     const Workers& workers = unwrap(scene)->workers();
-    GPHYS_TRY(check_filters(workers, filter, count));
+    FilterFrom<Given> filter;
+    GPHYS_TRY(read_filters(*unwrap(scene), given, count, filter));
     if (count == 0) return GPHYS_OK;
     GPHYS_REQUIRE_POINTERS(pixels, out_hits);
     GPHYS_TRY(check_stride("pixel_stride", pixel_stride, sizeof(Pixel)));
@@ -53,12 +56,14 @@ gphys_status camera_pick_batch(const gphys_camera* camera, const gphys_scene* sc
     return GPHYS_OK;
 }
 
-template <class Filter>
+template <class Given>
 gphys_status camera_pick_rectangle(const gphys_camera* camera, const gphys_scene* scene, float x0, float y0, float x1,
-                                   float y1, const Filter& filter, gphys_model_id* out_models, uint32_t capacity,
+                                   float y1, const Given& given, gphys_model_id* out_models, uint32_t capacity,
                                    uint32_t* out_total) {
     GPHYS_REQUIRE_POINTERS(camera, scene);
     GPHYS_TRY(check_origins(camera, scene));
+    FilterFrom<Given> filter;
+    GPHYS_TRY(read_filter(*unwrap(scene), given, filter));
     GPHYS_TRY(check_rectangle(x0, y0, x1, y1));
     GPHYS_TRY(check_list("out_models", out_models, capacity, out_total));
     const uint32_t total =
@@ -66,11 +71,13 @@ gphys_status camera_pick_rectangle(const gphys_camera* camera, const gphys_scene
     return listed(total, capacity, out_total);
 }
 
-template <class Filter>
-gphys_status camera_cull(const gphys_camera* camera, const gphys_scene* scene, const Filter& filter,
+template <class Given>
+gphys_status camera_cull(const gphys_camera* camera, const gphys_scene* scene, const Given& given,
                          gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total) {
     GPHYS_REQUIRE_POINTERS(camera, scene);
     GPHYS_TRY(check_origins(camera, scene));
+    FilterFrom<Given> filter;
+    GPHYS_TRY(read_filter(*unwrap(scene), given, filter));
     GPHYS_TRY(check_list("out_models", out_models, capacity, out_total));
     const uint32_t total = cull(*unwrap(camera), *unwrap(scene), filter, out_models, capacity);
     return listed(total, capacity, out_total);
@@ -106,11 +113,7 @@ gphys_status gphys_camera_cull(const gphys_camera* camera, const gphys_scene* sc
 
 gphys_status gphys_camera_pick_filtered(const gphys_camera* camera, const gphys_scene* scene, float pixel_x,
                                         float pixel_y, const gphys_query_filter_desc* filter, gphys_hit* out_hit) {
-    return guarded(__func__, [&] {
-        return with_filter(scene, filter, [&](const QueryFilter& parsed) {
-            return camera_pick(camera, scene, pixel_x, pixel_y, parsed, out_hit);
-        });
-    });
+    return guarded(__func__, [&] { return camera_pick(camera, scene, pixel_x, pixel_y, filter, out_hit); });
 }
 
 gphys_status gphys_camera_pick_filtered_batch(const gphys_camera* camera, const gphys_scene* scene, const float* pixels,
@@ -118,9 +121,8 @@ gphys_status gphys_camera_pick_filtered_batch(const gphys_camera* camera, const 
                                               const gphys_query_filter_desc* filters, uint32_t filter_stride,
                                               gphys_hit* out_hits, uint32_t out_stride) {
     return guarded(__func__, [&] {
-        return with_filters(scene, filters, filter_stride, [&](const Filters& parsed) {
-            return camera_pick_batch(camera, scene, pixels, pixel_stride, count, parsed, out_hits, out_stride);
-        });
+        return camera_pick_batch(camera, scene, pixels, pixel_stride, count, FilterArray{filters, filter_stride},
+                                 out_hits, out_stride);
     });
 }
 
@@ -128,18 +130,12 @@ gphys_status gphys_camera_pick_rectangle_filtered(const gphys_camera* camera, co
                                                   float y0, float x1, float y1, const gphys_query_filter_desc* filter,
                                                   gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total) {
     return guarded(__func__, [&] {
-        return with_filter(scene, filter, [&](const QueryFilter& parsed) {
-            return camera_pick_rectangle(camera, scene, x0, y0, x1, y1, parsed, out_models, capacity, out_total);
-        });
+        return camera_pick_rectangle(camera, scene, x0, y0, x1, y1, filter, out_models, capacity, out_total);
     });
 }
 
 gphys_status gphys_camera_cull_filtered(const gphys_camera* camera, const gphys_scene* scene,
                                         const gphys_query_filter_desc* filter, gphys_model_id* out_models,
                                         uint32_t capacity, uint32_t* out_total) {
-    return guarded(__func__, [&] {
-        return with_filter(scene, filter, [&](const QueryFilter& parsed) {
-            return camera_cull(camera, scene, parsed, out_models, capacity, out_total);
-        });
-    });
+    return guarded(__func__, [&] { return camera_cull(camera, scene, filter, out_models, capacity, out_total); });
 }

@@ -230,8 +230,7 @@ gphys_status gphys_mesh_raycast_all(const gphys_mesh* mesh, const gphys_ray* ray
                                     uint32_t capacity, uint32_t* out_total) {
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_REQUIRE_POINTERS(mesh);
-        GPHYS_REQUIRE_POINTERS(ray);
-        GPHYS_REQUIRE_VALID(*ray);
+        GPHYS_REQUIRE_INPUT(ray);
         GPHYS_TRY(check_list("out_hits", out_hits, capacity, out_total));
         const auto earlier = [](const gphys_hit& a, const gphys_hit& b) {
             return a.t < b.t || (a.t == b.t && a.triangle < b.triangle);
@@ -245,8 +244,7 @@ gphys_status gphys_mesh_raycast_all(const gphys_mesh* mesh, const gphys_ray* ray
 gphys_status gphys_mesh_raycast_any(const gphys_mesh* mesh, const gphys_ray* ray, int32_t* out_hit) {
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_REQUIRE_POINTERS(mesh);
-        GPHYS_REQUIRE_POINTERS(ray);
-        GPHYS_REQUIRE_VALID(*ray);
+        GPHYS_REQUIRE_INPUT(ray);
         GPHYS_REQUIRE_POINTERS(out_hit);
         *out_hit = unwrap(mesh)->raycast_any(widen(*ray));
         return GPHYS_OK;

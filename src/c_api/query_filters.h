@@ -1,13 +1,19 @@
-// Reading gphys_query_filter_desc: one for a query, one for all items of a batch, or one for each.
+// Reading what a caller gives as a filter: layers, or gphys_query_filter_desc, one for a query, one for all items of a
+// batch, or one for each.
 #pragma once
+
+#include <type_traits>
 
 #include "c_api/api.h"
 #include "scene/scene.h"
 
 namespace gphys {
 
-/// A null filter stands for the defaults, which `out` must have already.
-gphys_status read_filter(const Scene& scene, const gphys_query_filter_desc* filter, QueryFilter& out) noexcept;
+/// The descs of a batch: null, or with a stride of 0 one for all items.
+struct FilterArray {
+    const gphys_query_filter_desc* descs;
+    uint32_t stride;
+};
 
 /// The filters of a batch. Filters of single items are read from the caller's array when they are used.
 class Filters {
@@ -30,5 +36,17 @@ private:
     size_t stride_ = 0;
     QueryFilter one_;
 };
+
+/// What a query takes for what its caller gave: layers, a desc (of which null stands for the defaults), or a
+/// FilterArray.
+template <class Given>
+using FilterFrom = std::conditional_t<std::is_same_v<Given, uint32_t>, uint32_t,
+                                      std::conditional_t<std::is_pointer_v<Given>, QueryFilter, Filters>>;
+
+inline gphys_status read_filter(const Scene&, uint32_t layers, uint32_t& out) noexcept {
+    out = layers;
+    return GPHYS_OK;
+}
+gphys_status read_filter(const Scene& scene, const gphys_query_filter_desc* filter, QueryFilter& out) noexcept;
 
 }  // namespace gphys

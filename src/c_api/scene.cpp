@@ -53,7 +53,6 @@ gphys_status check_transforms(const Workers& workers, const gphys_transform* tra
                       [&](uint32_t i) { return check_element("transforms", i, transform[i]); });
 }
 
-/// With desc_stride 0, all models share one desc.
 gphys_status check_scale(const char* name, const gphys_vec3& scale) {
     const Defect defect = defect_of_scale(scale);
     return defect ? fail(GPHYS_ERROR_INVALID_ARGUMENT, name, defect) : GPHYS_OK;
@@ -65,6 +64,7 @@ gphys_status complete_scale(const char* name, gphys_model_desc& desc) {
     return check_scale(name, desc.scale);
 }
 
+/// With desc_stride 0, all models share one desc.
 gphys_status add_models(gphys_scene* scene, gphys_shape_type type, const void* shapes, uint32_t shape_stride,
                         const gphys_transform* transforms, uint32_t transform_stride, const gphys_model_desc* descs,
                         uint32_t desc_stride, uint32_t count, gphys_model_id* out_models) {

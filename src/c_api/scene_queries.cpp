@@ -4,20 +4,22 @@
 using namespace gphys;
 
 gphys_status gphys_scene_raycast(const gphys_scene* scene, const gphys_ray* ray, uint32_t layers, gphys_hit* out_hit) {
-    return guarded(__func__, [&] { return scene_raycast(scene, ray, layers, out_hit); });
+    return guarded(__func__, [&] { return scene_raycast(scene, "ray", ray, layers, out_hit); });
 }
 
 gphys_status gphys_scene_raycast_batch(const gphys_scene* scene, const gphys_ray* rays, uint32_t ray_stride,
                                        uint32_t count, uint32_t layers, gphys_hit* out_hits, uint32_t out_stride) {
-    return guarded(__func__,
-                   [&] { return scene_raycast_batch(scene, rays, ray_stride, count, layers, out_hits, out_stride); });
+    return guarded(__func__, [&] {
+        return scene_raycast_batch(scene, "rays", rays, "ray_stride", ray_stride, count, layers, out_hits, out_stride);
+    });
 }
 
 gphys_status gphys_scene_raycast_distance_batch(const gphys_scene* scene, const gphys_ray* rays, uint32_t ray_stride,
                                                 uint32_t count, uint32_t layers, gphys_distance* out_distances,
                                                 uint32_t out_stride) {
     return guarded(__func__, [&] {
-        return scene_raycast_batch(scene, rays, ray_stride, count, layers, out_distances, out_stride);
+        return scene_raycast_batch(scene, "rays", rays, "ray_stride", ray_stride, count, layers, out_distances,
+                                   out_stride);
     });
 }
 
@@ -48,14 +50,15 @@ gphys_status gphys_scene_raycast_all_batch(const gphys_scene* scene, const gphys
 
 gphys_status gphys_scene_segment_test(const gphys_scene* scene, const gphys_segment* segment, uint32_t layers,
                                       gphys_hit* out_hit) {
-    return guarded(__func__, [&] { return scene_segment_test(scene, segment, layers, out_hit); });
+    return guarded(__func__, [&] { return scene_raycast(scene, "segment", segment, layers, out_hit); });
 }
 
 gphys_status gphys_scene_segment_test_batch(const gphys_scene* scene, const gphys_segment* segments,
                                             uint32_t segment_stride, uint32_t count, uint32_t layers,
                                             gphys_hit* out_hits, uint32_t out_stride) {
     return guarded(__func__, [&] {
-        return scene_segment_test_batch(scene, segments, segment_stride, count, layers, out_hits, out_stride);
+        return scene_raycast_batch(scene, "segments", segments, "segment_stride", segment_stride, count, layers,
+                                   out_hits, out_stride);
     });
 }
 

@@ -1,5 +1,5 @@
-// The queries of a scene, shared by the plain ones and those with a filter: argument checks and the call. The template
-// parameter Filter is uint32_t, for layers, or QueryFilter; in batches uint32_t or Filters.
+// The queries of a scene, shared by the plain ones and those with a filter: argument checks and the call. What is
+// `given` as a filter is uint32_t, for layers, or a desc; in batches uint32_t or a FilterArray (query_filters.h).
 #pragma once
 
 #include <type_traits>
@@ -22,28 +22,14 @@ inline const QueryFilter& filter_of(const Filters& filters, uint32_t item, Query
 inline uint32_t layers_of(uint32_t layers) { return layers; }
 inline uint32_t layers_of(const QueryFilter& filter) { return filter.layers; }
 
-inline gphys_status check_filters(const Workers&, uint32_t, uint32_t) { return GPHYS_OK; }
-inline gphys_status check_filters(const Workers& workers, const Filters& filters, uint32_t count) {
-    if (filters.is_one()) return GPHYS_OK;
-    return check_each(workers, count, [&](uint32_t i) { return filters.check(i); });
+// The filters of a batch, and the check of those of single items.
+inline gphys_status read_filters(const Scene& scene, uint32_t layers, uint32_t, uint32_t& out) {
+    return read_filter(scene, layers, out);
 }
-
-/// query(QueryFilter)
-template <class Query>
-gphys_status with_filter(const gphys_scene* scene, const gphys_query_filter_desc* filter, const Query& query) {
-    GPHYS_REQUIRE_POINTERS(scene);
-    QueryFilter parsed;
-    GPHYS_TRY(read_filter(*unwrap(scene), filter, parsed));
-    return query(parsed);
-}
-/// query(Filters), which checks the filters of single items.
-template <class Query>
-gphys_status with_filters(const gphys_scene* scene, const gphys_query_filter_desc* filters, uint32_t stride,
-                          const Query& query) {
-    GPHYS_REQUIRE_POINTERS(scene);
-    Filters parsed;
-    GPHYS_TRY(parsed.read(*unwrap(scene), filters, stride));
-    return query(parsed);
+inline gphys_status read_filters(const Scene& scene, const FilterArray& given, uint32_t count, Filters& out) {
+    GPHYS_TRY(out.read(scene, given.descs, given.stride));
+    if (out.is_one()) return GPHYS_OK;
+    return check_each(scene.workers(), count, [&](uint32_t i) { return out.check(i); });
 }
 
 /// The input array of a batch: the pointer, the stride and each element.
@@ -95,50 +81,60 @@ inline gphys_status check_max_distance(float max_distance) {
     return GPHYS_OK;
 }
 
-template <class Filter>
-gphys_status scene_raycast(const gphys_scene* scene, const gphys_ray* ray, const Filter& filter, gphys_hit* out_hit) {
+inline Ray ray_of(const gphys_ray& ray) { return widen(ray); }
+inline Ray ray_of(const gphys_segment& segment) { return ray_along(widen(segment)); }
+
+/// Line is gphys_ray or gphys_segment.
+template <class Line, class Given>
+gphys_status scene_raycast(const gphys_scene* scene, const char* name, const Line* line, const Given& given,
+                           gphys_hit* out_hit) {
     GPHYS_REQUIRE_POINTERS(scene);
-    GPHYS_REQUIRE_POINTERS(ray);
-    GPHYS_REQUIRE_VALID(*ray);
+    FilterFrom<Given> filter;
+    GPHYS_TRY(read_filter(*unwrap(scene), given, filter));
+    GPHYS_TRY(check_input(name, line));
     GPHYS_REQUIRE_POINTERS(out_hit);
-    return unwrap(scene)->raycast(widen(*ray), filter, *out_hit);
+    return unwrap(scene)->raycast(ray_of(*line), filter, *out_hit);
 }
 
 /// Answer is gphys_hit or gphys_distance.
-template <class Filter, class Answer>
-gphys_status scene_raycast_batch(const gphys_scene* scene, const gphys_ray* rays, uint32_t ray_stride, uint32_t count,
-                                 const Filter& filter, Answer* out_answers, uint32_t out_stride) {
+template <class Line, class Given, class Answer>
+gphys_status scene_raycast_batch(const gphys_scene* scene, const char* name, const Line* lines, const char* stride_name,
+                                 uint32_t stride, uint32_t count, const Given& given, Answer* out_answers,
+                                 uint32_t out_stride) {
     GPHYS_REQUIRE_POINTERS(scene);
     const Workers& workers = unwrap(scene)->workers();
-    GPHYS_TRY(check_filters(workers, filter, count));
-    GPHYS_TRY(check_inputs(workers, "rays", rays, "ray_stride", ray_stride, count));
+    FilterFrom<Given> filter;
+    GPHYS_TRY(read_filters(*unwrap(scene), given, count, filter));
+    GPHYS_TRY(check_inputs(workers, name, lines, stride_name, stride, count));
     GPHYS_TRY(check_outputs(std::is_same_v<Answer, gphys_hit> ? "out_hits" : "out_distances", out_answers, out_stride,
                             count));
-    const Strided<gphys_ray> ray(rays, ray_stride);
+    const Strided<Line> line(lines, stride);
     const StridedOut<Answer> out(out_answers, out_stride);
-    raycast_each(*unwrap(scene), ray, ray_coordinates, count, filter, out, [](const gphys_ray& given, Ray& r) {
-        r = widen(given);
+    raycast_each(*unwrap(scene), line, ray_coordinates, count, filter, out, [](const Line& from, Ray& ray) {
+        ray = ray_of(from);
         return true;
     });
     return GPHYS_OK;
 }
 
-template <class Filter>
-gphys_status scene_raycast_any(const gphys_scene* scene, const gphys_ray* ray, const Filter& filter, int32_t* out_hit) {
+template <class Given>
+gphys_status scene_raycast_any(const gphys_scene* scene, const gphys_ray* ray, const Given& given, int32_t* out_hit) {
     GPHYS_REQUIRE_POINTERS(scene);
-    GPHYS_REQUIRE_POINTERS(ray);
-    GPHYS_REQUIRE_VALID(*ray);
+    FilterFrom<Given> filter;
+    GPHYS_TRY(read_filter(*unwrap(scene), given, filter));
+    GPHYS_REQUIRE_INPUT(ray);
     GPHYS_REQUIRE_POINTERS(out_hit);
     *out_hit = unwrap(scene)->raycast_any(widen(*ray), filter);
     return GPHYS_OK;
 }
 
-template <class Filter>
+template <class Given>
 gphys_status scene_raycast_any_batch(const gphys_scene* scene, const gphys_ray* rays, uint32_t ray_stride,
-                                     uint32_t count, const Filter& filter, int32_t* out_hits, uint32_t out_stride) {
+                                     uint32_t count, const Given& given, int32_t* out_hits, uint32_t out_stride) {
     GPHYS_REQUIRE_POINTERS(scene);
     const Workers& workers = unwrap(scene)->workers();
-    GPHYS_TRY(check_filters(workers, filter, count));
+    FilterFrom<Given> filter;
+    GPHYS_TRY(read_filters(*unwrap(scene), given, count, filter));
     GPHYS_TRY(check_inputs(workers, "rays", rays, "ray_stride", ray_stride, count));
     GPHYS_TRY(check_outputs("out_hits", out_hits, out_stride, count));
     const Strided<gphys_ray> ray(rays, ray_stride);
@@ -160,25 +156,27 @@ gphys_status scene_raycast_any_batch(const gphys_scene* scene, const gphys_ray* 
     return GPHYS_OK;
 }
 
-template <class Filter>
-gphys_status scene_raycast_all(const gphys_scene* scene, const gphys_ray* ray, const Filter& filter,
-                               gphys_hit* out_hits, uint32_t capacity, uint32_t* out_total) {
+template <class Given>
+gphys_status scene_raycast_all(const gphys_scene* scene, const gphys_ray* ray, const Given& given, gphys_hit* out_hits,
+                               uint32_t capacity, uint32_t* out_total) {
     GPHYS_REQUIRE_POINTERS(scene);
-    GPHYS_REQUIRE_POINTERS(ray);
-    GPHYS_REQUIRE_VALID(*ray);
+    FilterFrom<Given> filter;
+    GPHYS_TRY(read_filter(*unwrap(scene), given, filter));
+    GPHYS_REQUIRE_INPUT(ray);
     GPHYS_TRY(check_list("out_hits", out_hits, capacity, out_total));
     Smallest<gphys_hit, FirstHit> hits(out_hits, capacity);
     unwrap(scene)->raycast_all(widen(*ray), filter, hits);
     return listed(hits.finish(), capacity, out_total);
 }
 
-template <class Filter>
+template <class Given>
 gphys_status scene_raycast_all_batch(const gphys_scene* scene, const gphys_ray* rays, uint32_t ray_stride,
-                                     uint32_t count, const Filter& filter, gphys_hit* out_hits, uint32_t capacity,
+                                     uint32_t count, const Given& given, gphys_hit* out_hits, uint32_t capacity,
                                      uint32_t* out_offsets) {
     GPHYS_REQUIRE_POINTERS(scene);
     const Workers& workers = unwrap(scene)->workers();
-    GPHYS_TRY(check_filters(workers, filter, count));
+    FilterFrom<Given> filter;
+    GPHYS_TRY(read_filters(*unwrap(scene), given, count, filter));
     GPHYS_TRY(check_inputs(workers, "rays", rays, "ray_stride", ray_stride, count));
     GPHYS_TRY(check_concatenation("out_hits", out_hits, capacity, out_offsets));
     const Strided<gphys_ray> ray(rays, ray_stride);
@@ -194,38 +192,12 @@ gphys_status scene_raycast_all_batch(const gphys_scene* scene, const gphys_ray* 
                        });
 }
 
-template <class Filter>
-gphys_status scene_segment_test(const gphys_scene* scene, const gphys_segment* segment, const Filter& filter,
-                                gphys_hit* out_hit) {
-    GPHYS_REQUIRE_POINTERS(scene);
-    GPHYS_REQUIRE_POINTERS(segment);
-    GPHYS_REQUIRE_VALID(*segment);
-    GPHYS_REQUIRE_POINTERS(out_hit);
-    return unwrap(scene)->raycast(ray_along(widen(*segment)), filter, *out_hit);
-}
-
-template <class Filter>
-gphys_status scene_segment_test_batch(const gphys_scene* scene, const gphys_segment* segments, uint32_t segment_stride,
-                                      uint32_t count, const Filter& filter, gphys_hit* out_hits, uint32_t out_stride) {
-    GPHYS_REQUIRE_POINTERS(scene);
-    const Workers& workers = unwrap(scene)->workers();
-    GPHYS_TRY(check_filters(workers, filter, count));
-    GPHYS_TRY(check_inputs(workers, "segments", segments, "segment_stride", segment_stride, count));
-    GPHYS_TRY(check_outputs("out_hits", out_hits, out_stride, count));
-    const Strided<gphys_segment> segment(segments, segment_stride);
-    const StridedOut<gphys_hit> out(out_hits, out_stride);
-    raycast_each(*unwrap(scene), segment, ray_coordinates, count, filter, out,
-                 [](const gphys_segment& given, Ray& ray) {
-                     ray = ray_along(widen(given));
-                     return true;
-                 });
-    return GPHYS_OK;
-}
-
-template <class Filter>
-gphys_status scene_overlap(const gphys_scene* scene, gphys_shape_type type, const void* shape, const Filter& filter,
+template <class Given>
+gphys_status scene_overlap(const gphys_scene* scene, gphys_shape_type type, const void* shape, const Given& given,
                            gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total) {
     GPHYS_REQUIRE_POINTERS(scene);
+    FilterFrom<Given> filter;
+    GPHYS_TRY(read_filter(*unwrap(scene), given, filter));
     Shape query;
     GPHYS_TRY(read_shape(type, shape, query));
     GPHYS_TRY(check_list("out_models", out_models, capacity, out_total));
@@ -233,13 +205,14 @@ gphys_status scene_overlap(const gphys_scene* scene, gphys_shape_type type, cons
     return listed(total, capacity, out_total);
 }
 
-template <class Filter>
+template <class Given>
 gphys_status scene_overlap_batch(const gphys_scene* scene, gphys_shape_type type, const void* shapes,
-                                 uint32_t shape_stride, uint32_t count, const Filter& filter,
-                                 gphys_model_id* out_models, uint32_t capacity, uint32_t* out_offsets) {
+                                 uint32_t shape_stride, uint32_t count, const Given& given, gphys_model_id* out_models,
+                                 uint32_t capacity, uint32_t* out_offsets) {
     GPHYS_REQUIRE_POINTERS(scene);
     const Workers& workers = unwrap(scene)->workers();
-    GPHYS_TRY(check_filters(workers, filter, count));
+    FilterFrom<Given> filter;
+    GPHYS_TRY(read_filters(*unwrap(scene), given, count, filter));
     GPHYS_TRY(check_stride("shape_stride", shape_stride, shape_struct_size(type)));
     const Strided<char> shape(static_cast<const char*>(shapes), shape_stride);
     GPHYS_TRY(check_each(workers, distinct(shape_stride, count), [&](uint32_t i) {
@@ -256,24 +229,26 @@ gphys_status scene_overlap_batch(const gphys_scene* scene, gphys_shape_type type
                        });
 }
 
-template <class Filter>
-gphys_status scene_cull(const gphys_scene* scene, const gphys_frustum* frustum, const Filter& filter,
+template <class Given>
+gphys_status scene_cull(const gphys_scene* scene, const gphys_frustum* frustum, const Given& given,
                         gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total) {
     GPHYS_REQUIRE_POINTERS(scene);
-    GPHYS_REQUIRE_POINTERS(frustum);
-    GPHYS_REQUIRE_VALID(*frustum);
+    FilterFrom<Given> filter;
+    GPHYS_TRY(read_filter(*unwrap(scene), given, filter));
+    GPHYS_REQUIRE_INPUT(frustum);
     GPHYS_TRY(check_list("out_models", out_models, capacity, out_total));
     const uint32_t total = unwrap(scene)->cull(widen(*frustum), filter, out_models, capacity);
     return listed(total, capacity, out_total);
 }
 
-template <class Filter>
+template <class Given>
 gphys_status scene_cull_batch(const gphys_scene* scene, const gphys_frustum* frusta, uint32_t frustum_stride,
-                              uint32_t count, const Filter& filter, gphys_model_id* out_models, uint32_t capacity,
+                              uint32_t count, const Given& given, gphys_model_id* out_models, uint32_t capacity,
                               uint32_t* out_offsets) {
     GPHYS_REQUIRE_POINTERS(scene);
     const Workers& workers = unwrap(scene)->workers();
-    GPHYS_TRY(check_filters(workers, filter, count));
+    FilterFrom<Given> filter;
+    GPHYS_TRY(read_filters(*unwrap(scene), given, count, filter));
     GPHYS_TRY(check_inputs(workers, "frusta", frusta, "frustum_stride", frustum_stride, count));
     GPHYS_TRY(check_concatenation("out_models", out_models, capacity, out_offsets));
     const Strided<gphys_frustum> frustum(frusta, frustum_stride);
@@ -291,24 +266,26 @@ gphys_status scene_cull_batch(const gphys_scene* scene, const gphys_frustum* fru
                        });
 }
 
-template <class Filter>
-gphys_status scene_nearest(const gphys_scene* scene, const gphys_vec3* point, float max_distance, const Filter& filter,
+template <class Given>
+gphys_status scene_nearest(const gphys_scene* scene, const gphys_vec3* point, float max_distance, const Given& given,
                            gphys_nearest* out_nearest) {
     GPHYS_REQUIRE_POINTERS(scene);
-    GPHYS_REQUIRE_POINTERS(point);
-    GPHYS_REQUIRE_VALID(*point);
+    FilterFrom<Given> filter;
+    GPHYS_TRY(read_filter(*unwrap(scene), given, filter));
+    GPHYS_REQUIRE_INPUT(point);
     GPHYS_TRY(check_max_distance(max_distance));
     GPHYS_REQUIRE_POINTERS(out_nearest);
     return unwrap(scene)->nearest(widen(*point), max_distance, filter, *out_nearest);
 }
 
-template <class Filter>
+template <class Given>
 gphys_status scene_nearest_batch(const gphys_scene* scene, const gphys_vec3* points, uint32_t point_stride,
-                                 uint32_t count, float max_distance, const Filter& filter, gphys_nearest* out_nearest,
+                                 uint32_t count, float max_distance, const Given& given, gphys_nearest* out_nearest,
                                  uint32_t out_stride) {
     GPHYS_REQUIRE_POINTERS(scene);
     const Workers& workers = unwrap(scene)->workers();
-    GPHYS_TRY(check_filters(workers, filter, count));
+    FilterFrom<Given> filter;
+    GPHYS_TRY(read_filters(*unwrap(scene), given, count, filter));
     GPHYS_TRY(check_inputs(workers, "points", points, "point_stride", point_stride, count));
     GPHYS_TRY(check_max_distance(max_distance));
     GPHYS_TRY(check_outputs("out_nearest", out_nearest, out_stride, count));
@@ -335,25 +312,26 @@ gphys_status scene_nearest_batch(const gphys_scene* scene, const gphys_vec3* poi
     return GPHYS_OK;
 }
 
-template <class Filter>
+template <class Given>
 gphys_status scene_sweep_sphere(const gphys_scene* scene, const gphys_sphere* sphere, const gphys_vec3* displacement,
-                                const Filter& filter, gphys_hit* out_hit) {
+                                const Given& given, gphys_hit* out_hit) {
     GPHYS_REQUIRE_POINTERS(scene);
-    GPHYS_REQUIRE_POINTERS(sphere);
-    GPHYS_REQUIRE_VALID(*sphere);
-    GPHYS_REQUIRE_POINTERS(displacement);
-    GPHYS_REQUIRE_VALID(*displacement);
+    FilterFrom<Given> filter;
+    GPHYS_TRY(read_filter(*unwrap(scene), given, filter));
+    GPHYS_REQUIRE_INPUT(sphere);
+    GPHYS_REQUIRE_INPUT(displacement);
     GPHYS_REQUIRE_POINTERS(out_hit);
     return unwrap(scene)->sweep(widen(*sphere), widen(*displacement), filter, *out_hit);
 }
 
-template <class Filter>
+template <class Given>
 gphys_status scene_sweep_sphere_batch(const gphys_scene* scene, const gphys_sphere* spheres, uint32_t sphere_stride,
                                       const gphys_vec3* displacements, uint32_t displacement_stride, uint32_t count,
-                                      const Filter& filter, gphys_hit* out_hits, uint32_t out_stride) {
+                                      const Given& given, gphys_hit* out_hits, uint32_t out_stride) {
     GPHYS_REQUIRE_POINTERS(scene);
     const Workers& workers = unwrap(scene)->workers();
-    GPHYS_TRY(check_filters(workers, filter, count));
+    FilterFrom<Given> filter;
+    GPHYS_TRY(read_filters(*unwrap(scene), given, count, filter));
     GPHYS_TRY(check_inputs(workers, "spheres", spheres, "sphere_stride", sphere_stride, count));
     GPHYS_TRY(check_inputs(workers, "displacements", displacements, "displacement_stride", displacement_stride, count));
     GPHYS_TRY(check_outputs("out_hits", out_hits, out_stride, count));

@@ -16,25 +16,27 @@ gphys_status check_moving(const Workers& workers, gphys_shape_type type, const v
     });
 }
 
-template <class Filter>
+template <class Given>
 gphys_status scene_sweep(const gphys_scene* scene, gphys_shape_type type, const void* shape,
-                         const gphys_vec3* displacement, const Filter& filter, gphys_hit* out_hit) {
+                         const gphys_vec3* displacement, const Given& given, gphys_hit* out_hit) {
     GPHYS_REQUIRE_POINTERS(scene);
+    FilterFrom<Given> filter;
+    GPHYS_TRY(read_filter(*unwrap(scene), given, filter));
     Shape moving;
     GPHYS_TRY(read_moving(type, shape, moving));
-    GPHYS_REQUIRE_POINTERS(displacement);
-    GPHYS_REQUIRE_VALID(*displacement);
+    GPHYS_REQUIRE_INPUT(displacement);
     GPHYS_REQUIRE_POINTERS(out_hit);
     return unwrap(scene)->sweep(moving, widen(*displacement), filter, *out_hit);
 }
 
-template <class Filter>
+template <class Given>
 gphys_status scene_sweep_batch(const gphys_scene* scene, gphys_shape_type type, const void* shapes,
                                uint32_t shape_stride, const gphys_vec3* displacements, uint32_t displacement_stride,
-                               uint32_t count, const Filter& filter, gphys_hit* out_hits, uint32_t out_stride) {
+                               uint32_t count, const Given& given, gphys_hit* out_hits, uint32_t out_stride) {
     GPHYS_REQUIRE_POINTERS(scene);
     const Workers& workers = unwrap(scene)->workers();
-    GPHYS_TRY(check_filters(workers, filter, count));
+    FilterFrom<Given> filter;
+    GPHYS_TRY(read_filters(*unwrap(scene), given, count, filter));
     GPHYS_TRY(check_moving(workers, type, shapes, shape_stride, count));
     GPHYS_TRY(check_inputs(workers, "displacements", displacements, "displacement_stride", displacement_stride, count));
     GPHYS_TRY(check_outputs("out_hits", out_hits, out_stride, count));
@@ -54,10 +56,12 @@ gphys_status scene_sweep_batch(const gphys_scene* scene, gphys_shape_type type, 
     return GPHYS_OK;
 }
 
-template <class Filter>
-gphys_status scene_penetration(const gphys_scene* scene, gphys_shape_type type, const void* shape, const Filter& filter,
+template <class Given>
+gphys_status scene_penetration(const gphys_scene* scene, gphys_shape_type type, const void* shape, const Given& given,
                                gphys_penetration* out_penetrations, uint32_t capacity, uint32_t* out_total) {
     GPHYS_REQUIRE_POINTERS(scene);
+    FilterFrom<Given> filter;
+    GPHYS_TRY(read_filter(*unwrap(scene), given, filter));
     Shape moving;
     GPHYS_TRY(read_moving(type, shape, moving));
     GPHYS_TRY(check_list("out_penetrations", out_penetrations, capacity, out_total));
@@ -66,13 +70,14 @@ gphys_status scene_penetration(const gphys_scene* scene, gphys_shape_type type, 
     return listed(deepest.finish(), capacity, out_total);
 }
 
-template <class Filter>
+template <class Given>
 gphys_status scene_penetration_batch(const gphys_scene* scene, gphys_shape_type type, const void* shapes,
-                                     uint32_t shape_stride, uint32_t count, const Filter& filter,
+                                     uint32_t shape_stride, uint32_t count, const Given& given,
                                      gphys_penetration* out_penetrations, uint32_t capacity, uint32_t* out_offsets) {
     GPHYS_REQUIRE_POINTERS(scene);
     const Workers& workers = unwrap(scene)->workers();
-    GPHYS_TRY(check_filters(workers, filter, count));
+    FilterFrom<Given> filter;
+    GPHYS_TRY(read_filters(*unwrap(scene), given, count, filter));
     GPHYS_TRY(check_moving(workers, type, shapes, shape_stride, count));
     GPHYS_TRY(check_concatenation("out_penetrations", out_penetrations, capacity, out_offsets));
     const Strided<char> shape(static_cast<const char*>(shapes), shape_stride);
@@ -102,11 +107,7 @@ gphys_status gphys_scene_sweep(const gphys_scene* scene, gphys_shape_type type, 
 gphys_status gphys_scene_sweep_filtered(const gphys_scene* scene, gphys_shape_type type, const void* shape,
                                         const gphys_vec3* displacement, const gphys_query_filter_desc* filter,
                                         gphys_hit* out_hit) {
-    return guarded(__func__, [&] {
-        return with_filter(scene, filter, [&](const QueryFilter& parsed) {
-            return scene_sweep(scene, type, shape, displacement, parsed, out_hit);
-        });
-    });
+    return guarded(__func__, [&] { return scene_sweep(scene, type, shape, displacement, filter, out_hit); });
 }
 
 gphys_status gphys_scene_sweep_batch(const gphys_scene* scene, gphys_shape_type type, const void* shapes,
@@ -125,10 +126,8 @@ gphys_status gphys_scene_sweep_filtered_batch(const gphys_scene* scene, gphys_sh
                                               const gphys_query_filter_desc* filters, uint32_t filter_stride,
                                               gphys_hit* out_hits, uint32_t out_stride) {
     return guarded(__func__, [&] {
-        return with_filters(scene, filters, filter_stride, [&](const Filters& parsed) {
-            return scene_sweep_batch(scene, type, shapes, shape_stride, displacements, displacement_stride, count,
-                                     parsed, out_hits, out_stride);
-        });
+        return scene_sweep_batch(scene, type, shapes, shape_stride, displacements, displacement_stride, count,
+                                 FilterArray{filters, filter_stride}, out_hits, out_stride);
     });
 }
 
@@ -143,11 +142,8 @@ gphys_status gphys_scene_penetration_filtered(const gphys_scene* scene, gphys_sh
                                               const gphys_query_filter_desc* filter,
                                               gphys_penetration* out_penetrations, uint32_t capacity,
                                               uint32_t* out_total) {
-    return guarded(__func__, [&] {
-        return with_filter(scene, filter, [&](const QueryFilter& parsed) {
-            return scene_penetration(scene, type, shape, parsed, out_penetrations, capacity, out_total);
-        });
-    });
+    return guarded(
+        __func__, [&] { return scene_penetration(scene, type, shape, filter, out_penetrations, capacity, out_total); });
 }
 
 gphys_status gphys_scene_penetration_batch(const gphys_scene* scene, gphys_shape_type type, const void* shapes,
@@ -166,9 +162,7 @@ gphys_status gphys_scene_penetration_filtered_batch(const gphys_scene* scene, gp
                                                     gphys_penetration* out_penetrations, uint32_t capacity,
                                                     uint32_t* out_offsets) {
     return guarded(__func__, [&] {
-        return with_filters(scene, filters, filter_stride, [&](const Filters& parsed) {
-            return scene_penetration_batch(scene, type, shapes, shape_stride, count, parsed, out_penetrations, capacity,
-                                           out_offsets);
-        });
+        return scene_penetration_batch(scene, type, shapes, shape_stride, count, FilterArray{filters, filter_stride},
+                                       out_penetrations, capacity, out_offsets);
     });
 }

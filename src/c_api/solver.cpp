@@ -139,8 +139,7 @@ gphys_status gphys_solver_get_origin(const gphys_solver* solver, double out_orig
 gphys_status gphys_solver_set_gravity(gphys_solver* solver, const gphys_vec3* gravity) {
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_REQUIRE_POINTERS(solver);
-        GPHYS_REQUIRE_POINTERS(gravity);
-        GPHYS_REQUIRE_VALID(*gravity);
+        GPHYS_REQUIRE_INPUT(gravity);
         unwrap(solver)->set_gravity(widen(*gravity));
         return GPHYS_OK;
     });
@@ -324,8 +323,7 @@ gphys_status gphys_solver_get_nearest_particle(const gphys_solver* solver, gphys
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_REQUIRE_POINTERS(solver);
         GPHYS_TRY(unwrap(solver)->check(body));
-        GPHYS_REQUIRE_POINTERS(point);
-        GPHYS_REQUIRE_VALID(*point);
+        GPHYS_REQUIRE_INPUT(point);
         GPHYS_REQUIRE_POINTERS(out_particle);
         uint32_t nearest = 0;
         GPHYS_REQUIRE(nearest_particle(unwrap(solver)->body(body), triangle, widen(*point), nearest),
