@@ -1,8 +1,9 @@
 // Query filters: a layer mask, and optionally models to ignore.
 //
-// The queries of scene.h are templates of the filter, so that a plain layer mask costs nothing more. A filter has two
-// steps: a cheap test of layers and hierarchy, then the lookup in the list of ignored models. The lookup runs after the
-// conservative test of the shape, so only for the few models that may be results.
+// Raycasts, overlaps, nearest points and culling (scene.h) are templates of the filter, so that a plain layer mask
+// costs nothing more. For the other queries a mask is converted to a filter. A filter has two steps: a cheap test of
+// layers and hierarchy, then the lookup in the list of ignored models. The lookup runs after the conservative test of
+// the shape, so only for the few models that may be results.
 #pragma once
 
 #include <cstdint>
@@ -50,8 +51,11 @@ private:
     bool ascending_ = true;
 };
 
-/// Made by Scene::query_filter.
+/// Made of layers alone, or by Scene::query_filter.
 struct QueryFilter {
+    QueryFilter() = default;
+    QueryFilter(uint32_t only_layers) : layers(only_layers) {}  // implicit: a layer mask is a filter
+
     uint32_t layers = GPHYS_ALL_LAYERS;
     uint32_t ignored_slot = ~0u;  // ~0u: no model
     bool ignores_below = false;   // ignored_slot has descendants, which are ignored, too

@@ -4,8 +4,8 @@
 //   scene_models.cpp      add, remove, change, set_parent
 //   scene_transforms.cpp  set_transforms, set_origin; propagation to descendants
 //   scene_rays.cpp        raycasts, single and batched
-//   scene_queries.cpp     overlap, nearest, sphere sweep, cull
-//   scene_solids.cpp      sweeps of capsules and boxes; penetration
+//   scene_queries.cpp     overlap, cull
+//   scene_solids.cpp      sweeps; penetration
 //   scene_contact.cpp     closest point and sweep of one model, for collision response
 //   scene_snapshot.cpp    snapshot, restore, hash
 //   scene_check.cpp       consistency check
@@ -154,7 +154,6 @@ public:
     /// The same for many rays: bit i of the result is for ray i.
     uint64_t raycast_any_many(Ray* rays, uint32_t count, uint32_t layers) const;
     uint64_t raycast_any_many(Ray* rays, uint32_t count, const BatchFilters& filters) const;
-    void raycast_all(const Ray& ray, uint32_t layers, Smallest<gphys_hit, FirstHit>& out) const;
     void raycast_all(const Ray& ray, const QueryFilter& filter, Smallest<gphys_hit, FirstHit>& out) const;
     /// Writes the lowest `capacity` ids, ascending; returns the number of all. The rest of `out` is scratch.
     /// `candidates`: the result of find_candidates for the shape, or null.
@@ -172,13 +171,10 @@ public:
                       gphys_nearest* out) const;
     void nearest_many(const Vec3* points, uint32_t count, double max_distance, const BatchFilters& filters,
                       gphys_nearest* out) const;
-    gphys_status sweep(const Sphere& moving, Vec3 displacement, uint32_t layers, gphys_hit& out) const;
     gphys_status sweep(const Sphere& moving, Vec3 displacement, const QueryFilter& filter, gphys_hit& out) const;
     /// For a moving sphere, capsule or box.
-    gphys_status sweep(const Shape& moving, Vec3 displacement, uint32_t layers, gphys_hit& out) const;
     gphys_status sweep(const Shape& moving, Vec3 displacement, const QueryFilter& filter, gphys_hit& out) const;
     /// The penetrations of a sphere, capsule or box into each model, or each triangle of a mesh, that it overlaps.
-    void penetration(const Shape& moving, uint32_t layers, DeepestPenetrations& out) const;
     void penetration(const Shape& moving, const QueryFilter& filter, DeepestPenetrations& out) const;
     /// The models whose world AABBs are outside none of the six planes and overlap the frustum's AABB, by conservative
     /// arithmetic. Writes the lowest `capacity` ids, ascending; returns the number of all. The rest of `out` is
@@ -289,8 +285,6 @@ private:
     template <class Filters>
     uint64_t raycast_any_many_by(Ray* rays, uint32_t count, const Filters& filters) const;
     template <class Filter>
-    void raycast_all_by(const Ray& ray, const Filter& filter, Smallest<gphys_hit, FirstHit>& out) const;
-    template <class Filter>
     uint32_t overlap_by(const Shape& shape, const Filter& filter, gphys_model_id* out, uint32_t capacity,
                         const OverlapItems* candidates) const;
     template <class Filter>
@@ -298,12 +292,9 @@ private:
     template <class Filters>
     void nearest_many_by(const Vec3* points, uint32_t count, double max_distance, const Filters& filters,
                          gphys_nearest* out) const;
-    template <class Filter>
-    gphys_status sweep_by(const Sphere& moving, Vec3 displacement, const Filter& filter, gphys_hit& out) const;
-    template <class Filter>
-    gphys_status sweep_by(const Shape& moving, Vec3 displacement, const Filter& filter, gphys_hit& out) const;
-    template <class Filter>
-    void penetration_by(const Shape& moving, const Filter& filter, DeepestPenetrations& out) const;
+    template <class SweepOne, class Traverse>
+    gphys_status first_contact(Vec3 displacement, const QueryFilter& filter, const SweepOne& sweep_one,
+                               const Traverse& traverse, gphys_hit& out) const;
     template <class Filter>
     uint32_t cull_by(const Frustum& frustum, const Filter& filter, gphys_model_id* out, uint32_t capacity) const;
     template <class FindAll>

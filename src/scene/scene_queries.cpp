@@ -1,4 +1,4 @@
-// Overlap, sphere sweep and culling in the scene. Each query goes through the list of unbounded models and
+// Overlap and culling in the scene. Each query goes through the list of unbounded models and
 // traverses the BVH. It tests each candidate conservatively, then exactly if undecided, and lowers the limit by which
 // the traversal prunes. Results are ordered by what is reported, so they do not depend on the order of traversal.
 #include <cmath>
@@ -19,15 +19,6 @@ bool overlaps_shape(const MeshInstance& instance, const Shape& query) { return o
 template <class Primitive>
 bool overlaps_shape(const Primitive& shape, const Shape& query) {
     return overlaps(Shape(shape), query);
-}
-
-/// Sweep of a sphere against the sides of surfaces that the filter allows.
-bool sweep_sides(const MeshInstance& instance, const Sphere& moving, Vec3 displacement, Faces faces, Hit& hit) {
-    return sweep(instance, moving, displacement, hit, Ties::as_reported, faces);
-}
-template <class Primitive>
-bool sweep_sides(const Primitive& shape, const Sphere& moving, Vec3 displacement, Faces faces, Hit& hit) {
-    return hits_side(shape, displacement, faces) && sweep(shape, moving, displacement, hit);
 }
 
 /// Conservative overlap of a plane and a box. The error of the sums is below 8 roundings of 2^-53 of the sum of
@@ -178,34 +169,6 @@ uint32_t Scene::overlap_by(const Shape& query, const Filter& filter, gphys_model
     return out.finish();
 }
 
-template <class Filter>
-gphys_status Scene::sweep_by(const Sphere& moving, Vec3 displacement, const Filter& filter, gphys_hit& out) const {
-    Hit first, hit;
-    BestCandidate best;
-    double end = 1;
-    const auto exact = [&](const auto& shape) {
-        hit = Hit();
-        return sweep_sides(shape, moving, displacement, faces_of(filter), hit);
-    };
-    const auto test = [&](uint32_t slot) {
-        if (!may_pass(filter, slot) || !passes(filter, slot) || !with_shape(slot, exact)) return;
-        const float t = reported(hit.t);
-        if (!best.is_beaten_by(t, slot, ids_)) return;
-        best = {t, slot};
-        end = std::min(1.0, limit_of_ties<double>(t));
-        first = hit;
-    };
-    for (const uint32_t slot : unbounded_) test(slot);
-    const auto visit = [&](uint32_t slot, double& t_max) {
-        test(slot);
-        t_max = end;
-    };
-    bvh_.sweep(moving.center, displacement, moving.radius, visit, model_memory());
-    if (!best.exists()) return GPHYS_NO_HIT;
-    out = to_contact(first, displacement, ids_.id(best.slot), tags_[best.slot]);
-    return GPHYS_OK;
-}
-
 /// Lists the ids of the slots that find_all(add) adds, each once, in ascending order; find_all returns their number. A
 /// bit set of slots sorts them while they are found (slot_set.h). That of a large scene has its words behind the ids,
 /// in `out`. Returns false if `out` has no room: its contents are then undefined.
@@ -269,13 +232,6 @@ uint32_t Scene::overlap(const Shape& shape, uint32_t layers, gphys_model_id* out
 uint32_t Scene::overlap(const Shape& shape, const QueryFilter& filter, gphys_model_id* out, uint32_t capacity,
                         const OverlapItems* candidates) const {
     return overlap_by(shape, filter, out, capacity, candidates);
-}
-
-gphys_status Scene::sweep(const Sphere& moving, Vec3 displacement, uint32_t layers, gphys_hit& out) const {
-    return sweep_by(moving, displacement, layers, out);
-}
-gphys_status Scene::sweep(const Sphere& moving, Vec3 displacement, const QueryFilter& filter, gphys_hit& out) const {
-    return sweep_by(moving, displacement, filter, out);
 }
 
 uint32_t Scene::cull(const Frustum& frustum, uint32_t layers, gphys_model_id* out, uint32_t capacity) const {

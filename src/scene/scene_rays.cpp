@@ -514,9 +514,8 @@ uint64_t Scene::raycast_any_many_by(Ray* rays, uint32_t count, const Filters& fi
     return hits;
 }
 
-template <class Filter>
-void Scene::raycast_all_by(const Ray& given, const Filter& filter, Smallest<gphys_hit, FirstHit>& out) const {
-    const Ray& ray = filtered(given, filter);
+void Scene::raycast_all(const Ray& given, const QueryFilter& filter, Smallest<gphys_hit, FirstHit>& out) const {
+    const Ray ray = filtered(given, filter);
     const ConservativeRay conservative_ray(ray);
     Hit hit;
     const auto conservative = [&](const auto& shape) { return conservative_ray.rejects(shape, ray.t_max); };
@@ -563,13 +562,6 @@ uint64_t Scene::raycast_any_many(Ray* rays, uint32_t count, uint32_t layers) con
 }
 uint64_t Scene::raycast_any_many(Ray* rays, uint32_t count, const BatchFilters& filters) const {
     return raycast_any_many_by(rays, count, filters);
-}
-
-void Scene::raycast_all(const Ray& ray, uint32_t layers, Smallest<gphys_hit, FirstHit>& out) const {
-    raycast_all_by(ray, layers, out);
-}
-void Scene::raycast_all(const Ray& ray, const QueryFilter& filter, Smallest<gphys_hit, FirstHit>& out) const {
-    raycast_all_by(ray, filter, out);
 }
 
 }  // namespace gphys

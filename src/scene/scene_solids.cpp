@@ -1,5 +1,6 @@
-// Sweeps of capsules and boxes in the scene, and penetrations of spheres, capsules and boxes. The candidates come from
-// the BVH by the moving shape's AABB; the exact tests are sweep_convex.cpp and penetration.cpp.
+// Sweeps and penetrations of spheres, capsules and boxes in the scene. The candidates come from the BVH: by the ball of
+// a sphere that sweeps, else by the AABB of the moving shape. The exact tests are sweep.cpp, sweep_convex.cpp and
+// penetration.cpp.
 #include "geometry/faces.h"
 #include "scene/best_candidate.h"
 #include "scene/scene.h"
@@ -8,12 +9,21 @@ namespace gphys {
 
 namespace {
 
+// Sweeps against the sides of surfaces that the filter allows.
 bool sweep_shape(const MeshInstance& instance, const Shape& moving, Vec3 displacement, Faces faces, Hit& hit) {
     return sweep(instance, moving, displacement, hit, faces);
 }
 template <class Primitive>
 bool sweep_shape(const Primitive& shape, const Shape& moving, Vec3 displacement, Faces faces, Hit& hit) {
     return hits_side(shape, displacement, faces) && sweep(Shape(shape), moving, displacement, hit);
+}
+
+bool sweep_shape(const MeshInstance& instance, const Sphere& moving, Vec3 displacement, Faces faces, Hit& hit) {
+    return sweep(instance, moving, displacement, hit, Ties::as_reported, faces);
+}
+template <class Primitive>
+bool sweep_shape(const Primitive& shape, const Sphere& moving, Vec3 displacement, Faces faces, Hit& hit) {
+    return hits_side(shape, displacement, faces) && sweep(shape, moving, displacement, hit);
 }
 
 /// add(penetration, triangle) for each penetration into a model.
@@ -28,16 +38,16 @@ void visit_penetrations(const Primitive& shape, const Shape& moving, const Add& 
 
 }  // namespace
 
-template <class Filter>
-gphys_status Scene::sweep_by(const Shape& moving, Vec3 displacement, const Filter& filter, gphys_hit& out) const {
-    if (const auto* sphere = std::get_if<Sphere>(&moving)) return sweep(*sphere, displacement, filter, out);
+/// The first contact of a shape in motion. sweep_one(shape, hit) is its sweep against one model; traverse(visit) visits
+/// the candidates in the BVH.
+template <class SweepOne, class Traverse>
+gphys_status Scene::first_contact(Vec3 displacement, const QueryFilter& filter, const SweepOne& sweep_one,
+                                  const Traverse& traverse, gphys_hit& out) const {
     Hit first, hit;
     BestCandidate best;
     double end = 1;
-    const auto exact = [&](const auto& shape) {
-        return sweep_shape(shape, moving, displacement, faces_of(filter), hit);
-    };
     const auto test = [&](uint32_t slot) {
+        const auto exact = [&](const auto& shape) { return sweep_one(shape, hit); };
         if (!may_pass(filter, slot) || !passes(filter, slot) || !with_shape(slot, exact)) return;
         const float t = reported(hit.t);
         if (!best.is_beaten_by(t, slot, ids_)) return;
@@ -46,20 +56,40 @@ gphys_status Scene::sweep_by(const Shape& moving, Vec3 displacement, const Filte
         first = hit;
     };
     for (const uint32_t slot : unbounded_) test(slot);
-    const auto visit = [&](uint32_t slot, double& t_max) {
+    traverse([&](uint32_t slot, double& t_max) {
         test(slot);
         t_max = end;
-    };
-    const BoxInMotion box(moving);
-    const Vec3 half = box.half_with_rounding(bvh_.bounds(), displacement);
-    bvh_.sweep(box.middle, displacement, half, visit, model_memory());
+    });
     if (!best.exists()) return GPHYS_NO_HIT;
     out = to_contact(first, displacement, ids_.id(best.slot), tags_[best.slot]);
     return GPHYS_OK;
 }
 
-template <class Filter>
-void Scene::penetration_by(const Shape& moving, const Filter& filter, DeepestPenetrations& out) const {
+gphys_status Scene::sweep(const Sphere& moving, Vec3 displacement, const QueryFilter& filter, gphys_hit& out) const {
+    const auto sweep_one = [&](const auto& shape, Hit& hit) {
+        hit = Hit();
+        return sweep_shape(shape, moving, displacement, filter.faces, hit);
+    };
+    const auto traverse = [&](const auto& visit) {
+        bvh_.sweep(moving.center, displacement, moving.radius, visit, model_memory());
+    };
+    return first_contact(displacement, filter, sweep_one, traverse, out);
+}
+
+gphys_status Scene::sweep(const Shape& moving, Vec3 displacement, const QueryFilter& filter, gphys_hit& out) const {
+    if (const auto* sphere = std::get_if<Sphere>(&moving)) return sweep(*sphere, displacement, filter, out);
+    const auto sweep_one = [&](const auto& shape, Hit& hit) {
+        return sweep_shape(shape, moving, displacement, filter.faces, hit);
+    };
+    const auto traverse = [&](const auto& visit) {
+        const BoxInMotion box(moving);
+        const Vec3 half = box.half_with_rounding(bvh_.bounds(), displacement);
+        bvh_.sweep(box.middle, displacement, half, visit, model_memory());
+    };
+    return first_contact(displacement, filter, sweep_one, traverse, out);
+}
+
+void Scene::penetration(const Shape& moving, const QueryFilter& filter, DeepestPenetrations& out) const {
     const auto test = [&](uint32_t slot) {
         if (!may_pass(filter, slot) || !passes(filter, slot)) return true;
         with_shape(slot, [&](const auto& shape) {
@@ -72,20 +102,6 @@ void Scene::penetration_by(const Shape& moving, const Filter& filter, DeepestPen
     for (const uint32_t slot : unbounded_) test(slot);
     const auto visit = [&](uint32_t slot, bool) { return test(slot); };
     bvh_.overlap_box(BoxInMotion(moving).box, visit, model_memory(), model_memory());
-}
-
-gphys_status Scene::sweep(const Shape& moving, Vec3 displacement, uint32_t layers, gphys_hit& out) const {
-    return sweep_by(moving, displacement, layers, out);
-}
-gphys_status Scene::sweep(const Shape& moving, Vec3 displacement, const QueryFilter& filter, gphys_hit& out) const {
-    return sweep_by(moving, displacement, filter, out);
-}
-
-void Scene::penetration(const Shape& moving, uint32_t layers, DeepestPenetrations& out) const {
-    penetration_by(moving, layers, out);
-}
-void Scene::penetration(const Shape& moving, const QueryFilter& filter, DeepestPenetrations& out) const {
-    penetration_by(moving, filter, out);
 }
 
 }  // namespace gphys
