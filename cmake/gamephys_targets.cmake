@@ -49,6 +49,16 @@ function(gamephys_compilation target)
   gamephys_exact_traps(${target})
 endfunction()
 
+# The standard headers, which take a fifth of the time, are compiled once. Not with a compiler cache, which would not
+# recognise a file that uses them; nor for other machines, where compilers differ in what they precompile.
+function(gamephys_standard_headers target)
+  if(NOT CMAKE_CXX_COMPILER_LAUNCHER AND NOT CMAKE_CROSSCOMPILING AND NOT APPLE)
+    target_precompile_headers(
+      ${target} PRIVATE <algorithm> <atomic> <cmath> <condition_variable> <cstring> <functional> <limits>
+      <memory_resource> <mutex> <optional> <thread> <variant> <vector>)
+  endif()
+endfunction()
+
 # Objects for both forms of the library: the kernels of each instruction set, and the rest.
 set(GAMEPHYS_OBJECTS)
 function(gamephys_objects target)
@@ -59,6 +69,7 @@ function(gamephys_objects target)
   set(GAMEPHYS_OBJECTS ${GAMEPHYS_OBJECTS} $<TARGET_OBJECTS:${target}> PARENT_SCOPE)
 endfunction()
 gamephys_objects(gamephys_core ${GAMEPHYS_SOURCES})
+gamephys_standard_headers(gamephys_core)
 foreach(isa ${GAMEPHYS_ISAS})
   set(wide)
   if(isa IN_LIST GAMEPHYS_WIDE_ISAS)
@@ -73,6 +84,7 @@ function(gamephys_library target)
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
                                               $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   gamephys_compilation(${target})
+  gamephys_standard_headers(${target})
 endfunction()
 
 gamephys_library(gamephys_static STATIC)
