@@ -17,6 +17,7 @@ namespace gphys {
 
 namespace {
 
+/// The functions are compiled once for all pairs of shapes.
 class ConvexSweep {
 public:
     ConvexSweep(const ConvexDifference& set, Vec3 displacement)
@@ -26,13 +27,13 @@ public:
           is_round_(set.radius() * contact_tolerance > resolution_ * least_offset),
           clip_(resolution_) {}
 
-    /// False without contact. Calls overlaps_at_start() if the shapes may overlap at t = 0; sets is_at_start if they
-    /// do.
-    template <class Overlaps>
-    bool find(const Overlaps& overlaps_at_start) {
-        if (!set_.for_each_normal([&](Vec3 unit) { return cut(clip_, unit, 0); })) return false;
-        is_at_start_ = clip_.may_overlap_at_start() && overlaps_at_start();
-        if (is_at_start_) return true;
+    /// Clips the path by the slabs. False without contact.
+    GPHYS_NOINLINE bool clip() {
+        return set_.for_each_normal([&](Vec3 unit) { return cut(clip_, unit, 0); });
+    }
+    bool may_overlap_at_start() const { return clip_.may_overlap_at_start(); }
+    /// The contact in the rest of the path, unless the shapes overlap at its start. False without contact.
+    GPHYS_NOINLINE bool find() {
         if (clip_.is_empty() || (clip_.is_open() && !overlaps_within_rounding())) return false;
         begin_ = clip_.begin();
         normal_ = clip_.normal();
@@ -47,11 +48,24 @@ public:
         return dot(normal_, displacement_) < 0;
     }
 
-    double time() const { return begin_; }
-    Vec3 normal() const { return normal_; }
-    bool is_at_start() const { return is_at_start_; }
-    /// The contact point on the other core.
-    Vec3 on_other() const { return contact_on_other(at_contact(), {0, normal_, on_other_, is_round_}); }
+    /// The result of find, or of shapes that overlap at the start; `from`: what the coordinates are relative to.
+    GPHYS_NOINLINE Hit hit(bool is_at_start, Vec3 from) const {
+        Hit hit;
+        Vec3 point;
+        if (is_at_start) {
+            const Separation apart = separation(set_);
+            hit.flags = GPHYS_HIT_INSIDE;
+            hit.t = 0;
+            hit.normal = apart.normal;
+            point = contact_on_other(set_, apart);
+        } else {
+            hit.t = std::min(begin_, 1.0);
+            hit.normal = normal_;
+            point = contact_on_other(at_contact(), {0, normal_, on_other_, is_round_});
+        }
+        hit.point = from + point + hit.normal * set_.other_radius();
+        return hit;
+    }
 
 private:
     ConvexDifference at_contact() const { return set_.after(displacement_ * begin_); }
@@ -164,7 +178,6 @@ private:
     bool is_round_;
     SlabClip clip_;
     double begin_ = 0;
-    bool is_at_start_ = false;
 };
 
 template <class Other, class Moving>
@@ -173,21 +186,10 @@ bool sweep_convex(const Other& other, const Moving& moving, Vec3 displacement, H
     const auto core = core_of(relative_to(from, other));
     const ConvexDifference set(core, core_of(relative_to(from, moving)));
     ConvexSweep path(set, displacement);
-    if (!path.find([&] { return overlaps(Shape(other), Shape(moving)); })) return false;
-    hit = Hit{};
-    Vec3 point;
-    if (path.is_at_start()) {
-        const Separation apart = separation(set);
-        hit.flags = GPHYS_HIT_INSIDE;
-        hit.t = 0;
-        hit.normal = apart.normal;
-        point = contact_on_other(set, apart);
-    } else {
-        hit.t = std::min(path.time(), 1.0);
-        hit.normal = path.normal();
-        point = path.on_other();
-    }
-    hit.point = from + point + hit.normal * set.other_radius();
+    if (!path.clip()) return false;
+    const bool is_at_start = path.may_overlap_at_start() && overlaps(Shape(other), Shape(moving));
+    if (!is_at_start && !path.find()) return false;
+    hit = path.hit(is_at_start, from);
     return true;
 }
 

@@ -117,6 +117,14 @@ constexpr double sharp = 0x1p-43;
 // As for the separation: a shorter offset has no direction.
 constexpr double is_direction = least_offset / 4;
 
+/// The core of a sphere, capsule or box, relative to a point of it.
+Core relative_core(const Shape& moving, Vec3& from) {
+    return with_solid(moving, [&](const auto& solid) {
+        from = reference_point(solid);
+        return core_of(relative_to(from, solid));
+    });
+}
+
 double lowest(const Core& core, Vec3 unit) {
     double low = dot(unit, core.center);
     for (int k = 0; k < core.axis_count; ++k) low -= core.half[k] * std::fabs(dot(unit, core.axes[k]));
@@ -217,90 +225,84 @@ Vec3 Mesh::contact_on_hull(const Core& core, Vec3 from, Vec3 normal, double dist
 }
 
 Penetration Mesh::penetration_of_hull(const Shape& moving, const AxisScale& axes) const {
-    return with_solid(moving, [&](const auto& solid) {
-        const Vec3 from = reference_point(solid);
-        const Core core = core_of(relative_to(from, solid));
-        const WidestGap widest(hull_, axes, core, from);
-        const double size = hull_size(core, from, axes);
+    Vec3 from;
+    const Core core = relative_core(moving, from);
+    const WidestGap widest(hull_, axes, core, from);
+    const double size = hull_size(core, from, axes);
 
-        double distance = widest.gap;
-        Vec3 normal = widest.normal, point;
-        double nearest = infinity;
-        NearestDifference between;
-        if (distance > -certain * size) {
-            // If they are apart, or beside a sharp edge, the nearest points may be on edges and corners. A solid that
-            // overlaps the hull by rounding alone overlaps a triangle there.
-            const auto find_nearest = [&](uint32_t triangle) {
-                const NearestDifference near =
-                    ConvexDifference(relative_to(from, axes(this->triangle(triangle))), core).nearest();
-                const double length = gphys::length(near.offset);
-                if (length < nearest) nearest = length, between = near;
-                return true;
-            };
-            for_each_overlap(moving, find_nearest, axes);
-        }
-        const auto is_between = [&] {  // and not rounding
-            return nearest >= is_direction * size || gap_along(between.offset / -nearest, core, from, axes) >= distance;
+    double distance = widest.gap;
+    Vec3 normal = widest.normal, point;
+    double nearest = infinity;
+    NearestDifference between;
+    if (distance > -certain * size) {
+        // If they are apart, or beside a sharp edge, the nearest points may be on edges and corners. A solid that
+        // overlaps the hull by rounding alone overlaps a triangle there.
+        const auto find_nearest = [&](uint32_t triangle) {
+            const NearestDifference near =
+                ConvexDifference(relative_to(from, axes(this->triangle(triangle))), core).nearest();
+            const double length = gphys::length(near.offset);
+            if (length < nearest) nearest = length, between = near;
+            return true;
         };
-        const bool is_apart = nearest < infinity && nearest > certain * size && is_between();
-        if (is_apart) {
-            distance = nearest;
-            normal = between.offset / -nearest;
-            point = between.on_other;
-        }
-        uint32_t triangle;
-        if (!is_apart) point = contact_on_hull(core, from, normal, distance, size, triangle, axes);
-        return Penetration{std::max(0.0, core.radius - distance), normal, from + point};
-    });
+        for_each_overlap(moving, find_nearest, axes);
+    }
+    const auto is_between = [&] {  // and not rounding
+        return nearest >= is_direction * size || gap_along(between.offset / -nearest, core, from, axes) >= distance;
+    };
+    const bool is_apart = nearest < infinity && nearest > certain * size && is_between();
+    if (is_apart) {
+        distance = nearest;
+        normal = between.offset / -nearest;
+        point = between.on_other;
+    }
+    uint32_t triangle;
+    if (!is_apart) point = contact_on_hull(core, from, normal, distance, size, triangle, axes);
+    return {std::max(0.0, core.radius - distance), normal, from + point};
 }
 
 bool Mesh::is_sharp(const Shape& moving, Vec3 displacement, const AxisScale& axes) const {
-    return with_solid(moving, [&](const auto& solid) {
-        const Vec3 from = reference_point(solid);
-        const Core core = core_of(relative_to(from, solid));
-        return core.radius <= sharp * (hull_size(core, from, axes) + max_component(abs(displacement)));
-    });
+    Vec3 from;
+    const Core core = relative_core(moving, from);
+    return core.radius <= sharp * (hull_size(core, from, axes) + max_component(abs(displacement)));
 }
 
 std::optional<bool> Mesh::sweep_sharp_at_hull(const Shape& moving, Vec3 displacement, Hit& hit,
                                               const AxisScale& axes) const {
-    return with_solid(moving, [&](const auto& solid) -> std::optional<bool> {
-        const Vec3 from = reference_point(solid);
-        Core core = core_of(relative_to(from, solid));
-        if (core.axis_count == 0) return sweep_point_at_hull({from + core.center, displacement, 1}, hit, axes);
-        const double size = hull_size(core, from, axes);
-        const double resolution = contact_tolerance * (size + max_component(abs(displacement)));
-        SlabClip clip(resolution);
-        const auto cut = [&](SlabClip& by, double grown_by) {
-            return for_each_gap(hull_, axes, core, from, [&](Vec3 unit, double gap) {
-                return by.cut(gap - grown_by, -dot(unit, displacement), unit);
-            });
-        };
-        if (!cut(clip, 0) || clip.is_empty()) return false;
-        if (clip.is_open()) {
-            SlabClip grown(resolution);
-            cut(grown, resolution);
-            if (!clip.is_in(grown)) return false;
-        }
-        hit = Hit{};
-        hit.t = std::min(clip.begin(), 1.0);
-        hit.normal = clip.normal();
-        if (hit.normal == Vec3{}) {
-            // In contact within rounding, but not overlapping.
-            hit.normal = clip.widest_normal();
-            if (!(dot(hit.normal, displacement) < 0)) return false;
-        }
-        core.center += displacement * hit.t;
-        core.radius = 0;
-        hit.normal = normal_at_hull(core, from, displacement, hit.normal, size, axes);
-        hit.point = from + contact_on_hull(core, from, hit.normal, 0, size, hit.triangle, axes);
-        const Triangle hit_triangle = axes(triangle(hit.triangle));
-        // Beyond a sharp edge the core may be within rounding of both planes and yet far from the hull.
-        const ConvexDifference there(relative_to(from, hit_triangle), core);
-        if (length(there.nearest().offset) > sharp * (size + max_component(abs(displacement)))) return {};
-        barycentric(hit_triangle, hit.point, hit.u, hit.v);
-        return true;
-    });
+    Vec3 from;
+    Core core = relative_core(moving, from);
+    if (core.axis_count == 0) return sweep_point_at_hull({from + core.center, displacement, 1}, hit, axes);
+    const double size = hull_size(core, from, axes);
+    const double resolution = contact_tolerance * (size + max_component(abs(displacement)));
+    SlabClip clip(resolution);
+    const auto cut = [&](SlabClip& by, double grown_by) {
+        return for_each_gap(hull_, axes, core, from, [&](Vec3 unit, double gap) {
+            return by.cut(gap - grown_by, -dot(unit, displacement), unit);
+        });
+    };
+    if (!cut(clip, 0) || clip.is_empty()) return false;
+    if (clip.is_open()) {
+        SlabClip grown(resolution);
+        cut(grown, resolution);
+        if (!clip.is_in(grown)) return false;
+    }
+    hit = Hit{};
+    hit.t = std::min(clip.begin(), 1.0);
+    hit.normal = clip.normal();
+    if (hit.normal == Vec3{}) {
+        // In contact within rounding, but not overlapping.
+        hit.normal = clip.widest_normal();
+        if (!(dot(hit.normal, displacement) < 0)) return false;
+    }
+    core.center += displacement * hit.t;
+    core.radius = 0;
+    hit.normal = normal_at_hull(core, from, displacement, hit.normal, size, axes);
+    hit.point = from + contact_on_hull(core, from, hit.normal, 0, size, hit.triangle, axes);
+    const Triangle hit_triangle = axes(triangle(hit.triangle));
+    // Beyond a sharp edge the core may be within rounding of both planes and yet far from the hull.
+    const ConvexDifference there(relative_to(from, hit_triangle), core);
+    if (length(there.nearest().offset) > sharp * (size + max_component(abs(displacement)))) return {};
+    barycentric(hit_triangle, hit.point, hit.u, hit.v);
+    return true;
 }
 
 double Mesh::gap_along(Vec3 unit, const Core& core, Vec3 from, const AxisScale& axes) const {
@@ -331,17 +333,15 @@ Vec3 Mesh::normal_at_hull(const Core& core, Vec3 from, Vec3 displacement, Vec3 n
 
 void Mesh::use_hull_normal(const Shape& moving, Vec3 displacement, Hit& hit, const AxisScale& axes) const {
     if (hit.flags & GPHYS_HIT_INSIDE) return;
-    with_solid(moving, [&](const auto& solid) {
-        const Vec3 from = reference_point(solid);
-        Core core = core_of(relative_to(from, solid));
-        core.center += displacement * hit.t;
-        const double size = hull_size(core, from, axes);
-        const Vec3 normal = normal_at_hull(core, from, displacement, hit.normal, size, axes);
-        if (normal == hit.normal) return;
-        hit.normal = normal;
-        hit.point = from + contact_on_hull(core, from, normal, core.radius, size, hit.triangle, axes);
-        barycentric(axes(triangle(hit.triangle)), hit.point, hit.u, hit.v);
-    });
+    Vec3 from;
+    Core core = relative_core(moving, from);
+    core.center += displacement * hit.t;
+    const double size = hull_size(core, from, axes);
+    const Vec3 normal = normal_at_hull(core, from, displacement, hit.normal, size, axes);
+    if (normal == hit.normal) return;
+    hit.normal = normal;
+    hit.point = from + contact_on_hull(core, from, normal, core.radius, size, hit.triangle, axes);
+    barycentric(axes(triangle(hit.triangle)), hit.point, hit.u, hit.v);
 }
 
 void Mesh::start_in_hull(const Shape& moving, Hit& hit, const AxisScale& axes) const {
