@@ -36,7 +36,6 @@ public:
     }
 
     bool at_item() const { return is_item(at_); }
-    bool at_leaf() const { return is_leaf(child_of(at_)); }
     uint32_t item() const { return child_of(at_); }
     const BvhNode& node(const BvhNode* nodes) const { return node_at(nodes, child_of(at_)); }
 

@@ -320,6 +320,11 @@ private:
     auto with_stored(uint32_t slot, Visit&& visit) const;
     template <class Visit>
     auto with_shape(uint32_t slot, Visit&& visit) const;
+    /// The same of an unbounded model: visit(Plane).
+    template <class Visit>
+    auto with_plane(uint32_t slot, Visit&& visit) const {
+        return with_placed(stored<gphys_plane>(slot), models_[slot].world, visit);
+    }
     template <class Stored>
     Stored stored(uint32_t slot) const;
     /// Tests a model that has passed may_pass(): the conservative test of the stored shape, the filter, then, if

@@ -203,8 +203,8 @@ uint32_t Scene::cull_by(const Frustum& frustum, const Filter& filter, gphys_mode
             ++total;
         };
         for (const uint32_t slot : unbounded_) {
-            const auto is_in_view = [&](const auto& shape) { return overlaps_shape(shape, frustum); };
-            if (with_shape(slot, is_in_view)) add_if_passing(slot);
+            const auto is_in_view = [&](const Plane& plane) { return overlaps(Shape(plane), frustum); };
+            if (with_plane(slot, is_in_view)) add_if_passing(slot);
         }
         bvh_.frustum(frustum, box_around(frustum), [&](const uint32_t* slots, uint32_t count) {
             if (all_in_layers) {

@@ -65,7 +65,7 @@ public:
         : scene_(&scene), rest_(&ray), t_max_(ray.t_max), out_(&out) {
         for (const uint32_t slot : scene.unbounded_) {
             if (scene.may_pass(filter, slot) && scene.may_hit_plane(slot, ray) && scene.passes(filter, slot))
-                test(slot);
+                scene.with_plane(slot, [&](const Plane& plane) { return test(slot, plane); });
         }
     }
 
@@ -443,9 +443,9 @@ bool Scene::may_hit_plane(uint32_t slot, const Ray& ray) const {
 /// Whether a ray hits a plane. Planes are unbounded and not in the BVH.
 template <class Filter>
 bool Scene::hits_unbounded(const Ray& ray, const Filter& filter) const {
-    const auto exact = [&](const auto& shape) { return is_hit(shape, ray); };
+    const auto exact = [&](const Plane& plane) { return is_hit(plane, ray); };
     for (const uint32_t slot : unbounded_) {
-        if (may_pass(filter, slot) && may_hit_plane(slot, ray) && with_shape(slot, exact) && passes(filter, slot))
+        if (may_pass(filter, slot) && may_hit_plane(slot, ray) && with_plane(slot, exact) && passes(filter, slot))
             return true;
     }
     return false;

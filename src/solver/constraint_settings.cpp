@@ -2,8 +2,8 @@
 // their links are updated. A length does not jump, which would throw the load: it changes to the new one at constant
 // speed during the next step.
 #include "foundation/strided.h"
+#include "solver/body.h"
 #include "solver/rope/rope_kernels.h"
-#include "solver/solver.h"
 
 namespace gphys {
 namespace {

@@ -2,7 +2,6 @@
 #include "solver/state_range.h"
 
 #include "solver/contact/collision.h"
-#include "solver/solver.h"
 #include "solver/state.h"
 
 namespace gphys {
