@@ -40,14 +40,6 @@ gphys_status check_hull(const gphys_mesh* mesh) {
     return unwrap(mesh)->is_hull() ? GPHYS_OK : fail(GPHYS_ERROR_UNSUPPORTED, "mesh: it is not a hull");
 }
 
-template <class T>
-gphys_status copy_out(const Vector<T>& values, const char* out_name, T* out, uint32_t capacity, uint32_t* out_total) {
-    GPHYS_TRY(check_list(out_name, out, capacity, out_total));
-    const uint32_t total = static_cast<uint32_t>(values.size());
-    std::copy_n(values.begin(), std::min(total, capacity), out);
-    return listed(total, capacity, out_total);
-}
-
 }  // namespace
 
 gphys_status gphys_mesh_check(const float* vertices, uint32_t vertex_stride, uint32_t vertex_count,
@@ -138,7 +130,7 @@ gphys_status gphys_mesh_get_hull_faces(const gphys_mesh* mesh, uint32_t* out_fac
                                        uint32_t* out_total) {
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_hull(mesh));
-        return copy_out(unwrap(mesh)->hull().face_of(), "out_faces", out_faces, capacity, out_total);
+        return list_copy(unwrap(mesh)->hull().face_of(), "out_faces", out_faces, capacity, out_total);
     });
 }
 
@@ -189,7 +181,7 @@ gphys_status gphys_mesh_get_vertices(const gphys_mesh* mesh, gphys_vec3* out_ver
                                      uint32_t* out_total) {
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_REQUIRE_POINTERS(mesh);
-        return copy_out(unwrap(mesh)->vertices(), "out_vertices", out_vertices, capacity, out_total);
+        return list_copy(unwrap(mesh)->vertices(), "out_vertices", out_vertices, capacity, out_total);
     });
 }
 
@@ -197,7 +189,7 @@ gphys_status gphys_mesh_get_indices(const gphys_mesh* mesh, uint32_t* out_indice
                                     uint32_t* out_total) {
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_REQUIRE_POINTERS(mesh);
-        return copy_out(unwrap(mesh)->indices(), "out_indices", out_indices, capacity, out_total);
+        return list_copy(unwrap(mesh)->indices(), "out_indices", out_indices, capacity, out_total);
     });
 }
 
@@ -292,13 +284,12 @@ gphys_status gphys_mesh_overlap(const gphys_mesh* mesh, gphys_shape_type type, c
         GPHYS_REQUIRE_POINTERS(mesh);
         Shape query;
         GPHYS_TRY(read_shape(type, shape, query));
-        GPHYS_TRY(check_list("out_triangles", out_triangles, capacity, out_total));
-        Smallest<uint32_t> triangles(out_triangles, capacity);
-        unwrap(mesh)->for_each_overlap(query, [&](uint32_t triangle) {
-            triangles.add(triangle);
-            return true;
+        return list_smallest("out_triangles", out_triangles, capacity, out_total, [&](auto& triangles) {
+            unwrap(mesh)->for_each_overlap(query, [&](uint32_t triangle) {
+                triangles.add(triangle);
+                return true;
+            });
         });
-        return listed(triangles.finish(), capacity, out_total);
     });
 }
 

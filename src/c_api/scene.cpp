@@ -285,10 +285,9 @@ gphys_status gphys_scene_get_models(const gphys_scene* scene, gphys_model_id* ou
                                     uint32_t* out_total) {
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_REQUIRE_POINTERS(scene);
-        GPHYS_TRY(check_list("out_models", out_models, capacity, out_total));
-        Smallest<gphys_model_id> models(out_models, capacity);
-        unwrap(scene)->for_each_model([&](gphys_model_id model) { models.add(model); });
-        return listed(models.finish(), capacity, out_total);
+        return list_smallest("out_models", out_models, capacity, out_total, [&](auto& models) {
+            unwrap(scene)->for_each_model([&](gphys_model_id model) { models.add(model); });
+        });
     });
 }
 
@@ -296,12 +295,11 @@ gphys_status gphys_scene_get_roots(const gphys_scene* scene, gphys_model_id* out
                                    uint32_t* out_total) {
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_REQUIRE_POINTERS(scene);
-        GPHYS_TRY(check_list("out_models", out_models, capacity, out_total));
-        Smallest<gphys_model_id> models(out_models, capacity);
-        unwrap(scene)->for_each_model([&](gphys_model_id model) {
-            if (unwrap(scene)->parent(model) == 0) models.add(model);
+        return list_smallest("out_models", out_models, capacity, out_total, [&](auto& models) {
+            unwrap(scene)->for_each_model([&](gphys_model_id model) {
+                if (unwrap(scene)->parent(model) == 0) models.add(model);
+            });
         });
-        return listed(models.finish(), capacity, out_total);
     });
 }
 
@@ -310,10 +308,9 @@ gphys_status gphys_scene_get_children(const gphys_scene* scene, gphys_model_id m
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_REQUIRE_POINTERS(scene);
         GPHYS_TRY(unwrap(scene)->check(model));
-        GPHYS_TRY(check_list("out_models", out_models, capacity, out_total));
-        Smallest<gphys_model_id> models(out_models, capacity);
-        unwrap(scene)->for_each_child(model, [&](gphys_model_id child) { models.add(child); });
-        return listed(models.finish(), capacity, out_total);
+        return list_smallest("out_models", out_models, capacity, out_total, [&](auto& models) {
+            unwrap(scene)->for_each_child(model, [&](gphys_model_id child) { models.add(child); });
+        });
     });
 }
 

@@ -163,10 +163,8 @@ gphys_status scene_raycast_all(const gphys_scene* scene, const gphys_ray* ray, c
     FilterFrom<Given> filter;
     GPHYS_TRY(read_filter(*unwrap(scene), given, filter));
     GPHYS_REQUIRE_INPUT(ray);
-    GPHYS_TRY(check_list("out_hits", out_hits, capacity, out_total));
-    Smallest<gphys_hit, FirstHit> hits(out_hits, capacity);
-    unwrap(scene)->raycast_all(widen(*ray), filter, hits);
-    return listed(hits.finish(), capacity, out_total);
+    return list_smallest<FirstHit>("out_hits", out_hits, capacity, out_total,
+                                   [&](auto& hits) { unwrap(scene)->raycast_all(widen(*ray), filter, hits); });
 }
 
 template <class Given>

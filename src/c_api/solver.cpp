@@ -238,10 +238,8 @@ gphys_status gphys_solver_get_bodies(const gphys_solver* solver, gphys_body_id* 
                                      uint32_t* out_total) {
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_REQUIRE_POINTERS(solver);
-        GPHYS_TRY(check_list("out_bodies", out_bodies, capacity, out_total));
-        Smallest<gphys_body_id> bodies(out_bodies, capacity);
-        unwrap(solver)->list(bodies);
-        return listed(bodies.finish(), capacity, out_total);
+        return list_smallest("out_bodies", out_bodies, capacity, out_total,
+                             [&](auto& bodies) { unwrap(solver)->list(bodies); });
     });
 }
 
@@ -249,10 +247,8 @@ gphys_status gphys_solver_get_sleeping(const gphys_solver* solver, gphys_body_id
                                        uint32_t* out_total) {
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_REQUIRE_POINTERS(solver);
-        GPHYS_TRY(check_list("out_bodies", out_bodies, capacity, out_total));
-        Smallest<gphys_body_id> bodies(out_bodies, capacity);
-        unwrap(solver)->list_sleeping(bodies);
-        return listed(bodies.finish(), capacity, out_total);
+        return list_smallest("out_bodies", out_bodies, capacity, out_total,
+                             [&](auto& bodies) { unwrap(solver)->list_sleeping(bodies); });
     });
 }
 
@@ -271,8 +267,7 @@ gphys_status gphys_solver_wake(gphys_solver* solver, gphys_body_id body) {
 
 gphys_status gphys_solver_get_body_info(const gphys_solver* solver, gphys_body_id body, gphys_body_info* out_info) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_REQUIRE_POINTERS(solver);
-        GPHYS_TRY(unwrap(solver)->check(body));
+        GPHYS_TRY(check_body(solver, body));
         GPHYS_REQUIRE_POINTERS(out_info);
         const Body& b = unwrap(solver)->body(body);
         const gphys_solve_method method = b.plan.chains_current ? b.plan.method : method_of(b);
@@ -284,8 +279,7 @@ gphys_status gphys_solver_get_body_info(const gphys_solver* solver, gphys_body_i
 
 gphys_status gphys_solver_get_substeps(const gphys_solver* solver, gphys_body_id body, uint32_t* out_substeps) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_REQUIRE_POINTERS(solver);
-        GPHYS_TRY(unwrap(solver)->check(body));
+        GPHYS_TRY(check_body(solver, body));
         GPHYS_REQUIRE_POINTERS(out_substeps);
         *out_substeps = unwrap(solver)->body(body).substeps.made;
         return GPHYS_OK;
@@ -295,13 +289,9 @@ gphys_status gphys_solver_get_substeps(const gphys_solver* solver, gphys_body_id
 gphys_status gphys_solver_get_triangles(const gphys_solver* solver, gphys_body_id body, uint32_t* out_indices,
                                         uint32_t capacity, uint32_t* out_total) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_REQUIRE_POINTERS(solver);
-        GPHYS_TRY(unwrap(solver)->check(body));
-        GPHYS_TRY(check_list("out_indices", out_indices, capacity, out_total));
-        const Vector<uint32_t>& indices = unwrap(solver)->body(body).cloth.sheet.triangles;
-        const uint32_t total = static_cast<uint32_t>(indices.size());
-        std::copy_n(indices.begin(), std::min(total, capacity), out_indices);
-        return listed(total, capacity, out_total);
+        GPHYS_TRY(check_body(solver, body));
+        return list_copy(unwrap(solver)->body(body).cloth.sheet.triangles, "out_indices", out_indices, capacity,
+                         out_total);
     });
 }
 
@@ -310,8 +300,7 @@ gphys_status gphys_mesh_create_from_body(const gphys_mesh_desc* desc, gphys_solv
     return guarded(__func__, [&]() -> gphys_status {
         gphys_mesh_desc settings{};
         GPHYS_TRY(read_mesh_desc(desc, settings));
-        GPHYS_REQUIRE_POINTERS(solver);
-        GPHYS_TRY(unwrap(solver)->check(body));
+        GPHYS_TRY(check_body(solver, body));
         GPHYS_REQUIRE_POINTERS(out_mesh);
         *out_mesh = wrap(unwrap(solver)->make_mesh(settings.allocator, body));
         return GPHYS_OK;
@@ -321,8 +310,7 @@ gphys_status gphys_mesh_create_from_body(const gphys_mesh_desc* desc, gphys_solv
 gphys_status gphys_solver_get_nearest_particle(const gphys_solver* solver, gphys_body_id body, uint32_t triangle,
                                                const gphys_vec3* point, uint32_t* out_particle) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_REQUIRE_POINTERS(solver);
-        GPHYS_TRY(unwrap(solver)->check(body));
+        GPHYS_TRY(check_body(solver, body));
         GPHYS_REQUIRE_INPUT(point);
         GPHYS_REQUIRE_POINTERS(out_particle);
         uint32_t nearest = 0;
@@ -423,10 +411,8 @@ gphys_status gphys_solver_get_contacts(const gphys_solver* solver, gphys_contact
                                        uint32_t* out_total) {
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_REQUIRE_POINTERS(solver);
-        GPHYS_TRY(check_list("out_contacts", out_contacts, capacity, out_total));
-        Smallest<gphys_contact, ContactOrder> contacts(out_contacts, capacity);
-        unwrap(solver)->contacts(contacts);
-        return listed(contacts.finish(), capacity, out_total);
+        return list_smallest<ContactOrder>("out_contacts", out_contacts, capacity, out_total,
+                                           [&](auto& contacts) { unwrap(solver)->contacts(contacts); });
     });
 }
 
@@ -434,10 +420,8 @@ gphys_status gphys_solver_get_body_contacts(const gphys_solver* solver, gphys_bo
                                             uint32_t capacity, uint32_t* out_total) {
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_REQUIRE_POINTERS(solver);
-        GPHYS_TRY(check_list("out_contacts", out_contacts, capacity, out_total));
-        Smallest<gphys_body_contact, BodyContactOrder> contacts(out_contacts, capacity);
-        unwrap(solver)->body_contacts(contacts);
-        return listed(contacts.finish(), capacity, out_total);
+        return list_smallest<BodyContactOrder>("out_contacts", out_contacts, capacity, out_total,
+                                               [&](auto& contacts) { unwrap(solver)->body_contacts(contacts); });
     });
 }
 
@@ -445,9 +429,7 @@ gphys_status gphys_solver_get_impulses(const gphys_solver* solver, gphys_impulse
                                        uint32_t* out_total) {
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_REQUIRE_POINTERS(solver);
-        GPHYS_TRY(check_list("out_impulses", out_impulses, capacity, out_total));
-        Smallest<gphys_impulse, ImpulseOrder> impulses(out_impulses, capacity);
-        unwrap(solver)->impulses(impulses);
-        return listed(impulses.finish(), capacity, out_total);
+        return list_smallest<ImpulseOrder>("out_impulses", out_impulses, capacity, out_total,
+                                           [&](auto& impulses) { unwrap(solver)->impulses(impulses); });
     });
 }

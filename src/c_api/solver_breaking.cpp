@@ -54,9 +54,6 @@ gphys_status gphys_solver_get_breaks(const gphys_solver* solver, gphys_break* ou
                                      uint32_t* out_total) {
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_REQUIRE_POINTERS(solver);
-        GPHYS_TRY(check_list("out_breaks", out_breaks, capacity, out_total));
-        const Vector<gphys_break>& breaks = unwrap(solver)->breaks();
-        std::copy_n(breaks.begin(), std::min<size_t>(breaks.size(), capacity), out_breaks);
-        return listed(static_cast<uint32_t>(breaks.size()), capacity, out_total);
+        return list_copy(unwrap(solver)->breaks(), "out_breaks", out_breaks, capacity, out_total);
     });
 }

@@ -2,7 +2,7 @@
 #include "c_api/api.h"
 #include "c_api/handles.h"
 #include "c_api/lists.h"
-#include "solver/solver.h"
+#include "c_api/solver_settings.h"
 
 using namespace gphys;
 
@@ -22,8 +22,7 @@ gphys_status check_members(Solver& solver, const Body& body, const uint32_t* par
 }
 
 gphys_status check_cluster(const gphys_solver* solver, gphys_body_id body, gphys_cluster_id cluster) {
-    GPHYS_REQUIRE_POINTERS(solver);
-    GPHYS_TRY(unwrap(solver)->check(body));
+    GPHYS_TRY(check_body(solver, body));
     return gphys::check_cluster(unwrap(solver)->body(body).cloth.clusters, cluster);
 }
 
@@ -32,8 +31,7 @@ gphys_status check_cluster(const gphys_solver* solver, gphys_body_id body, gphys
 gphys_status gphys_solver_add_cluster(gphys_solver* solver, gphys_body_id body, const uint32_t* particles,
                                       uint32_t count, gphys_cluster_id* out_cluster) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_REQUIRE_POINTERS(solver);
-        GPHYS_TRY(unwrap(solver)->check(body));
+        GPHYS_TRY(check_body(solver, body));
         GPHYS_REQUIRE_IN_RANGE(count >= 2, "count", count, "at least 2");
         GPHYS_REQUIRE_POINTERS(particles, out_cluster);
         Body& b = unwrap(solver)->body(body);
@@ -52,12 +50,10 @@ gphys_status gphys_solver_remove_cluster(gphys_solver* solver, gphys_body_id bod
 gphys_status gphys_solver_get_clusters(const gphys_solver* solver, gphys_body_id body, gphys_cluster_id* out_clusters,
                                        uint32_t capacity, uint32_t* out_total) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_REQUIRE_POINTERS(solver);
-        GPHYS_TRY(unwrap(solver)->check(body));
-        GPHYS_TRY(check_list("out_clusters", out_clusters, capacity, out_total));
-        Smallest<gphys_cluster_id> clusters(out_clusters, capacity);
-        list_clusters(unwrap(solver)->body(body).cloth.clusters, clusters);
-        return listed(clusters.finish(), capacity, out_total);
+        GPHYS_TRY(check_body(solver, body));
+        return list_smallest("out_clusters", out_clusters, capacity, out_total, [&](auto& clusters) {
+            list_clusters(unwrap(solver)->body(body).cloth.clusters, clusters);
+        });
     });
 }
 

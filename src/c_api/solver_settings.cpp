@@ -9,11 +9,6 @@ using namespace gphys;
 
 namespace {
 
-gphys_status check_body(const gphys_solver* solver, gphys_body_id body) {
-    GPHYS_REQUIRE_POINTERS(solver);
-    return unwrap(solver)->check(body);
-}
-
 Defect defect(const gphys_constraint_settings& settings) {
     if (!is_coordinate(settings.rest_length)) return {".rest_length", 0, settings.rest_length, coordinate_range};
     if (!is_amount(settings.compliance)) return {".compliance", 0, settings.compliance, amount_range};

@@ -29,6 +29,10 @@ inline gphys_status check_origins(const gphys_solver* solver, const gphys_scene*
     return GPHYS_OK;
 }
 
+inline gphys_status check_body(const gphys_solver* solver, gphys_body_id body) noexcept {
+    GPHYS_REQUIRE_POINTERS(solver);
+    return unwrap(solver)->check(body);
+}
 /// The ids of constraints of a body.
 gphys_status check_constraints(const gphys_solver* solver, gphys_body_id body, const gphys_constraint_id* constraints,
                                uint32_t count);

@@ -13,8 +13,7 @@ using namespace gphys;
 namespace {
 
 gphys_status check_range(const gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count) {
-    GPHYS_REQUIRE_POINTERS(solver);
-    GPHYS_TRY(unwrap(solver)->check(body));
+    GPHYS_TRY(check_body(solver, body));
     const uint32_t size = unwrap(solver)->body(body).particles.size();
     GPHYS_REQUIRE_IN_RANGE(first <= size && count <= size - first, "first + count", double(first) + count,
                            "at most the particle count of the body");
@@ -22,8 +21,7 @@ gphys_status check_range(const gphys_solver* solver, gphys_body_id body, uint32_
 }
 
 gphys_status check_particle(const gphys_solver* solver, gphys_body_id body, uint32_t particle) {
-    GPHYS_REQUIRE_POINTERS(solver);
-    GPHYS_TRY(unwrap(solver)->check(body));
+    GPHYS_TRY(check_body(solver, body));
     GPHYS_REQUIRE_IN_RANGE(particle < unwrap(solver)->body(body).particles.size(), "particle", particle,
                            "below the particle count of the body");
     return GPHYS_OK;
@@ -273,8 +271,7 @@ gphys_status gphys_solver_detach(gphys_solver* solver, gphys_body_id body, uint3
 gphys_status gphys_solver_get_attachments(const gphys_solver* solver, gphys_body_id body,
                                           gphys_attachment* out_attachments, uint32_t capacity, uint32_t* out_total) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_REQUIRE_POINTERS(solver);
-        GPHYS_TRY(unwrap(solver)->check(body));
+        GPHYS_TRY(check_body(solver, body));
         GPHYS_TRY(check_list("out_attachments", out_attachments, capacity, out_total));
         uint32_t total = 0;
         for (const Attachment& from : unwrap(solver)->body(body).constraints.attachments) {
@@ -324,8 +321,7 @@ gphys_status gphys_solver_add_max_distance(gphys_solver* solver, gphys_body_id b
 gphys_status gphys_solver_set_constraint_damping(gphys_solver* solver, gphys_body_id body,
                                                  gphys_constraint_id constraint, float damping) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_REQUIRE_POINTERS(solver);
-        GPHYS_TRY(unwrap(solver)->check(body));
+        GPHYS_TRY(check_body(solver, body));
         GPHYS_TRY(check_amount("damping", damping));
         return set_damping(unwrap(solver)->body(body), constraint, damping);
     });
@@ -333,8 +329,7 @@ gphys_status gphys_solver_set_constraint_damping(gphys_solver* solver, gphys_bod
 
 gphys_status gphys_solver_set_volume(gphys_solver* solver, gphys_body_id body, float rest_volume, float compliance) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_REQUIRE_POINTERS(solver);
-        GPHYS_TRY(unwrap(solver)->check(body));
+        GPHYS_TRY(check_body(solver, body));
         GPHYS_REQUIRE_IN_RANGE(is_coordinate(rest_volume) && rest_volume != 0, "rest_volume", rest_volume,
                                "from -1e15 to 1e15 and not 0");
         GPHYS_REQUIRE_IN_RANGE(is_amount(compliance) || compliance == INFINITY, "compliance", compliance,
@@ -349,8 +344,7 @@ gphys_status gphys_solver_set_volume(gphys_solver* solver, gphys_body_id body, f
 namespace {
 
 gphys_status check_held_volume(const gphys_solver* solver, gphys_body_id body) {
-    GPHYS_REQUIRE_POINTERS(solver);
-    GPHYS_TRY(unwrap(solver)->check(body));
+    GPHYS_TRY(check_body(solver, body));
     if (unwrap(solver)->body(body).cloth.volume.held) return GPHYS_OK;
     return fail(GPHYS_ERROR_UNSUPPORTED, "body: gphys_solver_set_volume was not called");
 }
@@ -381,8 +375,7 @@ gphys_status gphys_solver_get_volume_settings(const gphys_solver* solver, gphys_
 
 gphys_status gphys_solver_remove_constraint(gphys_solver* solver, gphys_body_id body, gphys_constraint_id constraint) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_REQUIRE_POINTERS(solver);
-        GPHYS_TRY(unwrap(solver)->check(body));
+        GPHYS_TRY(check_body(solver, body));
         GPHYS_TRY(remove_constraint(unwrap(solver)->body(body), constraint));
         unwrap(solver)->update_mesh(body);
         return GPHYS_OK;
@@ -393,12 +386,10 @@ gphys_status gphys_solver_get_constraints(const gphys_solver* solver, gphys_body
                                           gphys_constraint_info* out_constraints, uint32_t capacity,
                                           uint32_t* out_total) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_REQUIRE_POINTERS(solver);
-        GPHYS_TRY(unwrap(solver)->check(body));
-        GPHYS_TRY(check_list("out_constraints", out_constraints, capacity, out_total));
-        Smallest<gphys_constraint_info, ConstraintOrder> constraints(out_constraints, capacity);
-        list_constraints(unwrap(solver)->body(body).constraints, constraints);
-        return listed(constraints.finish(), capacity, out_total);
+        GPHYS_TRY(check_body(solver, body));
+        return list_smallest<ConstraintOrder>(
+            "out_constraints", out_constraints, capacity, out_total,
+            [&](auto& constraints) { list_constraints(unwrap(solver)->body(body).constraints, constraints); });
     });
 }
 
@@ -427,9 +418,7 @@ gphys_status gphys_solver_get_joints(const gphys_solver* solver, gphys_body_id b
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_REQUIRE_POINTERS(solver);
         if (body != 0) GPHYS_TRY(unwrap(solver)->check(body));
-        GPHYS_TRY(check_list("out_joints", out_joints, capacity, out_total));
-        Smallest<gphys_joint_info, JointOrder> joints(out_joints, capacity);
-        unwrap(solver)->list_joints(body, joints);
-        return listed(joints.finish(), capacity, out_total);
+        return list_smallest<JointOrder>("out_joints", out_joints, capacity, out_total,
+                                         [&](auto& joints) { unwrap(solver)->list_joints(body, joints); });
     });
 }
