@@ -171,6 +171,12 @@ inline gphys_status check_out_stride(const char* name, uint32_t stride, size_t e
     std::snprintf(range, sizeof range, "at least %u, the size of an element", static_cast<unsigned>(element));
     return fail(GPHYS_ERROR_INVALID_ARGUMENT, name, stride, range);
 }
+/// The output array of a batch.
+template <class T>
+gphys_status check_outputs(const char* name, const T* outputs, uint32_t stride, uint32_t count) {
+    if (count != 0) GPHYS_TRY(check_pointers(name, outputs));
+    return check_out_stride("out_stride", stride, sizeof(T));
+}
 /// The stride of an array that is read: 0 repeats the first element.
 inline gphys_status check_stride(const char* name, uint32_t stride, size_t element) noexcept {
     if (stride == 0) return GPHYS_OK;

@@ -170,8 +170,7 @@ gphys_status gphys_mesh_get_info(const gphys_mesh* mesh, gphys_mesh_info* out_in
 
 gphys_status gphys_mesh_get_report(const gphys_mesh* mesh, gphys_mesh_report* out_report) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_REQUIRE_POINTERS(mesh);
-        GPHYS_REQUIRE_POINTERS(out_report);
+        GPHYS_REQUIRE_POINTERS(mesh, out_report);
         *out_report = unwrap(mesh)->report();
         return GPHYS_OK;
     });
@@ -207,8 +206,7 @@ gphys_status gphys_mesh_create_from_snapshot(const gphys_mesh_desc* desc, const 
     return guarded(__func__, [&]() -> gphys_status {
         gphys_mesh_desc settings{};
         GPHYS_TRY(read_mesh_desc(desc, settings));
-        GPHYS_REQUIRE_POINTERS(words);
-        GPHYS_REQUIRE_POINTERS(out_mesh);
+        GPHYS_REQUIRE_POINTERS(words, out_mesh);
         Memory memory(settings.allocator);
         MeshParts parts;
         if (const char* wrong = read_mesh_snapshot(words, word_count, &memory, parts)) return invalid(wrong);
@@ -248,8 +246,7 @@ gphys_status gphys_mesh_raycast_any_batch(const gphys_mesh* mesh, const gphys_ra
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_REQUIRE_POINTERS(mesh);
         GPHYS_TRY(check_rays(rays, ray_stride, count));
-        GPHYS_REQUIRE(out_hits || count == 0, "out_hits is null");
-        GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof *out_hits));
+        GPHYS_TRY(check_outputs("out_hits", out_hits, out_stride, count));
         const StridedOut<int32_t> out(out_hits, out_stride);
         const Strided<gphys_ray> each(rays, ray_stride);
         cast_at_mesh(each, count, out, [&](const gphys_ray* const* tile, const uint32_t* items, uint32_t size) {
@@ -265,8 +262,7 @@ gphys_status gphys_mesh_raycast_distance_batch(const gphys_mesh* mesh, const gph
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_REQUIRE_POINTERS(mesh);
         GPHYS_TRY(check_rays(rays, ray_stride, count));
-        GPHYS_REQUIRE(out_distances || count == 0, "out_distances is null");
-        GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof *out_distances));
+        GPHYS_TRY(check_outputs("out_distances", out_distances, out_stride, count));
         const StridedOut<gphys_distance> out(out_distances, out_stride);
         const Strided<gphys_ray> each(rays, ray_stride);
         cast_at_mesh(each, count, out, [&](const gphys_ray* const* tile, const uint32_t* items, uint32_t size) {
@@ -295,8 +291,7 @@ gphys_status gphys_mesh_overlap(const gphys_mesh* mesh, gphys_shape_type type, c
 
 gphys_status gphys_mesh_get_octree_stats(const gphys_mesh* mesh, gphys_octree_stats* out_stats) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_REQUIRE_POINTERS(mesh);
-        GPHYS_REQUIRE_POINTERS(out_stats);
+        GPHYS_REQUIRE_POINTERS(mesh, out_stats);
         *out_stats = unwrap(mesh)->bvh_stats();
         return GPHYS_OK;
     });

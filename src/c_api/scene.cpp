@@ -151,8 +151,7 @@ gphys_status gphys_scene_get_snapshot(const gphys_scene* scene, int32_t embed_me
 gphys_status gphys_scene_restore(gphys_scene* scene, const gphys_scene* library, const uint32_t* words,
                                  uint32_t count) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_REQUIRE_POINTERS(scene);
-        GPHYS_REQUIRE_POINTERS(words);
+        GPHYS_REQUIRE_POINTERS(scene, words);
         return unwrap(scene)->restore(library ? *unwrap(library) : *unwrap(scene), words, count);
     });
 }
@@ -316,8 +315,7 @@ gphys_status gphys_scene_get_children(const gphys_scene* scene, gphys_model_id m
 
 gphys_status gphys_scene_get_info(const gphys_scene* scene, gphys_model_id model, gphys_model_info* out_info) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_REQUIRE_POINTERS(scene);
-        GPHYS_REQUIRE_POINTERS(out_info);
+        GPHYS_REQUIRE_POINTERS(scene, out_info);
         const Scene& s = *unwrap(scene);
         GPHYS_TRY(s.check(model));
         *out_info = {s.type(model), s.parent(model), s.layers(model), s.tag(model), s.child_count(model)};
@@ -327,8 +325,7 @@ gphys_status gphys_scene_get_info(const gphys_scene* scene, gphys_model_id model
 
 gphys_status gphys_scene_get_shape(const gphys_scene* scene, gphys_model_id model, void* out_shape, uint32_t out_size) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_REQUIRE_POINTERS(scene);
-        GPHYS_REQUIRE_POINTERS(out_shape);
+        GPHYS_REQUIRE_POINTERS(scene, out_shape);
         const Scene& s = *unwrap(scene);
         GPHYS_TRY(s.check(model));
         if (s.type(model) == GPHYS_SHAPE_MESH) {
@@ -355,8 +352,7 @@ gphys_status gphys_scene_get_mesh(const gphys_scene* scene, gphys_model_id model
 
 gphys_status gphys_scene_get_bounds(const gphys_scene* scene, gphys_model_id model, gphys_aabb* out_bounds) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_REQUIRE_POINTERS(scene);
-        GPHYS_REQUIRE_POINTERS(out_bounds);
+        GPHYS_REQUIRE_POINTERS(scene, out_bounds);
         GPHYS_TRY(unwrap(scene)->check(model));
         Box box;
         if (!unwrap(scene)->bounds(model, box)) return GPHYS_UNBOUNDED;
@@ -367,8 +363,7 @@ gphys_status gphys_scene_get_bounds(const gphys_scene* scene, gphys_model_id mod
 
 gphys_status gphys_scene_get_scene_bounds(const gphys_scene* scene, gphys_aabb* out_bounds) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_REQUIRE_POINTERS(scene);
-        GPHYS_REQUIRE_POINTERS(out_bounds);
+        GPHYS_REQUIRE_POINTERS(scene, out_bounds);
         const Bvh8& bvh = unwrap(scene)->bvh();
         if (bvh.size() == 0) return GPHYS_NO_HIT;
         *out_bounds = to_aabb(bvh.bounds());
@@ -456,8 +451,7 @@ gphys_status gphys_scene_get_world_transforms(const gphys_scene* scene, const gp
 
 gphys_status gphys_scene_get_octree_stats(const gphys_scene* scene, gphys_octree_stats* out_stats) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_REQUIRE_POINTERS(scene);
-        GPHYS_REQUIRE_POINTERS(out_stats);
+        GPHYS_REQUIRE_POINTERS(scene, out_stats);
         gphys_octree_stats stats = unwrap(scene)->bvh().stats();
         stats.unbounded_count = unwrap(scene)->unbounded_count();
         *out_stats = stats;

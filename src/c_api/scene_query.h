@@ -42,12 +42,6 @@ gphys_status check_inputs(const Workers& workers, const char* name, const T* inp
     return check_each(workers, distinct(stride, count), [&](uint32_t i) { return check_element(name, i, input[i]); });
 }
 
-template <class T>
-gphys_status check_outputs(const char* name, const T* outputs, uint32_t stride, uint32_t count) {
-    if (count != 0) GPHYS_TRY(check_pointers(name, outputs));
-    return check_out_stride("out_stride", stride, sizeof(T));
-}
-
 inline gphys_status check_concatenation(const char* name, const void* out, uint32_t capacity,
                                         const uint32_t* out_offsets) {
     if (capacity != 0) GPHYS_TRY(check_pointers(name, out));

@@ -130,8 +130,7 @@ gphys_status contains_batch(gphys_shape_type type, const void* shape, const gphy
 gphys_status overlaps_batch(gphys_shape_type a_type, const void* a, uint32_t a_stride, gphys_shape_type b_type,
                             const void* b, uint32_t b_stride, uint32_t count, int32_t* out_overlaps,
                             uint32_t out_stride) {
-    if (count != 0) GPHYS_REQUIRE_POINTERS(out_overlaps);
-    GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof(int32_t)));
+    GPHYS_TRY(check_outputs("out_overlaps", out_overlaps, out_stride, count));
     Shapes<ShapeOrMesh> first({"a_type", "a"}, a_type, a, a_stride), second({"b_type", "b"}, b_type, b, b_stride);
     GPHYS_TRY(first.check("a_stride", count));
     GPHYS_TRY(second.check("b_stride", count));

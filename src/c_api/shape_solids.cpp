@@ -96,8 +96,7 @@ gphys_status gphys_shape_penetration_batch(gphys_shape_type type, const void* sh
                                            gphys_shape_type moving_type, const void* moving, uint32_t moving_stride,
                                            uint32_t count, gphys_penetration* out_penetrations, uint32_t out_stride) {
     return guarded(__func__, [&]() -> gphys_status {
-        if (count != 0) GPHYS_REQUIRE_POINTERS(out_penetrations);
-        GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof *out_penetrations));
+        GPHYS_TRY(check_outputs("out_penetrations", out_penetrations, out_stride, count));
         Shapes<ShapeOrMesh> other({"type", "shapes"}, type, shapes, shape_stride);
         Shapes<Shape> solid(moving_names, moving_type, moving, moving_stride);
         GPHYS_TRY(other.check("shape_stride", count));

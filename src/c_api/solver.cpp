@@ -391,8 +391,7 @@ gphys_status gphys_solver_get_snapshot(const gphys_solver* solver, uint32_t* out
 
 gphys_status gphys_solver_restore(gphys_solver* solver, const uint32_t* words, uint32_t count) {
     return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_REQUIRE_POINTERS(solver);
-        GPHYS_REQUIRE_POINTERS(words);
+        GPHYS_REQUIRE_POINTERS(solver, words);
         return unwrap(solver)->restore(words, count);
     });
 }

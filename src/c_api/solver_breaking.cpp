@@ -29,8 +29,7 @@ gphys_status gphys_solver_get_breaking_forces(const gphys_solver* solver, gphys_
                                               uint32_t out_stride) {
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_constraints(solver, body, constraints, count));
-        if (count != 0) GPHYS_REQUIRE_POINTERS(out_forces);
-        GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof *out_forces));
+        GPHYS_TRY(check_outputs("out_forces", out_forces, out_stride, count));
         const StridedOut<float> to(out_forces, out_stride);
         const Breaking& breaking = unwrap(solver)->body(body).breaking;
         for (uint32_t i = 0; i < count; ++i)

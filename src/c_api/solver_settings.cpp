@@ -119,8 +119,7 @@ gphys_status gphys_solver_get_constraint_kinds(const gphys_solver* solver, gphys
                                                gphys_constraint_kind* out_kinds, uint32_t out_stride) {
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_constraints(solver, body, constraints, count));
-        if (count != 0) GPHYS_REQUIRE_POINTERS(out_kinds);
-        GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof *out_kinds));
+        GPHYS_TRY(check_outputs("out_kinds", out_kinds, out_stride, count));
         const StridedOut<gphys_constraint_kind> to(out_kinds, out_stride);
         const Vector<DistanceConstraint>& by_slot = unwrap(solver)->body(body).constraints.by_slot;
         for (uint32_t i = 0; i < count; ++i) {
@@ -136,8 +135,7 @@ gphys_status gphys_solver_get_constraint_settings(const gphys_solver* solver, gp
                                                   gphys_constraint_settings* out_settings, uint32_t out_stride) {
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_constraints(solver, body, constraints, count));
-        if (count != 0) GPHYS_REQUIRE_POINTERS(out_settings);
-        GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof *out_settings));
+        GPHYS_TRY(check_outputs("out_settings", out_settings, out_stride, count));
         const StridedOut<gphys_constraint_settings> to(out_settings, out_stride);
         const Body& b = unwrap(solver)->body(body);
         for (uint32_t i = 0; i < count; ++i)

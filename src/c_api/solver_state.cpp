@@ -65,8 +65,7 @@ template <class T, class ValueOf>
 gphys_status get_each(const gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                       const char* out_name, T* out, uint32_t stride, const ValueOf& value_of) {
     GPHYS_TRY(check_range(solver, body, first, count));
-    if (count != 0) GPHYS_TRY(check_pointers(out_name, out));
-    GPHYS_TRY(check_out_stride("out_stride", stride, sizeof(T)));
+    GPHYS_TRY(check_outputs(out_name, out, stride, count));
     const Body& from = unwrap(solver)->body(body);
     const StridedOut<T> to(out, stride);
     for (uint32_t i = 0; i < count; ++i) to[i] = value_of(from, first + i);
