@@ -114,6 +114,7 @@ gphys_status check_element(const char* array, uint32_t index, const T& value) no
 // The ranges that many parameters share.
 constexpr char coordinate_range[] = "from -1e15 to 1e15";
 constexpr char amount_range[] = "from 0 to 1e15";
+constexpr char positive_range[] = "above 0 and at most 1e15";
 
 inline bool is_coordinate(float value) { return std::fabs(value) <= GPHYS_MAX_COORDINATE; }
 inline gphys_status check_coordinate(const char* name, float value) noexcept {

@@ -1,5 +1,5 @@
-// gphys_camera_* and gphys_orbit_init: settings, placement, orbit, matrices, frustum, pixels and points. Picking and
-// culling are in camera_pick.cpp.
+// gphys_camera_*: settings, placement, matrices, frustum, pixels and points. The orbit is in camera_orbit.cpp, picking
+// and culling are in camera_pick.cpp.
 #include "camera/camera.h"
 
 #include "c_api/api.h"
@@ -29,17 +29,18 @@ gphys_camera_desc default_desc() {
 }
 
 bool is_extent(float metres) { return metres >= smallest_extent && is_coordinate(metres); }
+bool is_affine(const gphys_mat4& matrix) {
+    return matrix.m[3] == 0 && matrix.m[7] == 0 && matrix.m[11] == 0 && matrix.m[15] == 1;
+}
 bool is_viewport(float pixels) { return pixels >= smallest_viewport && pixels <= largest_viewport; }
-bool is_pitch(float angle) { return std::fabs(angle) <= static_cast<float>(pi / 2); }
 
 constexpr char extent_range[] = "from 1e-6 to 1e15";
 constexpr char viewport_range[] = "from 0.001 to 1e6";
-constexpr char distance_range[] = "above 0 and at most 1e15";
 
 gphys_status check_perspective(float fov_y, float near_distance, float far_distance) {
     GPHYS_REQUIRE_IN_RANGE(fov_y >= smallest_fov && fov_y < pi, "fov_y", fov_y, "at least 1e-6 and below pi");
     GPHYS_REQUIRE_IN_RANGE(near_distance > 0 && is_coordinate(near_distance), "near_distance", near_distance,
-                           distance_range);
+                           positive_range);
     GPHYS_REQUIRE_IN_RANGE(far_distance > near_distance && (is_coordinate(far_distance) || std::isinf(far_distance)),
                            "far_distance", far_distance, "above near_distance, and at most 1e15 or INFINITY");
     return GPHYS_OK;
@@ -60,39 +61,6 @@ gphys_status check_viewport(const char* width_name, float width, const char* hei
     return GPHYS_OK;
 }
 
-gphys_status check(const gphys_orbit_speeds& speeds) {
-    GPHYS_TRY(check_coordinate("speeds.rotate_x", speeds.rotate_x));
-    GPHYS_TRY(check_coordinate("speeds.rotate_y", speeds.rotate_y));
-    GPHYS_TRY(check_coordinate("speeds.zoom", speeds.zoom));
-    GPHYS_TRY(check_coordinate("speeds.pan_x", speeds.pan_x));
-    return check_coordinate("speeds.pan_y", speeds.pan_y);
-}
-
-gphys_status check(const gphys_orbit& orbit) {
-    GPHYS_TRY(check_valid("orbit.target", orbit.target));
-    GPHYS_TRY(check_valid("orbit.up", orbit.up));
-    GPHYS_REQUIRE_IN_RANGE(widen(orbit.up) != Vec3{}, "orbit.up: length", 0, "above 0");
-    GPHYS_REQUIRE_IN_RANGE(orbit.distance > 0 && is_coordinate(orbit.distance), "orbit.distance", orbit.distance,
-                           distance_range);
-    GPHYS_TRY(check_coordinate("orbit.yaw", orbit.yaw));
-    GPHYS_TRY(check_coordinate("orbit.pitch", orbit.pitch));
-    GPHYS_TRY(check_coordinate("orbit.radians_per_unit", orbit.radians_per_unit));
-    GPHYS_TRY(check_coordinate("orbit.metres_per_unit", orbit.metres_per_unit));
-    GPHYS_REQUIRE_IN_RANGE(orbit.min_distance > 0 && is_coordinate(orbit.min_distance), "orbit.min_distance",
-                           orbit.min_distance, distance_range);
-    GPHYS_REQUIRE_IN_RANGE(orbit.max_distance >= orbit.min_distance, "orbit.max_distance", orbit.max_distance,
-                           "at least min_distance");
-    GPHYS_REQUIRE_IN_RANGE(is_pitch(orbit.min_pitch), "orbit.min_pitch", orbit.min_pitch, "from -pi/2 to pi/2");
-    GPHYS_REQUIRE_IN_RANGE(is_pitch(orbit.max_pitch) && orbit.min_pitch <= orbit.max_pitch, "orbit.max_pitch",
-                           orbit.max_pitch, "from min_pitch to pi/2");
-    return GPHYS_OK;
-}
-
-gphys_status check_finite(const char* name, float value) {
-    GPHYS_REQUIRE_IN_RANGE(std::isfinite(value), name, value, "finite");
-    return GPHYS_OK;
-}
-
 /// A t_max beyond the largest float becomes infinite.
 gphys_ray narrow_ray(const Ray& ray) {
     const bool fits = ray.t_max <= static_cast<double>(std::numeric_limits<float>::max());
@@ -108,16 +76,6 @@ gphys_frustum narrow_frustum(const Frustum& seen) {
 }
 
 constexpr gphys_vec3 nowhere{INFINITY, INFINITY, INFINITY};
-
-/// apply(Orbit&) for a camera that has one.
-template <class Apply>
-gphys_status with_orbit(gphys_camera* camera, Apply&& apply) {
-    GPHYS_REQUIRE_POINTERS(camera);
-    Orbit* orbit = unwrap(camera)->orbit();
-    if (!orbit) return fail(GPHYS_ERROR_UNSUPPORTED, "camera: gphys_camera_set_orbit was not called");
-    apply(*orbit);
-    return GPHYS_OK;
-}
 
 template <class Get>
 gphys_status get_matrix(const gphys_camera* camera, const char* out_name, gphys_mat4* out, Get&& get) {
@@ -347,8 +305,7 @@ gphys_status gphys_camera_set_world_matrix(gphys_camera* camera, const gphys_mat
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_REQUIRE_POINTERS(camera, world);
         GPHYS_TRY(check_matrix("world.m", *world));
-        GPHYS_REQUIRE(world->m[3] == 0 && world->m[7] == 0 && world->m[11] == 0 && world->m[15] == 1,
-                      "world: the last row is not 0 0 0 1");
+        GPHYS_REQUIRE(is_affine(*world), "world: the last row is not 0 0 0 1");
         return unwrap(camera)->set_world_matrix(widen(*world));
     });
 }
@@ -357,8 +314,7 @@ gphys_status gphys_camera_set_view_matrix(gphys_camera* camera, const gphys_mat4
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_REQUIRE_POINTERS(camera, view);
         GPHYS_TRY(check_matrix("view.m", *view));
-        GPHYS_REQUIRE(view->m[3] == 0 && view->m[7] == 0 && view->m[11] == 0 && view->m[15] == 1,
-                      "view: the last row is not 0 0 0 1");
+        GPHYS_REQUIRE(is_affine(*view), "view: the last row is not 0 0 0 1");
         return unwrap(camera)->set_view_matrix(widen(*view));
     });
 }
@@ -422,93 +378,6 @@ gphys_status gphys_camera_get_view_projection_matrix(const gphys_camera* camera,
     return guarded(__func__, [&]() -> gphys_status {
         return get_matrix(camera, "out_view_projection", out_view_projection,
                           [](const Camera& c) { return c.view_projection_matrix(); });
-    });
-}
-
-gphys_status gphys_orbit_init(gphys_orbit* orbit) {
-    return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_REQUIRE_POINTERS(orbit);
-        constexpr float degrees_89 = static_cast<float>(89 * pi / 180);
-        gphys_orbit initial{};
-        initial.up = {0, 1, 0};
-        initial.distance = 10;
-        initial.radians_per_unit = 1;
-        initial.metres_per_unit = 1;
-        initial.min_distance = 0.01f;
-        initial.max_distance = INFINITY;
-        initial.min_pitch = -degrees_89;
-        initial.max_pitch = degrees_89;
-        *orbit = initial;
-        return GPHYS_OK;
-    });
-}
-
-gphys_status gphys_camera_set_orbit(gphys_camera* camera, const gphys_orbit* orbit) {
-    return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_REQUIRE_POINTERS(camera, orbit);
-        GPHYS_TRY(check(*orbit));
-        unwrap(camera)->set_orbit(*orbit);
-        return GPHYS_OK;
-    });
-}
-
-gphys_status gphys_camera_get_orbit(const gphys_camera* camera, gphys_orbit* out_orbit) {
-    return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_REQUIRE_POINTERS(camera, out_orbit);
-        const Orbit* orbit = unwrap(camera)->orbit();
-        if (!orbit) return fail(GPHYS_ERROR_UNSUPPORTED, "camera: gphys_camera_set_orbit was not called");
-        *out_orbit = orbit->settings();
-        return GPHYS_OK;
-    });
-}
-
-gphys_status gphys_camera_set_orbit_speeds(gphys_camera* camera, const gphys_orbit_speeds* speeds) {
-    return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_REQUIRE_POINTERS(camera, speeds);
-        GPHYS_TRY(check(*speeds));
-        return with_orbit(camera, [&](Orbit& orbit) { orbit.set_speeds(*speeds); });
-    });
-}
-
-gphys_status gphys_camera_get_orbit_speeds(const gphys_camera* camera, gphys_orbit_speeds* out_speeds) {
-    return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_REQUIRE_POINTERS(camera, out_speeds);
-        const Orbit* orbit = unwrap(camera)->orbit();
-        if (!orbit) return fail(GPHYS_ERROR_UNSUPPORTED, "camera: gphys_camera_set_orbit was not called");
-        *out_speeds = orbit->speeds();
-        return GPHYS_OK;
-    });
-}
-
-gphys_status gphys_camera_orbit_rotate(gphys_camera* camera, float units_x, float units_y) {
-    return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_TRY(check_finite("units_x", units_x));
-        GPHYS_TRY(check_finite("units_y", units_y));
-        return with_orbit(camera, [&](Orbit& orbit) { orbit.rotate(units_x, units_y); });
-    });
-}
-
-gphys_status gphys_camera_orbit_zoom(gphys_camera* camera, float units) {
-    return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_TRY(check_finite("units", units));
-        return with_orbit(camera, [&](Orbit& orbit) { orbit.zoom(units); });
-    });
-}
-
-gphys_status gphys_camera_orbit_pan(gphys_camera* camera, float units_right, float units_up) {
-    return guarded(__func__, [&]() -> gphys_status {
-        GPHYS_TRY(check_finite("units_right", units_right));
-        GPHYS_TRY(check_finite("units_up", units_up));
-        return with_orbit(camera, [&](Orbit& orbit) { orbit.pan(units_right, units_up); });
-    });
-}
-
-gphys_status gphys_camera_orbit_update(gphys_camera* camera) {
-    return guarded(__func__, [&]() -> gphys_status {
-        return with_orbit(camera, [&](Orbit& orbit) {
-            orbit.update();
-            unwrap(camera)->follow_orbit();
-        });
     });
 }
 

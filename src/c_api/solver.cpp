@@ -42,7 +42,7 @@ constexpr gphys_body_desc default_body_desc{sizeof(gphys_body_desc),
 gphys_status read_body_desc(const gphys_body_desc* from, gphys_body_desc& desc) {
     desc = default_body_desc;
     GPHYS_TRY(read_desc(from, desc, body_desc_size));
-    GPHYS_REQUIRE_IN_RANGE(is_amount(desc.mass) && desc.mass > 0, "desc.mass", desc.mass, mass_range);
+    GPHYS_REQUIRE_IN_RANGE(is_amount(desc.mass) && desc.mass > 0, "desc.mass", desc.mass, positive_range);
     GPHYS_TRY(check_amount("desc.radius", desc.radius));
     BodySettings ignored;
     GPHYS_TRY(read_settings(gphys_body_settings{desc.damping, desc.friction, desc.static_friction, desc.restitution,

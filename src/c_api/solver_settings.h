@@ -8,8 +8,6 @@
 
 namespace gphys {
 
-constexpr char mass_range[] = "above 0 and at most 1e15";
-
 /// A length, time, mass, compliance or coefficient.
 inline gphys_status check_amount(const char* name, float value) noexcept {
     GPHYS_REQUIRE_IN_RANGE(is_amount(value), name, value, amount_range);

@@ -44,7 +44,7 @@ gphys_status check_each(const gphys_solver* solver, gphys_body_id body, uint32_t
 
 Defect defect_of_vector(const gphys_vec3& value) { return defect(value); }
 Defect defect_of_mass(float value) {
-    return value > 0 && value <= GPHYS_MAX_COORDINATE ? Defect{} : Defect{"", 0, value, mass_range};
+    return value > 0 && value <= GPHYS_MAX_COORDINATE ? Defect{} : Defect{"", 0, value, positive_range};
 }
 /// A radius or a friction factor.
 Defect defect_of_amount(float value) { return is_amount(value) ? Defect{} : Defect{"", 0, value, amount_range}; }
