@@ -51,32 +51,41 @@ void closest_hit(const BvhNode* nodes, uint32_t root, const Probe& probe, float 
 }
 
 template <class Order>
-void many_rays(const BvhNode* nodes, uint32_t root, const RayProbe* probes, const float* limits, uint32_t count,
-               bool is_packet, const BvhPairsVisitor& to) {
-    const auto probe_of = [&](uint32_t ray) -> const RayProbe& { return probes[ray]; };
-    const auto visit = [&](const uint32_t* rays, const uint32_t* items, uint32_t some, float* new_limits) {
-        return to.visit(to.context, rays, items, some, new_limits);
-    };
-    const auto prefetch_of = [&](uint32_t item) GPHYS_INLINE_LAMBDA { prefetch_item(to.items, item); };
-    const auto interleaved = [&](const float* present_limits) {
-        traverse_interleaved<Order, RayTest>(nodes, root, probe_of, present_limits, count, visit, prefetch_of);
-    };
-    if (!is_packet) return interleaved(limits);
-    PacketLimits of_all(count, [&](uint32_t ray) { return limits[ray]; });
-    const auto visit_and_set = [&](const uint32_t* rays, const uint32_t* items, uint32_t some) {
+void interleaved_rays(const BvhNode* nodes, uint32_t root, const RayProbe* probes, const float* limits, uint32_t count,
+                      const BvhPairsVisitor& to) {
+    traverse_interleaved<Order, RayTest>(
+        nodes, root, [&](uint32_t ray) -> const RayProbe& { return probes[ray]; }, limits, count,
+        [&](const uint32_t* rays, const uint32_t* items, uint32_t some, float* new_limits) {
+            return to.visit(to.context, rays, items, some, new_limits);
+        },
+        [&](uint32_t item) GPHYS_INLINE_LAMBDA { prefetch_item(to.items, item); });
+}
+
+/// Returns false if the packet diverges: its rays have to go on from the present limits.
+bool packet_of_rays(const BvhNode* nodes, uint32_t root, const RayProbe* probes, float* limits, uint32_t count,
+                    const BvhPairsVisitor& to) {
+    const auto visit = [&](const uint32_t* rays, const uint32_t* items, uint32_t some) {
         float new_limits[8];
-        for (uint32_t moved = visit(rays, items, some, new_limits); moved != 0; moved &= moved - 1) {
+        for (uint32_t moved = to.visit(to.context, rays, items, some, new_limits); moved != 0; moved &= moved - 1) {
             const int i = lowest_bit(moved);
-            of_all.limits[rays[i]] = new_limits[i];
+            limits[rays[i]] = new_limits[i];
         }
     };
-    VisitQueue visits(visit_and_set);
-    PacketTest packet(probe_of, of_all.limits, count);
-    const bool done = traverse_packet(
+    VisitQueue visits(visit);
+    PacketTest packet([&](uint32_t ray) -> const RayProbe& { return probes[ray]; }, limits, count);
+    return traverse_packet(
         nodes, root, packet, count,
         [&](uint32_t group, uint32_t mask, uint32_t item) { visits.add(group, mask, item); }, [&] { visits.flush(); },
-        prefetch_of);
-    if (!done) interleaved(of_all.limits);
+        [&](uint32_t item) GPHYS_INLINE_LAMBDA { prefetch_item(to.items, item); });
+}
+
+template <class Order>
+void many_rays(const BvhNode* nodes, uint32_t root, const RayProbe* probes, const float* limits, uint32_t count,
+               bool is_packet, const BvhPairsVisitor& to) {
+    if (!is_packet) return interleaved_rays<Order>(nodes, root, probes, limits, count, to);
+    PacketLimits present(count, [&](uint32_t ray) { return limits[ray]; });
+    if (packet_of_rays(nodes, root, probes, present.limits, count, to)) return;
+    interleaved_rays<Order>(nodes, root, probes, present.limits, count, to);
 }
 
 void closest_of_points(const BvhNode* nodes, uint32_t root, const PointProbe* probes, const float* limits,
