@@ -104,15 +104,24 @@ void walk_ray(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets
         [](const BvhNode&) {});
 }
 
-/// Collects pairs of a ray and a triangle and tests eight of them at once. Order is ClosestHit or AnyHit; with AnyHit a
-/// ray ends at its first hit.
-template <class Order>
+/// Collects pairs of a ray and a triangle and tests eight of them at once. A hit lowers the limit of its ray, or, with
+/// ends_rays, makes it negative.
 class Crossing {
 public:
     Crossing(const PreparedRay* rays, const TrianglePacket& any, bool only_front, CrossesTriangle exact,
-             NearestCrossing* nearest, float* limits)
-        : rays_(rays), only_front_(only_front), exact_(exact), nearest_(nearest), limits_(limits), pairs_(any) {}
+             NearestCrossing* nearest, float* limits, bool ends_rays)
+        : rays_(rays),
+          only_front_(only_front),
+          ends_rays_(ends_rays),
+          exact_(exact),
+          nearest_(nearest),
+          limits_(limits),
+          pairs_(any) {}
 
+    /// Adds the triangles of a packet that a ray may hit.
+    void add(uint32_t ray, const TrianglePacket& packet) {
+        add(ray, packet, TriangleTest(rays_[ray].triangles).hits(packet, limits_[ray]));
+    }
     void add(uint32_t ray, const TrianglePacket& packet, uint32_t lanes) {
         for (; lanes != 0; lanes &= lanes - 1) {
             pairs_.add(ray, packet, static_cast<uint32_t>(lowest_bit(lanes)));
@@ -147,58 +156,57 @@ private:
         return nearest_[pairs_.ray[i]].take(crossing, t, *pairs_.packet[i], pairs_.lane[i]);
     }
 
-    void shorten(uint32_t i, float limit) { limits_[pairs_.ray[i]] = std::is_same_v<Order, AnyHit> ? -1 : limit; }
+    void shorten(uint32_t i, float limit) { limits_[pairs_.ray[i]] = ends_rays_ ? -1 : limit; }
 
     const PreparedRay* rays_;
-    bool only_front_;
+    bool only_front_, ends_rays_;
     CrossesTriangle exact_;
     NearestCrossing* nearest_;
     float* limits_;
     RaysAndTriangles pairs_;
 };
 
+/// Returns false if the packet diverges: its rays have to go on from the present limits.
+bool walk_packet(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay* rays,
+                 uint32_t count, Crossing& crossing, float* limits) {
+    PacketTest packet_test([&](uint32_t ray) -> const RayProbe& { return rays[ray].along; }, limits, count);
+    std::optional<SharedOrigin> shared;
+    TrianglesFromOrigin seen;
+    uint32_t seen_number = 0xffffffff;  // none
+    const auto visit = [&](uint32_t group, uint32_t set, uint32_t number) {
+        if (!shared) shared.emplace(rays, count);
+        const TrianglePacket& packet = packets[number];
+        if (*shared && seen_number != number) {
+            seen.see(shared->first(), packet);
+            seen_number = number;
+        }
+        for (; set != 0; set &= set - 1) {
+            const uint32_t ray = 8 * group + static_cast<uint32_t>(lowest_bit(set));
+            if (*shared) {
+                crossing.add(ray, packet, seen.hits(shared->slope_x[ray], shared->slope_y[ray], limits[ray]));
+            } else {
+                crossing.add(ray, packet);
+            }
+        }
+    };
+    return traverse_packet(
+        nodes, root, packet_test, count, visit, [&] { crossing.finish(); },
+        [&](uint32_t number) GPHYS_INLINE_LAMBDA { prefetch_packet(packets, number); });
+}
+
+/// Order is ClosestHit or AnyHit.
 template <class Order>
 void walk_rays(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay* rays,
                uint32_t count, bool together, bool only_front, CrossesTriangle exact, NearestCrossing* nearest) {
     PacketLimits of_all(count, [&](uint32_t ray) { return rays[ray].limit; });
     float* const limits = of_all.limits;
-    Crossing<Order> crossing(rays, packets[0], only_front, exact, nearest, limits);
-    const auto add = [&](uint32_t ray, uint32_t number) {
-        const TrianglePacket& packet = packets[number];
-        crossing.add(ray, packet, TriangleTest(rays[ray].triangles).hits(packet, limits[ray]));
-    };
-    const auto probe_of = [&](uint32_t ray) -> const RayProbe& { return rays[ray].along; };
-    const auto prefetch_of = [&](uint32_t number) GPHYS_INLINE_LAMBDA { prefetch_packet(packets, number); };
-    if (together) {
-        PacketTest packet_test(probe_of, limits, count);
-        std::optional<SharedOrigin> shared;
-        TrianglesFromOrigin seen;
-        uint32_t seen_number = 0xffffffff;  // none
-        const auto visit = [&](uint32_t group, uint32_t set, uint32_t number) {
-            if (!shared) shared.emplace(rays, count);
-            const TrianglePacket& packet = packets[number];
-            if (*shared && seen_number != number) {
-                seen.see(shared->first(), packet);
-                seen_number = number;
-            }
-            for (; set != 0; set &= set - 1) {
-                const uint32_t ray = 8 * group + static_cast<uint32_t>(lowest_bit(set));
-                if (*shared) {
-                    crossing.add(ray, packet, seen.hits(shared->slope_x[ray], shared->slope_y[ray], limits[ray]));
-                } else {
-                    add(ray, number);
-                }
-            }
-        };
-        const bool done = traverse_packet(
-            nodes, root, packet_test, count, visit, [&] { crossing.finish(); }, prefetch_of);
-        if (done) return;
-    }
+    Crossing crossing(rays, packets[0], only_front, exact, nearest, limits, std::is_same_v<Order, AnyHit>);
+    if (together && walk_packet(nodes, root, packets, rays, count, crossing, limits)) return;
     const auto visit = [&](const uint32_t* numbers, const uint32_t* items, uint32_t size, float* new_limits) {
         float before[8];
         for (uint32_t k = 0; k < size; ++k) {
             before[k] = limits[numbers[k]];
-            add(numbers[k], items[k]);
+            crossing.add(numbers[k], packets[items[k]]);
         }
         crossing.finish();
         uint32_t moved = 0;
@@ -208,7 +216,9 @@ void walk_rays(const BvhNode* nodes, uint32_t root, const TrianglePacket* packet
         }
         return moved;
     };
-    traverse_interleaved<Order, RayTest>(nodes, root, probe_of, limits, count, visit, prefetch_of);
+    traverse_interleaved<Order, RayTest>(
+        nodes, root, [&](uint32_t ray) -> const RayProbe& { return rays[ray].along; }, limits, count, visit,
+        [&](uint32_t number) GPHYS_INLINE_LAMBDA { prefetch_packet(packets, number); });
 }
 
 template <class Place>
