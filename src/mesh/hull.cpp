@@ -242,7 +242,6 @@ Penetration Mesh::penetration_of_hull(const Shape& moving, const AxisScale& axes
                 ConvexDifference(relative_to(from, axes(this->triangle(triangle))), core).nearest();
             const double length = gphys::length(near.offset);
             if (length < nearest) nearest = length, between = near;
-            return true;
         };
         for_each_overlap(moving, find_nearest, axes);
     }

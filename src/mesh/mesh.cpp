@@ -507,30 +507,4 @@ bool Mesh::sweep(const Shape& moving, Vec3 displacement, Hit& hit, const AxisSca
     return true;
 }
 
-bool Mesh::overlaps(const Shape& shape, const AxisScale& axes) const {
-    if (is_hull() && contains_point_of(shape, axes)) return true;
-    bool found = false;
-    const auto find = [&](uint32_t) {
-        found = true;
-        return false;
-    };
-    for_each_overlap(shape, find, axes);
-    return found;
-}
-
-bool Mesh::overlaps(const Mesh& other) const {
-    if (contains_part_of(other) || other.contains_part_of(*this)) return true;
-    return !bvh_.overlap_pairs(other.bvh_, [&](uint32_t mine, uint32_t theirs) {
-        const TrianglePacket &a = packets_[mine], &b = other.packets_[theirs];
-        return for_each_lane(lanes_in_box(a, other.bvh_.box(theirs)), [&](int lane) {
-            return with_item(a, lane, {}, [&](const auto& item) {
-                return for_each_lane(other.lanes_in_box(b, gphys::bounds(item)), [&](int other_lane) {
-                    return other.with_item(b, other_lane, {},
-                                           [&](const auto& other_item) { return !gphys::overlaps(item, other_item); });
-                });
-            });
-        });
-    });
-}
-
 }  // namespace gphys

@@ -2,6 +2,7 @@
 // share it. Reference counted.
 //
 //   mesh.cpp            creation and queries
+//   mesh_overlap.cpp    overlaps with shapes and other meshes
 //   links.cpp           queries of capsules in place of triangles
 //   hull.cpp            queries of a convex hull, which is solid
 //   deform.cpp          new vertices
@@ -155,10 +156,16 @@ public:
     bool overlaps(const Shape& shape, const AxisScale& axes = {}) const;
     /// Without scales.
     bool overlaps(const Mesh& other) const;
-    /// Visits every triangle (of the surface, not the solid) that overlaps the shape. visit(triangle) returns whether
-    /// to go on.
+    /// Visits every triangle (of the surface, not the solid) that overlaps the shape: visit(triangle).
     template <class Visit>
-    void for_each_overlap(const Shape& shape, Visit&& visit, const AxisScale& axes = {}) const;
+    void for_each_overlap(const Shape& shape, const Visit& visit, const AxisScale& axes = {}) const {
+        const auto visit_lanes = [](const void* context, const TrianglePacket& packet, uint32_t lanes) {
+            for (; lanes != 0; lanes &= lanes - 1) {
+                (*static_cast<const Visit*>(context))(packet.index[lowest_bit(lanes)]);
+            }
+        };
+        find_overlaps(shape, {visit_lanes, &visit}, axes);
+    }
     /// Visits the penetration of a sphere, capsule or box into each triangle that it overlaps: visit(Penetration,
     /// triangle). A hull has one penetration, without a triangle.
     template <class Visit>
@@ -173,7 +180,6 @@ public:
             } else {
                 visit(penetration(axes(triangle(index)), moving), index);
             }
-            return true;
         };
         for_each_overlap(moving, visit_way_out, axes);
     }
@@ -300,15 +306,13 @@ private:
         return true;
     }
 
-    template <class Visit>
-    void for_each_overlap_of(const Plane& plane, Visit&& visit, const AxisScale& axes) const;
-    template <class Visit>
-    void for_each_overlap_of(const Frustum& frustum, Visit&& visit, const AxisScale& axes) const;
-    template <class Bounded, class Visit>
-    void for_each_overlap_of(const Bounded& shape, Visit&& visit, const AxisScale& axes) const;
-    /// Traverses the boxes of the tree that overlap the shape, exactly. Slower than the kernels.
-    template <class Unbounded, class Visit>
-    void for_each_overlap_through_boxes(const Unbounded& shape, Visit&& visit, const AxisScale& axes) const;
+    /// Called with the lanes of a packet that overlap the shape. Without a function the first one ends the search.
+    struct OverlapVisitor {
+        void (*visit)(const void* context, const TrianglePacket& packet, uint32_t lanes);
+        const void* context;
+    };
+    /// Whether a triangle overlaps the shape.
+    bool find_overlaps(const Shape& shape, const OverlapVisitor& to, const AxisScale& axes) const;
 
     mutable std::atomic<uint32_t> holds_{1};
     const MeshKernels& kernels_;
@@ -398,56 +402,6 @@ void Mesh::cross_all(const Ray& ray, Visit&& visit) const {
             return true;
         });
         return prepared.limit;
-    });
-}
-
-template <class Visit>
-void Mesh::for_each_overlap(const Shape& shape, Visit&& visit, const AxisScale& axes) const {
-    std::visit([&](const auto& s) { for_each_overlap_of(s, visit, axes); }, shape);
-}
-
-template <class Bounded, class Visit>
-void Mesh::for_each_overlap_of(const Bounded& shape, Visit&& visit, const AxisScale& axes) const {
-    const Box box = axes.inverse(gphys::bounds(shape));
-    bvh_.overlap_box(box, [&](uint32_t number, bool) {
-        const TrianglePacket& packet = packets_[number];
-        return for_each_lane(lanes_in_box(packet, box), [&](int lane) {
-            const bool is_overlapped =
-                with_item(packet, lane, axes, [&](const auto& item) { return overlaps_item(shape, item); });
-            return !is_overlapped || visit(packet.index[lane]);
-        });
-    });
-}
-
-template <class Unbounded, class Visit>
-void Mesh::for_each_overlap_through_boxes(const Unbounded& shape, Visit&& visit, const AxisScale& axes) const {
-    const auto overlaps_box = [&](const Box& box) { return gphys::overlaps(axes(box), shape); };
-    bvh_.overlap(overlaps_box, [&](uint32_t number) {
-        const TrianglePacket& packet = packets_[number];
-        return for_each_lane(lanes_of(packet), [&](int lane) {
-            const bool is_overlapped =
-                with_item(packet, lane, axes, [&](const auto& item) { return overlaps_item(shape, item); });
-            return !is_overlapped || visit(packet.index[lane]);
-        });
-    });
-}
-
-template <class Visit>
-void Mesh::for_each_overlap_of(const Plane& plane, Visit&& visit, const AxisScale& axes) const {
-    for_each_overlap_through_boxes(plane, visit, axes);
-}
-
-template <class Visit>
-void Mesh::for_each_overlap_of(const Frustum& frustum, Visit&& visit, const AxisScale& axes) const {
-    if (!axes.is_one()) return for_each_overlap_through_boxes(frustum, visit, axes);
-    bvh_.frustum(frustum, all_of_space, [&](uint32_t number, bool wholly_inside) {
-        const TrianglePacket& packet = packets_[number];
-        return for_each_lane(lanes_of(packet), [&](int lane) {
-            const bool is_overlapped = wholly_inside || with_item(packet, lane, axes, [&](const auto& item) {
-                                           return overlaps_item(frustum, item);
-                                       });
-            return !is_overlapped || visit(packet.index[lane]);
-        });
     });
 }
 
