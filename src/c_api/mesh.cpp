@@ -280,9 +280,8 @@ gphys_status gphys_mesh_overlap(const gphys_mesh* mesh, gphys_shape_type type, c
         GPHYS_REQUIRE_POINTERS(mesh);
         Shape query;
         GPHYS_TRY(read_shape(type, shape, query));
-        return list_smallest("out_triangles", out_triangles, capacity, out_total, [&](auto& triangles) {
-            unwrap(mesh)->for_each_overlap(query, [&](uint32_t triangle) { triangles.add(triangle); });
-        });
+        return list_smallest("out_triangles", out_triangles, capacity, out_total,
+                             [&](auto& triangles) { unwrap(mesh)->list_overlaps(query, triangles); });
     });
 }
 

@@ -31,6 +31,15 @@ public:
         if (total_ < std::numeric_limits<uint32_t>::max()) ++total_;
     }
 
+    void add_all(const T* values, uint32_t count) {
+        if (total_ < capacity_ && count < capacity_ - total_) {
+            std::copy_n(values, count, out_ + total_);
+            total_ += count;
+        } else {
+            std::for_each(values, values + count, [&](const T& value) { add(value); });
+        }
+    }
+
     /// add(value) if `is_one`, without a branch. Otherwise the next element is stored unchanged, because the caller may
     /// keep data behind the results. Uses masks, because memory checkers report two exclusive ors as uninitialised.
     void add_if(bool is_one, const T& value) {

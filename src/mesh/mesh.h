@@ -17,6 +17,7 @@
 #include <optional>
 
 #include "bvh/bvh8.h"
+#include "foundation/results.h"
 #include "foundation/word_hash.h"
 #include "mesh/corner_inside.h"
 #include "mesh/hull.h"
@@ -159,13 +160,13 @@ public:
     /// Visits every triangle (of the surface, not the solid) that overlaps the shape: visit(triangle).
     template <class Visit>
     void for_each_overlap(const Shape& shape, const Visit& visit, const AxisScale& axes = {}) const {
-        const auto visit_lanes = [](const void* context, const TrianglePacket& packet, uint32_t lanes) {
-            for (; lanes != 0; lanes &= lanes - 1) {
-                (*static_cast<const Visit*>(context))(packet.index[lowest_bit(lanes)]);
-            }
+        const auto visit_some = [](void* context, const uint32_t* triangles, uint32_t count) {
+            for (uint32_t i = 0; i < count; ++i) (*static_cast<const Visit*>(context))(triangles[i]);
         };
-        find_overlaps(shape, {visit_lanes, &visit}, axes);
+        find_overlaps(shape, {visit_some, const_cast<Visit*>(&visit)}, axes);
     }
+    /// Lists these triangles.
+    void list_overlaps(const Shape& shape, Smallest<uint32_t>& out) const;
     /// Visits the penetration of a sphere, capsule or box into each triangle that it overlaps: visit(Penetration,
     /// triangle). A hull has one penetration, without a triangle.
     template <class Visit>
@@ -306,10 +307,10 @@ private:
         return true;
     }
 
-    /// Called with the lanes of a packet that overlap the shape. Without a function the first one ends the search.
+    /// Called with triangles that overlap the shape. Without a function the first one ends the search.
     struct OverlapVisitor {
-        void (*visit)(const void* context, const TrianglePacket& packet, uint32_t lanes);
-        const void* context;
+        void (*visit)(void* context, const uint32_t* triangles, uint32_t count);
+        void* context;
     };
     /// Whether a triangle overlaps the shape.
     bool find_overlaps(const Shape& shape, const OverlapVisitor& to, const AxisScale& axes) const;

@@ -5,23 +5,29 @@
 namespace gphys {
 
 bool Mesh::find_overlaps(const Shape& shape, const OverlapVisitor& to, const AxisScale& axes) const {
+    const bool finds_all = to.visit != nullptr, are_plain = axes.is_one() && !is_links();
     bool found = false;
     // Returns whether to go on.
     const auto take = [&](const TrianglePacket& packet, uint32_t lanes) {
-        found |= lanes != 0;
-        if (!to.visit) return !found;
-        to.visit(to.context, packet, lanes);
+        if (lanes == 0) return true;
+        found = true;
+        if (!finds_all) return false;
+        uint32_t triangles[8], count = 0;
+        for (; lanes != 0; lanes &= lanes - 1) triangles[count++] = packet.index[lowest_bit(lanes)];
+        to.visit(to.context, triangles, count);
         return true;
     };
     const auto find = [&](const auto& each) {
         using Query = std::decay_t<decltype(each)>;
         const auto test = [&](const TrianglePacket& packet, uint32_t lanes) {
+            const auto overlaps_query = [&](const auto& item) { return overlaps_item(each, item); };
             uint32_t overlapped = 0;
-            for_each_lane(lanes, [&](int lane) {
-                const auto overlaps_query = [&](const auto& item) { return overlaps_item(each, item); };
-                overlapped |= uint32_t{with_item(packet, lane, axes, overlaps_query)} << lane;
-                return to.visit || overlapped == 0;
-            });
+            for (uint32_t rest = lanes; rest != 0 && (finds_all || overlapped == 0); rest &= rest - 1) {
+                const int lane = lowest_bit(rest);
+                const bool is_one =
+                    are_plain ? overlaps_query(packet.triangle(lane)) : with_item(packet, lane, axes, overlaps_query);
+                overlapped |= uint32_t{is_one} << lane;
+            }
             return take(packet, overlapped);
         };
         if constexpr (std::is_same_v<Query, Frustum>) {
@@ -47,6 +53,13 @@ bool Mesh::find_overlaps(const Shape& shape, const OverlapVisitor& to, const Axi
     };
     std::visit(find, shape);
     return found;
+}
+
+void Mesh::list_overlaps(const Shape& shape, Smallest<uint32_t>& out) const {
+    const auto add_all = [](void* context, const uint32_t* triangles, uint32_t count) {
+        static_cast<Smallest<uint32_t>*>(context)->add_all(triangles, count);
+    };
+    find_overlaps(shape, {add_all, &out}, {});
 }
 
 bool Mesh::overlaps(const Shape& shape, const AxisScale& axes) const {
