@@ -24,6 +24,7 @@ GPHYS_INLINE void prefetch_packet(const TrianglePacket* packets, uint32_t number
     prefetch_range(packets + number, sizeof(TrianglePacket));
 }
 
+/// Inlined twice: called, it adds 2 to 4 % to the instructions of a batch with SSE2, and 1 % with AVX2.
 GPHYS_INLINE void prepare_eight(const Vec<Double8>& origin, const Vec<Double8>& direction, Double8 t_max,
                                 const RootBounds& root, PreparedRay* eight) {
     const auto at = [&](int i) -> PreparedRay& { return eight[i]; };

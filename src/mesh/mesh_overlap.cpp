@@ -12,6 +12,10 @@ bool Mesh::find_overlaps(const Shape& shape, const OverlapVisitor& to, const Axi
         if (lanes == 0) return true;
         found = true;
         if (!finds_all) return false;
+        if (lanes == 0xff) {
+            to.visit(to.context, packet.index, 8);
+            return true;
+        }
         uint32_t triangles[8], count = 0;
         for (; lanes != 0; lanes &= lanes - 1) triangles[count++] = packet.index[lowest_bit(lanes)];
         to.visit(to.context, triangles, count);
@@ -21,11 +25,12 @@ bool Mesh::find_overlaps(const Shape& shape, const OverlapVisitor& to, const Axi
         using Query = std::decay_t<decltype(each)>;
         const auto test = [&](const TrianglePacket& packet, uint32_t lanes) {
             const auto overlaps_query = [&](const auto& item) { return overlaps_item(each, item); };
+            const bool plain = are_plain, all = finds_all;
             uint32_t overlapped = 0;
-            for (uint32_t rest = lanes; rest != 0 && (finds_all || overlapped == 0); rest &= rest - 1) {
+            for (uint32_t rest = lanes; rest != 0 && (all || overlapped == 0); rest &= rest - 1) {
                 const int lane = lowest_bit(rest);
                 const bool is_one =
-                    are_plain ? overlaps_query(packet.triangle(lane)) : with_item(packet, lane, axes, overlaps_query);
+                    plain ? overlaps_query(packet.triangle(lane)) : with_item(packet, lane, axes, overlaps_query);
                 overlapped |= uint32_t{is_one} << lane;
             }
             return take(packet, overlapped);
