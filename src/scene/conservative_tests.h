@@ -3,6 +3,7 @@
 // raycast_box.h, overlap_boxes.h), with margins for all roundings.
 #pragma once
 
+#include "foundation/compiler.h"
 #include "geometry/overlap_boxes.h"
 #include "geometry/raycast_box.h"
 #include "geometry/raycast_sphere.h"
@@ -151,7 +152,7 @@ public:
     }
 
 private:
-    Vec3 to_local(Vec3 v) const { return is_rotated_ ? transpose_times(box_.axes, v) : v; }
+    GPHYS_INLINE Vec3 to_local(Vec3 v) const { return is_rotated_ ? transpose_times(box_.axes, v) : v; }
 
     Obb box_;
     bool is_rotated_;
