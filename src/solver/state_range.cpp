@@ -26,11 +26,16 @@ bool all_finite(const Vector<Number>& values) {
     return all_within(std::numeric_limits<Number>::max(), values.data(), values.size());
 }
 
-/// Ropes are brought back in each substep (finish_chains), so that their history is in range, too.
+/// Ropes are brought back in each substep (finish_chains), so that their history is in range, too, unless contacts with
+/// other particles have changed their velocities afterwards.
 bool is_in_range(const Body& body) {
     if (!all_within(farthest_place, body.particles.position) || !all_within(fastest_particle, body.particles.velocity))
         return false;
-    if (!is_graph(body)) return all_finite(body.rope.tension);
+    if (!is_graph(body)) {
+        const bool collides = body.settings.self_collision || body.settings.body_layers != 0;
+        return all_finite(body.rope.tension) &&
+               (!collides || all_within(fastest_particle, body.history.start_velocity));
+    }
     return all_within(far_range, body.history.start) && all_finite(body.cloth.state.moved) &&
            all_finite(body.cloth.state.velocity_before) && is_finite(body.cloth.volume.pressure) &&
            is_finite(body.cloth.balance.lost);

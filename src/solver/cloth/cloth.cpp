@@ -161,13 +161,13 @@ void solve_cloth(Body& body) {
     correct_volume();
     const bool loaded = cloth.loads.any();
     if (loaded) {
-        note_places(cloth.loads, cloth.state);
-        cloth.loads.predicted = cloth.state.at;
+        note_motion(cloth);
         sweep_chains(body, has_contact, ContactLoads::sweeps);
         if (links_threw_loads(cloth)) {
             undo_loads(cloth);
             sweep_chains(body, has_contact, least_sweeps_of(body));
         }
+        take_pulls_of_loads(cloth.loads, in_chains);
     } else {
         sweep_chains(body, has_contact, least_sweeps_of(body));
     }

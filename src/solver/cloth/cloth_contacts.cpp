@@ -232,7 +232,9 @@ void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity
         float* at = &state.at[i];
         const bool was_active = n.active_plane >= 0;
         const Vec3 corrected = n.corrected;
+        const double pressed = n.pressed, pressed_friction = n.pressed_friction;
         n.corrected = {};
+        n.pressed = n.pressed_friction = 0;
         n.active_plane = -1;
         double depth;
         const uint32_t plane = deepest(n, get(at), depth);
@@ -242,6 +244,7 @@ void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity
         contacts.active.push_back(number);
         n.normal_displacement = 0;
         n.normal_total = 0;
+        n.pressed = pressed;
         n.predicted_velocity = (scheme.from_history(get(&state.velocity[i]), get(&state.velocity_before[i])) +
                                 get(&state.acceleration[i]) * h) *
                                    drag +
@@ -265,14 +268,14 @@ void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity
         put(&in_chains.normals[i], normal);
         // The pull of links against the plane is known from the last substep.
         // A cluster finds the normal force and the friction of its particles together.
-        const bool is_member = !body.cloth.clusters.empty() && body.cloth.clusters.is_member[n.particle];
-        const double squared = length_squared(along),
-                     hold = is_member ? 0 : friction.kinetic * std::max(normal_before, depth);
+        const double most = friction.kinetic * (std::max(normal_before, depth) + pressed),
+                     squared = length_squared(along),
+                     hold = body.cloth.clusters.has(n.particle) ? 0 : std::max(0.0, most - pressed_friction);
         if (squared > hold * hold) {
-            n.friction_before = hold;
+            n.friction_before = pressed_friction + hold;
             if (hold > 0) put(at, get(at) - along * (hold / std::sqrt(squared)));
         } else {
-            n.friction_before = std::sqrt(squared);
+            n.friction_before = pressed_friction + std::sqrt(squared);
             put(at, get(at) - along);
         }
         push_out(n, at);
@@ -287,10 +290,11 @@ void apply_friction(ClothContact& n, Vec3 pull, const Friction& friction, double
     const Vec3 normal = n.planes[n.active_plane].normal, moved = get(at) - place;
     n.normal_total = std::max(0.0, n.normal_displacement - dot(pull, normal) * at[3]);
     const Vec3 along = moved - normal * dot(moved, normal);
-    const double squared = length_squared(along), hold = friction.kinetic * n.normal_total - n.friction_before;
+    const double pressing = n.normal_total + n.pressed;
+    const double squared = length_squared(along), hold = friction.kinetic * pressing - n.friction_before;
     const auto within = [&](double most) { return most >= 0 && squared <= most * most; };
-    n.held = within(hold) ||
-             (n.rest_slip >= 0 && within(n.rest_slip + friction.at_rest * n.normal_total - n.friction_before));
+    n.held =
+        within(hold) || (n.rest_slip >= 0 && within(n.rest_slip + friction.at_rest * pressing - n.friction_before));
     if (n.held) {
         // Of a particle that bounces, friction holds the tangential motion only.
         put(at, restitution * n.approach > 0 ? get(at) - along : place);
@@ -320,7 +324,7 @@ void resolve_contacts(Body& body) {
             double depth;
             deepest(n, limited, depth);
             if (depth <= 0) continue;
-            n.normal_displacement = n.approach = 0;
+            n.normal_displacement = n.pressed = n.approach = 0;
             put(&in_chains.pulls[i], {});
         }
         contacts.active.push_back(number);
@@ -328,6 +332,7 @@ void resolve_contacts(Body& body) {
         if (!before) n.active_plane = pushing;
         apply_friction(n, get(&in_chains.pulls[i]), friction_coefficients(body, n.particle), body.settings.restitution,
                        place_on_plane(n, body.cloth.moving_colliders, get(&state.start[i])), at);
+        n.pressed = 0;
         // Moving back may lead into another contact plane.
         if (n.plane_count > 1) push_out(n, at);
         put(&in_chains.normals[i], {});
@@ -480,9 +485,13 @@ void push_out_of_planes(ClothContacts& contacts, ClothState& state, uint32_t par
     if (number != ClothContacts::none) push_out(contacts.candidates[number], &state.at[4 * size_t{particle}]);
 }
 
-void note_correction(ClothContacts& contacts, uint32_t particle, Vec3 displacement) {
+void note_correction(ClothContacts& contacts, uint32_t particle, Vec3 displacement, Vec3 push, Vec3 friction) {
     const uint32_t number = contacts.candidate_of[particle];
-    if (number != ClothContacts::none) contacts.candidates[number].corrected = displacement;
+    if (number == ClothContacts::none) return;
+    ClothContact& n = contacts.candidates[number];
+    n.corrected = displacement;
+    n.pressed = length(push);
+    n.pressed_friction = length(friction);
 }
 
 void finish_contact(ClothContact& n, Body& body, const CollisionContext& around) {

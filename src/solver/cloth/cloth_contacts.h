@@ -63,8 +63,11 @@ struct alignas(64) ClothContact {
     bool is_at_target;          // whether it is at its target, see below
     Vec3 moved;  // metres: displacement by chains and limits; if it became active after them, by planes, reversed
     ContactPlane planes[most_planes];
-    double depth;             // metres behind the plane that it is deepest behind; 0 if it is in no model
-    Vec3 corrected;           // what contacts with other particles have added to the prediction of this substep
+    double depth;  // metres behind the plane that it is deepest behind; 0 if it is in no model
+    // What contacts with other particles have added to the prediction of this substep, and, in metres, by how much they
+    // have pressed it onto models, and what friction has taken of that:
+    Vec3 corrected;
+    double pressed, pressed_friction;
     Vec3 predicted_velocity;  // if active: the velocity predicted for the end of this substep
     // For the impulses on models:
     gphys_model_id impulse_model;  // the model that gets the next two:
@@ -134,7 +137,7 @@ void record_contact_points(Body& body, const CollisionContext& around);
 void finish_contact(ClothContact& contact, Body& body, const CollisionContext& around);
 /// Projects a particle that has been displaced out of its contact planes.
 void push_out_of_planes(ClothContacts& contacts, ClothState& state, uint32_t particle);
-/// Call when a contact with another particle has corrected the predicted position.
-void note_correction(ClothContacts& contacts, uint32_t particle, Vec3 displacement);
+/// Call when contacts with other particles have corrected the predicted position, and have pressed it onto models.
+void note_correction(ClothContacts& contacts, uint32_t particle, Vec3 displacement, Vec3 push, Vec3 friction);
 
 }  // namespace gphys

@@ -3,6 +3,7 @@
 
 #include "solver/body.h"
 #include "solver/cloth/best_rotation.h"
+#include "solver/cloth/second_moments.h"
 #include "solver/contact/friction.h"
 #include "solver/quads.h"
 
@@ -15,28 +16,6 @@ namespace {
 constexpr double held_weight = 1e6;
 // Clusters that share particles are solved one after the other, in several passes (Gauss-Seidel).
 constexpr int passes_of_overlapping = 8;
-
-/// Second moments of points about an origin: sums of products of coordinates.
-struct SecondMoments {
-    Vec3 squares, products;  // xx, yy, zz and yz, zx, xy
-
-    void add(Vec3 at, double weight) {
-        squares += by_component(at, at) * weight;
-        products += Vec3{at.y * at.z, at.z * at.x, at.x * at.y} * weight;
-    }
-    /// The inverse of the tensor of inertia; 0 for points that all lie at the origin. About a line through all points
-    /// the inertia is a rounding error, and so are torques.
-    Mat3 inverse_inertia() const {
-        constexpr double regularisation = 1e-12;
-        const Vec3 s = squares, p = products;
-        const double least = regularisation * (s.x + s.y + s.z);
-        const Vec3 x{s.y + s.z + least, -p.z, -p.y}, y{-p.z, s.z + s.x + least, -p.x}, z{-p.y, -p.x, s.x + s.y + least};
-        const Vec3 yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);
-        const double determinant = dot(x, yz);
-        if (!(determinant > 0)) return {{}, {}, {}};
-        return {yz / determinant, zx / determinant, xy / determinant};
-    }
-};
 
 /// The sum of weight * at rest^T.
 void add_product(Mat3& sum, Vec3 at, Vec3 rest, double weight) {
@@ -165,7 +144,7 @@ void MovingCluster::list_contacts(Body& body) {
         contact.friction = n.rest_slip >= 0 ? friction.at_rest : friction.kinetic;
         contact.friction_before = n.friction_before * m;
         contact.normal_before = contact.normal_impulse =
-            std::max(0.0, n.normal_displacement * m - dot(pull, plane.normal));
+            std::max(0.0, (n.normal_displacement + n.pressed) * m - dot(pull, plane.normal));
         contacts.push_back(contact);
     }
 }
@@ -301,15 +280,26 @@ void sweep_clusters(const Clusters& clusters, Visit&& visit) {
 }  // namespace
 
 void reserve_clusters(Clusters& clusters, uint32_t particles) {
-    clusters.is_member.assign(particles, 0);
+    clusters.first_member.assign(particles, Clusters::none);
     clusters.overlap = false;
     uint32_t largest = 0;
     each_cluster(clusters, [&](ClusterRange members) { largest = std::max(largest, members.size()); });
     clusters.contacts.reserve(largest);
-    for (const ClusterMember& member : clusters.members) {
-        clusters.overlap = clusters.overlap || clusters.is_member[member.particle];
-        clusters.is_member[member.particle] = 1;
-    }
+    each_cluster(clusters, [&](ClusterRange members) {
+        for (const ClusterMember& member : members) {
+            uint32_t& first = clusters.first_member[member.particle];
+            clusters.overlap = clusters.overlap || first != Clusters::none;
+            if (first == Clusters::none) first = static_cast<uint32_t>(members.first - clusters.members.data());
+        }
+    });
+}
+
+ClusterRange cluster_with(const Clusters& clusters, uint32_t particle) {
+    const ClusterMember *const first = &clusters.members[clusters.first_member[particle]], *const end =
+                                                                                               clusters.members.data() +
+                                                                                               clusters.members.size();
+    const auto is_other = [&](const ClusterMember& member) { return member.cluster != first->cluster; };
+    return {first, std::find_if(first, end, is_other)};
 }
 
 void solve_clusters(Body& body, bool pulls_count) {

@@ -48,15 +48,19 @@ struct ClusterContact {
 
 struct Clusters {
     explicit Clusters(std::pmr::memory_resource* memory)
-        : ids(memory), members(memory), is_member(memory), contacts(memory) {}
+        : ids(memory), members(memory), first_member(memory), contacts(memory) {}
+
+    static constexpr uint32_t none = 0xffffffff;
 
     bool empty() const { return members.empty(); }
+    /// Whether a particle is in any cluster. Call in a step.
+    bool has(uint32_t particle) const { return !empty() && first_member[particle] != none; }
 
     IdTable ids;
     Vector<ClusterMember> members;  // cluster by cluster, in the order of slots; of each as they were given
     // Of the step under way:
     bool overlap = false;             // whether any particle is in several
-    Vector<uint8_t> is_member;        // by particle: whether it is in any
+    Vector<uint32_t> first_member;    // by particle: the index of the first member of its first cluster, or none
     Vector<ClusterContact> contacts;  // of the cluster being solved; capacity for the largest
 };
 
@@ -76,7 +80,7 @@ gphys_status check_cluster(const Clusters& clusters, gphys_cluster_id id);
 gphys_status remove_cluster(Body& body, gphys_cluster_id id);
 void list_clusters(const Clusters& clusters, Smallest<gphys_cluster_id>& out);
 
-/// The members of the cluster with this slot.
+/// The members of a cluster.
 struct ClusterRange {
     const ClusterMember *first, *last;
 
@@ -84,6 +88,8 @@ struct ClusterRange {
     const ClusterMember* end() const { return last; }
     uint32_t size() const { return static_cast<uint32_t>(last - first); }
 };
+/// Of that with this slot; and, in a step, of the first that a particle is in.
 ClusterRange members_of(const Clusters& clusters, uint32_t slot);
+ClusterRange cluster_with(const Clusters& clusters, uint32_t particle);
 
 }  // namespace gphys

@@ -1,11 +1,27 @@
-// Cloth that carries heavy particles: effective masses, and the energy of cloth and loads (contact_loads.h).
+// Cloth that carries what is much heavier: effective masses, and the energy of cloth and loads (contact_loads.h).
 #include "solver/cloth/contact_loads.h"
 
 #include "solver/body.h"
+#include "solver/contact/collision.h"
 #include "solver/quads.h"
 
 namespace gphys {
 namespace {
+
+LoadMotion operator-(const LoadMotion& a, const LoadMotion& b) { return {a.velocity - b.velocity, a.spin - b.spin}; }
+LoadMotion operator+(const LoadMotion& a, const LoadMotion& b) { return {a.velocity + b.velocity, a.spin + b.spin}; }
+LoadMotion operator*(const LoadMotion& a, double s) { return {a.velocity * s, a.spin * s}; }
+
+/// The product of two motions by the inertia: of one with itself, twice its energy.
+double product(const HeavyBody& heavy, const LoadMotion& a, const LoadMotion& b) {
+    return heavy.mass * dot(a.velocity, b.velocity) + dot(a.spin, heavy.inverse_inertia * b.spin);
+}
+
+/// In a frame that moves.
+double energy_of(const HeavyBody& heavy, Vec3 frame) {
+    const LoadMotion own = heavy.motion - LoadMotion{frame, {}};
+    return product(heavy, own, own) / 2 - heavy.mass * dot(heavy.acceleration, heavy.place);
+}
 
 /// The inverse mass matrix of a loaded particle, relative to its own inverse mass.
 void set_inertia(TetherInertia& tethers, const ContactLoad& load, double inverse_mass) {
@@ -15,6 +31,25 @@ void set_inertia(TetherInertia& tethers, const ContactLoad& load, double inverse
     for (int k = 0; k < 3; ++k) {
         diagonal[k] = static_cast<float>(across + (along - across) * load.normal[k] * load.normal[k]);
         off[k] = static_cast<float>((along - across) * load.normal[(k + 1) % 3] * load.normal[(k + 2) % 3]);
+    }
+}
+
+/// The masses that the shares of a load add to their particles.
+void divide(const HeavyBody& heavy, ContactLoad* first, const ContactLoad* end, const ClothState& state) {
+    // Across the normal a particle takes at most as many times its own mass. With none, chains between heavy particles
+    // would correct their lengths by moving these aside. With all, cloth would not slide under its load.
+    constexpr double most_across = 100;
+    const double shares = static_cast<double>(end - first);
+    for (ContactLoad* load = first; load != end; ++load) {
+        const auto turning = [&](Vec3 direction) {
+            const Vec3 lever = cross(load->arm, direction);
+            return dot(lever, heavy.inverse_inertia * lever);
+        };
+        const double along = turning(load->normal);
+        const double across = std::max(0.0, turning({1, 0, 0}) + turning({0, 1, 0}) + turning({0, 0, 1}) - along);
+        load->along = heavy.mass / ((1 + heavy.mass * along) * shares);
+        load->across = std::min({load->along, heavy.mass / ((1 + heavy.mass * across) * shares),
+                                 most_across * state.acceleration[4 * size_t{load->particle} + 3]});
     }
 }
 
@@ -30,16 +65,33 @@ double energy_of_cloth(const ClothState& state, Velocity&& velocity) {
     return sum;
 }
 
-double energy_of(const HeavyParticle& heavy) {
-    return heavy.mass * (length_squared(heavy.velocity) / 2 - dot(heavy.acceleration, heavy.place));
+/// Finds the velocity of the models that the cloth touches; returns false if they have several, or pins hold the cloth.
+bool find_frame(Cloth& cloth) {
+    // Relative: the rounding of displacements.
+    constexpr double rounding = 0.01;
+    const ClothContacts& contacts = cloth.contacts;
+    const auto way_of = [&](uint32_t number) {
+        const ClothContact& n = contacts.candidates[number];
+        const Vec3 start = get(&cloth.state.start[4 * size_t{n.particle}]);
+        return place_on_plane(n, cloth.moving_colliders, start) - start;
+    };
+    Vec3 mean;
+    for (const uint32_t number : contacts.active) mean += way_of(number) / static_cast<double>(contacts.active.size());
+    cloth.loads.frame = mean / cloth.loads.seconds;
+    return !cloth.state.held && std::all_of(contacts.active.begin(), contacts.active.end(), [&](uint32_t number) {
+        return length_squared(way_of(number) - mean) <= rounding * rounding * length_squared(mean);
+    });
 }
 
 /// Per average mass. The prediction has moved the cloth without its links, so their energy is that at the start of the
 /// substep, and the motion is that to the predicted places, where contacts have pushed.
-double energy_before_links(Cloth& cloth, double h) {
+double energy_before_links(Cloth& cloth) {
     ClothState& state = cloth.state;
-    double sum = energy_of_cloth(state, [&](size_t i) { return (get(&state.at[i]) - get(&state.start[i])) / h; });
-    for (const HeavyParticle& heavy : cloth.loads.heavy) sum += energy_of(heavy);
+    const double h = cloth.loads.seconds;
+    const Vec3 frame = cloth.loads.frame;
+    double sum =
+        energy_of_cloth(state, [&](size_t i) { return (get(&state.at[i]) - get(&state.start[i])) / h - frame; });
+    for (const HeavyBody& heavy : cloth.loads.heavy) sum += energy_of(heavy, frame);
     state.at.swap(state.start);
     sum += stored_energy(cloth);
     state.at.swap(state.start);
@@ -47,38 +99,90 @@ double energy_before_links(Cloth& cloth, double h) {
 }
 
 /// Mass * square of the way in the substep, of cloth and loads.
-double motion_before_links(const Cloth& cloth, double h) {
+double motion_before_links(const Cloth& cloth) {
     const ClothState& state = cloth.state;
+    const double h = cloth.loads.seconds;
     double sum = 0;
     for (size_t i = 0; i < 4 * size_t{state.particles}; i += 4)
         sum += state.acceleration[i + 3] * length_squared(get(&state.at[i]) - get(&state.start[i]));
-    for (const HeavyParticle& heavy : cloth.loads.heavy) sum += heavy.mass * length_squared(heavy.velocity * h);
+    for (const HeavyBody& heavy : cloth.loads.heavy) sum += product(heavy, heavy.motion, heavy.motion) * h * h;
     return sum;
 }
 
 double energy_after_links(Cloth& cloth) {
     const ClothState& state = cloth.state;
-    double sum = stored_energy(cloth) + energy_of_cloth(state, [&](size_t i) { return get(&state.velocity[i]); });
-    for (const HeavyParticle& heavy : cloth.loads.heavy) sum += energy_of(heavy);
+    const Vec3 frame = cloth.loads.frame;
+    double sum =
+        stored_energy(cloth) + energy_of_cloth(state, [&](size_t i) { return get(&state.velocity[i]) - frame; });
+    for (const HeavyBody& heavy : cloth.loads.heavy) sum += energy_of(heavy, frame);
     return sum;
 }
 
-/// Removes energy, per average mass, from the motion of cloth and loads relative to their drift. What pins or models
-/// hold has none: their forces change the momentum, and what sweeps add to it is not motion that must stay.
+/// Takes up to `energy`, per average mass, from what the links have added to the motion of loads that models carry.
+/// Returns which part of that stays.
+double take_from_carried(ContactLoads& loads, double& energy) {
+    // With the part p, the energy of these loads is a p^2 + b p and a constant.
+    double a = 0, b = 0;
+    for (const HeavyBody& heavy : loads.heavy) {
+        if (!heavy.carried) continue;
+        const LoadMotion added = heavy.motion - heavy.before;
+        a += product(heavy, added, added) / 2;
+        b += product(heavy, heavy.before - LoadMotion{loads.frame, {}}, added);
+    }
+    if (!(2 * a + b > 0)) return 1;  // the links have slowed them
+    const double least = std::max(0.0, -b / (2 * a)), most_taken = (a * (1 + least) + b) * (1 - least);
+    const double part =
+        energy >= most_taken ? least : (std::sqrt(std::max(0.0, b * b + 4 * a * (a + b - energy))) - b) / (2 * a);
+    energy -= std::min(energy, most_taken);
+    for (HeavyBody& heavy : loads.heavy) {
+        if (heavy.carried) heavy.motion = heavy.before + (heavy.motion - heavy.before) * part;
+    }
+    return part;
+}
+
+/// Takes energy, per average mass, from the motion of cloth and loads that no model carries, relative to their drift.
+/// What pins or models hold has only that of the models: their forces change the momentum, and what sweeps add to it is
+/// not motion that must stay.
 void slow_by(Cloth& cloth, double energy) {
     ClothState& state = cloth.state;
-    Vec3 drift;
+    Vec3 drift = cloth.loads.frame;
     if (!state.held && !cloth.contacts.any_active()) {
         Motion whole = motion_of_cloth(state);
-        for (const HeavyParticle& heavy : cloth.loads.heavy) whole.add(heavy.mass * state.average_mass, heavy.velocity);
+        for (const HeavyBody& heavy : cloth.loads.heavy)
+            whole.add(heavy.mass * state.average_mass, heavy.motion.velocity);
         drift = whole.momentum / whole.mass;
     }
+    const LoadMotion of_drift{drift, {}};
     double inner = inner_energy_of_cloth(state, cloth.shares, drift) / state.average_mass;
-    for (const HeavyParticle& heavy : cloth.loads.heavy)
-        inner += heavy.mass * length_squared(heavy.velocity - drift) / 2;
+    for (const HeavyBody& heavy : cloth.loads.heavy) {
+        const LoadMotion own = heavy.motion - of_drift;
+        if (!heavy.carried) inner += product(heavy, own, own) / 2;
+    }
     const double kept = energy < inner ? std::sqrt(1 - energy / inner) : 0;
     slow_cloth(state, cloth.shares.team, drift, kept);
-    for (HeavyParticle& heavy : cloth.loads.heavy) heavy.velocity = drift + (heavy.velocity - drift) * kept;
+    for (HeavyBody& heavy : cloth.loads.heavy) {
+        if (!heavy.carried) heavy.motion = of_drift + (heavy.motion - of_drift) * kept;
+    }
+}
+
+/// Of what carried loads have pushed back, the models get back the part that did not stay.
+void give_back(Body& body, const CollisionContext& around, double part) {
+    const ClothState& state = body.cloth.state;
+    uint32_t i = 0;
+    for (const HeavyBody& heavy : body.cloth.loads.heavy) {
+        for (; i < heavy.end; ++i) {
+            const ContactLoad& load = body.cloth.loads.all[i];
+            const uint32_t number = body.cloth.contacts.candidate_of[load.particle];
+            if (!heavy.carried || number == ClothContacts::none) continue;
+            const ClothContact& n = body.cloth.contacts.candidates[number];
+            if (n.active_plane < 0 || !n.active_before_chains) continue;
+            const ContactPlane& plane = n.planes[n.active_plane];
+            const Vec3 place =
+                get(&state.at[4 * size_t{load.particle}]) - plane.normal * body.particles.radius[load.particle];
+            add_impulse(body, around, plane.model, state.origin + place,
+                        load.taken * (part * state.average_mass / body.cloth.loads.seconds));
+        }
+    }
 }
 
 }  // namespace
@@ -94,12 +198,34 @@ void begin_loads(Body& body, double h) {
     Cloth& cloth = body.cloth;
     cloth.tethers.clear();
     std::fill(cloth.in_chains.pulls.begin(), cloth.in_chains.pulls.end(), 0.0f);
+    uint32_t first = 0;
+    for (const HeavyBody& heavy : cloth.loads.heavy) {
+        divide(heavy, &cloth.loads.all[first], cloth.loads.all.data() + heavy.end, cloth.state);
+        first = heavy.end;
+    }
     for (const ContactLoad& load : cloth.loads.all) {
         cloth.loads.is_loaded[load.particle] = 1;
         set_inertia(cloth.tethers, load, cloth.state.at[4 * size_t{load.particle} + 3]);
     }
-    cloth.loads.motion = motion_before_links(cloth, h);
-    cloth.loads.energy = energy_before_links(cloth, h);
+    cloth.loads.seconds = h;
+}
+
+void note_motion(Cloth& cloth) {
+    ContactLoads& loads = cloth.loads;
+    note_places(loads, cloth.state);
+    loads.predicted = cloth.state.at;
+    loads.on_moving = cloth.contacts.has_moving_model;
+    loads.frame = {};
+    if (loads.on_moving) loads.closed = loads.closed && find_frame(cloth);
+    loads.motion = motion_before_links(cloth);
+    loads.energy = energy_before_links(cloth);
+    uint32_t i = 0;
+    for (HeavyBody& heavy : loads.heavy) {
+        for (; i < heavy.end; ++i) {
+            const float* const normal = &cloth.in_chains.normals[4 * size_t{loads.all[i].particle}];
+            heavy.carried = heavy.carried || length_squared(get(normal)) > 0;
+        }
+    }
 }
 
 void note_places(ContactLoads& loads, const ClothState& state) {
@@ -108,16 +234,20 @@ void note_places(ContactLoads& loads, const ClothState& state) {
 
 void move_loads(ContactLoads& loads, const ClothState& state) {
     uint32_t i = 0;
-    for (HeavyParticle& heavy : loads.heavy) {
-        Vec3 sum;
+    for (HeavyBody& heavy : loads.heavy) {
+        Vec3 impulse, moment;
         for (; i < heavy.end; ++i) {
             ContactLoad& load = loads.all[i];
             const Vec3 displacement = get(&state.at[4 * size_t{load.particle}]) - load.place;
             const double off = dot(displacement, load.normal);
-            sum += load.normal * (load.along * off) + (displacement - load.normal * off) * load.across;
+            const Vec3 taken = load.normal * (load.along * off) + (displacement - load.normal * off) * load.across;
+            impulse += taken;
+            moment += cross(load.arm, taken);
+            load.taken += taken;
             load.impulse += load.along * off;
         }
-        heavy.moved += sum / heavy.mass;
+        heavy.moved += impulse / heavy.mass;
+        heavy.turned += heavy.inverse_inertia * moment;
     }
     note_places(loads, state);
 }
@@ -136,18 +266,13 @@ bool links_threw_loads(const Cloth& cloth) {
     };
     Moved moved[2];  // in the air, and on models
     uint32_t i = 0;
-    for (const HeavyParticle& heavy : loads.heavy) {
-        Moved of_shares;
-        bool carried = false;
+    for (const HeavyBody& heavy : loads.heavy) {
         for (; i < heavy.end; ++i) {
             const size_t at = 4 * size_t{loads.all[i].particle};
             const double mass = state.acceleration[at + 3] + loads.all[i].along;
-            of_shares.square += mass * length_squared(get(&state.at[at]) - get(&loads.predicted[at]));
-            of_shares.mass += mass;
-            carried = carried || length_squared(get(&cloth.in_chains.normals[at])) > 0;
+            moved[heavy.carried].square += mass * length_squared(get(&state.at[at]) - get(&loads.predicted[at]));
+            moved[heavy.carried].mass += mass;
         }
-        moved[carried].square += of_shares.square;
-        moved[carried].mass += of_shares.mass;
     }
     const double links[2] = {static_cast<double>(cloth.batches.longest), error_on_model};
     const auto is_thrown = [&](int carried) {
@@ -162,34 +287,54 @@ void undo_loads(Cloth& cloth) {
     ContactLoads& loads = cloth.loads;
     cloth.state.at = loads.predicted;
     cloth.tethers.clear();
-    for (ContactLoad& load : loads.all) load.along = load.across = load.impulse = 0;
-    for (HeavyParticle& heavy : loads.heavy) heavy.moved = {};
+    for (ContactLoad& load : loads.all) {
+        load.along = load.across = load.impulse = 0;
+        load.taken = {};
+    }
+    for (HeavyBody& heavy : loads.heavy) heavy.moved = heavy.turned = {};
     note_places(loads, cloth.state);
+}
+
+void take_pulls_of_loads(const ContactLoads& loads, ChainContacts& in_chains) {
+    for (const ContactLoad& load : loads.all) {
+        float* const pull = &in_chains.pulls[4 * size_t{load.particle}];
+        put(pull, get(pull) - load.taken);
+    }
 }
 
 void restore_places(const ContactLoads& loads, ClothState& state) {
     for (const ContactLoad& load : loads.all) put(&state.at[4 * size_t{load.particle}], load.place);
 }
 
-void accelerate_loads(Body& body, double h) {
+void accelerate_loads(Body& body, const CollisionContext& around) {
     Cloth& cloth = body.cloth;
     ContactLoads& loads = cloth.loads;
-    for (HeavyParticle& heavy : loads.heavy) {
+    for (HeavyBody& heavy : loads.heavy) {
         heavy.place += heavy.moved;
-        heavy.before = heavy.velocity;
-        heavy.velocity += heavy.moved / h;
-    }
-    if (loads.closed && !cloth.contacts.has_moving_model && !body.targets.act()) {
-        const double gain = energy_after_links(cloth) - loads.energy;
-        if (gain > 0) slow_by(cloth, gain);
+        heavy.before = heavy.motion;
     }
     uint32_t i = 0;
-    for (const HeavyParticle& heavy : loads.heavy) {
+    for (HeavyBody& heavy : loads.heavy) {
+        Vec3 moment;
+        for (; i < heavy.end; ++i) moment += cross(loads.all[i].arm, loads.all[i].taken);
+        heavy.motion = heavy.motion + LoadMotion{heavy.moved, moment} * (1 / loads.seconds);
+    }
+    if (loads.closed && loads.on_moving == cloth.contacts.has_moving_model && !body.targets.act()) {
+        double gain = energy_after_links(cloth) - loads.energy;
+        if (gain > 0) {
+            const double kept = take_from_carried(loads, gain);
+            if (kept < 1) give_back(body, around, 1 - kept);
+            if (gain > 0) slow_by(cloth, gain);
+        }
+    }
+    i = 0;
+    for (const HeavyBody& heavy : loads.heavy) {
         const uint32_t first = i;
         Vec3 sum;
         for (; i < heavy.end; ++i) sum += loads.all[i].normal * loads.all[i].impulse;
         const double square = length_squared(sum);
-        const double part = square > 0 ? dot(heavy.velocity - heavy.before, sum) * heavy.mass / square : 0;
+        const double part =
+            square > 0 ? dot(heavy.motion.velocity - heavy.before.velocity, sum) * heavy.mass / square : 0;
         for (uint32_t k = first; k < i; ++k) loads.all[k].impulse *= part;
     }
 }

@@ -1,15 +1,18 @@
-// Heavy particles of other bodies that press on cloth: balls in a net, a trampoline.
+// What presses on cloth and is much heavier: balls and rigid clusters of other bodies in a net, on a trampoline.
 //
 // The contacts between particles are solved before the links of the cloth (contact/particle_contacts.h). A light
 // particle would give way to a heavy one there, and its links would pull it back afterwards, without a force on what
 // presses. So while the links are solved, each pressed particle has the mass of its share of the load, too, and the
 // load moves by the mean of the displacements of its shares (mass splitting; Tonge, Benevolenski and Voroshilov 2012).
-// That conserves momentum. The links are swept several times, because heavy and light particles in one chain converge
-// slowly, and with the load's motion shared by many chains.
+// That conserves momentum. A rigid cluster is one load, with its mass and inertia: a share has the mass that the
+// cluster has at the pressed particle. The links are swept several times, because heavy and light particles in one
+// chain converge slowly, and with the load's motion shared by many chains.
 //
 // The links must not do work on the load: they are a little elastic by their regularisation, and the lengths that
 // sweeps give back to them would be a spring without a loss. So the energy of cloth and loads is bounded by what it was
-// before the links were solved.
+// before the links were solved. On models that move, all with one velocity, it is that in their frame, in which they do
+// no work. A load that a model carries loses only what links have added: the speed that contacts
+// have given it is that at which the model holds it.
 //
 // Where cloth is crumpled between loads and a model, the elimination of a chain of very unequal masses has no accurate
 // solution, and throws particles and loads far beyond all that moves. Energy could not bring them back. Such sweeps are
@@ -22,30 +25,43 @@
 namespace gphys {
 
 struct Body;
+struct ChainContacts;
 struct Cloth;
 struct ClothState;
+struct CollisionContext;
 
-/// The share of a heavy particle that presses on one particle of the cloth.
+/// The share of a load that presses on one particle of the cloth.
 struct ContactLoad {
-    uint32_t by;        // what presses: a particle of the island's contacts
+    uint32_t of;        // the load: the first particle of what moves as one, among the island's contacts
+    uint32_t by;        // the particle of it that presses
     uint32_t particle;  // of the cloth
     uint32_t pair;      // of the contact, in the list of the island
     Vec3 normal;        // unit, from the particle to the load
+    Vec3 arm{};         // from the centre of the load to the particle that presses
     // The mass that the particle gains along the normal and across it, relative to the average of the cloth:
     double along = 0, across = 0;
     Vec3 place{};        // of the particle, before the links that are solved next
+    Vec3 taken{};        // by the load, of the pulls of links: relative mass * metres
     double impulse = 0;  // along the normal: metres * relative mass; after accelerate_loads, m/s * relative mass
 };
 
-/// What presses, and its motion. Positions are relative to the cloth's origin.
-struct HeavyParticle {
-    uint32_t by;           // as in ContactLoad
-    double mass;           // relative to the average of the cloth
-    Vec3 place, velocity;  // when the contacts are solved
-    Vec3 acceleration;     // by gravity and forces
-    uint32_t end = 0;      // its shares are those before this one and after those of the particle before it
-    Vec3 moved{};          // by the links
-    Vec3 before{};         // the velocity without them
+/// The motion of a load. The spin is its angular momentum: relative mass * square metres a second.
+struct LoadMotion {
+    Vec3 velocity, spin;
+};
+
+/// A heavy particle, or a rigid cluster. Positions are relative to the cloth's origin.
+struct HeavyBody {
+    uint32_t of;             // as in ContactLoad
+    double mass;             // relative to the average of the cloth
+    Mat3 inverse_inertia;    // the same; 0 for a particle
+    Vec3 place;              // of its centre, when the contacts are solved
+    LoadMotion motion;       // the same
+    Vec3 acceleration;       // by gravity and forces
+    uint32_t end = 0;        // its shares are those before this one and after those of the load before it
+    bool carried = false;    // whether a model is under one of the particles that it presses on
+    Vec3 moved{}, turned{};  // by the links: metres, and a rotation vector
+    LoadMotion before{};     // the motion without them
 };
 
 struct ContactLoads {
@@ -54,23 +70,28 @@ struct ContactLoads {
 
     static constexpr int sweeps = 6;  // over the links, if there is any load
 
-    // Of the substep under way; the loads of a heavy particle together, at most one for each particle of the cloth.
+    // Of the substep under way; the shares of a load together, at most one for each particle of the cloth.
     Vector<ContactLoad> all;
-    Vector<HeavyParticle> heavy;
+    Vector<HeavyBody> heavy;
     Vector<uint8_t> is_loaded;  // by particle of the cloth; empty if there cannot be any load
     Vector<float> predicted;    // ClothState::at before the links are solved
+    double seconds = 0;         // of the substep
     double motion = 0;          // before the links are solved: mass * square of the way, of cloth and loads
-    bool closed = false;        // whether no energy comes from outside
-    double energy = 0;          // before the links are solved, see limit_energy_of_loads
+    bool closed = false;        // whether no energy comes from outside, in the frame of the models
+    bool on_moving = false;     // whether models in contact move
+    Vec3 frame{};               // m/s: the velocity of those models
+    double energy = 0;          // before the links are solved, in that frame
 
     bool any() const { return !all.empty(); }
 };
 
 /// Throws std::bad_alloc.
 void reserve_loads(ContactLoads& loads, uint32_t particles, size_t floats);
-/// Call when all loads of the substep are known, in the order of what presses: `all` and `heavy`.
+/// Call when all loads of the substep are known, with `all` in the order of loads.
 void begin_loads(Body& body, double h);
-/// Before the links are solved, or after something else has moved loaded particles; and when links have moved them.
+/// Call before the links are solved, when contact planes have corrected the prediction.
+void note_motion(Cloth& cloth);
+/// After something else has moved loaded particles; and when links have moved them.
 void note_places(ContactLoads& loads, const ClothState& state);
 void move_loads(ContactLoads& loads, const ClothState& state);
 /// Call when all sweeps are done: whether they have moved loaded particles farther than the motion before them, and the
@@ -78,11 +99,14 @@ void move_loads(ContactLoads& loads, const ClothState& state);
 bool links_threw_loads(const Cloth& cloth);
 /// Undoes the sweeps. In those that follow, loads neither add to the masses nor move.
 void undo_loads(Cloth& cloth);
+/// Call when all sweeps are done: takes what loads have taken from the pulls on their particles. The rest acts on the
+/// models that these touch.
+void take_pulls_of_loads(const ContactLoads& loads, ChainContacts& in_chains);
 /// Undoes the motion of loaded particles since note_places.
 void restore_places(const ContactLoads& loads, ClothState& state);
-/// Call when the velocities are known: adds the links' to those of the heavy particles, and slows cloth and loads so
-/// that the links have not added energy. The impulses of the loads become those that have changed the velocities.
-void accelerate_loads(Body& body, double h);
+/// Call when the velocities are known: adds the links' to those of the loads, and slows cloth and loads so that the
+/// links have not added energy. The impulses of the loads become those that have changed the velocities.
+void accelerate_loads(Body& body, const CollisionContext& around);
 /// Call at the end of the substep.
 void clear_loads(ContactLoads& loads);
 

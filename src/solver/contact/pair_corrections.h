@@ -12,7 +12,7 @@ Vec3 stopped(Particle& p, Vec3 value, Vec3 uncorrected) {
     return p.supports ? p.supports->stop(value, uncorrected) : value;
 }
 
-/// The fraction of a correction that a particle could make without the models that stop it.
+/// The fraction of a correction that a particle can make although models stop and hold it.
 template <class Particle>
 double yielding(const Particle& p, Vec3 correction) {
     if (!p.supports) return 1;
@@ -68,7 +68,7 @@ GPHYS_NOINLINE double apply_in_full(const Contact& contact, Particle& a, Particl
     const double square = length_squared(correction), part = dot(lost, correction) / square;
     // Less is the rounding of the sums above.
     if (!(part > 1e-9)) return 0;
-    const double of_a = yielding(a, correction), of_b = yielding(b, correction);
+    const double of_a = yielding(a, -correction), of_b = yielding(b, correction);
     const double yields = contact.part_of_a * of_a + contact.part_of_b * of_b;
     const double way = std::max(contact.part_of_a * std::sqrt(of_a), contact.part_of_b * std::sqrt(of_b));
     if (!(way > 0)) return 0;  // wedged between models

@@ -1,6 +1,7 @@
 // Contacts between particles: what their pairs make of them in a substep, and relaxation (particle_contacts.h).
 #include "solver/contact/particle_contacts.h"
 
+#include "solver/contact/cloth_loads.h"
 #include "solver/contact/collision.h"
 #include "solver/contact/friction.h"
 #include "solver/contact/pair_corrections.h"
@@ -19,10 +20,10 @@ constexpr double near_gap = 0.02;
 // Pairs that overlap at the beginning of a substep separate by at most this much in it, in sums of their radii.
 // Separating them at once would give them a high speed.
 constexpr double most_correction = 0.1;
-// Where all bodies are of free particles, a small overlap is an error of the sweeps, which the next ones correct with
-// the velocities: without these, deep heaps would sink into themselves. It is what the sweeps leave of the fall of as
-// many layers in a substep, and at least a part of the sum of the radii. The rest was there before, as a deep overlap
-// was, so what removes it gives no speed. Links would turn every correction into speed.
+// Of a pair with a free particle, a small overlap is an error of the sweeps, which the next ones correct with the
+// velocities: without these, deep heaps would sink into themselves. It is what the sweeps leave of the fall of as many
+// layers in a substep, and at least a part of the sum of the radii. The rest was there before, as a deep overlap was,
+// so what removes it gives no speed: it moves the free particle, because links would turn every correction into speed.
 constexpr double fallen_layers = 16;
 constexpr double least_error = 1e-3, shallow_overlap = 0.03, deep_overlap = 0.06;  // in sums of the radii
 
@@ -31,19 +32,6 @@ double error_of_sweeps(double overlap, double radii, Vec3 gravity, double h) {
     if (overlap > shallow_overlap * radii)
         fallen *= std::max(0.0, (deep_overlap - overlap / radii) / (deep_overlap - shallow_overlap));
     return std::clamp(fallen, least_error * radii, most_correction * radii);
-}
-
-bool collides_with_others(const Body& body) { return body.settings.self_collision || body.settings.body_layers != 0; }
-
-Vec3 place_of(const Body& body, uint32_t p) {
-    return is_graph(body) ? body.cloth.state.origin + get(&body.cloth.state.at[4 * size_t{p}])
-                          : body.particles.position[p];
-}
-/// Of this step; null if there are none.
-const ContactPoint* contact_points_of(const Body& body, uint32_t p) {
-    if (body.contacts.points.empty()) return nullptr;
-    const ContactPoint* const first = &body.contacts.points[size_t{p} * contact_points_per_particle];
-    return first->model != 0 ? first : nullptr;
 }
 
 Vec3 velocity_of(const Body& body, uint32_t p) {
@@ -56,8 +44,6 @@ bool was_pushed_out(Vec3 way, Vec3 velocity_before, Vec3 velocity, double h) {
     const double fastest = std::max(length_squared(velocity_before), length_squared(velocity));
     return length_squared(way) > 1.01 * 1.01 * h * h * fastest;
 }
-
-bool moves_freely(const Body& body) { return body.plan.method == GPHYS_SOLVE_FREE && !body.plan.joined; }
 
 /// A unit direction for a pair at one point. Different pairs have different directions, so that a pile spreads in all
 /// directions. The direction depends on the indices alone and has the same bits on each machine; no component is 0.
@@ -84,6 +70,11 @@ double time_of_impact(Vec3 from, Vec3 to, double reach) {
 }
 
 }  // namespace
+
+Vec3 place_of(const Body& body, uint32_t p) {
+    return is_graph(body) ? body.cloth.state.origin + get(&body.cloth.state.at[4 * size_t{p}])
+                          : body.particles.position[p];
+}
 
 void ParticleContacts::reserve(const BodyTable& bodies, Vector<Island>& islands,
                                const Vector<uint32_t>& island_bodies) {
@@ -160,8 +151,7 @@ void ParticleContacts::begin(const Island& island, const IdTable& ids, const Bod
     range.listed.clear();
 }
 
-void ParticleContacts::gather(const Range& range, const BodyTable& bodies, const CollisionContext& around,
-                              double h) const {
+void ParticleContacts::gather(const Range& range, const BodyTable& bodies, double h) const {
     share_particles(range, [&](uint32_t first, uint32_t end) {
         for (uint32_t i = first; i < end; ++i) {
             Particle& p = range.particles[i];
@@ -173,17 +163,26 @@ void ParticleContacts::gather(const Range& range, const BodyTable& bodies, const
             if (moves_freely(body) && was_pushed_out(p.at - p.before, velocity_before, p.velocity, h))
                 p.before = p.at - p.velocity * h;
             p.inverse_mass = body.particles.inverse_mass[p.number];
-            p.supports = nullptr;
-            if (const ContactPoint* const points = contact_points_of(body, p.number)) {
-                p.supports = &range.supports[i];
-                p.supports->find_for_positions(body, p.number, p.at, points, around);
-            }
+        }
+    });
+}
+
+/// Finds the models under the particles of pairs.
+void ParticleContacts::find_supports(const Range& range, const BodyTable& bodies,
+                                     const CollisionContext& around) const {
+    share_particles(range, [&](uint32_t first, uint32_t end) {
+        for (uint32_t i = first; i < end; ++i) {
+            Particle& p = range.particles[i];
+            Supports& supports = range.supports[i];
+            const Body& body = bodies[p.body];
+            p.supports = p.paired && supports.find_for_positions(body, p.number, p.at, around) ? &supports : nullptr;
+            p.uncorrected = p.at;
         }
     });
 }
 
 /// Returns whether many pairs overlap deeply: more than one contact in one_deep_of.
-bool ParticleContacts::find_contacts(const Range& range, const BodyTable& bodies, bool all_free, Vec3 gravity,
+bool ParticleContacts::find_contacts(const Range& range, const BodyTable& bodies, bool final, Vec3 gravity,
                                      double h) const {
     const double bounce_threshold = find_bounce_threshold(gravity, h);
     fill_groups(range, &Group::contacts, contacts_per_particle, [&](Group& group, uint32_t begin, uint32_t room) {
@@ -205,7 +204,8 @@ bool ParticleContacts::find_contacts(const Range& range, const BodyTable& bodies
             const Body &of_a = bodies[a.body], &of_b = bodies[b.body];
             const double all_overlap = radii - gphys::length(before);
             const double error = error_of_sweeps(all_overlap, radii, gravity, h), overlap = all_overlap - error;
-            group.overlapping = group.overlapping || (all_free && overlap > 0);
+            const bool stays = !final && overlap > 0 && (moves_freely(of_a) || moves_freely(of_b));
+            group.overlapping = group.overlapping || stays;
             // The speed at the time of impact. The speed at the end of the substep is larger, and with it particles
             // would bounce for ever.
             const Vec3 at_end = b.velocity - a.velocity, gained = (at_end - (now - before) / h) * 2;
@@ -218,7 +218,7 @@ bool ParticleContacts::find_contacts(const Range& range, const BodyTable& bodies
             range.contacts[begin + found - 1] = {pair.a,
                                                  pair.b,
                                                  normal,
-                                                 all_free ? radii - std::max(0.0, overlap) : radii,
+                                                 stays ? radii - overlap : radii,
                                                  std::clamp(overlap, 0.0, most_correction * radii - error),
                                                  a.inverse_mass / inverse_mass,
                                                  b.inverse_mass / inverse_mass,
@@ -254,14 +254,18 @@ void each_moved(const Particle* first, const Particle* end, Visit&& visit) {
 
 /// For particles of a body whose constraints are solved afterwards: corrects their predicted positions.
 template <class Particle>
-void correct_predicted(const Particle* first, const Particle* end, Body& body, const CollisionContext& around) {
-    each_moved(first, end, [&](uint32_t p, Vec3 displacement) {
-        if (is_graph(body)) {
-            float* const at = &body.cloth.state.at[4 * size_t{p}];
-            put(at, get(at) + displacement);
-            if (collides(body, around)) note_correction(body.cloth.contacts, p, displacement);
-            return;
+void correct_predicted(const Particle* first, const Particle* end, Body& body) {
+    if (is_graph(body)) {
+        for (const Particle* p = first; p != end; ++p) {
+            const Vec3 displacement = p->inverse_mass > 0 ? p->at - p->uncorrected : Vec3{};
+            float* const at = &body.cloth.state.at[4 * size_t{p->number}];
+            if (displacement != Vec3{}) put(at, get(at) + displacement);
+            if (!p->supports) continue;
+            note_correction(body.cloth.contacts, p->number, displacement, p->supports->push(), p->supports->friction());
         }
+        return;
+    }
+    each_moved(first, end, [&](uint32_t p, Vec3 displacement) {
         body.particles.position[p] += displacement;
         body.history.predicted[p] += displacement;
         if (body.plan.limited) body.rope.slack[p] = 0;
@@ -320,32 +324,6 @@ void correct_moved(const Particle* first, const Particle* end, Body& body, const
 
 }  // namespace
 
-/// Calls visit(body, first, end) for the bodies of an island that collide with others, and their particles.
-template <class Visit>
-void ParticleContacts::each_body(const Island& island, BodyTable& bodies, const uint32_t* slots, Visit&& visit) {
-    Particle* first = range(island).particles;
-    for (uint32_t i = 0; i < island.body_count; ++i) {
-        Body& body = bodies[slots[i]];
-        if (!collides_with_others(body)) continue;
-        visit(body, first, first + body.particles.size());
-        first += body.particles.size();
-    }
-}
-
-/// Calls visit(pair, contact) for the contacts between different bodies.
-template <class Visit>
-void ParticleContacts::each_between_bodies(const Range& range, Visit&& visit) {
-    for (const Group* group = range.groups; group != range.groups + range.group_count; ++group) {
-        Pair* pair = range.pairs + group->pairs.begin;
-        for (uint32_t i = 0; i < group->contacts.count; ++i) {
-            const Contact& contact = range.contacts[group->contacts.begin + i];
-            // Contacts are in the order of the pairs.
-            while (pair->a != contact.a || pair->b != contact.b) ++pair;
-            if (range.particles[contact.a].body != range.particles[contact.b].body) visit(*pair, contact);
-        }
-    }
-}
-
 /// Adds an impulse, newton seconds, to that of a pair in the list. The normal goes from its first particle to the
 /// second.
 void ParticleContacts::add_to_list(const Range& range, Pair& pair, Vec3 normal, double impulse) {
@@ -373,105 +351,25 @@ void ParticleContacts::add_support_impulses(const Island& island, BodyTable& bod
     each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
         SupportImpulses impulses(body, around, rate);
         for (const Particle* p = first; p != end; ++p) {
-            if (p->supports)
-                impulses.add(p->number, place_of(body, p->number), contact_points_of(body, p->number), *p->supports);
+            if (p->supports) impulses.add(p->number, place_of(body, p->number), *p->supports);
         }
         impulses.end();
     });
 }
 
-/// Finds the heavy particles that press on cloth. Contacts with a small gap count, too: where a heavy particle has
-/// given cloth its own velocity, contacts open and close from substep to substep.
-void ParticleContacts::load_cloth(const Island& island, const Range& range, BodyTable& bodies, const uint32_t* slots,
-                                  Vec3 gravity, double h) {
-    // A load is at least as many times heavier: what is lighter gives way by itself.
-    constexpr double heavy = 4;
-    // Across the normal a particle takes at most as many times its own mass. With none, chains between heavy particles
-    // would correct their lengths by moving these aside. With all, cloth would not slide under its load.
-    constexpr double most_across = 100;
-    const auto may_be_loaded = [](const Body& body) {
-        return is_graph(body) && !body.plan.joined && !body.cloth.loads.is_loaded.empty();
-    };
-    bool free = false, loadable = false;
-    for (uint32_t i = 0; i < island.body_count; ++i) {
-        free = free || moves_freely(bodies[slots[i]]);
-        loadable = loadable || may_be_loaded(bodies[slots[i]]);
-    }
-    if (!free || !loadable) return;
-    const auto load = [&](const Pair& pair, uint32_t on, uint32_t by, Vec3 normal) {
-        Particle& of = range.particles[by];
-        const Particle& particle = range.particles[on];
-        Body& body = bodies[particle.body];
-        if (!may_be_loaded(body) || !moves_freely(bodies[of.body]) || !(of.inverse_mass > 0)) return;
-        if (particle.inverse_mass < heavy * of.inverse_mass || body.cloth.loads.is_loaded[particle.number]) return;
-        body.cloth.loads.is_loaded[particle.number] = 1;
-        body.cloth.loads.all.push_back({by, particle.number, static_cast<uint32_t>(&pair - range.pairs), normal});
-        ++of.loads;
-    };
-    each_between_bodies(range, [&](const Pair& pair, const Contact& contact) {
-        load(pair, contact.a, contact.b, contact.normal);
-        load(pair, contact.b, contact.a, -contact.normal);
-    });
-    for (uint32_t i = 0; i < island.body_count; ++i) {
-        Body& body = bodies[slots[i]];
-        ContactLoads& loads = body.cloth.loads;
-        if (!loads.any()) continue;
-        std::sort(loads.all.begin(), loads.all.end(), [](const ContactLoad& a, const ContactLoad& b) {
-            return a.by != b.by ? a.by < b.by : a.particle < b.particle;
-        });
-        for (uint32_t k = 0; k < loads.all.size(); ++k) {
-            ContactLoad& share = loads.all[k];
-            const Particle& by = range.particles[share.by];
-            const Particles& others = bodies[by.body].particles;
-            if (k == 0 || loads.heavy.back().by != share.by)
-                loads.heavy.push_back({share.by, 1 / (by.inverse_mass * body.cloth.state.average_mass),
-                                       place_of(bodies[by.body], by.number) - body.cloth.state.origin,
-                                       others.velocity[by.number],
-                                       gravity + others.force[by.number] * by.inverse_mass});
-            loads.heavy.back().end = k + 1;
-            share.along = loads.heavy.back().mass / by.loads;
-            share.across =
-                std::min(share.along, most_across * body.cloth.state.acceleration[4 * size_t{share.particle} + 3]);
-        }
-        begin_loads(body, h);
-    }
-}
-
 void ParticleContacts::move_loads(const Island& island, BodyTable& bodies, const uint32_t* slots,
                                   const CollisionContext& around, Vec3 gravity, double h, FlightPlanes* planes) {
     const Range range = this->range(island);
-    bool loaded = false;
-    for (uint32_t i = 0; i < island.body_count; ++i) loaded = loaded || bodies[slots[i]].cloth.loads.any();
-    if (!loaded) return;
+    ClothLoads loads(range, island, bodies, slots);
+    if (!loads.any()) return;
     each_body(island, bodies, slots, [&](Body& body, Particle* first, Particle* end) {
-        if (!moves_freely(body)) return;
+        if (!ClothLoads::may_press(body)) return;
         for (Particle* p = first; p != end; ++p) p->at = p->uncorrected = place_of(body, p->number);
     });
-    for (uint32_t i = 0; i < island.body_count; ++i) {
-        ContactLoads& loads = bodies[slots[i]].cloth.loads;
-        if (!loads.any()) continue;
-        // It may press on several bodies, one of which has moved it.
-        for (HeavyParticle& heavy : loads.heavy) {
-            const Particle& by = range.particles[heavy.by];
-            heavy.velocity = bodies[by.body].particles.velocity[by.number];
-        }
-        accelerate_loads(bodies[slots[i]], h);
-        for (const HeavyParticle& heavy : loads.heavy) {
-            Particle& by = range.particles[heavy.by];
-            by.at += heavy.moved;
-            by.loads = 0;
-            bodies[by.body].particles.velocity[by.number] = heavy.velocity;
-        }
-        for (const ContactLoad& share : loads.all) {
-            Pair& pair = range.pairs[share.pair];
-            const double impulse = share.impulse * bodies[slots[i]].cloth.state.average_mass;
-            if (impulse > 0) add_to_list(range, pair, pair.b == share.by ? share.normal : -share.normal, impulse);
-        }
-        clear_loads(loads);
-    }
+    loads.move(around);
     const double bounce_threshold = find_bounce_threshold(gravity, h);
     each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
-        if (moves_freely(body)) correct_moved(first, end, body, around, bounce_threshold, planes);
+        if (ClothLoads::may_press(body)) correct_moved(first, end, body, around, bounce_threshold, planes);
     });
 }
 
@@ -508,11 +406,12 @@ void ParticleContacts::separate_overlapping(const Island& island, BodyTable& bod
     each_body(island, bodies, slots, [&](Body& body, Particle* first, Particle* end) {
         for (Particle* p = first; p != end; ++p) p->at = p->uncorrected = place_of(body, p->number);
     });
-    sweep(range(island), sweeps, [](Contact& contact, Particle& a, Particle& b) {
+    sweep(range(island), sweeps, [&](Contact& contact, Particle& a, Particle& b) {
         const double correction = contact.radii + contact.overlap - dot(b.at - a.at, contact.normal);
         if (correction <= 0) return;
-        a.at -= contact.normal * (correction * contact.part_of_a);
-        b.at += contact.normal * (correction * contact.part_of_b);
+        const bool a_is_free = moves_freely(bodies[a.body]), b_is_free = moves_freely(bodies[b.body]);
+        if (a_is_free) a.at -= contact.normal * (b_is_free ? correction * contact.part_of_a : correction);
+        if (b_is_free) b.at += contact.normal * (a_is_free ? correction * contact.part_of_b : correction);
     });
     each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
         correct_moved(first, end, body, around, bounce_threshold, planes);
@@ -520,14 +419,13 @@ void ParticleContacts::separate_overlapping(const Island& island, BodyTable& bod
 }
 
 ParticleContacts::Found ParticleContacts::solve_contacts(const Island& island, const BodyTable& bodies,
-                                                         const uint32_t* slots, const CollisionContext& around,
-                                                         Vec3 gravity, double h) {
+                                                         const CollisionContext& around, bool final, Vec3 gravity,
+                                                         double h) {
     const Range range = this->range(island);
-    gather(range, bodies, around, h);
+    gather(range, bodies, h);
     if (!list_is_valid(range)) find_pairs(range, bodies);
-    const bool all_free =
-        std::all_of(slots, slots + island.body_count, [&](uint32_t slot) { return moves_freely(bodies[slot]); });
-    const bool any_deep = find_contacts(range, bodies, all_free, gravity, h);
+    find_supports(range, bodies, around);
+    const bool any_deep = find_contacts(range, bodies, final, gravity, h);
     Found found{false, false, any_deep};
     for (const Group* group = range.groups; group != range.groups + range.group_count; ++group) {
         found.any = found.any || group->contacts.count > 0;
@@ -542,7 +440,7 @@ ParticleContacts::Found ParticleContacts::solve_contacts(const Island& island, c
 void ParticleContacts::solve_positions(const Island& island, BodyTable& bodies, const uint32_t* slots,
                                        const CollisionContext& around, Vec3 gravity, double h, FlightPlanes* planes) {
     const double bounce_threshold = find_bounce_threshold(gravity, h);
-    const Found contacts = solve_contacts(island, bodies, slots, around, gravity, h);
+    const Found contacts = solve_contacts(island, bodies, around, false, gravity, h);
     const Range range = this->range(island);
     // Separating deep pairs changes no velocity, so it transfers no impulse.
     if (contacts.any && island.body_count > 1) add_impulses(range, &Contact::all_separation, contacts.deep ? 0 : 1 / h);
@@ -559,7 +457,7 @@ void ParticleContacts::solve_positions(const Island& island, BodyTable& bodies, 
         if (body.contacts.near) body.cloth.balance.closed = false;  // others do work
         if (!contacts.any) return;
         if (!moves_freely(body)) {
-            correct_predicted(first, end, body, around);
+            correct_predicted(first, end, body);
             return;
         }
         // If many pairs overlap deeply, the correction changes no velocities, because it would give the particles high
@@ -569,7 +467,8 @@ void ParticleContacts::solve_positions(const Island& island, BodyTable& bodies, 
         correct_moved(first, end, body, around, bounce_threshold, planes);
     });
     if (contacts.overlapping) separate_overlapping(island, bodies, slots, around, bounce_threshold, planes);
-    if (contacts.any && !contacts.deep && island.body_count > 1) load_cloth(island, range, bodies, slots, gravity, h);
+    if (contacts.any && !contacts.deep && island.body_count > 1)
+        ClothLoads(range, island, bodies, slots).find(gravity, h);
 }
 
 void ParticleContacts::solve_velocities(const Island& island, BodyTable& bodies, const uint32_t* slots,
@@ -580,11 +479,10 @@ void ParticleContacts::solve_velocities(const Island& island, BodyTable& bodies,
             Particle& p = range.particles[i];
             const Body& body = bodies[p.body];
             p.velocity = p.uncorrected_velocity = velocity_of(body, p.number);
-            p.supports = nullptr;
-            if (const ContactPoint* const points = contact_points_of(body, p.number)) {
-                p.supports = &range.supports[i];
-                p.supports->find_for_velocities(body, p.number, place_of(body, p.number), p.velocity, points, around);
-            }
+            Supports& supports = range.supports[i];
+            const Vec3 at = place_of(body, p.number);
+            const bool any = p.paired && supports.find_for_velocities(body, p.number, at, p.velocity, around);
+            p.supports = any ? &supports : nullptr;
         }
     });
     sweep(range, sweeps, [](Contact& contact, Particle& a, Particle& b) { solve_velocity(contact, a, b); });
@@ -613,8 +511,8 @@ void ParticleContacts::solve_velocities(const Island& island, BodyTable& bodies,
 
 void ParticleContacts::solve_final_positions(const Island& island, BodyTable& bodies, const uint32_t* slots,
                                              const CollisionContext& around, Vec3 gravity, double h) {
-    if (!solve_contacts(island, bodies, slots, around, gravity, h).any) return;
     const double bounce_threshold = find_bounce_threshold(gravity, h);
+    if (!solve_contacts(island, bodies, around, true, gravity, h).any) return;
     each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
         if (!moves_freely(body)) correct_moved(first, end, body, around, bounce_threshold, nullptr);
     });

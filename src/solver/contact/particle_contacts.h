@@ -30,6 +30,13 @@
 
 namespace gphys {
 
+inline bool collides_with_others(const Body& body) {
+    return body.settings.self_collision || body.settings.body_layers != 0;
+}
+inline bool moves_freely(const Body& body) { return body.plan.method == GPHYS_SOLVE_FREE && !body.plan.joined; }
+/// Of a particle, during a step.
+Vec3 place_of(const Body& body, uint32_t p);
+
 class ParticleContacts {
 public:
     explicit ParticleContacts(std::pmr::memory_resource* memory)
@@ -85,7 +92,7 @@ private:
         Vec3 list_position;  // position at which the list was made
         uint32_t body, number;
         gphys_body_id id;
-        uint32_t loads;  // of a heavy particle: on how many particles of cloth it presses
+        bool paired;  // whether it is in any pair of the list
 
         double reach() const { return radius + margin; }
     };
@@ -177,22 +184,23 @@ private:
     static bool fill_groups(const Range& range, Items Group::*items, uint32_t per_particle, Emit&& emit);
     template <class Solve>
     static void sweep(const Range& range, int times, Solve&& solve);
-    void gather(const Range& range, const BodyTable& bodies, const CollisionContext& around, double h) const;
+    void gather(const Range& range, const BodyTable& bodies, double h) const;
+    void find_supports(const Range& range, const BodyTable& bodies, const CollisionContext& around) const;
     bool list_is_valid(const Range& range) const;
     void find_pairs(const Range& range, const BodyTable& bodies) const;
-    bool find_contacts(const Range& range, const BodyTable& bodies, bool all_free, Vec3 gravity, double h) const;
+    /// `final`: corrections give no speed at all.
+    bool find_contacts(const Range& range, const BodyTable& bodies, bool final, Vec3 gravity, double h) const;
     template <class Visit>
     static void each_between_bodies(const Range& range, Visit&& visit);
     static void add_to_list(const Range& range, Pair& pair, Vec3 normal, double impulse);
-    static void load_cloth(const Island& island, const Range& range, BodyTable& bodies, const uint32_t* slots,
-                           Vec3 gravity, double h);
+    class ClothLoads;
     void add_impulses(const Range& range, double (Contact::*change)() const, double rate) const;
     void add_support_impulses(const Island& island, BodyTable& bodies, const uint32_t* slots,
                               const CollisionContext& around, double rate);
     void separate_overlapping(const Island& island, BodyTable& bodies, const uint32_t* slots,
                               const CollisionContext& around, double bounce_threshold, FlightPlanes* planes);
-    Found solve_contacts(const Island& island, const BodyTable& bodies, const uint32_t* slots,
-                         const CollisionContext& around, Vec3 gravity, double h);
+    Found solve_contacts(const Island& island, const BodyTable& bodies, const CollisionContext& around, bool final,
+                         Vec3 gravity, double h);
 
     Vector<Particle> particles_;
     Vector<Pair> pairs_;
@@ -212,6 +220,32 @@ void ParticleContacts::share_particles(const Range& range, Visit&& visit) {
     constexpr uint32_t together = 512;
     share(range.team, (range.count + together - 1) / together,
           [&](uint32_t i, uint32_t) { visit(i * together, std::min(range.count, (i + 1) * together)); });
+}
+
+/// Calls visit(body, first, end) for the bodies of an island that collide with others, and their particles.
+template <class Visit>
+void ParticleContacts::each_body(const Island& island, BodyTable& bodies, const uint32_t* slots, Visit&& visit) {
+    Particle* first = range(island).particles;
+    for (uint32_t i = 0; i < island.body_count; ++i) {
+        Body& body = bodies[slots[i]];
+        if (!collides_with_others(body)) continue;
+        visit(body, first, first + body.particles.size());
+        first += body.particles.size();
+    }
+}
+
+/// Calls visit(pair, contact) for the contacts between different bodies.
+template <class Visit>
+void ParticleContacts::each_between_bodies(const Range& range, Visit&& visit) {
+    for (const Group* group = range.groups; group != range.groups + range.group_count; ++group) {
+        Pair* pair = range.pairs + group->pairs.begin;
+        for (uint32_t i = 0; i < group->contacts.count; ++i) {
+            const Contact& contact = range.contacts[group->contacts.begin + i];
+            // Contacts are in the order of the pairs.
+            while (pair->a != contact.a || pair->b != contact.b) ++pair;
+            if (range.particles[contact.a].body != range.particles[contact.b].body) visit(*pair, contact);
+        }
+    }
 }
 
 /// Fills the items of all groups. emit(group, first item, room for items) returns how many there are, of which it has

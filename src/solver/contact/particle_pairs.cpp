@@ -363,6 +363,11 @@ void ParticleContacts::PairSearch::run() {
 
 void ParticleContacts::find_pairs(const Range& range, const BodyTable& bodies) const {
     PairSearch(range, bodies).run();
+    for (uint32_t i = 0; i < range.count; ++i) range.particles[i].paired = false;
+    for (const Group* group = range.groups; group != range.groups + range.group_count; ++group) {
+        for (uint32_t i = group->pairs.begin; i < group->pairs.begin + group->pairs.count; ++i)
+            range.particles[range.pairs[i].a].paired = range.particles[range.pairs[i].b].paired = true;
+    }
 }
 
 void list_linked(Body& body) {

@@ -17,45 +17,88 @@ Vec3 carried_by(const CollisionContext& around, gphys_model_id model, Vec3 point
 
 }  // namespace
 
-void Supports::find_for_positions(const Body& body, uint32_t particle, Vec3 at, const ContactPoint* points,
-                                  const CollisionContext& around) {
-    // A particle that is farther off, in radii, has left the model in this step. What is nearer is the rounding of the
-    // contact point.
-    constexpr double left = 0.01;
-    const double radius = body.particles.radius[particle];
-    friction_ = friction_of(body, particle);
-    for (count_ = 0; count_ < most && points[count_].model != 0; ++count_) {
-        const ContactPoint& point = points[count_];
-        Support& support = of_[count_];
-        support = {};
-        support.normal = widen(point.normal);
-        const double gap = dot(at - widen(point.point), support.normal) - radius;
-        support.room = gap > left * radius ? gap : 0;
-        support.carried = carried_by(around, point.model, at - support.normal * radius);
-    }
+// A particle that is farther off, in radii, has left the model in this step. What is nearer is the rounding of the
+// contact point.
+constexpr double left = 0.01;
+
+void Supports::add(gphys_model_id model, Vec3 normal, Vec3 carried, double gap, double radius) {
+    Support& support = of_[count_++];
+    support = {};
+    support.model = model;
+    support.normal = normal;
+    support.carried = carried;
+    support.room = gap > left * radius ? gap : 0;
 }
 
-void Supports::find_for_velocities(const Body& body, uint32_t particle, Vec3 at, Vec3 velocity,
-                                   const ContactPoint* points, const CollisionContext& around) {
+bool Supports::find_for_positions(const Body& body, uint32_t particle, Vec3& at, const CollisionContext& around) {
+    const double radius = body.particles.radius[particle];
+    count_ = 0;
+    if (is_graph(body)) {
+        const ClothContacts& contacts = body.cloth.contacts;
+        const uint32_t number = collides(body, around) ? contacts.candidate_of[particle] : ClothContacts::none;
+        if (number == ClothContacts::none) return false;
+        const ClothContact& n = contacts.candidates[number];
+        const auto gap_to = [&](const ContactPlane& plane, Vec3 carried) {
+            return dot(plane.normal, at - body.cloth.state.origin - carried) - plane.offset;
+        };
+        for (uint32_t i = 0; i < n.plane_count && count_ < most; ++i) {
+            const ContactPlane& plane = n.planes[i];
+            Vec3 carried;
+            if (plane.moving_collider != ContactPlane::unmoved)
+                carried = carried_by(around, plane.model, at - plane.normal * radius);
+            at += plane.normal * std::max(0.0, -gap_to(plane, carried));
+            add(plane.model, plane.normal, carried, gap_to(plane, carried), radius);
+        }
+    } else {
+        if (body.contacts.points.empty()) return false;
+        const ContactPoint* const points = &body.contacts.points[size_t{particle} * contact_points_per_particle];
+        static_assert(most <= contact_points_per_particle);
+        while (count_ < most && points[count_].model != 0) {
+            const ContactPoint& point = points[count_];
+            const Vec3 normal = widen(point.normal);
+            add(point.model, normal, carried_by(around, point.model, at - normal * radius),
+                dot(at - widen(point.point), normal) - radius, radius);
+        }
+    }
+    if (count_ == 0) return false;
+    friction_ = friction_of(body, particle);
+    return true;
+}
+
+bool Supports::find_for_velocities(const Body& body, uint32_t particle, Vec3 at, Vec3 velocity,
+                                   const CollisionContext& around) {
     const double seconds = around.step_time * (around.end - around.begin);
-    find_for_positions(body, particle, at, points, around);
+    if (!find_for_positions(body, particle, at, around)) return false;
     for (uint32_t i = 0; i < count_; ++i) {
         Support& support = of_[i];
         support.carried *= 1 / seconds;
         // A model does not stop a particle that it does not touch.
         support.room = support.room > 0 ? infinity : std::max(0.0, dot(velocity - support.carried, support.normal));
     }
+    return true;
 }
 
-void SupportImpulses::add(uint32_t particle, Vec3 at, const ContactPoint* points, const Supports& supports) {
+Vec3 Supports::push() const {
+    Vec3 sum;
+    for (uint32_t i = 0; i < count_; ++i) sum += of_[i].normal * of_[i].push;
+    return sum;
+}
+
+Vec3 Supports::friction() const {
+    Vec3 sum;
+    for (uint32_t i = 0; i < count_; ++i) sum += of_[i].friction;
+    return sum;
+}
+
+void SupportImpulses::add(uint32_t particle, Vec3 at, const Supports& supports) {
     for (uint32_t i = 0; i < supports.count(); ++i) {
         const Support& support = supports[i];
         const Vec3 change = support.normal * support.push + support.friction;
         if (change == Vec3{}) continue;
         const Vec3 point = at - support.normal * body_.particles.radius[particle];
-        if (points[i].model != model_) {
+        if (support.model != model_) {
             end();
-            model_ = points[i].model;
+            model_ = support.model;
             middle_ = point;
         }
         const Vec3 impulse = change * (-rate_ * body_.particles.mass[particle]);

@@ -11,6 +11,7 @@
 namespace gphys {
 
 struct Support {
+    gphys_model_id model;
     Vec3 normal;      // unit, from the model to the particle
     Vec3 carried;     // displacement of the model's surface in the substep, or its velocity
     double room;      // how much nearer the particle may come: metres, or m/s
@@ -21,10 +22,11 @@ struct Support {
 /// Of one particle. Corrections are displacements in a substep, or changes of velocity.
 class Supports {
 public:
-    /// Those of a particle that touches models, by their contact points. seconds: of the substep.
-    void find_for_positions(const Body& body, uint32_t particle, Vec3 at, const ContactPoint* points,
-                            const CollisionContext& around);
-    void find_for_velocities(const Body& body, uint32_t particle, Vec3 at, Vec3 velocity, const ContactPoint* points,
+    /// Those of a particle: the models that it has touched in this step, and of cloth the contact planes that it has.
+    /// Returns whether there are any. `at`: predicted; of cloth it becomes the place in front of the planes, to which
+    /// they push a particle that nothing else presses on them.
+    bool find_for_positions(const Body& body, uint32_t particle, Vec3& at, const CollisionContext& around);
+    bool find_for_velocities(const Body& body, uint32_t particle, Vec3 at, Vec3 velocity,
                              const CollisionContext& around);
 
     /// The value without motion into the models. It was `uncorrected` before the sweeps.
@@ -38,10 +40,14 @@ public:
         }
         return value;
     }
-    /// A direction without its parts along the normals of the models that push.
+    /// A direction without its parts along the normals of the models that push, and without what friction holds of it.
     Vec3 yielding(Vec3 direction) const {
         for (uint32_t i = 0; i < count_; ++i) {
-            if (of_[i].push > 0) direction -= of_[i].normal * dot(direction, of_[i].normal);
+            if (!(of_[i].push > 0)) continue;
+            const double off = dot(direction, of_[i].normal);
+            direction -= of_[i].normal * off;
+            const double along = length(direction), held = friction_ * std::max(0.0, -off);
+            direction *= along > held ? 1 - held / along : 0;
         }
         return direction;
     }
@@ -59,11 +65,16 @@ public:
         }
         return value;
     }
+    /// The sum of the pushes of models, and that of their friction.
+    Vec3 push() const;
+    Vec3 friction() const;
     uint32_t count() const { return count_; }
     const Support& operator[](uint32_t i) const { return of_[i]; }
 
 private:
     static constexpr uint32_t most = 3;  // in a corner
+
+    void add(gphys_model_id model, Vec3 normal, Vec3 carried, double gap, double radius);
 
     uint32_t count_ = 0;
     double friction_ = 0;
@@ -77,7 +88,7 @@ public:
     SupportImpulses(Body& body, const CollisionContext& around, double rate)
         : body_(body), around_(around), rate_(rate) {}
 
-    void add(uint32_t particle, Vec3 at, const ContactPoint* points, const Supports& supports);
+    void add(uint32_t particle, Vec3 at, const Supports& supports);
     void end();
 
 private:

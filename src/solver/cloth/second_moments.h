@@ -1,0 +1,30 @@
+// The inertia of points that move as one: rigid clusters.
+#pragma once
+
+#include "foundation/math.h"
+
+namespace gphys {
+
+/// Second moments of points about an origin: sums of products of coordinates.
+struct SecondMoments {
+    Vec3 squares, products;  // xx, yy, zz and yz, zx, xy
+
+    void add(Vec3 at, double weight) {
+        squares += by_component(at, at) * weight;
+        products += Vec3{at.y * at.z, at.z * at.x, at.x * at.y} * weight;
+    }
+    /// The inverse of the tensor of inertia; 0 for points that all lie at the origin. About a line through all points
+    /// the inertia is a rounding error, and so are torques.
+    Mat3 inverse_inertia() const {
+        constexpr double regularisation = 1e-12;
+        const Vec3 s = squares, p = products;
+        const double least = regularisation * (s.x + s.y + s.z);
+        const Vec3 x{s.y + s.z + least, -p.z, -p.y}, y{-p.z, s.z + s.x + least, -p.x}, z{-p.y, -p.x, s.x + s.y + least};
+        const Vec3 yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);
+        const double determinant = dot(x, yz);
+        if (!(determinant > 0)) return {{}, {}, {}};
+        return {yz / determinant, zx / determinant, xy / determinant};
+    }
+};
+
+}  // namespace gphys
