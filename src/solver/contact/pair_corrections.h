@@ -2,6 +2,8 @@
 // models that they touch stop and hold them (supports.h). For the particles and contacts of ParticleContacts.
 #pragma once
 
+#include <optional>
+
 #include "foundation/math.h"
 #include "solver/contact/supports.h"
 
@@ -40,14 +42,14 @@ public:
 private:
     struct Moved {
         Vec3 value;
-        Supports supports;
+        std::optional<Supports> supports;
 
         Moved(const Particle& p, Vec3 Particle::*value) : value(p.*value) {
             if (p.supports) supports = *p.supports;
         }
         void restore(Particle& p, Vec3 Particle::*member) const {
             p.*member = value;
-            if (p.supports) *p.supports = supports;
+            if (supports) *p.supports = *supports;
         }
     };
     Moved a_, b_;

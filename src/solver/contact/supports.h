@@ -46,7 +46,8 @@ public:
             if (!(of_[i].push > 0)) continue;
             const double off = dot(direction, of_[i].normal);
             direction -= of_[i].normal * off;
-            const double along = length(direction), held = friction_ * std::max(0.0, -off);
+            if (off >= 0 || friction_ == 0) continue;
+            const double along = length(direction), held = friction_ * -off;
             direction *= along > held ? 1 - held / along : 0;
         }
         return direction;
