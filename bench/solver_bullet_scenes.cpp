@@ -12,6 +12,10 @@ namespace bench {
 
 namespace {
 
+gphys_vec3 as_given(const btVector3& v) {
+    return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+
 class BulletScene final : public Method {
 public:
     BulletScene() {
@@ -52,10 +56,7 @@ private:
     std::vector<gphys_vec3> read(btVector3 btSoftBody::Node::*member) const {
         std::vector<gphys_vec3> out;
         for (const auto& body : bodies_) {
-            for (int i = 0; i < body->m_nodes.size(); ++i) {
-                const btVector3& v = body->m_nodes[i].*member;
-                out.push_back({static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())});
-            }
+            for (int i = 0; i < body->m_nodes.size(); ++i) out.push_back(as_given(body->m_nodes[i].*member));
         }
         return out;
     }
@@ -118,10 +119,7 @@ private:
     template <class Get>
     std::vector<gphys_vec3> read(Get&& get) const {
         std::vector<gphys_vec3> out;
-        for (const auto& ball : balls_) {
-            const btVector3 v = get(*ball);
-            out.push_back({static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())});
-        }
+        for (const auto& ball : balls_) out.push_back(as_given(get(*ball)));
         return out;
     }
 

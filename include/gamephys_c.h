@@ -2515,9 +2515,9 @@ GPHYS_API gphys_status gphys_solver_get_animation_targets(const gphys_solver* so
 
 /** Fix a particle to a model: it follows the model's transform in each step, and is released when
  *  the model is gone. Steps must then be given this scene; in a step without one the particle stays where it is.
- *  If the model jumps (gphys_solver_step), the whole body goes with it as if it were rigid, and its velocities turn with
- *  it: a cape stays on a character that respawns. Bodies with other pinned particles, joints, or attachments to models
- *  that go elsewhere do not, nor do bodies without constraints.
+ *  If the model jumps (gphys_solver_step), the whole body goes with it as if it were rigid, and its velocities turn
+ *  with it: a cape stays on a character that respawns. Bodies with other pinned particles, joints, or attachments to
+ *  models that go elsewhere do not, nor do bodies without constraints.
  *  @param scene        of the same origin as the solver; not modified
  *  @param local_point  in the model's coordinates, to which its transform applies, with the transform's scale, and not
  *                      gphys_scene_set_scale; NULL: where the particle is now
@@ -2800,11 +2800,11 @@ GPHYS_API gphys_status gphys_solver_get_breaks(const gphys_solver* solver, gphys
  *  takes more where they would be longer than 25 ms.
  *  @param scene  to collide with and to follow attachments; NULL: none. Not modified.
  *  @param dt     seconds, 1e-6 .. 0.5
- *  Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
- *  through particles. A model moves evenly from its place at the last step to its present one, unless it jumps: it turns
- *  by a right angle or more, its velocity changes by more than 50 m/s to more than that, or its surface does by a change
- *  of scale. One that jumps is not swept and gives no speed. What is then within a solid is pushed out slowly; what is
- *  then behind a plane or a mesh stays there. Allocates when what it steps has changed.
+ *  Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s through particles.
+ *  A model moves evenly from its place at the last step to its present one, unless it jumps: it turns by a right angle
+ *  or more, its velocity changes by more than 50 m/s to more than that, or its surface does by a change of scale. One
+ *  that jumps is not swept and gives no speed. What is then within a solid is pushed out slowly; what is then behind a
+ *  plane or a mesh stays there. Allocates when what it steps has changed.
  *  Cost: O(particles + constraints) a substep, and a scene query for particles near models; O(1) and a scene query for
  *  a body that the last step, of the same dt, left exactly as it was. */
 GPHYS_API gphys_status gphys_solver_step(gphys_solver* solver, const gphys_scene* scene, float dt);

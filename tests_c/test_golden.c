@@ -17,7 +17,7 @@ static const struct golden {
     /* clang-format off */
     {"particles", 0x5cce72db, 0x995591b2},
     {"ropes", 0x080daaae, 0x15ba0e4f},
-    {"cloth", 0x22504253, 0xa0aee0c3},
+    {"cloth", 0xd7fc1b9e, 0x2e2d4383},
     {"joints", 0x9231e72e, 0xc5774bf4},
     {"moving_models", 0xbffa25e3, 0x0a788959},
     {"cameras", 0xf3b8b092, 0x13040e63},

@@ -121,6 +121,15 @@ inline gphys_body_desc point_mass(float radius, float friction, float restitutio
     return desc;
 }
 
+/// Of particles that collide with those of other bodies.
+inline gphys_body_desc colliding(float mass, float radius) {
+    gphys_body_desc desc = World::body_desc();
+    desc.mass = mass;
+    desc.radius = radius;
+    desc.body_layers = 1;
+    return desc;
+}
+
 /// `count` points, each a step from the one before.
 inline std::vector<gphys_vec3> line(gphys_vec3 from, gphys_vec3 step, uint32_t count) {
     std::vector<gphys_vec3> points;

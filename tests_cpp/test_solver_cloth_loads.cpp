@@ -6,19 +6,12 @@
 
 namespace {
 
+using test::colliding;
 using test::figure;
 using test::World;
 
 constexpr float frame = 1.0f / 60;
 constexpr double g = static_cast<double>(9.81f);
-
-gphys_body_desc colliding(float mass, float radius) {
-    gphys_body_desc desc = World::body_desc();
-    desc.mass = mass;
-    desc.radius = radius;
-    desc.body_layers = 1;
-    return desc;
-}
 
 /// A square cloth around the origin that lies on the plane y = 0.
 gphys_body_id rug(World& world, uint32_t side, float width, float mass) {

@@ -7,18 +7,11 @@
 namespace {
 
 using gphys::Vec3;
+using test::colliding;
 using test::World;
 
 constexpr float frame = 1.0f / 60;
 constexpr double g = static_cast<double>(9.81f);
-
-gphys_body_desc colliding(float mass, float radius) {
-    gphys_body_desc desc = World::body_desc();
-    desc.mass = mass;
-    desc.radius = radius;
-    desc.body_layers = 1;
-    return desc;
-}
 
 /// A square sheet in the plane y = 0 around the origin, and how far its sides are stretched.
 struct Sheet {

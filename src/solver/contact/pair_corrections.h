@@ -75,14 +75,14 @@ GPHYS_NOINLINE double apply_in_full(const Contact& contact, Particle& a, Particl
     const double way = std::max(contact.part_of_a * std::sqrt(of_a), contact.part_of_b * std::sqrt(of_b));
     if (!(way > 0)) return 0;  // wedged between models
     // Models that have pushed a particle let go of it on the way, and then it goes farther than its yielding tells.
-    // Beyond the full correction the sweeps would gain energy, so less is tried: a chord of the way, which is convex
-    // there.
+    // Beyond the full correction the sweeps over a deep heap would gain energy, so less is tried: a chord of the way,
+    // which is convex there.
     double more = std::min({part / yields, farthest / way, most_more});
     const MovedPair<Particle> moved(a, b, value);
     for (int tries = 0; tries < 4; ++tries) {
         apply_correction(contact, a, b, correction * more, value, uncorrected);
         const double gained = dot(b.*value - a.*value - before, correction) / square;
-        if (gained <= 1 + 1e-9) return more;
+        if (gained <= 1 + 1e-9 || !contact.both_free) return more;
         moved.restore(a, b, value);
         more *= part / (part + gained - 1);
     }

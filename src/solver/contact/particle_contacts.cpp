@@ -188,7 +188,7 @@ bool ParticleContacts::find_contacts(const Range& range, const BodyTable& bodies
     fill_groups(range, &Group::contacts, contacts_per_particle, [&](Group& group, uint32_t begin, uint32_t room) {
         uint32_t found = 0;
         group.deep = 0;
-        group.overlapping = false;
+        group.overlapping = group.sinking = false;
         for (uint32_t i = 0; i < group.pairs.count; ++i) {
             const Pair& pair = range.pairs[group.pairs.begin + i];
             const Particle &a = range.particles[pair.a], &b = range.particles[pair.b];
@@ -203,9 +203,13 @@ bool ParticleContacts::find_contacts(const Range& range, const BodyTable& bodies
             const Vec3 normal = length > 0 ? at_impact / length : direction_of_pair(pair.a, pair.b);
             const Body &of_a = bodies[a.body], &of_b = bodies[b.body];
             const double all_overlap = radii - gphys::length(before);
-            const double error = error_of_sweeps(all_overlap, radii, gravity, h), overlap = all_overlap - error;
-            const bool stays = !final && overlap > 0 && (moves_freely(of_a) || moves_freely(of_b));
+            const bool a_is_free = moves_freely(of_a), b_is_free = moves_freely(of_b);
+            const bool both_free = a_is_free && b_is_free;
+            const double error = both_free ? error_of_sweeps(all_overlap, radii, gravity, h) : least_error * radii;
+            const double overlap = all_overlap - error;
+            const bool stays = !final && overlap > 0 && (a_is_free || b_is_free);
             group.overlapping = group.overlapping || stays;
+            group.sinking = group.sinking || (stays && both_free);
             // The speed at the time of impact. The speed at the end of the substep is larger, and with it particles
             // would bounce for ever.
             const Vec3 at_end = b.velocity - a.velocity, gained = (at_end - (now - before) / h) * 2;
@@ -217,6 +221,7 @@ bool ParticleContacts::find_contacts(const Range& range, const BodyTable& bodies
             const double inverse_mass = a.inverse_mass + b.inverse_mass;
             range.contacts[begin + found - 1] = {pair.a,
                                                  pair.b,
+                                                 both_free,
                                                  normal,
                                                  stays ? radii - overlap : radii,
                                                  std::clamp(overlap, 0.0, most_correction * radii - error),
@@ -427,12 +432,14 @@ ParticleContacts::Found ParticleContacts::solve_contacts(const Island& island, c
     find_supports(range, bodies, around);
     const bool any_deep = find_contacts(range, bodies, final, gravity, h);
     Found found{false, false, any_deep};
+    bool sinking = false;
     for (const Group* group = range.groups; group != range.groups + range.group_count; ++group) {
         found.any = found.any || group->contacts.count > 0;
         found.overlapping = found.overlapping || group->overlapping;
+        sinking = sinking || group->sinking;
     }
     // Overlaps tell that the sweeps have not sufficed.
-    sweep(range, found.overlapping ? 2 * sweeps : sweeps,
+    sweep(range, sinking ? 2 * sweeps : sweeps,
           [](Contact& contact, Particle& a, Particle& b) { solve_position(contact, a, b); });
     return found;
 }

@@ -109,6 +109,7 @@ private:
     };
     struct Contact {
         uint32_t a, b;
+        bool both_free;               // whether both are of bodies without links
         Vec3 normal;                  // unit, from a to b
         double radii;                 // the distance at which they touch: their sum, or less if they overlap
         double overlap;               // metres: how much of that this substep removes
@@ -137,6 +138,7 @@ private:
         Items pairs, contacts;
         uint32_t deep;     // pairs, or contacts, that overlap deeply
         bool overlapping;  // whether any contact has an overlap
+        bool sinking;      // whether one of two free particles has
     };
     /// The ranges of an island in the arrays.
     struct Range {
