@@ -68,10 +68,8 @@ struct Heap {
         return most;
     }
     bool all_inside() const {
-        constexpr float rounding = 0x1p-24f;
         for (const gphys_vec3& at : world.positions(body)) {
-            const float wide = std::max(std::fabs(at.x), std::fabs(at.z));
-            if (wide > 1 - radius + rounding || at.y < radius - rounding) return false;
+            if (std::max(std::fabs(at.x), std::fabs(at.z)) > 1 - radius || at.y < radius) return false;
         }
         return true;
     }
@@ -147,8 +145,10 @@ TEST_CASE("What a model presses against a wall gets no more than its speed") {
                     most = std::max(most, fastest(world, body));
                 }
                 INFO(count << " balls, overlap " << overlap << (round ? ", a ball presses" : ", a box presses"));
-                // One that is squeezed out between others goes up as fast as the model comes, at 45 degrees.
-                CHECK(most < (count == 3 ? std::sqrt(2.0f) : 1.2f) * speed);
+                // A box that presses three deeply squeezes one out between the others: it goes up as well, as fast as
+                // the box comes.
+                const bool squeezed_out = count == 3 && !round && overlap > 0.05f;
+                CHECK(most < (squeezed_out ? std::sqrt(2.0f) : 1.2f) * speed);
             }
         }
     }
