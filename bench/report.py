@@ -59,6 +59,11 @@ def number(value):
     return f"{value:,.0f}" if value >= 100 else f"{value:.3g}"
 
 
+def rough(value):
+    """An error, to two digits."""
+    return f"{value:,.0f}" if value >= 10 else f"{value:.2g}"
+
+
 def linked_from(page, text):
     """The text of docs/report.md for a page that may be in another folder: links to what only docs has lead there."""
     docs = pathlib.Path(__file__).resolve().parent.parent / "docs"
@@ -151,7 +156,7 @@ def tables(suites, solver=()):
 
 def solver_page(directory):
     def percent(text):
-        return "unstable" if text == "inf" else f"{100 * float(text):.2g} %" if text else ""
+        return "unstable" if text == "inf" else f"{rough(100 * float(text))} %" if text else ""
 
     measured = []
     for path in directory.glob("*/solver.csv"):

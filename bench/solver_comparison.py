@@ -9,7 +9,7 @@ import pathlib
 import re
 import sys
 
-from report import number, put_between, table
+from report import number, put_between, rough, table
 
 MARKS = ("<!-- comparison: written by ./bench.sh --report -->\n", "<!-- end of comparison -->\n")
 # What a row shows: its words, the case, and the settings of gamephys.
@@ -35,12 +35,12 @@ BULLET_RAIN = " Bullet's soft bodies without links cost {flying}, {landing} and 
 
 
 def percent(text):
-    return f"{number(100 * float(text))} %"
+    return f"{rough(100 * float(text))} %"
 
 
 def error(row):
     if row["position_error"]:
-        return f"{1000 * float(row['position_error']):.2g} mm"
+        return f"{rough(1000 * float(row['position_error']))} mm"
     return "unstable" if row["strain_max"] == "inf" else percent(row["strain_max"])
 
 
