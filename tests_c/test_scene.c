@@ -523,6 +523,33 @@ static void a_snapshot_brings_back_the_scene(void** state) {
 static const float tent_vertices[4][3] = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}};
 static const uint32_t tent_indices[6] = {0, 1, 2, 0, 2, 3};
 
+/* The removal of the last model of a mesh is undone with a library that has the mesh. */
+static void a_mesh_that_a_restore_does_not_find_comes_from_a_library(void** state) {
+    static uint32_t words[1024];
+    gphys_scene *scene = NULL, *library = NULL;
+    gphys_mesh* mesh = NULL;
+    gphys_model_id tent = 0, shelved = 0;
+    uint32_t total = 0, hash[2], other[2];
+    (void)state;
+    assert_int_equal(gphys_mesh_create(NULL, tent_vertices[0], 12, 4, tent_indices, 6, &mesh), GPHYS_OK);
+    assert_int_equal(gphys_scene_create(NULL, &scene), GPHYS_OK);
+    assert_int_equal(gphys_scene_create(NULL, &library), GPHYS_OK);
+    assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_MESH, mesh, NULL, NULL, &tent), GPHYS_OK);
+    assert_int_equal(gphys_scene_get_snapshot(scene, 0, words, 1024, &total), GPHYS_OK);
+    assert_int_equal(gphys_scene_get_hash(scene, hash), GPHYS_OK);
+    assert_int_equal(gphys_scene_remove(scene, tent), GPHYS_OK);
+    assert_int_equal(gphys_scene_restore(scene, NULL, words, total), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_non_null(strstr(gphys_last_error(), "nor used by a model of library, or of scene if that is NULL"));
+    assert_int_equal(gphys_scene_restore(scene, library, words, total), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_scene_add(library, GPHYS_SHAPE_MESH, mesh, NULL, NULL, &shelved), GPHYS_OK);
+    assert_int_equal(gphys_scene_restore(scene, library, words, total), GPHYS_OK);
+    assert_int_equal(gphys_scene_get_hash(scene, other), GPHYS_OK);
+    assert_memory_equal(hash, other, sizeof hash);
+    gphys_mesh_destroy(mesh);
+    gphys_scene_destroy(library);
+    gphys_scene_destroy(scene);
+}
+
 /* A scene that is restored has meshes of its own: handles of them serve like those that created the first ones. */
 static void the_mesh_of_a_model_is_had_back(void** state) {
     static uint32_t words[1024];
@@ -677,6 +704,7 @@ int main(void) {
         cmocka_unit_test(maintenance_makes_an_octree_as_good_as_new_while_the_scene_changes),
         cmocka_unit_test(the_tree_of_models_can_be_read),
         cmocka_unit_test(a_snapshot_brings_back_the_scene),
+        cmocka_unit_test(a_mesh_that_a_restore_does_not_find_comes_from_a_library),
         cmocka_unit_test(the_mesh_of_a_model_is_had_back),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

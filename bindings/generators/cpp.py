@@ -124,7 +124,8 @@ def with_list(api, struct, pointer, count):
 
 
 # What needs more than its declaration.
-SCENE_EXTRA = """    // A model's shape in its own coordinates; S is that shape's struct, else std::invalid_argument.
+SCENE_EXTRA = """    // A model's shape in its own coordinates; S is that shape's struct, else std::invalid_argument. An Error for a
+    // mesh, which Mesh(scene, model) gives.
     template <class S>
     S get_shape(gphys_model_id model) const {
         S shape{};

@@ -184,7 +184,7 @@ def typescript(api):
         out += [doc(c.function["doc"], "    ") + f"    {lower_camel(c.name)}({signature(c)}): {got(c)};"
                 for c in calls(api) if c.owner == h]
         if h == "gphys_scene":
-            out.append("    /** The shape of a model, in its own coordinates; not of a mesh. */\n    getShape(model: number): Shape;")
+            out.append("    /** The shape of a model, in its own coordinates; not of a mesh, which Mesh.fromScene gives. */\n    getShape(model: number): Shape;")
         out.append("}")
     out += [doc(c.function["doc"], "") + f"export function {lower_camel(c.name)}({signature(c)}): {got(c)};"
             for c in calls(api) if not c.owner]

@@ -82,7 +82,7 @@ func (o *Scene) Has(model ModelID) bool {
 	return check(r.status, r.message) == nil
 }
 
-// Shape is a model's shape in its own coordinates; ErrUnsupported for a mesh, which its owner has.
+// Shape is a model's shape in its own coordinates; ErrUnsupported for a mesh, which NewMeshFromScene gives.
 func (o *Scene) Shape(model ModelID) (Shape, error) {
 	info, err := o.Info(model)
 	if err != nil {

@@ -1285,7 +1285,7 @@ export class Scene {
      * diverge.
      * Cost: O(n), some 50 ns for each model. */
     getHash(): number[];
-    /** The shape of a model, in its own coordinates; not of a mesh. */
+    /** The shape of a model, in its own coordinates; not of a mesh, which Mesh.fromScene gives. */
     getShape(model: number): Shape;
 }
 /** Create a camera at the origin, with the projection and the viewport of its desc.

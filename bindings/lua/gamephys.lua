@@ -380,7 +380,7 @@ function gp.transform(shape, by)
     return moved
 end
 
---- The shape of a model in its own coordinates; those of meshes are an error.
+--- The shape of a model in its own coordinates; an error for a mesh, which gp.Mesh_from_scene gives.
 function runtime.classes.scene:get_shape(model)
     local kind, of = self:get_info(model).type, elements.gphys_frustum
     for _, shape in ipairs(elements.shapes) do

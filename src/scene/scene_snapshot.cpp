@@ -313,7 +313,9 @@ const char* Scene::find_meshes(const Vector<UsedMesh>& wanted, const uint32_t* e
             continue;
         }
         const Mesh* mesh = by_contents.find(used);
-        if (!mesh) return "words: a mesh is neither embedded nor used by a model of this scene";
+        if (!mesh) {
+            return "words: a mesh is neither embedded nor used by a model of library, or of scene if that is NULL";
+        }
         mesh->retain();
         found.take(mesh);
     }

@@ -1172,7 +1172,8 @@ public:
         return out_hash;
     }
 
-    // A model's shape in its own coordinates; S is that shape's struct, else std::invalid_argument.
+    // A model's shape in its own coordinates; S is that shape's struct, else std::invalid_argument. An Error for a
+    // mesh, which Mesh(scene, model) gives.
     template <class S>
     S get_shape(gphys_model_id model) const {
         S shape{};

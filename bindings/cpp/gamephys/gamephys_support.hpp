@@ -18,6 +18,7 @@
 #include <new>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -76,16 +77,19 @@ struct Span {
     uint32_t stride = sizeof(T);  // bytes
     Span() = default;
     Span(std::nullptr_t) {}
-    Span(T* first, size_t count, uint32_t step = sizeof(T)) : data(first), size(narrow(count)), stride(step) {}
+    Span(T* first, size_t count, uint32_t step = sizeof(T))
+        : data(first), size(narrow(count)), stride(step), given(first || count == 0) {}
     template <class C, class = ElementsOf<std::remove_reference_t<C>, T>>
     Span(C&& container) : Span(container.data(), container.size()) {}
     template <size_t N>
     Span(T (&array)[N]) : Span(array, N) {}
     template <class One, class = std::enable_if_t<std::is_class_v<One> && std::is_same_v<const One, T>>>
     Span(const One& element) : Span(&element, 1, 0) {}
-    uint32_t sizes() const { return data && stride ? size : ANY_SIZE; }
+    uint32_t sizes() const { return given && stride ? size : ANY_SIZE; }
 
 private:
+    bool given = false;  // containers without elements have no data either, but are not left out
+
     static uint32_t narrow(size_t count) {
         if (count >= ANY_SIZE) throw std::length_error("more elements than a call takes");
         return static_cast<uint32_t>(count);
@@ -96,7 +100,10 @@ inline uint32_t common_size(std::initializer_list<uint32_t> sizes) {
     uint32_t common = ANY_SIZE;
     for (uint32_t size : sizes) {
         if (size == ANY_SIZE) continue;
-        if (common != ANY_SIZE && common != size) throw std::invalid_argument("arrays of different lengths");
+        if (common != ANY_SIZE && common != size) {
+            throw std::invalid_argument("arrays of different lengths: " + std::to_string(common) + " and " +
+                                        std::to_string(size));
+        }
         common = size;
     }
     if (common == ANY_SIZE) throw std::invalid_argument("no array says how many there are");

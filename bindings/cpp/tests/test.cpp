@@ -123,6 +123,30 @@ TEST_CASE("meshes") {
     CHECK((distances[0].t == hits[0].t && distances[0].triangle == hits[0].triangle && distances[1].t == INF));
 }
 
+TEST_CASE("an array without elements is not one that is left out") {
+    Scene scene;
+    const std::vector<Ray> no_rays;
+    const std::vector<Transform> no_places;
+    std::vector<Hit> no_hits;
+    std::vector<gphys_model_id> models;
+    scene.raycast_batch(no_rays, GPHYS_ALL_LAYERS, no_hits);
+    scene.set_transforms(models, no_places);
+    scene.add_batch(std::vector<Sphere>{}, no_places, nullptr, models);
+    CHECK(scene.overlap_batch(std::vector<Sphere>{}, GPHYS_ALL_LAYERS).values.empty());
+    CHECK(scene.cull_batch(std::vector<Frustum>{}, GPHYS_ALL_LAYERS).values.empty());
+    models.resize(3);
+    try {
+        scene.add_batch(std::vector<Sphere>(3, ball), no_places, nullptr, models);
+        FAIL("arrays of different lengths");
+    } catch (const std::invalid_argument& error) {
+        CHECK(std::string(error.what()) == "arrays of different lengths: 3 and 0");
+    }
+    CHECK(scene.get_models().empty());
+    scene.add_batch(std::vector<Sphere>(3, ball), {}, nullptr, models);
+    scene.add_batch(std::vector<Sphere>(3, ball), nullptr, nullptr, models);
+    CHECK(scene.get_models().size() == 6);
+}
+
 TEST_CASE("models with descs of their own") {
     Scene scene;
     const std::vector<Sphere> three(3, ball);

@@ -112,7 +112,7 @@ public sealed partial class Scene {
     /// <summary>Whether the id names a model of this scene.</summary>
     public bool Has(uint model) { return Low.gphys_scene_has(Handle, model) == Status.Ok; }
 
-    /// <summary>A model's shape in its own coordinates; not that of a mesh, which its owner has.</summary>
+    /// <summary>A model's shape in its own coordinates; not that of a mesh, which new Mesh(scene, model) gives.</summary>
     public unsafe Shape GetShape(uint model) {
         var shape = new Shape { Type = GetInfo(model).Type };
         Support.Check(Low.gphys_scene_get_shape(Handle, model, &shape.Data, (uint)sizeof(AnyShape)));

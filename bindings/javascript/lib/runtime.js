@@ -334,7 +334,7 @@ export function runtime(memory) {
 
     function more(Scene, MeshClass) {
         Mesh = MeshClass;
-        /** The shape of a model, in its own coordinates; that of a mesh is the mesh that was given. */
+        /** The shape of a model, in its own coordinates; an error for a mesh, which Mesh.fromScene gives. */
         Scene.prototype.getShape = function (model) {
             const kind = kindOf(this.getInfo(model).type);
             check(native.gphys_scene_get_shape(this.pointer, model, base, types[kind]?.size ?? 0));

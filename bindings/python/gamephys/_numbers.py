@@ -20,9 +20,16 @@ def _in_range(given: Any, name: str, least: int, most: int) -> int:
     return number
 
 
-def whole(given: Any, name: str) -> int:
-    """An id, an index or a number of something."""
+def unsigned(given: Any, name: str) -> int:
+    """A field of a struct, which may stand for yes or no."""
     return _in_range(given, name, 0, 2**32 - 1)
+
+
+def whole(given: Any, name: str) -> int:
+    """An id, an index or a number of something: not yes or no, as in set_pinned(body, False)."""
+    if isinstance(given, bool):
+        raise TypeError(f"{name}: expected a whole number, got bool")
+    return unsigned(given, name)
 
 
 def mask(given: Any, name: str) -> int:

@@ -93,7 +93,7 @@ class Models(Collection):
     _list = ("gphys_scene_get_models", "models")
 
     def get_shape(self, model: int) -> Any:
-        """The shape of a model in its own coordinates. Those of meshes are not known: Error."""
+        """The shape of a model in its own coordinates. That of a mesh is an Error: Mesh.from_scene gives it."""
         from . import _low
 
         kinds = {number: kind for kind, number in shape_types.items()}
@@ -290,10 +290,13 @@ def shapes_of(shapes: Any) -> tuple[int, Argument]:
 
 def common_length(*arguments: Argument) -> int:
     """The number of elements of a batch. What stands for all of them has no length."""
-    lengths = {argument.length for argument in arguments if argument.length is not None}
-    if len(lengths) != 1:
-        raise ValueError("arrays of different lengths" if lengths else "no array says how many there are")
-    return lengths.pop()
+    lengths = [argument.length for argument in arguments if argument.length is not None]
+    if not lengths:
+        raise ValueError("no array says how many there are")
+    for length in lengths:
+        if length != lengths[0]:
+            raise ValueError(f"arrays of different lengths: {lengths[0]} and {length}")
+    return lengths[0]
 
 
 # --- results --------------------------------------------------------------------------------

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._library import check
-from ._numbers import flag, mask, number, numbers_as, value, whole
+from ._numbers import flag, mask, number, numbers_as, unsigned, value
 
 V = TypeVar("V")
 # What writing a struct's numbers at once raises if they are none, or not so many.
@@ -184,7 +184,7 @@ else:
 
 
 _MASKS = ("layers", "body_layers", "flags", "cloth_flags")
-_CHECKS: dict[Any, Callable[..., Any]] = {ctypes.c_uint32: whole, ctypes.c_int32: flag}
+_CHECKS: dict[Any, Callable[..., Any]] = {ctypes.c_uint32: unsigned, ctypes.c_int32: flag}
 
 
 def struct(kind: type[V]) -> type[V]:

@@ -126,7 +126,7 @@ class Functions(unittest.TestCase):
         self.assertEqual(read_back(scene.add_described_batch([BALL] * 2)), [(0, 1, 0)] * 2)
         self.assertEqual(len(scene.add_described_batch(BALL, descs=gp.ModelDesc.array(0))), 0)
         count = len(scene.get_models())
-        with self.assertRaisesRegex(ValueError, "different lengths"):
+        with self.assertRaisesRegex(ValueError, "different lengths: 2 and 3"):
             scene.add_described_batch([BALL] * 2, descs=some)
         with self.assertRaises(gp.InvalidId):
             scene.add_described_batch([BALL] * 3, descs=gp.ModelDesc.array(3, parent=12345))

@@ -359,6 +359,16 @@ class Objects(unittest.TestCase):
         with self.assertRaises(ValueError):
             solver.get_positions(rope, 4)
 
+    def test_yes_and_no_are_no_numbers_of_particles(self):
+        scene, solver = gp.Scene(), gp.Solver()
+        rope = solver.add_rope([(0, 0, 0), (0, 1, 0), (0, 2, 0)], 0, gp.BodyDesc(self_collision=True))
+        for wrong in (lambda: solver.set_pinned(rope, False), lambda: solver.get_positions(rope, True),
+                      lambda: scene.has(True), lambda: solver.get_stats(False)):
+            with self.assertRaisesRegex(TypeError, "expected a whole number, got bool"):
+                wrong()
+        self.assertEqual(solver.get_pinned(rope).tolist(), [0, 0, 0])
+        self.assertEqual(solver.get_body_settings(rope).self_collision, 1)  # a field may be one
+
     def test_a_scene_that_is_closed_while_others_ask_stays_until_they_are_done(self):
         rays = random_rays(20000)
         for _ in range(5):

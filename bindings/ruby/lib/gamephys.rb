@@ -65,7 +65,7 @@ module Gamephys
     SHAPES = [Sphere, Capsule, Aabb, Obb, Plane, Triangle, Frustum].to_h { |kind| [kind::KIND, kind] }.freeze
     private_constant :SHAPES
 
-    # The shape of a model in its own coordinates; those of meshes are an error.
+    # The shape of a model in its own coordinates; an error for a mesh, which Mesh.from_scene gives.
     def get_shape(model)
       kind = SHAPES.fetch(get_info(model).type, Frustum)
       shape = kind.room

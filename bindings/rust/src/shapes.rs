@@ -131,7 +131,7 @@ impl Scene {
         unsafe { sys::gphys_scene_has(self.handle.as_ptr(), model) == Status::OK }
     }
 
-    /// A model's shape in its own coordinates; an error for a mesh, which its owner has.
+    /// A model's shape in its own coordinates; an error for a mesh, which [`Mesh::from_scene`] gives.
     pub fn get_shape(&self, model: ModelId) -> Result<AnyShape> {
         let kind = self.get_info(model)?.type_;
         AnyShape::read(kind, |out, size| {

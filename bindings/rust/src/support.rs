@@ -299,8 +299,8 @@ impl<'a, T, const N: usize> From<&'a mut [T; N]> for BatchMut<'a, T> {
 pub(crate) fn common_length(lengths: &[Option<usize>]) -> Result<u32> {
     let mut known = lengths.iter().flatten();
     let length = *known.next().ok_or_else(|| Error::argument("no array says how many elements there are"))?;
-    if known.any(|other| *other != length) {
-        return Err(Error::argument("arrays of different lengths"));
+    if let Some(other) = known.find(|other| **other != length) {
+        return Err(Error::argument(&format!("arrays of different lengths: {length} and {other}")));
     }
     u32::try_from(length).map_err(|_| Error::argument("more elements than a call takes"))
 }

@@ -327,9 +327,10 @@ fn lengths_must_agree() {
     let rays = some_rays();
     let error = scene.raycast_batch(&rays, ALL_LAYERS, &mut [Hit::default(); 3]).unwrap_err();
     assert_eq!((error.status, error.to_string().contains("200")), (Status::ERROR_INVALID_ARGUMENT, true));
-    assert!(scene
+    let error = scene
         .sweep_sphere_batch(&[Sphere::default(); 2], &[[0.0; 3]; 3], ALL_LAYERS, &mut [Hit::default(); 2])
-        .is_err());
+        .unwrap_err();
+    assert_eq!(error.to_string(), "arrays of different lengths: 2 and 3");
     assert!(scene.raycast_batch(Batch::one(&rays[0]), ALL_LAYERS, &mut [Hit::default()]).is_err());
     assert!(scene.get_transforms(&models, &mut [Transform::default(); 2]).is_err());
     scene.raycast_batch(&[], ALL_LAYERS, &mut []).unwrap();

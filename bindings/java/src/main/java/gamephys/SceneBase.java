@@ -9,7 +9,7 @@ public abstract sealed class SceneBase extends Owned permits Scene {
         super(pointer, destroy);
     }
 
-    /** The shape of a model in its own coordinates; those of meshes are an exception. */
+    /** The shape of a model in its own coordinates; an exception for a mesh, which new Mesh(scene, model) gives. */
     public Shape getShape(int model) {
         Scratch scratch = Scratch.get();
         Layout<? extends Shape> layout = Shapes.layoutOf(((Scene) this).getInfo(model).type());
