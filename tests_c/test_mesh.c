@@ -67,8 +67,10 @@ static void test_check_finds_what_create_refuses(void** state) {
     assert_int_equal(report.out_of_range_count, 1);
     assert_int_equal(report.first_out_of_range, 3);
     assert_int_equal(gphys_mesh_create(NULL, vertices, 12, 8, indices, 36, &mesh), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_string_equal(gphys_last_error(), "gphys_mesh_create: indices[10] 8 is not below vertex_count");
     indices[10] = 0xffffffffu;
     assert_int_equal(gphys_mesh_create(NULL, vertices, 12, 8, indices, 36, &mesh), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_string_equal(gphys_last_error(), "gphys_mesh_create: indices[10] 4294967295 is not below vertex_count");
     indices[10] = cube_indices[10];
 
     {
@@ -219,6 +221,7 @@ static void test_batches_of_rays(void** state) {
     assert_int_equal(gphys_mesh_raycast_any_batch(mesh, rays, 0, 1, NULL, 4), GPHYS_ERROR_INVALID_ARGUMENT);
     assert_int_equal(gphys_mesh_raycast_any_batch(mesh, rays, 0, 1, any, 2), GPHYS_ERROR_INVALID_ARGUMENT);
     assert_int_equal(gphys_mesh_raycast_any_batch(mesh, rays, 28, 2, any, 4), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_non_null(strstr(gphys_last_error(), ": rays[1].t_max nan is not "));
     assert_int_equal(gphys_mesh_raycast_distance_batch(NULL, rays, 0, 1, distances, 12), GPHYS_ERROR_INVALID_ARGUMENT);
     assert_int_equal(gphys_mesh_raycast_distance_batch(mesh, NULL, 0, 1, distances, 12), GPHYS_ERROR_INVALID_ARGUMENT);
     assert_int_equal(gphys_mesh_raycast_distance_batch(mesh, rays, 30, 1, distances, 12), GPHYS_ERROR_INVALID_ARGUMENT);

@@ -205,6 +205,42 @@ static void batches_mark_what_was_missed(void** state) {
     gphys_scene_destroy(scene);
 }
 
+/* Boxes against a triangle 1e-17 m below them, which sums with their coordinates round away. */
+static void a_mesh_without_a_place_overlaps_as_it_does_alone(void** state) {
+    static const float below[3][3] = {{-1, -1e-17f, -1}, {1, -1e-17f, -1}, {0, -1e-17f, 2}};
+    static const uint32_t corners[3] = {0, 1, 2};
+    const gphys_aabb boxes[3] = {{{-0.5f, 0, -0.5f}, {0.5f, 0.5f, 0.5f}},
+                                 {{-0.5f, -1e-17f, -0.5f}, {0.5f, 0.5f, 0.5f}},
+                                 {{-0.5f, -1, -0.5f}, {0.5f, 0, 0.5f}}};
+    const int32_t expected[3] = {0, 1, 1};
+    gphys_scene* scene = NULL;
+    gphys_mesh* mesh = NULL;
+    gphys_model_id model = 0, found[3];
+    gphys_penetration way;
+    uint32_t offsets[4], total = 7, i;
+    int32_t alone[3];
+    (void)state;
+    assert_int_equal(gphys_scene_create(NULL, &scene), GPHYS_OK);
+    assert_int_equal(gphys_mesh_create(NULL, below[0], 12, 3, corners, 3, &mesh), GPHYS_OK);
+    assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_MESH, mesh, NULL, NULL, &model), GPHYS_OK);
+    assert_int_equal(gphys_shape_overlaps_batch(GPHYS_SHAPE_MESH, mesh, 0, GPHYS_SHAPE_AABB, boxes, sizeof *boxes, 3,
+                                                alone, sizeof *alone),
+                     GPHYS_OK);
+    assert_int_equal(gphys_scene_overlap_batch(scene, GPHYS_SHAPE_AABB, boxes, sizeof *boxes, 3, GPHYS_ALL_LAYERS,
+                                               found, 3, offsets),
+                     GPHYS_OK);
+    for (i = 0; i < 3; ++i) {
+        assert_int_equal(alone[i], expected[i]);
+        assert_int_equal(offsets[i + 1] - offsets[i], expected[i]);
+        assert_int_equal(gphys_scene_overlap(scene, GPHYS_SHAPE_AABB, &boxes[i], 1, found, 3, &total), GPHYS_OK);
+        assert_int_equal(total, expected[i]);
+        assert_int_equal(gphys_scene_penetration(scene, GPHYS_SHAPE_AABB, &boxes[i], 1, &way, 1, &total), GPHYS_OK);
+        assert_int_equal(total, expected[i]);
+    }
+    gphys_mesh_destroy(mesh);
+    gphys_scene_destroy(scene);
+}
+
 static void bad_input_is_refused_and_outputs_stay(void** state) {
     const gphys_ray ray = {{0, 0, 0}, {1, 0, 0}, INFINITY};
     const gphys_ray bad_rays[5] = {{{NAN, 0, 0}, {1, 0, 0}, 1},
@@ -333,6 +369,7 @@ int main(void) {
         cmocka_unit_test(lists_are_cut_where_they_say),
         cmocka_unit_test(culls_of_a_batch_are_those_of_single_calls),
         cmocka_unit_test(batches_mark_what_was_missed),
+        cmocka_unit_test(a_mesh_without_a_place_overlaps_as_it_does_alone),
         cmocka_unit_test(bad_input_is_refused_and_outputs_stay),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

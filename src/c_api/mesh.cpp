@@ -22,11 +22,20 @@ gphys_status check_arrays(const MeshArrays& arrays) {
     return GPHYS_OK;
 }
 
+gphys_status check_indices(const MeshArrays& arrays, uint32_t triangle) {
+    for (uint32_t i = 3 * triangle; i < 3 * triangle + 3; ++i) {
+        if (arrays.indices[i] < arrays.vertex_count) continue;
+        const double index = arrays.indices[i];
+        return fail(GPHYS_ERROR_INVALID_ARGUMENT, "indices", i, Defect{"", 0, index, "below vertex_count"});
+    }
+    return GPHYS_OK;
+}
+
 gphys_status check_rays(const gphys_ray* rays, uint32_t ray_stride, uint32_t count) {
     GPHYS_REQUIRE(rays || count == 0, "rays is null");
     GPHYS_TRY(check_stride("ray_stride", ray_stride, sizeof *rays));
     const Strided<gphys_ray> each(rays, ray_stride);
-    for (uint32_t i = 0; i < count; ++i) GPHYS_REQUIRE_VALID(each[i]);
+    for (uint32_t i = 0; i < count; ++i) GPHYS_TRY(check_element("rays", i, each[i]));
     return GPHYS_OK;
 }
 
@@ -73,6 +82,7 @@ gphys_status gphys_mesh_create(const gphys_mesh_desc* desc, const float* vertice
             GPHYS_TRY(check_element("vertices", report.first_bad_vertex, arrays.vertex(report.first_bad_vertex)));
         }
         GPHYS_REQUIRE(report.bad_vertex_count == 0, "vertices: a vertex is out of range (see gphys_mesh_check)");
+        if (report.out_of_range_count > 0) GPHYS_TRY(check_indices(arrays, report.first_out_of_range));
         GPHYS_REQUIRE(report.out_of_range_count == 0,
                       "indices: an index is not below vertex_count (see gphys_mesh_check)");
         *out_mesh = wrap(create<Mesh>(settings.allocator, arrays, report, chosen_isa(), settings.deformable != 0));

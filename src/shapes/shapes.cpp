@@ -271,6 +271,12 @@ struct Backward {
     }
 };
 
+bool is_identity(const Transform& t) {
+    const Mat3 none;
+    return t.position == Vec3{} && t.scale == 1 && t.rotation.x == none.x && t.rotation.y == none.y &&
+           t.rotation.z == none.z;
+}
+
 template <class Map>
 Sphere moved(const Sphere& sphere, const Map& map) {
     return {map.point(sphere.center), map.size(sphere.radius)};
@@ -332,6 +338,7 @@ Triangle transformed(const Triangle& triangle, const Transform& t) { return move
 Frustum transformed(const Frustum& frustum, const Transform& t) { return moved(frustum, Forward{t}); }
 
 Shape inverse_transformed(const Shape& shape, const Transform& t) {
+    if (is_identity(t)) return shape;  // an Aabb keeps its exact tests
     return std::visit([&](const auto& s) { return Shape(moved(s, Backward{t})); }, shape);
 }
 
