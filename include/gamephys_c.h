@@ -1707,8 +1707,8 @@ GPHYS_API gphys_status gphys_camera_set_pick_start(gphys_camera* camera, gphys_p
  *                   gphys_camera_set_orthographic (or those with a width of their own), or gphys_camera_set_projection
  *  @param out_size  the vertical field of view in radians of a perspective, the height in metres of an orthographic
  *                   projection, 0 of a matrix
- *  @param out_near  metres; 0 of a matrix
- *  @param out_far   metres; INFINITY without a far plane; 0 of a matrix
+ *  @param out_near  the distance of the near plane, metres; 0 of a matrix
+ *  @param out_far   that of the far plane; INFINITY without one; 0 of a matrix
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_get_projection(const gphys_camera* camera, gphys_projection* out_kind,
                                                    float* out_size, float* out_near, float* out_far);
