@@ -2389,7 +2389,8 @@ func (o *Camera) SetPickStart(start PickStart) (err error) {
 // Result: what of the following was called last: Camera.SetPerspective, as at creation,
 // Camera.SetOrthographic (or those with a width of their own), or Camera.SetProjection. the vertical
 // field of view in radians of a perspective, the height in metres of an orthographic projection, 0 of
-// a matrix. metres; 0 of a matrix. metres; INFINITY without a far plane; 0 of a matrix.
+// a matrix. the distance of the near plane, metres; 0 of a matrix. that of the far plane; INFINITY
+// without one; 0 of a matrix.
 // Cost: O(1).
 func (o *Camera) Projection() (kind Projection, size float32, near float32, far float32, err error) {
 	self, err := o.open()

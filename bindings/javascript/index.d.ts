@@ -1364,8 +1364,8 @@ export class Camera {
      * @returns what of the following was called last: Camera.setPerspective, as at creation,
      *     Camera.setOrthographic (or those with a width of their own), or Camera.setProjection. the
      *     vertical field of view in radians of a perspective, the height in metres of an orthographic
-     *     projection, 0 of a matrix. metres; 0 of a matrix. metres; INFINITY without a far plane; 0 of a
-     *     matrix. */
+     *     projection, 0 of a matrix. the distance of the near plane, metres; 0 of a matrix. that of the
+     *     far plane; INFINITY without one; 0 of a matrix. */
     getProjection(): [number, number, number, number];
     /** The size of the viewport, in pixels, as it was set. Its width over its height is the aspect of the
      * image.

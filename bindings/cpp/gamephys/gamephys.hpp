@@ -1292,8 +1292,8 @@ public:
     // Result: what of the following was called last: Camera::set_perspective, as at creation,
     // Camera::set_orthographic (or those with a width of their own), or Camera::set_projection. the
     // vertical field of view in radians of a perspective, the height in metres of an orthographic
-    // projection, 0 of a matrix. metres; 0 of a matrix. metres; INFINITY without a far plane; 0 of a
-    // matrix.
+    // projection, 0 of a matrix. the distance of the near plane, metres; 0 of a matrix. that of the far
+    // plane; INFINITY without one; 0 of a matrix.
     // Cost: O(1).
     std::tuple<gphys_projection, float, float, float> get_projection() const {
         gphys_projection out_kind{};

@@ -1675,7 +1675,8 @@ public sealed partial class Camera : IDisposable {
     /// <returns>what of the following was called last: Camera.SetPerspective, as at creation,
     /// Camera.SetOrthographic (or those with a width of their own), or Camera.SetProjection. the vertical
     /// field of view in radians of a perspective, the height in metres of an orthographic projection, 0 of
-    /// a matrix. metres; 0 of a matrix. metres; INFINITY without a far plane; 0 of a matrix.</returns>
+    /// a matrix. the distance of the near plane, metres; 0 of a matrix. that of the far plane; INFINITY
+    /// without one; 0 of a matrix.</returns>
     public unsafe (Projection Kind, float Size, float Near, float Far) GetProjection() {
         var kind = default(Projection);
         var size = default(float);

@@ -1314,8 +1314,8 @@ do
     --- @return what of the following was called last: Camera:set_perspective, as at creation,
     ---     Camera:set_orthographic (or those with a width of their own), or Camera:set_projection. the
     ---     vertical field of view in radians of a perspective, the height in metres of an orthographic
-    ---     projection, 0 of a matrix. metres; 0 of a matrix. metres; INFINITY without a far plane; 0 of a
-    ---     matrix.
+    ---     projection, 0 of a matrix. the distance of the near plane, metres; 0 of a matrix. that of the
+    ---     far plane; INFINITY without one; 0 of a matrix.
     function Camera:get_projection()
         check(C.gphys_camera_get_projection(opened(self), out_kind, out_size, out_near, out_far))
         return out_kind[0], out_size[0], out_near[0], out_far[0]

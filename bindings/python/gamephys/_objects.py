@@ -1548,8 +1548,8 @@ class Camera(Object):
             what of the following was called last: Camera.set_perspective, as at creation,
                 Camera.set_orthographic (or those with a width of their own), or Camera.set_projection.
                 the vertical field of view in radians of a perspective, the height in metres of an
-                orthographic projection, 0 of a matrix. metres; 0 of a matrix. metres; INFINITY without
-                a far plane; 0 of a matrix."""
+                orthographic projection, 0 of a matrix. the distance of the near plane, metres; 0 of a
+                matrix. that of the far plane; INFINITY without one; 0 of a matrix."""
         out_kind = ctypes.c_int32()
         out_size = ctypes.c_float()
         out_near = ctypes.c_float()

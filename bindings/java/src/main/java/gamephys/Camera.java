@@ -228,8 +228,8 @@ public final class Camera extends Owned {
      * @return what of the following was called last: Camera.setPerspective, as at creation,
      *     Camera.setOrthographic (or those with a width of their own), or Camera.setProjection. the
      *     vertical field of view in radians of a perspective, the height in metres of an orthographic
-     *     projection, 0 of a matrix. metres; 0 of a matrix. metres; INFINITY without a far plane; 0 of a
-     *     matrix.
+     *     projection, 0 of a matrix. the distance of the near plane, metres; 0 of a matrix. that of the
+     *     far plane; INFINITY without one; 0 of a matrix.
      */
     public ProjectionResult getProjection() {
         Scratch scratch = Scratch.get();
