@@ -75,7 +75,8 @@ def prepared(api, call):
             width = f", {p['width']}" if "width" in p else ""
             lines.append(f"local {n}, {n}_count, {n}_stride = to_array({lua_type(api, element(p))}, {n}{width})")
     if any(p["role"] == "count" and p["name"] == "count" for p in call.inputs):
-        lines += ["first = first or 0", "count = count or math.max(0, self:get_body_info(body).particle_count - first)"]
+        lines += ["if first == nil then first = 0 end",
+                  "if count == nil then count = math.max(0, self:get_body_info(body).particle_count - whole(first, 'first')) end"]
         lines += ["if pinned == nil then pinned = true end"] if any(p["name"] == "pinned" for p in call.inputs) else []
     arrays = [p["name"] + "_count" for p in batch_arrays(call)]
     assert len(arrays) <= 3, "runtime.common takes three"

@@ -204,6 +204,7 @@ end
 function runtime.to_array(of, given, width)
     if given == nil then return nil, nil, 0 end
     if type(given) == 'table' then given = of.array(#given, given) end
+    if type(given) ~= 'cdata' then error('expected an array or a table, got a ' .. type(given), 3) end
     if ffi.istype(of.pointer, given) then error('a pointer does not say how many elements it has', 3) end
     if ffi.istype(of.new, given) then return given, nil, 0 end
     local bytes, size = ffi.sizeof(given), of.size * (width or 1)
@@ -214,8 +215,7 @@ end
 --- The same for shapes, with their kind before the number.
 function runtime.to_shapes(given)
     if type(given) == 'table' then
-        if not given[1] then error('a batch of no shapes', 3) end
-        local of = runtime.element(runtime.kind(given[1]) and given[1].struct)
+        local of = runtime.element(given[1] and runtime.kind(given[1]) and given[1].struct or 'gphys_sphere') -- none are of any kind
         given = of.array(#given, given)
     end
     if type(given) == 'cdata' and ffi.istype(elements.gphys_mesh.new, given) then

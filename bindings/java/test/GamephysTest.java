@@ -113,6 +113,13 @@ public class GamephysTest {
     }
 
     @Test
+    public void aBatchMayBeEmpty() {
+        Scene scene = new Scene();
+        assertEquals(0, scene.addBatch(Shapes.of(List.<Shape>of())).size());
+        assertEquals(0, scene.raycastBatch(Batch.copyOf(Ray.LAYOUT, List.<Ray>of())).size());
+    }
+
+    @Test
     public void frusta() {
         Camera camera = new Camera();
         Frustum frustum = camera.getFrustum();

@@ -1994,8 +1994,8 @@ end
 --- @param first the first particle
 --- @param count how many from there on; a range beyond the body is ERROR_INVALID_ARGUMENT
 function Solver:get_positions(body, first, count, out)
-    first = first or 0
-    count = count or math.max(0, self:get_body_info(body).particle_count - first)
+    if first == nil then first = 0 end
+    if count == nil then count = math.max(0, self:get_body_info(body).particle_count - whole(first, 'first')) end
     out = results(Vec3, out, count)
     check(C.gphys_solver_get_positions(opened(self), whole(body, 'body'), whole(first, 'first'), whole(count, 'count'), out, Vec3.size))
     return out
@@ -2019,8 +2019,8 @@ end
 --- @param count as in Solver:get_positions
 --- @return 0 of what is pinned and stands still.
 function Solver:get_velocities(body, first, count, out)
-    first = first or 0
-    count = count or math.max(0, self:get_body_info(body).particle_count - first)
+    if first == nil then first = 0 end
+    if count == nil then count = math.max(0, self:get_body_info(body).particle_count - whole(first, 'first')) end
     out = results(Vec3, out, count)
     check(C.gphys_solver_get_velocities(opened(self), whole(body, 'body'), whole(first, 'first'), whole(count, 'count'), out, Vec3.size))
     return out
@@ -2041,8 +2041,8 @@ end
 --- @param first as in Solver:get_positions
 --- @param count as in Solver:get_positions
 function Solver:get_masses(body, first, count, out)
-    first = first or 0
-    count = count or math.max(0, self:get_body_info(body).particle_count - first)
+    if first == nil then first = 0 end
+    if count == nil then count = math.max(0, self:get_body_info(body).particle_count - whole(first, 'first')) end
     out = results(float, out, count)
     check(C.gphys_solver_get_masses(opened(self), whole(body, 'body'), whole(first, 'first'), whole(count, 'count'), out, float.size))
     return out
@@ -2064,8 +2064,8 @@ end
 --- @param first as in Solver:get_positions
 --- @param count as in Solver:get_positions
 function Solver:get_radii(body, first, count, out)
-    first = first or 0
-    count = count or math.max(0, self:get_body_info(body).particle_count - first)
+    if first == nil then first = 0 end
+    if count == nil then count = math.max(0, self:get_body_info(body).particle_count - whole(first, 'first')) end
     out = results(float, out, count)
     check(C.gphys_solver_get_radii(opened(self), whole(body, 'body'), whole(first, 'first'), whole(count, 'count'), out, float.size))
     return out
@@ -2086,8 +2086,8 @@ end
 --- @param first as in Solver:get_positions
 --- @param count as in Solver:get_positions
 function Solver:get_friction_factors(body, first, count, out)
-    first = first or 0
-    count = count or math.max(0, self:get_body_info(body).particle_count - first)
+    if first == nil then first = 0 end
+    if count == nil then count = math.max(0, self:get_body_info(body).particle_count - whole(first, 'first')) end
     out = results(float, out, count)
     check(C.gphys_solver_get_friction_factors(opened(self), whole(body, 'body'), whole(first, 'first'), whole(count, 'count'), out, float.size))
     return out
@@ -2111,8 +2111,8 @@ end
 --- @param first as in Solver:get_positions
 --- @param count as in Solver:get_positions
 function Solver:get_forces(body, first, count, out)
-    first = first or 0
-    count = count or math.max(0, self:get_body_info(body).particle_count - first)
+    if first == nil then first = 0 end
+    if count == nil then count = math.max(0, self:get_body_info(body).particle_count - whole(first, 'first')) end
     out = results(Vec3, out, count)
     check(C.gphys_solver_get_forces(opened(self), whole(body, 'body'), whole(first, 'first'), whole(count, 'count'), out, Vec3.size))
     return out
@@ -2133,8 +2133,8 @@ end
 --- @param first as in Solver:get_positions
 --- @param count as in Solver:get_positions
 function Solver:get_pinned(body, first, count, out)
-    first = first or 0
-    count = count or math.max(0, self:get_body_info(body).particle_count - first)
+    if first == nil then first = 0 end
+    if count == nil then count = math.max(0, self:get_body_info(body).particle_count - whole(first, 'first')) end
     out = results(int32_t, out, count)
     check(C.gphys_solver_get_pinned(opened(self), whole(body, 'body'), whole(first, 'first'), whole(count, 'count'), out, int32_t.size))
     return out
@@ -2148,8 +2148,8 @@ end
 --- @param count as in Solver:get_positions
 --- @param pinned 1: pin; 0: release
 function Solver:set_pinned(body, first, count, pinned)
-    first = first or 0
-    count = count or math.max(0, self:get_body_info(body).particle_count - first)
+    if first == nil then first = 0 end
+    if count == nil then count = math.max(0, self:get_body_info(body).particle_count - whole(first, 'first')) end
     if pinned == nil then pinned = true end
     check(C.gphys_solver_set_pinned(opened(self), whole(body, 'body'), whole(first, 'first'), whole(count, 'count'), to_flag(pinned, 'pinned')))
 end
@@ -2196,8 +2196,8 @@ end
 --- @param first as in Solver:get_positions
 --- @param count as in Solver:get_positions
 function Solver:get_air_velocities(body, first, count, out)
-    first = first or 0
-    count = count or math.max(0, self:get_body_info(body).particle_count - first)
+    if first == nil then first = 0 end
+    if count == nil then count = math.max(0, self:get_body_info(body).particle_count - whole(first, 'first')) end
     out = results(Vec3, out, count)
     check(C.gphys_solver_get_air_velocities(opened(self), whole(body, 'body'), whole(first, 'first'), whole(count, 'count'), out, Vec3.size))
     return out
@@ -2235,8 +2235,8 @@ end
 --- @param first as in Solver:get_positions
 --- @param count as in Solver:get_positions
 function Solver:get_animation_targets(body, first, count, out)
-    first = first or 0
-    count = count or math.max(0, self:get_body_info(body).particle_count - first)
+    if first == nil then first = 0 end
+    if count == nil then count = math.max(0, self:get_body_info(body).particle_count - whole(first, 'first')) end
     out = results(AnimationTarget, out, count)
     check(C.gphys_solver_get_animation_targets(opened(self), whole(body, 'body'), whole(first, 'first'), whole(count, 'count'), out, AnimationTarget.size))
     return out

@@ -56,6 +56,9 @@ function tests.a_whole_body_is_read_and_pinned_by_default()
     local solver = gp.Solver()
     local rope = solver:add_rope { { 0, 0, 0 }, { 0, 1, 0 }, { 0, 2, 0 } }
     assert(gp.length(solver:get_positions(rope)) == 3 and gp.length(solver:get_positions(rope, 1)) == 2)
+    raises('first: expected a number', solver.set_pinned, solver, rope, false)
+    raises('count: expected a number', solver.set_pinned, solver, rope, 1, false)
+    assert(solver:get_pinned(rope)[0] == 0)
     solver:set_pinned(rope, 1)
     local pinned = solver:get_pinned(rope)
     assert(pinned[0] == 0 and pinned[1] == 1 and pinned[2] == 1)
@@ -219,6 +222,16 @@ function tests.batches_answer_as_single_calls_do()
     assert(met > 0 and met < count)
     local room = gp.array('hit', count)
     assert(scene:raycast_batch(rays, nil, room) == room and same(room, hits))
+end
+
+function tests.a_batch_may_be_empty_but_is_no_single_id()
+    local scene = gp.Scene()
+    local model = scene:add(ball)
+    assert(gp.length(scene:raycast_batch({})) == 0 and gp.length(scene:add_batch({})) == 0)
+    local _, offsets = scene:overlap_batch({})
+    assert(offsets[0] == 0)
+    scene:set_transforms({}, {})
+    raises('expected an array or a table, got a number', scene.get_world_transforms, scene, model)
 end
 
 function tests.filters_have_lists_of_models_and_batches_a_filter_for_each()

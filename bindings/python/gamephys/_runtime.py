@@ -210,6 +210,8 @@ def array_of(things: Any, dtype: Any, width: int = 1) -> Argument:
         number = base if base.names is None else np.dtype("<f4")
         array = numbers_as(number, array)
         row = size // 4
+        if row == 1 and array.ndim == 0:
+            raise TypeError(f"expected an array of numbers, or a list, got {array}")
         if row > 1 and (array.ndim < 2 or array.shape[-1] != row):
             raise ValueError(f"expected rows of {row} numbers, got the shape {array.shape}")
         if row > 1 and array.ndim > 2 or row == 1 and array.ndim > 1:

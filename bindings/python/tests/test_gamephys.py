@@ -359,6 +359,14 @@ class Objects(unittest.TestCase):
         with self.assertRaises(ValueError):
             solver.get_positions(rope, 4)
 
+    def test_one_id_is_no_list_of_ids(self):
+        scene = gp.Scene()
+        model = scene.add(gp.Sphere((0, 0, 0), 1))
+        for one in (model, np.uint32(model)):
+            with self.assertRaisesRegex(TypeError, f"expected an array of numbers, or a list, got {model}"):
+                scene.get_world_transforms(one)
+        self.assertEqual(len(scene.get_world_transforms([model])), 1)
+
     def test_yes_and_no_are_no_numbers_of_particles(self):
         scene, solver = gp.Scene(), gp.Solver()
         rope = solver.add_rope([(0, 0, 0), (0, 1, 0), (0, 2, 0)], 0, gp.BodyDesc(self_collision=True))

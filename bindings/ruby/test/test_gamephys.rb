@@ -88,6 +88,14 @@ class TestGamephys < Minitest::Test
     assert_equal first.triangle, Gamephys.raycast(mesh, down).triangle
   end
 
+  def test_a_batch_may_be_empty
+    scene = Scene.new
+    assert_equal [0, 0], [scene.raycast_batch([]).size, scene.add_batch([]).size]
+    values, offsets = scene.overlap_batch([])
+    assert_equal [0, [0]], [values.size, offsets.to_a]
+    assert_raises(TypeError) { scene.add_batch([3]) }
+  end
+
   def test_models
     scene = Scene.new(reserve_models: 4, worker_count: 2)
     model = scene.add(BALL, tag: 7)

@@ -216,8 +216,9 @@ module Gamephys
       when Mesh then Memory.new(Mesh, given.opened, nil, 0)
       when Records then array(given.kind, given)
       when Array
-        kind(given.first)
-        array(given.first.class, given)
+        of = given.empty? ? Sphere : given.first.class # no shapes are of any kind
+        kind(given.first) unless given.empty?
+        array(of, given)
       else
         kind(given)
         array(given.class, given)

@@ -31,13 +31,14 @@ public final class Shapes {
         return of(Batch.shared((Layout<Shape>) layoutOf(shape), shape));
     }
 
-    /** Copies of shapes of one kind. */
+    /** Copies of shapes of one kind; none are of any kind. */
     @SuppressWarnings("unchecked")
     public static Shapes of(List<? extends Shape> shapes) {
         for (Shape shape : shapes) {
             if (shape.getClass() != shapes.get(0).getClass()) throw new IllegalArgumentException("shapes of several kinds");
         }
-        return of(Batch.copyOf((Layout<Shape>) layoutOf(shapes.get(0)), shapes));
+        Layout<? extends Shape> layout = shapes.isEmpty() ? Sphere.LAYOUT : layoutOf(shapes.get(0));
+        return of(Batch.copyOf((Layout<Shape>) layout, shapes));
     }
 
     static Layout<? extends Shape> layoutOf(Shape shape) {
