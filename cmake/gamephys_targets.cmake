@@ -10,7 +10,8 @@ file(GLOB_RECURSE GAMEPHYS_KERNELS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*
 file(GLOB GAMEPHYS_INTERFACE CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/c_api/*.cpp)
 list(REMOVE_ITEM GAMEPHYS_SOURCES ${GAMEPHYS_KERNELS} ${GAMEPHYS_INTERFACE})
 # Those that no set but the wide ones uses.
-set(GAMEPHYS_WIDE_KERNELS ${PROJECT_SOURCE_DIR}/src/scene/hit_kernels.cpp)
+set(GAMEPHYS_WIDE_KERNELS ${PROJECT_SOURCE_DIR}/src/scene/box_kernels.cpp
+                          ${PROJECT_SOURCE_DIR}/src/scene/hit_kernels.cpp)
 list(REMOVE_ITEM GAMEPHYS_KERNELS ${GAMEPHYS_WIDE_KERNELS})
 include(${CMAKE_CURRENT_LIST_DIR}/gamephys_isas.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/gamephys_compiler.cmake)

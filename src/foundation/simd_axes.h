@@ -29,23 +29,36 @@ struct Axes {
 GPHYS_INLINE Axes axes_of(const Vec<double>& a) { return {a.x, a.y, a.z}; }
 GPHYS_INLINE Axes operator+(Axes a, Axes b) { return _mm256_add_pd(a.v, b.v); }
 GPHYS_INLINE Axes operator-(Axes a, Axes b) { return _mm256_sub_pd(a.v, b.v); }
+GPHYS_INLINE Axes operator-(Axes a) { return _mm256_xor_pd(_mm256_set1_pd(-0.0), a.v); }
 GPHYS_INLINE Axes operator*(Axes a, double s) { return _mm256_mul_pd(a.v, _mm256_set1_pd(s)); }
 GPHYS_INLINE Axes plus(Axes a, double s) { return _mm256_add_pd(a.v, _mm256_set1_pd(s)); }
+GPHYS_INLINE Axes minus(Axes a, double s) { return _mm256_sub_pd(a.v, _mm256_set1_pd(s)); }
+GPHYS_INLINE Axes by_component(Axes a, Axes b) { return _mm256_mul_pd(a.v, b.v); }
 GPHYS_INLINE Axes quotients(double s, Axes a) { return _mm256_div_pd(_mm256_set1_pd(s), a.v); }
+GPHYS_INLINE Axes quotients(Axes a, Axes b) { return _mm256_div_pd(a.v, b.v); }
 GPHYS_INLINE Axes abs(Axes a) { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v); }
 GPHYS_INLINE Axes with_signs(Axes a, Axes sign) {
     const __m256d mask = _mm256_set1_pd(-0.0);
     return _mm256_or_pd(_mm256_andnot_pd(mask, a.v), _mm256_and_pd(mask, sign.v));
 }
+GPHYS_INLINE Axes min(Axes a, Axes b) { return _mm256_min_pd(b.v, a.v); }
 GPHYS_INLINE Axes max(Axes a, Axes b) { return _mm256_max_pd(b.v, a.v); }
 GPHYS_INLINE Axes at_least(Axes a, double b) { return _mm256_max_pd(_mm256_set1_pd(b), a.v); }
 GPHYS_INLINE Axes select(bool mask, Axes a, Axes b) { return mask ? a : b; }
 GPHYS_INLINE Axes rounded_to_float(Axes a) { return _mm256_cvtps_pd(_mm256_cvtpd_ps(a.v)); }
+template <int a, int b, int c, int d>
+GPHYS_INLINE Axes permuted(Axes v) {
+    return _mm256_permute4x64_pd(v.v, a | b << 2 | c << 4 | d << 6);
+}
 GPHYS_INLINE __m256d greatest_of(Axes a) {
-    const __m256d halves = _mm256_max_pd(a.v, _mm256_permute4x64_pd(a.v, 0x4e));
-    return _mm256_max_pd(halves, _mm256_permute_pd(halves, 0x5));
+    const Axes halves = max(a, permuted<2, 3, 0, 1>(a));
+    return max(halves, _mm256_permute_pd(halves.v, 0x5)).v;
 }
 GPHYS_INLINE double max_component(Axes a) { return _mm256_cvtsd_f64(greatest_of(a)); }
+GPHYS_INLINE double min_component(Axes a) {
+    const Axes halves = min(a, permuted<2, 3, 0, 1>(a));
+    return _mm256_cvtsd_f64(min(halves, _mm256_permute_pd(halves.v, 0x5)).v);
+}
 
 /// Of the greatest component, the first of equal ones (math.h).
 GPHYS_INLINE int longest_axis(Axes a) {

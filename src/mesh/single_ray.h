@@ -1,6 +1,6 @@
 // A single ray against the triangles of a mesh, for kernels: prepared in registers, then traversed to the nearest or to
-// any crossing. Triangles that the float test does not reject get the exact test one by one: on average there is less
-// than one, for which eight lanes of doubles take longer with AVX2 and as long with AVX-512.
+// any crossing. Triangles that the float test does not reject get the exact test one by one (single_crossing.h): on
+// average there is less than one, for which eight lanes of doubles take longer with AVX2 and as long with AVX-512.
 #pragma once
 
 #include "bvh/ordered_traversal.h"
@@ -9,6 +9,7 @@
 #include "foundation/simd_axes.h"
 #include "geometry/shear.h"
 #include "mesh/mesh_kernels.h"
+#include "mesh/single_crossing.h"
 #include "mesh/triangle_setup.h"
 #include "mesh/triangle_test.h"
 
@@ -31,8 +32,10 @@ GPHYS_INLINE TriangleProbe probe_of_triangles(const SingleShear<Axes>& ray, cons
 /// The nearest crossing so far, among those on allowed sides.
 class CountedCrossings {
 public:
-    GPHYS_INLINE CountedCrossings(const Ray& ray, bool only_front, CrossesTriangleAlone exact, NearestCrossing& nearest)
+    GPHYS_INLINE CountedCrossings(const Ray& ray, const SingleCrossing& quick, bool only_front,
+                                  CrossesTriangleAlone exact, NearestCrossing& nearest)
         : ray_(ray),
+          quick_(quick),
           front_(only_front || ray.faces.front),
           back_(!only_front && ray.faces.back),
           edge_(!only_front && ray.faces.front),
@@ -44,7 +47,9 @@ public:
         for (; lanes != 0; lanes &= lanes - 1) {
             const auto i = static_cast<uint32_t>(lowest_bit(lanes));
             TriangleCrossing crossing;
-            if (!exact_(ray_, packet, i, crossing)) continue;
+            const TriState crosses = quick_(packet, i, crossing);
+            if (crosses == TriState::no) continue;
+            if (crosses == TriState::undecided && !exact_(ray_, packet, i, crossing)) continue;
             if (!(crossing.facing < 0 ? front_ : crossing.facing > 0 ? back_ : edge_)) continue;
             nearest_.take(crossing, reported(crossing.t), packet, i);
         }
@@ -52,6 +57,7 @@ public:
 
 private:
     const Ray& ray_;
+    const SingleCrossing& quick_;
     bool front_, back_, edge_;
     CrossesTriangleAlone exact_;
     NearestCrossing& nearest_;
@@ -70,8 +76,10 @@ void cast_ray(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets
     if (!(limit >= 0)) return;
     RayProbe probe;
     store_probe(along, probe);
-    const TriangleTest triangles(probe_of_triangles(SingleShear<Axes>(direction), along, box));
-    CountedCrossings crossings(ray, only_front, exact, nearest);
+    const SingleShear<Axes> shear(direction);
+    const TriangleTest triangles(probe_of_triangles(shear, along, box));
+    const SingleCrossing quick(shear, origin, ray.t_max);
+    CountedCrossings crossings(ray, quick, only_front, exact, nearest);
     traverse_ordered(
         nodes, root, SingleRayTest(probe), limit,
         [&](uint32_t number) GPHYS_INLINE_LAMBDA {

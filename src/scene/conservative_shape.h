@@ -12,18 +12,12 @@
 
 #include "foundation/compiler.h"
 #include "foundation/scaled_rotation.h"
+#include "foundation/tri_state.h"
 #include "geometry/box_bounds.h"
 #include "mesh/mesh.h"
 #include "scene/placed.h"
 
 namespace gphys {
-
-enum class TriState { no, yes, undecided };
-/// For a test of which only "no" is valid.
-constexpr TriState only_no(TriState result) { return result == TriState::no ? TriState::no : TriState::undecided; }
-
-/// Without a branch, which would be unpredictable.
-constexpr TriState tri_state(bool is_no, bool is_yes) { return static_cast<TriState>(is_yes | !(is_no | is_yes) << 1); }
 
 constexpr double slack = 0x1p-43;
 

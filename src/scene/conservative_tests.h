@@ -3,6 +3,8 @@
 // raycast_box.h, overlap_boxes.h), with margins for all roundings.
 #pragma once
 
+#include <optional>
+
 #include "foundation/compiler.h"
 #include "geometry/overlap_boxes.h"
 #include "geometry/raycast_box.h"
@@ -17,14 +19,14 @@ inline TriState at_most(double a, double b, double error) { return tri_state(a >
 /// Whether a ray hits a shape no later than at t_max.
 class ConservativeRay {
 public:
-    explicit ConservativeRay(const Ray& ray)
+    /// meets_boxes: false saves what only boxes need, of which none may be tested then.
+    explicit ConservativeRay(const Ray& ray, bool meets_boxes = true)
         : origin_(ray.origin),
           direction_(ray.direction),
           direction_squared_(ray.direction == Vec3{} ? 1 : length_squared(ray.direction)),
-          origin_magnitude_(sum(abs(ray.origin))),
-          direction_size_(std::max(max_component(abs(ray.direction)), least_speed)),
-          unit_direction_(narrow4(ray.direction * (1 / direction_size_))),
-          unit_direction_slack_(float_slack * sum(abs(unit_direction_))) {}
+          origin_magnitude_(sum(abs(ray.origin))) {
+        if (meets_boxes) for_boxes_.emplace(ray);
+    }
 
     template <class ConservativeShape>
     TriState operator()(const ConservativeShape& shape, double t_max) const {
@@ -39,8 +41,7 @@ public:
 private:
     template <bool also_yes>
     TriState verdict(const ConservativeSphere& sphere, double t_max) const {
-        const Vec3 closest =
-            closest_on_ray(origin_.exact - sphere.center, direction_, direction_squared_, clipped(t_max));
+        const Vec3 closest = closest_on_ray(origin_ - sphere.center, direction_, direction_squared_, clipped(t_max));
         const double magnitude = origin_magnitude_ + sphere.magnitude;
         const TriState result =
             at_most(length_squared(closest), sphere.radius * sphere.radius, slack * magnitude * magnitude);
@@ -50,10 +51,10 @@ private:
     /// In float32, with the three axes in one register.
     template <bool also_yes, class Stored>
     TriState verdict(const ConservativePlacedBox<Stored>& placed, double t_max) const {
-        const RelativeBox<Stored> box(placed, origin_, origin_magnitude_);
-        const Float4 end = splat4(static_cast<float>(std::min(t_max * direction_size_, most_end)));
-        const RayAndBox<Float4> both(box.from, box.half, box.margin, box.to_box_axes(unit_direction_),
-                                     unit_direction_slack_ * box.unit, end);
+        const RelativeBox<Stored> box(placed, for_boxes_->origin, origin_magnitude_);
+        const Float4 end = splat4(static_cast<float>(std::min(t_max * for_boxes_->direction_size, most_end)));
+        const RayAndBox<Float4> both(box.from, box.half, box.margin, box.to_box_axes(for_boxes_->unit_direction),
+                                     for_boxes_->unit_direction_slack * box.unit, end);
         if (!both.may_hit()) return TriState::no;
         return also_yes && both.must_hit() ? TriState::yes : TriState::undecided;
     }
@@ -61,7 +62,7 @@ private:
     /// Whether the side of the plane counts is left to the exact test.
     template <bool also_yes>
     TriState verdict(const ConservativePlane& plane, double t_max) const {
-        return may_hit(plane, {origin_.exact, direction_, t_max}) ? TriState::undecided : TriState::no;
+        return may_hit(plane, {origin_, direction_, t_max}) ? TriState::undecided : TriState::no;
     }
 
     /// mesh_instance.cpp tests the box of the mesh, with the ray in the mesh's space.
@@ -74,13 +75,23 @@ private:
     /// than this.
     static double clipped(double t_max) { return std::min(t_max, 0x1p600); }
 
-    SplitPoint origin_;
-    Vec3 direction_;
+    struct ForBoxes {
+        explicit ForBoxes(const Ray& ray)
+            : origin(ray.origin),
+              direction_size(std::max(max_component(abs(ray.direction)), least_speed)),
+              unit_direction(narrow4(ray.direction * (1 / direction_size))),
+              unit_direction_slack(float_slack * sum(abs(unit_direction))) {}
+
+        SplitPoint origin;
+        double direction_size;  // its largest component
+        Float4 unit_direction;  // divided by that
+        Float4 unit_direction_slack;
+    };
+
+    Vec3 origin_, direction_;
     double direction_squared_;  // above 0
     double origin_magnitude_;
-    double direction_size_;  // its largest component
-    Float4 unit_direction_;  // divided by that
-    Float4 unit_direction_slack_;
+    std::optional<ForBoxes> for_boxes_;
 };
 
 /// Whether a shape is within `reach` of a point.

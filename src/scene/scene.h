@@ -28,6 +28,7 @@
 #include "foundation/workers.h"
 #include "geometry/intersect.h"
 #include "scene/bounds_kernels.h"
+#include "scene/box_kernels.h"
 #include "scene/conservative_shape.h"
 #include "scene/hit_kernels.h"
 #include "scene/layer_blocks.h"
@@ -327,6 +328,8 @@ private:
     }
     template <class Stored>
     Stored stored(uint32_t slot) const;
+    /// The words after the first six: of an Obb its rotation.
+    const float* tail_of(uint32_t slot) const { return reinterpret_cast<const float*>(shape_tails_[slot].words); }
     /// Tests a model that has passed may_pass(): the conservative test of the stored shape, the filter, then, if
     /// undecided, the exact test of the shape in world space.
     template <class Filter, class Conservative, class Exact>
@@ -335,6 +338,13 @@ private:
     bool hits_unbounded(const Ray& ray, const Filter& filter) const;
     /// Of a plane. False is certain.
     bool may_hit_plane(uint32_t slot, const Ray& ray) const;
+    /// Whether box_kernels_ test the model, and the test.
+    bool has_box_kernel(uint32_t slot) const {
+        const gphys_shape_type type = models_[slot].type();
+        return box_kernels_ && (type == GPHYS_SHAPE_AABB || type == GPHYS_SHAPE_OBB);
+    }
+    TriState raycast_box(uint32_t slot, const Ray& ray, Hits8::Rounded& hit) const;
+    TriState meets_box(uint32_t slot, const Ray& ray) const;
     template <class Answers, class OnHit>
     uint32_t hits_by_kernels(const EightPairs& pairs, const Ray* rays, const OnHit& hit) const;
     void reserve_shapes(gphys_shape_type type, bool scaled, size_t size);
@@ -458,6 +468,7 @@ private:
     static constexpr uint32_t most_large_meshes = 4;
     uint32_t large_meshes_[most_large_meshes], large_mesh_count_ = 0;
     MeshFollower mesh_follower_{*this};
+    const BoxKernels* box_kernels_ = box_kernels(chosen_isa());  // null for narrow sets
 };
 
 template <class Visit>

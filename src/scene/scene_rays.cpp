@@ -1,6 +1,7 @@
 // Raycasts of the scene: a BVH traversal; for each candidate a conservative test, then the exact one if that is
-// undecided. Single rays use conservative_tests.h. Batches use kernels that test eight pairs of a ray and a model at a
-// time: on wide instruction sets hit_kernels.h, which gives the exact hit, else scene_kernels.h.
+// undecided. Single rays use conservative_tests.h, but for boxes on wide instruction sets box_kernels.h. Batches use
+// kernels that test eight pairs of a ray and a model at a time: on wide instruction sets hit_kernels.h, which gives the
+// exact hit, else scene_kernels.h.
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -31,6 +32,10 @@ template <class Primitive>
 bool is_hit(const Primitive& shape, const Ray& ray) {
     Hit hit;
     return cast(shape, ray, hit);
+}
+
+gphys_hit hit_of(const Hits8::Rounded& hit, uint32_t model, uint32_t tag) {
+    return {model, tag, hit.t, hit.point, hit.normal, GPHYS_NO_TRIANGLE, 0, 0, 0};
 }
 
 }  // namespace
@@ -69,9 +74,27 @@ public:
         }
     }
 
+    // Tests of models that may pass the filter. Not inlined is what few models need.
+
+    template <class Filter>
+    void test_box(const Filter& filter, uint32_t slot) {
+        Hits8::Rounded hit;
+        const TriState verdict = scene_->raycast_box(slot, *rest_, hit);
+        if (verdict == TriState::yes) {
+            accept_if_seen(filter, slot, hit.t, [&](uint32_t model, uint32_t tag) { return hit_of(hit, model, tag); });
+        } else if (verdict == TriState::undecided && scene_->passes(filter, slot)) {
+            test(slot);
+        }
+    }
+    template <class Filter>
+    GPHYS_NOINLINE void test_other(const Filter& filter, uint32_t slot, const ConservativeRay& conservative_ray) {
+        const auto conservative = [&](const auto& shape) { return conservative_ray.rejects(shape, rest_->t_max); };
+        scene_->decide(filter, slot, conservative, [&](const auto& shape) { return test(slot, shape); });
+    }
+
     // Tests of models that pass the filter. Each returns whether t_max was lowered.
 
-    bool test(uint32_t slot) {
+    GPHYS_NOINLINE bool test(uint32_t slot) {
         return scene_->with_shape(slot, [&](const auto& shape) { return test(slot, shape); });
     }
     template <class Placed>
@@ -119,18 +142,31 @@ private:
     Answer* out_;
 };
 
+TriState Scene::raycast_box(uint32_t slot, const Ray& ray, Hits8::Rounded& hit) const {
+    const Model& model = models_[slot];
+    const float* const words = &model.world.position.x;
+    if (model.type() == GPHYS_SHAPE_AABB) return box_kernels_->raycast_aabb(ray, words, hit);
+    return box_kernels_->raycast_obb(ray, words, tail_of(slot), hit);
+}
+TriState Scene::meets_box(uint32_t slot, const Ray& ray) const {
+    const Model& model = models_[slot];
+    const float* const words = &model.world.position.x;
+    if (model.type() == GPHYS_SHAPE_AABB) return box_kernels_->meets_aabb(ray, words);
+    return box_kernels_->meets_obb(ray, words, tail_of(slot));
+}
+
 template <class Filter>
 gphys_status Scene::raycast_by(const Ray& ray, const Filter& filter, gphys_hit& out) const {
     Ray rest = filtered(ray, filter);
     FirstHitOfRay<gphys_hit> first(*this, rest, filter, out);
     const auto make_visit = [&] {
-        return [&, conservative_ray = ConservativeRay(ray)](uint32_t slot, double& t_max) {
+        return [&, conservative_ray = ConservativeRay(ray, !box_kernels_)](uint32_t slot, double& t_max) {
             if (!may_pass(filter, slot)) return;
-            const auto conservative = [&](const auto& shape) { return conservative_ray.rejects(shape, rest.t_max); };
-            decide(filter, slot, conservative, [&](const auto& shape) {
-                first.test(slot, shape);
-                return true;
-            });
+            if (has_box_kernel(slot)) {
+                first.test_box(filter, slot);
+            } else {
+                first.test_other(filter, slot, conservative_ray);
+            }
             t_max = rest.t_max;
         };
     };
@@ -219,8 +255,7 @@ GPHYS_NOINLINE void raycast_any_of_mesh(const MeshInstance& mesh, const Ray* ray
 // One of eight hits as the answer of a ray.
 
 gphys_hit answer_of(const Hits8& hits, uint32_t k, uint32_t model, uint32_t tag) {
-    const Hits8::Rounded& hit = hits.rounded[k];
-    return {model, tag, hit.t, hit.point, hit.normal, GPHYS_NO_TRIANGLE, 0, 0, 0};
+    return hit_of(hits.rounded[k], model, tag);
 }
 gphys_distance answer_of(const float (&t)[8], uint32_t k, uint32_t model, uint32_t) {
     return {t[k], model, GPHYS_NO_TRIANGLE};
@@ -277,16 +312,15 @@ public:
     }
 
 private:
-    const float* tail(uint32_t slot) const { return reinterpret_cast<const float*>(scene_.shape_tails_[slot].words); }
     const float* other_words(gphys_shape_type type, uint32_t slot) const {
         switch (type) {
             case GPHYS_SHAPE_SPHERE:
                 return reinterpret_cast<const float*>(scene_.models_[slot].shape);
             case GPHYS_SHAPE_OBB:
-                return tail(slot);
+                return scene_.tail_of(slot);
             case GPHYS_SHAPE_MESH: {
                 const ModelMesh stored = scene_.stored<ModelMesh>(slot);
-                return stored.is_scaled ? tail(slot) : &stored.mesh->ball().center.x;
+                return stored.is_scaled ? scene_.tail_of(slot) : &stored.mesh->ball().center.x;
             }
             default:
                 return nullptr;
@@ -457,9 +491,15 @@ bool Scene::raycast_any_by(const Ray& given, const Filter& filter) const {
     if (hits_unbounded(ray, filter)) return true;
     const auto exact = [&](const auto& shape) { return is_hit(shape, ray); };
     const auto make_visit = [&] {
-        return [&, conservative_ray = ConservativeRay(ray)](uint32_t slot) {
+        return [&, conservative_ray = ConservativeRay(ray, !box_kernels_)](uint32_t slot) {
+            if (!may_pass(filter, slot)) return false;
+            if (has_box_kernel(slot)) {
+                const TriState verdict = meets_box(slot, ray);
+                if (verdict == TriState::no || !passes(filter, slot)) return false;
+                return verdict == TriState::yes || with_shape(slot, exact);
+            }
             const auto conservative = [&](const auto& shape) { return conservative_ray(shape, ray.t_max); };
-            return may_pass(filter, slot) && decide(filter, slot, conservative, exact);
+            return decide(filter, slot, conservative, exact);
         };
     };
     return bvh_.raycast_any_by(ray, make_visit, model_memory());
