@@ -103,7 +103,7 @@ public:
         const Axes latest = greatest_of(enters);
         const double entry = _mm256_cvtsd_f64(latest.v), exit = gphys::least(t_max, min_component(leaves));
         // The ray starts outside if an entry is after 0, or an exit before.
-        if (exit * more < gphys::largest(0, entry)) return;
+        if (exit * more < gphys::largest(entry, 0)) return;
         entered_ = _mm256_cmp_pd(by_component(enters, splat_axes(more)).v, latest.v, _CMP_NLT_UQ);
         const uint32_t last = signs_of(entered_);
         const bool clear = (0 < entry) & (entry * more < exit) & ((last & (last - 1)) == 0);
