@@ -99,11 +99,11 @@ TEST_CASE("rays along the axes of a box are not left open") {
         Ray ray{test::grid_point(random, 8) + Vec3{0.5, 0.5, 0.5}, test::grid_direction(random, 2), infinity};
         ray.direction[i % 3] = i % 5 == 0 ? -0.0 : 0.0;
         if (i % 4 == 0) ray.t_max = 2.7;
+        int moving_axes = 0;
+        for (int axis = 0; axis < 3; ++axis) moving_axes += ray.direction[axis] != 0;
         Hit hit;
         const bool truth = with_placed(box, world, [&](const auto& placed) { return raycast(placed, ray, hit); });
         if (truth && hit.flags != 0) continue;
-        int moving_axes = 0;
-        for (int axis = 0; axis < 3; ++axis) moving_axes += ray.direction[axis] != 0;
         for (const BoxKernels* kernels : all) {
             Hits8::Rounded found;
             const TriState verdict = kernels->raycast_aabb(ray, &model.world.position.x, found);
@@ -114,12 +114,11 @@ TEST_CASE("rays along the axes of a box are not left open") {
             }
             REQUIRE((verdict == TriState::yes) == truth);
             if (truth) REQUIRE(same_hit(found, hit));
-            ++(truth ? met : missed);
         }
+        ++(truth ? met : missed);
     }
-    if (all.empty()) return;
-    CHECK(met > 1000);
-    CHECK(missed > 10000);
+    CHECK(met > 300);
+    CHECK(missed > 5000);
 }
 
 TEST_CASE("rays at boxes raise no floating-point exception, however far they reach") {
