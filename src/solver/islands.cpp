@@ -145,7 +145,7 @@ void Solver::move_colliding(const Island& island, const Joined& joined, const Co
     const auto move_once = [&](const CollisionContext& within, double part) {
         for (uint32_t i = 0; i < island.body_count; ++i) {
             Body& body = state_.bodies[slots[i]];
-            if (!body.plan.joined) begin_move(body, within, gravity, part, planes);
+            if (!body.plan.joined) begin_move(body, within, gravity, part, planes, island.team);
         }
         begin_joined(joined, within, gravity, part);
         particle_contacts_.solve_positions(island, state_.bodies, slots, within, gravity, part, planes);
@@ -216,6 +216,7 @@ void Solver::move_island(const Island& island, uint32_t worker, const Scene* sce
     bool at_rest = state_.settings.sleep_speed > 0;
     each_body([&](Body& body) {
         if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body, whole);
+        add_parts(body);
         body.constraints.length_changes.clear();
         end_targets(body, share_);
         body.flight.last_surroundings = body.flight.surroundings;

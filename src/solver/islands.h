@@ -39,7 +39,7 @@ struct Island {
     uint32_t first_group = 0;                          // of their pairs
     bool on_trial = false;                             // whether all workers could move it at once
     bool shared = false;                               // whether they do (SharingTrial)
-    Team* team = nullptr;                              // of these workers, during the step; shares the contacts
+    Team* team = nullptr;                              // of these workers, during the step
 
     /// The largest first, so that no worker begins a large one when the others are done.
     bool operator<(const Island& other) const {

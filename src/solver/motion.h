@@ -7,12 +7,13 @@
 namespace gphys {
 
 class FlightPlanes;
+class Team;
 
 /// step.cpp: one substep of a single body.
 void move(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 /// The same in two parts, between which other bodies may push its particles. The first part moves bodies without
-/// constraints, and only predicts all others. `planes` are those of the worker, or null.
-void begin_move(Body& body, const CollisionContext& around, Vec3 gravity, double h, FlightPlanes* planes);
+/// constraints, and only predicts all others. `planes` and `team`: as in fly (particles/free_flight.h).
+void begin_move(Body& body, const CollisionContext& around, Vec3 gravity, double h, FlightPlanes* planes, Team* team);
 void end_move(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 
 /// Moves the attached particles from first to end with their models, to the end of the substep, in h seconds; and

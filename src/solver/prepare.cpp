@@ -93,9 +93,14 @@ void reserve_arrays(Body& body, bool collides) {
     }
 }
 
-/// Whether the particles are divided into parts, one task each. Does not depend on the number of workers.
-bool is_divided(const Body& body) {
-    return body.plan.method == GPHYS_SOLVE_FREE && !body.plan.joined && body.particles.size() > part_size;
+/// Divides free particles into parts of that size, if these are several. Does not depend on the number of workers.
+uint32_t divide(Body& body, uint32_t size, std::pmr::memory_resource* memory) {
+    const bool divided = body.plan.method == GPHYS_SOLVE_FREE && !body.plan.joined && body.particles.size() > size;
+    const uint32_t count = divided ? (body.particles.size() + size - 1) / size : 0;
+    Vector<FlightPart>& parts = body.contacts.parts;
+    while (parts.size() > count) parts.pop_back();
+    while (parts.size() < count) parts.emplace_back(memory);
+    return count;
 }
 
 }  // namespace
@@ -114,6 +119,7 @@ void Solver::prepare(const Scene* scene, double dt) {
         if (!joints_current_) plan_joints();
         list_islands();
         particle_contacts_.reserve(state_.bodies, islands_, island_bodies_);
+        divide_bodies();
         if (scene) list_near_models(*scene, dt);
         limit_work(dt);
         std::sort(active_.begin(), active_.end());
@@ -167,11 +173,8 @@ void Solver::prepare_body(uint32_t slot, const Scene* scene, double dt) {
         body.particles.smallest_radius = *smallest;
         body.particles.largest_radius = *largest;
     }
-    const uint32_t parts = is_divided(body) ? (body.particles.size() + part_size - 1) / part_size : 0;
-    if (parts == 0) body.contacts.parts.clear();
-    while (body.contacts.parts.size() < parts) body.contacts.parts.emplace_back(&memory);
     active_.push_back({body.particles.size(), slot, substeps_of(body, state_.settings, dt),
-                       static_cast<uint32_t>(plan.chains.size()), parts, is_plain_rope(body), is_plain_rope(body),
+                       static_cast<uint32_t>(plan.chains.size()), 0, is_plain_rope(body), is_plain_rope(body),
                        restarts(body.history, body.contacts)});
 }
 
@@ -185,6 +188,19 @@ void Solver::Undo::apply(Body& body) {
     for (const Attachment& attachment : body.constraints.attachments)
         body.particles.inverse_mass[attachment.particle] = 0;
     body.history.earlier_step = earlier_step;
+}
+
+/// Makes the parts of bodies: tasks of their own, or in large islands of particles that collide.
+void Solver::divide_bodies() {
+    for (ActiveBody& active : active_) {
+        if (!active.in_island) active.parts = divide(state_.bodies[active.slot], part_size, &memory);
+    }
+    for (const Island& island : islands_) {
+        const bool divided = ParticleContacts::has_groups(island.colliding_count);
+        const uint32_t size = divided ? part_size_in_island : std::numeric_limits<uint32_t>::max();
+        for (uint32_t i = 0; i < island.body_count; ++i)
+            divide(state_.bodies[island_bodies_[island.first_body + i]], size, &memory);
+    }
 }
 
 /// Uses reserved memory only.

@@ -301,6 +301,7 @@ private:
     void prepare_body(uint32_t slot, const Scene* scene, double dt);
     void begin_step(const Scene* scene) noexcept;
     void make_tasks();
+    void divide_bodies();
     void reserve_flight_planes();
     bool is_worth_sharing(const ActiveBody& active, size_t particles) const;
     void move_shared(const ActiveBody& active, const Scene* scene, double dt);

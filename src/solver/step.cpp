@@ -22,8 +22,8 @@
 //
 //   A large body of free particles is divided (move_part). The parts are disjoint ranges of its particles, with
 //   impulses of their own, which end_body_step adds in order. All workers move a large cloth as one team (move_shared),
-//   with a barrier between colours (foundation/team.h), if that is faster (SharingTrial). So they do with the contacts
-//   between particles of a large island.
+//   with a barrier between colours (foundation/team.h), if that is faster (SharingTrial). So they do with a large
+//   island of particles that collide: its contacts, and the parts of its bodies.
 //
 // Bodies that may influence each other are an island, and one task moves all of them, substep by substep (islands.cpp,
 // joints/joined_motion.cpp). Most bodies are alone. A body alone moves like this:
@@ -70,7 +70,7 @@ void follow_models(Body& body, const CollisionContext& around, double h, uint32_
 void move(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     switch (body.plan.method) {
         case GPHYS_SOLVE_FREE:
-            fly(body, around, gravity, h, nullptr);
+            fly(body, around, gravity, h, nullptr, nullptr);
             break;
         case GPHYS_SOLVE_DIRECT:
             move_rope(body, around, gravity, h);
@@ -80,10 +80,10 @@ void move(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     }
 }
 
-void begin_move(Body& body, const CollisionContext& around, Vec3 gravity, double h, FlightPlanes* planes) {
+void begin_move(Body& body, const CollisionContext& around, Vec3 gravity, double h, FlightPlanes* planes, Team* team) {
     switch (body.plan.method) {
         case GPHYS_SOLVE_FREE:
-            fly(body, around, gravity, h, planes);
+            fly(body, around, gravity, h, planes, team);
             break;
         case GPHYS_SOLVE_DIRECT:
             begin_friction(body, gravity);

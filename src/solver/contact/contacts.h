@@ -25,8 +25,10 @@ struct FlightPart {
     bool has_contact = false;
     Extent extent;
 };
-/// Particles in a part: some 0.3 ms of work, many times the cost of handing it out.
+/// Particles in a part of a body on its own: some 0.3 ms of work, many times the cost of handing it out.
 constexpr uint32_t part_size = 16384;
+/// The same of a body in an island that a team may move, substep by substep: those that query the scene together.
+constexpr uint32_t part_size_in_island = 512;
 
 /// For a body that collides with itself: where its particles were placed, and the particles that each is linked to,
 /// ascending: linked[linked_begin[p] .. linked_begin[p + 1]].
@@ -61,6 +63,12 @@ struct Contacts {
     /// Whether some particles are deeper in models than they can leave in this substep.
     bool penetrating = false;
     SelfCollision self;
+
+    /// That of a part, or of the whole body if it has no parts.
+    ImpulseAccumulator accumulator(uint32_t part) {
+        if (parts.empty()) return {impulses, has_contact};
+        return {parts[part].impulses, parts[part].has_contact};
+    }
 };
 
 }  // namespace gphys

@@ -280,19 +280,19 @@ void correct_predicted(const Particle* first, const Particle* end, Body& body) {
 /// The same for consecutive particles of a body without links, or with links that have been solved.
 template <class Particle>
 void correct_block(const Particle* first, const Particle* end, Body& body, const CollisionContext& around,
-                   double bounce_threshold, bool may_collide, FlightPlanes* planes) {
+                   const ImpulseAccumulator& accumulator, double bounce_threshold, FlightPlanes* planes) {
     Extent places;
     double longest = 0;
     each_moved(first, end, [&](uint32_t p, Vec3 displacement) {
         places.add({{body.particles.position[p], body.particles.position[p]}, {}});
         longest = std::max(longest, length_squared(displacement));
     });
-    if (longest > 0 && may_collide) {
+    if (longest > 0 && collides(body, around)) {
         const double room = 2 * body.particles.largest_radius + std::sqrt(longest);
         const Vec3 reach{room, room, room};
         if (planes) planes->select_pushed(body, around, first->number, static_cast<uint32_t>(end - first));
-        const Collider collider(around, body, bounds(Aabb{places.box.min - reach, places.box.max + reach}),
-                                {body.contacts.impulses, body.contacts.has_contact}, planes);
+        const Collider collider(around, body, bounds(Aabb{places.box.min - reach, places.box.max + reach}), accumulator,
+                                planes);
         if (!collider.idle()) {
             each_moved(first, end, [&](uint32_t p, Vec3 displacement) {
                 collider.slide(body, p, body.particles.position[p], displacement, around.end, bounce_threshold);
@@ -306,11 +306,11 @@ void correct_block(const Particle* first, const Particle* end, Body& body, const
     });
 }
 
-/// For particles at the end of their substep: corrects their positions as far as the models allow. `planes`: as in
-/// ParticleContacts::solve_positions.
+/// For particles at the end of their substep: corrects their positions as far as the models allow. `planes` and `team`:
+/// as in fly.
 template <class Particle>
 void correct_moved(const Particle* first, const Particle* end, Body& body, const CollisionContext& around,
-                   double bounce_threshold, FlightPlanes* planes) {
+                   double bounce_threshold, FlightPlanes* planes, Team* team) {
     if (is_graph(body)) {
         each_moved(first, end, [&](uint32_t p, Vec3 displacement) {
             float* const at = &body.cloth.state.at[4 * size_t{p}];
@@ -319,12 +319,15 @@ void correct_moved(const Particle* first, const Particle* end, Body& body, const
         });
         return;
     }
-    const bool may_collide = collides(body, around);
     if (body.flight.all.empty()) planes = nullptr;
-    for (; first < end; first += std::min<ptrdiff_t>(FlightPlanes::most_particles, end - first)) {
-        const Particle* const block_end = first + std::min<ptrdiff_t>(FlightPlanes::most_particles, end - first);
-        correct_block(first, block_end, body, around, bounce_threshold, may_collide, planes);
-    }
+    const uint32_t count = static_cast<uint32_t>(end - first);
+    constexpr uint32_t size = FlightPlanes::most_particles;
+    share(body.contacts.parts.empty() ? nullptr : team, (count + size - 1) / size,
+          [&](uint32_t block, uint32_t member) {
+              const Particle* const begin = first + block * size;
+              correct_block(begin, begin + std::min(size, count - block * size), body, around,
+                            body.contacts.accumulator(block), bounce_threshold, planes ? planes + member : nullptr);
+          });
 }
 
 }  // namespace
@@ -374,7 +377,7 @@ void ParticleContacts::move_loads(const Island& island, BodyTable& bodies, const
     loads.move(around);
     const double bounce_threshold = find_bounce_threshold(gravity, h);
     each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
-        if (ClothLoads::may_press(body)) correct_moved(first, end, body, around, bounce_threshold, planes);
+        if (ClothLoads::may_press(body)) correct_moved(first, end, body, around, bounce_threshold, planes, island.team);
     });
 }
 
@@ -419,7 +422,7 @@ void ParticleContacts::separate_overlapping(const Island& island, BodyTable& bod
         if (b_is_free) b.at += contact.normal * (a_is_free ? correction * contact.part_of_b : correction);
     });
     each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
-        correct_moved(first, end, body, around, bounce_threshold, planes);
+        correct_moved(first, end, body, around, bounce_threshold, planes, island.team);
     });
 }
 
@@ -471,7 +474,7 @@ void ParticleContacts::solve_positions(const Island& island, BodyTable& bodies, 
         // speeds. Approaching pairs are stopped by solve_velocities.
         if (!contacts.deep)
             each_moved(first, end, [&](uint32_t p, Vec3 change) { body.particles.velocity[p] += change / h; });
-        correct_moved(first, end, body, around, bounce_threshold, planes);
+        correct_moved(first, end, body, around, bounce_threshold, planes, island.team);
     });
     if (contacts.overlapping) separate_overlapping(island, bodies, slots, around, bounce_threshold, planes);
     if (contacts.any && !contacts.deep && island.body_count > 1)
@@ -521,7 +524,7 @@ void ParticleContacts::solve_final_positions(const Island& island, BodyTable& bo
     const double bounce_threshold = find_bounce_threshold(gravity, h);
     if (!solve_contacts(island, bodies, around, true, gravity, h).any) return;
     each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
-        if (!moves_freely(body)) correct_moved(first, end, body, around, bounce_threshold, nullptr);
+        if (!moves_freely(body)) correct_moved(first, end, body, around, bounce_threshold, nullptr, nullptr);
     });
 }
 

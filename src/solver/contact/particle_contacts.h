@@ -68,7 +68,8 @@ public:
     // For one island; the data of others are not accessed.
     void begin(const Island& island, const IdTable& ids, const BodyTable& bodies, const uint32_t* slots);
     /// Call when all bodies are predicted: separates pairs in contact, with friction. h: seconds of the substep.
-    /// `planes` have what free particles have found around them; null if there are no models.
+    /// `planes` have what free particles have found around them, one for each member of the team of the island; null if
+    /// there are no models.
     void solve_positions(const Island& island, BodyTable& bodies, const uint32_t* slots, const CollisionContext& around,
                          Vec3 gravity, double h, FlightPlanes* planes);
     /// Call when the links are solved: moves the heavy particles that press on cloth (cloth/contact_loads.h).

@@ -7,6 +7,7 @@
 // neighbours in space.
 #include "solver/particles/free_flight.h"
 #include "foundation/made_later.h"
+#include "foundation/team.h"
 #include "solver/contact/collision.h"
 #include "solver/contact/friction.h"
 #include "solver/motion.h"
@@ -417,14 +418,17 @@ void FreeFlight::move_block(uint32_t first, uint32_t count) {
 
 }  // namespace
 
-void fly(Body& body, const CollisionContext& around, Vec3 gravity, double h, FlightPlanes* planes) {
+void fly(Body& body, const CollisionContext& around, Vec3 gravity, double h, FlightPlanes* planes, Team* team) {
+    static_assert(block_size == part_size_in_island);
     if (body.flight.all.empty()) planes = nullptr;
-    FreeFlight flight(body, {body.contacts.impulses, body.contacts.has_contact}, gravity, h, planes);
-    for (uint32_t first = 0; first < body.particles.size(); first += block_size) {
-        const uint32_t count = std::min(block_size, body.particles.size() - first);
-        flight.begin_pushed_block(around, first, count);
-        flight.fly_block(around, first, count, 1);
-    }
+    const uint32_t size = body.particles.size();
+    share(body.contacts.parts.empty() ? nullptr : team, (size + block_size - 1) / block_size,
+          [&](uint32_t block, uint32_t member) {
+              const uint32_t first = block * block_size, count = std::min(block_size, size - first);
+              FreeFlight flight(body, body.contacts.accumulator(block), gravity, h, planes ? planes + member : nullptr);
+              flight.begin_pushed_block(around, first, count);
+              flight.fly_block(around, first, count, 1);
+          });
 }
 
 Extent extent_of(Body& body, uint32_t first, uint32_t end) {
