@@ -13,6 +13,17 @@ struct SecondMoments {
         squares += by_component(at, at) * weight;
         products += Vec3{at.y * at.z, at.z * at.x, at.x * at.y} * weight;
     }
+    /// Makes points that are nearly in a line so thick that the moment of inertia about it is at least this part of the
+    /// sum of the three. Where points have left the line by an error, torques about it are not as small as that moment.
+    void thicken(double part) {
+        const Vec3 s = squares, p = products;
+        const Vec3 x{s.y + s.z, -p.z, -p.y}, y{-p.z, s.z + s.x, -p.x}, z{-p.y, -p.x, s.x + s.y};
+        const double sum = x.x + y.y + z.z;
+        if (!(sum > 0)) return;
+        // If one is small, the others are half of the sum.
+        const double smallest = 4 * dot(x, cross(y, z)) / (sum * sum), missing = part * sum - smallest;
+        if (missing > 0) squares += Vec3{missing, missing, missing} / 2;
+    }
     /// The inverse of the tensor of inertia; 0 for points that all lie at the origin. About a line through all points
     /// the inertia is a rounding error, and so are torques.
     Mat3 inverse_inertia() const {

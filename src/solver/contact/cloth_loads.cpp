@@ -42,9 +42,9 @@ LoadMotion motion_of_cluster(const ClothState& state, ClusterRange members, cons
 uint32_t ParticleContacts::ClothLoads::first_of(uint32_t by) const {
     const Particle& particle = range_.particles[by];
     const Body& body = bodies_[particle.body];
-    if (!(particle.inverse_mass > 0)) return none;
-    if (moves_freely(body)) return by;
-    if (!may_press(body) || !body.cloth.clusters.has(particle.number)) return none;
+    if (!(particle.inverse_mass > 0) || !may_press(body)) return none;
+    if (!is_graph(body)) return by;
+    if (!body.cloth.clusters.has(particle.number)) return none;
     const ClusterRange members = cluster_with(body.cloth.clusters, particle.number);
     const Particle* const of_body = &particle - particle.number;
     const bool free = std::all_of(members.begin(), members.end(), [&](const ClusterMember& member) {
@@ -56,7 +56,7 @@ uint32_t ParticleContacts::ClothLoads::first_of(uint32_t by) const {
 double ParticleContacts::ClothLoads::inverse_mass_of(uint32_t of) const {
     const Particle& particle = range_.particles[of];
     const Body& body = bodies_[particle.body];
-    if (moves_freely(body)) return particle.inverse_mass;
+    if (!is_graph(body)) return particle.inverse_mass;
     double mass = 0;
     for (const ClusterMember& member : cluster_with(body.cloth.clusters, particle.number))
         mass += body.particles.mass[member.particle];
@@ -76,15 +76,19 @@ void ParticleContacts::ClothLoads::add(const Pair& pair, uint32_t on, uint32_t b
     body.cloth.loads.all.push_back({of, by, particle.number, static_cast<uint32_t>(&pair - range_.pairs), normal});
 }
 
-HeavyBody ParticleContacts::ClothLoads::heavy_particle(uint32_t of, const Body& cloth, Vec3 gravity) const {
+HeavyBody ParticleContacts::ClothLoads::heavy_particle(uint32_t of, const Body& cloth, Vec3 gravity, double h) const {
     const Particle& particle = range_.particles[of];
-    const Particles& others = bodies_[particle.body].particles;
+    const Body& body = bodies_[particle.body];
+    const Particles& others = body.particles;
     HeavyBody heavy{};
     heavy.of = of;
     heavy.mass = 1 / (particle.inverse_mass * cloth.cloth.state.average_mass);
     heavy.inverse_inertia = {{}, {}, {}};
     heavy.place = others.position[particle.number] - cloth.cloth.state.origin;
-    heavy.motion = {others.velocity[particle.number], {}};
+    // Links and contacts of a rope give their velocities at the end of the substep.
+    heavy.motion.velocity = moves_freely(body)
+                                ? others.velocity[particle.number]
+                                : (others.position[particle.number] - body.history.start[particle.number]) / h;
     heavy.acceleration = gravity + others.force[particle.number] * particle.inverse_mass;
     return heavy;
 }
@@ -110,6 +114,9 @@ HeavyBody ParticleContacts::ClothLoads::heavy_cluster(uint32_t of, const Body& c
         heavy.acceleration += get(&state.acceleration[i]) * (state.acceleration[i + 3] / centre.mass);
         moments.add(get(&state.at[i]) - centre.at, state.acceleration[i + 3] * scale);
     }
+    // Contacts have moved single particles out of the shape, and it turns before the loads do.
+    constexpr double thinnest = 0.01;
+    moments.thicken(thinnest);
     heavy.inverse_inertia = moments.inverse_inertia();
     return heavy;
 }
@@ -135,14 +142,14 @@ void ParticleContacts::ClothLoads::find(Vec3 gravity, double h) {
         for (uint32_t k = 0; k < loads.all.size(); ++k) {
             ContactLoad& share = loads.all[k];
             if (k == 0 || loads.heavy.back().of != share.of) {
-                const bool alone = moves_freely(bodies_[range_.particles[share.of].body]);
-                loads.heavy.push_back(alone ? heavy_particle(share.of, body, gravity)
+                const bool alone = !is_graph(bodies_[range_.particles[share.of].body]);
+                loads.heavy.push_back(alone ? heavy_particle(share.of, body, gravity, h)
                                             : heavy_cluster(share.of, body, h));
             }
             HeavyBody& heavy = loads.heavy.back();
             heavy.end = k + 1;
             const Particle& by = range_.particles[share.by];
-            if (share.by != share.of || !moves_freely(bodies_[by.body]))
+            if (is_graph(bodies_[by.body]))
                 share.arm = place_of(bodies_[by.body], by.number) - body.cloth.state.origin - heavy.place;
         }
         begin_loads(body, h);
@@ -157,7 +164,7 @@ bool ParticleContacts::ClothLoads::any() const {
 LoadMotion ParticleContacts::ClothLoads::motion_of(const HeavyBody& heavy, const Body& cloth) const {
     const Particle& particle = range_.particles[heavy.of];
     const Body& body = bodies_[particle.body];
-    if (moves_freely(body)) return {body.particles.velocity[particle.number], {}};
+    if (!is_graph(body)) return {body.particles.velocity[particle.number], {}};
     const ClothState& state = body.cloth.state;
     const ClusterRange members = cluster_with(body.cloth.clusters, particle.number);
     LoadMotion motion =
@@ -189,12 +196,20 @@ void ParticleContacts::ClothLoads::move(const CollisionContext& around) {
         Body& body = bodies_[*slot];
         ContactLoads& loads = body.cloth.loads;
         if (!loads.any()) continue;
-        for (HeavyBody& heavy : loads.heavy) heavy.motion = motion_of(heavy, body);
+        for (HeavyBody& heavy : loads.heavy) {
+            const LoadMotion before = std::exchange(heavy.motion, motion_of(heavy, body));
+            // What its own links have done to a particle of a rope is no work of the cloth.
+            if (bodies_[range_.particles[heavy.of].body].plan.method != GPHYS_SOLVE_DIRECT) continue;
+            loads.energy +=
+                heavy.mass *
+                (length_squared(heavy.motion.velocity - loads.frame) - length_squared(before.velocity - loads.frame)) /
+                2;
+        }
         accelerate_loads(body, around);
         for (const HeavyBody& heavy : loads.heavy) {
             Particle& of = range_.particles[heavy.of];
             Body& other = bodies_[of.body];
-            if (!moves_freely(other)) {
+            if (is_graph(other)) {
                 move_cluster(heavy);
                 continue;
             }

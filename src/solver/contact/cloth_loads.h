@@ -11,12 +11,12 @@ public:
     ClothLoads(const Range& range, const Island& island, BodyTable& bodies, const uint32_t* slots)
         : range_(range), bodies_(bodies), first_(slots), end_(slots + island.body_count) {}
 
-    /// Whether particles of a body may be loads: free ones, and rigid clusters that nothing in their body holds, since
-    /// links and other clusters would act on them afterwards.
+    /// Whether particles of a body may be loads: free ones, those of ropes, and rigid clusters that nothing in their
+    /// body holds, since the links of cloth and other clusters would act on them afterwards.
     static bool may_press(const Body& body) {
         const Cloth& cloth = body.cloth;
-        return moves_freely(body) || (is_graph(body) && !body.plan.joined && cloth.batches.chains.empty() &&
-                                      !cloth.clusters.empty() && !cloth.clusters.overlap);
+        if (!is_graph(body)) return !body.plan.joined;
+        return !body.plan.joined && cloth.batches.chains.empty() && !cloth.clusters.empty() && !cloth.clusters.overlap;
     }
     /// Finds the loads of all cloth. Call when the contacts have corrected the prediction.
     void find(Vec3 gravity, double h);
@@ -35,7 +35,7 @@ private:
     uint32_t first_of(uint32_t by) const;
     double inverse_mass_of(uint32_t of) const;
     void add(const Pair& pair, uint32_t on, uint32_t by, Vec3 normal);
-    HeavyBody heavy_particle(uint32_t of, const Body& cloth, Vec3 gravity) const;
+    HeavyBody heavy_particle(uint32_t of, const Body& cloth, Vec3 gravity, double h) const;
     HeavyBody heavy_cluster(uint32_t of, const Body& cloth, double h) const;
     LoadMotion motion_of(const HeavyBody& heavy, const Body& cloth) const;
     void move_cluster(const HeavyBody& heavy);
