@@ -4,10 +4,12 @@
 #include "solver/contact/cloth_loads.h"
 #include "solver/contact/collision.h"
 #include "solver/contact/friction.h"
+#include "solver/contact/leave_solids.h"
 #include "solver/contact/pair_corrections.h"
 #include "solver/contact/particle_pairs.h"
 #include "solver/particles/flight_planes.h"
 #include "solver/quads.h"
+#include "solver/rope/rope.h"
 
 namespace gphys {
 namespace {
@@ -330,6 +332,26 @@ void correct_moved(const Particle* first, const Particle* end, Body& body, const
           });
 }
 
+/// For particles of a rope that have moved with the cloth on which they press: without their lengths, rigid links would
+/// turn the difference into speed.
+template <class Particle>
+void displace_loaded_rope(const Particle* first, const Particle* end, Body& body, const CollisionContext& around,
+                          double h) {
+    bool any = false;
+    body.history.start = body.particles.position;
+    each_moved(first, end, [&](uint32_t p, Vec3 displacement) {
+        body.particles.position[p] += displacement;
+        any = true;
+    });
+    const Vector<double>& compliance = body.plan.compliance;
+    if (!any) return;
+    if (std::any_of(compliance.begin(), compliance.end(), [](double c) { return c > 0; })) {
+        end_leaving(body, around, true);
+    } else {
+        restore_lengths(body, around, h);
+    }
+}
+
 }  // namespace
 
 /// Adds an impulse, newton seconds, to that of a pair in the list. The normal goes from its first particle to the
@@ -377,7 +399,12 @@ void ParticleContacts::move_loads(const Island& island, BodyTable& bodies, const
     loads.move(around);
     const double bounce_threshold = find_bounce_threshold(gravity, h);
     each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
-        if (ClothLoads::may_press(body)) correct_moved(first, end, body, around, bounce_threshold, planes, island.team);
+        if (!ClothLoads::may_press(body)) return;
+        if (body.plan.method == GPHYS_SOLVE_DIRECT) {
+            displace_loaded_rope(first, end, body, around, h);
+        } else {
+            correct_moved(first, end, body, around, bounce_threshold, planes, island.team);
+        }
     });
 }
 

@@ -84,9 +84,9 @@ void add_tension_impulses(Body& body, const CollisionContext& around, const Time
 /// A whole substep of a rope without RopeContacts, and what follows begin_chains in it.
 void move_rope(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 void end_rope(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme);
-/// After a substep of h seconds: moves each particle by its displacement, and as far as the links and models ask for,
-/// without speed.
-void displace_rope(Body& body, const Vec3* displacements, const CollisionContext& around, double h);
+/// At the end of a substep in which something has moved particles from History::start: gives links their lengths back,
+/// without speed. Models stop what moves. `step`: as in solve_directly.
+void restore_lengths(Body& body, const CollisionContext& around, double step);
 
 /// Between the two, the particles in contact count as pinned.
 void pin_contacts(Particles& particles, const Contacts& contacts);

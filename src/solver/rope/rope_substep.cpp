@@ -159,12 +159,8 @@ void add_tension_impulses(Body& body, const CollisionContext& around, const Time
     add_bending_impulses(body, around, scheme);
 }
 
-namespace {
-
-/// Gives links their lengths back after particles were moved from History::start, without speed. Tensions belong to
-/// the motion, so they are kept.
 void restore_lengths(Body& body, const CollisionContext& around, double step) {
-    body.rope.earlier_tension = body.rope.tension;
+    body.rope.earlier_tension = body.rope.tension;  // they belong to the motion, so they are kept
     std::fill(body.rope.tension.begin(), body.rope.tension.end(), 0.0);
     body.history.predicted = body.particles.position;
     body.rope.bending.keeps_shape = true;
@@ -173,6 +169,8 @@ void restore_lengths(Body& body, const CollisionContext& around, double step) {
     body.rope.tension = body.rope.earlier_tension;
     end_leaving(body, around, solved);
 }
+
+namespace {
 
 /// Moves the rope out of models that it is in.
 void leave_solids(Body& body, const CollisionContext& around, double step) {
@@ -313,12 +311,6 @@ void RopeStepper::end_part(bool solved) {
 void move_rope(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     RopeStepper rope(body, nullptr, around, gravity, 1, h);
     while (rope.begin_part()) rope.end_part(rope.solve());
-}
-
-void displace_rope(Body& body, const Vec3* displacements, const CollisionContext& around, double h) {
-    body.history.start = body.particles.position;
-    for (uint32_t p = 0; p < body.particles.size(); ++p) body.particles.position[p] += displacements[p];
-    restore_lengths(body, around, TimeScheme(h, body.history.earlier_step).step(body.settings.damping));
 }
 
 void end_rope(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme) {
