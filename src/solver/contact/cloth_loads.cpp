@@ -121,6 +121,23 @@ HeavyBody ParticleContacts::ClothLoads::heavy_cluster(uint32_t of, const Body& c
     return heavy;
 }
 
+/// A rope that lies on cloth near a model is carried by that. Between the links of both it would not rest, so then its
+/// particles are no loads.
+void ParticleContacts::ClothLoads::leave_out_carried_ropes(ContactLoads& loads) const {
+    const auto is_rope = [&](const ContactLoad& share) {
+        return !is_graph(body_of(share)) && !moves_freely(body_of(share));
+    };
+    const auto is_carried = [&](const ContactLoad& share) {
+        const Pair& pair = range_.pairs[share.pair];
+        return is_rope(share) && range_.particles[pair.a == share.by ? pair.b : pair.a].supports != nullptr;
+    };
+    if (std::none_of(loads.all.begin(), loads.all.end(), is_carried)) return;
+    for (const ContactLoad& share : loads.all) {
+        if (is_rope(share)) loads.is_loaded[share.particle] = 0;
+    }
+    loads.all.erase(std::remove_if(loads.all.begin(), loads.all.end(), is_rope), loads.all.end());
+}
+
 void ParticleContacts::ClothLoads::find(Vec3 gravity, double h) {
     const auto any_body = [&](bool (*is)(const Body&)) {
         return std::any_of(first_, end_, [&](uint32_t slot) { return is(bodies_[slot]); });
@@ -135,6 +152,7 @@ void ParticleContacts::ClothLoads::find(Vec3 gravity, double h) {
     for (const uint32_t* slot = first_; slot != end_; ++slot) {
         Body& body = bodies_[*slot];
         ContactLoads& loads = body.cloth.loads;
+        leave_out_carried_ropes(loads);
         if (!loads.any()) continue;
         std::sort(loads.all.begin(), loads.all.end(), [](const ContactLoad& a, const ContactLoad& b) {
             return a.of != b.of ? a.of < b.of : a.particle < b.particle;

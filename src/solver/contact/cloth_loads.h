@@ -34,6 +34,8 @@ private:
     }
     uint32_t first_of(uint32_t by) const;
     double inverse_mass_of(uint32_t of) const;
+    const Body& body_of(const ContactLoad& share) const { return bodies_[range_.particles[share.by].body]; }
+    void leave_out_carried_ropes(ContactLoads& loads) const;
     void add(const Pair& pair, uint32_t on, uint32_t by, Vec3 normal);
     HeavyBody heavy_particle(uint32_t of, const Body& cloth, Vec3 gravity, double h) const;
     HeavyBody heavy_cluster(uint32_t of, const Body& cloth, double h) const;
