@@ -2836,7 +2836,7 @@ GPHYS_API gphys_status gphys_solver_get_leftover(const gphys_solver* solver, flo
  *  most quartered and grows by at most an eighth from one step to the next, so a sudden impact exceeds a
  *  target for a few steps; one of strain only where links of cloth cannot be relaxed below it. A target that
  *  cannot be met takes max_substeps, unless the strain of cloth stays above eight times the target. Where
- *  positions jump, by contacts, the error is that of the jump.
+ *  positions jump, by contacts, the error is that of the jump. What may meet others takes at least the set number.
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_solver_get_substeps(const gphys_solver* solver, gphys_body_id body,
                                                  uint32_t* out_substeps);

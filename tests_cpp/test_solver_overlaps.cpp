@@ -196,3 +196,39 @@ TEST_CASE("Balls poured into a deep heap gain no energy, and do not sink into ea
         if (substeps >= 4) CHECK(nearest > (substeps == 4 ? 0.95 : 0.98));
     }
 }
+
+TEST_CASE("Targets of strain and of error take no substeps from balls that are poured into a heap") {
+    constexpr float radius = 0.05f;
+    for (const bool of_strain : {true, false}) {
+        gphys_solver_desc settings = World::desc(8);
+        (of_strain ? settings.max_strain : settings.tolerance) = 0.02f;
+        World world(settings);
+        const gphys_plane planes[] = {
+            {{0, 1, 0}, 0}, {{1, 0, 0}, -0.5f}, {{-1, 0, 0}, -0.5f}, {{0, 0, 1}, -0.5f}, {{0, 0, -1}, -0.5f}};
+        for (const gphys_plane& plane : planes) world.model(GPHYS_SHAPE_PLANE, &plane);
+        std::vector<gphys_vec3> places;
+        for (int i = 0; i < 512; ++i) {
+            const auto along = [](int place, int moved) {
+                return 0.12f * (static_cast<float>(place) - 3.5f) + 0.0001f * static_cast<float>(moved % 101);
+            };
+            places.push_back(
+                {along(i % 8, 37 * i), 0.06f + 0.12f * static_cast<float>(i / 64), along(i / 8 % 8, 71 * i)});
+        }
+        const gphys_body_id body = world.particles(places, balls(radius));
+        double nearest = 1;
+        for (int step = 0; step < 120; ++step) {
+            world.step(frame);
+            const std::vector<gphys_vec3> at = world.positions(body);
+            for (size_t i = 0; i < at.size() && step % 10 == 0; ++i) {
+                for (size_t k = 0; k < i; ++k) {
+                    const double apart = std::hypot(at[k].x - at[i].x, at[k].y - at[i].y, at[k].z - at[i].z);
+                    nearest = std::min(nearest, apart / (2.0 * radius));
+                }
+            }
+        }
+        INFO((of_strain ? "a target of strain" : "a target of error"));
+        figure("nearest pair", nearest, "diameters");
+        CHECK(world.substeps(body) == 8);
+        CHECK(nearest > 0.95);  // in a single substep: 0.3
+    }
+}

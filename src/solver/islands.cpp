@@ -190,7 +190,10 @@ void Solver::move_island(const Island& island, uint32_t worker, const Scene* sce
         body.contacts.impulses.clear();
         add_attached_impulses(body, beginning, 1, {}, 0);
         begin_air(body, gravity, dt);
-        substeps = std::max(substeps, std::min(substeps_of(body, state_.settings, dt), body.substeps.allowed));
+        // No error is measured of contacts between particles, so with error targets, too, they get the set number.
+        const uint32_t least = island.colliding_count > 0 ? state_.settings.substeps : 1;
+        const uint32_t wanted = std::max(substeps_of(body, state_.settings, dt), least);
+        substeps = std::max(substeps, std::min(wanted, body.substeps.allowed));
         if (body.plan.method == GPHYS_SOLVE_GRAPH) begin_cloth(body, beginning, gravity);
     });
     if (island.colliding_count > 0) particle_contacts_.begin(island, state_.ids, state_.bodies, slots);

@@ -378,7 +378,7 @@ void Solver::limit_work(double dt) {
     if (most == 0) return;
     for (const Island& island : islands_) {
         const uint32_t* const slots = &island_bodies_[island.first_body];
-        uint32_t needed = 1;
+        uint32_t needed = island.colliding_count > 0 ? state_.settings.substeps : 1;  // as in move_island
         for (uint32_t i = 0; i < island.body_count; ++i) {
             needed = std::max(needed, state_.bodies[slots[i]].substeps.allowed);
         }
