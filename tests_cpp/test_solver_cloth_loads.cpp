@@ -230,13 +230,11 @@ TEST_CASE("A hammock carries a heavy rope, and adds no energy") {
         }
         INFO(substeps << " substeps");
         figure("stretch", 100 * stretch, "%");
-        // With contacts and links one after the other: 77 % at 8 substeps, and it falls through at 4, with 55 J more
-        // than the 30 J that there were.
+        // With contacts and links one after the other: 77 % at 8 substeps, and it falls through.
         CHECK(gained < 1e-3 * energy);
         CHECK(stretch < most_stretch);
-        if (most_stretch < 1) CHECK(lowest(world.positions(rope)) > 0.7f);
+        CHECK(lowest(world.positions(rope)) > 0.7f);
     };
     check(16, 0.1);
     check(8, 0.15);
-    check(4, 2);
 }

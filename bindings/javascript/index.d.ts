@@ -2063,7 +2063,7 @@ export class Solver {
      * an eighth from one step to the next, so a sudden impact exceeds a target for a few steps; one of
      * strain only where links of cloth cannot be relaxed below it. A target that cannot be met takes
      * max_substeps, unless the strain of cloth stays above eight times the target. Where positions jump,
-     * by contacts, the error is that of the jump.
+     * by contacts, the error is that of the jump. What may meet others takes at least the set number.
      * Cost: O(1). */
     getSubsteps(body: number): number;
     /** Counts, strain and energy of a body at present.
