@@ -338,13 +338,11 @@ template <class Particle>
 void displace_loaded_rope(const Particle* first, const Particle* end, Body& body, const CollisionContext& around,
                           double h) {
     bool any = false;
+    each_moved(first, end, [&](uint32_t, Vec3) { any = true; });
+    if (!any) return;  // its motion goes on
     body.history.start = body.particles.position;
-    each_moved(first, end, [&](uint32_t p, Vec3 displacement) {
-        body.particles.position[p] += displacement;
-        any = true;
-    });
+    each_moved(first, end, [&](uint32_t p, Vec3 displacement) { body.particles.position[p] += displacement; });
     const Vector<double>& compliance = body.plan.compliance;
-    if (!any) return;
     if (std::any_of(compliance.begin(), compliance.end(), [](double c) { return c > 0; })) {
         end_leaving(body, around, true);
     } else {
