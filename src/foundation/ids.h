@@ -88,6 +88,29 @@ public:
     uint32_t slots() const { return static_cast<uint32_t>(entries_.size()); }
     uint32_t size() const { return live_; }
 
+    /// Over the live slots, ascending: for (const uint32_t slot : ids). Slots may become free meanwhile.
+    class Iterator {
+    public:
+        Iterator(const IdTable& ids, uint32_t slot) : ids_(ids), slot_(slot) { skip_free(); }
+        uint32_t operator*() const { return slot_; }
+        Iterator& operator++() {
+            ++slot_;
+            skip_free();
+            return *this;
+        }
+        bool operator!=(const Iterator& other) const { return slot_ != other.slot_; }
+
+    private:
+        void skip_free() {
+            while (slot_ < ids_.slots() && !ids_.live(slot_)) ++slot_;
+        }
+
+        const IdTable& ids_;
+        uint32_t slot_;
+    };
+    Iterator begin() const { return {*this, 0}; }
+    Iterator end() const { return {*this, slots()}; }
+
     /// Serialization (foundation/archive.h). Check defect() after reading.
     template <class Archive, class Table>
     static void visit(Archive& archive, Table& table) {

@@ -556,9 +556,7 @@ uint32_t Scene::for_each_passing_in_layers(const QueryFilter& filter, const uint
 
 template <class Visit>
 void Scene::for_each_model(Visit&& visit) const {
-    for (uint32_t slot = 0; slot < ids_.slots(); ++slot) {
-        if (ids_.live(slot)) visit(ids_.id(slot));
-    }
+    for (const uint32_t slot : ids_) visit(ids_.id(slot));
 }
 
 template <class Visit>

@@ -78,8 +78,8 @@ const char* Scene::defect() const {
 
     // Models of a cycle are not reached from any root.
     uint32_t reached = 0;
-    for (uint32_t slot = 0; slot < ids_.slots(); ++slot) {
-        if (!ids_.live(slot) || parent_of(slot) != none) continue;
+    for (const uint32_t slot : ids_) {
+        if (parent_of(slot) != none) continue;
         for (uint32_t below = slot; below != none; below = next_below(below, slot)) ++reached;
     }
     if (reached != ids_.size()) return "models form a cycle";

@@ -174,15 +174,14 @@ void Scene::swap_contents(Contents& other) noexcept {
 
 template <class Visit>
 void Scene::for_each_mesh(Visit&& visit) const {
-    for (uint32_t slot = 0; slot < ids_.slots(); ++slot) {
-        if (!ids_.live(slot)) continue;
+    for (const uint32_t slot : ids_) {
         if (const Mesh* mesh = stored_mesh(slot)) visit(mesh);
     }
 }
 
 bool Scene::any_scaled() const {
-    for (uint32_t slot = 0; slot < ids_.slots(); ++slot) {
-        if (ids_.live(slot) && !is_one(scale_of(slot))) return true;
+    for (const uint32_t slot : ids_) {
+        if (!is_one(scale_of(slot))) return true;
     }
     return false;
 }
@@ -194,8 +193,7 @@ void Scene::write_state(Sink& sink, const PutMesh& put_mesh) const {
     writer.value(origin_);
     IdTable::visit(writer, ids_);
     const bool scaled = any_scaled();
-    for (uint32_t slot = 0; slot < ids_.slots(); ++slot) {
-        if (!ids_.live(slot)) continue;
+    for (const uint32_t slot : ids_) {
         const Model& model = models_[slot];
         writer.value(ModelWords{model.type_, model.layers, tags_[slot], parent_of(slot), local_of(slot)});
         if (!places_.empty()) {
@@ -401,8 +399,8 @@ const char* Scene::link_families(const Vector<uint32_t>& parents) {
         family(slot).local = local;
     }
     uint32_t reached = 0;
-    for (uint32_t top = 0; top < ids_.slots(); ++top) {
-        if (!ids_.live(top) || parent_of(top) != none) continue;
+    for (const uint32_t top : ids_) {
+        if (parent_of(top) != none) continue;
         for (uint32_t slot = top; slot != none; slot = next_below(slot, top), ++reached) {
             derive_world(slot);
             Box box;

@@ -213,9 +213,7 @@ gphys_status Solver::check(gphys_body_id id) const {
 }
 
 void Solver::list(Smallest<gphys_body_id>& out) const {
-    for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
-        if (state_.ids.live(slot)) out.add(state_.ids.id(slot));
-    }
+    for (const uint32_t slot : state_.ids) out.add(state_.ids.id(slot));
 }
 
 }  // namespace gphys

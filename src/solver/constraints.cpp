@@ -92,8 +92,7 @@ void replace_end(Body& body, uint32_t slot, uint32_t from, uint32_t to) {
 }
 
 void list_constraints(const Constraints& constraints, Smallest<gphys_constraint_info, ConstraintOrder>& out) {
-    for (uint32_t slot = 0; slot < constraints.ids.slots(); ++slot) {
-        if (!constraints.ids.live(slot)) continue;
+    for (const uint32_t slot : constraints.ids) {
         const DistanceConstraint& c = constraints.by_slot[slot];
         out.add({constraints.ids.id(slot), c.a, c.b, static_cast<float>(c.rest), static_cast<float>(c.compliance)});
     }

@@ -13,8 +13,7 @@ namespace {
 /// Over rigid constraints.
 double largest_strain(const Body& body) {
     double largest = 0;
-    for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
-        if (!body.constraints.ids.live(slot)) continue;
+    for (const uint32_t slot : body.constraints.ids) {
         const DistanceConstraint& c = body.constraints.by_slot[slot];
         if (c.compliance > 0 || c.rest == 0) continue;
         const double strain = distance(body.particles.position[c.a], body.particles.position[c.b]) / c.rest - 1;

@@ -62,8 +62,7 @@ void list_hubs(Vector<uint32_t>& hubs, const Constraints& constraints) {
     if (begin.back() == 0) return;
     Vector<Spoke> spokes(begin.back(), begin.get_allocator());
     Vector<uint32_t> next(begin.begin(), begin.end() - 1, begin.get_allocator());
-    for (uint32_t slot = 0; slot < constraints.ids.slots(); ++slot) {
-        if (!constraints.ids.live(slot)) continue;
+    for (const uint32_t slot : constraints.ids) {
         const DistanceConstraint& link = constraints.by_slot[slot];
         for (const uint32_t p : {link.a, link.b}) {
             if (begin[p] < begin[p + 1]) spokes[next[p]++] = {link.rest, link.compliance, link.limit != 0};

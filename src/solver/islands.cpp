@@ -16,8 +16,8 @@ namespace gphys {
 /// boxes along x (Baraff 1992).
 void Solver::unite_near_bodies(DisjointSets& sets, double dt) {
     swept_bounds_.clear();
-    for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
-        if (!state_.ids.live(slot) || state_.bodies[slot].settings.body_layers == 0) continue;
+    for (const uint32_t slot : state_.ids) {
+        if (state_.bodies[slot].settings.body_layers == 0) continue;
         const Body& body = state_.bodies[slot];
         Aabb box{body.particles.position[0], body.particles.position[0]};
         double fastest = 0, radius = 0;
@@ -53,11 +53,8 @@ void Solver::unite_near_bodies(DisjointSets& sets, double dt) {
 void Solver::unite_bodies(const Scene* scene, double dt) {
     const uint32_t slots = state_.ids.slots();
     DisjointSets sets(set_of_, slots);
-    for (uint32_t slot = 0; slot < slots; ++slot) {
-        if (state_.ids.live(slot)) state_.bodies[slot].plan.joined = false;
-    }
-    for (uint32_t slot = 0; slot < state_.joint_ids.slots(); ++slot) {
-        if (!state_.joint_ids.live(slot)) continue;
+    for (Body& body : state_.bodies) body.plan.joined = false;
+    for (const uint32_t slot : state_.joint_ids) {
         const Joint& joint = state_.joints[slot];
         sets.unite(joint.body_a, joint.body_b);
         state_.bodies[joint.body_a].plan.joined = state_.bodies[joint.body_b].plan.joined = true;
@@ -65,8 +62,7 @@ void Solver::unite_bodies(const Scene* scene, double dt) {
     unite_near_bodies(sets, dt);
     for (uint32_t slot = 0; slot < slots; ++slot) set_of_[slot] = sets.root(slot);
     awake_.assign(slots, 0);
-    for (uint32_t slot = 0; slot < slots; ++slot) {
-        if (!state_.ids.live(slot)) continue;
+    for (const uint32_t slot : state_.ids) {
         const Body& body = state_.bodies[slot];
         if (!stays_steady(body, scene, dt) && !stays_asleep(body, scene)) awake_[set_of_[slot]] = 1;
     }

@@ -56,8 +56,7 @@ private:
 
     void find_directions() {
         directions_.resize(constraints_.ids.slots());
-        for (uint32_t slot = 0; slot < constraints_.ids.slots(); ++slot) {
-            if (!constraints_.ids.live(slot)) continue;
+        for (const uint32_t slot : constraints_.ids) {
             const DistanceConstraint& c = constraints_.by_slot[slot];
             ends_[slot] = {c.a, c.b};
             directions_.set(slot, particles_.position[c.b] - particles_.position[c.a]);
@@ -78,8 +77,8 @@ private:
         compliance_.resize(outward_.x.size());
         pairs_.resize(std::max(most, least_pairs));
         Vector<uint32_t> half_edges(begin.back(), memory), end(begin.begin(), begin.end() - 1, memory);
-        for (uint32_t slot = 0; slot < constraints_.ids.slots(); ++slot) {
-            if (!constraints_.ids.live(slot) || constraints_.by_slot[slot].limit) continue;
+        for (const uint32_t slot : constraints_.ids) {
+            if (constraints_.by_slot[slot].limit) continue;
             half_edges[end[constraints_.by_slot[slot].a]++] = half_edge(slot, false);
             half_edges[end[constraints_.by_slot[slot].b]++] = half_edge(slot, true);
         }

@@ -113,8 +113,8 @@ void Solver::prepare(const Scene* scene, double dt) {
         next_near_models_.clear();
         moved_models_.clear();
         unite_bodies(scene, dt);
-        for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
-            if (state_.ids.live(slot) && awake_[set_of_[slot]]) prepare_body(slot, scene, dt);
+        for (const uint32_t slot : state_.ids) {
+            if (awake_[set_of_[slot]]) prepare_body(slot, scene, dt);
         }
         if (!joints_current_) plan_joints();
         list_islands();

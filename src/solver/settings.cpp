@@ -17,8 +17,8 @@ void Solver::set_settings(const SolverSettings& settings) {
 }
 
 void Solver::set_wind(gphys_body_id of, const gphys_wind& wind) {
-    for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
-        if (!state_.ids.live(slot) || (of != 0 && slot != IdTable::slot_of(of))) continue;
+    for (const uint32_t slot : state_.ids) {
+        if (of != 0 && slot != IdTable::slot_of(of)) continue;
         wake(state_.bodies[slot]);
         state_.bodies[slot].air.wind = wind;
     }

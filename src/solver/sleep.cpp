@@ -39,8 +39,7 @@ bool is_hardly_strained(const Body& body, double strain) {
     }
     double sum = 0, largest_gap = 0;  // of rest lengths; of the links without a length
     uint32_t count = 0;
-    for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
-        if (!body.constraints.ids.live(slot)) continue;
+    for (const uint32_t slot : body.constraints.ids) {
         const DistanceConstraint& c = body.constraints.by_slot[slot];
         if (c.compliance > 0) continue;
         const double error = std::fabs(excess(body.particles, c));
@@ -127,8 +126,8 @@ void Solver::wake_all() {
 }
 
 void Solver::list_sleeping(Smallest<gphys_body_id>& out) const {
-    for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
-        if (state_.ids.live(slot) && state_.bodies[slot].sleep.asleep) out.add(state_.ids.id(slot));
+    for (const uint32_t slot : state_.ids) {
+        if (state_.bodies[slot].sleep.asleep) out.add(state_.ids.id(slot));
     }
 }
 

@@ -21,8 +21,7 @@ void add(const Body& body, Vec3 gravity, Totals& totals) {
     if (body.cloth.volume.held)
         totals.potential += stored_in_volume(body.cloth.volume, volume_of(body.cloth.sheet, body.particles));
     totals.constraints += body.constraints.ids.size();
-    for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
-        if (!body.constraints.ids.live(slot)) continue;
+    for (const uint32_t slot : body.constraints.ids) {
         const DistanceConstraint& c = body.constraints.by_slot[slot];
         const double stretch = excess(body.particles, c);
         if (c.compliance > 0) {
@@ -44,9 +43,7 @@ gphys_solver_stats Solver::stats(gphys_body_id id) const {
     if (id != 0) {
         add(body(id), state_.settings.gravity, totals);
     } else {
-        for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
-            if (state_.ids.live(slot)) add(state_.bodies[slot], state_.settings.gravity, totals);
-        }
+        for (const Body& each : state_.bodies) add(each, state_.settings.gravity, totals);
     }
     const double strain_rms = totals.rigid > 0 ? std::sqrt(totals.strain_squared / totals.rigid) : 0;
     return {totals.particles,
@@ -81,8 +78,7 @@ void Solver::body_contacts(Smallest<gphys_body_contact, BodyContactOrder>& out) 
 }
 
 void Solver::contacts(Smallest<gphys_contact, ContactOrder>& out) const {
-    for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
-        if (!state_.ids.live(slot)) continue;
+    for (const uint32_t slot : state_.ids) {
         const Vector<ContactPoint>& points = state_.bodies[slot].contacts.points;
         for (size_t i = 0; i < points.size(); ++i) {
             const ContactPoint& t = points[i];

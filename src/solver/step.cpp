@@ -337,9 +337,7 @@ void Solver::simulate(const Scene* scene, double dt, bool first) {
 /// Uses reserved memory.
 void Solver::add_impulses() {
     impulse_sums_.clear();
-    for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
-        if (state_.ids.live(slot)) impulse_sums_.add(slot, state_.bodies[slot].contacts.impulses);
-    }
+    for (const uint32_t slot : state_.ids) impulse_sums_.add(slot, state_.bodies[slot].contacts.impulses);
     impulse_sums_.sum();
 }
 

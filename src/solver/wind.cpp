@@ -34,9 +34,7 @@ public:
             add_triangle(&body_.cloth.sheet.triangles[i]);
     }
     void add_links() {
-        for (uint32_t slot = 0; slot < body_.constraints.ids.slots(); ++slot) {
-            if (body_.constraints.ids.live(slot)) add_link(body_.constraints.by_slot[slot]);
-        }
+        for (const uint32_t slot : body_.constraints.ids) add_link(body_.constraints.by_slot[slot]);
     }
     void add_particles() {
         const double part = drag_of_ball(air_.wind);

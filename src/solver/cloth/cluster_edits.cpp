@@ -63,9 +63,7 @@ gphys_status remove_cluster(Body& body, gphys_cluster_id id) {
 }
 
 void list_clusters(const Clusters& clusters, Smallest<gphys_cluster_id>& out) {
-    for (uint32_t slot = 0; slot < clusters.ids.slots(); ++slot) {
-        if (clusters.ids.live(slot)) out.add(clusters.ids.id(slot));
-    }
+    for (const uint32_t slot : clusters.ids) out.add(clusters.ids.id(slot));
 }
 
 }  // namespace gphys

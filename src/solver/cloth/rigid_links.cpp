@@ -9,8 +9,8 @@ namespace {
 
 template <class Visit>
 void each_rigid(const Constraints& constraints, Visit&& visit) {
-    for (uint32_t slot = 0; slot < constraints.ids.slots(); ++slot) {
-        if (constraints.ids.live(slot) && constraints.by_slot[slot].compliance == 0)
+    for (const uint32_t slot : constraints.ids) {
+        if (constraints.by_slot[slot].compliance == 0)
             visit(slot, constraints.by_slot[slot]);
     }
 }

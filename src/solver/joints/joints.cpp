@@ -47,16 +47,14 @@ gphys_status Solver::unjoin(gphys_joint_id joint) {
 }
 
 void Solver::remove_joints_of(uint32_t body) {
-    for (uint32_t slot = 0; slot < state_.joint_ids.slots(); ++slot) {
-        if (!state_.joint_ids.live(slot)) continue;
+    for (const uint32_t slot : state_.joint_ids) {
         const Joint& joint = state_.joints[slot];
         if (joint.body_a == body || joint.body_b == body) remove_joint(slot);
     }
 }
 
 void Solver::list_joints(gphys_body_id of, Smallest<gphys_joint_info, JointOrder>& out) const {
-    for (uint32_t slot = 0; slot < state_.joint_ids.slots(); ++slot) {
-        if (!state_.joint_ids.live(slot)) continue;
+    for (const uint32_t slot : state_.joint_ids) {
         const Joint& joint = state_.joints[slot];
         const gphys_body_id a = state_.ids.id(joint.body_a), b = state_.ids.id(joint.body_b);
         if (of != 0 && of != a && of != b) continue;
@@ -141,13 +139,11 @@ void Solver::plan_joints() {
     tethers_.clear();
     Partition partition{state_.bodies, Vector<Part>(&memory), Vector<uint32_t>(&memory)};
     const auto each_joint = [&](auto&& visit) {
-        for (uint32_t slot = 0; slot < state_.joint_ids.slots(); ++slot) {
-            if (state_.joint_ids.live(slot)) visit(state_.joints[slot], slot);
-        }
+        for (const uint32_t slot : state_.joint_ids) visit(state_.joints[slot], slot);
     };
     Vector<Part>& parts = partition.parts;
-    for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
-        if (state_.ids.live(slot) && state_.bodies[slot].plan.branched) parts.push_back({slot, Part::whole});
+    for (const uint32_t slot : state_.ids) {
+        if (state_.bodies[slot].plan.branched) parts.push_back({slot, Part::whole});
     }
     each_joint([&](const Joint& joint, uint32_t) {
         parts.push_back(partition.part_of(joint.body_a, joint.particle_a));

@@ -36,8 +36,7 @@ double bending_energy(const Body& body) {
     };
     double sum = 0;
     // The plan may be out of date. Each pair of links is found at that with the lower slot.
-    for (uint32_t slot = 0; slot < constraints.ids.slots(); ++slot) {
-        if (!constraints.ids.live(slot)) continue;
+    for (const uint32_t slot : constraints.ids) {
         const DistanceConstraint& link = constraints.by_slot[slot];
         for (const uint32_t p : {link.a, link.b}) {
             const uint32_t other_slot = constraints.links[p].slots ^ slot;

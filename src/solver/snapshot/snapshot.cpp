@@ -135,8 +135,8 @@ void visit_globals(Archive& archive, State& state) {
 
 template <class Archive, class Array>
 void write_rare(Archive& archive, const SolverState& state, RareArray which, Array&& array_of) {
-    for (uint32_t slot = 0; slot < state.ids.slots(); ++slot) {
-        if (!state.ids.live(slot) || array_of(state.bodies[slot]).empty()) continue;
+    for (const uint32_t slot : state.ids) {
+        if (array_of(state.bodies[slot]).empty()) continue;
         archive.value(static_cast<uint32_t>(which) << slot_bits | slot);
         archive.array(array_of(state.bodies[slot]));
     }
@@ -144,8 +144,8 @@ void write_rare(Archive& archive, const SolverState& state, RareArray which, Arr
 
 template <class Archive>
 void write_bending(Archive& archive, const SolverState& state) {
-    for (uint32_t slot = 0; slot < state.ids.slots(); ++slot) {
-        if (!state.ids.live(slot) || !state.bodies[slot].rope.bending.resists()) continue;
+    for (const uint32_t slot : state.ids) {
+        if (!state.bodies[slot].rope.bending.resists()) continue;
         archive.value(static_cast<uint32_t>(RareArray::bending) << slot_bits | slot);
         archive.value(state.bodies[slot].rope.bending.stiffness);
     }
@@ -154,8 +154,7 @@ void write_bending(Archive& archive, const SolverState& state) {
 /// Also of a body that has none any more, because stale ids must stay stale.
 template <class Archive>
 void write_clusters(Archive& archive, const SolverState& state) {
-    for (uint32_t slot = 0; slot < state.ids.slots(); ++slot) {
-        if (!state.ids.live(slot)) continue;
+    for (const uint32_t slot : state.ids) {
         const Clusters& clusters = state.bodies[slot].cloth.clusters;
         if (clusters.ids.slots() == 0) continue;
         archive.value(static_cast<uint32_t>(RareArray::clusters) << slot_bits | slot);
@@ -168,9 +167,7 @@ template <class Sink>
 void write(Sink& sink, const SolverState& state) {
     Writer<Sink> archive(sink);
     visit_globals(archive, state);
-    for (uint32_t slot = 0; slot < state.ids.slots(); ++slot) {
-        if (state.ids.live(slot)) visit_body(archive, state.bodies[slot]);
-    }
+    for (const uint32_t slot : state.ids) visit_body(archive, state.bodies[slot]);
     write_rare(
         archive, state, RareArray::targets, [](const Body& body) -> auto& { return body.targets.all; });
     write_rare(
@@ -185,9 +182,7 @@ void write(Sink& sink, const SolverState& state) {
 /// Computes what is not in a snapshot, except the plan. Throws std::bad_alloc.
 void complete(Body& body) {
     body.constraints.links.resize(body.particles.size());
-    for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
-        if (body.constraints.ids.live(slot)) change_links(body.constraints, slot, 1);
-    }
+    for (const uint32_t slot : body.constraints.ids) change_links(body.constraints, slot, 1);
     body.particles.forced = std::any_of(body.particles.force.begin(), body.particles.force.end(),
                                         [](Vec3 force) { return force != Vec3{}; });
     if (!body.contacts.points.empty()) body.contacts.point_count.resize(body.particles.size());
@@ -242,8 +237,7 @@ const char* read(Reader& archive, SolverState& state) {
     if (!archive.good()) return cut_short;
     if (const char* wrong = defect_of_globals(state)) return wrong;
     state.bodies.add_slots(state.ids.slots());
-    for (uint32_t slot = 0; slot < state.ids.slots(); ++slot) {
-        if (!state.ids.live(slot)) continue;
+    for (const uint32_t slot : state.ids) {
         state.bodies.put(slot, new_body(state.bodies.memory()));
         Body& body = state.bodies[slot];
         visit_body(archive, body);
@@ -254,8 +248,7 @@ const char* read(Reader& archive, SolverState& state) {
     if (const char* wrong = defect_of_joints(state)) return wrong;
     if (const char* wrong = read_rare(archive, state)) return wrong;
     // Clusters decide which plans are possible.
-    for (uint32_t slot = 0; slot < state.ids.slots(); ++slot) {
-        if (!state.ids.live(slot)) continue;
+    for (const uint32_t slot : state.ids) {
         if (const char* wrong = defect_of_plan(state.bodies[slot])) return wrong;
         complete_plan(state.bodies[slot]);
     }

@@ -115,8 +115,7 @@ bool attachments_fine(const Body& body) {
 
 bool constraints_fine(const Body& body) {
     if (body.constraints.ids.defect()) return false;
-    for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
-        if (!body.constraints.ids.live(slot)) continue;
+    for (const uint32_t slot : body.constraints.ids) {
         const DistanceConstraint& c = body.constraints.by_slot[slot];
         if (c.a >= body.particles.size() || c.b >= body.particles.size() || c.a == c.b) return false;
         if (!is_length(c.rest) || !is_amount(c.compliance) || !is_amount(c.damping) || c.limit > 1) return false;
@@ -242,8 +241,7 @@ const char* defect_of_joints(const SolverState& state) {
     const auto is_end = [&](uint32_t body, uint32_t particle) {
         return body < state.ids.slots() && state.ids.live(body) && particle < state.bodies[body].particles.size();
     };
-    for (uint32_t slot = 0; slot < state.joint_ids.slots(); ++slot) {
-        if (!state.joint_ids.live(slot)) continue;
+    for (const uint32_t slot : state.joint_ids) {
         const Joint& j = state.joints[slot];
         if (!is_end(j.body_a, j.particle_a) || !is_end(j.body_b, j.particle_b) || j.body_a == j.body_b ||
             !is_length(j.rest) || !is_amount(j.compliance) || !is_finite(j.tension)) {
