@@ -59,13 +59,6 @@ auto guarded(const char* function, Body&& body) noexcept -> decltype(body()) {
         if (!(condition)) return gphys::fail(GPHYS_ERROR_INVALID_ARGUMENT, name, static_cast<double>(value), range); \
     } while (0)
 
-/// Return from the entry point with any status but GPHYS_OK.
-#define GPHYS_TRY(expression)                      \
-    do {                                           \
-        const gphys_status status_ = (expression); \
-        if (status_ != GPHYS_OK) return status_;   \
-    } while (0)
-
 /// Return from the entry point if one of the parameters is null: GPHYS_REQUIRE_POINTERS(scene, ray).
 #define GPHYS_REQUIRE_POINTERS(...) GPHYS_TRY(gphys::check_pointers(#__VA_ARGS__, __VA_ARGS__))
 

@@ -32,4 +32,11 @@ gphys_status add_function_name(const char* function, gphys_status status) noexce
 
 const char* last_error() noexcept;
 
+/// Return with any status but GPHYS_OK.
+#define GPHYS_TRY(expression)                      \
+    do {                                           \
+        const gphys_status status_ = (expression); \
+        if (status_ != GPHYS_OK) return status_;   \
+    } while (0)
+
 }  // namespace gphys

@@ -214,15 +214,13 @@ gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shap
 }
 
 gphys_status Scene::set_shape(gphys_model_id id, gphys_shape_type type, const void* shape) {
-    const gphys_status status = check(id);
-    if (status != GPHYS_OK) return status;
+    GPHYS_TRY(check(id));
     const uint32_t slot = IdTable::slot_of(id);
     return change_shape(slot, type, shape, scale_of(slot));
 }
 
 gphys_status Scene::set_scale(gphys_model_id id, const gphys_vec3& scale) {
-    const gphys_status status = check(id);
-    if (status != GPHYS_OK) return status;
+    GPHYS_TRY(check(id));
     const uint32_t slot = IdTable::slot_of(id);
     if (const Mesh* mesh = stored_mesh(slot)) return change_shape(slot, type(id), mesh, scale);
     uint32_t shape[largest_shape_words];
@@ -362,8 +360,7 @@ void Scene::unlist_unbounded(uint32_t position) {
 }
 
 gphys_status Scene::remove_subtree(gphys_model_id model) {
-    const gphys_status status = check(model);
-    if (status != GPHYS_OK) return status;
+    GPHYS_TRY(check(model));
     // Postorder, so that no child becomes a root before its removal.
     const uint32_t top = IdTable::slot_of(model);
     for (uint32_t slot = top;;) {
@@ -392,8 +389,7 @@ void Scene::clear() {
 }
 
 gphys_status Scene::set_layers(gphys_model_id model, uint32_t layers) {
-    const gphys_status status = check(model);
-    if (status != GPHYS_OK) return status;
+    GPHYS_TRY(check(model));
     const uint32_t slot = IdTable::slot_of(model);
     layer_blocks_.remove(slot, models_[slot].layers);
     layer_blocks_.add(slot, layers);
@@ -517,8 +513,7 @@ QueryFilter Scene::query_filter(uint32_t layers, gphys_model_id ignored_model, b
 }
 
 gphys_status Scene::set_parent(gphys_model_id model, gphys_model_id parent, bool keep_world) {
-    gphys_status status = check(model);
-    if (status != GPHYS_OK) return status;
+    GPHYS_TRY(check(model));
     if (parent != 0 && !has(parent)) return fail(GPHYS_ERROR_INVALID_ID, "parent", parent, id_of_model);
     const uint32_t slot = IdTable::slot_of(model);
     const uint32_t new_parent = parent == 0 ? none : IdTable::slot_of(parent);

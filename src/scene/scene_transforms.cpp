@@ -247,9 +247,7 @@ gphys_status Scene::set_origin(Vec3 origin) {
     if (!in_range) {
         return fail(GPHYS_ERROR_INVALID_ARGUMENT, "origin: a model would be beyond GPHYS_MAX_COORDINATE");
     }
-    const gphys_status status =
-        set_transforms(models.data(), transforms.data(), sizeof(gphys_transform), static_cast<uint32_t>(models.size()));
-    if (status != GPHYS_OK) return status;
+    GPHYS_TRY(set_transforms(models.data(), transforms.data(), sizeof(gphys_transform), static_cast<uint32_t>(models.size())));
     places_.swap(places);
     origin_ = origin;
     return GPHYS_OK;

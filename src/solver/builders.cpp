@@ -57,8 +57,7 @@ gphys_status link_grid(Body& body, uint32_t columns, uint32_t rows, uint32_t du,
     for (uint32_t row = down; row + up < rows; ++row) {
         for (uint32_t column = 0; column + du < columns; ++column) {
             const uint32_t a = row * columns + column;
-            const gphys_status status = link(body, a, a + du + up * columns - down * columns, compliance);
-            if (status != GPHYS_OK) return status;
+            GPHYS_TRY(link(body, a, a + du + up * columns - down * columns, compliance));
         }
     }
     return GPHYS_OK;
@@ -86,9 +85,7 @@ gphys_status Solver::add_rope(const gphys_body_desc& desc, const gphys_vec3* pos
     Body& body = *made;
     for (uint32_t p = 0; p + 1 < count; ++p) {
         gphys_constraint_id ignored;
-        const gphys_status status =
-            add_constraint(body, {p, p + 1, link_length > 0 ? link_length : -1, desc.compliance, 0, 0}, ignored);
-        if (status != GPHYS_OK) return status;
+        GPHYS_TRY(add_constraint(body, {p, p + 1, link_length > 0 ? link_length : -1, desc.compliance, 0, 0}, ignored));
     }
     set_breaking_force(body, desc);
     return insert(std::move(made), out);
@@ -141,8 +138,7 @@ gphys_status Solver::add_cloth(const gphys_body_desc& desc, Vec3 corner, Vec3 ed
         directions.push_back({2, 0, bend});
     }
     for (const Direction& d : directions) {
-        const gphys_status status = link_grid(body, columns, rows, d.du, d.dv, d.compliance);
-        if (status != GPHYS_OK) return status;
+        GPHYS_TRY(link_grid(body, columns, rows, d.du, d.dv, d.compliance));
     }
     set_breaking_force(body, desc);
     return insert(std::move(made), out);
@@ -182,14 +178,12 @@ gphys_status Solver::add_cloth_mesh(const gphys_body_desc& desc, const Mesh& mes
     const auto same_edge = [](const Side3& a, const Side3& b) { return a.low == b.low && a.high == b.high; };
     for (size_t i = 0; i < sides.size(); ++i) {
         if (i > 0 && same_edge(sides[i - 1], sides[i])) continue;
-        const gphys_status status = link(body, sides[i].low, sides[i].high, desc.compliance);
-        if (status != GPHYS_OK) return status;
+        GPHYS_TRY(link(body, sides[i].low, sides[i].high, desc.compliance));
     }
     if (desc.cloth_flags & GPHYS_CLOTH_BEND) {
         for (size_t i = 1; i < sides.size(); ++i) {
             if (!same_edge(sides[i - 1], sides[i]) || sides[i - 1].opposite == sides[i].opposite) continue;
-            const gphys_status status = link(body, sides[i - 1].opposite, sides[i].opposite, desc.bend_compliance);
-            if (status != GPHYS_OK) return status;
+            GPHYS_TRY(link(body, sides[i - 1].opposite, sides[i].opposite, desc.bend_compliance));
         }
     }
     set_breaking_force(body, desc);
@@ -197,8 +191,7 @@ gphys_status Solver::add_cloth_mesh(const gphys_body_desc& desc, const Mesh& mes
 }
 
 gphys_status Solver::remove(gphys_body_id id) {
-    const gphys_status status = check(id);
-    if (status != GPHYS_OK) return status;
+    GPHYS_TRY(check(id));
     meshes_.let_go(id);
     remove_joints_of(IdTable::slot_of(id));
     state_.ids.remove(id);

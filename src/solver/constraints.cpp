@@ -51,8 +51,7 @@ gphys_status check_constraint(const Constraints& constraints, gphys_constraint_i
 }
 
 gphys_status set_damping(Body& body, gphys_constraint_id id, double damping) {
-    const gphys_status status = check_constraint(body.constraints, id);
-    if (status != GPHYS_OK) return status;
+    GPHYS_TRY(check_constraint(body.constraints, id));
     wake(body);
     body.constraints.by_slot[IdTable::slot_of(id)].damping = damping;
     body.plan.described = false;
@@ -60,8 +59,7 @@ gphys_status set_damping(Body& body, gphys_constraint_id id, double damping) {
 }
 
 gphys_status remove_constraint(Body& body, gphys_constraint_id id) {
-    const gphys_status status = check_constraint(body.constraints, id);
-    if (status != GPHYS_OK) return status;
+    GPHYS_TRY(check_constraint(body.constraints, id));
     const uint32_t slot = IdTable::slot_of(id);
     const bool in_plan = can_remove_from_plan(body, slot);
     wake(body);

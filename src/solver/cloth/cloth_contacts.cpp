@@ -425,10 +425,9 @@ void relax_links_in_contact(Body& body) {
         const uint32_t place = contacts.candidate_of[p];
         return place != ClothContacts::none && contacts.candidates[place].active_plane >= 0;
     };
-    for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
+    for (const uint32_t slot : body.constraints.ids) {
         const DistanceConstraint& link = body.constraints.by_slot[slot];
-        if (!body.constraints.ids.live(slot) || link.compliance > 0 || !is_active(link.a) || !is_active(link.b))
-            continue;
+        if (link.compliance > 0 || !is_active(link.a) || !is_active(link.b)) continue;
         const float *a = &state.at[4 * size_t{link.a}], *b = &state.at[4 * size_t{link.b}];
         const Vec3 along = get(b) - get(a);
         const double length = gphys::length(along), error = length - link.rest, mobility = double{a[3]} + b[3];

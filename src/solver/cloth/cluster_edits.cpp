@@ -50,8 +50,7 @@ gphys_status check_cluster(const Clusters& clusters, gphys_cluster_id id) {
 
 gphys_status remove_cluster(Body& body, gphys_cluster_id id) {
     Clusters& clusters = body.cloth.clusters;
-    const gphys_status status = check_cluster(clusters, id);
-    if (status != GPHYS_OK) return status;
+    GPHYS_TRY(check_cluster(clusters, id));
     wake(body);
     const auto range =
         std::equal_range(clusters.members.begin(), clusters.members.end(), IdTable::slot_of(id), BySlot());

@@ -44,8 +44,7 @@ void Solver::break_overloaded(double dt) noexcept {
 
 gphys_status Solver::break_constraint(gphys_body_id id, gphys_constraint_id constraint, gphys_break& out) {
     Body& body = state_.bodies[IdTable::slot_of(id)];
-    const gphys_status status = check_constraint(body.constraints, constraint);
-    if (status != GPHYS_OK) return status;
+    GPHYS_TRY(check_constraint(body.constraints, constraint));
     if (!reserve_tears(body, 1)) {
         return fail(GPHYS_ERROR_CAPACITY, "the body would have more than 2^24 - 1 particles or constraints");
     }
