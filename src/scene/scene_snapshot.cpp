@@ -128,26 +128,18 @@ bool is_place_in_world(Vec3 place) { return max_component(abs(place)) <= 2 * GPH
 
 /// All members of a scene that a snapshot replaces, except the BVH.
 struct Scene::Contents {
-    explicit Contents(Memory* memory)
-        : ids(memory),
-          models(memory),
-          tags(memory),
-          layer_blocks(memory),
-          shape_tails(memory),
-          families(memory),
-          unscaled(memory),
-          places(memory),
-          unbounded(memory) {}
+    explicit Contents(Memory* source) : memory(source) {}
 
-    IdTable ids;
-    LargeArray<Model> models;
-    LargeArray<uint32_t> tags;
-    LayerBlocks layer_blocks;
-    LargeArray<ShapeTail> shape_tails;
-    Pool<Family> families;
-    LargeArray<Unscaled> unscaled;
-    LargeArray<WorldPlace> places;
-    Vector<uint32_t> unbounded;
+    Memory* memory;
+    IdTable ids{memory};
+    LargeArray<Model> models{memory};
+    LargeArray<uint32_t> tags{memory};
+    LayerBlocks layer_blocks{memory};
+    LargeArray<ShapeTail> shape_tails{memory};
+    Pool<Family> families{memory};
+    LargeArray<Unscaled> unscaled{memory};
+    LargeArray<WorldPlace> places{memory};
+    Vector<uint32_t> unbounded{memory};
     Vec3 origin;
     float widest_scale = 1, farthest_point = 0;
     uint32_t common_layers = ~0u, large_mesh_count = 0;

@@ -21,33 +21,23 @@
 namespace gphys {
 
 struct Body {
-    explicit Body(std::pmr::memory_resource* memory)
-        : particles(memory),
-          flight(memory),
-          constraints(memory),
-          plan(memory),
-          history(memory),
-          contacts(memory),
-          rope(memory),
-          cloth(memory),
-          air(memory),
-          targets(memory),
-          breaking(memory) {}
+    explicit Body(std::pmr::memory_resource* source) : memory(source) {}
 
+    std::pmr::memory_resource* memory;
     gphys_body_kind kind = GPHYS_BODY_PARTICLES;
     BodySettings settings;
-    Particles particles;
-    FlightBalls flight;  // of free particles
-    Constraints constraints;
-    Plan plan;
-    History history;
+    Particles particles{memory};
+    FlightBalls flight{memory};  // of free particles
+    Constraints constraints{memory};
+    Plan plan{memory};
+    History history{memory};
     Substeps substeps;
-    Contacts contacts;
-    Rope rope;
-    Cloth cloth;
-    Air air;
-    AnimationTargets targets;
-    Breaking breaking;
+    Contacts contacts{memory};
+    Rope rope{memory};
+    Cloth cloth{memory};
+    Air air{memory};
+    AnimationTargets targets{memory};
+    Breaking breaking{memory};
     Sleep sleep;
     Steady steady;
 };

@@ -58,20 +58,15 @@ struct Links {
 };
 
 struct Constraints {
-    explicit Constraints(std::pmr::memory_resource* memory)
-        : ids(memory),
-          by_slot(memory),
-          length_changes(memory),
-          changed_links(memory),
-          links(memory),
-          attachments(memory) {}
+    explicit Constraints(std::pmr::memory_resource* source) : memory(source) {}
 
-    IdTable ids;
-    Vector<DistanceConstraint> by_slot;
-    Vector<LengthChange> length_changes;  // for the next step, by slot
-    Vector<ChangedLink> changed_links;    // the same in the step under way
-    Vector<Links> links;                  // by particle
-    Vector<Attachment> attachments;       // by particle
+    std::pmr::memory_resource* memory;
+    IdTable ids{memory};
+    Vector<DistanceConstraint> by_slot{memory};
+    Vector<LengthChange> length_changes{memory};  // for the next step, by slot
+    Vector<ChangedLink> changed_links{memory};    // the same in the step under way
+    Vector<Links> links{memory};                  // by particle
+    Vector<Attachment> attachments{memory};       // by particle
 };
 
 /// Of a particle that follows a model or was moved; else null.

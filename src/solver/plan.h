@@ -26,16 +26,7 @@ struct Chain {
 };
 
 struct Plan {
-    explicit Plan(std::pmr::memory_resource* memory)
-        : chains(memory),
-          colours(memory),
-          particles(memory),
-          slots(memory),
-          rest(memory),
-          compliance(memory),
-          damping(memory),
-          limit(memory),
-          hubs(memory) {}
+    explicit Plan(std::pmr::memory_resource* source) : memory(source) {}
 
     void clear_chains();
     void begin_chain(uint32_t particle) {
@@ -53,6 +44,7 @@ struct Plan {
 
     static constexpr uint32_t most_edits = 64;
 
+    std::pmr::memory_resource* memory;
     gphys_solve_method method = GPHYS_SOLVE_FREE;
     // Whether the chains, and the reach limits of pins, are up to date. If not, they are not used.
     bool chains_current = false, reach_current = false;
@@ -61,17 +53,17 @@ struct Plan {
     bool chains_packed = false, pins_packed = false;  // whether Cloth::batches and Cloth::reach are up to date
 
     /// By colour. The chains of a colour share no particle, so their order within it is free.
-    Vector<Chain> chains;
-    Vector<uint32_t> colours;  // the first chain of each, and the end
-    Vector<uint32_t> particles;
-    Vector<uint32_t> slots;                    // by link: of its constraint
-    Vector<double> rest, compliance, damping;  // by link
-    Vector<uint32_t> limit;                    // by link: 1 if it only pulls
-    Vector<uint32_t> hubs;                     // of a graph: particles with many links (hubs.cpp)
-    bool damped = false, limited = false;      // whether any link is
-    bool branched = false;                     // direct, and chains have particles in common: joints/ solves them
-    bool crowded = false;                      // whether some hub may move: sweeps go there and back
-    bool joined = false;                       // branched, or to other bodies; set at the beginning of a step
+    Vector<Chain> chains{memory};
+    Vector<uint32_t> colours{memory};  // the first chain of each, and the end
+    Vector<uint32_t> particles{memory};
+    Vector<uint32_t> slots{memory};                                    // by link: of its constraint
+    Vector<double> rest{memory}, compliance{memory}, damping{memory};  // by link
+    Vector<uint32_t> limit{memory};                                    // by link: 1 if it only pulls
+    Vector<uint32_t> hubs{memory};         // of a graph: particles with many links (hubs.cpp)
+    bool damped = false, limited = false;  // whether any link is
+    bool branched = false;                 // direct, and chains have particles in common: joints/ solves them
+    bool crowded = false;                  // whether some hub may move: sweeps go there and back
+    bool joined = false;                   // branched, or to other bodies; set at the beginning of a step
 };
 
 /// The method that suits the constraints. O(particles). Throws std::bad_alloc.

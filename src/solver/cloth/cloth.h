@@ -27,44 +27,29 @@ struct Body;
 struct CollisionContext;
 
 struct Cloth {
-    explicit Cloth(std::pmr::memory_resource* memory)
-        : sheet(memory),
-          rigid(memory),
-          reach(memory),
-          batches(memory),
-          taut(memory),
-          state(memory),
-          shares(memory),
-          tethers(memory),
-          loads(memory),
-          in_chains(memory),
-          relaxation(memory),
-          volume(memory),
-          clusters(memory),
-          contacts(memory),
-          moving_colliders(memory),
-          cache(memory) {}
+    explicit Cloth(std::pmr::memory_resource* source) : memory(source) {}
 
+    std::pmr::memory_resource* memory;
     // What follows from the constraints and pins:
-    ClothSheet sheet;
-    RigidLinks rigid;  // of the plan, whatever is pinned
-    ReachLimits reach;
-    ClothBatches batches;
-    TautSpans taut;
+    ClothSheet sheet{memory};
+    RigidLinks rigid{memory};  // of the plan, whatever is pinned
+    ReachLimits reach{memory};
+    ClothBatches batches{memory};
+    TautSpans taut{memory};
     // Of the step under way:
-    ClothState state;
-    ClothShares shares;
+    ClothState state{memory};
+    ClothShares shares{memory};
     ClothBalance balance;
-    TetherInertia tethers;
-    ContactLoads loads;
-    ChainContacts in_chains;
-    Relaxation relaxation;
+    TetherInertia tethers{memory};
+    ContactLoads loads{memory};
+    ChainContacts in_chains{memory};
+    Relaxation relaxation{memory};
     YieldingChords yielding;
-    Volume volume;
-    Clusters clusters;
-    ClothContacts contacts;
-    Vector<MovingCollider> moving_colliders;
-    ContactCache cache;
+    Volume volume{memory};
+    Clusters clusters{memory};
+    ClothContacts contacts{memory};
+    Vector<MovingCollider> moving_colliders{memory};
+    ContactCache cache{memory};
     Settling settling;
 };
 

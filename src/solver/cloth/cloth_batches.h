@@ -24,37 +24,26 @@ struct LimitInCloth {
 };
 /// Unused lanes have links between two particles beyond the last one, which do not move.
 struct ClothBatches {
-    explicit ClothBatches(std::pmr::memory_resource* memory)
-        : chains(memory),
-          colours(memory),
-          particles(memory),
-          rest(memory),
-          compliance(memory),
-          softness(memory),
-          stiffness(memory),
-          damped(memory),
-          target(memory),
-          continued(memory),
-          limits(memory),
-          rows(memory) {}
+    explicit ClothBatches(std::pmr::memory_resource* source) : memory(source) {}
 
-    Vector<ChainBatch> chains;  // colour after colour
-    Vector<uint32_t> colours;   // the first batch of each, and the end: those of a colour share no particle
-    uint32_t spare = 2;         // particles beyond the last one that a colour's lanes need
-    Vector<uint32_t> particles;
-    Vector<float> rest;
-    Vector<double> compliance;  // by link and chain; infinity for missing links
-    double scale = 0;           // average mass / step^2, for which this is:
-    Vector<float> softness;     // compliance * scale
-    Vector<float> stiffness;    // 1 / (compliance * average mass); 0 for rigid links and absent ones
-    bool elastic = false;       // whether any link stores energy
-    Vector<DampedInCloth> damped;
-    Vector<float> target;     // rest, with the lengths that damped links and taut rows aim at; empty if there are none
-    Vector<float> continued;  // the lengths that elastic links aim at on the way back; empty if there is none
-    Vector<LimitInCloth> limits;
-    uint32_t longest = 0;    // links
-    double link_length = 0;  // metres, the average
-    Vector<float> rows;      // for the longest chain, for each worker
+    std::pmr::memory_resource* memory;
+    Vector<ChainBatch> chains{memory};  // colour after colour
+    Vector<uint32_t> colours{memory};   // the first batch of each, and the end: those of a colour share no particle
+    uint32_t spare = 2;                 // particles beyond the last one that a colour's lanes need
+    Vector<uint32_t> particles{memory};
+    Vector<float> rest{memory};
+    Vector<double> compliance{memory};  // by link and chain; infinity for missing links
+    double scale = 0;                   // average mass / step^2, for which this is:
+    Vector<float> softness{memory};     // compliance * scale
+    Vector<float> stiffness{memory};    // 1 / (compliance * average mass); 0 for rigid links and absent ones
+    bool elastic = false;               // whether any link stores energy
+    Vector<DampedInCloth> damped{memory};
+    Vector<float> target{memory};  // rest, with the lengths that damped links and taut rows aim at; empty without any
+    Vector<float> continued{memory};  // the lengths that elastic links aim at on the way back; empty if there is none
+    Vector<LimitInCloth> limits{memory};
+    uint32_t longest = 0;        // links
+    double link_length = 0;      // metres, the average
+    Vector<float> rows{memory};  // for the longest chain, for each worker
 };
 
 /// The plan must be current. Throws std::bad_alloc.

@@ -21,21 +21,15 @@ struct ReachLimit {
 
 /// The paths from pins, the limits that follow from them, and these in the layout of the kernels.
 struct ReachLimits {
-    explicit ReachLimits(std::pmr::memory_resource* memory)
-        : paths(memory),
-          limits(memory),
-          limited(memory),
-          anchors(memory),
-          ranks(memory),
-          distances(memory),
-          stretched(memory) {}
+    explicit ReachLimits(std::pmr::memory_resource* source) : memory(source) {}
 
-    Vector<PinPath> paths;  // ascending; empty if they are not known
-    Vector<ReachLimit> limits;
-    Vector<uint32_t> limited, anchors;  // particles
-    Vector<uint32_t> ranks;             // in them: the first of each rank, and the end; a rank has no particle twice
-    Vector<float> distances;
-    Vector<float> stretched;  // distances of taut cloth (taut_spans.h); empty if no row is between pins
+    std::pmr::memory_resource* memory;
+    Vector<PinPath> paths{memory};  // ascending; empty if they are not known
+    Vector<ReachLimit> limits{memory};
+    Vector<uint32_t> limited{memory}, anchors{memory};  // particles
+    Vector<uint32_t> ranks{memory};  // in them: the first of each rank, and the end; a rank has no particle twice
+    Vector<float> distances{memory};
+    Vector<float> stretched{memory};  // distances of taut cloth (taut_spans.h); empty if no row is between pins
 };
 
 /// The plan must be current. Throws std::bad_alloc.

@@ -40,29 +40,22 @@ struct SelfCollision {
 };
 
 struct Contacts {
-    explicit Contacts(std::pmr::memory_resource* memory)
-        : points(memory),
-          point_count(memory),
-          impulses(memory),
-          parts(memory),
-          held(memory),
-          stuck(memory),
-          friction_factor(memory),
-          self(memory) {}
+    explicit Contacts(std::pmr::memory_resource* source) : memory(source) {}
 
-    Vector<ContactPoint> points;    // contact_points_per_particle each; empty until it has been in a scene
-    Vector<uint8_t> point_count;    // by particle: number of its contact points
-    Vector<ModelImpulse> impulses;  // by model, of the last step
-    Vector<FlightPart> parts;       // of free particles, if there are several; empty between steps
+    std::pmr::memory_resource* memory;
+    Vector<ContactPoint> points{memory};    // contact_points_per_particle each; empty until it has been in a scene
+    Vector<uint8_t> point_count{memory};    // by particle: number of its contact points
+    Vector<ModelImpulse> impulses{memory};  // by model, of the last step
+    Vector<FlightPart> parts{memory};       // of free particles, if there are several; empty between steps
     /// By particle: 0, or 1 + the index of its last contact point in the substep under way.
-    Vector<uint8_t> held;
-    Vector<uint32_t> stuck;          // by particle, if it sticks: whether friction holds it or it rests
-    Vector<double> friction_factor;  // by particle, of the body's friction; empty: 1
-    bool has_contact = false;        // whether there was any, and the caller has not interrupted the motion since
-    bool near = false;               // whether its particles may be in contact with others in this substep
+    Vector<uint8_t> held{memory};
+    Vector<uint32_t> stuck{memory};          // by particle, if it sticks: whether friction holds it or it rests
+    Vector<double> friction_factor{memory};  // by particle, of the body's friction; empty: 1
+    bool has_contact = false;  // whether there was any, and the caller has not interrupted the motion since
+    bool near = false;         // whether its particles may be in contact with others in this substep
     /// Whether some particles are deeper in models than they can leave in this substep.
     bool penetrating = false;
-    SelfCollision self;
+    SelfCollision self{memory};
 
     /// That of a part, or of the whole body if it has no parts.
     ImpulseAccumulator accumulator(uint32_t part) {

@@ -28,17 +28,9 @@ struct Joint {
 };
 
 /// A system of equations: the particles (nodes) and links of a set of bodies that are joined.
-
 class JointSystem {
 public:
-    explicit JointSystem(std::pmr::memory_resource* memory)
-        : nodes_(memory),
-          links_(memory),
-          bends_(memory),
-          entries_(memory),
-          diagonal_(memory),
-          solution_(memory),
-          matrix_(memory) {}
+    explicit JointSystem(std::pmr::memory_resource* source) : memory_(source) {}
 
     /// A particle of the system. Nodes are stored in the order of elimination.
     struct Node {
@@ -137,11 +129,12 @@ private:
     bool is_feasible() const;
     double advance();
 
-    Vector<Node> nodes_;
-    Vector<Link> links_;
-    Vector<NodeBend> bends_;
-    Vector<double> entries_, diagonal_, solution_;
-    SparseLdl matrix_;
+    std::pmr::memory_resource* memory_;
+    Vector<Node> nodes_{memory_};
+    Vector<Link> links_{memory_};
+    Vector<NodeBend> bends_{memory_};
+    Vector<double> entries_{memory_}, diagonal_{memory_}, solution_{memory_};
+    SparseLdl matrix_{memory_};
     bool outdated_ = false;
     double elastic_energy_before_ = 0;
     double regularisation_ = 0;  // compliance that every link has, relative to the inverse masses at its ends

@@ -12,18 +12,7 @@ namespace gphys {
 
 class SparseLdl {
 public:
-    explicit SparseLdl(std::pmr::memory_resource* memory)
-        : column_begin_(memory),
-          rows_(memory),
-          parent_(memory),
-          factor_begin_(memory),
-          factor_rows_(memory),
-          filled_(memory),
-          mark_(memory),
-          pattern_(memory),
-          factor_(memory),
-          inverse_pivot_(memory),
-          sum_(memory) {}
+    explicit SparseLdl(std::pmr::memory_resource* source) : memory_(source) {}
 
     /// The pattern of the upper triangle without the diagonal, column by column, in any order within a column. Entries
     /// at the same place are added. Throws std::bad_alloc.
@@ -42,11 +31,12 @@ public:
 private:
     static constexpr uint32_t none = 0xffffffff;
 
-    Vector<uint32_t> column_begin_, rows_;
-    Vector<uint32_t> parent_;                      // the elimination tree
-    Vector<uint32_t> factor_begin_, factor_rows_;  // L by column
-    Vector<uint32_t> filled_, mark_, pattern_;
-    Vector<double> factor_, inverse_pivot_, sum_;
+    std::pmr::memory_resource* memory_;
+    Vector<uint32_t> column_begin_{memory_}, rows_{memory_};
+    Vector<uint32_t> parent_{memory_};                               // the elimination tree
+    Vector<uint32_t> factor_begin_{memory_}, factor_rows_{memory_};  // L by column
+    Vector<uint32_t> filled_{memory_}, mark_{memory_}, pattern_{memory_};
+    Vector<double> factor_{memory_}, inverse_pivot_{memory_}, sum_{memory_};
 };
 
 }  // namespace gphys

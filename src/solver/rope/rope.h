@@ -36,32 +36,23 @@ struct StiffRow {
 
 /// State of chains that are solved directly.
 struct Rope {
-    explicit Rope(std::pmr::memory_resource* memory)
-        : damped_rest(memory),
-          damped_compliance(memory),
-          target(memory),
-          tension(memory),
-          earlier_tension(memory),
-          bending(memory),
-          rows(memory),
-          stiff_rows(memory),
-          solved(memory),
-          slack(memory) {}
+    explicit Rope(std::pmr::memory_resource* source) : memory(source) {}
 
+    std::pmr::memory_resource* memory;
     // By link of the plan:
-    Vector<double> damped_rest, damped_compliance;  // m, m/N, of the substep under way, see damping.h
-    Vector<double> target;                          // metres, the length to reach (set_targets)
-    Vector<double> tension;                         // newtons, of the last substep
-    Vector<double> earlier_tension;                 // of the substep before
+    Vector<double> damped_rest{memory}, damped_compliance{memory};  // m, m/N, of the substep under way, see damping.h
+    Vector<double> target{memory};                                  // metres, the length to reach (set_targets)
+    Vector<double> tension{memory};                                 // newtons, of the last substep
+    Vector<double> earlier_tension{memory};                         // of the substep before
     bool yields = false;  // whether links between pins share a stretch that they cannot correct in this substep
 
-    Bending bending;
+    Bending bending{memory};
 
-    Vector<DirectRow> rows;       // for the longest chain
-    Vector<StiffRow> stiff_rows;  // if the body resists bending: four for each particle, between eight of zeros
+    Vector<DirectRow> rows{memory};       // for the longest chain
+    Vector<StiffRow> stiff_rows{memory};  // if the body resists bending: four for each particle, between eight of zeros
     // By particle:
-    Vector<Vec3> solved;    // positions solved with the links alone, before contacts
-    Vector<uint8_t> slack;  // if there are limits: whether all its links were slack at the start of the substep
+    Vector<Vec3> solved{memory};    // positions solved with the links alone, before contacts
+    Vector<uint8_t> slack{memory};  // if there are limits: whether all its links were slack at the start of the substep
 };
 
 /// Whether the time scheme restarts after an interruption that is no contact: the first substep is made in parts.

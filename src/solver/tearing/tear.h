@@ -27,24 +27,16 @@ struct Spoke {
 
 /// Memory for tearing.
 struct TearSpace {
-    explicit TearSpace(std::pmr::memory_resource* memory)
-        : link_begin(memory),
-          links(memory),
-          triangle_begin(memory),
-          triangles(memory),
-          spokes(memory),
-          parting(memory),
-          sides(memory),
-          marks(memory),
-          remaining(memory) {}
+    explicit TearSpace(std::pmr::memory_resource* source) : memory(source) {}
 
-    Vector<uint32_t> link_begin, links;          // by particle: the slots of its constraints
-    Vector<uint32_t> triangle_begin, triangles;  // by particle: its triangles
-    Vector<Spoke> spokes;                        // around the particle where cloth parts, sorted
-    Vector<uint32_t> parting;                    // the triangles that get the copy
-    Vector<uint8_t> sides;                       // by triangle, while they are divided
-    Vector<uint8_t> marks;                       // by particle
-    Vector<Links> remaining;                     // for method_of
+    std::pmr::memory_resource* memory;
+    Vector<uint32_t> link_begin{memory}, links{memory};          // by particle: the slots of its constraints
+    Vector<uint32_t> triangle_begin{memory}, triangles{memory};  // by particle: its triangles
+    Vector<Spoke> spokes{memory};                                // around the particle where cloth parts, sorted
+    Vector<uint32_t> parting{memory};                            // the triangles that get the copy
+    Vector<uint8_t> sides{memory};                               // by triangle, while they are divided
+    Vector<uint8_t> marks{memory};                               // by particle
+    Vector<Links> remaining{memory};                             // for method_of
 };
 
 /// Allocates what `count` breaks need. Returns false beyond the capacity of ids. Throws std::bad_alloc; then nothing
