@@ -66,6 +66,15 @@ struct Plan {
     bool joined = false;                   // branched, or to other bodies; set at the beginning of a step
 };
 
+/// Calls visit(link, a, b) for the links of all chains: its index in the plan, and its particles along the chain.
+template <class Visit>
+void each_link(const Plan& plan, Visit&& visit) {
+    for (const Chain& chain : plan.chains) {
+        const uint32_t* const particle = &plan.particles[chain.first_particle];
+        for (uint32_t i = 0; i < chain.link_count; ++i) visit(chain.first_link + i, particle[i], particle[i + 1]);
+    }
+}
+
 /// The method that suits the constraints. O(particles). Throws std::bad_alloc.
 gphys_solve_method method_of(const Body& body);
 /// The same for a body with this number of constraints.

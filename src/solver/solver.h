@@ -32,7 +32,7 @@
 //     rope_stepper.h     one rope, from one system of equations to the next
 //     stages_kernels.cpp whether a substep has two stages (TR-BDF2), for a seventh of the error
 //     rope_direct.cpp    links of a single rope, by block elimination
-//     rope_contacts.cpp  contacts with models, as part of its equations
+//     rope_contacts.cpp  contacts with models, as part of its equations; rope_contact_search.cpp: the search for them
 //     rope_lanes.cpp     undisturbed ropes, eight side by side
 //     rope_contact_lanes.cpp  ropes that may touch models, their equations solved side by side
 //     rope_kernels.cpp   what these two compute; rope_layout_kernels.cpp: gather and scatter

@@ -73,6 +73,9 @@ struct ContactTerm {
     }
 };
 
+/// Between the centre of a particle and a surface that it touches, metres.
+inline double clearance(double radius, Vec3 at) { return radius + skin(radius, at); }
+
 class RopeContacts {
 public:
     explicit RopeContacts(std::pmr::memory_resource* memory)

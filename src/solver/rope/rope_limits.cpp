@@ -93,14 +93,9 @@ struct TautLinks {
 void predict_slack_particles(Body& body, Vec3 gravity, double h) {
     // Where links are slack, bending still acts.
     std::fill(body.rope.slack.begin(), body.rope.slack.end(), uint8_t{!body.rope.bending.resists()});
-    for (const Chain& chain : body.plan.chains) {
-        for (uint32_t i = 0; i < chain.link_count; ++i) {
-            const uint32_t a = body.plan.particles[chain.first_particle + i];
-            const uint32_t b = body.plan.particles[chain.first_particle + i + 1];
-            if (!is_slack(body.plan, body.history.start, a, b, chain.first_link + i))
-                body.rope.slack[a] = body.rope.slack[b] = 0;
-        }
-    }
+    each_link(body.plan, [&](uint32_t link, uint32_t a, uint32_t b) {
+        if (!is_slack(body.plan, body.history.start, a, b, link)) body.rope.slack[a] = body.rope.slack[b] = 0;
+    });
     const FlightTime time(body.settings.damping, h);
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (body.particles.pinned(p)) body.rope.slack[p] = 0;

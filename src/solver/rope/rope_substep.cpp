@@ -28,15 +28,11 @@ namespace {
 /// By particle: the sum of the forces of its links, newtons.
 void sum_tensions(const Rope& rope, const Plan& plan, const Particles& particles, Vector<Vec3>& forces) {
     forces.assign(particles.size(), Vec3{});
-    for (const Chain& chain : plan.chains) {
-        for (uint32_t i = 0; i < chain.link_count; ++i) {
-            const uint32_t a = plan.particles[chain.first_particle + i];
-            const uint32_t b = plan.particles[chain.first_particle + i + 1];
-            const Vec3 pull = link_direction(particles, a, b) * rope.tension[chain.first_link + i];
-            forces[a] += pull;
-            forces[b] += -pull;
-        }
-    }
+    each_link(plan, [&](uint32_t link, uint32_t a, uint32_t b) {
+        const Vec3 pull = link_direction(particles, a, b) * rope.tension[link];
+        forces[a] += pull;
+        forces[b] += -pull;
+    });
 }
 
 void predict_chains(Body& body, const TimeScheme& scheme, Vec3 gravity) {
@@ -79,19 +75,14 @@ double length_rate(const History& history, uint32_t a, uint32_t b) {
 
 /// Sets the parameters of damped links for the substep.
 void damp_chains(Rope& rope, const Plan& plan, const History& history, const TimeScheme& scheme) {
-    for (const Chain& chain : plan.chains) {
-        for (uint32_t i = 0; i < chain.link_count; ++i) {
-            const uint32_t link = chain.first_link + i;
-            if (plan.damping[link] == 0 || plan.compliance[link] == 0) continue;
-            const uint32_t a = plan.particles[chain.first_particle + i],
-                           b = plan.particles[chain.first_particle + i + 1];
-            const DampedLink now = damped(plan.rest[link], plan.compliance[link], plan.damping[link], scheme,
-                                          distance(history.start[a], history.start[b]),
-                                          distance(history.earlier[a], history.earlier[b]), length_rate(history, a, b));
-            rope.damped_rest[link] = now.rest;
-            rope.damped_compliance[link] = now.compliance;
-        }
-    }
+    each_link(plan, [&](uint32_t link, uint32_t a, uint32_t b) {
+        if (plan.damping[link] == 0 || plan.compliance[link] == 0) return;
+        const DampedLink now = damped(plan.rest[link], plan.compliance[link], plan.damping[link], scheme,
+                                      distance(history.start[a], history.start[b]),
+                                      distance(history.earlier[a], history.earlier[b]), length_rate(history, a, b));
+        rope.damped_rest[link] = now.rest;
+        rope.damped_compliance[link] = now.compliance;
+    });
 }
 
 }  // namespace
@@ -146,16 +137,12 @@ void unpin_contacts(Particles& particles, const Contacts& contacts) {
 }
 
 void add_tension_impulses(Body& body, const CollisionContext& around, const TimeScheme& scheme) {
-    for (const Chain& chain : body.plan.chains) {
-        for (uint32_t i = 0; i < chain.link_count; ++i) {
-            const uint32_t a = body.plan.particles[chain.first_particle + i];
-            const uint32_t b = body.plan.particles[chain.first_particle + i + 1];
-            if (!body.particles.pinned(a) && !body.particles.pinned(b)) continue;
-            const Vec3 impulse = link_impulse(body, a, b, chain.first_link + i, scheme);
-            if (body.particles.pinned(a)) add_anchor_impulse(body, around, a, impulse);
-            if (body.particles.pinned(b)) add_anchor_impulse(body, around, b, -impulse);
-        }
-    }
+    each_link(body.plan, [&](uint32_t link, uint32_t a, uint32_t b) {
+        if (!body.particles.pinned(a) && !body.particles.pinned(b)) return;
+        const Vec3 impulse = link_impulse(body, a, b, link, scheme);
+        if (body.particles.pinned(a)) add_anchor_impulse(body, around, a, impulse);
+        if (body.particles.pinned(b)) add_anchor_impulse(body, around, b, -impulse);
+    });
     add_bending_impulses(body, around, scheme);
 }
 
@@ -203,28 +190,19 @@ void end_substep(Body& body, bool has_limit_impact, const TimeScheme& scheme) {
     if (body.breaking.possible()) add_chain_loads(body, scheme);
 }
 
-/// The substep after the links are solved.
-void end_chains(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme) {
-    finish_chains(body, scheme);
+/// The substep after the links are solved. `contacts`: those that were solved together with them, or null.
+void end_chains(Body& body, RopeContacts* contacts, const CollisionContext& around, Vec3 gravity,
+                const TimeScheme& scheme) {
+    finish_chains(body, scheme, contacts);
     const bool has_limit_impact = body.plan.limited && apply_limit_impacts(body, around, scheme);
-    collide_with_models(body, nullptr, around, gravity, scheme);
-    if (!body.constraints.attachments.empty()) add_tension_impulses(body, around, scheme);
-    leave_solids(body, around, scheme.step(body.settings.damping));
-    end_substep(body, has_limit_impact, scheme);
-}
-
-/// The same for a rope whose links were solved together with its contacts.
-void end_with_contacts(Body& body, RopeContacts& contacts, const CollisionContext& around, Vec3 gravity,
-                       const TimeScheme& scheme) {
-    finish_chains(body, scheme, &contacts);
-    const bool has_limit_impact = body.plan.limited && apply_limit_impacts(body, around, scheme);
-    if (contacts.near_models()) {
-        contacts.finish(body, around, find_bounce_threshold(gravity, scheme.advance), scheme);
+    const bool with_models = contacts && contacts->near_models();
+    if (with_models) {
+        contacts->finish(body, around, find_bounce_threshold(gravity, scheme.advance), scheme);
     } else {
-        collide_with_models(body, &contacts, around, gravity, scheme);
+        collide_with_models(body, contacts, around, gravity, scheme);
     }
     if (!body.constraints.attachments.empty()) add_tension_impulses(body, around, scheme);
-    if (!contacts.near_models()) leave_solids(body, around, scheme.step(body.settings.damping));
+    if (!with_models) leave_solids(body, around, scheme.step(body.settings.damping));
     end_substep(body, has_limit_impact, scheme);
 }
 
@@ -256,11 +234,7 @@ void RopeMotion::finish(const CollisionContext& around, double) {
         contacts->search_again();
         with_contacts = contacts->begin(body, around, gravity, scheme);
     }
-    if (with_contacts) {
-        end_with_contacts(body, *contacts, around, gravity, scheme);
-    } else {
-        end_chains(body, around, gravity, scheme);
-    }
+    end_chains(body, with_contacts ? contacts : nullptr, around, gravity, scheme);
     stop_yielding(body);
 }
 
@@ -315,7 +289,7 @@ void move_rope(Body& body, const CollisionContext& around, Vec3 gravity, double 
 
 void end_rope(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme) {
     solve_directly(body, scheme.step(body.settings.damping));
-    end_chains(body, around, gravity, scheme);
+    end_chains(body, nullptr, around, gravity, scheme);
 }
 
 }  // namespace gphys
