@@ -67,14 +67,6 @@ gphys_ray narrow_ray(const Ray& ray) {
     return {narrow(ray.origin), narrow(ray.direction), fits ? static_cast<float>(ray.t_max) : INFINITY};
 }
 
-gphys_frustum narrow_frustum(const Frustum& seen) {
-    gphys_frustum out{narrow(seen.origin), {}};
-    for (int i = 0; i < 6; ++i) {
-        out.planes[i] = {narrow(seen.planes[i].normal), static_cast<float>(seen.planes[i].distance)};
-    }
-    return out;
-}
-
 constexpr gphys_vec3 nowhere{INFINITY, INFINITY, INFINITY};
 
 template <class Get>
@@ -384,7 +376,7 @@ gphys_status gphys_camera_get_view_projection_matrix(const gphys_camera* camera,
 gphys_status gphys_camera_get_frustum(const gphys_camera* camera, gphys_frustum* out_frustum) {
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_REQUIRE_POINTERS(camera, out_frustum);
-        *out_frustum = narrow_frustum(unwrap(camera)->frustum());
+        *out_frustum = narrow(unwrap(camera)->frustum());
         return GPHYS_OK;
     });
 }
@@ -404,7 +396,7 @@ gphys_status gphys_camera_get_rectangle_frustum(const gphys_camera* camera, floa
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_REQUIRE_POINTERS(camera, out_frustum);
         GPHYS_TRY(check_rectangle(x0, y0, x1, y1));
-        const gphys_frustum seen = narrow_frustum(unwrap(camera)->frustum_of_pixels(x0, y0, x1, y1));
+        const gphys_frustum seen = narrow(unwrap(camera)->frustum_of_pixels(x0, y0, x1, y1));
         GPHYS_TRY(check_valid("frustum of the rectangle", seen));
         *out_frustum = seen;
         return GPHYS_OK;

@@ -110,10 +110,6 @@ gphys_status copy_transforms(const gphys_scene* scene, const gphys_model_id* mod
     return GPHYS_OK;
 }
 
-gphys_aabb to_aabb(const Box& box) {
-    return {{box.min[0], box.min[1], box.min[2]}, {box.max[0], box.max[1], box.max[2]}};
-}
-
 }  // namespace
 
 gphys_status gphys_scene_desc_init(gphys_scene_desc* desc, uint32_t size) {
@@ -356,7 +352,7 @@ gphys_status gphys_scene_get_bounds(const gphys_scene* scene, gphys_model_id mod
         GPHYS_TRY(unwrap(scene)->check(model));
         Box box;
         if (!unwrap(scene)->bounds(model, box)) return GPHYS_UNBOUNDED;
-        *out_bounds = to_aabb(box);
+        *out_bounds = narrow(box);
         return GPHYS_OK;
     });
 }
@@ -366,7 +362,7 @@ gphys_status gphys_scene_get_scene_bounds(const gphys_scene* scene, gphys_aabb* 
         GPHYS_REQUIRE_POINTERS(scene, out_bounds);
         const Bvh8& bvh = unwrap(scene)->bvh();
         if (bvh.size() == 0) return GPHYS_NO_HIT;
-        *out_bounds = to_aabb(bvh.bounds());
+        *out_bounds = narrow(bvh.bounds());
         return GPHYS_OK;
     });
 }

@@ -17,6 +17,33 @@ struct ShapeNames {
     const char* shape = "shape";
 };
 
+/// Calls visit(name, struct) for a caller's shape, or otherwise() for a mesh and unknown types, which have no struct.
+template <class Visit, class Otherwise>
+auto visit_struct(gphys_shape_type type, const void* shape, const Visit& visit, const Otherwise& otherwise) {
+    switch (type) {
+        case GPHYS_SHAPE_SPHERE:
+            return visit("sphere", static_cast<const gphys_sphere*>(shape));
+        case GPHYS_SHAPE_CAPSULE:
+            return visit("capsule", static_cast<const gphys_capsule*>(shape));
+        case GPHYS_SHAPE_AABB:
+            return visit("aabb", static_cast<const gphys_aabb*>(shape));
+        case GPHYS_SHAPE_OBB:
+            return visit("obb", static_cast<const gphys_obb*>(shape));
+        case GPHYS_SHAPE_PLANE:
+            return visit("plane", static_cast<const gphys_plane*>(shape));
+        case GPHYS_SHAPE_TRIANGLE:
+            return visit("triangle", static_cast<const gphys_triangle*>(shape));
+        case GPHYS_SHAPE_FRUSTUM:
+            return visit("frustum", static_cast<const gphys_frustum*>(shape));
+        case GPHYS_SHAPE_RAY:
+            return visit("ray", static_cast<const gphys_ray*>(shape));
+        case GPHYS_SHAPE_SEGMENT:
+            return visit("segment", static_cast<const gphys_segment*>(shape));
+        default:
+            return otherwise();
+    }
+}
+
 /// Check a caller's shape and widen it. type: any primitive of Shape.
 /// @return GPHYS_ERROR_UNSUPPORTED for a ray, segment or mesh; GPHYS_ERROR_INVALID_ARGUMENT for
 ///         null, an unknown type and a defect

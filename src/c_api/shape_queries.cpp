@@ -9,24 +9,17 @@ namespace {
 using Target = std::variant<Shape, Ray, Segment, const Mesh*>;
 
 gphys_status read_target(gphys_shape_type type, const void* shape, Target& out) {
-    if (type == GPHYS_SHAPE_RAY || type == GPHYS_SHAPE_SEGMENT) {
+    const auto read_line = [&](const char* name, const auto* line) -> gphys_status {
         GPHYS_REQUIRE_POINTERS(shape);
-        if (type == GPHYS_SHAPE_RAY) {
-            GPHYS_TRY(check_valid("ray", *static_cast<const gphys_ray*>(shape)));
-            out = widen(*static_cast<const gphys_ray*>(shape));
-        } else {
-            GPHYS_TRY(check_valid("segment", *static_cast<const gphys_segment*>(shape)));
-            out = widen(*static_cast<const gphys_segment*>(shape));
-        }
+        GPHYS_TRY(check_valid(name, *line));
+        out = widen(*line);
         return GPHYS_OK;
-    }
+    };
+    if (type == GPHYS_SHAPE_RAY) return read_line("ray", static_cast<const gphys_ray*>(shape));
+    if (type == GPHYS_SHAPE_SEGMENT) return read_line("segment", static_cast<const gphys_segment*>(shape));
     ShapeOrMesh read;
     GPHYS_TRY(read_shape(type, shape, read));
-    if (read.mesh) {
-        out = read.mesh;
-    } else {
-        out = read.shape;
-    }
+    out = read.mesh ? Target(read.mesh) : Target(read.shape);
     return GPHYS_OK;
 }
 

@@ -14,47 +14,21 @@ gphys_segment narrow(const Segment& s) { return {narrow(s.a), narrow(s.b)}; }
 gphys_sphere narrow(const Sphere& s) { return {narrow(s.center), static_cast<float>(s.radius)}; }
 gphys_capsule narrow(const Capsule& c) { return {narrow(c.a), narrow(c.b), static_cast<float>(c.radius)}; }
 gphys_obb narrow(const Obb& b) { return {narrow(b.center), narrow(b.half), narrow(quaternion(b.axes))}; }
-gphys_plane narrow(const Plane& p) { return {narrow(p.normal), static_cast<float>(p.distance)}; }
 gphys_triangle narrow(const Triangle& t) { return {narrow(t.a), narrow(t.b), narrow(t.c)}; }
-gphys_frustum narrow(const Frustum& f) {
-    gphys_frustum result{narrow(f.origin), {}};
-    for (int i = 0; i < 6; ++i) result.planes[i] = narrow(f.planes[i]);
-    return result;
-}
-gphys_aabb narrow(const Box& b) { return {{b.min[0], b.min[1], b.min[2]}, {b.max[0], b.max[1], b.max[2]}}; }
 
 /// Call visit with the public struct of the type, if it is valid. A mesh has no struct.
 template <class Visit>
 gphys_status with_struct(gphys_shape_type type, const void* shape, Visit&& visit) {
     GPHYS_REQUIRE_POINTERS(shape);
-    const auto checked = [&](const char* name, const auto& value) -> gphys_status {
-        GPHYS_TRY(check_valid(name, value));
-        return visit(value);
+    const auto checked = [&](const char* name, const auto* value) -> gphys_status {
+        GPHYS_TRY(check_valid(name, *value));
+        return visit(*value);
     };
-    switch (type) {
-        case GPHYS_SHAPE_SPHERE:
-            return checked("sphere", *static_cast<const gphys_sphere*>(shape));
-        case GPHYS_SHAPE_CAPSULE:
-            return checked("capsule", *static_cast<const gphys_capsule*>(shape));
-        case GPHYS_SHAPE_AABB:
-            return checked("aabb", *static_cast<const gphys_aabb*>(shape));
-        case GPHYS_SHAPE_OBB:
-            return checked("obb", *static_cast<const gphys_obb*>(shape));
-        case GPHYS_SHAPE_PLANE:
-            return checked("plane", *static_cast<const gphys_plane*>(shape));
-        case GPHYS_SHAPE_TRIANGLE:
-            return checked("triangle", *static_cast<const gphys_triangle*>(shape));
-        case GPHYS_SHAPE_FRUSTUM:
-            return checked("frustum", *static_cast<const gphys_frustum*>(shape));
-        case GPHYS_SHAPE_RAY:
-            return checked("ray", *static_cast<const gphys_ray*>(shape));
-        case GPHYS_SHAPE_SEGMENT:
-            return checked("segment", *static_cast<const gphys_segment*>(shape));
-        case GPHYS_SHAPE_MESH:
-            return fail(GPHYS_ERROR_UNSUPPORTED, "type", type, "a shape that this function takes (no mesh)");
-        default:
-            return fail(GPHYS_ERROR_INVALID_ARGUMENT, "type", type, "a gphys_shape_type");
-    }
+    return visit_struct(type, shape, checked, [&] {
+        return type == GPHYS_SHAPE_MESH
+                   ? fail(GPHYS_ERROR_UNSUPPORTED, "type", type, "a shape that this function takes (no mesh)")
+                   : fail(GPHYS_ERROR_INVALID_ARGUMENT, "type", type, "a gphys_shape_type");
+    });
 }
 
 /// False if the shape is infinite.

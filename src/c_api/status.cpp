@@ -5,34 +5,25 @@ using namespace gphys;
 
 uint32_t gphys_version(void) { return GPHYS_VERSION_MAJOR << 16 | GPHYS_VERSION_MINOR << 8 | GPHYS_VERSION_PATCH; }
 
+#define GPHYS_CASE(status) \
+    case status:           \
+        return #status
+
 const char* gphys_status_name(gphys_status status) {
     switch (status) {
-        case GPHYS_OK:
-            return "GPHYS_OK";
-        case GPHYS_NO_HIT:
-            return "GPHYS_NO_HIT";
-        case GPHYS_INCOMPLETE:
-            return "GPHYS_INCOMPLETE";
-        case GPHYS_UNBOUNDED:
-            return "GPHYS_UNBOUNDED";
-        case GPHYS_ERROR_INVALID_ARGUMENT:
-            return "GPHYS_ERROR_INVALID_ARGUMENT";
-        case GPHYS_ERROR_INVALID_ID:
-            return "GPHYS_ERROR_INVALID_ID";
-        case GPHYS_ERROR_STRUCT_SIZE:
-            return "GPHYS_ERROR_STRUCT_SIZE";
-        case GPHYS_ERROR_OUT_OF_MEMORY:
-            return "GPHYS_ERROR_OUT_OF_MEMORY";
-        case GPHYS_ERROR_CAPACITY:
-            return "GPHYS_ERROR_CAPACITY";
-        case GPHYS_ERROR_CYCLE:
-            return "GPHYS_ERROR_CYCLE";
-        case GPHYS_ERROR_UNSUPPORTED:
-            return "GPHYS_ERROR_UNSUPPORTED";
-        case GPHYS_ERROR_SINGULAR:
-            return "GPHYS_ERROR_SINGULAR";
-        case GPHYS_ERROR_INTERNAL:
-            return "GPHYS_ERROR_INTERNAL";
+        GPHYS_CASE(GPHYS_OK);
+        GPHYS_CASE(GPHYS_NO_HIT);
+        GPHYS_CASE(GPHYS_INCOMPLETE);
+        GPHYS_CASE(GPHYS_UNBOUNDED);
+        GPHYS_CASE(GPHYS_ERROR_INVALID_ARGUMENT);
+        GPHYS_CASE(GPHYS_ERROR_INVALID_ID);
+        GPHYS_CASE(GPHYS_ERROR_STRUCT_SIZE);
+        GPHYS_CASE(GPHYS_ERROR_OUT_OF_MEMORY);
+        GPHYS_CASE(GPHYS_ERROR_CAPACITY);
+        GPHYS_CASE(GPHYS_ERROR_CYCLE);
+        GPHYS_CASE(GPHYS_ERROR_UNSUPPORTED);
+        GPHYS_CASE(GPHYS_ERROR_SINGULAR);
+        GPHYS_CASE(GPHYS_ERROR_INTERNAL);
         default:
             return "unknown";
     }

@@ -156,10 +156,7 @@ Ray ray_along(const Segment& segment) {
 }
 
 bool started_inside(const Ray& ray, Hit& hit) {
-    hit = Hit{};
-    hit.t = 0;
-    hit.point = ray.origin;
-    hit.normal = ray.direction != Vec3{} ? -normalized(ray.direction) : Vec3{};
+    hit = Hit{0, ray.origin, ray.direction != Vec3{} ? -normalized(ray.direction) : Vec3{}};
     hit.flags = GPHYS_HIT_INSIDE;
     return true;
 }
@@ -176,10 +173,7 @@ bool raycast(const Aabb& box, const Ray& ray, Hit& hit) {
     } else {
         face = entry.face(box.min, box.max, ray.origin, ray.direction);
     }
-    hit = Hit{};
-    hit.t = least(ray.t_max, face.t);
-    hit.point = face.point(box.min, box.max, ray.origin, ray.direction);
-    hit.normal = face.normal();
+    hit = Hit{least(ray.t_max, face.t), face.point(box.min, box.max, ray.origin, ray.direction), face.normal()};
     return true;
 }
 
@@ -205,10 +199,7 @@ bool raycast(const Plane& plane, const Ray& ray, Hit& hit) {
     if (at_the_end ? is_beyond_end(plane, ray, start) : t > ray.t_max) return false;
     t = std::min(t, ray.t_max);
     const bool from_behind = start < 0 || (start == 0 && climb > 0);
-    hit = Hit{};
-    hit.t = t;
-    hit.point = ray.origin + ray.direction * t;
-    hit.normal = from_behind ? -normalized(plane.normal) : normalized(plane.normal);
+    hit = Hit{t, ray.origin + ray.direction * t, from_behind ? -normalized(plane.normal) : normalized(plane.normal)};
     hit.flags = (start == 0 ? GPHYS_HIT_INSIDE : 0) | (from_behind ? GPHYS_HIT_BACK : 0);
     return true;
 }
@@ -235,10 +226,7 @@ bool raycast(const Frustum& frustum, const Ray& ray, Hit& hit) {
     if (entry > exit * (1 + 0x1p-40)) return false;
     if (entry > exit * (1 - 0x1p-40) && !enters_exactly(frustum, approaches, ray, entry)) return false;
     entry = std::min(entry, ray.t_max);
-    hit = Hit{};
-    hit.t = entry;
-    hit.point = ray.origin + ray.direction * entry;
-    hit.normal = -normalized(entered->normal);
+    hit = Hit{entry, ray.origin + ray.direction * entry, -normalized(entered->normal)};
     return true;
 }
 

@@ -143,10 +143,7 @@ Vec3 out_of_side(const Capsule& capsule, const Ray& ray) {
 }
 
 bool hit_with(Vec3 normal, Vec3 point, double t, Hit& hit) {
-    hit = Hit{};
-    hit.t = t;
-    hit.point = point;
-    hit.normal = normal;
+    hit = Hit{t, point, normal};
     return true;
 }
 

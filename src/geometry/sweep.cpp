@@ -14,10 +14,7 @@ namespace {
 Ray path(const Sphere& moving, Vec3 displacement) { return {moving.center, displacement, 1}; }
 
 bool contact(double t, Vec3 point, Vec3 normal, uint32_t flags, Hit& hit) {
-    hit = Hit{};
-    hit.t = t;
-    hit.point = point;
-    hit.normal = normal;
+    hit = Hit{t, point, normal};
     hit.flags = flags;
     return true;
 }

@@ -200,9 +200,7 @@ bool sweep_convex(const Plane& plane, const Moving& moving, Vec3 displacement, H
     const double approach = -dot(over.normal, displacement);
     const bool is_at_start = overlaps(Shape(plane), Shape(moving));
     if (!is_at_start && (approach <= 0 || over.gap > approach)) return false;
-    hit = Hit{};
-    hit.t = is_at_start ? 0 : std::max(over.gap, 0.0) / approach;
-    hit.normal = over.normal;
+    hit = Hit{is_at_start ? 0 : std::max(over.gap, 0.0) / approach, {}, over.normal};
     hit.flags = (over.behind ? GPHYS_HIT_BACK : 0) | (is_at_start ? GPHYS_HIT_INSIDE : 0);
     hit.point = closest_point(plane, from + over.foot + displacement * hit.t);
     return true;

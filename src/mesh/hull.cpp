@@ -284,9 +284,7 @@ std::optional<bool> Mesh::sweep_sharp_at_hull(const Shape& moving, Vec3 displace
         cut(grown, resolution);
         if (!clip.is_in(grown)) return false;
     }
-    hit = Hit{};
-    hit.t = std::min(clip.begin(), 1.0);
-    hit.normal = clip.normal();
+    hit = Hit{std::min(clip.begin(), 1.0), {}, clip.normal()};
     if (hit.normal == Vec3{}) {
         // In contact within rounding, but not overlapping.
         hit.normal = clip.widest_normal();
@@ -345,17 +343,13 @@ void Mesh::use_hull_normal(const Shape& moving, Vec3 displacement, Hit& hit, con
 
 void Mesh::start_in_hull(const Shape& moving, Hit& hit, const AxisScale& axes) const {
     const Penetration way = penetration_of_hull(moving, axes);
-    hit = Hit{};
-    hit.t = 0;
-    hit.point = way.point;
-    hit.normal = way.normal;
+    hit = Hit{0, way.point, way.normal};
     hit.flags = GPHYS_HIT_INSIDE;
 }
 
 /// As for other solids (sweep.cpp): the normal points away from the nearest point or, from within, against the motion.
 void Mesh::start_in_hull(const Sphere& moving, Vec3 displacement, Hit& hit, const AxisScale& axes) const {
-    hit = Hit{};
-    hit.t = 0;
+    hit = Hit{0, {}, {}};
     hit.flags = GPHYS_HIT_INSIDE;
     uint32_t triangle;
     closest_point(moving.center, infinity, hit.point, triangle, axes);

@@ -103,6 +103,14 @@ inline Frustum widen(const gphys_frustum& f) {
              widen(f.planes[5])}};
 }
 
+inline gphys_aabb narrow(const Box& b) { return {{b.min[0], b.min[1], b.min[2]}, {b.max[0], b.max[1], b.max[2]}}; }
+inline gphys_plane narrow(const Plane& p) { return {narrow(p.normal), static_cast<float>(p.distance)}; }
+inline gphys_frustum narrow(const Frustum& f) {
+    gphys_frustum out{narrow(f.origin), {}};
+    for (int i = 0; i < 6; ++i) out.planes[i] = narrow(f.planes[i]);
+    return out;
+}
+
 /// The first number of a caller's value that is out of range.
 Defect defect(const gphys_vec3& point);
 Defect defect(const gphys_quat& rotation);
