@@ -56,6 +56,15 @@ struct Mask8 {
     MaskRegister part[register_count];
 };
 
+/// Defines a function of eight lanes: register i of its result is the expression.
+#define GPHYS_BY_REGISTER(Result, function, expression)                   \
+    GPHYS_INLINE Result function {                                        \
+        Result result;                                                    \
+        constexpr int count = sizeof result.part / sizeof result.part[0]; \
+        for (int i = 0; i < count; ++i) result.part[i] = expression;      \
+        return result;                                                    \
+    }
+
 #if !GPHYS_HAS_AVX2
 template <class At>
 GPHYS_INLINE FloatRegister load_lanes_from(const At& at, int first) {
@@ -78,11 +87,7 @@ GPHYS_INLINE FloatRegister choose_bits(MaskRegister mask, int32_t a, int32_t b) 
 }
 #endif
 
-GPHYS_INLINE Float8 load(const float* from) {
-    Float8 v;
-    for (int i = 0; i < register_count; ++i) v.part[i] = load_register(from + register_lanes * i);
-    return v;
-}
+GPHYS_BY_REGISTER(Float8, load(const float* from), load_register(from + register_lanes * i))
 /// The same from aligned memory. gcc 12 splits AVX-512 loads whose alignment it does not know.
 GPHYS_INLINE Float8 load_aligned(const float* from) { return load(assume_aligned<sizeof(FloatRegister)>(from)); }
 GPHYS_INLINE void store(float* to, Float8 v) {
@@ -110,35 +115,14 @@ GPHYS_INLINE Float8 load_permuted(const float row[8], const uint32_t lanes[8]) {
 #endif
 }
 
-GPHYS_INLINE Float8 operator+(Float8 a, Float8 b) {
-    for (int i = 0; i < register_count; ++i) a.part[i] = a.part[i] + b.part[i];
-    return a;
-}
-GPHYS_INLINE Float8 operator-(Float8 a, Float8 b) {
-    for (int i = 0; i < register_count; ++i) a.part[i] = a.part[i] - b.part[i];
-    return a;
-}
-GPHYS_INLINE Float8 operator*(Float8 a, Float8 b) {
-    for (int i = 0; i < register_count; ++i) a.part[i] = a.part[i] * b.part[i];
-    return a;
-}
-GPHYS_INLINE Float8 operator/(Float8 a, Float8 b) {
-    for (int i = 0; i < register_count; ++i) a.part[i] = a.part[i] / b.part[i];
-    return a;
-}
-GPHYS_INLINE Float8 sqrt(Float8 a) {
-    for (FloatRegister& part : a.part) part = square_root(part);
-    return a;
-}
+GPHYS_BY_REGISTER(Float8, operator+(Float8 a, Float8 b), a.part[i] + b.part[i])
+GPHYS_BY_REGISTER(Float8, operator-(Float8 a, Float8 b), a.part[i] - b.part[i])
+GPHYS_BY_REGISTER(Float8, operator*(Float8 a, Float8 b), a.part[i] * b.part[i])
+GPHYS_BY_REGISTER(Float8, operator/(Float8 a, Float8 b), a.part[i] / b.part[i])
+GPHYS_BY_REGISTER(Float8, sqrt(Float8 a), square_root(a.part[i]))
 /// a < b ? a : b, and a > b ? a : b.
-GPHYS_INLINE Float8 min(Float8 a, Float8 b) {
-    for (int i = 0; i < register_count; ++i) a.part[i] = minimum(a.part[i], b.part[i]);
-    return a;
-}
-GPHYS_INLINE Float8 max(Float8 a, Float8 b) {
-    for (int i = 0; i < register_count; ++i) a.part[i] = maximum(a.part[i], b.part[i]);
-    return a;
-}
+GPHYS_BY_REGISTER(Float8, min(Float8 a, Float8 b), minimum(a.part[i], b.part[i]))
+GPHYS_BY_REGISTER(Float8, max(Float8 a, Float8 b), maximum(a.part[i], b.part[i]))
 /// Horizontal reduction: the best of all lanes, in all lanes.
 template <class Better>
 GPHYS_INLINE Float8 best_of_all(Float8 a, const Better& better) {
@@ -159,47 +143,19 @@ GPHYS_INLINE float first_lane(Float8 a) { return first_lane(a.part[0]); }
 GPHYS_INLINE Float8 abs(Float8 a) { return max(a, splat(0) - a); }
 
 /// Floats with integer values to the bits of these integers.
-GPHYS_INLINE Float8 integer_bits(Float8 a) {
-    for (FloatRegister& part : a.part) part = integer_bits(part);
-    return a;
-}
+GPHYS_BY_REGISTER(Float8, integer_bits(Float8 a), integer_bits(a.part[i]))
 
 /// Blend: a in the lanes that are set, else b.
-GPHYS_INLINE Float8 choose(Mask8 mask, Float8 a, Float8 b) {
-    for (int i = 0; i < register_count; ++i) a.part[i] = choose(mask.part[i], a.part[i], b.part[i]);
-    return a;
-}
+GPHYS_BY_REGISTER(Float8, choose(Mask8 mask, Float8 a, Float8 b), choose(mask.part[i], a.part[i], b.part[i]))
 /// Blend of integers.
-GPHYS_INLINE Float8 choose_bits(Mask8 mask, int32_t a, int32_t b) {
-    Float8 v;
-    for (int i = 0; i < register_count; ++i) v.part[i] = choose_bits(mask.part[i], a, b);
-    return v;
-}
+GPHYS_BY_REGISTER(Float8, choose_bits(Mask8 mask, int32_t a, int32_t b), choose_bits(mask.part[i], a, b))
 /// The sign bits, also of zeros.
-GPHYS_INLINE Mask8 signs(Float8 a) {
-    Mask8 mask;
-    for (int i = 0; i < register_count; ++i) mask.part[i] = signs(a.part[i]);
-    return mask;
-}
-GPHYS_INLINE Mask8 operator<=(Float8 a, Float8 b) {
-    Mask8 mask;
-    for (int i = 0; i < register_count; ++i) mask.part[i] = a.part[i] <= b.part[i];
-    return mask;
-}
+GPHYS_BY_REGISTER(Mask8, signs(Float8 a), signs(a.part[i]))
+GPHYS_BY_REGISTER(Mask8, operator<=(Float8 a, Float8 b), a.part[i] <= b.part[i])
 /// Compares bits, so that denormals are distinct even in a host that flushes them to zero.
-GPHYS_INLINE Mask8 equal_bits(Float8 a, Float8 b) {
-    Mask8 mask;
-    for (int i = 0; i < register_count; ++i) mask.part[i] = equal_bits(a.part[i], b.part[i]);
-    return mask;
-}
-GPHYS_INLINE Mask8 operator&(Mask8 a, Mask8 b) {
-    for (int i = 0; i < register_count; ++i) a.part[i] = a.part[i] & b.part[i];
-    return a;
-}
-GPHYS_INLINE Mask8 operator|(Mask8 a, Mask8 b) {
-    for (int i = 0; i < register_count; ++i) a.part[i] = a.part[i] | b.part[i];
-    return a;
-}
+GPHYS_BY_REGISTER(Mask8, equal_bits(Float8 a, Float8 b), equal_bits(a.part[i], b.part[i]))
+GPHYS_BY_REGISTER(Mask8, operator&(Mask8 a, Mask8 b), a.part[i] & b.part[i])
+GPHYS_BY_REGISTER(Mask8, operator|(Mask8 a, Mask8 b), a.part[i] | b.part[i])
 /// Movemask: bit i is lane i.
 GPHYS_INLINE uint32_t bits(Mask8 mask) {
     uint32_t result = 0;
@@ -261,13 +217,7 @@ GPHYS_INLINE void store_quads(float* to, const uint32_t* index, const Quads8& qu
 }
 
 /// From two consecutive quadruples: the last float of each in its four lanes, 0 in the last.
-GPHYS_INLINE Float8 last_of_quads(Float8 a) {
-    for (FloatRegister& part : a.part) part = last_of_quads(part);
-    return a;
-}
-GPHYS_INLINE Float8 without_last_of_quads(Float8 a) {
-    for (FloatRegister& part : a.part) part = without_last_of_quads(part);
-    return a;
-}
+GPHYS_BY_REGISTER(Float8, last_of_quads(Float8 a), last_of_quads(a.part[i]))
+GPHYS_BY_REGISTER(Float8, without_last_of_quads(Float8 a), without_last_of_quads(a.part[i]))
 
 }  // namespace gphys::GPHYS_ISA

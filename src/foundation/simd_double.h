@@ -43,11 +43,7 @@ GPHYS_INLINE double square_root(double a) { return ::sqrt(a); }
 GPHYS_INLINE double select(bool mask, double a, double b) { return mask ? a : b; }
 GPHYS_INLINE bool any(bool mask) { return mask; }
 
-GPHYS_INLINE Double8 load_doubles(const double* from) {
-    Double8 v;
-    for (int i = 0; i < double_register_count; ++i) v.part[i] = load_register(from + double_register_lanes * i);
-    return v;
-}
+GPHYS_BY_REGISTER(Double8, load_doubles(const double* from), load_register(from + double_register_lanes * i))
 GPHYS_INLINE void store_doubles(double* to, Double8 v) {
     for (int i = 0; i < double_register_count; ++i) store_register(to + double_register_lanes * i, v.part[i]);
 }
@@ -58,67 +54,23 @@ GPHYS_INLINE Doubles<lanes> all_of(double value) {
     return Doubles<lanes>(value);
 }
 
-GPHYS_INLINE Double8 operator+(Double8 a, Double8 b) {
-    for (int i = 0; i < double_register_count; ++i) a.part[i] = a.part[i] + b.part[i];
-    return a;
-}
-GPHYS_INLINE Double8 operator-(Double8 a, Double8 b) {
-    for (int i = 0; i < double_register_count; ++i) a.part[i] = a.part[i] - b.part[i];
-    return a;
-}
-GPHYS_INLINE Double8 operator*(Double8 a, Double8 b) {
-    for (int i = 0; i < double_register_count; ++i) a.part[i] = a.part[i] * b.part[i];
-    return a;
-}
-GPHYS_INLINE Double8 operator/(Double8 a, Double8 b) {
-    for (int i = 0; i < double_register_count; ++i) a.part[i] = a.part[i] / b.part[i];
-    return a;
-}
-GPHYS_INLINE Double8 operator-(Double8 a) {
-    for (DoubleRegister& part : a.part) part = -part;
-    return a;
-}
-GPHYS_INLINE Double8 square_root(Double8 a) {
-    for (DoubleRegister& part : a.part) part = square_root(part);
-    return a;
-}
+GPHYS_BY_REGISTER(Double8, operator+(Double8 a, Double8 b), a.part[i] + b.part[i])
+GPHYS_BY_REGISTER(Double8, operator-(Double8 a, Double8 b), a.part[i] - b.part[i])
+GPHYS_BY_REGISTER(Double8, operator*(Double8 a, Double8 b), a.part[i] * b.part[i])
+GPHYS_BY_REGISTER(Double8, operator/(Double8 a, Double8 b), a.part[i] / b.part[i])
+GPHYS_BY_REGISTER(Double8, operator-(Double8 a), -a.part[i])
+GPHYS_BY_REGISTER(Double8, square_root(Double8 a), square_root(a.part[i]))
 
 /// fabs and copysign.
-GPHYS_INLINE Double8 absolute(Double8 a) {
-    for (DoubleRegister& part : a.part) part = absolute(part);
-    return a;
-}
-GPHYS_INLINE Double8 with_sign(Double8 a, Double8 sign) {
-    for (int i = 0; i < double_register_count; ++i) a.part[i] = with_sign(a.part[i], sign.part[i]);
-    return a;
-}
+GPHYS_BY_REGISTER(Double8, absolute(Double8 a), absolute(a.part[i]))
+GPHYS_BY_REGISTER(Double8, with_sign(Double8 a, Double8 sign), with_sign(a.part[i], sign.part[i]))
 
-GPHYS_INLINE DoubleMask8 operator<(Double8 a, Double8 b) {
-    DoubleMask8 mask;
-    for (int i = 0; i < double_register_count; ++i) mask.part[i] = a.part[i] < b.part[i];
-    return mask;
-}
-GPHYS_INLINE DoubleMask8 operator<=(Double8 a, Double8 b) {
-    DoubleMask8 mask;
-    for (int i = 0; i < double_register_count; ++i) mask.part[i] = a.part[i] <= b.part[i];
-    return mask;
-}
-GPHYS_INLINE DoubleMask8 operator|(DoubleMask8 a, DoubleMask8 b) {
-    for (int i = 0; i < double_register_count; ++i) a.part[i] = a.part[i] | b.part[i];
-    return a;
-}
-GPHYS_INLINE DoubleMask8 operator&(DoubleMask8 a, DoubleMask8 b) {
-    for (int i = 0; i < double_register_count; ++i) a.part[i] = a.part[i] & b.part[i];
-    return a;
-}
-GPHYS_INLINE DoubleMask8 operator!(DoubleMask8 a) {
-    for (DoubleMaskRegister& part : a.part) part = !part;
-    return a;
-}
-GPHYS_INLINE Double8 select(DoubleMask8 mask, Double8 a, Double8 b) {
-    for (int i = 0; i < double_register_count; ++i) a.part[i] = select(mask.part[i], a.part[i], b.part[i]);
-    return a;
-}
+GPHYS_BY_REGISTER(DoubleMask8, operator<(Double8 a, Double8 b), a.part[i] < b.part[i])
+GPHYS_BY_REGISTER(DoubleMask8, operator<=(Double8 a, Double8 b), a.part[i] <= b.part[i])
+GPHYS_BY_REGISTER(DoubleMask8, operator|(DoubleMask8 a, DoubleMask8 b), a.part[i] | b.part[i])
+GPHYS_BY_REGISTER(DoubleMask8, operator&(DoubleMask8 a, DoubleMask8 b), a.part[i] & b.part[i])
+GPHYS_BY_REGISTER(DoubleMask8, operator!(DoubleMask8 a), !a.part[i])
+GPHYS_BY_REGISTER(Double8, select(DoubleMask8 mask, Double8 a, Double8 b), select(mask.part[i], a.part[i], b.part[i]))
 /// Movemask: bit i is lane i.
 GPHYS_INLINE uint32_t bits(DoubleMask8 mask) {
     uint32_t result = 0;
@@ -134,14 +86,8 @@ GPHYS_INLINE bool any(DoubleMask8 mask) {
 /// a < b ? a : b, and a < b ? b : a.
 GPHYS_INLINE double least(double a, double b) { return a < b ? a : b; }
 GPHYS_INLINE double largest(double a, double b) { return a < b ? b : a; }
-GPHYS_INLINE Double8 least(Double8 a, Double8 b) {
-    for (int i = 0; i < double_register_count; ++i) a.part[i] = least(a.part[i], b.part[i]);
-    return a;
-}
-GPHYS_INLINE Double8 largest(Double8 a, Double8 b) {
-    for (int i = 0; i < double_register_count; ++i) a.part[i] = largest(a.part[i], b.part[i]);
-    return a;
-}
+GPHYS_BY_REGISTER(Double8, least(Double8 a, Double8 b), least(a.part[i], b.part[i]))
+GPHYS_BY_REGISTER(Double8, largest(Double8 a, Double8 b), largest(a.part[i], b.part[i]))
 
 /// Rounded to floats; floats unchanged.
 GPHYS_INLINE Float8 narrowed(Double8 a) {

@@ -60,10 +60,6 @@ bool is_far(const gphys_plane& plane) {
     return std::fabs(static_cast<double>(plane.distance)) > furthest * length(widen(plane.normal));
 }
 
-}  // namespace
-
-namespace {
-
 constexpr char coordinate[] = "from -1e15 to 1e15";
 constexpr char size[] = "from 0 to 1e15";
 constexpr char unit_length[] = "from 0.999 to 1.001";

@@ -69,11 +69,21 @@ struct Constraints {
     Vector<Attachment> attachments{memory};       // by particle
 };
 
+/// The first attachment of this particle or a later one.
+template <class Attachments>
+auto attachments_from(Attachments& all, uint32_t particle) {
+    const auto before = [](const Attachment& attachment, uint32_t p) { return attachment.particle < p; };
+    return std::lower_bound(all.begin(), all.end(), particle, before);
+}
 /// Of a particle that follows a model or was moved; else null.
 inline const Attachment* find_attachment(const Constraints& constraints, uint32_t particle) {
-    const auto before = [](const Attachment& attachment, uint32_t p) { return attachment.particle < p; };
-    const auto at = std::lower_bound(constraints.attachments.begin(), constraints.attachments.end(), particle, before);
+    const auto at = attachments_from(constraints.attachments, particle);
     return at != constraints.attachments.end() && at->particle == particle ? &*at : nullptr;
+}
+/// Whether any attached particle moves in this step.
+inline bool are_carried(const Constraints& constraints) {
+    return std::any_of(constraints.attachments.begin(), constraints.attachments.end(),
+                       [](const Attachment& attachment) { return attachment.begin != attachment.end; });
 }
 
 struct ConstraintOrder {

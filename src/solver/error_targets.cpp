@@ -4,6 +4,7 @@
 //
 // Cloth that moves alone satisfies its strain target in each substep, by relaxation (relax_links.cpp). There the work
 // of the relaxation is the measure. If it was too much, the rest of the step is divided again.
+#include "solver/quads.h"
 #include "solver/solver.h"
 #include "solver/time_scheme.h"
 
@@ -30,17 +31,13 @@ struct Advance {
 /// For a body with constraints: calls visit(advance) for each free particle.
 template <class Visit>
 void for_each_advance(const Body& body, Visit&& visit) {
-    const auto at = [](const Vector<float>& values, uint32_t p) {
-        const float* v = &values[4 * size_t{p}];
-        return Vec3{v[0], v[1], v[2]};
-    };
-    const bool graph = body.plan.method == GPHYS_SOLVE_GRAPH;
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (body.particles.pinned(p)) continue;
-        if (graph) {
-            visit({at(body.cloth.state.moved, p),
+        if (is_graph(body)) {
+            const size_t i = 4 * size_t{p};
+            visit({get(&body.cloth.state.moved[i]),
                    {},
-                   at(body.cloth.state.velocity_before, p),
+                   get(&body.cloth.state.velocity_before[i]),
                    body.particles.velocity[p]});
         } else {
             visit({body.particles.position[p] - body.history.start[p], body.history.earlier_velocity[p],
@@ -88,10 +85,6 @@ double error_rate(const Body& body, double h) {
     const double whole = body.history.earlier_step / (1 - first_stage);
     return error_of_two_stages(body, whole) / whole;
 }
-
-}  // namespace
-
-namespace {
 
 /// NaN counts as the most.
 uint32_t count_of(double count, uint32_t most) { return count < most ? static_cast<uint32_t>(count) : most; }

@@ -14,8 +14,6 @@ void interrupt(Body& body) {
 
 namespace {
 
-bool before(const Attachment& attachment, uint32_t particle) { return attachment.particle < particle; }
-
 void remove_moved_pins(Constraints& constraints) {
     Vector<Attachment>& all = constraints.attachments;
     all.erase(std::remove_if(all.begin(), all.end(), [](const Attachment& each) { return each.model == 0; }),
@@ -25,7 +23,7 @@ void remove_moved_pins(Constraints& constraints) {
 /// Unless the pin follows a model. Memory was reserved before.
 void move_pin(Body& body, uint32_t particle, Vec3 to) {
     Vector<Attachment>& all = body.constraints.attachments;
-    const auto at = std::lower_bound(all.begin(), all.end(), particle, before);
+    const auto at = attachments_from(all, particle);
     if (at == all.end() || at->particle != particle) {
         all.insert(at, {particle, 0, {}, body.particles.position[particle], to});
     } else if (at->model == 0) {
@@ -133,10 +131,8 @@ void set_pinned(Body& body, uint32_t first, uint32_t count, bool pinned) {
             body.particles.inverse_mass[p] = 1 / body.particles.mass[p];
         }
     }
-    const auto begin =
-        std::lower_bound(body.constraints.attachments.begin(), body.constraints.attachments.end(), first, before);
-    const auto end = std::lower_bound(begin, body.constraints.attachments.end(), first + count, before);
-    body.constraints.attachments.erase(begin, end);
+    Vector<Attachment>& all = body.constraints.attachments;
+    all.erase(attachments_from(all, first), attachments_from(all, first + count));
     body.plan.reach_current = false;
     interrupt(body);
 }
@@ -149,13 +145,13 @@ bool is_attached(const Constraints& constraints, uint32_t particle) {
 void attach(Body& body, uint32_t particle, gphys_model_id model, Vec3 local) {
     reserve_more(body.constraints.attachments, 1);
     wake(body);
-    const auto at =
-        std::lower_bound(body.constraints.attachments.begin(), body.constraints.attachments.end(), particle, before);
+    Vector<Attachment>& all = body.constraints.attachments;
     const Attachment attachment{particle, model, local, {}, {}};
-    if (at != body.constraints.attachments.end() && at->particle == particle) {
+    const auto at = attachments_from(all, particle);
+    if (at != all.end() && at->particle == particle) {
         *at = attachment;
     } else {
-        body.constraints.attachments.insert(at, attachment);
+        all.insert(at, attachment);
     }
     hold(body.particles, particle);
     body.plan.reach_current = false;

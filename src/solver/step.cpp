@@ -48,12 +48,11 @@
 namespace gphys {
 
 void follow_models(Body& body, const CollisionContext& around, double h, uint32_t first, uint32_t end) {
-    const auto before = [](const Attachment& attachment, uint32_t p) { return attachment.particle < p; };
-    auto attachment =
-        std::lower_bound(body.constraints.attachments.begin(), body.constraints.attachments.end(), first, before);
+    const Vector<Attachment>& attachments = body.constraints.attachments;
     const double way = around.way(around.end);
     AttachedPlaces places(around, body.settings.layers);
-    for (; attachment != body.constraints.attachments.end() && attachment->particle < end; ++attachment) {
+    for (auto attachment = attachments_from(attachments, first);
+         attachment != attachments.end() && attachment->particle < end; ++attachment) {
         Vec3& position = body.particles.position[attachment->particle];
         const Vec3 next = places.at_end(*attachment);
         body.particles.velocity[attachment->particle] = (next - position) / h;

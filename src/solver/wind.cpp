@@ -6,6 +6,7 @@
 #include "foundation/strided.h"
 #include "solver/body.h"
 #include "solver/contact/collision.h"
+#include "solver/quads.h"
 #include "solver/triangle_drag.h"
 #include "solver/wind_kernels.h"
 
@@ -14,6 +15,7 @@ namespace {
 
 // Metres a second, and square metres: its square is a double.
 constexpr double least_length = 1e-150;
+constexpr double hardest = 1e12;  // m/s^2, as in cloth_state.cpp
 
 /// The force on a ball in newtons, for each square metre of its radius squared and (m/s)^2.
 double drag_of_ball(const gphys_wind& wind) { return 0.5 * wind.density * wind.drag * pi; }
@@ -112,11 +114,6 @@ double time_of_same_drag(const Body& body, Vec3 gravity, double dt) {
     return rate > 0 ? most_lost / rate : infinity;
 }
 
-void put(float* to, Vec3 value) {
-    constexpr double hardest = 1e12;  // as in cloth.cpp
-    for (int k = 0; k < 3; ++k) to[k] = to_float(value[k], hardest);
-}
-
 }  // namespace
 
 void reserve_air(Body& body) {
@@ -176,10 +173,7 @@ void end_air(Body& body) {
 
 namespace {
 
-Vec3 vector_at(const Vector<float>& values, uint32_t p) {
-    const float* const value = &values[4 * size_t{p}];
-    return {value[0], value[1], value[2]};
-}
+Vec3 vector_at(const Vector<float>& values, uint32_t p) { return get(&values[4 * size_t{p}]); }
 
 /// Newtons for each unit of AirOnCloth::forces.
 double newtons_per_unit(const gphys_wind& wind) { return double{std::max(wind.drag, wind.lift)} * wind.density / 12; }
@@ -214,7 +208,7 @@ void blow_links(Body& body, const AirOnCloth& on) {
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (body.particles.pinned(p)) continue;
         put(&body.cloth.state.acceleration[4 * size_t{p}],
-            vector_at(body.air.steady, p) + body.air.force[p] * body.particles.inverse_mass[p]);
+            vector_at(body.air.steady, p) + body.air.force[p] * body.particles.inverse_mass[p], hardest);
     }
 }
 
@@ -227,7 +221,7 @@ void blow_cloth(Body& body, const CollisionContext& around, double h) {
     const WindKernels& kernels = wind_kernels(chosen_isa());
     const AirOnCloth on = air_on_cloth(body, TimeScheme(h, body.history.earlier_step), h);
     for (uint32_t p = 0; on.by_particle && p < body.particles.size(); ++p)
-        put(&air.relative[4 * size_t{p}], velocity_at(air, p));
+        put(&air.relative[4 * size_t{p}], velocity_at(air, p), hardest);
     kernels.find_relative(on);
     const bool sheet = body.kind == GPHYS_BODY_CLOTH;
     if (sheet) {

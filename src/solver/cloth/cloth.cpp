@@ -83,9 +83,7 @@ void predict_cloth(Body& body, const CollisionContext& around, double h) {
     soften_links(cloth.batches, cloth.state.average_mass, scheme.step(body.settings.damping));
     find_yielding_chords(cloth, collides(body, around) && !cloth.contacts.candidates.empty(), around.step_time);
     // Moving models and other bodies do work.
-    const bool carried = std::any_of(body.constraints.attachments.begin(), body.constraints.attachments.end(),
-                                     [](const Attachment& attachment) { return attachment.begin != attachment.end; });
-    const bool closed = !carried && !cloth.balance.pulled && !body.targets.moves;
+    const bool closed = !are_carried(body.constraints) && !cloth.balance.pulled && !body.targets.moves;
     if (closed && !cloth.balance.current) cloth.balance.stored = stored_energy(cloth);
     cloth.balance.closed = closed;
     if (body.air.blows()) blow_cloth(body, around, h);

@@ -90,10 +90,6 @@ void note_edit(Body& body, uint32_t slot, bool added) {
     ++body.plan.edits;
 }
 
-}  // namespace
-
-namespace {
-
 void reserve_edits(Body& body, uint32_t count) {
     Plan& plan = body.plan;
     reserve_more(plan.chains, count);

@@ -6,6 +6,7 @@
 #include "solver/contact/collision.h"
 #include "solver/contact/leave_solids.h"
 #include "solver/motion.h"
+#include "solver/quads.h"
 #include "solver/rope/rope_limits.h"
 
 namespace gphys {
@@ -62,7 +63,7 @@ void sweep_joined_cloth(const Joined& joined, Body& body, uint32_t slot, const C
     for (auto tether = begin; tether != end; ++tether) {
         if (!moves(*tether)) continue;
         const float* pull = &pulls[4 * size_t{tether->particle}];
-        const Vec3 force = Vec3{pull[0], pull[1], pull[2]} * (body.cloth.state.average_mass / (step * step));
+        const Vec3 force = get(pull) * (body.cloth.state.average_mass / (step * step));
         joined.all_systems[tether->system].apply_force(tether->node, force);
     }
     for (auto tether = begin; tether != end; ++tether) {

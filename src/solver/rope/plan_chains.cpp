@@ -35,10 +35,6 @@ uint32_t longest_chain(const Plan& plan) {
     return longest;
 }
 
-}  // namespace
-
-namespace {
-
 /// Forests are solved directly: peeling visits all their constraints.
 gphys_solve_method method_of(const Body& body, uint32_t constraint_count, Vector<Links>& remaining) {
     if (body.cloth.volume.held || !body.cloth.clusters.empty()) return GPHYS_SOLVE_GRAPH;

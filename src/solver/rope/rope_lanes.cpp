@@ -12,11 +12,6 @@ bool is_between_pins(const Particles& particles) {
     return std::count(particles.inverse_mass.begin(), particles.inverse_mass.end(), 0.0) > 1;
 }
 
-bool is_carried(const Constraints& constraints) {
-    return std::any_of(constraints.attachments.begin(), constraints.attachments.end(),
-                       [](const Attachment& attachment) { return attachment.begin != attachment.end; });
-}
-
 bool is_stretched(const Body& body, const Chain& chain) {
     const double* const rest = body.plan.rest.data() + chain.first_link;
     return !std::equal(rest, rest + chain.link_count, body.rope.target.data() + chain.first_link);
@@ -117,7 +112,7 @@ private:
             if (is_between_pins(bodies_[lane]->particles)) {
                 set_targets(*bodies_[lane], chain);
                 varies_[lane] =
-                    varies_[lane] || (is_carried(bodies_[lane]->constraints) && is_stretched(*bodies_[lane], chain));
+                    varies_[lane] || (are_carried(bodies_[lane]->constraints) && is_stretched(*bodies_[lane], chain));
             } else {
                 ropes[lane].target = plan.rest.data() + chain.first_link;
             }
