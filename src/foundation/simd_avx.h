@@ -72,8 +72,48 @@ GPHYS_INLINE void store_pair(float* low, float* high, FloatRegister a) {
 }
 
 #if GPHYS_ISA_IS(avx512)
+using RawDoubles = __m512d;
+#define GPHYS_DOUBLES(operation) _mm512_##operation
+#else
+using RawDoubles = __m256d;
+#define GPHYS_DOUBLES(operation) _mm256_##operation
+#endif
 
-constexpr int double_register_lanes = 8;
+constexpr int double_register_lanes = sizeof(RawDoubles) / sizeof(double);
+
+struct DoubleRegister {
+    RawDoubles v;
+
+    DoubleRegister() = default;
+    GPHYS_INLINE DoubleRegister(RawDoubles value) : v(value) {}
+    GPHYS_INLINE DoubleRegister(double all) : v(GPHYS_DOUBLES(set1_pd)(all)) {}
+    GPHYS_INLINE double operator[](int i) const {
+        double lanes[double_register_lanes];
+        std::memcpy(lanes, &v, sizeof v);
+        return lanes[i];
+    }
+};
+
+GPHYS_INLINE DoubleRegister load_register(const double* from) { return GPHYS_DOUBLES(loadu_pd)(from); }
+GPHYS_INLINE void store_register(double* to, DoubleRegister a) { GPHYS_DOUBLES(storeu_pd)(to, a.v); }
+GPHYS_INLINE DoubleRegister operator+(DoubleRegister a, DoubleRegister b) { return GPHYS_DOUBLES(add_pd)(a.v, b.v); }
+GPHYS_INLINE DoubleRegister operator-(DoubleRegister a, DoubleRegister b) { return GPHYS_DOUBLES(sub_pd)(a.v, b.v); }
+GPHYS_INLINE DoubleRegister operator*(DoubleRegister a, DoubleRegister b) { return GPHYS_DOUBLES(mul_pd)(a.v, b.v); }
+GPHYS_INLINE DoubleRegister operator/(DoubleRegister a, DoubleRegister b) { return GPHYS_DOUBLES(div_pd)(a.v, b.v); }
+GPHYS_INLINE DoubleRegister operator-(DoubleRegister a) {
+    return GPHYS_DOUBLES(xor_pd)(a.v, GPHYS_DOUBLES(set1_pd)(-0.0));
+}
+GPHYS_INLINE DoubleRegister least(DoubleRegister a, DoubleRegister b) { return GPHYS_DOUBLES(min_pd)(a.v, b.v); }
+GPHYS_INLINE DoubleRegister largest(DoubleRegister a, DoubleRegister b) { return GPHYS_DOUBLES(max_pd)(b.v, a.v); }
+GPHYS_INLINE DoubleRegister square_root(DoubleRegister a) { return GPHYS_DOUBLES(sqrt_pd)(a.v); }
+GPHYS_INLINE DoubleRegister absolute(DoubleRegister a) {
+    return GPHYS_DOUBLES(andnot_pd)(GPHYS_DOUBLES(set1_pd)(-0.0), a.v);
+}
+GPHYS_INLINE DoubleRegister with_sign(DoubleRegister a, DoubleRegister sign) {
+    return GPHYS_DOUBLES(or_pd)(absolute(a).v, GPHYS_DOUBLES(and_pd)(GPHYS_DOUBLES(set1_pd)(-0.0), sign.v));
+}
+
+#if GPHYS_ISA_IS(avx512)
 
 /// A mask register: bit i is lane i.
 struct MaskRegister {
@@ -81,18 +121,6 @@ struct MaskRegister {
 };
 struct DoubleMaskRegister {
     __mmask8 v;
-};
-struct DoubleRegister {
-    __m512d v;
-
-    DoubleRegister() = default;
-    GPHYS_INLINE DoubleRegister(__m512d value) : v(value) {}
-    GPHYS_INLINE DoubleRegister(double all) : v(_mm512_set1_pd(all)) {}
-    GPHYS_INLINE double operator[](int i) const {
-        double lanes[8];
-        std::memcpy(lanes, &v, sizeof v);
-        return lanes[i];
-    }
 };
 
 GPHYS_INLINE MaskRegister operator<=(FloatRegister a, FloatRegister b) {
@@ -112,24 +140,10 @@ GPHYS_INLINE FloatRegister choose_bits(MaskRegister mask, int32_t a, int32_t b) 
     return _mm256_castsi256_ps(_mm256_mask_blend_epi32(mask.v, _mm256_set1_epi32(b), _mm256_set1_epi32(a)));
 }
 
-GPHYS_INLINE DoubleRegister load_register(const double* from) { return _mm512_loadu_pd(from); }
-GPHYS_INLINE void store_register(double* to, DoubleRegister a) { _mm512_storeu_pd(to, a.v); }
 template <class At>
 GPHYS_INLINE DoubleRegister load_doubles_from(const At& at, int first) {
     return _mm512_setr_pd(*at(first), *at(first + 1), *at(first + 2), *at(first + 3), *at(first + 4), *at(first + 5),
                           *at(first + 6), *at(first + 7));
-}
-GPHYS_INLINE DoubleRegister operator+(DoubleRegister a, DoubleRegister b) { return _mm512_add_pd(a.v, b.v); }
-GPHYS_INLINE DoubleRegister operator-(DoubleRegister a, DoubleRegister b) { return _mm512_sub_pd(a.v, b.v); }
-GPHYS_INLINE DoubleRegister operator*(DoubleRegister a, DoubleRegister b) { return _mm512_mul_pd(a.v, b.v); }
-GPHYS_INLINE DoubleRegister operator/(DoubleRegister a, DoubleRegister b) { return _mm512_div_pd(a.v, b.v); }
-GPHYS_INLINE DoubleRegister operator-(DoubleRegister a) { return _mm512_xor_pd(a.v, _mm512_set1_pd(-0.0)); }
-GPHYS_INLINE DoubleRegister least(DoubleRegister a, DoubleRegister b) { return _mm512_min_pd(a.v, b.v); }
-GPHYS_INLINE DoubleRegister largest(DoubleRegister a, DoubleRegister b) { return _mm512_max_pd(b.v, a.v); }
-GPHYS_INLINE DoubleRegister square_root(DoubleRegister a) { return _mm512_sqrt_pd(a.v); }
-GPHYS_INLINE DoubleRegister absolute(DoubleRegister a) { return _mm512_andnot_pd(_mm512_set1_pd(-0.0), a.v); }
-GPHYS_INLINE DoubleRegister with_sign(DoubleRegister a, DoubleRegister sign) {
-    return _mm512_or_pd(absolute(a).v, _mm512_and_pd(_mm512_set1_pd(-0.0), sign.v));
 }
 GPHYS_INLINE DoubleMaskRegister operator<(DoubleRegister a, DoubleRegister b) {
     return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_LT_OS)};
@@ -175,26 +189,12 @@ GPHYS_INLINE void scatter_rows(DoubleRegister a, const Put& put, int i) {
 
 #else
 
-constexpr int double_register_lanes = 4;
-
 /// All bits of a lane are set or none.
 struct MaskRegister {
     __m256 v;
 };
 struct DoubleMaskRegister {
     __m256d v;
-};
-struct DoubleRegister {
-    __m256d v;
-
-    DoubleRegister() = default;
-    GPHYS_INLINE DoubleRegister(__m256d value) : v(value) {}
-    GPHYS_INLINE DoubleRegister(double all) : v(_mm256_set1_pd(all)) {}
-    GPHYS_INLINE double operator[](int i) const {
-        double lanes[4];
-        std::memcpy(lanes, &v, sizeof v);
-        return lanes[i];
-    }
 };
 
 GPHYS_INLINE MaskRegister operator<=(FloatRegister a, FloatRegister b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_LE_OS)}; }
@@ -215,23 +215,9 @@ GPHYS_INLINE FloatRegister choose_bits(MaskRegister mask, int32_t a, int32_t b) 
     return _mm256_xor_ps(_mm256_and_ps(mask.v, _mm256_castsi256_ps(_mm256_set1_epi32(a ^ b))), all_b);
 }
 
-GPHYS_INLINE DoubleRegister load_register(const double* from) { return _mm256_loadu_pd(from); }
-GPHYS_INLINE void store_register(double* to, DoubleRegister a) { _mm256_storeu_pd(to, a.v); }
 template <class At>
 GPHYS_INLINE DoubleRegister load_doubles_from(const At& at, int first) {
     return _mm256_setr_pd(*at(first), *at(first + 1), *at(first + 2), *at(first + 3));
-}
-GPHYS_INLINE DoubleRegister operator+(DoubleRegister a, DoubleRegister b) { return _mm256_add_pd(a.v, b.v); }
-GPHYS_INLINE DoubleRegister operator-(DoubleRegister a, DoubleRegister b) { return _mm256_sub_pd(a.v, b.v); }
-GPHYS_INLINE DoubleRegister operator*(DoubleRegister a, DoubleRegister b) { return _mm256_mul_pd(a.v, b.v); }
-GPHYS_INLINE DoubleRegister operator/(DoubleRegister a, DoubleRegister b) { return _mm256_div_pd(a.v, b.v); }
-GPHYS_INLINE DoubleRegister operator-(DoubleRegister a) { return _mm256_xor_pd(a.v, _mm256_set1_pd(-0.0)); }
-GPHYS_INLINE DoubleRegister least(DoubleRegister a, DoubleRegister b) { return _mm256_min_pd(a.v, b.v); }
-GPHYS_INLINE DoubleRegister largest(DoubleRegister a, DoubleRegister b) { return _mm256_max_pd(b.v, a.v); }
-GPHYS_INLINE DoubleRegister square_root(DoubleRegister a) { return _mm256_sqrt_pd(a.v); }
-GPHYS_INLINE DoubleRegister absolute(DoubleRegister a) { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v); }
-GPHYS_INLINE DoubleRegister with_sign(DoubleRegister a, DoubleRegister sign) {
-    return _mm256_or_pd(absolute(a).v, _mm256_and_pd(_mm256_set1_pd(-0.0), sign.v));
 }
 GPHYS_INLINE DoubleMaskRegister operator<(DoubleRegister a, DoubleRegister b) {
     return {_mm256_cmp_pd(a.v, b.v, _CMP_LT_OS)};

@@ -76,6 +76,16 @@ GPHYS_INLINE Mask compare(const Lanes& a, const Lanes& b, const Comparison& comp
     return each<Mask>([&](int i) { return comparison(a[i], b[i]) ? -1 : 0; });
 #endif
 }
+/// Define functions of two registers: the expression of their lanes x and y, and a mask of the lanes for which it
+/// holds.
+#define GPHYS_COMBINE(Register, function, expression)                    \
+    GPHYS_INLINE Register function(Register a, Register b) {             \
+        return combine(a, b, [](auto x, auto y) { return expression; }); \
+    }
+#define GPHYS_COMPARE(Mask, Register, function, expression)                              \
+    GPHYS_INLINE Mask function(Register a, Register b) {                                 \
+        return compare<Mask>(a.lane, b.lane, [](auto x, auto y) { return expression; }); \
+    }
 /// Blend: a in the lanes that are set, else b.
 template <class Register, class Mask>
 GPHYS_INLINE Register choose_lanes(const Mask& mask, const Register& a, const Register& b) {
@@ -114,9 +124,7 @@ GPHYS_INLINE MaskRegister set_mask(int32_t a, int32_t b, int32_t c, int32_t d) {
 }
 
 /// Masks as integers: addition, shift, conversion to floats.
-GPHYS_INLINE MaskRegister add_integers(MaskRegister a, MaskRegister b) {
-    return combine(a, b, [](auto x, auto y) { return x + y; });
-}
+GPHYS_COMBINE(MaskRegister, add_integers, x + y)
 template <int count>
 GPHYS_INLINE MaskRegister shift_right(MaskRegister a) {
     return combine(a, a, [](auto x, auto) { return x >> count; });
@@ -125,24 +133,12 @@ GPHYS_INLINE FloatRegister to_floats(MaskRegister a) {
     return each<FloatRegister>([&](int i) { return static_cast<float>(a.lane[i]); });
 }
 
-GPHYS_INLINE FloatRegister operator+(FloatRegister a, FloatRegister b) {
-    return combine(a, b, [](auto x, auto y) { return x + y; });
-}
-GPHYS_INLINE FloatRegister operator-(FloatRegister a, FloatRegister b) {
-    return combine(a, b, [](auto x, auto y) { return x - y; });
-}
-GPHYS_INLINE FloatRegister operator*(FloatRegister a, FloatRegister b) {
-    return combine(a, b, [](auto x, auto y) { return x * y; });
-}
-GPHYS_INLINE FloatRegister operator/(FloatRegister a, FloatRegister b) {
-    return combine(a, b, [](auto x, auto y) { return x / y; });
-}
-GPHYS_INLINE FloatRegister minimum(FloatRegister a, FloatRegister b) {
-    return combine(a, b, [](auto x, auto y) { return x < y ? x : y; });
-}
-GPHYS_INLINE FloatRegister maximum(FloatRegister a, FloatRegister b) {
-    return combine(a, b, [](auto x, auto y) { return x > y ? x : y; });
-}
+GPHYS_COMBINE(FloatRegister, operator+, x + y)
+GPHYS_COMBINE(FloatRegister, operator-, x - y)
+GPHYS_COMBINE(FloatRegister, operator*, x* y)
+GPHYS_COMBINE(FloatRegister, operator/, x / y)
+GPHYS_COMBINE(FloatRegister, minimum, x < y ? x : y)
+GPHYS_COMBINE(FloatRegister, maximum, x > y ? x : y)
 GPHYS_INLINE FloatRegister square_root(FloatRegister a) {
     return each<FloatRegister>([&](int i) { return ::sqrtf(a.lane[i]); });
 }
@@ -150,15 +146,9 @@ GPHYS_INLINE FloatRegister integer_bits(FloatRegister a) {
     return as_floats(each<MaskRegister>([&](int i) { return static_cast<int32_t>(a.lane[i]); }));
 }
 
-GPHYS_INLINE MaskRegister operator<(FloatRegister a, FloatRegister b) {
-    return compare<MaskRegister>(a.lane, b.lane, [](auto x, auto y) { return x < y; });
-}
-GPHYS_INLINE MaskRegister operator<=(FloatRegister a, FloatRegister b) {
-    return compare<MaskRegister>(a.lane, b.lane, [](auto x, auto y) { return x <= y; });
-}
-GPHYS_INLINE MaskRegister operator!=(FloatRegister a, FloatRegister b) {
-    return compare<MaskRegister>(a.lane, b.lane, [](auto x, auto y) { return x != y; });
-}
+GPHYS_COMPARE(MaskRegister, FloatRegister, operator<, x < y)
+GPHYS_COMPARE(MaskRegister, FloatRegister, operator<=, x <= y)
+GPHYS_COMPARE(MaskRegister, FloatRegister, operator!=, x != y)
 GPHYS_INLINE MaskRegister equal_bits(FloatRegister a, FloatRegister b) {
     return compare<MaskRegister>(as_mask(a).lane, as_mask(b).lane, [](auto x, auto y) { return x == y; });
 }
@@ -166,15 +156,9 @@ GPHYS_INLINE MaskRegister greater_bits(FloatRegister a, FloatRegister b) {
     return compare<MaskRegister>(as_mask(a).lane, as_mask(b).lane, [](auto x, auto y) { return x > y; });
 }
 GPHYS_INLINE MaskRegister signs(FloatRegister a) { return shift_right<31>(as_mask(a)); }
-GPHYS_INLINE MaskRegister operator&(MaskRegister a, MaskRegister b) {
-    return combine(a, b, [](auto x, auto y) { return x & y; });
-}
-GPHYS_INLINE MaskRegister operator|(MaskRegister a, MaskRegister b) {
-    return combine(a, b, [](auto x, auto y) { return x | y; });
-}
-GPHYS_INLINE MaskRegister operator^(MaskRegister a, MaskRegister b) {
-    return combine(a, b, [](auto x, auto y) { return x ^ y; });
-}
+GPHYS_COMBINE(MaskRegister, operator&, x& y)
+GPHYS_COMBINE(MaskRegister, operator|, x | y)
+GPHYS_COMBINE(MaskRegister, operator^, x ^ y)
 GPHYS_INLINE uint32_t bits(MaskRegister a) {
     uint32_t result = 0;
     for (int i = 0; i < 4; ++i) result |= static_cast<uint32_t>(a.lane[i] & 1) << i;
@@ -208,27 +192,15 @@ GPHYS_INLINE DoubleRegister load_register(const double* from) {
 }
 GPHYS_INLINE void store_register(double* to, DoubleRegister a) { std::memcpy(to, &a.lane, sizeof a.lane); }
 
-GPHYS_INLINE DoubleRegister operator+(DoubleRegister a, DoubleRegister b) {
-    return combine(a, b, [](auto x, auto y) { return x + y; });
-}
-GPHYS_INLINE DoubleRegister operator-(DoubleRegister a, DoubleRegister b) {
-    return combine(a, b, [](auto x, auto y) { return x - y; });
-}
-GPHYS_INLINE DoubleRegister operator*(DoubleRegister a, DoubleRegister b) {
-    return combine(a, b, [](auto x, auto y) { return x * y; });
-}
-GPHYS_INLINE DoubleRegister operator/(DoubleRegister a, DoubleRegister b) {
-    return combine(a, b, [](auto x, auto y) { return x / y; });
-}
+GPHYS_COMBINE(DoubleRegister, operator+, x + y)
+GPHYS_COMBINE(DoubleRegister, operator-, x - y)
+GPHYS_COMBINE(DoubleRegister, operator*, x* y)
+GPHYS_COMBINE(DoubleRegister, operator/, x / y)
 GPHYS_INLINE DoubleRegister operator-(DoubleRegister a) {
     return combine(a, a, [](auto x, auto) { return -x; });
 }
-GPHYS_INLINE DoubleRegister least(DoubleRegister a, DoubleRegister b) {
-    return combine(a, b, [](auto x, auto y) { return x < y ? x : y; });
-}
-GPHYS_INLINE DoubleRegister largest(DoubleRegister a, DoubleRegister b) {
-    return combine(a, b, [](auto x, auto y) { return x < y ? y : x; });
-}
+GPHYS_COMBINE(DoubleRegister, least, x < y ? x : y)
+GPHYS_COMBINE(DoubleRegister, largest, x < y ? y : x)
 GPHYS_INLINE DoubleRegister square_root(DoubleRegister a) {
     return each<DoubleRegister>([&](int i) { return ::sqrt(a.lane[i]); });
 }
@@ -239,18 +211,10 @@ GPHYS_INLINE DoubleRegister with_sign(DoubleRegister a, DoubleRegister sign) {
     return each<DoubleRegister>([&](int i) { return ::copysign(a.lane[i], sign.lane[i]); });
 }
 
-GPHYS_INLINE DoubleMaskRegister operator<(DoubleRegister a, DoubleRegister b) {
-    return compare<DoubleMaskRegister>(a.lane, b.lane, [](auto x, auto y) { return x < y; });
-}
-GPHYS_INLINE DoubleMaskRegister operator<=(DoubleRegister a, DoubleRegister b) {
-    return compare<DoubleMaskRegister>(a.lane, b.lane, [](auto x, auto y) { return x <= y; });
-}
-GPHYS_INLINE DoubleMaskRegister operator|(DoubleMaskRegister a, DoubleMaskRegister b) {
-    return combine(a, b, [](auto x, auto y) { return x | y; });
-}
-GPHYS_INLINE DoubleMaskRegister operator&(DoubleMaskRegister a, DoubleMaskRegister b) {
-    return combine(a, b, [](auto x, auto y) { return x & y; });
-}
+GPHYS_COMPARE(DoubleMaskRegister, DoubleRegister, operator<, x < y)
+GPHYS_COMPARE(DoubleMaskRegister, DoubleRegister, operator<=, x <= y)
+GPHYS_COMBINE(DoubleMaskRegister, operator|, x | y)
+GPHYS_COMBINE(DoubleMaskRegister, operator&, x& y)
 GPHYS_INLINE DoubleMaskRegister operator!(DoubleMaskRegister a) {
     return combine(a, a, [](auto x, auto) { return ~x; });
 }
