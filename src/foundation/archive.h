@@ -4,6 +4,7 @@
 //   archive.value(x)   one value, a multiple of four bytes
 //   archive.flag(b)    a bool
 //   archive.array(v)   the number of elements, then the elements
+//   visit_all(archive, b, v, x)   these three, by their types
 //
 // Words have the byte order of the machine. Structs must have no padding.
 #pragma once
@@ -98,5 +99,26 @@ private:
     size_t left_;
     bool good_ = true;
 };
+
+template <class T, class = void>
+constexpr bool is_array = false;
+template <class T>
+constexpr bool is_array<T, std::void_t<typename T::value_type>> = true;
+
+/// Members one after the other: a bool as a flag, a vector as an array, all else as a value.
+template <class Archive, class... T>
+void visit_all(Archive& archive, T&... members) {
+    const auto visit = [&](auto& member) {
+        using Member = std::decay_t<decltype(member)>;
+        if constexpr (std::is_same_v<Member, bool>) {
+            archive.flag(member);
+        } else if constexpr (is_array<Member>) {
+            archive.array(member);
+        } else {
+            archive.value(member);
+        }
+    };
+    (visit(members), ...);
+}
 
 }  // namespace gphys

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "foundation/status.h"
+
 namespace gphys {
 
 struct SnapshotHeader {
@@ -31,6 +33,19 @@ inline const char* read_header(const uint32_t* words, uint32_t count, uint32_t m
         return "words: the format is not one that this version of the library reads";
     if (header.words != count) return "count is not the number of words of the snapshot";
     return nullptr;
+}
+
+/// Sets the number of all words; GPHYS_INCOMPLETE if they do not fit.
+inline gphys_status fit_snapshot(uint64_t words, uint32_t capacity, uint32_t& total) {
+    if (words > UINT32_MAX) return fail(GPHYS_ERROR_CAPACITY, "the snapshot would have more than 2^32 - 1 words");
+    total = static_cast<uint32_t>(words);
+    return total > capacity ? GPHYS_INCOMPLETE : GPHYS_OK;
+}
+
+inline void write_header(uint32_t* out, uint32_t magic, uint32_t format, uint32_t words, uint64_t checksum) {
+    SnapshotHeader header{magic, format, words, {}};
+    header.set_checksum(checksum);
+    std::memcpy(out, &header, sizeof header);
 }
 
 }  // namespace gphys

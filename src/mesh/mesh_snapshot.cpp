@@ -1,7 +1,6 @@
 // Writing and validating snapshots of meshes (mesh_snapshot.h).
 #include "mesh/mesh_snapshot.h"
 
-#include <limits>
 
 #include "foundation/status.h"
 #include "foundation/word_hash.h"
@@ -159,11 +158,7 @@ gphys_status Mesh::snapshot(uint32_t* out, uint32_t capacity, uint32_t& total) c
                       now.first_degenerate,
                       now.open_edge_count};
     const uint64_t words = words_of(sizes) + words_of_kind(kind_, sizes);
-    if (words > std::numeric_limits<uint32_t>::max()) {
-        return fail(GPHYS_ERROR_CAPACITY, "the snapshot would have more than 2^32 - 1 words");
-    }
-    total = static_cast<uint32_t>(words);
-    if (total > capacity) return GPHYS_INCOMPLETE;
+    GPHYS_TRY(fit_snapshot(words, capacity, total));
     uint32_t* to = out + snapshot_header_words;
     const auto copy = [&](const void* from, size_t size) {
         if (size > 0) std::memcpy(to, from, 4 * size);  // if size is 0, `from` may be null
@@ -184,9 +179,7 @@ gphys_status Mesh::snapshot(uint32_t* out, uint32_t capacity, uint32_t& total) c
         copy(&kind_, 1);
         copy(radii_.data(), radii_.size());
     }
-    SnapshotHeader header{mesh_snapshot_magic, mesh_snapshot_format, total, {}};
-    header.set_checksum(mesh_snapshot_checksum(out, total));
-    std::memcpy(out, &header, sizeof header);
+    write_header(out, mesh_snapshot_magic, mesh_snapshot_format, total, mesh_snapshot_checksum(out, total));
     return GPHYS_OK;
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <limits>
 
 #include "foundation/archive.h"
 #include "mesh/mesh_snapshot.h"
@@ -235,11 +234,7 @@ gphys_status Scene::snapshot(bool embed_meshes, uint32_t* out, uint32_t capacity
     put_all(count);
     const uint64_t tree = uint64_t{bvh_.node_count()} + bvh_.size();
     const uint64_t words = snapshot_header_words + count.words + tree + embedded;
-    if (words > std::numeric_limits<uint32_t>::max()) {
-        return fail(GPHYS_ERROR_CAPACITY, "the snapshot would have more than 2^32 - 1 words");
-    }
-    total = static_cast<uint32_t>(words);
-    if (total > capacity) return GPHYS_INCOMPLETE;
+    GPHYS_TRY(fit_snapshot(words, capacity, total));
 
     WordCopy copy{out + snapshot_header_words};
     put_all(copy);
@@ -251,9 +246,7 @@ gphys_status Scene::snapshot(bool embed_meshes, uint32_t* out, uint32_t capacity
         meshes[i]->snapshot(next, used[i].words, size);
         next += size;
     }
-    SnapshotHeader header{scene_snapshot_magic, scene_snapshot_format, total, {}};
-    header.set_checksum(scene_snapshot_checksum(out, total));
-    std::memcpy(out, &header, sizeof header);
+    write_header(out, scene_snapshot_magic, scene_snapshot_format, total, scene_snapshot_checksum(out, total));
     return GPHYS_OK;
 }
 

@@ -48,89 +48,46 @@ void visit_plan(Archive& archive, Body& body) {
     archive.value(plan.method);
     if (plan.method == GPHYS_SOLVE_DIRECT) archive.array(body.rope.tension);
     if (plan.method != GPHYS_SOLVE_GRAPH) return;
-    archive.array(plan.chains);
-    archive.array(plan.colours);
-    archive.array(plan.particles);
-    archive.array(plan.slots);
-    archive.flag(plan.reach_current);
+    visit_all(archive, plan.chains, plan.colours, plan.particles, plan.slots, plan.reach_current);
     if (plan.reach_current) archive.array(body.cloth.reach.limits);
 }
 
 template <class Archive, class Body>
 void visit_body(Archive& archive, Body& body) {
-    archive.value(body.kind);
-    archive.value(body.settings.damping);
-    archive.value(body.settings.friction);
-    archive.value(body.settings.static_friction);
-    archive.value(body.settings.restitution);
-    archive.value(body.settings.layers);
-    archive.value(body.settings.body_layers);
-    archive.value(body.settings.self_collision);
-    archive.array(body.particles.position);
-    archive.array(body.particles.velocity);
-    archive.array(body.particles.force);
-    archive.array(body.particles.mass);
-    archive.array(body.particles.inverse_mass);
-    archive.array(body.particles.radius);
-    archive.value(body.air.wind);
-    archive.array(body.air.velocity);
-    archive.array(body.constraints.attachments);
-    IdTable::visit(archive, body.constraints.ids);
-    archive.array(body.constraints.by_slot);
-    archive.array(body.constraints.length_changes);
-    archive.array(body.cloth.sheet.rest_position);
-    archive.array(body.cloth.sheet.triangles);
-    archive.array(body.contacts.self.placed);
-    archive.flag(body.cloth.volume.held);
-    archive.value(body.cloth.volume.rest);
-    archive.value(body.cloth.volume.compliance);
-    archive.value(body.cloth.volume.pressure);
-    archive.array(body.history.start);
-    archive.array(body.history.start_velocity);
-    archive.value(body.history.earlier_step);
-    archive.flag(body.history.placed);
-    archive.flag(body.contacts.has_contact);
-    archive.value(body.cloth.balance.lost);
-    archive.array(body.contacts.points);
-    archive.value(body.substeps.made);
-    archive.value(body.substeps.wanted);
-    archive.array(body.contacts.stuck);
-    archive.array(body.contacts.impulses);
-    archive.value(body.sleep.rest_time);
-    archive.flag(body.sleep.asleep);
-    archive.value(body.sleep.box);
-    archive.value(body.sleep.neighbourhood);
-    archive.value(body.sleep.settling);
-    archive.value(body.sleep.support);
-    archive.value(body.sleep.drift);
-    archive.array(body.cloth.state.moved);
-    archive.array(body.cloth.state.velocity_before);
-    archive.value(body.cloth.state.origin);
-    archive.array(body.cloth.cache.search_balls);
-    archive.flag(body.cloth.yielding.any);
-    archive.value(body.cloth.yielding.collapsed_time);
+    auto& settings = body.settings;
+    auto& particles = body.particles;
+    auto& constraints = body.constraints;
+    auto& contacts = body.contacts;
+    auto& history = body.history;
+    auto& cloth = body.cloth;
+    auto& sleep = body.sleep;
+    visit_all(archive, body.kind, settings.damping, settings.friction, settings.static_friction, settings.restitution,
+              settings.layers, settings.body_layers, settings.self_collision);
+    visit_all(archive, particles.position, particles.velocity, particles.force, particles.mass, particles.inverse_mass,
+              particles.radius, body.air.wind, body.air.velocity, constraints.attachments);
+    IdTable::visit(archive, constraints.ids);
+    visit_all(archive, constraints.by_slot, constraints.length_changes, cloth.sheet.rest_position,
+              cloth.sheet.triangles, contacts.self.placed);
+    visit_all(archive, cloth.volume.held, cloth.volume.rest, cloth.volume.compliance, cloth.volume.pressure);
+    visit_all(archive, history.start, history.start_velocity, history.earlier_step, history.placed);
+    visit_all(archive, contacts.has_contact, cloth.balance.lost, contacts.points, body.substeps.made,
+              body.substeps.wanted, contacts.stuck, contacts.impulses);
+    visit_all(archive, sleep.rest_time, sleep.asleep, sleep.box, sleep.neighbourhood, sleep.settling, sleep.support,
+              sleep.drift);
+    visit_all(archive, cloth.state.moved, cloth.state.velocity_before, cloth.state.origin, cloth.cache.search_balls,
+              cloth.yielding.any, cloth.yielding.collapsed_time);
     visit_plan(archive, body);
 }
 
 template <class Archive, class State>
 void visit_globals(Archive& archive, State& state) {
-    archive.value(state.settings.gravity);
-    archive.value(state.settings.substeps);
-    archive.value(state.settings.fixed_step);
-    archive.value(state.settings.max_steps);
-    archive.value(state.settings.sleep_speed);
-    archive.value(state.settings.sleep_strain);
-    archive.value(state.settings.sleep_time);
-    archive.value(state.settings.max_strain);
-    archive.value(state.settings.tolerance);
-    archive.value(state.settings.max_substeps);
-    archive.value(state.settings.max_work);
-    archive.value(state.origin);
-    archive.value(state.accumulator);
+    auto& settings = state.settings;
+    visit_all(archive, settings.gravity, settings.substeps, settings.fixed_step, settings.max_steps,
+              settings.sleep_speed, settings.sleep_strain, settings.sleep_time, settings.max_strain, settings.tolerance,
+              settings.max_substeps, settings.max_work, state.origin, state.accumulator);
     IdTable::visit(archive, state.ids);
     IdTable::visit(archive, state.joint_ids);
-    archive.array(state.joints);
-    archive.array(state.near_models);
+    visit_all(archive, state.joints, state.near_models);
 }
 
 template <class Archive, class Array>
@@ -280,16 +237,10 @@ void Solver::hash(uint32_t (&out)[2]) const {
 gphys_status Solver::snapshot(uint32_t* out, uint32_t capacity, uint32_t& total) const {
     WordCount count;
     write(count, state_);
-    if (count.words > std::numeric_limits<uint32_t>::max() - snapshot_header_words) {
-        return fail(GPHYS_ERROR_CAPACITY, "the snapshot would have more than 2^32 - 1 words");
-    }
-    total = static_cast<uint32_t>(count.words) + snapshot_header_words;
-    if (total > capacity) return GPHYS_INCOMPLETE;
+    GPHYS_TRY(fit_snapshot(count.words + snapshot_header_words, capacity, total));
     WordCopy copy{out + snapshot_header_words};
     write(copy, state_);
-    SnapshotHeader header{magic, format, total, {}};
-    header.set_checksum(hash_of(out + snapshot_header_words, count.words));
-    std::memcpy(out, &header, sizeof header);
+    write_header(out, magic, format, total, hash_of(out + snapshot_header_words, count.words));
     return GPHYS_OK;
 }
 
