@@ -5,9 +5,7 @@ namespace gphys {
 
 Vec4 operator*(const Mat4& m, Vec4 v) {
     double out[4];
-    for (int row = 0; row < 4; ++row) {
-        out[row] = m(row, 0) * v.x + m(row, 1) * v.y + m(row, 2) * v.z + m(row, 3) * v.w;
-    }
+    for (int row = 0; row < 4; ++row) out[row] = m(row, 0) * v.x + m(row, 1) * v.y + m(row, 2) * v.z + m(row, 3) * v.w;
     return {out[0], out[1], out[2], out[3]};
 }
 

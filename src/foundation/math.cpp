@@ -12,9 +12,7 @@ Quat quaternion(const Mat3& m) {
     if (m.x.x >= m.y.y && m.x.x >= m.z.z) {
         return normalized(Quat{1 + m.x.x - m.y.y - m.z.z, m.x.y + m.y.x, m.z.x + m.x.z, m.y.z - m.z.y});
     }
-    if (m.y.y >= m.z.z) {
-        return normalized(Quat{m.x.y + m.y.x, 1 + m.y.y - m.z.z - m.x.x, m.y.z + m.z.y, m.z.x - m.x.z});
-    }
+    if (m.y.y >= m.z.z) return normalized(Quat{m.x.y + m.y.x, 1 + m.y.y - m.z.z - m.x.x, m.y.z + m.z.y, m.z.x - m.x.z});
     return normalized(Quat{m.z.x + m.x.z, m.y.z + m.z.y, 1 + m.z.z - m.x.x - m.y.y, m.x.y - m.y.x});
 }
 

@@ -102,9 +102,7 @@ bool contains(const Plane& plane, Vec3 point, double tolerance) {
 
 bool contains(const Triangle& triangle, Vec3 point, double tolerance) {
     const auto& [a, b, c] = triangle;
-    if (tolerance > 0) {
-        return within(closest_point(Triangle{a - point, b - point, c - point}, {}), {}, tolerance);
-    }
+    if (tolerance > 0) return within(closest_point(Triangle{a - point, b - point, c - point}, {}), {}, tolerance);
     const int axis = turning_axis(a, b, c);
     if (axis < 0) {
         return contains(Segment{a, b}, point, 0) || contains(Segment{b, c}, point, 0) ||

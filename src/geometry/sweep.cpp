@@ -51,9 +51,7 @@ void correct_normal(const Capsule& capsule, const Sphere& moving, Hit& hit) {
 template <class Shape>
 bool contact_on(const Shape& shape, const Sphere& moving, Vec3 displacement, Hit& hit) {
     // The sphere starts just outside: the two tests round differently.
-    if (hit.t == 0) {
-        return contact_at_start(moving, displacement, closest_point(shape, moving.center), hit);
-    }
+    if (hit.t == 0) return contact_at_start(moving, displacement, closest_point(shape, moving.center), hit);
     const Vec3 center = moving.center + displacement * hit.t;
     return contact(hit.t, closest_point(shape, center), hit.normal, 0, hit);
 }
@@ -264,9 +262,7 @@ bool approach_frustum(const Frustum& frustum, const Sphere& moving, Vec3 displac
     if (passes_outside(frustum, moving, displacement)) return false;
     Vec3 nearest;
     if (!closest_point(frustum, moving.center, nearest)) return false;
-    if (distance(nearest, moving.center) <= moving.radius) {
-        return contact_at_start(moving, displacement, nearest, hit);
-    }
+    if (distance(nearest, moving.center) <= moving.radius) return contact_at_start(moving, displacement, nearest, hit);
     double t = 0;
     Vec3 normal;
     // Quadratic convergence; linear, halving the error, where the sphere grazes the frustum: 60 steps exhaust a

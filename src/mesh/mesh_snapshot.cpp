@@ -1,7 +1,6 @@
 // Writing and validating snapshots of meshes (mesh_snapshot.h).
 #include "mesh/mesh_snapshot.h"
 
-
 #include "foundation/status.h"
 #include "foundation/word_hash.h"
 #include "mesh/convex_hull.h"

@@ -37,9 +37,7 @@ Contact contact_of(const Obb& box, Vec3 point) {
     const Vec3 local = transpose_times(box.axes, point - box.center);
     const Vec3 clamped = min(max(local, -box.half), box.half);
     const double outside = distance(local, clamped);
-    if (outside > 0) {
-        return {box.center + box.axes * clamped, box.axes * normalized(local - clamped), outside};
-    }
+    if (outside > 0) return {box.center + box.axes * clamped, box.axes * normalized(local - clamped), outside};
     int axis = 0;
     const Vec3 depth = box.half - abs(local);
     for (int k = 1; k < 3; ++k) {

@@ -134,9 +134,7 @@ gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shap
     bool is_scaled = false;
     const Strided<char> shape(static_cast<const char*>(shapes), shape_stride);
     for (uint32_t i = 0; i < count; ++i) {
-        if (const ScaleError error = check_scale(type, &shape[i], descs[i].scale)) {
-            return fail(error.status, error.why);
-        }
+        if (const ScaleError error = check_scale(type, &shape[i], descs[i].scale)) return fail(error.status, error.why);
         is_scaled = is_scaled || !is_one(descs[i].scale);
         if (descs[i].parent != 0 && !has(descs[i].parent)) {
             return fail(GPHYS_ERROR_INVALID_ID, "desc.parent", descs[i].parent, id_of_model);

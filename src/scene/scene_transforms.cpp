@@ -244,10 +244,9 @@ gphys_status Scene::set_origin(Vec3 origin) {
         models.push_back(model);
         transforms.push_back(moved);
     });
-    if (!in_range) {
-        return fail(GPHYS_ERROR_INVALID_ARGUMENT, "origin: a model would be beyond GPHYS_MAX_COORDINATE");
-    }
-    GPHYS_TRY(set_transforms(models.data(), transforms.data(), sizeof(gphys_transform), static_cast<uint32_t>(models.size())));
+    if (!in_range) return fail(GPHYS_ERROR_INVALID_ARGUMENT, "origin: a model would be beyond GPHYS_MAX_COORDINATE");
+    GPHYS_TRY(set_transforms(models.data(), transforms.data(), sizeof(gphys_transform),
+                             static_cast<uint32_t>(models.size())));
     places_.swap(places);
     origin_ = origin;
     return GPHYS_OK;

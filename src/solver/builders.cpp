@@ -137,9 +137,7 @@ gphys_status Solver::add_cloth(const gphys_body_desc& desc, Vec3 corner, Vec3 ed
         directions.push_back({0, 2, bend});
         directions.push_back({2, 0, bend});
     }
-    for (const Direction& d : directions) {
-        GPHYS_TRY(link_grid(body, columns, rows, d.du, d.dv, d.compliance));
-    }
+    for (const Direction& d : directions) GPHYS_TRY(link_grid(body, columns, rows, d.du, d.dv, d.compliance));
     set_breaking_force(body, desc);
     return insert(std::move(made), out);
 }

@@ -86,9 +86,7 @@ struct ClothShares {
 
 inline ClothTravel total_travel(const ClothShares& shares) {
     ClothTravel all;
-    for (const ClothTravel& part : shares.travels) {
-        all.add(part);
-    }
+    for (const ClothTravel& part : shares.travels) all.add(part);
     return all;
 }
 

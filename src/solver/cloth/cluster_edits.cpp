@@ -22,9 +22,7 @@ ClusterRange members_of(const Clusters& clusters, uint32_t slot) {
 
 gphys_status add_cluster(Body& body, const uint32_t* particles, uint32_t count, gphys_cluster_id& out) {
     Clusters& clusters = body.cloth.clusters;
-    if (!clusters.ids.reserve(1)) {
-        return fail(GPHYS_ERROR_CAPACITY, "the body would have more than 2^24 - 1 clusters");
-    }
+    if (!clusters.ids.reserve(1)) return fail(GPHYS_ERROR_CAPACITY, "the body would have more than 2^24 - 1 clusters");
     if (count > IdTable::capacity - clusters.members.size()) {
         return fail(GPHYS_ERROR_CAPACITY, "the clusters of the body would have more than 2^24 - 1 particles");
     }
@@ -36,9 +34,7 @@ gphys_status add_cluster(Body& body, const uint32_t* particles, uint32_t count, 
     const Vector<Vec3>& position = body.particles.position;
     auto at = clusters.members.insert(
         std::lower_bound(clusters.members.begin(), clusters.members.end(), slot, BySlot()), count, ClusterMember{});
-    for (uint32_t i = 0; i < count; ++i) {
-        *at++ = {position[particles[i]] - position[particles[0]], particles[i], slot};
-    }
+    for (uint32_t i = 0; i < count; ++i) *at++ = {position[particles[i]] - position[particles[0]], particles[i], slot};
     interrupt(body);
     return GPHYS_OK;
 }

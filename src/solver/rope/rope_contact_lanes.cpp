@@ -75,9 +75,7 @@ void RopeContactLanes<lanes>::add(const RopeStepper& rope) {
     ++count_;
     gather_constants(lane, rope.body());
     // Lanes without a rope compute the same as the first one, so that no number is invalid.
-    for (uint32_t other = 1; other < lanes && !filled_; ++other) {
-        gather_constants(other, rope.body());
-    }
+    for (uint32_t other = 1; other < lanes && !filled_; ++other) gather_constants(other, rope.body());
     filled_ = true;
 }
 

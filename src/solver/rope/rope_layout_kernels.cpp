@@ -65,9 +65,7 @@ GPHYS_FLATTEN void gather_ropes(RopeNode<lanes>* nodes, uint32_t count, const Ro
         RopeNode<lanes>& node = nodes[i];
         const auto is_there = all_of<lanes>(i) < load(counts);
         uint32_t particles[lanes];
-        for (int lane = 0; lane < lanes; ++lane) {
-            particles[lane] = ropes[lane].particles[i < ropes[lane].count ? i : 0];
-        }
+        for (int lane = 0; lane < lanes; ++lane) particles[lane] = ropes[lane].particles[i < ropes[lane].count ? i : 0];
         const auto particle = [&](int lane) { return particles[lane]; };
         const auto link = [&](int lane) { return i + 1 < ropes[lane].count ? i : 0; };
         gather_into(ropes, &RopeArrays::position, particle, node.position);
@@ -86,9 +84,7 @@ GPHYS_FLATTEN void gather_ropes(RopeNode<lanes>* nodes, uint32_t count, const Ro
         for (double(&velocity)[lanes] : node.velocity) store(velocity, select(is_free, load(velocity), zero));
         Value force[3] = {zero, zero, zero};
         if (forced) gather(ropes, &RopeArrays::force, particle, force);
-        for (int k = 0; k < 3; ++k) {
-            store(node.acceleration[k], all_of<lanes>(gravity[k]) + force[k] * inverse_mass);
-        }
+        for (int k = 0; k < 3; ++k) store(node.acceleration[k], all_of<lanes>(gravity[k]) + force[k] * inverse_mass);
         if (i > 0) complete_link(nodes[i - 1], inverse_mass_before + inverse_mass, is_there);
         inverse_mass_before = inverse_mass;
     }
