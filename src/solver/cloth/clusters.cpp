@@ -259,19 +259,6 @@ void put_on_shape(const MovingCluster& cluster, ClusterRange members, ClothState
     }
 }
 
-/// Calls visit(members) for each cluster.
-template <class Visit>
-void each_cluster(const Clusters& clusters, Visit&& visit) {
-    const ClusterMember *first = clusters.members.data(), *const end = first + clusters.members.size();
-    while (first != end) {
-        const uint32_t cluster = first->cluster;
-        const ClusterMember* last = first;
-        while (last != end && last->cluster == cluster) ++last;
-        visit(ClusterRange{first, last});
-        first = last;
-    }
-}
-
 template <class Visit>
 void sweep_clusters(const Clusters& clusters, Visit&& visit) {
     for (int pass = 0; pass < (clusters.overlap ? passes_of_overlapping : 1); ++pass) each_cluster(clusters, visit);

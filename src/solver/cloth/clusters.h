@@ -91,5 +91,17 @@ struct ClusterRange {
 /// Of that with this slot; and, in a step, of the first that a particle is in.
 ClusterRange members_of(const Clusters& clusters, uint32_t slot);
 ClusterRange cluster_with(const Clusters& clusters, uint32_t particle);
+/// Calls visit(members) for each cluster.
+template <class Visit>
+void each_cluster(const Clusters& clusters, Visit&& visit) {
+    const ClusterMember *first = clusters.members.data(), *const end = first + clusters.members.size();
+    while (first != end) {
+        const uint32_t cluster = first->cluster;
+        const ClusterMember* last = first;
+        while (last != end && last->cluster == cluster) ++last;
+        visit(ClusterRange{first, last});
+        first = last;
+    }
+}
 
 }  // namespace gphys

@@ -17,8 +17,7 @@ Aabb places_of(const Body& body) {
     return box;
 }
 
-}  // namespace
-
+/// The box that the balls reach: each is as large as a link or as its particle, plus the particle's radius.
 Box box_around_balls(const Body& body) {
     const double reach = std::max(body.cloth.batches.link_length, body.particles.largest_radius);
     const double room = 2 * (reach + body.particles.largest_radius);
@@ -26,13 +25,12 @@ Box box_around_balls(const Body& body) {
     return bounds(Aabb{box.min - Vec3{room, room, room}, box.max + Vec3{room, room, room}});
 }
 
-namespace {
-
-uint64_t neighbourhood(const Body& body, const Scene& scene) {
-    return neighbourhood(scene, box_around_balls(body), body.settings.layers, [](gphys_model_id) {});
-}
-
 }  // namespace
+
+uint64_t models_around(const Body& body, const Scene* scene) {
+    if (!scene) return 0;
+    return neighbourhood(*scene, box_around_balls(body), body.settings.layers, [](gphys_model_id) {});
+}
 
 bool keeps_origin(const ContactCache& cache, Vec3 origin, const Aabb& box) {
     // Coordinates, and their rounding, are then at most a quarter larger than necessary.
@@ -45,7 +43,7 @@ bool keeps_origin(const ContactCache& cache, Vec3 origin, const Aabb& box) {
 Reuse reusable_contacts(const Body& body, const CollisionContext& around) {
     const ContactCache& cache = body.cloth.cache;
     if (cache.search_balls.empty() || !body.cloth.moving_colliders.empty()) return Reuse::nothing;
-    const bool same = cache.current && cache.neighbourhood == neighbourhood(body, *around.scene);
+    const bool same = cache.current && cache.neighbourhood == models_around(body, around.scene);
     return same ? Reuse::planes : Reuse::balls;
 }
 
@@ -59,7 +57,7 @@ void update_cache(Body& body, const CollisionContext& around) {
         return;
     }
     cache.current = true;
-    cache.neighbourhood = neighbourhood(body, *around.scene);
+    cache.neighbourhood = models_around(body, around.scene);
 }
 
 }  // namespace gphys

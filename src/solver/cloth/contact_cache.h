@@ -8,6 +8,7 @@ namespace gphys {
 
 struct Body;
 struct CollisionContext;
+class Scene;
 
 struct ContactCache {
     explicit ContactCache(std::pmr::memory_resource* memory) : search_balls(memory) {}
@@ -26,8 +27,8 @@ struct ContactCache {
 enum class Reuse { nothing, balls, planes };
 /// Whether the origin of the relative coordinates is still near the middle of the box.
 bool keeps_origin(const ContactCache& cache, Vec3 origin, const Aabb& box);
-/// The box that the balls reach: each is as large as a link or as its particle, plus the particle's radius.
-Box box_around_balls(const Body& body);
+/// A hash of the models that the balls of a body reach; 0 without a scene.
+uint64_t models_around(const Body& body, const Scene* scene);
 /// Call at the beginning of a step, when the moving models are known.
 Reuse reusable_contacts(const Body& body, const CollisionContext& around);
 /// Call at the end of a step.

@@ -45,14 +45,8 @@ void keep_energy(ClusterRange members, ClothState& state, double kept) {
 
 void keep_hinged_energy(Body& body, bool collides, double h) {
     if (!is_known(body, collides)) return;
-    const Clusters& clusters = body.cloth.clusters;
     const double kept = decay(2 * body.settings.damping * h).kept;
-    const ClusterMember *first = clusters.members.data(), *const end = first + clusters.members.size();
-    while (first != end) {
-        const ClusterRange members = members_of(clusters, first->cluster);
-        keep_energy(members, body.cloth.state, kept);
-        first = members.last;
-    }
+    each_cluster(body.cloth.clusters, [&](ClusterRange members) { keep_energy(members, body.cloth.state, kept); });
 }
 
 }  // namespace gphys

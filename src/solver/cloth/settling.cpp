@@ -4,7 +4,6 @@
 
 #include "solver/body.h"
 #include "solver/contact/collision.h"
-#include "solver/contact/neighbourhood.h"
 
 namespace gphys {
 namespace {
@@ -29,11 +28,6 @@ constexpr double least_held = 0.2;
 constexpr double most_strain = 1.5;
 // How much faster it stops settling than it settles, if it moves.
 constexpr double return_rate = 4;
-
-uint64_t support(const Body& body, const Scene* scene) {
-    if (!scene) return 0;
-    return neighbourhood(*scene, box_around_balls(body), body.settings.layers, [](gphys_model_id) {});
-}
 
 /// Whether nothing acts on it but gravity, links and models. What rolls is left out.
 bool is_left_alone(const Body& body) {
@@ -65,7 +59,7 @@ bool is_slow(const Body& body, const ClothTravel& travel, double gravity, double
 void begin_settling(Body& body, const CollisionContext& around) {
     Sleep& sleep = body.sleep;
     const Vector<ClothContact>& candidates = body.cloth.contacts.candidates;
-    if (sleep.settling > 0 && (sleep.support != support(body, around.scene) ||
+    if (sleep.settling > 0 && (sleep.support != models_around(body, around.scene) ||
                                std::any_of(candidates.begin(), candidates.end(), is_near_moving_model)))
         sleep.settling = 0;
     body.cloth.settling.damping = most_damping * std::min(1.0, sleep.settling / full_damping);
@@ -106,7 +100,7 @@ void note_settling(Body& body, const Scene* scene, Vec3 gravity, double dt, bool
     } else {
         sleep.settling = std::max(0.0, sleep.settling - return_rate * dt);
     }
-    if (sleep.settling > 0) sleep.support = support(body, scene);
+    if (sleep.settling > 0) sleep.support = models_around(body, scene);
     if (sleep.settling < settled) return;
     sleep.drift = {};
     body.steady.pause = body.steady.left_out = 0;  // it may be steady from now on

@@ -171,13 +171,10 @@ void finish_joined(const Joined& joined, const CollisionContext& around, Vec3 gr
         if (is_graph(body)) {
             finish_cloth(body, around, gravity, h);
         } else {
-            if (!body.constraints.attachments.empty())
-                add_tension_impulses(body, around, TimeScheme(h, body.history.earlier_step));
-            end_friction(body);
             const TimeScheme scheme(h, body.history.earlier_step);
-            body.contacts.has_contact = body.contacts.has_contact || !body.targets.reached.empty();
-            body.history.earlier_step = body.contacts.has_contact || has_limit_impact ? 0 : h;
-            if (body.breaking.possible()) add_chain_loads(body, scheme);
+            if (!body.constraints.attachments.empty()) add_tension_impulses(body, around, scheme);
+            end_friction(body);
+            end_substep(body, has_limit_impact, scheme);
         }
     });
     if (!interrupted) limit_joined_energy(joined, gravity);

@@ -72,6 +72,9 @@ void finish_chains(Body& body, const TimeScheme& scheme, const RopeContacts* con
 /// Adds the tensions of links at attached particles to the impulses of their models.
 void add_tension_impulses(Body& body, const CollisionContext& around, const TimeScheme& scheme);
 
+/// Decides whether the next substep continues the time scheme or restarts it, and adds up the loads of the links.
+void end_substep(Body& body, bool has_limit_impact, const TimeScheme& scheme);
+
 /// A whole substep of a rope without RopeContacts, and what follows begin_chains in it.
 void move_rope(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 void end_rope(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme);

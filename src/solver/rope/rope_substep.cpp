@@ -183,13 +183,6 @@ void collide_with_models(Body& body, RopeContacts* limits, const CollisionContex
     }
 }
 
-/// Decides whether the next substep continues the time scheme or restarts it, and adds up the loads of the links.
-void end_substep(Body& body, bool has_limit_impact, const TimeScheme& scheme) {
-    body.contacts.has_contact = body.contacts.has_contact || !body.targets.reached.empty();
-    body.history.earlier_step = body.contacts.has_contact || has_limit_impact ? 0 : scheme.advance;
-    if (body.breaking.possible()) add_chain_loads(body, scheme);
-}
-
 /// The substep after the links are solved. `contacts`: those that were solved together with them, or null.
 void end_chains(Body& body, RopeContacts* contacts, const CollisionContext& around, Vec3 gravity,
                 const TimeScheme& scheme) {
@@ -207,6 +200,12 @@ void end_chains(Body& body, RopeContacts* contacts, const CollisionContext& arou
 }
 
 }  // namespace
+
+void end_substep(Body& body, bool has_limit_impact, const TimeScheme& scheme) {
+    body.contacts.has_contact = body.contacts.has_contact || !body.targets.reached.empty();
+    body.history.earlier_step = body.contacts.has_contact || has_limit_impact ? 0 : scheme.advance;
+    if (body.breaking.possible()) add_chain_loads(body, scheme);
+}
 
 bool restarts(const History& history, const Contacts& contacts) {
     return history.earlier_step == 0 && !contacts.has_contact;
