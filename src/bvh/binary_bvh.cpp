@@ -4,7 +4,6 @@
 #include "foundation/workers.h"
 
 namespace gphys {
-
 namespace {
 
 /// A range of fewer items takes less time than waking a thread.

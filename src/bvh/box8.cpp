@@ -5,7 +5,6 @@
 #include "foundation/elementary.h"
 
 namespace gphys {
-
 namespace {
 
 constexpr double unit_roundoff = 0x1p-24;  // of float

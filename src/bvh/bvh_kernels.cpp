@@ -9,11 +9,9 @@
 #include "bvh/packet_traversal.h"
 #include "bvh/pair_traversal.h"
 #include "bvh/ray_lanes.h"
-#include "foundation/compiler.h"
 #include "foundation/simd_axes.h"
 
 namespace gphys::GPHYS_ISA {
-
 namespace {
 
 /// Scalar form: make_probe for each ray.

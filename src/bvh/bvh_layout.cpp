@@ -4,7 +4,6 @@
 #include "bvh/bvh8.h"
 
 namespace gphys {
-
 namespace {
 
 /// Position in the preorder: tracks the parent of the next node.

@@ -5,7 +5,6 @@
 #include "bvh/bvh8.h"
 
 namespace gphys {
-
 namespace {
 
 /// In large updates, one in so many moves pays for the rebuild of an item. With that, an update takes twice a refit on

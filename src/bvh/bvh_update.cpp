@@ -10,7 +10,6 @@
 #include "foundation/workers.h"
 
 namespace gphys {
-
 namespace {
 
 /// Both parts of a split node have at least three of the nine children: fewer would make sparse trees, more would leave

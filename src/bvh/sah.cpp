@@ -5,7 +5,6 @@
 #include "bvh/gradual_split.h"
 
 namespace gphys {
-
 namespace {
 
 using sah::Box4, sah::centre, sah::centres_of, sah::load, sah::narrow;

@@ -1,10 +1,7 @@
 // Reads and checks gphys_query_filter_desc (query_filters.h).
 #include "c_api/query_filters.h"
 
-#include <algorithm>
-
 namespace gphys {
-
 namespace {
 
 constexpr gphys_query_filter_desc default_filter{

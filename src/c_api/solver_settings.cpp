@@ -1,8 +1,6 @@
 // gphys_solver_*: the settings of the solver, of bodies, of constraints and of the wind.
 #include "c_api/solver_settings.h"
 
-#include "c_api/api.h"
-#include "c_api/handles.h"
 #include "foundation/strided.h"
 
 using namespace gphys;

@@ -6,7 +6,6 @@
 #include "foundation/status.h"
 
 namespace gphys {
-
 namespace {
 
 /// The smallest length of v - n dot(v, n), for unit vectors, that is not mere rounding: it has about six roundings of

@@ -2,7 +2,6 @@
 #include "camera/projection.h"
 
 namespace gphys {
-
 namespace {
 
 /// Near and far plane, perpendicular to the view direction. An infinite far plane has normal 0 and distance -1.

@@ -6,7 +6,6 @@
 #include "foundation/compiler.h"
 
 namespace gphys {
-
 namespace {
 
 struct Split {

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 namespace gphys {
-
 namespace {
 
 /// Squared distance of two items.

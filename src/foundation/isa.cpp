@@ -8,7 +8,6 @@
 #include "foundation/compiler.h"
 
 namespace gphys {
-
 namespace {
 
 constexpr Isa all_sets[] = {

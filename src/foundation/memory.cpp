@@ -4,7 +4,6 @@
 #include "foundation/pages.h"
 
 namespace gphys {
-
 namespace {
 
 std::size_t alignment_for(std::size_t size, std::size_t alignment) {

@@ -1,7 +1,6 @@
 // Pages of the system on Linux (mmap, mremap, transparent huge pages); elsewhere there are none.
 #include "foundation/pages.h"
 
-#include <algorithm>
 #include <cstdint>
 
 #if defined(__linux__)

@@ -6,7 +6,6 @@
 #include "foundation/compiler.h"
 
 namespace gphys {
-
 namespace {
 
 constexpr uint32_t few = 32;

@@ -9,7 +9,6 @@
 #include "foundation/floating_point.h"
 
 namespace gphys {
-
 namespace {
 
 constexpr size_t message_size = 256;  // gphys_last_error promises at most 255 bytes

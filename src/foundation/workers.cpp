@@ -11,7 +11,6 @@
 #endif
 
 namespace gphys {
-
 namespace {
 
 #if defined(__unix__) || defined(__APPLE__)

@@ -4,7 +4,6 @@
 #include "geometry/intersect.h"
 
 namespace gphys {
-
 namespace {
 
 double height(Vec3 point, const PlaneAt& plane) {

@@ -8,7 +8,6 @@
 #include "shapes/nearest_common_point.h"
 
 namespace gphys {
-
 namespace {
 
 bool within(Vec3 a, Vec3 b, double tolerance) { return length_squared(a - b) <= tolerance * tolerance; }

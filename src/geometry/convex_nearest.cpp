@@ -6,7 +6,6 @@
 #include "geometry/intersect.h"
 
 namespace gphys {
-
 namespace {
 
 // Relative to the size of a polytope. A dot product of an offset and a corner has a dozen roundings of 2^-53 of it.

@@ -1,11 +1,9 @@
 // Distance or penetration depth of two cores: the separating axis test over the face normals of their Minkowski
 // difference (Gottschalk, Lin, Manocha 1996), and GJK if that finds them apart (convex_nearest.cpp).
-#include <algorithm>
 
 #include "geometry/convex.h"
 
 namespace gphys {
-
 namespace {
 
 // Relative to the size of the difference. The error of a projection or an offset is about 2^-48.

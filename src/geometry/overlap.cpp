@@ -9,7 +9,6 @@
 #include "shapes/halfspaces.h"
 
 namespace gphys {
-
 namespace {
 
 // Sphere: the closest point is within the radius.

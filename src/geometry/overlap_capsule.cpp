@@ -7,7 +7,6 @@
 #include "shapes/halfspaces.h"
 
 namespace gphys {
-
 namespace {
 
 /// Relative to one end, so that no digits are lost far from the origin.

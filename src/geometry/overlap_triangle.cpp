@@ -6,7 +6,6 @@
 #include "geometry/overlap_boxes.h"
 
 namespace gphys {
-
 namespace {
 
 /// A convex set of one to three points: a point, a segment or a proper triangle.

@@ -7,7 +7,6 @@
 #include "geometry/intersect.h"
 
 namespace gphys {
-
 namespace {
 
 template <class Other, class Moving>

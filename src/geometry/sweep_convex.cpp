@@ -14,7 +14,6 @@
 #include "geometry/slab_clip.h"
 
 namespace gphys {
-
 namespace {
 
 /// The functions are compiled once for all pairs of shapes.

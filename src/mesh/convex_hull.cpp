@@ -6,7 +6,6 @@
 #include "foundation/exact.h"
 
 namespace gphys {
-
 namespace {
 
 /// A convex polyhedron with that many faces has at most this many vertices (Euler's formula).

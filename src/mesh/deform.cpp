@@ -4,7 +4,6 @@
 #include "mesh/mesh.h"
 
 namespace gphys {
-
 namespace {
 
 /// The triangles are packed anew when the area of the packets' boxes, absolute or relative to the root box, has grown

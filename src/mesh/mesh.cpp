@@ -6,8 +6,6 @@
 // boxes, and then test single triangles in double.
 #include "mesh/mesh.h"
 
-#include <new>
-
 #include "foundation/exact.h"
 #include "geometry/faces.h"
 #include "geometry/raycast_box.h"

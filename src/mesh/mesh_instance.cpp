@@ -4,7 +4,6 @@
 #include "mesh/closest_search.h"
 
 namespace gphys {
-
 namespace {
 
 /// The ray in local space. A segment stays a segment: its ends are transformed, not its direction.

@@ -17,7 +17,6 @@
 #include "mesh/triangle_test.h"
 
 namespace gphys::GPHYS_ISA {
-
 namespace {
 
 GPHYS_INLINE void prefetch_packet(const TrianglePacket* packets, uint32_t number) {

@@ -7,7 +7,6 @@
 #include "shapes/shapes.h"
 
 namespace gphys {
-
 namespace {
 
 constexpr uint32_t nothing = 0xffffffffu;

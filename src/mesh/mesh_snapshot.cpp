@@ -2,12 +2,10 @@
 #include "mesh/mesh_snapshot.h"
 
 #include "foundation/status.h"
-#include "foundation/word_hash.h"
 #include "mesh/convex_hull.h"
 #include "mesh/mesh.h"
 
 namespace gphys {
-
 namespace {
 
 using Sizes = MeshSnapshotSizes;

@@ -12,7 +12,6 @@
 #include "mesh/triangle_test.h"
 
 namespace gphys::GPHYS_ISA {
-
 namespace {
 
 // Corners are taken relative to the point and divided by the packet's extent E, a bound for the sum of the magnitudes

@@ -2,7 +2,6 @@
 #include "mesh/near_probe.h"
 
 namespace gphys {
-
 namespace {
 
 // Clamp: larger coordinates are far from every mesh.

@@ -4,7 +4,6 @@
 #include "mesh/triangle_packet.h"
 
 namespace gphys {
-
 namespace {
 
 constexpr int lanes = 8;

@@ -4,7 +4,6 @@
 #include "mesh/triangle_setup.h"
 
 namespace gphys {
-
 namespace {
 
 /// The interface of Shear, for a ray that is sheared already.

@@ -6,7 +6,6 @@
 #include "scene/scene_kernels.h"
 
 namespace gphys::GPHYS_ISA {
-
 namespace {
 
 uint32_t rotated_aabbs(const float* const models[8], Box8& out) {

@@ -10,7 +10,6 @@
 #include "geometry/raycast_sphere.h"
 
 namespace gphys::GPHYS_ISA {
-
 namespace {
 
 /// The transforms of eight models.

@@ -5,7 +5,6 @@
 #include "scene/placed.h"
 
 namespace gphys {
-
 namespace {
 
 constexpr double most = GPHYS_MAX_COORDINATE;

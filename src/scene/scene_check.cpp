@@ -5,7 +5,6 @@
 #include "scene/scene.h"
 
 namespace gphys {
-
 namespace {
 
 bool same_bits(const gphys_transform& a, const gphys_transform& b) { return std::memcmp(&a, &b, sizeof a) == 0; }

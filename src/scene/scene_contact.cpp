@@ -4,7 +4,6 @@
 #include "scene/scene.h"
 
 namespace gphys {
-
 namespace {
 
 struct Contact {

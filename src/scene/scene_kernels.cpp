@@ -10,7 +10,6 @@
 #include "geometry/raycast_sphere.h"
 
 namespace gphys::GPHYS_ISA {
-
 namespace {
 
 /// Scalar form: the constructor of ConservativeRay.

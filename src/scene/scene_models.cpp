@@ -8,7 +8,6 @@
 #include "scene/scene.h"
 
 namespace gphys {
-
 namespace {
 
 constexpr char id_of_model[] = "the id of a model of the scene";

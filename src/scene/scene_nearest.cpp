@@ -15,7 +15,6 @@
 #include "scene/scene.h"
 
 namespace gphys {
-
 namespace {
 
 bool closest_point_of(const MeshInstance& instance, Vec3 point, double max_distance, Vec3& out, uint32_t& triangle) {

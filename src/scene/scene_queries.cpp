@@ -12,7 +12,6 @@
 #include "shapes/halfspaces.h"
 
 namespace gphys {
-
 namespace {
 
 bool overlaps_shape(const MeshInstance& instance, const Shape& query) { return overlaps(instance, query); }

@@ -6,7 +6,6 @@
 #include "scene/scene.h"
 
 namespace gphys {
-
 namespace {
 
 // Sweeps against the sides of surfaces that the filter allows.

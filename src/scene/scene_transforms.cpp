@@ -8,7 +8,6 @@
 #include "foundation/compiler.h"
 
 namespace gphys {
-
 namespace {
 
 /// Fifty microseconds of work: much more than waking a thread takes.

@@ -4,7 +4,6 @@
 #include "bvh/compress_store.h"
 
 namespace gphys::GPHYS_ISA {
-
 namespace {
 
 uint32_t list(const uint32_t* words, uint32_t word_count, const uint32_t* entries, uint32_t*& out,

@@ -3,7 +3,6 @@
 #include "shapes/halfspaces.h"
 
 namespace gphys {
-
 namespace {
 
 /// The number of triples of planes that form corners: one of each pair of opposite planes.

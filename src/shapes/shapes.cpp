@@ -7,7 +7,6 @@
 #include "foundation/float4.h"
 
 namespace gphys {
-
 namespace {
 
 // Comparisons by name (std::islessequal, ...) are false for NaN without raising FE_INVALID, which a

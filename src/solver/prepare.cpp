@@ -17,7 +17,6 @@
 #include "solver/solver.h"
 
 namespace gphys {
-
 namespace {
 
 bool is_dangling(const Attachment& attachment, const Scene* scene) {

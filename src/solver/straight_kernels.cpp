@@ -6,7 +6,6 @@
 #include "foundation/simd_double.h"
 
 namespace gphys::GPHYS_ISA {
-
 namespace {
 
 // A line turns by less than 45 degrees at a particle, and joins only constraints of one kind. Bend constraints are

@@ -6,7 +6,6 @@
 #include "solver/triangle_drag.h"
 
 namespace gphys::GPHYS_ISA {
-
 namespace {
 
 // m/s and metres: three times the speed of light, as in cloth_kernels.cpp, and a hundred thousand kilometres. Products

@@ -8,7 +8,6 @@
 #include "foundation/vec.h"
 
 namespace gphys::GPHYS_ISA {
-
 namespace {
 
 // The compliance that every link has, relative to the inverse masses at its ends. It keeps the pivots of a straight

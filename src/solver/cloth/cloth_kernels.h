@@ -2,7 +2,6 @@
 // the body. A particle is x, y, z and its inverse mass, relative to the body's average.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
 #include "foundation/isa.h"

@@ -8,7 +8,6 @@
 
 #include <iterator>
 
-#include "solver/cloth/rigid_links.h"
 #include "solver/particles/particles.h"
 
 namespace gphys {

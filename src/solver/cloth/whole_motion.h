@@ -1,8 +1,6 @@
 // Conservation of the momentum of cloth on which only forces and contacts act.
 #pragma once
 
-#include "foundation/math.h"
-
 namespace gphys {
 
 struct ClothContacts;

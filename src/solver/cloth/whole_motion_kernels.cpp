@@ -5,7 +5,6 @@
 #include "foundation/simd_double.h"
 
 namespace gphys::GPHYS_ISA {
-
 namespace {
 
 /// Addresses of eight particles from the first float of one; behind the end that of the last.

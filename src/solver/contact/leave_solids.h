@@ -1,8 +1,6 @@
 // Moves bodies with constraints out of models that they are in (leave_solids.cpp).
 #pragma once
 
-#include "foundation/math.h"
-
 namespace gphys {
 
 struct Body;

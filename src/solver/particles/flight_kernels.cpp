@@ -6,7 +6,6 @@
 #include "foundation/simd_double.h"
 
 namespace gphys::GPHYS_ISA {
-
 namespace {
 
 constexpr uint32_t parts = flight_numbers / 8;

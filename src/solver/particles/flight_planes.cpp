@@ -2,7 +2,6 @@
 #include "solver/particles/flight_planes.h"
 
 namespace gphys {
-
 namespace {
 
 /// The box of particles with their centres in another one, enlarged by more than the rounding of positions.

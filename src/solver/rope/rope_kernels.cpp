@@ -10,7 +10,6 @@
 #include "foundation/compiler.h"
 
 namespace gphys::GPHYS_ISA {
-
 namespace {
 
 // Newton's method squares the error in each iteration: two iterations do for a swinging rope, four for a whip.

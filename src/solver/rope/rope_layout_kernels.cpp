@@ -6,7 +6,6 @@
 #include "foundation/compiler.h"
 
 namespace gphys::GPHYS_ISA {
-
 namespace {
 
 /// Loads `count` consecutive numbers of each rope, from element index(lane) of an array; gather_into also stores them.

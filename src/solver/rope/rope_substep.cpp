@@ -22,7 +22,6 @@
 #include "solver/rope/stretched_ropes.h"
 
 namespace gphys {
-
 namespace {
 
 /// By particle: the sum of the forces of its links, newtons.

@@ -13,7 +13,6 @@
 #include "foundation/compiler.h"
 
 namespace gphys::GPHYS_ISA {
-
 namespace {
 
 // Of squared frequencies, relative to that of turning:
