@@ -31,7 +31,6 @@ inline gphys_status check_body(const gphys_solver* solver, gphys_body_id body) n
     GPHYS_REQUIRE_POINTERS(solver);
     return unwrap(solver)->check(body);
 }
-/// The ids of constraints of a body.
 gphys_status check_constraints(const gphys_solver* solver, gphys_body_id body, const gphys_constraint_id* constraints,
                                uint32_t count);
 gphys_status read_settings(const gphys_solver_settings& from, SolverSettings& to);

@@ -241,7 +241,6 @@ bool sweep(const Triangle& triangle, const Sphere& moving, Vec3 displacement, Hi
 
 namespace {
 
-/// Whether a moving sphere stays outside of one plane.
 bool passes_outside(const Frustum& frustum, const Sphere& moving, Vec3 displacement) {
     const Vec3 from = moving.center - frustum.origin, reach = abs(from) + abs(displacement);
     for (const Plane& plane : frustum.planes) {

@@ -27,7 +27,6 @@ struct Ray {
     /// The sides that the scene and meshes reject; the formulas of single shapes hit both.
     Faces faces = {};
 };
-/// The end of a segment.
 Vec3 end_of(const Ray& segment);
 
 struct Segment {

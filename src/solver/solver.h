@@ -182,7 +182,6 @@ public:
 
     /// A mesh in the form of a body, which follows it from now on. The caller owns a reference.
     Mesh* make_mesh(const gphys_allocator* hooks, gphys_body_id id) { return meshes_.make(hooks, id, body(id)); }
-    /// Updates the meshes of an edited body.
     void update_mesh(gphys_body_id id) noexcept { meshes_.follow(id, body(id)); }
 
     // joints.cpp. Bodies and particles must exist; rest < 0: the present distance.

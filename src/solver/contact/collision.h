@@ -95,7 +95,6 @@ inline void keep_first(Impact& first, const Impact& other) {
     if (other.t < first.t || (other.t == first.t && other.model < first.model)) first = other;
 }
 
-/// The bounding box of a sphere's path.
 inline Box path_box(const Sphere& moving, Vec3 displacement) {
     const Vec3 r{moving.radius, moving.radius, moving.radius}, end = moving.center + displacement;
     return bounds(Aabb{min(moving.center, end) - r, max(moving.center, end) + r});

@@ -38,7 +38,6 @@ constexpr int most_soft_iterations = 300;
 
 constexpr Vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
-/// The pairs of the nodes of a bend.
 constexpr int bend_pairs[3][2] = {{0, 1}, {1, 2}, {0, 2}};
 
 Vec3 cloth_position(const ClothState& state, uint32_t particle) {

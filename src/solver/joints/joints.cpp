@@ -91,7 +91,6 @@ struct Partition {
     }
 };
 
-/// Adds the particles of a body's chains.
 void add_chain_nodes(const Body& body, uint32_t slot, Vector<Part>& nodes) {
     for (const Chain& chain : body.plan.chains) {
         for (uint32_t i = 0; i <= chain.link_count; ++i) {

@@ -139,7 +139,6 @@ void RopeContacts::place_plane(RopeContact& contact, double radius, Vec3 at) con
     contact.outside = dot(normal, closest) + clearance(radius, at);
 }
 
-/// Places the bounds of all targets, for the predicted positions.
 void RopeContacts::place_bounds(const AnimationTargets& targets, const Vector<Vec3>& positions) {
     for (uint32_t p = 0; p < positions.size(); ++p) {
         RopeContact &ball = contacts_[first_[p]], &backstop = contacts_[first_[p] + 1];

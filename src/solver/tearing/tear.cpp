@@ -244,7 +244,6 @@ uint8_t Tearing::side_of(uint32_t particle, uint32_t far) const noexcept {
     return best[0] > best[1] ? keeps : parts;
 }
 
-/// Gives the copy its links.
 void Tearing::share_links(uint32_t particle, uint32_t copy) noexcept {
     Constraints& constraints = body_.constraints;
     uint32_t added = 0;
