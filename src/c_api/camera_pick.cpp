@@ -23,7 +23,7 @@ gphys_status camera_pick(const gphys_camera* camera, const gphys_scene* scene, f
     GPHYS_REQUIRE_POINTERS(camera, scene, out_hit);
     GPHYS_TRY(check_origins(camera, scene));
     FilterFrom<Given> filter;
-    GPHYS_TRY(read_filter(*unwrap(scene), given, filter));
+    GPHYS_TRY(read_filter(scene, given, filter));
     GPHYS_TRY(check_coordinate("pixel_x", pixel_x));
     GPHYS_TRY(check_coordinate("pixel_y", pixel_y));
     return pick(*unwrap(camera), *unwrap(scene), pixel_x, pixel_y, filter, *out_hit);
@@ -37,7 +37,7 @@ gphys_status camera_pick_batch(const gphys_camera* camera, const gphys_scene* sc
     GPHYS_TRY(check_origins(camera, scene));
     const Workers& workers = unwrap(scene)->workers();
     FilterFrom<Given> filter;
-    GPHYS_TRY(read_filters(*unwrap(scene), given, count, filter));
+    GPHYS_TRY(read_filters(scene, given, count, filter));
     if (count == 0) return GPHYS_OK;
     GPHYS_REQUIRE_POINTERS(pixels, out_hits);
     GPHYS_TRY(check_stride("pixel_stride", pixel_stride, sizeof(Pixel)));
@@ -63,12 +63,11 @@ gphys_status camera_pick_rectangle(const gphys_camera* camera, const gphys_scene
     GPHYS_REQUIRE_POINTERS(camera, scene);
     GPHYS_TRY(check_origins(camera, scene));
     FilterFrom<Given> filter;
-    GPHYS_TRY(read_filter(*unwrap(scene), given, filter));
+    GPHYS_TRY(read_filter(scene, given, filter));
     GPHYS_TRY(check_rectangle(x0, y0, x1, y1));
     GPHYS_TRY(check_list("out_models", out_models, capacity, out_total));
-    const uint32_t total =
-        pick_rectangle(*unwrap(camera), *unwrap(scene), x0, y0, x1, y1, filter, out_models, capacity);
-    return listed(total, capacity, out_total);
+    return listed(pick_rectangle(*unwrap(camera), *unwrap(scene), x0, y0, x1, y1, filter, out_models, capacity),
+                  capacity, out_total);
 }
 
 template <class Given>
@@ -77,10 +76,9 @@ gphys_status camera_cull(const gphys_camera* camera, const gphys_scene* scene, c
     GPHYS_REQUIRE_POINTERS(camera, scene);
     GPHYS_TRY(check_origins(camera, scene));
     FilterFrom<Given> filter;
-    GPHYS_TRY(read_filter(*unwrap(scene), given, filter));
+    GPHYS_TRY(read_filter(scene, given, filter));
     GPHYS_TRY(check_list("out_models", out_models, capacity, out_total));
-    const uint32_t total = cull(*unwrap(camera), *unwrap(scene), filter, out_models, capacity);
-    return listed(total, capacity, out_total);
+    return listed(cull(*unwrap(camera), *unwrap(scene), filter, out_models, capacity), capacity, out_total);
 }
 
 }  // namespace

@@ -25,7 +25,8 @@ QueryFilter filter_of(const Scene& scene, const gphys_query_filter_desc& desc) {
 
 }  // namespace
 
-gphys_status read_filter(const Scene& scene, const gphys_query_filter_desc* filter, QueryFilter& out) noexcept {
+gphys_status read_filter(const gphys_scene* scene, const gphys_query_filter_desc* filter, QueryFilter& out) noexcept {
+    GPHYS_REQUIRE_POINTERS(scene);
     if (!filter) return GPHYS_OK;
     // A desc of this release is read in place: a copy takes as long as testing a few models.
     gphys_query_filter_desc copy;
@@ -35,13 +36,14 @@ gphys_status read_filter(const Scene& scene, const gphys_query_filter_desc* filt
         filter = &copy;
     }
     GPHYS_TRY(check(*filter));
-    out = filter_of(scene, *filter);
+    out = filter_of(*unwrap(scene), *filter);
     return GPHYS_OK;
 }
 
-gphys_status Filters::read(const Scene& scene, const gphys_query_filter_desc* filters, uint32_t stride) noexcept {
+gphys_status Filters::read(const gphys_scene* scene, const gphys_query_filter_desc* filters, uint32_t stride) noexcept {
+    GPHYS_REQUIRE_POINTERS(scene);
     GPHYS_TRY(check_stride("filter_stride", stride, filter_desc_size));
-    scene_ = &scene;
+    scene_ = unwrap(scene);
     first_ = reinterpret_cast<const char*>(filters);
     stride_ = filters ? stride : 0;
     return is_one() ? read_filter(scene, filters, one_) : GPHYS_OK;

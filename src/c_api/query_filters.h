@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "c_api/api.h"
+#include "c_api/handles.h"
 #include "scene/scene.h"
 
 namespace gphys {
@@ -19,7 +20,7 @@ struct FilterArray {
 class Filters {
 public:
     /// A single filter (null, or stride 0) is read here. Others must be checked, each once, before they are used.
-    gphys_status read(const Scene& scene, const gphys_query_filter_desc* filters, uint32_t stride) noexcept;
+    gphys_status read(const gphys_scene* scene, const gphys_query_filter_desc* filters, uint32_t stride) noexcept;
     bool is_one() const { return stride_ == 0; }
     gphys_status check(uint32_t item) const noexcept;
 
@@ -43,10 +44,12 @@ template <class Given>
 using FilterFrom = std::conditional_t<std::is_same_v<Given, uint32_t>, uint32_t,
                                       std::conditional_t<std::is_pointer_v<Given>, QueryFilter, Filters>>;
 
-inline gphys_status read_filter(const Scene&, uint32_t layers, uint32_t& out) noexcept {
+/// Fails, too, if the scene is null.
+inline gphys_status read_filter(const gphys_scene* scene, uint32_t layers, uint32_t& out) noexcept {
+    GPHYS_REQUIRE_POINTERS(scene);
     out = layers;
     return GPHYS_OK;
 }
-gphys_status read_filter(const Scene& scene, const gphys_query_filter_desc* filter, QueryFilter& out) noexcept;
+gphys_status read_filter(const gphys_scene* scene, const gphys_query_filter_desc* filter, QueryFilter& out) noexcept;
 
 }  // namespace gphys

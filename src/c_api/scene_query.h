@@ -4,9 +4,7 @@
 
 #include <type_traits>
 
-#include "c_api/api.h"
 #include "c_api/batch.h"
-#include "c_api/handles.h"
 #include "c_api/lists.h"
 #include "c_api/query_filters.h"
 #include "c_api/shape_input.h"
@@ -23,13 +21,13 @@ inline uint32_t layers_of(uint32_t layers) { return layers; }
 inline uint32_t layers_of(const QueryFilter& filter) { return filter.layers; }
 
 // The filters of a batch, and the check of those of single items.
-inline gphys_status read_filters(const Scene& scene, uint32_t layers, uint32_t, uint32_t& out) {
+inline gphys_status read_filters(const gphys_scene* scene, uint32_t layers, uint32_t, uint32_t& out) {
     return read_filter(scene, layers, out);
 }
-inline gphys_status read_filters(const Scene& scene, const FilterArray& given, uint32_t count, Filters& out) {
+inline gphys_status read_filters(const gphys_scene* scene, const FilterArray& given, uint32_t count, Filters& out) {
     GPHYS_TRY(out.read(scene, given.descs, given.stride));
     if (out.is_one()) return GPHYS_OK;
-    return check_each(scene.workers(), count, [&](uint32_t i) { return out.check(i); });
+    return check_each(unwrap(scene)->workers(), count, [&](uint32_t i) { return out.check(i); });
 }
 
 /// The input array of a batch: the pointer, the stride and each element.
@@ -82,9 +80,8 @@ inline Ray ray_of(const gphys_segment& segment) { return ray_along(widen(segment
 template <class Line, class Given>
 gphys_status scene_raycast(const gphys_scene* scene, const char* name, const Line* line, const Given& given,
                            gphys_hit* out_hit) {
-    GPHYS_REQUIRE_POINTERS(scene);
     FilterFrom<Given> filter;
-    GPHYS_TRY(read_filter(*unwrap(scene), given, filter));
+    GPHYS_TRY(read_filter(scene, given, filter));
     GPHYS_TRY(check_input(name, line));
     GPHYS_REQUIRE_POINTERS(out_hit);
     return unwrap(scene)->raycast(ray_of(*line), filter, *out_hit);
@@ -95,10 +92,9 @@ template <class Line, class Given, class Answer>
 gphys_status scene_raycast_batch(const gphys_scene* scene, const char* name, const Line* lines, const char* stride_name,
                                  uint32_t stride, uint32_t count, const Given& given, Answer* out_answers,
                                  uint32_t out_stride) {
-    GPHYS_REQUIRE_POINTERS(scene);
-    const Workers& workers = unwrap(scene)->workers();
     FilterFrom<Given> filter;
-    GPHYS_TRY(read_filters(*unwrap(scene), given, count, filter));
+    GPHYS_TRY(read_filters(scene, given, count, filter));
+    const Workers& workers = unwrap(scene)->workers();
     GPHYS_TRY(check_inputs(workers, name, lines, stride_name, stride, count));
     GPHYS_TRY(check_outputs(std::is_same_v<Answer, gphys_hit> ? "out_hits" : "out_distances", out_answers, out_stride,
                             count));
@@ -113,9 +109,8 @@ gphys_status scene_raycast_batch(const gphys_scene* scene, const char* name, con
 
 template <class Given>
 gphys_status scene_raycast_any(const gphys_scene* scene, const gphys_ray* ray, const Given& given, int32_t* out_hit) {
-    GPHYS_REQUIRE_POINTERS(scene);
     FilterFrom<Given> filter;
-    GPHYS_TRY(read_filter(*unwrap(scene), given, filter));
+    GPHYS_TRY(read_filter(scene, given, filter));
     GPHYS_REQUIRE_INPUT(ray);
     GPHYS_REQUIRE_POINTERS(out_hit);
     *out_hit = unwrap(scene)->raycast_any(widen(*ray), filter);
@@ -125,10 +120,9 @@ gphys_status scene_raycast_any(const gphys_scene* scene, const gphys_ray* ray, c
 template <class Given>
 gphys_status scene_raycast_any_batch(const gphys_scene* scene, const gphys_ray* rays, uint32_t ray_stride,
                                      uint32_t count, const Given& given, int32_t* out_hits, uint32_t out_stride) {
-    GPHYS_REQUIRE_POINTERS(scene);
-    const Workers& workers = unwrap(scene)->workers();
     FilterFrom<Given> filter;
-    GPHYS_TRY(read_filters(*unwrap(scene), given, count, filter));
+    GPHYS_TRY(read_filters(scene, given, count, filter));
+    const Workers& workers = unwrap(scene)->workers();
     GPHYS_TRY(check_inputs(workers, "rays", rays, "ray_stride", ray_stride, count));
     GPHYS_TRY(check_outputs("out_hits", out_hits, out_stride, count));
     const Strided<gphys_ray> ray(rays, ray_stride);
@@ -153,9 +147,8 @@ gphys_status scene_raycast_any_batch(const gphys_scene* scene, const gphys_ray* 
 template <class Given>
 gphys_status scene_raycast_all(const gphys_scene* scene, const gphys_ray* ray, const Given& given, gphys_hit* out_hits,
                                uint32_t capacity, uint32_t* out_total) {
-    GPHYS_REQUIRE_POINTERS(scene);
     FilterFrom<Given> filter;
-    GPHYS_TRY(read_filter(*unwrap(scene), given, filter));
+    GPHYS_TRY(read_filter(scene, given, filter));
     GPHYS_REQUIRE_INPUT(ray);
     return list_smallest<FirstHit>("out_hits", out_hits, capacity, out_total,
                                    [&](auto& hits) { unwrap(scene)->raycast_all(widen(*ray), filter, hits); });
@@ -165,10 +158,9 @@ template <class Given>
 gphys_status scene_raycast_all_batch(const gphys_scene* scene, const gphys_ray* rays, uint32_t ray_stride,
                                      uint32_t count, const Given& given, gphys_hit* out_hits, uint32_t capacity,
                                      uint32_t* out_offsets) {
-    GPHYS_REQUIRE_POINTERS(scene);
-    const Workers& workers = unwrap(scene)->workers();
     FilterFrom<Given> filter;
-    GPHYS_TRY(read_filters(*unwrap(scene), given, count, filter));
+    GPHYS_TRY(read_filters(scene, given, count, filter));
+    const Workers& workers = unwrap(scene)->workers();
     GPHYS_TRY(check_inputs(workers, "rays", rays, "ray_stride", ray_stride, count));
     GPHYS_TRY(check_concatenation("out_hits", out_hits, capacity, out_offsets));
     const Strided<gphys_ray> ray(rays, ray_stride);
@@ -187,24 +179,21 @@ gphys_status scene_raycast_all_batch(const gphys_scene* scene, const gphys_ray* 
 template <class Given>
 gphys_status scene_overlap(const gphys_scene* scene, gphys_shape_type type, const void* shape, const Given& given,
                            gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total) {
-    GPHYS_REQUIRE_POINTERS(scene);
     FilterFrom<Given> filter;
-    GPHYS_TRY(read_filter(*unwrap(scene), given, filter));
+    GPHYS_TRY(read_filter(scene, given, filter));
     Shape query;
     GPHYS_TRY(read_shape(type, shape, query));
     GPHYS_TRY(check_list("out_models", out_models, capacity, out_total));
-    const uint32_t total = unwrap(scene)->overlap(query, filter, out_models, capacity);
-    return listed(total, capacity, out_total);
+    return listed(unwrap(scene)->overlap(query, filter, out_models, capacity), capacity, out_total);
 }
 
 template <class Given>
 gphys_status scene_overlap_batch(const gphys_scene* scene, gphys_shape_type type, const void* shapes,
                                  uint32_t shape_stride, uint32_t count, const Given& given, gphys_model_id* out_models,
                                  uint32_t capacity, uint32_t* out_offsets) {
-    GPHYS_REQUIRE_POINTERS(scene);
-    const Workers& workers = unwrap(scene)->workers();
     FilterFrom<Given> filter;
-    GPHYS_TRY(read_filters(*unwrap(scene), given, count, filter));
+    GPHYS_TRY(read_filters(scene, given, count, filter));
+    const Workers& workers = unwrap(scene)->workers();
     GPHYS_TRY(check_stride("shape_stride", shape_stride, shape_struct_size(type)));
     const Strided<char> shape(static_cast<const char*>(shapes), shape_stride);
     GPHYS_TRY(check_each(workers, distinct(shape_stride, count), [&](uint32_t i) {
@@ -224,23 +213,20 @@ gphys_status scene_overlap_batch(const gphys_scene* scene, gphys_shape_type type
 template <class Given>
 gphys_status scene_cull(const gphys_scene* scene, const gphys_frustum* frustum, const Given& given,
                         gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total) {
-    GPHYS_REQUIRE_POINTERS(scene);
     FilterFrom<Given> filter;
-    GPHYS_TRY(read_filter(*unwrap(scene), given, filter));
+    GPHYS_TRY(read_filter(scene, given, filter));
     GPHYS_REQUIRE_INPUT(frustum);
     GPHYS_TRY(check_list("out_models", out_models, capacity, out_total));
-    const uint32_t total = unwrap(scene)->cull(widen(*frustum), filter, out_models, capacity);
-    return listed(total, capacity, out_total);
+    return listed(unwrap(scene)->cull(widen(*frustum), filter, out_models, capacity), capacity, out_total);
 }
 
 template <class Given>
 gphys_status scene_cull_batch(const gphys_scene* scene, const gphys_frustum* frusta, uint32_t frustum_stride,
                               uint32_t count, const Given& given, gphys_model_id* out_models, uint32_t capacity,
                               uint32_t* out_offsets) {
-    GPHYS_REQUIRE_POINTERS(scene);
-    const Workers& workers = unwrap(scene)->workers();
     FilterFrom<Given> filter;
-    GPHYS_TRY(read_filters(*unwrap(scene), given, count, filter));
+    GPHYS_TRY(read_filters(scene, given, count, filter));
+    const Workers& workers = unwrap(scene)->workers();
     GPHYS_TRY(check_inputs(workers, "frusta", frusta, "frustum_stride", frustum_stride, count));
     GPHYS_TRY(check_concatenation("out_models", out_models, capacity, out_offsets));
     const Strided<gphys_frustum> frustum(frusta, frustum_stride);
@@ -261,9 +247,8 @@ gphys_status scene_cull_batch(const gphys_scene* scene, const gphys_frustum* fru
 template <class Given>
 gphys_status scene_nearest(const gphys_scene* scene, const gphys_vec3* point, float max_distance, const Given& given,
                            gphys_nearest* out_nearest) {
-    GPHYS_REQUIRE_POINTERS(scene);
     FilterFrom<Given> filter;
-    GPHYS_TRY(read_filter(*unwrap(scene), given, filter));
+    GPHYS_TRY(read_filter(scene, given, filter));
     GPHYS_REQUIRE_INPUT(point);
     GPHYS_TRY(check_max_distance(max_distance));
     GPHYS_REQUIRE_POINTERS(out_nearest);
@@ -274,10 +259,9 @@ template <class Given>
 gphys_status scene_nearest_batch(const gphys_scene* scene, const gphys_vec3* points, uint32_t point_stride,
                                  uint32_t count, float max_distance, const Given& given, gphys_nearest* out_nearest,
                                  uint32_t out_stride) {
-    GPHYS_REQUIRE_POINTERS(scene);
-    const Workers& workers = unwrap(scene)->workers();
     FilterFrom<Given> filter;
-    GPHYS_TRY(read_filters(*unwrap(scene), given, count, filter));
+    GPHYS_TRY(read_filters(scene, given, count, filter));
+    const Workers& workers = unwrap(scene)->workers();
     GPHYS_TRY(check_inputs(workers, "points", points, "point_stride", point_stride, count));
     GPHYS_TRY(check_max_distance(max_distance));
     GPHYS_TRY(check_outputs("out_nearest", out_nearest, out_stride, count));
@@ -307,9 +291,8 @@ gphys_status scene_nearest_batch(const gphys_scene* scene, const gphys_vec3* poi
 template <class Given>
 gphys_status scene_sweep_sphere(const gphys_scene* scene, const gphys_sphere* sphere, const gphys_vec3* displacement,
                                 const Given& given, gphys_hit* out_hit) {
-    GPHYS_REQUIRE_POINTERS(scene);
     FilterFrom<Given> filter;
-    GPHYS_TRY(read_filter(*unwrap(scene), given, filter));
+    GPHYS_TRY(read_filter(scene, given, filter));
     GPHYS_REQUIRE_INPUT(sphere);
     GPHYS_REQUIRE_INPUT(displacement);
     GPHYS_REQUIRE_POINTERS(out_hit);
@@ -320,10 +303,9 @@ template <class Given>
 gphys_status scene_sweep_sphere_batch(const gphys_scene* scene, const gphys_sphere* spheres, uint32_t sphere_stride,
                                       const gphys_vec3* displacements, uint32_t displacement_stride, uint32_t count,
                                       const Given& given, gphys_hit* out_hits, uint32_t out_stride) {
-    GPHYS_REQUIRE_POINTERS(scene);
-    const Workers& workers = unwrap(scene)->workers();
     FilterFrom<Given> filter;
-    GPHYS_TRY(read_filters(*unwrap(scene), given, count, filter));
+    GPHYS_TRY(read_filters(scene, given, count, filter));
+    const Workers& workers = unwrap(scene)->workers();
     GPHYS_TRY(check_inputs(workers, "spheres", spheres, "sphere_stride", sphere_stride, count));
     GPHYS_TRY(check_inputs(workers, "displacements", displacements, "displacement_stride", displacement_stride, count));
     GPHYS_TRY(check_outputs("out_hits", out_hits, out_stride, count));

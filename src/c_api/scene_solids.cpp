@@ -19,9 +19,8 @@ gphys_status check_moving(const Workers& workers, gphys_shape_type type, const v
 template <class Given>
 gphys_status scene_sweep(const gphys_scene* scene, gphys_shape_type type, const void* shape,
                          const gphys_vec3* displacement, const Given& given, gphys_hit* out_hit) {
-    GPHYS_REQUIRE_POINTERS(scene);
     FilterFrom<Given> filter;
-    GPHYS_TRY(read_filter(*unwrap(scene), given, filter));
+    GPHYS_TRY(read_filter(scene, given, filter));
     Shape moving;
     GPHYS_TRY(read_moving(type, shape, moving));
     GPHYS_REQUIRE_INPUT(displacement);
@@ -33,10 +32,9 @@ template <class Given>
 gphys_status scene_sweep_batch(const gphys_scene* scene, gphys_shape_type type, const void* shapes,
                                uint32_t shape_stride, const gphys_vec3* displacements, uint32_t displacement_stride,
                                uint32_t count, const Given& given, gphys_hit* out_hits, uint32_t out_stride) {
-    GPHYS_REQUIRE_POINTERS(scene);
-    const Workers& workers = unwrap(scene)->workers();
     FilterFrom<Given> filter;
-    GPHYS_TRY(read_filters(*unwrap(scene), given, count, filter));
+    GPHYS_TRY(read_filters(scene, given, count, filter));
+    const Workers& workers = unwrap(scene)->workers();
     GPHYS_TRY(check_moving(workers, type, shapes, shape_stride, count));
     GPHYS_TRY(check_inputs(workers, "displacements", displacements, "displacement_stride", displacement_stride, count));
     GPHYS_TRY(check_outputs("out_hits", out_hits, out_stride, count));
@@ -59,9 +57,8 @@ gphys_status scene_sweep_batch(const gphys_scene* scene, gphys_shape_type type, 
 template <class Given>
 gphys_status scene_penetration(const gphys_scene* scene, gphys_shape_type type, const void* shape, const Given& given,
                                gphys_penetration* out_penetrations, uint32_t capacity, uint32_t* out_total) {
-    GPHYS_REQUIRE_POINTERS(scene);
     FilterFrom<Given> filter;
-    GPHYS_TRY(read_filter(*unwrap(scene), given, filter));
+    GPHYS_TRY(read_filter(scene, given, filter));
     Shape moving;
     GPHYS_TRY(read_moving(type, shape, moving));
     GPHYS_TRY(check_list("out_penetrations", out_penetrations, capacity, out_total));
@@ -74,10 +71,9 @@ template <class Given>
 gphys_status scene_penetration_batch(const gphys_scene* scene, gphys_shape_type type, const void* shapes,
                                      uint32_t shape_stride, uint32_t count, const Given& given,
                                      gphys_penetration* out_penetrations, uint32_t capacity, uint32_t* out_offsets) {
-    GPHYS_REQUIRE_POINTERS(scene);
-    const Workers& workers = unwrap(scene)->workers();
     FilterFrom<Given> filter;
-    GPHYS_TRY(read_filters(*unwrap(scene), given, count, filter));
+    GPHYS_TRY(read_filters(scene, given, count, filter));
+    const Workers& workers = unwrap(scene)->workers();
     GPHYS_TRY(check_moving(workers, type, shapes, shape_stride, count));
     GPHYS_TRY(check_concatenation("out_penetrations", out_penetrations, capacity, out_offsets));
     const Strided<char> shape(static_cast<const char*>(shapes), shape_stride);
