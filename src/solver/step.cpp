@@ -236,9 +236,7 @@ void Solver::move_undisturbed(const Task& task, uint32_t worker, const Scene* sc
     for (uint32_t i = 0; i < task.count; ++i) {
         Body& body = state_.bodies[first[i].slot];
         ropes[i] = {&body, scene && body.settings.layers != 0 ? &first[i].reachable : nullptr, false};
-        body.contacts.impulses.clear();
-        add_attached_impulses(body, context_of(scene, dt, 0, 0), 1, {}, 0);
-        begin_air(body, state_.settings.gravity, dt);
+        begin_body_step(first[i], scene, dt);
     }
     const CollisionContext whole = context_of(scene, dt, 0, 1);
     move_ropes(ropes, task.count, scratch,

@@ -24,17 +24,22 @@ struct SecondMoments {
         const double smallest = 4 * dot(x, cross(y, z)) / (sum * sum), missing = part * sum - smallest;
         if (missing > 0) squares += Vec3{missing, missing, missing} / 2;
     }
-    /// The inverse of the tensor of inertia; 0 for points that all lie at the origin. About a line through all points
-    /// the inertia is a rounding error, and so are torques.
-    Mat3 inverse_inertia() const {
-        constexpr double regularisation = 1e-12;
+    /// The inverse of the tensor of inertia, times its determinant. About a line through all points the inertia is a
+    /// rounding error, and so are torques: this part of the sum of squares is added to it.
+    Mat3 inverse(double regularisation, double& determinant) const {
         const Vec3 s = squares, p = products;
         const double least = regularisation * (s.x + s.y + s.z);
         const Vec3 x{s.y + s.z + least, -p.z, -p.y}, y{-p.z, s.z + s.x + least, -p.x}, z{-p.y, -p.x, s.x + s.y + least};
         const Vec3 yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);
-        const double determinant = dot(x, yz);
+        determinant = dot(x, yz);
+        return {yz, zx, xy};
+    }
+    /// 0 for points that all lie at the origin.
+    Mat3 inverse_inertia() const {
+        double determinant;
+        const Mat3 times = inverse(1e-12, determinant);
         if (!(determinant > 0)) return {{}, {}, {}};
-        return {yz / determinant, zx / determinant, xy / determinant};
+        return {times.x / determinant, times.y / determinant, times.z / determinant};
     }
 };
 

@@ -8,6 +8,7 @@
 #include "foundation/elementary.h"
 #include "solver/cloth/cloth_contacts.h"
 #include "solver/cloth/cloth_state.h"
+#include "solver/cloth/second_moments.h"
 #include "solver/cloth/whole_motion_kernels.h"
 
 namespace gphys {
@@ -28,15 +29,11 @@ struct WholeMotion {
 /// The angular velocity of particles with these moments, this centre of mass and that angular momentum. 0 about an axis
 /// through all particles, because the inertia about it is a rounding error.
 Vec3 angular_velocity_of(const Moments& sums, Vec3 c, Vec3 angular_momentum) {
-    constexpr double regularisation = 1e-9;
-    const Vec3 s = sums.squares - Vec3{c.x * c.x, c.y * c.y, c.z * c.z} * sums.mass;
-    const Vec3 p = sums.products - Vec3{c.y * c.z, c.z * c.x, c.x * c.y} * sums.mass;
-    const double least = regularisation * (s.x + s.y + s.z);
-    const Vec3 x{s.y + s.z + least, -p.z, -p.y}, y{-p.z, s.z + s.x + least, -p.x}, z{-p.y, -p.x, s.x + s.y + least};
-    const Vec3 yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);
-    const double determinant = dot(x, yz);
-    if (!(determinant > 0)) return {};
-    return Vec3{dot(yz, angular_momentum), dot(zx, angular_momentum), dot(xy, angular_momentum)} / determinant;
+    const SecondMoments about_centre{sums.squares - Vec3{c.x * c.x, c.y * c.y, c.z * c.z} * sums.mass,
+                                     sums.products - Vec3{c.y * c.z, c.z * c.x, c.x * c.y} * sums.mass};
+    double determinant;
+    const Mat3 inverse = about_centre.inverse(1e-9, determinant);
+    return determinant > 0 ? transpose_times(inverse, angular_momentum) / determinant : Vec3{};
 }
 
 /// A rigid motion: the velocity at the origin, and the angular velocity.
