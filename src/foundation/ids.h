@@ -114,7 +114,11 @@ public:
     /// Serialization (foundation/archive.h). Check defect() after reading.
     template <class Archive, class Table>
     static void visit(Archive& archive, Table& table) {
-        visit_all(archive, table.entries_, table.live_, table.free_, table.oldest_, table.newest_);
+        archive.array(table.entries_);
+        archive.value(table.live_);
+        archive.value(table.free_);
+        archive.value(table.oldest_);
+        archive.value(table.newest_);
     }
     /// What is inconsistent in the table, or nullptr.
     const char* defect() const;
