@@ -57,9 +57,9 @@
  *            all results to *out_total. capacity 0 with out NULL only counts. GPHYS_INCOMPLETE when
  *            *out_total > capacity; which elements are kept is stated, never arbitrary.
  * Batches    (array, stride, ..., count): stride is the distance between elements in bytes; 0
- *            means that one element is used throughout; it is not allowed for the positions of
- *            several particles. An input stride must be 0 or at least the element's size, an output
- *            stride at least the element's size, both multiples of 4.
+ *            means that one element is used throughout; it is not allowed for the positions of several particles. An
+ *            input stride must be 0 or at least the element's size, an output stride at least the element's size, both
+ *            multiples of 4. A count of 0 is no error: arrays may then be NULL, and strides are not looked at.
  *            All elements are checked before any output is written. Item i of a batch is bit for
  *            bit what the single call would give. No element of an output may share memory with an
  *            element of an input.
@@ -140,9 +140,9 @@ GPHYS_API const char* gphys_last_error(void);
 
 /** Memory functions for one object and everything in it. Both are called on the thread that calls
  *  the library, from several threads if the objects that share it are used from several threads.
- *  allocate returns NULL on failure (reported as GPHYS_ERROR_OUT_OF_MEMORY, nothing changed);
- *  release gets the same size and alignment again. The struct is copied at creation. Functions in
- *  C++ may throw: allocate has then failed, and what release throws is ignored. */
+ *  Neither may be NULL. allocate returns NULL on failure (reported as GPHYS_ERROR_OUT_OF_MEMORY, nothing changed);
+ *  release gets the same size and alignment again, a power of two. The struct is copied at creation; what user points
+ *  to must outlive the object. C++ functions may throw: allocate then failed, and what release throws is ignored. */
 typedef struct gphys_allocator {
     void* (*allocate)(void* user, size_t size, size_t alignment);
     void (*release)(void* user, void* memory, size_t size, size_t alignment);

@@ -86,9 +86,11 @@ static void test_constraints(void** state) {
     gphys_solver* s = f->solver;
     static const uint32_t twice[2] = {1, 1}, outside[2] = {0, 4}, two[2] = {0, 1};
     gphys_constraint_id link = 0;
+    gphys_constraint_info kept;
     gphys_joint_id joint = 0;
     gphys_cluster_id cluster = 0;
     gphys_break made;
+    uint32_t total;
     const float force = 1, negative = -1;
     REFUSED(gphys_solver_remove_constraint(s, f->rope, NONE), STALE);
     REFUSED(gphys_solver_remove_constraint(s, f->sheet, f->cut), STALE);
@@ -118,7 +120,8 @@ static void test_constraints(void** state) {
     REFUSED(gphys_solver_set_breaking_forces(s, f->sheet, &f->cut, &force, 0, 1), STALE);
     REFUSED(gphys_solver_set_breaking_forces(s, f->removed, NULL, NULL, 0, 0), STALE);
     REFUSED(gphys_solver_set_breaking_forces(s, f->sheet, NULL, &force, 0, 1), BAD);
-    REFUSED(gphys_solver_set_breaking_forces(s, f->sheet, NULL, &negative, 3, 0), BAD);
+    assert_int_equal(gphys_solver_get_constraints(s, f->sheet, &kept, 1, &total), GPHYS_INCOMPLETE);
+    REFUSED(gphys_solver_set_breaking_forces(s, f->sheet, &kept.id, &negative, 3, 1), BAD);
     REFUSED(gphys_solver_join(s, f->rope, 0, f->rope, 1, -1, 0, &joint), BAD);
     REFUSED(gphys_solver_join(s, f->rope, 0, f->sheet, 99, -1, 0, &joint), BAD);
     REFUSED(gphys_solver_join(s, f->rope, 0, f->removed, 0, -1, 0, &joint), STALE);

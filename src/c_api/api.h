@@ -157,29 +157,34 @@ inline gphys_status check_rectangle(float x0, float y0, float x1, float y1) noex
     return GPHYS_OK;
 }
 
-/// The stride of an array that is written; `name` is the parameter's.
-inline gphys_status check_out_stride(const char* name, uint32_t stride, size_t element) noexcept {
+/// The distance between elements; `name` is the parameter's.
+inline gphys_status check_spacing(const char* name, uint32_t stride, size_t element) noexcept {
     GPHYS_REQUIRE_IN_RANGE(stride % 4 == 0, name, stride, "a multiple of 4");
     if (stride >= element) return GPHYS_OK;
     char range[64];
     std::snprintf(range, sizeof range, "at least %u, the size of an element", static_cast<unsigned>(element));
     return fail(GPHYS_ERROR_INVALID_ARGUMENT, name, stride, range);
 }
+// An array without elements needs no stride, as it needs no pointer.
+
+/// The stride of an array that is written.
+inline gphys_status check_out_stride(const char* name, uint32_t stride, size_t element, uint32_t count) noexcept {
+    return count == 0 ? GPHYS_OK : check_spacing(name, stride, element);
+}
 /// The output array of a batch.
 template <class T>
 gphys_status check_outputs(const char* name, const T* outputs, uint32_t stride, uint32_t count) {
     if (count != 0) GPHYS_TRY(check_pointers(name, outputs));
-    return check_out_stride("out_stride", stride, sizeof(T));
+    return check_out_stride("out_stride", stride, sizeof(T), count);
 }
 /// The stride of an array that is read: 0 repeats the first element.
-inline gphys_status check_stride(const char* name, uint32_t stride, size_t element) noexcept {
-    if (stride == 0) return GPHYS_OK;
-    return check_out_stride(name, stride, element);
+inline gphys_status check_stride(const char* name, uint32_t stride, size_t element, uint32_t count) noexcept {
+    return stride == 0 ? GPHYS_OK : check_out_stride(name, stride, element, count);
 }
 /// 0 does not repeat a position: several particles at one place are a mistake.
 inline gphys_status check_position_stride(const char* name, uint32_t stride, uint32_t count) noexcept {
-    return count <= 1 ? check_stride(name, stride, sizeof(gphys_vec3))
-                      : check_out_stride(name, stride, sizeof(gphys_vec3));
+    return count <= 1 ? check_stride(name, stride, sizeof(gphys_vec3), count)
+                      : check_spacing(name, stride, sizeof(gphys_vec3));
 }
 /// A batch has one mesh, whatever its count.
 inline gphys_status check_mesh_stride(const char* name, uint32_t stride) noexcept {

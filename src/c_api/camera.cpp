@@ -85,8 +85,8 @@ gphys_status convert_batch(const char* from_name, const gphys_vec3* from, const 
     if (count == 0) return GPHYS_OK;
     GPHYS_TRY(check_pointers(from_name, from));
     GPHYS_TRY(check_pointers(to_name, to));
-    GPHYS_TRY(check_stride(from_stride_name, from_stride, sizeof *from));
-    GPHYS_TRY(check_out_stride("out_stride", to_stride, sizeof *to));
+    GPHYS_TRY(check_stride(from_stride_name, from_stride, sizeof *from, count));
+    GPHYS_TRY(check_out_stride("out_stride", to_stride, sizeof *to, count));
     const Strided<gphys_vec3> in(from, from_stride);
     const StridedOut<gphys_vec3> out(to, to_stride);
     for (uint32_t i = 0; i < count; ++i) GPHYS_TRY(check_element(from_name, i, in[i]));
@@ -476,7 +476,7 @@ gphys_status gphys_camera_pick_rays(const gphys_camera* camera, uint32_t x, uint
         GPHYS_REQUIRE_POINTERS(camera);
         if (width == 0 || height == 0) return GPHYS_OK;
         GPHYS_REQUIRE_POINTERS(out_rays);
-        GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof *out_rays));
+        GPHYS_TRY(check_spacing("out_stride", out_stride, sizeof *out_rays));
         GPHYS_REQUIRE_IN_RANGE(width <= UINT32_MAX / height, "width * height", double{1} * width * height,
                                "below 2^32");
         GPHYS_REQUIRE_IN_RANGE(width - 1 <= UINT32_MAX - x, "x + width", double{1} * x + width, "at most 2^32");

@@ -40,8 +40,8 @@ gphys_status camera_pick_batch(const gphys_camera* camera, const gphys_scene* sc
     GPHYS_TRY(read_filters(scene, given, count, filter));
     if (count == 0) return GPHYS_OK;
     GPHYS_REQUIRE_POINTERS(pixels, out_hits);
-    GPHYS_TRY(check_stride("pixel_stride", pixel_stride, sizeof(Pixel)));
-    GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof *out_hits));
+    GPHYS_TRY(check_stride("pixel_stride", pixel_stride, sizeof(Pixel), count));
+    GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof *out_hits, count));
     const Strided<Pixel> in(reinterpret_cast<const Pixel*>(pixels), pixel_stride);
     const StridedOut<gphys_hit> out(out_hits, out_stride);
     GPHYS_TRY(check_each(workers, distinct(pixel_stride, count), [&](uint32_t i) -> gphys_status {

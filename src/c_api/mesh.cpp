@@ -16,7 +16,7 @@ namespace {
 
 gphys_status check_arrays(const MeshArrays& arrays) {
     GPHYS_REQUIRE(arrays.vertex_count == 0 || arrays.vertices, "vertices is null");
-    GPHYS_TRY(check_out_stride("vertex_stride", arrays.vertex_stride, sizeof(gphys_vec3)));
+    GPHYS_TRY(check_spacing("vertex_stride", arrays.vertex_stride, sizeof(gphys_vec3)));
     GPHYS_REQUIRE(arrays.index_count == 0 || arrays.indices, "indices is null");
     GPHYS_REQUIRE_IN_RANGE(arrays.index_count % 3 == 0, "index_count", arrays.index_count, "a multiple of 3");
     return GPHYS_OK;
@@ -33,7 +33,7 @@ gphys_status check_indices(const MeshArrays& arrays, uint32_t triangle) {
 
 gphys_status check_rays(const gphys_ray* rays, uint32_t ray_stride, uint32_t count) {
     GPHYS_REQUIRE(rays || count == 0, "rays is null");
-    GPHYS_TRY(check_stride("ray_stride", ray_stride, sizeof *rays));
+    GPHYS_TRY(check_stride("ray_stride", ray_stride, sizeof *rays, count));
     const Strided<gphys_ray> each(rays, ray_stride);
     for (uint32_t i = 0; i < count; ++i) GPHYS_TRY(check_element("rays", i, each[i]));
     return GPHYS_OK;
@@ -97,7 +97,7 @@ gphys_status gphys_mesh_create_hull(const gphys_mesh_desc* desc, const float* po
         GPHYS_TRY(read_mesh_desc(desc, settings));
         GPHYS_TRY(reject_deformable_hull(settings));
         GPHYS_REQUIRE(point_count == 0 || points, "points is null");
-        GPHYS_TRY(check_out_stride("point_stride", point_stride, sizeof(gphys_vec3)));
+        GPHYS_TRY(check_spacing("point_stride", point_stride, sizeof(gphys_vec3)));
         GPHYS_REQUIRE_POINTERS(out_mesh);
         const MeshArrays arrays{points, point_stride, point_count, nullptr, 0};
         for (uint32_t i = 0; i < point_count; ++i) GPHYS_TRY(check_element("points", i, arrays.vertex(i)));

@@ -40,9 +40,10 @@ gphys_status read_filter(const gphys_scene* scene, const gphys_query_filter_desc
     return GPHYS_OK;
 }
 
-gphys_status Filters::read(const gphys_scene* scene, const gphys_query_filter_desc* filters, uint32_t stride) noexcept {
+gphys_status Filters::read(const gphys_scene* scene, const gphys_query_filter_desc* filters, uint32_t stride,
+                           uint32_t count) noexcept {
     GPHYS_REQUIRE_POINTERS(scene);
-    GPHYS_TRY(check_stride("filter_stride", stride, filter_desc_size));
+    GPHYS_TRY(check_stride("filter_stride", stride, filter_desc_size, count));
     scene_ = unwrap(scene);
     first_ = reinterpret_cast<const char*>(filters);
     stride_ = filters ? stride : 0;

@@ -20,7 +20,8 @@ struct FilterArray {
 class Filters {
 public:
     /// A single filter (null, or stride 0) is read here. Others must be checked, each once, before they are used.
-    gphys_status read(const gphys_scene* scene, const gphys_query_filter_desc* filters, uint32_t stride) noexcept;
+    gphys_status read(const gphys_scene* scene, const gphys_query_filter_desc* filters, uint32_t stride,
+                      uint32_t count) noexcept;
     bool is_one() const { return stride_ == 0; }
     gphys_status check(uint32_t item) const noexcept;
 

@@ -25,6 +25,7 @@ gphys_status check_shapes(const Workers& workers, gphys_shape_type type, const v
                           uint32_t count) {
     switch (type) {
         case GPHYS_SHAPE_MESH:
+            if (count == 0) return GPHYS_OK;
             GPHYS_REQUIRE(shapes, "shape is null");
             return check_mesh_stride("shape_stride", stride);
         case GPHYS_SHAPE_FRUSTUM:
@@ -37,7 +38,7 @@ gphys_status check_shapes(const Workers& workers, gphys_shape_type type, const v
     }
     const size_t size = shape_struct_size(type);
     GPHYS_REQUIRE_IN_RANGE(size != 0, "type", type, "a gphys_shape_type");
-    GPHYS_TRY(check_stride("shape_stride", stride, size));
+    GPHYS_TRY(check_stride("shape_stride", stride, size, count));
     const Strided<char> shape(static_cast<const char*>(shapes), stride);
     return check_each(workers, distinct(stride, count), [&](uint32_t i) {
         Shape widened;
@@ -47,7 +48,7 @@ gphys_status check_shapes(const Workers& workers, gphys_shape_type type, const v
 
 gphys_status check_transforms(const Workers& workers, const gphys_transform* transforms, uint32_t stride,
                               uint32_t count) {
-    GPHYS_TRY(check_stride("transform_stride", stride, sizeof(gphys_transform)));
+    GPHYS_TRY(check_stride("transform_stride", stride, sizeof(gphys_transform), count));
     const Strided<gphys_transform> transform(transforms, stride);
     return check_each(workers, distinct(stride, count),
                       [&](uint32_t i) { return check_element("transforms", i, transform[i]); });
@@ -79,7 +80,7 @@ gphys_status add_models(gphys_scene* scene, gphys_shape_type type, const void* s
         GPHYS_TRY(complete_scale("desc.scale", desc));
         return unwrap(scene)->add(type, shapes, shape_stride, transforms, transform_stride, count, desc, out_models);
     }
-    GPHYS_TRY(check_stride("desc_stride", desc_stride, model_desc_size));
+    GPHYS_TRY(check_stride("desc_stride", desc_stride, model_desc_size, count));
     Vector<gphys_model_desc> read(count, default_model_desc, &unwrap(scene)->memory);
     const Strided<char> desc(reinterpret_cast<const char*>(descs), desc_stride);
     GPHYS_TRY(check_each(workers, count, [&](uint32_t i) {
@@ -102,7 +103,7 @@ gphys_status copy_transforms(const gphys_scene* scene, const gphys_model_id* mod
                              gphys_transform* out_transforms, uint32_t out_stride, TransformOf transform_of) {
     GPHYS_REQUIRE_POINTERS(scene);
     if (count != 0) GPHYS_REQUIRE_POINTERS(models, out_transforms);
-    GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof(gphys_transform)));
+    GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof(gphys_transform), count));
     const Scene& from = *unwrap(scene);
     GPHYS_TRY(check_each(from.workers(), count, [&](uint32_t i) { return from.check(models[i]); }));
     const StridedOut<gphys_transform> out(out_transforms, out_stride);

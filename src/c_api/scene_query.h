@@ -25,7 +25,7 @@ inline gphys_status read_filters(const gphys_scene* scene, uint32_t layers, uint
     return read_filter(scene, layers, out);
 }
 inline gphys_status read_filters(const gphys_scene* scene, const FilterArray& given, uint32_t count, Filters& out) {
-    GPHYS_TRY(out.read(scene, given.descs, given.stride));
+    GPHYS_TRY(out.read(scene, given.descs, given.stride, count));
     if (out.is_one()) return GPHYS_OK;
     return check_each(unwrap(scene)->workers(), count, [&](uint32_t i) { return out.check(i); });
 }
@@ -35,7 +35,7 @@ template <class T>
 gphys_status check_inputs(const Workers& workers, const char* name, const T* inputs, const char* stride_name,
                           uint32_t stride, uint32_t count) {
     if (count != 0) GPHYS_TRY(check_pointers(name, inputs));
-    GPHYS_TRY(check_stride(stride_name, stride, sizeof(T)));
+    GPHYS_TRY(check_stride(stride_name, stride, sizeof(T), count));
     const Strided<T> input(inputs, stride);
     return check_each(workers, distinct(stride, count), [&](uint32_t i) { return check_element(name, i, input[i]); });
 }
@@ -194,7 +194,7 @@ gphys_status scene_overlap_batch(const gphys_scene* scene, gphys_shape_type type
     FilterFrom<Given> filter;
     GPHYS_TRY(read_filters(scene, given, count, filter));
     const Workers& workers = unwrap(scene)->workers();
-    GPHYS_TRY(check_stride("shape_stride", shape_stride, shape_struct_size(type)));
+    GPHYS_TRY(check_stride("shape_stride", shape_stride, shape_struct_size(type), count));
     const Strided<char> shape(static_cast<const char*>(shapes), shape_stride);
     GPHYS_TRY(check_each(workers, distinct(shape_stride, count), [&](uint32_t i) {
         Shape query;

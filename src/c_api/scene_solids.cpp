@@ -8,7 +8,7 @@ namespace {
 /// The input array of a batch of moving shapes.
 gphys_status check_moving(const Workers& workers, gphys_shape_type type, const void* shapes, uint32_t stride,
                           uint32_t count) {
-    GPHYS_TRY(check_stride("shape_stride", stride, shape_struct_size(type)));
+    GPHYS_TRY(check_stride("shape_stride", stride, shape_struct_size(type), count));
     const Strided<char> shape(static_cast<const char*>(shapes), stride);
     return check_each(workers, distinct(stride, count), [&](uint32_t i) {
         Shape moving;

@@ -1,6 +1,7 @@
 // Reading a caller's shape by its type, and the results that batches hold for a miss.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <type_traits>
 
@@ -70,8 +71,9 @@ public:
         : names_(names), type_(type), first_(first), stride_(stride) {}
 
     gphys_status check(const char* stride_name, uint32_t count) {
+        if (count == 0) return GPHYS_OK;
         GPHYS_TRY(type_ == GPHYS_SHAPE_MESH ? check_mesh_stride(stride_name, stride_)
-                                            : check_stride(stride_name, stride_, shape_struct_size(type_)));
+                                            : check_stride(stride_name, stride_, shape_struct_size(type_), count));
         if (stride_ == 0) return read(0);
         for (uint32_t i = 0; i < count; ++i) GPHYS_TRY(read(i));
         return GPHYS_OK;
@@ -79,7 +81,8 @@ public:
     /// Calls check(element) for each; only after check.
     template <class Check>
     gphys_status check_each(uint32_t count, const Check& check) {
-        for (uint32_t i = 0; i < (stride_ == 0 ? 1 : count); ++i) GPHYS_TRY(check((*this)[i]));
+        if (stride_ == 0) count = std::min(count, 1u);
+        for (uint32_t i = 0; i < count; ++i) GPHYS_TRY(check((*this)[i]));
         return GPHYS_OK;
     }
     /// Element i; only after check.

@@ -91,7 +91,7 @@ bool overlaps(const ShapeOrMesh& a, const ShapeOrMesh& b) {
 }
 
 gphys_status check_points(const gphys_vec3* points, uint32_t stride, uint32_t count) {
-    GPHYS_TRY(check_stride("point_stride", stride, sizeof(gphys_vec3)));
+    GPHYS_TRY(check_stride("point_stride", stride, sizeof(gphys_vec3), count));
     const Strided<gphys_vec3> each(points, stride);
     for (uint32_t i = 0; i < count; ++i) GPHYS_TRY(check_element("points", i, each[i]));
     return GPHYS_OK;
@@ -108,7 +108,7 @@ gphys_status read_classifiable(gphys_shape_type type, const void* shape, Shape& 
 gphys_status contains_batch(gphys_shape_type type, const void* shape, const gphys_vec3* points, uint32_t point_stride,
                             uint32_t count, float tolerance, int32_t* out_contains, uint32_t out_stride) {
     if (count != 0) GPHYS_REQUIRE_POINTERS(points, out_contains);
-    GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof(int32_t)));
+    GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof(int32_t), count));
     GPHYS_REQUIRE_IN_RANGE(std::isgreaterequal(tolerance, 0.0f) && tolerance <= GPHYS_MAX_COORDINATE, "tolerance",
                            tolerance, amount_range);
     Target target;
@@ -169,7 +169,7 @@ gphys_status gphys_shape_closest_point_batch(gphys_shape_type type, const void* 
                                              uint32_t out_stride) {
     return guarded(__func__, [&]() -> gphys_status {
         if (count != 0) GPHYS_REQUIRE_POINTERS(points, out_nearest);
-        GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof(gphys_nearest)));
+        GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof(gphys_nearest), count));
         Target target;
         GPHYS_TRY(read_target(type, shape, target));
         GPHYS_TRY(check_points(points, point_stride, count));

@@ -48,8 +48,8 @@ gphys_status gphys_shape_raycast_batch(gphys_shape_type type, const void* shape,
                                        uint32_t ray_stride, uint32_t count, gphys_hit* out_hits, uint32_t out_stride) {
     return guarded(__func__, [&]() -> gphys_status {
         if (count != 0) GPHYS_REQUIRE_POINTERS(rays, out_hits);
-        GPHYS_TRY(check_stride("ray_stride", ray_stride, sizeof(gphys_ray)));
-        GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof(gphys_hit)));
+        GPHYS_TRY(check_stride("ray_stride", ray_stride, sizeof(gphys_ray), count));
+        GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof(gphys_hit), count));
         ShapeOrMesh target;
         GPHYS_TRY(read_shape(type, shape, target));
         const Strided<gphys_ray> each(rays, ray_stride);

@@ -61,8 +61,8 @@ gphys_status gphys_shape_sweep_batch(gphys_shape_type type, const void* shapes, 
                                      gphys_hit* out_hits, uint32_t out_stride) {
     return guarded(__func__, [&]() -> gphys_status {
         if (count != 0) GPHYS_REQUIRE_POINTERS(displacements, out_hits);
-        GPHYS_TRY(check_stride("displacement_stride", displacement_stride, sizeof *displacements));
-        GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof *out_hits));
+        GPHYS_TRY(check_stride("displacement_stride", displacement_stride, sizeof *displacements, count));
+        GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof *out_hits, count));
         Shapes<ShapeOrMesh> other({"type", "shapes"}, type, shapes, shape_stride);
         Shapes<Shape> solid(moving_names, moving_type, moving, moving_stride);
         GPHYS_TRY(other.check("shape_stride", count));

@@ -126,10 +126,10 @@ gphys_status gphys_planes_intersection_batch(const gphys_plane* a, uint32_t a_st
     return guarded(__func__, [&]() -> gphys_status {
         if (count == 0) return GPHYS_OK;
         GPHYS_REQUIRE_POINTERS(a, b, c, out_points);
-        GPHYS_TRY(check_stride("a_stride", a_stride, sizeof *a));
-        GPHYS_TRY(check_stride("b_stride", b_stride, sizeof *b));
-        GPHYS_TRY(check_stride("c_stride", c_stride, sizeof *c));
-        GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof *out_points));
+        GPHYS_TRY(check_stride("a_stride", a_stride, sizeof *a, count));
+        GPHYS_TRY(check_stride("b_stride", b_stride, sizeof *b, count));
+        GPHYS_TRY(check_stride("c_stride", c_stride, sizeof *c, count));
+        GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof *out_points, count));
         const Strided<gphys_plane> all_a(a, a_stride), all_b(b, b_stride), all_c(c, c_stride);
         for (uint32_t i = 0; i < count; ++i) {
             GPHYS_TRY(check_element("a", i, all_a[i]));

@@ -13,7 +13,7 @@ gphys_status gphys_solver_set_breaking_forces(gphys_solver* solver, gphys_body_i
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_constraints(solver, body, constraints, count));
         if (count != 0) GPHYS_REQUIRE_POINTERS(forces);
-        GPHYS_TRY(check_stride("force_stride", force_stride, sizeof *forces));
+        GPHYS_TRY(check_stride("force_stride", force_stride, sizeof *forces, count));
         const Strided<float> each(forces, force_stride);
         for (uint32_t i = 0; i < count; ++i) {
             if (!is_amount(each[i]))

@@ -149,7 +149,7 @@ gphys_status gphys_solver_set_constraint_settings(gphys_solver* solver, gphys_bo
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_constraints(solver, body, constraints, count));
         if (count != 0) GPHYS_REQUIRE_POINTERS(settings);
-        GPHYS_TRY(check_stride("setting_stride", setting_stride, sizeof *settings));
+        GPHYS_TRY(check_stride("setting_stride", setting_stride, sizeof *settings, count));
         const Strided<gphys_constraint_settings> each(settings, setting_stride);
         for (uint32_t i = 0; i < count; ++i) {
             const Defect wrong = ::defect(each[i]);

@@ -33,7 +33,7 @@ gphys_status check_each(const gphys_solver* solver, gphys_body_id body, uint32_t
                         const char* name, const T* elements, uint32_t stride, DefectOf&& defect_of) {
     GPHYS_TRY(check_range(solver, body, first, count));
     if (count != 0) GPHYS_TRY(check_pointers(name, elements));
-    GPHYS_TRY(check_stride("stride", stride, sizeof(T)));
+    GPHYS_TRY(check_stride("stride", stride, sizeof(T), count));
     const Strided<T> element(elements, stride);
     for (uint32_t i = 0; i < count; ++i) {
         const Defect wrong = defect_of(element[i]);

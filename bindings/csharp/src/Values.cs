@@ -170,9 +170,9 @@ public static class Constants {
 /// <summary>
 /// Memory functions for one object and everything in it. Both are called on the thread that calls
 /// the library, from several threads if the objects that share it are used from several threads.
-/// allocate returns null on failure (reported as Status.ErrorOutOfMemory, nothing changed);
-/// release gets the same size and alignment again. The struct is copied at creation. Functions in
-/// C++ may throw: allocate has then failed, and what release throws is ignored.
+/// Neither may be null. allocate returns null on failure (reported as Status.ErrorOutOfMemory, nothing changed);
+/// release gets the same size and alignment again, a power of two. The struct is copied at creation; what user points
+/// to must outlive the object. C++ functions may throw: allocate then failed, and what release throws is ignored.
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public partial struct Allocator {

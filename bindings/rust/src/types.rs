@@ -217,9 +217,9 @@ pub type Task = Option<unsafe extern "C" fn(*mut c_void, u32)>;
 
 /// Memory functions for one object and everything in it. Both are called on the thread that calls
 /// the library, from several threads if the objects that share it are used from several threads.
-/// allocate returns None on failure (reported as `Status::ERROR_OUT_OF_MEMORY`, nothing changed);
-/// release gets the same size and alignment again. The struct is copied at creation. Functions in
-/// C++ may throw: allocate has then failed, and what release throws is ignored.
+/// Neither may be None. allocate returns None on failure (reported as `Status::ERROR_OUT_OF_MEMORY`, nothing changed);
+/// release gets the same size and alignment again, a power of two. The struct is copied at creation; what user points
+/// to must outlive the object. C++ functions may throw: allocate then failed, and what release throws is ignored.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct Allocator {
