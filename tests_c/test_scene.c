@@ -358,7 +358,7 @@ static void an_octree_built_anew_is_that_of_one_call(void** state) {
 }
 
 static void maintenance_makes_an_octree_as_good_as_new_while_the_scene_changes(void** state) {
-    enum { SIDE = 60, COUNT = SIDE * SIDE };
+    enum { SIDE = 80, COUNT = SIDE * SIDE };
     static gphys_model_id models[COUNT];
     static const gphys_aabb box = {{-0.4f, -0.4f, -0.4f}, {0.4f, 0.4f, 0.4f}};
     gphys_scene* scene;
