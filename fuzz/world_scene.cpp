@@ -161,7 +161,7 @@ void World::add_batch() {
                          local_stride, descs.data(), uint32_t{sizeof descs[0]}, count, ids.data())
                   : call(gphys_scene_add_batch, scene_, type, shapes[0].shape.bytes, stride, given, local_stride, count,
                          nullptr, ids.data());
-    bool valid = stride == sizeof(Spaced) || stride == 0;
+    bool valid = count == 0 || stride == sizeof(Spaced) || stride == 0;
     for (uint32_t i = 0; i < count; ++i) {
         valid = valid && is_valid(shapes[stride ? i : 0].shape) && (!with_transforms || is_valid(locals[i]));
     }

@@ -10,8 +10,7 @@ namespace {
 template <class Visit>
 void each_rigid(const Constraints& constraints, Visit&& visit) {
     for (const uint32_t slot : constraints.ids) {
-        if (constraints.by_slot[slot].compliance == 0)
-            visit(slot, constraints.by_slot[slot]);
+        if (constraints.by_slot[slot].compliance == 0) visit(slot, constraints.by_slot[slot]);
     }
 }
 

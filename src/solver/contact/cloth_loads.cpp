@@ -4,6 +4,7 @@
 #include "solver/cloth/second_moments.h"
 #include "solver/contact/collision.h"
 #include "solver/quads.h"
+#include "solver/state_range.h"
 
 namespace gphys {
 namespace {
@@ -84,11 +85,15 @@ HeavyBody ParticleContacts::ClothLoads::heavy_particle(uint32_t of, const Body& 
     heavy.of = of;
     heavy.mass = 1 / (particle.inverse_mass * cloth.cloth.state.average_mass);
     heavy.inverse_inertia = {{}, {}, {}};
-    heavy.place = others.position[particle.number] - cloth.cloth.state.origin;
-    // Links and contacts of a rope give their velocities at the end of the substep.
-    heavy.motion.velocity = moves_freely(body)
-                                ? others.velocity[particle.number]
-                                : (others.position[particle.number] - body.history.start[particle.number]) / h;
+    Vec3 place = others.position[particle.number], velocity = others.velocity[particle.number];
+    if (!moves_freely(body)) {
+        // Links and contacts of a rope give their velocities at the end of the substep.
+        const Vec3 before = body.history.start[particle.number];
+        velocity = (place - before) / h;
+        keep_in_range(place, velocity, before);
+    }
+    heavy.place = place - cloth.cloth.state.origin;
+    heavy.motion.velocity = velocity;
     heavy.acceleration = gravity + others.force[particle.number] * particle.inverse_mass;
     return heavy;
 }
@@ -227,6 +232,8 @@ void ParticleContacts::ClothLoads::move(const CollisionContext& around) {
         for (const HeavyBody& heavy : loads.heavy) {
             Particle& of = range_.particles[heavy.of];
             Body& other = bodies_[of.body];
+            // Cloth that has left the range of floats moves nothing else.
+            if (!is_finite(heavy.moved) || !is_finite(heavy.motion.velocity)) continue;
             if (is_graph(other)) {
                 move_cluster(heavy);
                 continue;
