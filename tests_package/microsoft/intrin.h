@@ -26,6 +26,9 @@ typedef unsigned char __mmask8;
 #define _CMP_LT_OS 1
 #define _CMP_LE_OS 2
 #define _CMP_EQ_OS 16
+#define _CMP_EQ_OQ 0
+#define _CMP_LT_OQ 17
+#define _CMP_NLT_UQ 21
 
 // clang has builtins of these names, with the long of Windows.
 #define _BitScanForward scan_forward
@@ -54,10 +57,11 @@ BINARY(__m512d, _mm512, pd);
 #undef BINARY
 
 __m128 _mm_set1_ps(float), _mm_setr_ps(float, float, float, float), _mm_loadu_ps(const float*);
+__m128 _mm_set_ss(float), _mm_setzero_ps(void), _mm_move_ss(__m128, __m128), _mm_permute_ps(__m128, int);
 __m128 _mm_movelh_ps(__m128, __m128), _mm_movehl_ps(__m128, __m128), _mm_shuffle_ps(__m128, __m128, unsigned);
 __m128 _mm_cmplt_ps(__m128, __m128), _mm_cmple_ps(__m128, __m128), _mm_cmpneq_ps(__m128, __m128);
 __m128 _mm_castsi128_ps(__m128i), _mm_cvtpd_ps(__m128d), _mm_cvtepi32_ps(__m128i);
-void _mm_storeu_ps(float*, __m128);
+void _mm_storeu_ps(float*, __m128), _mm_store_ps(float*, __m128);
 int _mm_movemask_ps(__m128);
 
 __m128d _mm_set1_pd(double), _mm_setr_pd(double, double), _mm_loadu_pd(const double*);
@@ -65,6 +69,7 @@ __m128d _mm_cmplt_pd(__m128d, __m128d), _mm_cmple_pd(__m128d, __m128d);
 __m128d _mm_castsi128_pd(__m128i), _mm_cvtps_pd(__m128);
 void _mm_storeu_pd(double*, __m128d), _mm_store_sd(double*, __m128d);
 int _mm_movemask_pd(__m128d);
+double _mm_cvtsd_f64(__m128d);
 
 __m128i _mm_set1_epi32(int), _mm_setr_epi32(int, int, int, int), _mm_cvtsi32_si128(int);
 int _mm_cvtsi128_si32(__m128i);
@@ -96,7 +101,7 @@ __mmask8 _mm256_cmp_ps_mask(__m256, __m256, int), _mm256_movepi32_mask(__m256i);
 __m256d _mm256_set1_pd(double), _mm256_setr_pd(double, double, double, double), _mm256_loadu_pd(const double*);
 __m256d _mm256_maskload_pd(const double*, __m256i), _mm256_castsi256_pd(__m256i), _mm256_cvtps_pd(__m128);
 __m256d _mm256_permute2f128_pd(__m256d, __m256d, int), _mm256_blendv_pd(__m256d, __m256d, __m256d);
-__m256d _mm256_cmp_pd(__m256d, __m256d, int);
+__m256d _mm256_cmp_pd(__m256d, __m256d, int), _mm256_blend_pd(__m256d, __m256d, int), _mm256_setzero_pd(void);
 __m128d _mm256_castpd256_pd128(__m256d), _mm256_extractf128_pd(__m256d, int);
 __m256d _mm256_permute_pd(__m256d, int), _mm256_permute4x64_pd(__m256d, int);
 double _mm256_cvtsd_f64(__m256d);
