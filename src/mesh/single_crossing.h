@@ -13,6 +13,8 @@
 
 namespace gphys::GPHYS_ISA {
 
+#if GPHYS_HAS_AVX2
+
 class SingleCrossing {
 public:
     GPHYS_INLINE SingleCrossing(const SingleShear<Axes>& shear, const Axes& origin, double t_max)
@@ -20,7 +22,6 @@ public:
         shear.turn(origin, from_);
     }
 
-#if GPHYS_HAS_AVX2
     GPHYS_INLINE TriState operator()(const TrianglePacket& packet, uint32_t lane, TriangleCrossing& crossing) const {
         const auto corners = [&](int axis) -> Axes {
             const auto corner = [&](int c) { return packet.corner[c][axis][lane]; };
@@ -57,13 +58,20 @@ public:
         crossing = {t, weight[1], weight[2], lowest < 0 ? 1 : -1};
         return TriState::yes;
     }
-#else
-    TriState operator()(const TrianglePacket&, uint32_t, TriangleCrossing&) const { return TriState::undecided; }
-#endif
 
 private:
     const SingleShear<Axes>& shear_;
     double from_[3], t_max_;
 };
+
+#else
+
+class SingleCrossing {
+public:
+    SingleCrossing(const SingleShear<Axes>&, const Axes&, double) {}
+    TriState operator()(const TrianglePacket&, uint32_t, TriangleCrossing&) const { return TriState::undecided; }
+};
+
+#endif
 
 }  // namespace gphys::GPHYS_ISA
