@@ -89,6 +89,10 @@ void reserve_arrays(Body& body, bool collides) {
         if (body.plan.limited) body.rope.slack.resize(body.particles.size());
         body.history.earlier.resize(body.particles.size());
         body.history.earlier_velocity.resize(body.particles.size());
+        if (body.settings.body_layers != 0) {
+            body.rope.loads.all.reserve(size_t{2} * body.particles.size());
+            body.rope.loads.heavy.reserve(8 + body.particles.size() / 4);
+        }
     }
 }
 

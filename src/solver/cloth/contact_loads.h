@@ -21,6 +21,7 @@
 
 #include "foundation/math.h"
 #include "foundation/memory.h"
+#include "solver/contact/heavy_body.h"
 
 namespace gphys {
 
@@ -43,25 +44,6 @@ struct ContactLoad {
     Vec3 place{};        // of the particle, before the links that are solved next
     Vec3 taken{};        // by the load, of the pulls of links: relative mass * metres
     double impulse = 0;  // along the normal: metres * relative mass; after accelerate_loads, m/s * relative mass
-};
-
-/// The motion of a load. The spin is its angular momentum: relative mass * square metres a second.
-struct LoadMotion {
-    Vec3 velocity, spin;
-};
-
-/// A heavy particle, or a rigid cluster. Positions are relative to the cloth's origin.
-struct HeavyBody {
-    uint32_t of;             // as in ContactLoad
-    double mass;             // relative to the average of the cloth
-    Mat3 inverse_inertia;    // the same; 0 for a particle
-    Vec3 place;              // of its centre, when the contacts are solved
-    LoadMotion motion;       // the same
-    Vec3 acceleration;       // by gravity and forces
-    uint32_t end = 0;        // its shares are those before this one and after those of the load before it
-    bool carried = false;    // whether a model is under one of the particles that it presses on
-    Vec3 moved{}, turned{};  // by the links: metres, and a rotation vector
-    LoadMotion before{};     // the motion without them
 };
 
 struct ContactLoads {

@@ -7,6 +7,7 @@
 #include "solver/contact/leave_solids.h"
 #include "solver/contact/pair_corrections.h"
 #include "solver/contact/particle_pairs.h"
+#include "solver/contact/rope_loads.h"
 #include "solver/particles/flight_planes.h"
 #include "solver/quads.h"
 #include "solver/rope/rope.h"
@@ -391,18 +392,39 @@ void ParticleContacts::move_loads(const Island& island, BodyTable& bodies, const
     ClothLoads loads(range, island, bodies, slots);
     if (!loads.any()) return;
     each_body(island, bodies, slots, [&](Body& body, Particle* first, Particle* end) {
-        if (!ClothLoads::may_press(body)) return;
+        if (!HeavyBodies::may_press(body)) return;
         for (Particle* p = first; p != end; ++p) p->at = p->uncorrected = place_of(body, p->number);
     });
     loads.move(around);
     const double bounce_threshold = find_bounce_threshold(gravity, h);
     each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
-        if (!ClothLoads::may_press(body)) return;
+        if (!HeavyBodies::may_press(body)) return;
         if (body.plan.method == GPHYS_SOLVE_DIRECT) {
             displace_loaded_rope(first, end, body, around, h);
         } else {
             correct_moved(first, end, body, around, bounce_threshold, planes, island.team);
         }
+    });
+}
+
+void ParticleContacts::move_loads_of_ropes(const Island& island, BodyTable& bodies, const uint32_t* slots,
+                                           const CollisionContext& around, Vec3 gravity, double h,
+                                           FlightPlanes* planes) {
+    const Range range = this->range(island);
+    RopeLoads loads(range, island, bodies, slots);
+    if (!loads.any()) return;
+    const auto each_load = [&](auto&& visit) {
+        each_body(island, bodies, slots, [&](Body& body, Particle* first, Particle* end) {
+            if (RopeLoads::may_press(body)) visit(body, first, end);
+        });
+    };
+    each_load([](Body& body, Particle* first, Particle* end) {
+        for (Particle* p = first; p != end; ++p) p->at = p->uncorrected = place_of(body, p->number);
+    });
+    loads.move(around, h);
+    const double bounce_threshold = find_bounce_threshold(gravity, h);
+    each_load([&](Body& body, const Particle* first, const Particle* end) {
+        correct_moved(first, end, body, around, bounce_threshold, planes, island.team);
     });
 }
 
@@ -502,8 +524,10 @@ void ParticleContacts::solve_positions(const Island& island, BodyTable& bodies, 
         correct_moved(first, end, body, around, bounce_threshold, planes, island.team);
     });
     if (contacts.overlapping) separate_overlapping(island, bodies, slots, around, bounce_threshold, planes);
-    if (contacts.any && !contacts.deep && island.body_count > 1)
+    if (contacts.any && !contacts.deep && island.body_count > 1) {
         ClothLoads(range, island, bodies, slots).find(gravity, h);
+        RopeLoads(range, island, bodies, slots).find(gravity, h);
+    }
 }
 
 void ParticleContacts::solve_velocities(const Island& island, BodyTable& bodies, const uint32_t* slots,

@@ -72,7 +72,10 @@ public:
     /// there are no models.
     void solve_positions(const Island& island, BodyTable& bodies, const uint32_t* slots, const CollisionContext& around,
                          Vec3 gravity, double h, FlightPlanes* planes);
-    /// Call when the links are solved: moves the heavy particles that press on cloth (cloth/contact_loads.h).
+    /// Call when the links are solved: moves what presses on ropes and is heavy (rope_loads.h).
+    void move_loads_of_ropes(const Island& island, BodyTable& bodies, const uint32_t* slots,
+                             const CollisionContext& around, Vec3 gravity, double h, FlightPlanes* planes);
+    /// The same of cloth (cloth/contact_loads.h).
     void move_loads(const Island& island, BodyTable& bodies, const uint32_t* slots, const CollisionContext& around,
                     Vec3 gravity, double h, FlightPlanes* planes);
     /// Call at the end of the substep: restitution and friction of pairs in contact.
@@ -93,7 +96,9 @@ private:
         Vec3 list_position;  // position at which the list was made
         uint32_t body, number;
         gphys_body_id id;
-        bool paired;  // whether it is in any pair of the list
+        bool paired;      // whether it is in any pair of the list
+        bool on_other;    // of ropes: whether it touches one of another rope
+        uint16_t shares;  // of the first one of a load of ropes: in how many contacts it presses on them
 
         double reach() const { return radius + margin; }
     };
@@ -196,7 +201,9 @@ private:
     template <class Visit>
     static void each_between_bodies(const Range& range, Visit&& visit);
     static void add_to_list(const Range& range, Pair& pair, Vec3 normal, double impulse);
+    class HeavyBodies;
     class ClothLoads;
+    class RopeLoads;
     void add_impulses(const Range& range, double (Contact::*change)() const, double rate) const;
     void add_support_impulses(const Island& island, BodyTable& bodies, const uint32_t* slots,
                               const CollisionContext& around, double rate);

@@ -4,6 +4,7 @@
 
 #include "foundation/math.h"
 #include "foundation/memory.h"
+#include "solver/contact/heavy_body.h"
 #include "solver/rope/bending.h"
 
 namespace gphys {
@@ -34,6 +35,42 @@ struct StiffRow {
     double inverse_pivot, value;
 };
 
+/// The share of a load that presses on a particle in the substep under way (contact/rope_loads.h).
+struct RopeLoad {
+    uint32_t of;        // the load: the first particle of what moves as one, among the island's contacts
+    uint32_t by;        // the particle of it that presses
+    uint32_t particle;  // of the rope
+    uint32_t pair;      // of the contact, in the list of the island
+    Vec3 normal;        // unit, from the particle to the load
+    double friction;    // coefficient
+    Vec3 arm{};         // from the centre of the load to the particle that presses
+    // The mass that the particle has as well while the links are solved, along the normal and across it, kg:
+    double along = 0, across = 0;
+    Vec3 place{};  // of the particle, before the links are solved
+
+    /// Of a displacement of the particle: what it takes of the load, kg m.
+    Vec3 momentum(Vec3 displacement) const {
+        return displacement * across + normal * (dot(normal, displacement) * (along - across));
+    }
+};
+
+struct RopeLoads {
+    explicit RopeLoads(std::pmr::memory_resource* memory) : all(memory), heavy(memory) {}
+
+    Vector<RopeLoad> all;  // those of a load together
+    Vector<HeavyBody> heavy;
+    double energy = 0;  // of the rope before the links are solved, joules
+
+    bool any() const { return !all.empty(); }
+    /// Bounds friction by Coulomb's law, for displacements of the particles to these places. Returns whether the links
+    /// are to be solved again.
+    bool limit_friction(const Vector<Vec3>& position);
+    void clear() {
+        all.clear();
+        heavy.clear();
+    }
+};
+
 /// State of chains that are solved directly.
 struct Rope {
     explicit Rope(std::pmr::memory_resource* source) : memory(source) {}
@@ -53,6 +90,8 @@ struct Rope {
     // By particle:
     Vector<Vec3> solved{memory};    // positions solved with the links alone, before contacts
     Vector<uint8_t> slack{memory};  // if there are limits: whether all its links were slack at the start of the substep
+
+    RopeLoads loads{memory};  // empty between substeps
 };
 
 /// Whether the time scheme restarts after an interruption that is no contact: the first substep is made in parts.

@@ -60,7 +60,7 @@ struct RopeContact {
     double jump = 0;  // m/s, in the model's velocity at the beginning of the substep
 };
 
-/// The contribution of contacts to the equation of a particle.
+/// The contribution of contacts, and of loads, to the equation of a particle.
 struct ContactTerm {
     double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;  // kg
     Vec3 force;                                             // kg m
@@ -70,6 +70,14 @@ struct ContactTerm {
         const Vec3 v = n * along;
         xx += all + n.x * v.x, xy += n.x * v.y, xz += n.x * v.z;
         yy += all + n.y * v.y, yz += n.y * v.z, zz += all + n.z * v.z;
+    }
+    /// Adds the inertia of the loads of a particle.
+    void add_loads(const Body& body, uint32_t p) {
+        for (const RopeLoad& load : body.rope.loads.all) {
+            if (load.particle != p) continue;
+            add_stiffness(load.normal, load.along - load.across, load.across);
+            force += load.momentum(body.history.predicted[p] - body.particles.position[p]);
+        }
     }
 };
 

@@ -119,6 +119,11 @@ void solve_stiff(const ChainView& view, StiffRow* stiff, DirectRow* rows, RopeCo
                 term = contacts->term(body, p, m + arriving.stiffness + leaving.stiffness + lateral);
                 force += term.force;
             }
+            if (body.rope.loads.any()) {
+                term.force = {};
+                term.add_loads(body, p);
+                force += term.force;
+            }
             const double of_contacts[3][3] = {
                 {term.xx, term.xy, term.xz}, {term.xy, term.yy, term.yz}, {term.xz, term.yz, term.zz}};
             const double to_previous =
