@@ -217,6 +217,46 @@ TEST_CASE("What hangs pulls its models with its weight") {
     }
 }
 
+// Its links along the edge have lengths that rounding makes wrong, and nothing between them can give way.
+TEST_CASE("A flag pulls the pole that holds its edge with its weight") {
+    for (const uint32_t flags : {0u, uint32_t{GPHYS_CLOTH_SHEAR | GPHYS_CLOTH_BEND}}) {
+        for (const bool is_joined : {false, true}) {
+            for (const bool touches : {false, true}) {
+                World world(8);
+                const gphys_model_id pole = ball(world, 0, 0, 0);
+                const gphys_plane wall{{0, 0.1f, 1}, -0.01f};
+                if (touches) world.model(GPHYS_SHAPE_PLANE, &wall);
+                gphys_body_desc desc = World::body_desc();
+                desc.mass = 2;
+                desc.damping = 2;
+                desc.friction = 0;
+                desc.cloth_flags = flags;
+                const gphys_body_id flag =
+                    world.cloth({0.06f, 5.1f, 0.03f}, {0.7f, 0, 0.1f}, {0, -1.1f, 0.37f}, 7, 12, desc);
+                for (uint32_t row = 0; row < 12; ++row) {
+                    REQUIRE(gphys_solver_attach(world.solver, world.scene, flag, 7 * row, pole, nullptr) == GPHYS_OK);
+                }
+                double weight = 2;
+                if (is_joined) {
+                    desc.mass = 1;
+                    const gphys_body_id tassel = world.rope({{0.76f, 4, 0.5f}, {0.76f, 3.9f, 0.5f}}, 0, desc);
+                    gphys_joint_id joint = 0;
+                    REQUIRE(gphys_solver_join(world.solver, flag, 83, tassel, 0, 0, 0, &joint) == GPHYS_OK);
+                    weight += 1;
+                }
+                Vec3 sum{};
+                for (int i = 0; i < 900; ++i) {
+                    world.step(frame);
+                    if (i < 840) continue;
+                    for (const gphys_impulse& impulse : impulses(world)) sum = sum + gphys::widen(impulse.linear);
+                }
+                INFO(flags << ' ' << is_joined << ' ' << touches);
+                CHECK(length(sum - Vec3{0, -weight * g, 0}) < 5e-3 * weight * g);
+            }
+        }
+    }
+}
+
 TEST_CASE("A whirling rope pulls its model with the centripetal force, and a string that snaps taut with its jerk") {
     World world(16, {0, 0, 0});
     const gphys_model_id hub = ball(world, 1e4f, 0, 0);

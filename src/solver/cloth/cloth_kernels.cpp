@@ -289,7 +289,10 @@ void solve_batch(float* at, const ContactModel& surfaces, const ClothChains& cha
         row.coupling = surfaces.coupling(a, at_a, before, n);
         const Float8 diagonal = surfaces.mobility(a, at_a, b, at_b, n) + (load(softness + 8 * j) + splat(least_pivot));
         const Float8 pivot = diagonal - row.coupling * row.coupling * before.inverse_pivot;
-        row.inverse_pivot = splat(1) / max(pivot, diagonal * splat(surfaces.least_pivot_part));
+        const Float8 inverse = splat(1) / max(pivot, diagonal * splat(surfaces.least_pivot_part));
+        // The tension of a rigid link between two held particles follows from nothing. What its length lacks is
+        // rounding, and divided by the least pivot it would be the largest pull on their models.
+        row.inverse_pivot = select(diagonal <= splat(least_pivot), splat(0), inverse);
         Float8 error = n.length - load(rest + 8 * j);
         if (is_limit) error = max(error, splat(0));
         row.value = (error + row.coupling * before.value) * row.inverse_pivot;
