@@ -257,6 +257,104 @@ TEST_CASE("A flag pulls the pole that holds its edge with its weight") {
     }
 }
 
+namespace {
+
+enum class Hung { rope, sheet, crate };
+
+/// 2 kg at (0, 1, 0) and below, which touches nothing. Particle 0 is there.
+gphys_body_id hang(World& world, Hung kind) {
+    gphys_body_desc desc = World::body_desc();
+    desc.mass = 2;
+    desc.layers = 0;
+    desc.damping = 1;
+    if (kind == Hung::sheet) return world.cloth({0, 1, 0}, {0.4f, 0, 0}, {0, -0.4f, 0}, 5, 5, desc);
+    std::vector<gphys_vec3> places;
+    if (kind == Hung::rope) {
+        for (int i = 0; i < 6; ++i) places.push_back({0, 1 - 0.1f * static_cast<float>(i), 0});
+        return world.rope(places, 0, desc);
+    }
+    for (int i = 0; i < 8; ++i) {
+        places.push_back({i & 1 ? 0.2f : 0, 1 - (i & 2 ? 0.2f : 0), i & 4 ? 0.2f : 0});
+    }
+    const gphys_body_id crate = world.particles(places, desc);
+    const uint32_t all[] = {0, 1, 2, 3, 4, 5, 6, 7};
+    gphys_cluster_id cluster = 0;
+    REQUIRE(gphys_solver_add_cluster(world.solver, crate, all, 8, &cluster) == GPHYS_OK);
+    return crate;
+}
+
+/// Joins particle 0 of both as they are.
+void join(World& world, gphys_body_id a, gphys_body_id b) {
+    gphys_joint_id joint = 0;
+    REQUIRE(gphys_solver_join(world.solver, a, 0, b, 0, -1, 0, &joint) == GPHYS_OK);
+}
+
+double force_of_joint(const World& world) {
+    gphys_joint_info joint{};
+    uint32_t total = 0;
+    REQUIRE(gphys_solver_get_joints(world.solver, 0, &joint, 1, &total) == GPHYS_OK);
+    return static_cast<double>(joint.force);
+}
+
+}  // namespace
+
+TEST_CASE("What hangs by a joint pulls with its weight, whatever the body above it touches") {
+    for (const Hung kind : {Hung::rope, Hung::sheet, Hung::crate}) {
+        for (const bool lies : {false, true}) {
+            World world(8);
+            const gphys_model_id floor = ground(world), nail = ball(world, 5, 5, 0);
+            // Two particles of 0.5 kg: one lies on the ground, and so does the other, or it is nailed.
+            gphys_body_desc desc = World::body_desc();
+            desc.damping = 1;
+            const gphys_body_id above = world.particles({{0, lies ? 0.0101f : 1.5f, 0}, {3, 0.0101f, 0}}, desc);
+            if (!lies) REQUIRE(gphys_solver_attach(world.solver, world.scene, above, 0, nail, nullptr) == GPHYS_OK);
+            const gphys_body_id body = hang(world, kind);
+            if (lies) {
+                std::vector<gphys_vec3> places = world.positions(body);
+                for (gphys_vec3& place : places) place.y -= 1.5f;
+                REQUIRE(gphys_solver_set_positions(world.solver, body, 0, static_cast<uint32_t>(places.size()),
+                                                   places.data(), 12) == GPHYS_OK);
+            }
+            join(world, body, above);
+            for (int i = 0; i < 900; ++i) world.step(frame);
+            INFO(static_cast<int>(kind) << ' ' << lies);
+            CHECK(std::fabs(force_of_joint(world) - 2 * g) < 5e-3 * 2 * g);
+            const double held = linear(world, lies ? floor : nail).y, wanted = (lies ? 3 : 2.5) * g * frame;
+            CHECK(std::fabs(held + wanted) < 5e-3 * wanted);
+        }
+    }
+}
+
+TEST_CASE("What is joined and lies on the ground presses it with its weight") {
+    for (const Hung kind : {Hung::rope, Hung::sheet, Hung::crate}) {
+        World world(8);
+        const gphys_model_id floor = ground(world);
+        gphys_body_id bodies[2];
+        for (int i = 0; i < 2; ++i) {
+            bodies[i] = hang(world, kind);
+            std::vector<gphys_vec3> places = world.positions(bodies[i]);
+            for (gphys_vec3& place : places) {
+                const float down = 1 - place.y;
+                // A crate stands, others lie.
+                place = kind == Hung::crate ? gphys_vec3{place.x + static_cast<float>(i), 0.2101f - down, place.z}
+                                            : gphys_vec3{place.x + static_cast<float>(i), 0.0101f, place.z + down};
+            }
+            REQUIRE(gphys_solver_set_positions(world.solver, bodies[i], 0, static_cast<uint32_t>(places.size()),
+                                               places.data(), 12) == GPHYS_OK);
+            gphys_body_settings settings{};
+            REQUIRE(gphys_solver_get_body_settings(world.solver, bodies[i], &settings) == GPHYS_OK);
+            settings.layers = GPHYS_ALL_LAYERS;
+            REQUIRE(gphys_solver_set_body_settings(world.solver, bodies[i], &settings) == GPHYS_OK);
+        }
+        gphys_joint_id joint = 0;
+        const uint32_t corner = kind == Hung::crate ? 2 : 0;  // at the bottom
+        REQUIRE(gphys_solver_join(world.solver, bodies[0], corner, bodies[1], corner, -1, 0, &joint) == GPHYS_OK);
+        for (int i = 0; i < 300; ++i) world.step(frame);
+        INFO(static_cast<int>(kind));
+        CHECK(std::fabs(linear(world, floor).y + 4 * g * frame) < 5e-3 * 4 * g * frame);
+    }
+}
+
 TEST_CASE("A whirling rope pulls its model with the centripetal force, and a string that snaps taut with its jerk") {
     World world(16, {0, 0, 0});
     const gphys_model_id hub = ball(world, 1e4f, 0, 0);

@@ -449,13 +449,9 @@ void relax_links_between_contacts(const Collider& collider, Body& body) {
 /// solution are in its velocity, and are transferred from there.
 void add_impulses_through_held(Body& body, const CollisionContext& around, const SolvedAgain& again) {
     const auto add_to_holder = [&](uint32_t p, Vec3 impulse) {
-        if (!body.contacts.held[p] || body.particles.pinned(p)) return;
-        const ContactPoint& point =
-            body.contacts.points[size_t{p} * contact_points_per_particle + body.contacts.held[p] - 1];
-        add_impulse(body, around, point.model,
-                    body.particles.position[p] - widen(point.normal) * body.particles.radius[p], impulse);
+        if (body.contacts.held[p] && !body.particles.pinned(p)) add_holder_impulse(body, around, p, impulse);
     };
-    const double to_impulse = again.step * again.step * again.rate;
+    const double to_impulse = again.to_impulse();
     for (const Chain& chain : body.plan.chains) {
         for (uint32_t i = 0; i < chain.link_count; ++i) {
             const uint32_t a = body.plan.particles[chain.first_particle + i];
@@ -475,6 +471,13 @@ void add_impulses_through_held(Body& body, const CollisionContext& around, const
 }
 
 }  // namespace
+
+void add_holder_impulse(Body& body, const CollisionContext& around, uint32_t particle, Vec3 impulse) {
+    const ContactPoint& point =
+        body.contacts.points[size_t{particle} * contact_points_per_particle + body.contacts.held[particle] - 1];
+    add_impulse(body, around, point.model,
+                body.particles.position[particle] - widen(point.normal) * body.particles.radius[particle], impulse);
+}
 
 void collide(Body& body, const CollisionContext& around, double bounce_threshold) {
     body.contacts.has_contact = body.contacts.penetrating = false;

@@ -286,9 +286,14 @@ void relax_contacts(Body& body, const CollisionContext& around);
 struct SolvedAgain {
     double step;  // seconds: a force f moves a particle of mass m by f / m * step^2
     double rate;  // 1/s: a correction of the position times this is that of the velocity
+
+    /// Of a force that acts in the second solution.
+    double to_impulse() const { return step * step * rate; }
 };
 /// ... and after it, to sweep what they have moved.
 void collide_again(Body& body, const CollisionContext& around, double bounce_threshold, const SolvedAgain& again);
+/// An impulse on a particle that friction holds goes to the model that it is held on.
+void add_holder_impulse(Body& body, const CollisionContext& around, uint32_t particle, Vec3 impulse);
 
 /// A speed that gravity adds in two substeps is too small to bounce.
 inline double find_bounce_threshold(Vec3 gravity, double h) { return 2 * h * length(gravity); }

@@ -64,7 +64,12 @@ void sweep_joined_cloth(const Joined& joined, Body& body, uint32_t slot, const C
         if (!moves(*tether)) continue;
         const float* pull = &pulls[4 * size_t{tether->particle}];
         const Vec3 force = get(pull) * (body.cloth.state.average_mass / (step * step));
-        joined.all_systems[tether->system].apply_force(tether->node, force);
+        JointSystem& system = joined.all_systems[tether->system];
+        system.apply_force(tether->node, force);
+        // The joints move the particle from there. What then lacks to its place is the part of its contact.
+        if (body.cloth.contacts.any_active())
+            put(&body.cloth.contacts.saved[4 * size_t{tether->particle}],
+                system.node(tether->node).predicted - body.cloth.state.origin);
     }
     for (auto tether = begin; tether != end; ++tether) {
         JointSystem& system = joined.all_systems[tether->system];
@@ -92,7 +97,7 @@ void collide_joined(const Joined& joined, const CollisionContext& around, double
             body.history.start = body.particles.position;
         }
     });
-    gather_systems(joined, h);
+    each_system(joined, [&](JointSystem& system) { system.gather_again(joined.bodies, h); });
     solve_systems(joined);
     each_system(joined, [&](const JointSystem& system) { system.scatter_tensions(joined.bodies, joined.joints); });
     each_body(joined, [&](Body& body, uint32_t) {

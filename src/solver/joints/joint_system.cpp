@@ -9,6 +9,7 @@
 // joints that close loops would need an additional dense system, where SparseLdl includes them in its order. It would
 // also change the bits of all trees.
 #include "solver/body_table.h"
+#include "solver/contact/collision.h"
 #include "solver/contact/impulses.h"
 #include "solver/joints/elimination_order.h"
 #include "solver/joints/joints.h"
@@ -153,20 +154,25 @@ void JointSystem::plan() {
     solution_.resize(scalar);
 }
 
-void JointSystem::gather(const BodyTable& bodies, const Vector<Joint>& joints, double h) {
+void JointSystem::gather_nodes(const BodyTable& bodies, double h, bool predicts_cloth) {
     for (Node& node : nodes_) {
         const Body& body = bodies[node.body];
         const double step = TimeScheme(h, body.history.earlier_step).step(body.settings.damping);
         node.free = !body.particles.pinned(node.particle);
         node.weight = body.particles.mass[node.particle] / (step * step);
         if (node.of_graph) {
-            node.position = node.predicted = node.before = cloth_position(body.cloth.state, node.particle);
+            if (predicts_cloth)
+                node.position = node.predicted = node.before = cloth_position(body.cloth.state, node.particle);
         } else {
             node.position = body.particles.position[node.particle];
             node.predicted = body.history.predicted[node.particle];
             node.before = body.history.start[node.particle];
         }
     }
+}
+
+void JointSystem::gather(const BodyTable& bodies, const Vector<Joint>& joints, double h) {
+    gather_nodes(bodies, h, true);
     for (Link& link : links_) {
         if (link.owner == of_joint) {
             const Joint& joint = joints[link.index];
@@ -234,13 +240,24 @@ void JointSystem::scatter_tensions(BodyTable& bodies, Vector<Joint>& joints) con
 }
 
 void JointSystem::add_anchor_impulses(BodyTable& bodies, const CollisionContext& around, double h) const {
+    const auto add_to_model = [&](const Node& node, Vec3 force) {
+        if (node.free) return;
+        Body& body = bodies[node.body];
+        if (body.particles.pinned(node.particle)) {
+            add_anchor_impulse(body, around, node.particle, force * h);
+        } else {
+            const TimeScheme scheme(h, body.history.earlier_step);
+            const SolvedAgain again{scheme.step(body.settings.damping), scheme.next / h};
+            add_holder_impulse(body, around, node.particle, force * again.to_impulse());
+        }
+    };
     for (const Link& link : links_) {
         if (link.owner != of_joint) continue;  // chains add their own
         const Node &a = nodes_[link.a], &b = nodes_[link.b];
         if (a.free && b.free) continue;
-        const Vec3 pull = linearise(link).direction * (link.tension * h);
-        if (!a.free) add_anchor_impulse(bodies[a.body], around, a.particle, pull);
-        if (!b.free) add_anchor_impulse(bodies[b.body], around, b.particle, -pull);
+        const Vec3 pull = linearise(link).direction * link.tension;
+        add_to_model(a, pull);
+        add_to_model(b, -pull);
     }
 }
 

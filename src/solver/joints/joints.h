@@ -91,9 +91,12 @@ public:
 
     /// Copies the predicted state of a substep from the bodies, and the solved one back.
     void gather(const BodyTable& bodies, const Vector<Joint>& joints, double h);
+    /// The same once more in a substep, when contacts hold particles: the forces of cloth go on acting on its nodes.
+    void gather_again(const BodyTable& bodies, double h) { gather_nodes(bodies, h, false); }
     void scatter(BodyTable& bodies) const;
     void scatter_tensions(BodyTable& bodies, Vector<Joint>& joints) const;
-    /// Adds the tensions of joints at attached particles to the impulses of their models.
+    /// Adds the tensions of joints at particles that are attached, or that friction holds, to the impulses of their
+    /// models.
     void add_anchor_impulses(BodyTable& bodies, const CollisionContext& around, double h) const;
     /// Applies a force, newtons, to a node during the substep under way. Then the solution is outdated.
     void apply_force(uint32_t node, Vec3 force) {
@@ -119,6 +122,8 @@ private:
         double error, stiffness, softness;  // m, N/m, m/N
         bool active;
     };
+    /// `predicts_cloth`: the nodes of cloth are where they are predicted, before any force of its chains.
+    void gather_nodes(const BodyTable& bodies, double h, bool predicts_cloth);
     LinkEquation linearise(const Link& link) const;
     Vec3 strain(const NodeBend& bend) const;
     void assemble();
