@@ -246,7 +246,9 @@ TEST_CASE("what is no snapshot of a mesh is refused") {
         CHECK(std::string(gphys_last_error()) == std::string("gphys_mesh_create_from_snapshot: ") + why);
     };
     refused_as(0, 0x6d687067, "words: the byte order is not that of this machine");
-    refused_as(0, 0x6770686e, "words: the magic number is not that of a snapshot of this kind");
+    refused_as(0, 0x6770686e, "words: they are a snapshot of a solver");
+    refused_as(0, 0x67706873, "words: they are a snapshot of a scene");
+    refused_as(0, 7, "words: they are no snapshot, by their first word");
     refused_as(1, 2, "words: the format is not one that this version of the library reads");
     refused_as(1, 0, "words: the format is not one that this version of the library reads");
     refused_as(2, 7, "count is not the number of words of the snapshot");

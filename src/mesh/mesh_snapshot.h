@@ -39,7 +39,6 @@ struct MeshSnapshotSizes {
     uint32_t vertices, indices, nodes;
     uint32_t degenerate, first_degenerate, open_edges;
 };
-constexpr uint32_t mesh_snapshot_magic = 0x6770686d;
 constexpr uint32_t mesh_snapshot_format = 1;
 /// Size of the header and the sizes.
 constexpr uint32_t mesh_snapshot_begin = snapshot_header_words + sizeof(MeshSnapshotSizes) / 4;

@@ -31,7 +31,6 @@ struct SceneSnapshotSizes {
 constexpr uint32_t has_places = 1;  // places in the world (set_origin)
 constexpr uint32_t has_scales = 2;  // scales per axis; else all are one
 
-constexpr uint32_t scene_snapshot_magic = 0x67706873;
 constexpr uint32_t scene_snapshot_format = 1;
 
 /// Of the words between the header and the embedded meshes.

@@ -14,7 +14,6 @@
 namespace gphys {
 namespace {
 
-constexpr uint32_t magic = 0x6770686e;
 // Version of the list below: increase it when that changes.
 constexpr uint32_t format = 9;
 
@@ -240,14 +239,15 @@ gphys_status Solver::snapshot(uint32_t* out, uint32_t capacity, uint32_t& total)
     GPHYS_TRY(fit_snapshot(count.words + snapshot_header_words, capacity, total));
     WordCopy copy{out + snapshot_header_words};
     write(copy, state_);
-    write_header(out, magic, format, total, hash_of(out + snapshot_header_words, count.words));
+    write_header(out, solver_snapshot_magic, format, total, hash_of(out + snapshot_header_words, count.words));
     return GPHYS_OK;
 }
 
 gphys_status Solver::restore(const uint32_t* words, uint32_t count) {
     const auto rejected = [](const char* why) { return fail(GPHYS_ERROR_INVALID_ARGUMENT, why); };
     SnapshotHeader header;
-    if (const char* wrong = read_header(words, count, magic, format, format, header)) return rejected(wrong);
+    if (const char* wrong = read_header(words, count, solver_snapshot_magic, format, format, header))
+        return rejected(wrong);
     if (!header.has_checksum(hash_of(words + snapshot_header_words, count - snapshot_header_words))) {
         return rejected("words: the checksum is not that of the contents");
     }
