@@ -6,8 +6,12 @@
 namespace gphys {
 namespace {
 
-bool raycast(const ShapeOrMesh& target, const Ray& ray, Hit& hit) {
-    return target.mesh ? target.mesh->raycast(ray, hit) : raycast(target.shape, ray, hit);
+gphys_status cast(const ShapeOrMesh& target, const Ray& ray, gphys_hit& out) {
+    if (target.mesh) return target.mesh->raycast(ray, out) ? GPHYS_OK : GPHYS_NO_HIT;
+    Hit hit;
+    if (!raycast(target.shape, ray, hit)) return GPHYS_NO_HIT;
+    out = to_hit(hit);
+    return GPHYS_OK;
 }
 
 void raycast_by_tiles(const Mesh& mesh, const Strided<gphys_ray>& ray, uint32_t count,
@@ -37,10 +41,7 @@ gphys_status gphys_shape_raycast(gphys_shape_type type, const void* shape, const
         ShapeOrMesh target;
         GPHYS_TRY(read_shape(type, shape, target));
         GPHYS_REQUIRE_VALID(*ray);
-        Hit hit;
-        if (!raycast(target, widen(*ray), hit)) return GPHYS_NO_HIT;
-        *out_hit = to_hit(hit);
-        return GPHYS_OK;
+        return cast(target, widen(*ray), *out_hit);
     });
 }
 
@@ -74,10 +75,7 @@ gphys_status gphys_shape_segment_test(gphys_shape_type type, const void* shape, 
         ShapeOrMesh target;
         GPHYS_TRY(read_shape(type, shape, target));
         GPHYS_REQUIRE_VALID(*segment);
-        Hit hit;
-        if (!raycast(target, ray_along(widen(*segment)), hit)) return GPHYS_NO_HIT;
-        *out_hit = to_hit(hit);
-        return GPHYS_OK;
+        return cast(target, ray_along(widen(*segment)), *out_hit);
     });
 }
 

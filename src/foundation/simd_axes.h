@@ -31,6 +31,7 @@ GPHYS_INLINE Axes operator+(Axes a, Axes b) { return _mm256_add_pd(a.v, b.v); }
 GPHYS_INLINE Axes operator-(Axes a, Axes b) { return _mm256_sub_pd(a.v, b.v); }
 GPHYS_INLINE Axes operator-(Axes a) { return _mm256_xor_pd(_mm256_set1_pd(-0.0), a.v); }
 GPHYS_INLINE Axes operator*(Axes a, double s) { return _mm256_mul_pd(a.v, _mm256_set1_pd(s)); }
+GPHYS_INLINE Axes operator/(Axes a, double s) { return _mm256_div_pd(a.v, _mm256_set1_pd(s)); }
 GPHYS_INLINE Axes plus(Axes a, double s) { return _mm256_add_pd(a.v, _mm256_set1_pd(s)); }
 GPHYS_INLINE Axes minus(Axes a, double s) { return _mm256_sub_pd(a.v, _mm256_set1_pd(s)); }
 GPHYS_INLINE Axes by_component(Axes a, Axes b) { return _mm256_mul_pd(a.v, b.v); }
@@ -58,6 +59,12 @@ GPHYS_INLINE double max_component(Axes a) { return _mm256_cvtsd_f64(greatest_of(
 GPHYS_INLINE double min_component(Axes a) {
     const Axes halves = min(a, permuted<2, 3, 0, 1>(a));
     return _mm256_cvtsd_f64(min(halves, _mm256_permute_pd(halves.v, 0x5)).v);
+}
+
+GPHYS_INLINE double dot(Axes a, Axes b) {
+    const __m256d products = _mm256_mul_pd(a.v, b.v);
+    const __m128d xy = _mm256_castpd256_pd128(products), z = _mm256_extractf128_pd(products, 1);
+    return _mm_cvtsd_f64(xy) + _mm_cvtsd_f64(_mm_unpackhi_pd(xy, xy)) + _mm_cvtsd_f64(z);
 }
 
 /// Of the greatest component, the first of equal ones (math.h).

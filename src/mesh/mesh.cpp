@@ -190,11 +190,13 @@ bool crosses_alone(const Ray& ray, const TrianglePacket& packet, uint32_t lane, 
 
 }  // namespace
 
+MeshTree Mesh::tree() const {
+    return {bvh_.nodes(), bvh_.root(), is_hull(), packets_.data(), rays_root_, center_, radius_, crosses_alone};
+}
+
 NearestCrossing Mesh::crossing_by(decltype(MeshKernels::closest) kernel, const Ray& ray) const {
     NearestCrossing nearest;
-    if (!packets_.empty()) {
-        kernel(bvh_.nodes(), bvh_.root(), packets_.data(), ray, rays_root_, is_hull(), crosses_alone, nearest);
-    }
+    if (!packets_.empty()) kernel(tree(), ray, nearest, nullptr);
     return nearest;
 }
 
@@ -209,6 +211,25 @@ bool Mesh::raycast(const Ray& ray, Hit& hit) const {
     if (magnified_) return magnified_->raycast(magnified(ray), hit) && reduce(hit);
     if (is_hull() && contains(ray.origin)) return started_inside(ray, hit);
     return hit_at(crossing_by(kernels_.closest, ray), ray, hit);
+}
+
+bool Mesh::raycast(const Ray& ray, gphys_hit& out) const {
+    Hit hit;
+    if (!is_plain()) {
+        if (!raycast(ray, hit)) return false;
+    } else {
+        NearestCrossing nearest;
+        if (kernels_.closest(tree(), ray, nearest, &out)) return true;
+        if (!hit_at(nearest, ray, hit)) return false;
+    }
+    out = to_hit(hit);
+    return true;
+}
+
+bool Mesh::cross_placed(bool any, const Ray& ray, const gphys_transform& world, const Vec3& axes,
+                        NearestCrossing& nearest, gphys_hit* hit) const {
+    const auto kernel = any ? kernels_.any_placed : kernels_.closest_placed;
+    return kernel(tree(), ray, &world.position.x, axes, nearest, hit);
 }
 
 bool Mesh::raycast_distance(const Ray& ray, gphys_distance& out) const {

@@ -109,6 +109,13 @@ public:
     void for_each_box(Visit&& visit) const;
 
     bool raycast(const Ray& ray, Hit& hit) const;
+    /// The same, rounded.
+    bool raycast(const Ray& ray, gphys_hit& hit) const;
+    /// Whether cross_placed answers the ray.
+    bool crosses_placed(const Ray& ray) const { return !ray.is_segment && is_plain(); }
+    /// MeshKernels::closest_placed, or with `any` any_placed.
+    bool cross_placed(bool any, const Ray& ray, const gphys_transform& world, const Vec3& axes,
+                      NearestCrossing& nearest, gphys_hit* hit) const;
     /// The first hit of the ray: its t and triangle, as they are reported.
     bool raycast_distance(const Ray& ray, gphys_distance& out) const;
     /// The same answers for up to rays_at_once rays, rounded: bit i of the result is set if *rays[i] hits, and then
@@ -195,6 +202,8 @@ private:
     MeshArrays arrays() const;
 
     bool is_links() const { return kind_ == MeshKind::body_links; }
+    /// Whether rays meet the triangles and nothing else.
+    bool is_plain() const { return !magnified_ && !is_links() && !is_hull() && !packets_.empty(); }
     /// Whether the rays of a batch are cast one by one.
     bool is_cast_singly() const { return magnified_ || is_links(); }
     /// The solid overlaps the hull.
@@ -274,6 +283,7 @@ private:
         PreparedRays() {}
         PreparedRay of[rays_at_once];
     };
+    MeshTree tree() const;
     NearestCrossing crossing_by(decltype(MeshKernels::closest) kernel, const Ray& ray) const;
     /// at(i, hit) for each ray, in the mesh's own space, that begins inside a hull. Returns their bits.
     template <class RayOf, class At>

@@ -15,6 +15,24 @@ struct MeshInstance {
     MeshPlace place() const { return {world, axes}; }
 };
 
+/// A mesh as a model stores it: single rays are transformed by kernels, for the few that meet it.
+struct PlacedMesh {
+    const Mesh& mesh;
+    const gphys_transform& world;
+    Vec3 axes{1, 1, 1};
+
+    /// visit(MeshInstance)
+    template <class Visit>
+    auto with_instance(const Visit& visit) const {
+        const Transform wide = widen(world);
+        return visit(MeshInstance{mesh, wide, AxisScale(axes)});
+    }
+};
+/// As of a MeshInstance, rounded.
+bool raycast(const PlacedMesh& placed, const Ray& ray, gphys_hit& hit);
+bool raycast_any(const PlacedMesh& placed, const Ray& ray);
+bool raycast_distance(const PlacedMesh& placed, const Ray& ray, gphys_distance& out);
+
 /// The bounds of an empty mesh are its position.
 Box bounds(const MeshInstance& instance);
 bool raycast(const MeshInstance& instance, const Ray& ray, Hit& hit);

@@ -286,8 +286,19 @@ uint32_t lanes_near_weighted(const TrianglePacket& packet, const WeightedPointPr
 
 }  // namespace
 
-extern const MeshKernels mesh_kernels{
-    prepare,           prepare_placed, walk_ray,     cast_ray<ClosestHit>, cast_ray<AnyHit>,    walk_rays<ClosestHit>,
-    walk_rays<AnyHit>, hits,           lanes_in_box, lanes_along,          lanes_near_weighted, placed_hits};
+extern const MeshKernels mesh_kernels{prepare,
+                                      prepare_placed,
+                                      walk_ray,
+                                      cast_ray<ClosestHit>,
+                                      cast_ray<AnyHit>,
+                                      cast_ray_at_placed<ClosestHit>,
+                                      cast_ray_at_placed<AnyHit>,
+                                      walk_rays<ClosestHit>,
+                                      walk_rays<AnyHit>,
+                                      hits,
+                                      lanes_in_box,
+                                      lanes_along,
+                                      lanes_near_weighted,
+                                      placed_hits};
 
 }  // namespace gphys::GPHYS_ISA

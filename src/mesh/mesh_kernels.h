@@ -22,6 +22,18 @@ using CrossesTriangle = bool (*)(const PreparedRay& ray, const TrianglePacket& p
 using CrossesTriangleAlone = bool (*)(const Ray& ray, const TrianglePacket& packet, uint32_t lane,
                                       TriangleCrossing& crossing);
 
+/// A mesh, as kernels for a single ray read it.
+struct MeshTree {
+    const BvhNode* nodes;
+    uint32_t root;
+    bool only_front;  // triangles have one side
+    const TrianglePacket* packets;
+    const RootBounds& box;
+    const Vec3& center;  // of the ball around the mesh
+    double radius;
+    CrossesTriangleAlone exact;
+};
+
 struct MeshKernels {
     /// Prepares many rays, with the same bits as one by one. `count` is at least 1. Writes a multiple of eight rays.
     void (*prepare)(const gphys_ray* const* rays, uint32_t count, const RootBounds& root, PreparedRay* to);
@@ -31,12 +43,17 @@ struct MeshKernels {
     /// Traverses a BVH whose items are the indices of `packets`, roughly front to back.
     void (*ray)(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay& ray,
                 const PacketVisitor& to);
-    /// closest: the nearest crossing of one ray with a triangle, on the sides that the ray allows (Ray::faces), or with
-    /// `only_front` on the front. any: any such crossing.
-    void (*closest)(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const Ray& ray,
-                    const RootBounds& box, bool only_front, CrossesTriangleAlone exact, NearestCrossing& nearest);
-    void (*any)(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const Ray& ray,
-                const RootBounds& box, bool only_front, CrossesTriangleAlone exact, NearestCrossing& nearest);
+    /// closest: the nearest crossing of one ray with a triangle, on the sides that the ray allows (Ray::faces) and the
+    /// mesh has. any: any such crossing. With `hit` also the hit; the result is whether it was written, which it need
+    /// not be.
+    bool (*closest)(const MeshTree& mesh, const Ray& ray, NearestCrossing& nearest, gphys_hit* hit);
+    bool (*any)(const MeshTree& mesh, const Ray& ray, NearestCrossing& nearest, gphys_hit* hit);
+    /// The same at the place of a model (simd_rotation.h), with a scale for each axis, of a ray in the world that is no
+    /// segment.
+    bool (*closest_placed)(const MeshTree& mesh, const Ray& ray, const float* model, const Vec3& axes,
+                           NearestCrossing& nearest, gphys_hit* hit);
+    bool (*any_placed)(const MeshTree& mesh, const Ray& ray, const float* model, const Vec3& axes,
+                       NearestCrossing& nearest, gphys_hit* hit);
     /// The nearest crossings of many rays on any side, or with `only_front` on the front. together: the rays form a
     /// packet, at most RayPackets::max_rays with the same signs of direction.
     void (*rays)(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay* rays,

@@ -343,6 +343,11 @@ private:
         const gphys_shape_type type = models_[slot].type();
         return box_kernels_ && (type == GPHYS_SHAPE_AABB || type == GPHYS_SHAPE_OBB);
     }
+    bool is_mesh(uint32_t slot) const { return models_[slot].type() == GPHYS_SHAPE_MESH; }
+    PlacedMesh placed_mesh(uint32_t slot) const {
+        const ModelMesh stored = this->stored<ModelMesh>(slot);
+        return {*stored.mesh, models_[slot].world, widen(stored.scale)};
+    }
     TriState raycast_box(uint32_t slot, const Ray& ray, Hits8::Rounded& hit) const;
     TriState meets_box(uint32_t slot, const Ray& ray) const;
     template <class Answers, class OnHit>
@@ -353,9 +358,7 @@ private:
     gphys_status change_shape(uint32_t slot, gphys_shape_type type, const void* shape, const gphys_vec3& scale);
     gphys_vec3 scale_of(uint32_t slot) const;
     /// Null if it is a primitive.
-    const Mesh* stored_mesh(uint32_t slot) const {
-        return models_[slot].type() == GPHYS_SHAPE_MESH ? stored<ModelMesh>(slot).mesh : nullptr;
-    }
+    const Mesh* stored_mesh(uint32_t slot) const { return is_mesh(slot) ? stored<ModelMesh>(slot).mesh : nullptr; }
     void release_shape(uint32_t slot);
     void release_mesh(const Mesh* mesh, uint32_t slot);
     void list_large_mesh(uint32_t slot);
