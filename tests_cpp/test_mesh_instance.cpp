@@ -89,3 +89,55 @@ TEST_CASE("a ray that meets a mesh is never held off by what encloses it") {
         Mesh::release(mesh);
     }
 }
+
+TEST_CASE("a ray that a kernel transforms gets the bits of one that scalar code transforms, on every instruction set") {
+    test::Arrays flat = test::sphere(2).placed({1, 0, 2}, {3, 1, 1});
+    flat.add(0, 0, 5);  // without a normal
+    flat.add(3, 2, 3);
+    const test::Arrays shapes[] = {test::sphere(1), flat, test::sphere(2).placed({-40, 3, 7}, {9, 0.001, 2})};
+    const auto bits_differ = [](const auto& a, const auto& b) { return std::memcmp(&a, &b, sizeof a) != 0; };
+    for (const Isa isa : test::isas()) {
+        Lattice lattice;
+        int met = 0, differ = 0;
+        for (const test::Arrays& arrays : shapes) {
+            Mesh* mesh = arrays.make(nullptr, isa);
+            const Vec3 middle = mesh->center();
+            for (int i = 0; i < 12000; ++i) {
+                const bool coarse = i % 2 == 0;
+                gphys_transform stored = lattice.transform(coarse);
+                if (i % 5 == 0) stored.scale = 0x1p-3f;
+                const AxisScale axes(i % 3 == 0 ? Vec3{2, 0.5f, 1.25f} : Vec3{1, 1, 1});
+                const Transform world = widen(stored);
+                const MeshInstance instance{*mesh, world, axes};
+                Ray ray = lattice.ray(coarse);
+                if (i % 4 != 0) ray.origin = ray.origin + instance.place().apply(middle);
+                if (i % 7 == 0) ray.faces.back = false;
+                if (i % 11 == 0) ray.faces.front = false;
+                const PlacedMesh placed{*mesh, stored, axes.by};
+                REQUIRE(mesh->crosses_placed(ray));
+
+                Hit exact;
+                gphys_hit hit{}, expected{};
+                const bool truth = raycast(instance, ray, exact);
+                if (truth) expected = to_hit(exact);
+                met += truth;
+                differ += raycast(placed, ray, hit) != truth || bits_differ(hit, expected);
+                differ += raycast_any(placed, ray) != truth;
+                gphys_distance distance{}, expected_distance{};
+                const bool found = raycast_distance(placed, ray, distance);
+                raycast_distance(instance, ray, expected_distance);
+                differ += found != truth || bits_differ(distance, expected_distance);
+
+                Hit own;
+                gphys_hit rounded{}, expected_own{};
+                if (mesh->raycast(ray, own)) expected_own = to_hit(own);
+                mesh->raycast(ray, rounded);
+                differ += bits_differ(rounded, expected_own);
+            }
+            Mesh::release(mesh);
+        }
+        INFO(name_of(isa));
+        CHECK(differ == 0);
+        CHECK(met > 2000);
+    }
+}

@@ -35,6 +35,10 @@ template <class MakeVisit>
 void Bvh8::traverse_ray(decltype(BvhKernels::ray) kernel, const Ray& ray, double t_max, const MakeVisit& make_visit,
                         ItemMemory items) const {
     if (root_ == none) return;
+    if (size_ == 1 && is_leaf(root_)) {  // a test of the item says as much as one of its box
+        make_visit()(nodes_[index_of(root_)].child[0], t_max);
+        return;
+    }
     RayProbe probe;
     const float limit = kernels_.probe(ray, t_max, bounds_, probe);
     if (!(limit >= 0)) return;

@@ -182,16 +182,8 @@ Ray Mesh::magnified(const Ray& ray) const {
     return result;
 }
 
-namespace {
-
-bool crosses_alone(const Ray& ray, const TrianglePacket& packet, uint32_t lane, TriangleCrossing& crossing) {
+bool Mesh::crosses_alone(const Ray& ray, const TrianglePacket& packet, uint32_t lane, TriangleCrossing& crossing) {
     return crosses(packet.triangle(static_cast<int>(lane)), ShearedRay(ray), crossing);
-}
-
-}  // namespace
-
-MeshTree Mesh::tree() const {
-    return {bvh_.nodes(), bvh_.root(), is_hull(), packets_.data(), rays_root_, center_, radius_, crosses_alone};
 }
 
 NearestCrossing Mesh::crossing_by(decltype(MeshKernels::closest) kernel, const Ray& ray) const {
@@ -213,23 +205,24 @@ bool Mesh::raycast(const Ray& ray, Hit& hit) const {
     return hit_at(crossing_by(kernels_.closest, ray), ray, hit);
 }
 
-bool Mesh::raycast(const Ray& ray, gphys_hit& out) const {
+namespace {
+
+/// Not inlined: kernels write most hits.
+template <class Find>
+GPHYS_NOINLINE bool round_hit(const Find& find, gphys_hit& out) {
     Hit hit;
-    if (!is_plain()) {
-        if (!raycast(ray, hit)) return false;
-    } else {
-        NearestCrossing nearest;
-        if (kernels_.closest(tree(), ray, nearest, &out)) return true;
-        if (!hit_at(nearest, ray, hit)) return false;
-    }
+    if (!find(hit)) return false;
     out = to_hit(hit);
     return true;
 }
 
-bool Mesh::cross_placed(bool any, const Ray& ray, const gphys_transform& world, const Vec3& axes,
-                        NearestCrossing& nearest, gphys_hit* hit) const {
-    const auto kernel = any ? kernels_.any_placed : kernels_.closest_placed;
-    return kernel(tree(), ray, &world.position.x, axes, nearest, hit);
+}  // namespace
+
+bool Mesh::raycast(const Ray& ray, gphys_hit& out) const {
+    if (!is_plain()) return round_hit([&](Hit& hit) { return raycast(ray, hit); }, out);
+    NearestCrossing nearest;
+    if (kernels_.closest(tree(), ray, nearest, &out)) return true;
+    return nearest.triangle != GPHYS_NO_TRIANGLE && round_hit([&](Hit& hit) { return hit_at(nearest, ray, hit); }, out);
 }
 
 bool Mesh::raycast_distance(const Ray& ray, gphys_distance& out) const {

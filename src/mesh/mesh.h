@@ -115,7 +115,10 @@ public:
     bool crosses_placed(const Ray& ray) const { return !ray.is_segment && is_plain(); }
     /// MeshKernels::closest_placed, or with `any` any_placed.
     bool cross_placed(bool any, const Ray& ray, const gphys_transform& world, const Vec3& axes,
-                      NearestCrossing& nearest, gphys_hit* hit) const;
+                      NearestCrossing& nearest, gphys_hit* hit) const {
+        const auto kernel = any ? kernels_.any_placed : kernels_.closest_placed;
+        return kernel(tree(), ray, &world.position.x, axes, nearest, hit);
+    }
     /// The first hit of the ray: its t and triangle, as they are reported.
     bool raycast_distance(const Ray& ray, gphys_distance& out) const;
     /// The same answers for up to rays_at_once rays, rounded: bit i of the result is set if *rays[i] hits, and then
@@ -283,7 +286,11 @@ private:
         PreparedRays() {}
         PreparedRay of[rays_at_once];
     };
-    MeshTree tree() const;
+    MeshTree tree() const {
+        return {bvh_.nodes(), bvh_.root(), is_hull(), packets_.data(), rays_root_, center_, radius_, crosses_alone};
+    }
+    /// MeshTree::exact
+    static bool crosses_alone(const Ray& ray, const TrianglePacket& packet, uint32_t lane, TriangleCrossing& crossing);
     NearestCrossing crossing_by(decltype(MeshKernels::closest) kernel, const Ray& ray) const;
     /// at(i, hit) for each ray, in the mesh's own space, that begins inside a hull. Returns their bits.
     template <class RayOf, class At>

@@ -58,41 +58,37 @@ bool raycast(const MeshInstance& instance, const Ray& ray, Hit& hit) {
     return true;
 }
 
+namespace {
+
+/// Not inlined: kernels write most hits.
+GPHYS_NOINLINE void write_hit(const PlacedMesh& placed, const Ray& ray, const NearestCrossing& nearest,
+                              gphys_hit& out) {
+    const Transform world = widen(placed.world);
+    const AxisScale axes(placed.axes);
+    const MeshPlace place{world, axes};
+    Hit hit;
+    hit_at(nearest, into_mesh(ray, place), hit);
+    placed.mesh.carry_out(hit, ray, place);
+    out = to_hit(hit);
+}
+
+}  // namespace
+
 bool raycast(const PlacedMesh& placed, const Ray& ray, gphys_hit& out) {
-    const Mesh& mesh = placed.mesh;
     NearestCrossing nearest;
-    const bool crosses = mesh.crosses_placed(ray);
-    if (crosses) {
-        if (mesh.cross_placed(false, ray, placed.world, placed.axes, nearest, &out)) return true;
-        if (nearest.triangle == GPHYS_NO_TRIANGLE) return false;
-    }
-    return placed.with_instance([&](const MeshInstance& instance) {
-        Hit hit;
-        if (crosses) {
-            const MeshPlace place = instance.place();
-            hit_at(nearest, into_mesh(ray, place), hit);
-            mesh.carry_out(hit, ray, place);
-        } else if (!raycast(instance, ray, hit)) {
-            return false;
-        }
-        out = to_hit(hit);
-        return true;
-    });
+    if (placed.mesh.cross_placed(false, ray, placed.world, placed.axes, nearest, &out)) return true;
+    if (nearest.triangle == GPHYS_NO_TRIANGLE) return false;
+    write_hit(placed, ray, nearest, out);
+    return true;
 }
 
 bool raycast_any(const PlacedMesh& placed, const Ray& ray) {
-    if (!placed.mesh.crosses_placed(ray)) {
-        return placed.with_instance([&](const MeshInstance& instance) { return raycast_any(instance, ray); });
-    }
     NearestCrossing nearest;
     placed.mesh.cross_placed(true, ray, placed.world, placed.axes, nearest, nullptr);
     return nearest.triangle != GPHYS_NO_TRIANGLE;
 }
 
 bool raycast_distance(const PlacedMesh& placed, const Ray& ray, gphys_distance& out) {
-    if (!placed.mesh.crosses_placed(ray)) {
-        return placed.with_instance([&](const MeshInstance& instance) { return raycast_distance(instance, ray, out); });
-    }
     NearestCrossing nearest;
     placed.mesh.cross_placed(false, ray, placed.world, placed.axes, nearest, nullptr);
     out = {nearest.t, 0, nearest.triangle};

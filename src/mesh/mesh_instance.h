@@ -15,18 +15,11 @@ struct MeshInstance {
     MeshPlace place() const { return {world, axes}; }
 };
 
-/// A mesh as a model stores it: single rays are transformed by kernels, for the few that meet it.
+/// A mesh as a model stores it, for rays that kernels transform (Mesh::crosses_placed). `axes` is the scale per axis.
 struct PlacedMesh {
     const Mesh& mesh;
     const gphys_transform& world;
     Vec3 axes{1, 1, 1};
-
-    /// visit(MeshInstance)
-    template <class Visit>
-    auto with_instance(const Visit& visit) const {
-        const Transform wide = widen(world);
-        return visit(MeshInstance{mesh, wide, AxisScale(axes)});
-    }
 };
 /// As of a MeshInstance, rounded.
 bool raycast(const PlacedMesh& placed, const Ray& ray, gphys_hit& hit);

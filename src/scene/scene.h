@@ -344,8 +344,13 @@ private:
         return box_kernels_ && (type == GPHYS_SHAPE_AABB || type == GPHYS_SHAPE_OBB);
     }
     bool is_mesh(uint32_t slot) const { return models_[slot].type() == GPHYS_SHAPE_MESH; }
+    /// Whether placed_mesh() answers the ray.
+    bool has_mesh_kernel(uint32_t slot, const Ray& ray) const {
+        const Mesh* const mesh = stored_mesh(slot);
+        return mesh && mesh->crosses_placed(ray);
+    }
     PlacedMesh placed_mesh(uint32_t slot) const {
-        const ModelMesh stored = this->stored<ModelMesh>(slot);
+        const auto stored = this->stored<ModelMesh>(slot);
         return {*stored.mesh, models_[slot].world, widen(stored.scale)};
     }
     TriState raycast_box(uint32_t slot, const Ray& ray, Hits8::Rounded& hit) const;

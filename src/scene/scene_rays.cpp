@@ -88,7 +88,6 @@ public:
             test(slot);
         }
     }
-    /// Passes the filter.
     template <class Filter>
     GPHYS_NOINLINE void test_mesh(const Filter& filter, uint32_t slot) {
         if (scene_->passes(filter, slot)) test_mesh(slot);
@@ -102,9 +101,10 @@ public:
     // Tests of models that pass the filter. Each returns whether t_max was lowered.
 
     GPHYS_NOINLINE bool test(uint32_t slot) {
-        if (scene_->is_mesh(slot)) return test_mesh(slot);
+        if (scene_->has_mesh_kernel(slot, *rest_)) return test_mesh(slot);
         return scene_->with_shape(slot, [&](const auto& shape) { return test(slot, shape); });
     }
+    /// Of a mesh that has a kernel for the ray.
     bool test_mesh(uint32_t slot) {
         Answer found;
         return cast(scene_->placed_mesh(slot), *rest_, found) &&
@@ -120,6 +120,12 @@ public:
     }
     template <class Placed>
     bool test(uint32_t slot, const Placed& shape) {
+        if constexpr (only_distance && std::is_same_v<Placed, MeshInstance>) {
+            gphys_distance found;
+            return raycast_distance(shape, *rest_, found) && accept(slot, found.t, [&](uint32_t model, uint32_t) {
+                       return gphys_distance{found.t, model, found.triangle};
+                   });
+        }
         Hit hit;
         return cast(shape, *rest_, hit) &&
                accept(slot, reported(hit.t), [&](uint32_t model, uint32_t tag) { return answer_of(hit, model, tag); });
@@ -179,7 +185,7 @@ gphys_status Scene::raycast_by(const Ray& ray, const Filter& filter, gphys_hit& 
             if (!may_pass(filter, slot)) return;
             if (has_box_kernel(slot)) {
                 first.test_box(filter, slot);
-            } else if (is_mesh(slot)) {
+            } else if (has_mesh_kernel(slot, ray)) {
                 first.test_mesh(filter, slot);
             } else {
                 first.test_other(filter, slot, conservative_ray);
@@ -515,7 +521,7 @@ bool Scene::raycast_any_by(const Ray& given, const Filter& filter) const {
                 if (verdict == TriState::no || !passes(filter, slot)) return false;
                 return verdict == TriState::yes || with_shape(slot, exact);
             }
-            if (is_mesh(slot)) return passes(filter, slot) && gphys::raycast_any(placed_mesh(slot), ray);
+            if (has_mesh_kernel(slot, ray)) return passes(filter, slot) && gphys::raycast_any(placed_mesh(slot), ray);
             const auto conservative = [&](const auto& shape) { return conservative_ray(shape, ray.t_max); };
             return decide(filter, slot, conservative, exact);
         };
