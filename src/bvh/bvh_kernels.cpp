@@ -40,10 +40,7 @@ float make_probe(const Ray& ray, double t_max, const Box& box, RayProbe& to) {
 template <class Test, class Probe>
 void closest_hit(const BvhNode* nodes, uint32_t root, const Probe& probe, float limit, const BvhVisitor& to) {
     traverse_ordered(
-        nodes, root, Test(probe), limit,
-        [&]() GPHYS_INLINE_LAMBDA {
-            return [&](uint32_t item) GPHYS_INLINE_LAMBDA { return to.visit(to.context, item); };
-        },
+        nodes, root, Test(probe), limit, [&](uint32_t item) { return to.visit(to.context, item); },
         [&](const BvhNode& leaf) GPHYS_INLINE_LAMBDA {
             // Before the test of the boxes: most items will be visited. Unused lanes are prefetched, too, without harm.
             const char* const first = static_cast<const char*>(to.items.first);

@@ -31,12 +31,24 @@ void Bvh8::traverse_to_bound(void (*kernel)(const BvhNode*, uint32_t, const Prob
     kernel(nodes_.data(), root_, probe, limit, {step, &state, items});
 }
 
+/// Whether a ray begins beyond a side of the box and goes away from it.
+inline bool leaves(const Box& box, const Ray& ray) {
+    bool away = false;
+    const auto test = [&](double from, double along, float low, float high) {
+        away |= ((high < from) & (0 <= along)) | ((from < low) & (along <= 0));
+    };
+    test(ray.origin.x, ray.direction.x, box.min[0], box.max[0]);
+    test(ray.origin.y, ray.direction.y, box.min[1], box.max[1]);
+    test(ray.origin.z, ray.direction.z, box.min[2], box.max[2]);
+    return away;
+}
+
 template <class MakeVisit>
 void Bvh8::traverse_ray(decltype(BvhKernels::ray) kernel, const Ray& ray, double t_max, const MakeVisit& make_visit,
                         ItemMemory items) const {
     if (root_ == none) return;
     if (size_ == 1 && is_leaf(root_)) {  // a test of the item says as much as one of its box
-        make_visit()(nodes_[index_of(root_)].child[0], t_max);
+        if (!leaves(bounds_, ray)) make_visit()(nodes_[index_of(root_)].child[0], t_max);
         return;
     }
     RayProbe probe;
@@ -116,7 +128,7 @@ template <class MakeVisit>
 bool Bvh8::raycast_any_by(const Ray& ray, MakeVisit&& make_visit, ItemMemory items) const {
     bool found = false;
     const auto make_until_found = [&] {
-        return [&found, visit = make_visit()](uint32_t item, double& t_max) {
+        return [&found, visit = make_visit()](uint32_t item, double& t_max) GPHYS_INLINE_LAMBDA {
             found = visit(item);
             if (found) t_max = -1;
         };

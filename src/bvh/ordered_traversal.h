@@ -123,32 +123,25 @@ private:
     uint32_t* stack_;
 };
 
-/// The closest hit of a single query. begin() is called once it is known to meet children of the root, and returns
-/// visit(item), which returns the new limit; a negative one ends the traversal.
+/// The closest hit of a single query. visit(item) returns the new limit; a negative one ends the traversal.
 ///
 /// The items of a leaf are visited at once, nearest first; they are never on the stack. In an inner node, the nearest
 /// child is found before the others are sorted: so the processor sorts while it waits for the memory of that child. The
 /// second nearest child is prefetched. prefetch_items(leaf) precedes the test of a leaf's boxes.
-template <class Test, class Begin, class PrefetchItems>
-void traverse_ordered(const BvhNode* nodes, uint32_t root, const Test& test, float limit, const Begin& begin,
+template <class Test, class Visit, class PrefetchItems>
+void traverse_ordered(const BvhNode* nodes, uint32_t root, const Test& test, float limit, const Visit& visit,
                       const PrefetchItems& prefetch_items) {
     if (!(limit >= 0)) return;
-    uint32_t at = root;
-    NodeHits hits;
-    Float8 keys;
-    const auto test_node = [&]() GPHYS_INLINE_LAMBDA {
-        const BvhNode& here = node_at(nodes, at);
-        if (is_leaf(at)) prefetch_items(here);
-        hits.lanes = test.hits(here.boxes, limit, keys) & lanes_of(here);
-        store(hits.keys, keys);
-    };
-    test_node();
-    if (hits.lanes == 0) return;
-    const auto visit = begin();
     StackEntry stack[stack_size];
     int size = 0;
-    for (;; test_node()) {
+    uint32_t at = root;
+    for (;;) {
         const BvhNode& here = node_at(nodes, at);
+        if (is_leaf(at)) prefetch_items(here);
+        Float8 keys;
+        NodeHits hits;
+        hits.lanes = test.hits(here.boxes, limit, keys) & lanes_of(here);
+        store(hits.keys, keys);
         if (is_leaf(at)) {
             while (hits.lanes != 0) {
                 const bool one = (hits.lanes & (hits.lanes - 1)) == 0;

@@ -92,15 +92,16 @@ void prepare_placed(const Ray* rays, uint32_t count, const MeshPlace& place, con
 
 void walk_ray(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay& ray,
               const PacketVisitor& to) {
+    const TriangleTest test(ray.triangles);
     float limit = ray.limit;
-    const auto begin = [&]() GPHYS_INLINE_LAMBDA {
-        return [&, test = TriangleTest(ray.triangles)](uint32_t number) GPHYS_INLINE_LAMBDA {
+    traverse_ordered(
+        nodes, root, SingleRayTest(ray.along), limit,
+        [&](uint32_t number) {
             const uint32_t lanes = test.hits(packets[number], limit);
             if (lanes != 0) limit = to.visit(to.context, packets[number], lanes);
             return limit;
-        };
-    };
-    traverse_ordered(nodes, root, SingleRayTest(ray.along), limit, begin, [](const BvhNode&) {});
+        },
+        [](const BvhNode&) {});
 }
 
 /// Collects pairs of a ray and a triangle and tests eight of them at once. A hit lowers the limit of its ray, or, with

@@ -30,16 +30,15 @@ GPHYS_INLINE TriangleProbe probe_of_triangles(const SingleShear<Axes>& ray, cons
     return probe;
 }
 
-/// Finds the nearest crossing among those on allowed sides. Order is ClosestHit or AnyHit. ray_in_mesh() gives the ray
-/// to the exact test.
-template <class Order, class RayInMesh>
+/// Tests packets of triangles for the nearest crossing among those on allowed sides. ray_in_mesh() gives the ray to the
+/// exact test.
+template <class RayInMesh>
 class PacketsOnRay {
 public:
     GPHYS_INLINE PacketsOnRay(const MeshTree& mesh, const Axes& origin, const Axes& direction, double t_max,
-                              Faces faces, const RaySetup<Axes>& along, const RayInMesh& ray_in_mesh, float limit,
+                              Faces faces, const RaySetup<Axes>& along, const RayInMesh& ray_in_mesh,
                               NearestCrossing& nearest)
         : mesh_(mesh),
-          along_(along),
           ray_in_mesh_(ray_in_mesh),
           nearest_(nearest),
           shear_(direction),
@@ -47,31 +46,16 @@ public:
           quick_(shear_, origin, t_max),
           front_(mesh.only_front || faces.front),
           back_(!mesh.only_front && faces.back),
-          edge_(!mesh.only_front && faces.front),
-          limit_(limit) {}
+          edge_(!mesh.only_front && faces.front) {}
     PacketsOnRay(const PacketsOnRay&) = delete;
     PacketsOnRay& operator=(const PacketsOnRay&) = delete;
 
-    /// Visitor of traverse_ordered.
-    GPHYS_INLINE float operator()(uint32_t number) const {
+    /// Whether a crossing was found that is reported at a lesser t than before.
+    GPHYS_INLINE bool test(uint32_t number, float limit) const {
         const TrianglePacket& packet = mesh_.packets[number];
-        const uint32_t lanes = triangles_.hits(packet, limit_);
-        if (lanes == 0) return limit_;
+        uint32_t lanes = triangles_.hits(packet, limit);
+        if (lanes == 0) return false;
         const float before = nearest_.t;
-        test(packet, lanes);
-        if (nearest_.t < before) {
-            limit_ = std::is_same_v<Order, AnyHit> ? -1 : limit_at(along_, limit_of_ties<double>(nearest_.t));
-        }
-        return limit_;
-    }
-
-    GPHYS_INLINE static float limit_at(const RaySetup<Axes>& along, double t) {
-        return static_cast<float>(ray_limit(t, along.slack, along.scale, along.start, along.span));
-    }
-
-private:
-    /// Tests some lanes of a packet.
-    GPHYS_INLINE void test(const TrianglePacket& packet, uint32_t lanes) const {
         for (; lanes != 0; lanes &= lanes - 1) {
             const auto i = static_cast<uint32_t>(lowest_bit(lanes));
             TriangleCrossing crossing;
@@ -81,33 +65,44 @@ private:
             if (!(crossing.facing < 0 ? front_ : crossing.facing > 0 ? back_ : edge_)) continue;
             nearest_.take(crossing, reported(crossing.t), packet, i);
         }
+        return nearest_.t < before;
     }
 
+private:
     const MeshTree& mesh_;
-    const RaySetup<Axes>& along_;
     const RayInMesh& ray_in_mesh_;
     NearestCrossing& nearest_;
     const SingleShear<Axes> shear_;
     const TriangleTest triangles_;
     const SingleCrossing quick_;
-    bool front_, back_, edge_;
-    mutable float limit_;
+    const bool front_, back_, edge_;
 };
 
 /// `origin` and `direction` are those of ray_in_mesh().
 template <class Order, class RayInMesh>
 GPHYS_INLINE void cast_ray(const MeshTree& mesh, const Axes& origin, const Axes& direction, double t_max, Faces faces,
                            const RayInMesh& ray_in_mesh, NearestCrossing& nearest) {
-    using Packets = PacketsOnRay<Order, RayInMesh>;
     const RaySetup<Axes> along(origin, direction, mesh.box);
-    const float limit = Packets::limit_at(along, t_max);
+    const auto limit_at = [&](double t) GPHYS_INLINE_LAMBDA {
+        return static_cast<float>(ray_limit(t, along.slack, along.scale, along.start, along.span));
+    };
+    float limit = limit_at(t_max);
     if (!(limit >= 0)) return;
     RayProbe probe;
     store_probe(along, probe);
+    const SingleRayTest test(probe);
+    // Most misses end here, before the constants of triangles are set up.
+    const BvhNode& first = node_at(mesh.nodes, mesh.root);
+    Float8 entry;
+    if ((test.hits(first.boxes, limit, entry) & lanes_of(first)) == 0) return;
+    const PacketsOnRay packets(mesh, origin, direction, t_max, faces, along, ray_in_mesh, nearest);
     traverse_ordered(
-        mesh.nodes, mesh.root, SingleRayTest(probe), limit,
-        [&]() GPHYS_INLINE_LAMBDA {
-            return Packets(mesh, origin, direction, t_max, faces, along, ray_in_mesh, limit, nearest);
+        mesh.nodes, mesh.root, test, limit,
+        [&](uint32_t number) GPHYS_INLINE_LAMBDA {
+            if (packets.test(number, limit)) {
+                limit = std::is_same_v<Order, AnyHit> ? -1 : limit_at(limit_of_ties<double>(nearest.t));
+            }
+            return limit;
         },
         [](const BvhNode&) {});
 }

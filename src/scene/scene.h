@@ -353,6 +353,7 @@ private:
         const auto stored = this->stored<ModelMesh>(slot);
         return {*stored.mesh, models_[slot].world, widen(stored.scale)};
     }
+    bool meets_mesh(uint32_t slot, const Ray& ray) const;
     TriState raycast_box(uint32_t slot, const Ray& ray, Hits8::Rounded& hit) const;
     TriState meets_box(uint32_t slot, const Ray& ray) const;
     template <class Answers, class OnHit>

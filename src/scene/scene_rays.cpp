@@ -176,22 +176,29 @@ TriState Scene::meets_box(uint32_t slot, const Ray& ray) const {
     return box_kernels_->meets_obb(ray, words, tail_of(slot));
 }
 
+/// Not inlined is what few models need.
+GPHYS_NOINLINE bool Scene::meets_mesh(uint32_t slot, const Ray& ray) const {
+    return gphys::raycast_any(placed_mesh(slot), ray);
+}
+
 template <class Filter>
 gphys_status Scene::raycast_by(const Ray& ray, const Filter& filter, gphys_hit& out) const {
     Ray rest = filtered(ray, filter);
     FirstHitOfRay<gphys_hit> first(*this, rest, filter, out);
     const auto make_visit = [&] {
-        return [&, conservative_ray = ConservativeRay(ray, !box_kernels_)](uint32_t slot, double& t_max) {
-            if (!may_pass(filter, slot)) return;
-            if (has_box_kernel(slot)) {
-                first.test_box(filter, slot);
-            } else if (has_mesh_kernel(slot, ray)) {
-                first.test_mesh(filter, slot);
-            } else {
-                first.test_other(filter, slot, conservative_ray);
-            }
-            t_max = rest.t_max;
-        };
+        // Inlined twice.
+        return [&, conservative_ray = ConservativeRay(ray, !box_kernels_)](uint32_t slot, double& t_max)
+                   GPHYS_INLINE_LAMBDA {
+                       if (!may_pass(filter, slot)) return;
+                       if (has_box_kernel(slot)) {
+                           first.test_box(filter, slot);
+                       } else if (has_mesh_kernel(slot, ray)) {
+                           first.test_mesh(filter, slot);
+                       } else {
+                           first.test_other(filter, slot, conservative_ray);
+                       }
+                       t_max = rest.t_max;
+                   };
     };
     // `ray`, not `rest`: a load from the fresh copy would stall on store forwarding.
     bvh_.raycast_by(ray, rest.t_max, make_visit, model_memory());
@@ -514,14 +521,15 @@ bool Scene::raycast_any_by(const Ray& given, const Filter& filter) const {
     if (hits_unbounded(ray, filter)) return true;
     const auto exact = [&](const auto& shape) { return is_hit(shape, ray); };
     const auto make_visit = [&] {
-        return [&, conservative_ray = ConservativeRay(ray, !box_kernels_)](uint32_t slot) {
+        // Inlined twice.
+        return [&, conservative_ray = ConservativeRay(ray, !box_kernels_)](uint32_t slot) GPHYS_INLINE_LAMBDA {
             if (!may_pass(filter, slot)) return false;
             if (has_box_kernel(slot)) {
                 const TriState verdict = meets_box(slot, ray);
                 if (verdict == TriState::no || !passes(filter, slot)) return false;
                 return verdict == TriState::yes || with_shape(slot, exact);
             }
-            if (has_mesh_kernel(slot, ray)) return passes(filter, slot) && gphys::raycast_any(placed_mesh(slot), ray);
+            if (has_mesh_kernel(slot, ray)) return passes(filter, slot) && meets_mesh(slot, ray);
             const auto conservative = [&](const auto& shape) { return conservative_ray(shape, ray.t_max); };
             return decide(filter, slot, conservative, exact);
         };
