@@ -43,17 +43,25 @@ inline bool leaves(const Box& box, const Ray& ray) {
     return away;
 }
 
+/// Instead of a kernel, for a tree of one item: a test of the item says as much as one of its box.
+inline void visit_only_item(const BvhNode* nodes, uint32_t root, const RayProbe&, float, const BvhVisitor& to) {
+    to.visit(to.context, nodes[root & ~bvh_leaf_bit].child[0]);
+}
+
 template <class MakeVisit>
 void Bvh8::traverse_ray(decltype(BvhKernels::ray) kernel, const Ray& ray, double t_max, const MakeVisit& make_visit,
                         ItemMemory items) const {
     if (root_ == none) return;
-    if (size_ == 1 && is_leaf(root_)) {  // a test of the item says as much as one of its box
-        if (!leaves(bounds_, ray)) make_visit()(nodes_[index_of(root_)].child[0], t_max);
-        return;
-    }
     RayProbe probe;
-    const float limit = kernels_.probe(ray, t_max, bounds_, probe);
-    if (!(limit >= 0)) return;
+    float limit = 0;
+    if (size_ == 1 && is_leaf(root_)) {
+        if (leaves(bounds_, ray)) return;
+        probe.path = {0, 1, 0, 0};
+        kernel = visit_only_item;
+    } else {
+        limit = kernels_.probe(ray, t_max, bounds_, probe);
+        if (!(limit >= 0)) return;
+    }
     auto&& visit = make_visit();
     traverse_to_bound(kernel, probe, t_max, limit, visit, items);
 }
@@ -128,7 +136,7 @@ template <class MakeVisit>
 bool Bvh8::raycast_any_by(const Ray& ray, MakeVisit&& make_visit, ItemMemory items) const {
     bool found = false;
     const auto make_until_found = [&] {
-        return [&found, visit = make_visit()](uint32_t item, double& t_max) GPHYS_INLINE_LAMBDA {
+        return [&found, visit = make_visit()](uint32_t item, double& t_max) {
             found = visit(item);
             if (found) t_max = -1;
         };

@@ -72,7 +72,7 @@ inline Vec3 conservative_point(Vec3 point, const gphys_transform& world) {
     return position + rotated_point(scaled, world.rotation);
 }
 
-inline ConservativeSphere conservative_sphere(Vec3 center, double radius, const gphys_transform& world) {
+GPHYS_INLINE ConservativeSphere conservative_sphere(Vec3 center, double radius, const gphys_transform& world) {
     const double scale = world.scale, scaled_radius = radius * scale;
     return {conservative_point(center, world), scaled_radius,
             sum(abs(widen(world.position))) + sum(abs(center)) * scale + scaled_radius};

@@ -186,7 +186,6 @@ gphys_status Scene::raycast_by(const Ray& ray, const Filter& filter, gphys_hit& 
     Ray rest = filtered(ray, filter);
     FirstHitOfRay<gphys_hit> first(*this, rest, filter, out);
     const auto make_visit = [&] {
-        // Inlined twice.
         return [&, conservative_ray = ConservativeRay(ray, !box_kernels_)](uint32_t slot, double& t_max)
                    GPHYS_INLINE_LAMBDA {
                        if (!may_pass(filter, slot)) return;
@@ -521,8 +520,7 @@ bool Scene::raycast_any_by(const Ray& given, const Filter& filter) const {
     if (hits_unbounded(ray, filter)) return true;
     const auto exact = [&](const auto& shape) { return is_hit(shape, ray); };
     const auto make_visit = [&] {
-        // Inlined twice.
-        return [&, conservative_ray = ConservativeRay(ray, !box_kernels_)](uint32_t slot) GPHYS_INLINE_LAMBDA {
+        return [&, conservative_ray = ConservativeRay(ray, !box_kernels_)](uint32_t slot) {
             if (!may_pass(filter, slot)) return false;
             if (has_box_kernel(slot)) {
                 const TriState verdict = meets_box(slot, ray);
