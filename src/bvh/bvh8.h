@@ -80,8 +80,8 @@ public:
     /// Boxes entered exactly at t_max are visited. With a direction of zero, the boxes that contain the origin are.
     template <class Visit>
     void raycast(const Ray& ray, double t_max, Visit&& visit, ItemMemory items = {}) const;
-    /// The same by the visitor that make_visit() returns. It is called only if the ray meets the bounds of all items,
-    /// so that other rays do not pay for what visits share.
+    /// The same by the visitor that make_visit() returns, called only if the ray meets the bounds of all items: other
+    /// rays do not pay for what visits share. An only item need not be tested: its test is the visitor's.
     template <class MakeVisit>
     void raycast_by(const Ray& ray, double t_max, MakeVisit&& make_visit, ItemMemory items = {}) const;
     /// Closest hits of up to rays_at_once rays. Consecutive coherent rays form a packet; the others are interleaved.

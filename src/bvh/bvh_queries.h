@@ -43,7 +43,7 @@ inline bool leaves(const Box& box, const Ray& ray) {
     return away;
 }
 
-/// Instead of a kernel, for a tree of one item: a test of the item says as much as one of its box.
+/// A kernel for a tree of one item whose visitor tests it: that says as much as a test of its box.
 inline void visit_only_item(const BvhNode* nodes, uint32_t root, const RayProbe&, float, const BvhVisitor& to) {
     to.visit(to.context, nodes[root & ~bvh_leaf_bit].child[0]);
 }
@@ -54,10 +54,9 @@ void Bvh8::traverse_ray(decltype(BvhKernels::ray) kernel, const Ray& ray, double
     if (root_ == none) return;
     RayProbe probe;
     float limit = 0;
-    if (size_ == 1 && is_leaf(root_)) {
+    if (kernel == visit_only_item) {
         if (leaves(bounds_, ray)) return;
         probe.path = {0, 1, 0, 0};
-        kernel = visit_only_item;
     } else {
         limit = kernels_.probe(ray, t_max, bounds_, probe);
         if (!(limit >= 0)) return;
@@ -74,7 +73,7 @@ void Bvh8::raycast(const Ray& ray, double t_max, Visit&& visit, ItemMemory items
 
 template <class MakeVisit>
 void Bvh8::raycast_by(const Ray& ray, double t_max, MakeVisit&& make_visit, ItemMemory items) const {
-    traverse_ray(kernels_.ray, ray, t_max, make_visit, items);
+    traverse_ray(size_ == 1 && is_leaf(root_) ? visit_only_item : kernels_.ray, ray, t_max, make_visit, items);
 }
 
 template <class Visit>
@@ -141,7 +140,8 @@ bool Bvh8::raycast_any_by(const Ray& ray, MakeVisit&& make_visit, ItemMemory ite
             if (found) t_max = -1;
         };
     };
-    traverse_ray(kernels_.ray_any, ray, ray.t_max, make_until_found, items);
+    const auto kernel = size_ == 1 && is_leaf(root_) ? visit_only_item : kernels_.ray_any;
+    traverse_ray(kernel, ray, ray.t_max, make_until_found, items);
     return found;
 }
 

@@ -30,52 +30,39 @@ GPHYS_INLINE TriangleProbe probe_of_triangles(const SingleShear<Axes>& ray, cons
     return probe;
 }
 
-/// Tests packets of triangles for the nearest crossing among those on allowed sides. ray_in_mesh() gives the ray to the
-/// exact test.
+/// The nearest crossing so far, among those on allowed sides. ray_in_mesh() gives the ray to the exact test.
 template <class RayInMesh>
-class PacketsOnRay {
+class CountedCrossings {
 public:
-    GPHYS_INLINE PacketsOnRay(const MeshTree& mesh, const Axes& origin, const Axes& direction, double t_max,
-                              Faces faces, const RaySetup<Axes>& along, const RayInMesh& ray_in_mesh,
-                              NearestCrossing& nearest)
-        : mesh_(mesh),
-          ray_in_mesh_(ray_in_mesh),
-          nearest_(nearest),
-          shear_(direction),
-          triangles_(probe_of_triangles(shear_, along, mesh.box)),
-          quick_(shear_, origin, t_max),
+    GPHYS_INLINE CountedCrossings(const RayInMesh& ray_in_mesh, Faces faces, const SingleCrossing& quick,
+                                  const MeshTree& mesh, NearestCrossing& nearest)
+        : ray_in_mesh_(ray_in_mesh),
+          quick_(quick),
           front_(mesh.only_front || faces.front),
           back_(!mesh.only_front && faces.back),
-          edge_(!mesh.only_front && faces.front) {}
-    PacketsOnRay(const PacketsOnRay&) = delete;
-    PacketsOnRay& operator=(const PacketsOnRay&) = delete;
+          edge_(!mesh.only_front && faces.front),
+          exact_(mesh.exact),
+          nearest_(nearest) {}
 
-    /// Whether a crossing was found that is reported at a lesser t than before.
-    GPHYS_INLINE bool test(uint32_t number, float limit) const {
-        const TrianglePacket& packet = mesh_.packets[number];
-        uint32_t lanes = triangles_.hits(packet, limit);
-        if (lanes == 0) return false;
-        const float before = nearest_.t;
+    /// Tests some lanes of a packet.
+    GPHYS_INLINE void test(const TrianglePacket& packet, uint32_t lanes) {
         for (; lanes != 0; lanes &= lanes - 1) {
             const auto i = static_cast<uint32_t>(lowest_bit(lanes));
             TriangleCrossing crossing;
             const TriState crosses = quick_(packet, i, crossing);
             if (crosses == TriState::no) continue;
-            if (crosses == TriState::undecided && !mesh_.exact(ray_in_mesh_(), packet, i, crossing)) continue;
+            if (crosses == TriState::undecided && !exact_(ray_in_mesh_(), packet, i, crossing)) continue;
             if (!(crossing.facing < 0 ? front_ : crossing.facing > 0 ? back_ : edge_)) continue;
             nearest_.take(crossing, reported(crossing.t), packet, i);
         }
-        return nearest_.t < before;
     }
 
 private:
-    const MeshTree& mesh_;
     const RayInMesh& ray_in_mesh_;
+    const SingleCrossing& quick_;
+    bool front_, back_, edge_;
+    CrossesTriangleAlone exact_;
     NearestCrossing& nearest_;
-    const SingleShear<Axes> shear_;
-    const TriangleTest triangles_;
-    const SingleCrossing quick_;
-    const bool front_, back_, edge_;
 };
 
 /// `origin` and `direction` are those of ray_in_mesh().
@@ -95,11 +82,19 @@ GPHYS_INLINE void cast_ray(const MeshTree& mesh, const Axes& origin, const Axes&
     const BvhNode& first = node_at(mesh.nodes, mesh.root);
     Float8 entry;
     if ((test.hits(first.boxes, limit, entry) & lanes_of(first)) == 0) return;
-    const PacketsOnRay packets(mesh, origin, direction, t_max, faces, along, ray_in_mesh, nearest);
+    const SingleShear<Axes> shear(direction);
+    const TriangleTest triangles(probe_of_triangles(shear, along, mesh.box));
+    const SingleCrossing quick(shear, origin, t_max);
+    CountedCrossings crossings(ray_in_mesh, faces, quick, mesh, nearest);
     traverse_ordered(
         mesh.nodes, mesh.root, test, limit,
         [&](uint32_t number) GPHYS_INLINE_LAMBDA {
-            if (packets.test(number, limit)) {
+            const TrianglePacket& packet = mesh.packets[number];
+            const uint32_t lanes = triangles.hits(packet, limit);
+            if (lanes == 0) return limit;
+            const float before = nearest.t;
+            crossings.test(packet, lanes);
+            if (nearest.t < before) {
                 limit = std::is_same_v<Order, AnyHit> ? -1 : limit_at(limit_of_ties<double>(nearest.t));
             }
             return limit;
