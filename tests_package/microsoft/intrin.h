@@ -28,6 +28,7 @@ typedef unsigned char __mmask8;
 #define _CMP_EQ_OS 16
 #define _CMP_EQ_OQ 0
 #define _CMP_LT_OQ 17
+#define _CMP_LE_OQ 18
 #define _CMP_NLT_UQ 21
 
 // clang has builtins of these names, with the long of Windows.
@@ -70,6 +71,7 @@ __m128d _mm_castsi128_pd(__m128i), _mm_cvtps_pd(__m128);
 void _mm_storeu_pd(double*, __m128d), _mm_store_sd(double*, __m128d);
 int _mm_movemask_pd(__m128d);
 double _mm_cvtsd_f64(__m128d);
+__m128 _mm_insert_ps(__m128, __m128, int);
 
 __m128i _mm_set1_epi32(int), _mm_setr_epi32(int, int, int, int), _mm_cvtsi32_si128(int);
 int _mm_cvtsi128_si32(__m128i);
