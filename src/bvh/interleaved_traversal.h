@@ -15,6 +15,27 @@
 
 namespace gphys::GPHYS_ISA {
 
+/// One query, with a stack for the deepest tree.
+template <class Order, class Test, class Visit>
+GPHYS_NOINLINE void traverse_alone(const BvhNode* nodes, uint32_t root, const Test& test, uint32_t query, float limit,
+                                   typename Order::Entry* stack, const Visit& visit) {
+    Order traversal;
+    traversal.begin(root, limit, stack);
+    for (bool is_active = true; is_active;) {
+        if (traversal.at_item()) {
+            const uint32_t item = traversal.item();
+            float new_limit;
+            if (visit(&query, &item, 1u, &new_limit) != 0) traversal.set_limit(new_limit);
+            is_active = traversal.leave_item();
+        } else {
+            const BvhNode& here = traversal.node(nodes);
+            NodeHits hits;
+            traversal.test_node(here, test, hits);
+            is_active = traversal.leave_node(here, hits, bvh_max_open);
+        }
+    }
+}
+
 /// Order is ClosestHit or AnyHit. Test is made from probe_of(query). visit(queries, items, count, limits) gets up to
 /// eight pairs, as BvhPairsVisitor does; prefetch_of(item) precedes it for each.
 template <class Order, class Test, class ProbeOf, class Visit, class PrefetchOf>
@@ -22,6 +43,7 @@ void traverse_interleaved(const BvhNode* nodes, uint32_t root, const ProbeOf& pr
                           uint32_t count, const Visit& visit, const PrefetchOf& prefetch_of) {
     constexpr uint32_t task_count = 16;                 // most queries in flight
     constexpr uint32_t node_group = 4, item_group = 8;  // queries that take a step together
+    constexpr int usual_entries = 48;
     struct alignas(64) Task {
         Test test;
         uint32_t query;
@@ -30,14 +52,12 @@ void traverse_interleaved(const BvhNode* nodes, uint32_t root, const ProbeOf& pr
         Order traversal;
     };
     Task tasks[task_count];
-    // Sixteen stacks for trees of twelve levels, as of millions of items. Deeper trees have fewer queries in flight, so
-    // that calls do not need the stack of the deepest possible tree sixteen times.
-    constexpr int usual_levels = 12, entries = Order::entries(usual_levels) * int{task_count};
-    static_assert(entries >= Order::entries(bvh_max_levels) * int{node_group});
+    // Most queries never have more entries than this, whatever the depth of the tree. Those that would have more are
+    // traversed from the root afterwards, one at a time, with the memory of all: so calls need neither the stack of the
+    // deepest possible tree sixteen times, nor that of a usual one.
+    constexpr int entries_of_one = Order::room_for(usual_entries), entries = entries_of_one * int{task_count};
+    static_assert(entries >= Order::room_for(bvh_max_open));
     typename Order::Entry stacks[entries];
-    const int entries_of_one = Order::entries(static_cast<int>(node_at(nodes, root).levels));
-    const uint32_t fitting = static_cast<uint32_t>(entries / entries_of_one);
-    const uint32_t in_flight = fitting < task_count ? fitting : task_count;
     /// First in, first out. Numbers of tasks, four bits each, in one register.
     struct Queue {
         Task* tasks;
@@ -54,6 +74,9 @@ void traverse_interleaved(const BvhNode* nodes, uint32_t root, const ProbeOf& pr
     };
     static_assert(task_count == 1 << 4);
     Queue at_node{tasks}, at_item{tasks};
+    uint64_t deep = 0;  // queries that are left for later, and their limits
+    float deep_limits[bvh_max_rays];
+    static_assert(bvh_max_rays <= 64);
     uint32_t next_query = 0;
     const auto begin = [&](Task& task) {
         while (next_query < count && !(limits[next_query] >= 0)) ++next_query;
@@ -66,6 +89,10 @@ void traverse_interleaved(const BvhNode* nodes, uint32_t root, const ProbeOf& pr
     };
     const auto suspend = [&](Task& task, bool is_active) {
         if (!is_active) {
+            if (!task.traversal.is_complete()) {
+                deep |= uint64_t{1} << task.query;
+                deep_limits[task.query] = task.traversal.limit();
+            }
             begin(task);
         } else if (task.traversal.at_item()) {
             at_item.add(task);
@@ -86,7 +113,7 @@ void traverse_interleaved(const BvhNode* nodes, uint32_t root, const ProbeOf& pr
             now[i]->traversal.test_node(*now[i]->here, now[i]->test, now[i]->hits);
         }
         GPHYS_UNROLLED
-        for (uint32_t i = 0; i < size; ++i) is_active[i] = now[i]->traversal.leave_node(*now[i]->here, now[i]->hits);
+        for (uint32_t i = 0; i < size; ++i) is_active[i] = now[i]->traversal.leave_node(*now[i]->here, now[i]->hits, usual_entries);
         GPHYS_UNROLLED
         for (uint32_t i = 0; i < size; ++i) suspend(*now[i], is_active[i]);
     };
@@ -105,7 +132,7 @@ void traverse_interleaved(const BvhNode* nodes, uint32_t root, const ProbeOf& pr
         }
         for (uint32_t i = 0; i < size; ++i) suspend(*now[i], now[i]->traversal.leave_item());
     };
-    for (uint32_t i = 0; i < in_flight; ++i) begin(tasks[i]);
+    for (Task& task : tasks) begin(task);
     for (;;) {
         if (at_item.size >= item_group) {
             visit_items(item_group);
@@ -116,8 +143,12 @@ void traverse_interleaved(const BvhNode* nodes, uint32_t root, const ProbeOf& pr
         } else if (at_node.size > 0) {
             test_nodes(std::integral_constant<uint32_t, 1>());
         } else {
-            return;
+            break;
         }
+    }
+    for (; deep != 0; deep &= deep - 1) {
+        const auto query = static_cast<uint32_t>(lowest_bit(deep));
+        traverse_alone<Order>(nodes, root, Test(probe_of(query)), query, deep_limits[query], stacks, visit);
     }
 }
 

@@ -24,9 +24,10 @@ namespace gphys::GPHYS_ISA {
 class ClosestHit {
 public:
     using Entry = StackEntry;
-    static constexpr int entries(int levels) { return stack_size_of(levels); }
+    /// The memory for so many entries.
+    static constexpr int room_for(int entries) { return 1 + entries + stack_slack; }
 
-    /// `limit` is not negative. `stack` has as many entries as the levels of the tree need.
+    /// `limit` is not negative.
     void begin(uint32_t root, float limit, Entry* stack) {
         stack_ = stack;
         limit_ = limit;
@@ -46,12 +47,17 @@ public:
         out.lanes = test.hits(here.boxes, limit_, keys) & lanes_of(here);
         store(out.keys, keys);
     }
-    // Each moves to the next node or item, and returns false at the end.
-    bool leave_node(const BvhNode& here, const NodeHits& hits) {
+    // Each moves to the next node or item, and returns false at the end. leave_node does so, too, if there are more than
+    // `most` entries: then the traversal is not complete, and cannot go on.
+    bool leave_node(const BvhNode& here, const NodeHits& hits, int most) {
         size_ = push_sorted(stack_, size_, here.child, hits, is_leaf(child_of(at_)));
-        return next();
+        const bool fits = size_ <= 1 + most;
+        return next() & fits;
     }
     bool leave_item() { return next(); }
+    /// After the end.
+    bool is_complete() const { return size_ == 0; }
+    float limit() const { return limit_; }
     /// Lowers the limit and prunes the stack at once: a test of each popped entry would be an unpredictable branch.
     void set_limit(float limit) {
         limit_ = limit;
@@ -74,7 +80,7 @@ private:
 class AnyHit {
 public:
     using Entry = uint32_t;
-    static constexpr int entries(int levels) { return stack_size_of(levels) + 8; }  // compress_store writes eight
+    static constexpr int room_for(int entries) { return entries + 8; }  // compress_store writes eight
 
     void begin(uint32_t root, float limit, Entry* stack) {
         stack_ = stack;
@@ -93,15 +99,18 @@ public:
         out.lanes = test.hits(here.boxes, limit_, entry, exit) & lanes_of(here);
         store(out.keys, exit - entry);
     }
-    bool leave_node(const BvhNode& here, const NodeHits& hits) {
+    bool leave_node(const BvhNode& here, const NodeHits& hits, int most) {
         uint32_t* const top = stack_ + size_;
         const uint32_t* const child = here.child;
         const uint32_t mark = is_leaf(at_) ? item_bit : 0;
         const uint32_t longest = longest_of(hits);
         top[compress_store(top, child, hits.lanes & ~(1u << longest), mark)] = child[longest] | mark;
         size_ += popcount(hits.lanes);
-        return leave_item();
+        const bool fits = size_ <= most;
+        return leave_item() & fits;
     }
+    bool is_complete() const { return size_ == 0; }
+    float limit() const { return limit_; }
     bool leave_item() {
         if (size_ == 0) return false;
         at_ = stack_[--size_];

@@ -42,9 +42,8 @@ inline float key_of(StackEntry entry) {
 
 /// push_sorted and prune may write this many entries above the top.
 constexpr int stack_slack = 8;
-/// With the sentinel and the slack.
-constexpr int stack_size_of(int levels) { return 1 + bvh_open(levels) + stack_slack; }
-constexpr int stack_size = stack_size_of(bvh_max_levels);
+/// Of the deepest tree, with the sentinel and the slack.
+constexpr int stack_size = 1 + bvh_open(bvh_max_levels) + stack_slack;
 
 /// The sorted value: the bits of a key, with the lane in the lowest bits.
 inline uint32_t lane_key(const float keys[8], int lane) {
