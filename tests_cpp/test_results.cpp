@@ -76,14 +76,48 @@ TEST_CASE("distinct values are sorted, whatever their number and range") {
                     mixed.push_back(value);
                     std::swap(mixed.back(), mixed[random.index(static_cast<uint32_t>(mixed.size()))]);
                 }
-                mixed.push_back(12345);
-                sort_distinct(mixed.data(), static_cast<uint32_t>(values.size()));
-                REQUIRE(mixed.back() == 12345);
-                mixed.pop_back();
-                REQUIRE(mixed == values);
+                for (const size_t more : {0, 1, 2000, 5000}) {
+                    std::vector<uint32_t> sorted(mixed);
+                    sorted.resize(mixed.size() + more);
+                    sorted.push_back(12345);
+                    sort_distinct(sorted.data(), static_cast<uint32_t>(mixed.size()),
+                                  static_cast<uint32_t>(mixed.size() + more));
+                    REQUIRE(sorted.back() == 12345);
+                    sorted.resize(mixed.size());
+                    REQUIRE(sorted == values);
+                }
             }
         }
     }
+}
+
+TEST_CASE("a set of slots whose words are in the list's place lists all entries, or says that it cannot") {
+    test::Random random(9);
+    int listed = 0, refused = 0;
+    for (int round = 0; round < 2000; ++round) {
+        const uint32_t slots = 100 + random.index(3000), words = SlotSet::words_for(slots);
+        const double first = random.uniform(0, 0.1), second = random.uniform(0, 0.1);
+        std::vector<uint32_t> entries(slots), expected;
+        for (uint32_t& entry : entries) entry = random.index(0xffffffff);
+        std::vector<uint32_t> added;
+        for (uint32_t slot = 0; slot < slots; ++slot) {
+            if (random.uniform(0, 1) < (slot < slots / 2 ? first : second)) added.push_back(slot);
+        }
+        for (const uint32_t slot : added) expected.push_back(entries[slot]);
+        const uint32_t room = random.index(static_cast<uint32_t>(added.size()) + 1);
+        if (room + words < added.size()) continue;
+        std::vector<uint32_t> out(room + words);
+        SlotSet set(out.data() + room, slots);
+        for (const uint32_t slot : added) set.add(slot);
+        if (set.list_over_words(entries.data(), out.data())) {
+            REQUIRE(std::equal(expected.begin(), expected.end(), out.begin()));
+            ++listed;
+        } else {
+            ++refused;
+        }
+    }
+    CHECK(listed > 500);
+    CHECK(refused > 100);
 }
 
 TEST_CASE("a set of slots lists their entries by ascending slots, on any instruction set, and spares what is behind") {

@@ -122,6 +122,35 @@ Exact operator*(const Exact& a, const Exact& b) {
     return sum.result();
 }
 
+Exact operator*(double a, const Exact& b) { return Exact(a) * b; }
+
+template <>
+Exact difference_of(double a, double b) {
+    return Exact(a) - Exact(b);
+}
+template <>
+Exact minor_of(double a, double b, double c, double d) {
+    return a * Exact(d) - b * Exact(c);
+}
+template <>
+Exact determinant_of(Vec3 a, Vec3 b, Vec3 c) {
+    Exact sum = a.x * minor_of<Exact>(b.y, b.z, c.y, c.z);
+    sum = sum + a.y * minor_of<Exact>(b.z, b.x, c.z, c.x);
+    return sum + a.z * minor_of<Exact>(b.x, b.y, c.x, c.y);
+}
+template <>
+Exact dot_of(Vec3 a, Vec3 b) {
+    Exact sum = a.x * Exact(b.x);
+    sum = sum + a.y * Exact(b.y);
+    return sum + a.z * Exact(b.z);
+}
+template <>
+Exact height_of(Vec3 normal, Vec3 point, Vec3 origin) {
+    Exact sum = normal.x * difference_of<Exact>(point.x, origin.x);
+    sum = sum + normal.y * difference_of<Exact>(point.y, origin.y);
+    return sum + normal.z * difference_of<Exact>(point.z, origin.z);
+}
+
 Vec3 difference(Vec3 a, Vec3 b, Vec3& rest) {
     const Split x = two_sum(a.x, -b.x), y = two_sum(a.y, -b.y), z = two_sum(a.z, -b.z);
     rest = {x.low, y.low, z.low};

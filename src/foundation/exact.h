@@ -56,6 +56,7 @@ public:
     friend Exact operator-(const Exact& a);
     friend Exact operator-(const Exact& a, const Exact& b) { return a + -b; }
     friend Exact operator*(const Exact& a, const Exact& b);
+    friend Exact operator*(double a, const Exact& b);
     friend Exact abs(const Exact& a) { return a.sign() < 0 ? -a : a; }
 
 private:
@@ -80,6 +81,45 @@ double value_of(const Polynomial& polynomial) {
     const Bounded quick = polynomial(Bounded());
     return quick.error <= 0x1p-45 * std::fabs(quick.value) ? quick.value : polynomial(Exact()).value();
 }
+
+// Parts of polynomials. An Exact takes 340 bytes, and a compiler keeps those of one formula side by side on the stack,
+// so for Exact these are not inlined: long formulas made of them need few.
+
+template <class N>
+N difference_of(double a, double b) {
+    return N(a) - N(b);
+}
+template <>
+Exact difference_of(double a, double b);
+/// a d - b c
+template <class N>
+N minor_of(double a, double b, double c, double d) {
+    return N(a) * N(d) - N(b) * N(c);
+}
+template <>
+Exact minor_of(double a, double b, double c, double d);
+/// dot(a, cross(b, c))
+template <class N>
+N determinant_of(Vec3 a, Vec3 b, Vec3 c) {
+    return a.x * minor_of<N>(b.y, b.z, c.y, c.z) + a.y * minor_of<N>(b.z, b.x, c.z, c.x) +
+           a.z * minor_of<N>(b.x, b.y, c.x, c.y);
+}
+template <>
+Exact determinant_of(Vec3 a, Vec3 b, Vec3 c);
+template <class N>
+N dot_of(Vec3 a, Vec3 b) {
+    return a.x * N(b.x) + a.y * N(b.y) + a.z * N(b.z);
+}
+template <>
+Exact dot_of(Vec3 a, Vec3 b);
+/// dot(normal, point - origin)
+template <class N>
+N height_of(Vec3 normal, Vec3 point, Vec3 origin) {
+    return normal.x * difference_of<N>(point.x, origin.x) + normal.y * difference_of<N>(point.y, origin.y) +
+           normal.z * difference_of<N>(point.z, origin.z);
+}
+template <>
+Exact height_of(Vec3 normal, Vec3 point, Vec3 origin);
 
 /// a - b, rounded, and the rounding error: their sum is exact.
 Vec3 difference(Vec3 a, Vec3 b, Vec3& rest);

@@ -1,4 +1,4 @@
-// An object on the stack that is made later, or not at all. std::optional is for small ones: compilers clear its memory
+// Memory for an object that is made later, or not at all. std::optional is for small ones: compilers clear its memory
 // first, which for some kilobytes takes longer than what is then done.
 #pragma once
 
@@ -15,9 +15,9 @@ public:
     MadeLater& operator=(const MadeLater&) = delete;
     ~MadeLater() { reset(); }
 
-    /// Call at most once between two resets.
     template <class... Args>
     T& emplace(Args&&... args) {
+        reset();
         new (&value_) T(std::forward<Args>(args)...);
         made_ = true;
         return value_;

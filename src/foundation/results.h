@@ -63,7 +63,7 @@ public:
     uint32_t finish() {
         const uint32_t count = std::min(total_, capacity_);
         if constexpr (std::is_same_v<T, uint32_t> && std::is_same_v<Less, std::less<T>>) {
-            sort_distinct(out_, count);
+            sort_distinct(out_, count, capacity_);
         } else {
             std::sort(out_, out_ + count, less_);
         }

@@ -9,8 +9,8 @@ namespace gphys {
 namespace {
 
 constexpr uint32_t few = 32;
-/// Values in a range of so many bits are sorted by a bit set.
-constexpr uint32_t set_bits = 17;
+/// Values in a range of so many bits are sorted by a bit set, of which so many are on the stack: 4 KB.
+constexpr uint32_t set_bits = 17, stack_bits = 15;
 /// A set with more words than this for each value takes longer than std::sort.
 constexpr uint32_t most_words_of_each = 16;
 constexpr uint32_t digit_bits = 8;
@@ -30,10 +30,11 @@ void sort_few(uint32_t* values, uint32_t count) {
     }
 }
 
-/// Values from `first` to first + range.
-GPHYS_NOINLINE void sort_by_set(uint32_t* values, uint32_t count, uint32_t first, uint32_t range) {
-    uint32_t set[(1u << set_bits) / 32];
-    const uint32_t words = range / 32 + 1;
+constexpr uint32_t words_of(uint32_t range) { return range / 32 + 1; }
+
+/// Values from `first` to first + range; `set` has the words for that.
+void sort_by_set(uint32_t* values, uint32_t count, uint32_t first, uint32_t range, uint32_t* set) {
+    const uint32_t words = words_of(range);
     std::fill_n(set, words, 0);
     for (uint32_t i = 0; i < count; ++i) {
         const uint32_t bit = values[i] - first;
@@ -46,11 +47,16 @@ GPHYS_NOINLINE void sort_by_set(uint32_t* values, uint32_t count, uint32_t first
     }
 }
 
+GPHYS_NOINLINE void sort_by_set_on_stack(uint32_t* values, uint32_t count, uint32_t first, uint32_t range) {
+    uint32_t set[(1u << stack_bits) / 32];
+    sort_by_set(values, count, first, range, set);
+}
+
 /// Divides the values by the highest bits of their range, then sorts each part.
-void sort_by_digits(uint32_t* values, uint32_t count, uint32_t first, uint32_t range) {
+GPHYS_NOINLINE void sort_by_digits(uint32_t* values, uint32_t count, uint32_t first, uint32_t range) {
     uint32_t shift = 0;
     while (range >> shift >> digit_bits != 0) ++shift;
-    shift = std::max(shift, set_bits);
+    shift = std::max(shift, stack_bits);
     const uint32_t digits = (range >> shift) + 1;
     uint32_t next[1u << digit_bits], end[1u << digit_bits];
     std::fill_n(end, digits, 0);
@@ -71,13 +77,13 @@ void sort_by_digits(uint32_t* values, uint32_t count, uint32_t first, uint32_t r
         }
     }
     for (uint32_t digit = 0, begin = 0; digit < digits; begin = end[digit++]) {
-        sort_distinct(values + begin, end[digit] - begin);
+        sort_distinct(values + begin, end[digit] - begin, end[digit] - begin);
     }
 }
 
 }  // namespace
 
-void sort_distinct(uint32_t* values, uint32_t count) {
+void sort_distinct(uint32_t* values, uint32_t count, uint32_t capacity) {
     if (count <= few) return sort_few(values, count);
     uint32_t first = ~0u, last = 0;
     for (uint32_t i = 0; i < count; ++i) {
@@ -85,9 +91,11 @@ void sort_distinct(uint32_t* values, uint32_t count) {
         last = std::max(last, values[i]);
     }
     const uint32_t range = last - first;
-    if (range >> set_bits != 0) return sort_by_digits(values, count, first, range);
+    const bool has_room = words_of(range) <= capacity - count;
+    if (range >> (has_room ? set_bits : stack_bits) != 0) return sort_by_digits(values, count, first, range);
     if (range / 32 / most_words_of_each > count) return std::sort(values, values + count);
-    sort_by_set(values, count, first, range);
+    if (range >> stack_bits == 0) return sort_by_set_on_stack(values, count, first, range);
+    sort_by_set(values, count, first, range, values + count);
 }
 
 }  // namespace gphys

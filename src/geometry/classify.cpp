@@ -52,12 +52,12 @@ Heights heights(const Obb& box, const PlaneAt& plane) {
     const auto extreme = [&](double way) {
         return value_of([&](auto number) {
             using N = decltype(number);
-            using V = Vec<N>;
-            const V n = V::of(plane.normal);
-            const N reach = abs(dot(n, V::of(box.axes.x))) * N(box.half.x) +
-                            abs(dot(n, V::of(box.axes.y))) * N(box.half.y) +
-                            abs(dot(n, V::of(box.axes.z))) * N(box.half.z);
-            return height_above<N>(plane, box.center) + N(way) * reach;
+            const auto reach_along = [&](Vec3 axis, double half) { return half * abs(dot_of<N>(plane.normal, axis)); };
+            // A statement for each term, which takes less stack than one sum.
+            N reach = reach_along(box.axes.x, box.half.x);
+            reach = reach + reach_along(box.axes.y, box.half.y);
+            reach = reach + reach_along(box.axes.z, box.half.z);
+            return height_above<N>(plane, box.center) + way * reach;
         });
     };
     return {extreme(-1), extreme(1)};

@@ -315,32 +315,29 @@ private:
         if (feature.count == 3) return corner_is_in_front(other, feature);
         return sign_of([&](auto number) {
                    using N = decltype(number);
-                   using V = Vec<N>;
-                   const V n = V::of(other.normal), q = V::of(point_);
-                   const N height = dot(n, q) - N(other.distance);
-                   const V a = V::of(plane(feature, 0).normal);
-                   const N behind_a = N(plane(feature, 0).distance) - dot(a, q), aa = dot(a, a);
-                   if (feature.count == 1) return height * aa + dot(n, a) * behind_a;
-                   const V b = V::of(plane(feature, 1).normal);
-                   const N behind_b = N(plane(feature, 1).distance) - dot(b, q), bb = dot(b, b), ab = dot(a, b);
-                   // As in foot_on of two planes.
-                   return height * (aa * bb - ab * ab) + dot(n, a) * (behind_a * bb - behind_b * ab) +
-                          dot(n, b) * (behind_b * aa - behind_a * ab);
+                   const Vec3 n = other.normal, a = plane(feature, 0).normal;
+                   const N height = dot_of<N>(n, point_) - N(other.distance);
+                   const N behind_a = N(plane(feature, 0).distance) - dot_of<N>(a, point_), aa = dot_of<N>(a, a);
+                   if (feature.count == 1) return height * aa + dot_of<N>(n, a) * behind_a;
+                   const Vec3 b = plane(feature, 1).normal;
+                   const N behind_b = N(plane(feature, 1).distance) - dot_of<N>(b, point_);
+                   const N bb = dot_of<N>(b, b), ab = dot_of<N>(a, b);
+                   // As in foot_on of two planes. A statement for each term, which takes less stack than one sum.
+                   N sum = height * (aa * bb - ab * ab);
+                   sum = sum + dot_of<N>(n, a) * (behind_a * bb - behind_b * ab);
+                   return sum + dot_of<N>(n, b) * (behind_b * aa - behind_a * ab);
                }) >= 0;
     }
     bool corner_is_in_front(const Plane& other, const Feature& feature) const {
         const Plane &a = plane(feature, 0), &b = plane(feature, 1), &c = plane(feature, 2);
-        const int volume = sign_of([&](auto number) {
-            using V = Vec<decltype(number)>;
-            return dot(V::of(a.normal), cross(V::of(b.normal), V::of(c.normal)));
-        });
+        const int volume =
+            sign_of([&](auto number) { return determinant_of<decltype(number)>(a.normal, b.normal, c.normal); });
         return volume * sign_of([&](auto number) {
                    using N = decltype(number);
-                   using V = Vec<N>;
-                   const V na = V::of(a.normal), bc = cross(V::of(b.normal), V::of(c.normal)),
-                           ca = cross(V::of(c.normal), na), ab = cross(na, V::of(b.normal));
-                   return dot(V::of(other.normal), bc * N(a.distance) + ca * N(b.distance) + ab * N(c.distance)) -
-                          N(other.distance) * dot(na, bc);
+                   return a.distance * determinant_of<N>(other.normal, b.normal, c.normal) +
+                          b.distance * determinant_of<N>(other.normal, c.normal, a.normal) +
+                          c.distance * determinant_of<N>(other.normal, a.normal, b.normal) -
+                          other.distance * determinant_of<N>(a.normal, b.normal, c.normal);
                }) >=
                0;
     }

@@ -24,8 +24,7 @@ inline PlaneAt plane_at(const Frustum& frustum, int i) {
 
 template <class N>
 N height_above(const PlaneAt& plane, Vec3 point) {
-    using V = Vec<N>;
-    return dot(V::of(plane.normal), V::difference(point, plane.origin)) - N(plane.distance);
+    return height_of<N>(plane.normal, point, plane.origin) - N(plane.distance);
 }
 
 Heights heights(const Sphere& sphere, const PlaneAt& plane);

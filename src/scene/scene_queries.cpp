@@ -169,30 +169,34 @@ uint32_t Scene::overlap_by(const Shape& query, const Filter& filter, gphys_model
 }
 
 /// Lists the ids of the slots that find_all(add) adds, each once, in ascending order; find_all returns their number. A
-/// bit set of slots sorts them while they are found (slot_set.h). That of a large scene has its words behind the ids,
-/// in `out`. Returns false if `out` has no room: its contents are then undefined.
+/// bit set of slots sorts them while they are found (slot_set.h). That of a large scene has its words at the end of
+/// `out`. Returns false if that leaves no room: the contents are then undefined.
 template <class FindAll>
 bool Scene::list_by_set(const FindAll& find_all, gphys_model_id* out, uint32_t capacity, uint32_t& total) const {
-    constexpr uint32_t words_on_stack = 4096;
+    constexpr uint32_t words_on_stack = 1024;
     uint32_t on_stack[words_on_stack];
     const uint32_t words = SlotSet::words_for(ids_.slots()), behind = words <= words_on_stack ? 0 : words;
     if (capacity <= behind) return false;
     const uint32_t room = capacity - behind;
     SlotSet slots(behind == 0 ? on_stack : out + room, ids_.slots());
     total = find_all([&](uint32_t slot) { slots.add(slot); });
-    if (total > room) return false;
-    slots.list(slot_set_kernels_, ids_.ids(), out, room);
+    if (total <= room) {
+        slots.list(slot_set_kernels_, ids_.ids(), out, room);
+    } else if (total > capacity || !slots.list_over_words(ids_.ids(), out)) {
+        return false;
+    }
     // The order of ids differs from that of slots where slots were reused: generations differ. Counts instead of
     // stopping at the first: the loop is vectorised.
     uint32_t descents = 0;
     for (uint32_t i = 1; i < total; ++i) descents += out[i] < out[i - 1];
-    if (descents != 0) sort_distinct(out, total);
+    if (descents != 0) sort_distinct(out, total, capacity);
     return true;
 }
 
 template <class Filter>
 uint32_t Scene::cull_by(const Frustum& frustum, const Filter& filter, gphys_model_id* out, uint32_t capacity) const {
     const bool all_in_layers = (common_layers_ & layers_of(filter)) != 0;
+    const Box around = box_around(frustum);
     // add(slot) for each result; returns their number.
     const auto find = [&](const auto& add) {
         uint32_t total = 0;
@@ -205,7 +209,7 @@ uint32_t Scene::cull_by(const Frustum& frustum, const Filter& filter, gphys_mode
             const auto is_in_view = [&](const Plane& plane) { return overlaps(Shape(plane), frustum); };
             if (with_plane(slot, is_in_view)) add_if_passing(slot);
         }
-        bvh_.frustum(frustum, box_around(frustum), [&](const uint32_t* slots, uint32_t count) {
+        bvh_.frustum(frustum, around, [&](const uint32_t* slots, uint32_t count) {
             if (all_in_layers) {
                 total += for_each_passing_in_layers(filter, slots, count, add);
             } else {

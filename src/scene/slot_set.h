@@ -31,6 +31,18 @@ public:
         }
         return out;
     }
+    /// The same where the words lie in `out` among the elements that are written. Returns false, with undefined
+    /// contents, if a word would be overwritten before it is read.
+    bool list_over_words(const uint32_t* entries, uint32_t* out) const {
+        for (uint32_t word = 0; word < words_for(slots_); ++word) {
+            uint32_t rest = words_[word];
+            if (words_ + word + 1 < out + popcount(rest)) return false;
+            for (; rest != 0; rest &= rest - 1) {
+                *out++ = entries[32 * word + static_cast<uint32_t>(lowest_bit(rest))];
+            }
+        }
+        return true;
+    }
 
 private:
     uint32_t* words_;

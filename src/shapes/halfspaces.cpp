@@ -2,6 +2,7 @@
 // bounding box of a frustum by enumeration of its corners.
 #include "shapes/halfspaces.h"
 
+#include "foundation/compiler.h"
 #include "foundation/exact.h"
 
 namespace gphys {
@@ -35,15 +36,8 @@ void Halfspaces::add(const Plane& plane) { halfspace_[count_++] = {plane.normal,
 namespace {
 
 template <class N>
-N determinant(Vec3 a, Vec3 b, Vec3 c) {
-    using V = Vec<N>;
-    return dot(V::of(a), cross(V::of(b), V::of(c)));
-}
-
-template <class N>
 N height_over(const Halfspace& halfspace, Vec3 point) {
-    using V = Vec<N>;
-    return dot(V::of(halfspace.normal), V::difference(point, halfspace.origin)) - N(halfspace.distance);
+    return height_of<N>(halfspace.normal, point, halfspace.origin) - N(halfspace.distance);
 }
 
 /// The common sign of weights that are all >= 0 or all <= 0, and not all 0; else 0.
@@ -58,7 +52,8 @@ int common_sign(const int* signs, int count) {
 
 }  // namespace
 
-/// The determinants of all triples of normals, with exact signs.
+/// The determinants of all triples of normals, with exact signs. most: of half-spaces.
+template <int most>
 struct Halfspaces::Minors {
     explicit Minors(const Halfspaces& set) : count(set.count_) {
         std::copy(set.halfspace_, set.halfspace_ + count, halfspaces);
@@ -88,12 +83,11 @@ struct Halfspaces::Minors {
                                 value[triple(i, j, l)] * height[k] - value[triple(i, j, k)] * height[l];
         if (rounded.certain()) return rounded.sign();
         const Halfspace &a = halfspaces[i], &b = halfspaces[j], &c = halfspaces[k], &d = halfspaces[l];
-        using N = Exact;
-        return (determinant<N>(b.normal, c.normal, d.normal) * height_over<N>(a, reference()) -
-                determinant<N>(a.normal, c.normal, d.normal) * height_over<N>(b, reference()) +
-                determinant<N>(a.normal, b.normal, d.normal) * height_over<N>(c, reference()) -
-                determinant<N>(a.normal, b.normal, c.normal) * height_over<N>(d, reference()))
-            .sign();
+        // A statement for each term, which takes less stack than one sum.
+        Exact sum = term(b, c, d, a);
+        sum = sum - term(a, c, d, b);
+        sum = sum + term(a, b, d, c);
+        return (sum - term(a, b, c, d)).sign();
     }
 
     /// The reference point of heights. Any point would do; a point of the set itself keeps the numbers small.
@@ -112,21 +106,25 @@ struct Halfspaces::Minors {
     /// The half-spaces of the set; after them come the directions added to span space.
     int bounding() const { return spans ? count : count - 3; }
 
-    static constexpr int max_count = capacity + 3;
+    static constexpr int max_count = most + 3;
     int count;
     bool spans = false;
     Halfspace halfspaces[max_count];
     Bounded height[max_count];
-    int sign[max_count * (max_count - 1) * (max_count - 2) / 6];  // by triple
+    int8_t sign[max_count * (max_count - 1) * (max_count - 2) / 6];  // by triple
     Bounded value[max_count * (max_count - 1) * (max_count - 2) / 6];
 
 private:
+    /// The determinant of three normals, times the height over the fourth half-space.
+    Exact term(const Halfspace& a, const Halfspace& b, const Halfspace& c, const Halfspace& d) const {
+        return determinant_of<Exact>(a.normal, b.normal, c.normal) * height_over<Exact>(d, reference());
+    }
     /// With the exact sign. Opposite faces of boxes, and near and far planes, need no sum.
     static Bounded volume(Vec3 a, Vec3 b, Vec3 c) {
         if (a == -b || b == -c || c == -a) return Bounded(0);
-        const Bounded rounded = determinant<Bounded>(a, b, c);
+        const Bounded rounded = determinant_of<Bounded>(a, b, c);
         if (rounded.certain()) return rounded;
-        const double exact = determinant<Exact>(a, b, c).value();
+        const double exact = determinant_of<Exact>(a, b, c).value();
         return {exact, rounding * std::fabs(exact)};
     }
 
@@ -137,7 +135,7 @@ private:
                 for (int k = j + 1; k < count; ++k) {
                     const int t = triple(i, j, k);
                     value[t] = volume(halfspaces[i].normal, halfspaces[j].normal, halfspaces[k].normal);
-                    sign[t] = value[t].sign();
+                    sign[t] = static_cast<int8_t>(value[t].sign());
                     spans = spans || sign[t] != 0;
                 }
             }
@@ -145,8 +143,9 @@ private:
     }
 };
 
-bool Halfspaces::every_four_intersect() const {
-    const Minors minors(*this);
+template <int most>
+GPHYS_NOINLINE bool Halfspaces::every_four_of_few_intersect() const {
+    const Minors<most> minors(*this);
     for (int i = 0; i < minors.count; ++i) {
         for (int j = i + 1; j < minors.count; ++j) {
             for (int k = j + 1; k < minors.count; ++k) {
@@ -157,6 +156,11 @@ bool Halfspaces::every_four_intersect() const {
         }
     }
     return true;
+}
+
+bool Halfspaces::every_four_intersect() const {
+    return count_ <= frustum_planes ? every_four_of_few_intersect<frustum_planes>()
+                                    : every_four_of_few_intersect<capacity>();
 }
 
 bool Halfspaces::contain(Vec3 point) const {
@@ -299,11 +303,15 @@ bool bounds(const Frustum& frustum, Box& out) {
     out = Box{};
     Halfspaces set;
     set.add(frustum);
-    if (!set.have_common_point()) return true;
-    const Halfspaces::Minors minors(set);
+    return !set.have_common_point() || Halfspaces::bounds_of_nonempty(set, frustum.origin, out);
+}
+
+/// Not inlined, so that the minors are on the stack only when those of have_common_point are gone.
+GPHYS_NOINLINE bool Halfspaces::bounds_of_nonempty(const Halfspaces& set, Vec3 origin, Box& out) {
+    const Minors<frustum_planes> minors(set);
     if (!minors.spans) return false;
 
-    const auto triple_sign = [&](int i, int j, int l) {
+    const auto triple_sign = [&](int i, int j, int l) -> int {
         if (l > j) return minors.sign[minors.triple(i, j, l)];
         return l > i ? -minors.sign[minors.triple(i, l, j)] : minors.sign[minors.triple(l, i, j)];
     };
@@ -335,7 +343,7 @@ bool bounds(const Frustum& frustum, Box& out) {
                 Vec3 corner;
                 common_point(a, b, {minors.halfspaces[k].normal, minors.halfspaces[k].distance}, corner);
                 // common_point has a relative error below 2^-42; adding the origin rounds 2^-53 of the sum.
-                const Vec3 place = frustum.origin + corner;
+                const Vec3 place = origin + corner;
                 const Vec3 slack = abs(corner) * 0x1p-42 + abs(place) * 0x1p-52;
                 for (int axis = 0; axis < 3; ++axis) {
                     box.min[axis] = std::min(box.min[axis], round_down(place[axis] - slack[axis]));

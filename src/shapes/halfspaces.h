@@ -32,14 +32,18 @@ public:
 private:
     /// The exact decision, by Helly's theorem.
     bool every_four_intersect() const;
+    template <int most>
+    bool every_four_of_few_intersect() const;
     bool contain(Vec3 point) const;
     /// A common point, or none, computed in double. Relative to the origin of the first half-space.
     CommonPoint likely_common_point() const;
 
     friend bool bounds(const Frustum& frustum, Box& out);
+    template <int most>
     struct Minors;
+    static bool bounds_of_nonempty(const Halfspaces& set, Vec3 origin, Box& out);
 
-    static constexpr int capacity = 12;
+    static constexpr int capacity = 12, frustum_planes = 6;
     int count_ = 0;
     Halfspace halfspace_[capacity];
 };

@@ -418,10 +418,7 @@ Plane scaled_to_one(const Plane& plane) {
 
 bool common_point(const Plane& a, const Plane& b, const Plane& c, Vec3& out) {
     const auto determinant = [](Vec3 x, Vec3 y, Vec3 z) {
-        return value_of([&](auto number) {
-            using V = Vec<decltype(number)>;
-            return dot(V::of(x), cross(V::of(y), V::of(z)));
-        });
+        return value_of([&](auto number) { return determinant_of<decltype(number)>(x, y, z); });
     };
     const double volume = determinant(a.normal, b.normal, c.normal);
     if (volume == 0) return false;

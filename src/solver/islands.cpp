@@ -178,7 +178,7 @@ void Solver::move_island(const Island& island, uint32_t worker, const Scene* sce
         for (uint32_t i = 0; i < island.body_count; ++i) visit(state_.bodies[slots[i]]);
     };
     const Vec3 gravity = state_.settings.gravity;
-    const CollisionContext whole = context_of(scene, dt, 0, 1), beginning = context_of(scene, dt, 0, 0);
+    const CollisionContext whole = context_of(scene, worker, dt, 0, 1), beginning = context_of(scene, worker, dt, 0, 0);
     uint32_t substeps = 1;
     std::chrono::steady_clock::time_point start;
     if (island.on_trial) start = std::chrono::steady_clock::now();
@@ -196,7 +196,7 @@ void Solver::move_island(const Island& island, uint32_t worker, const Scene* sce
     if (island.colliding_count > 0) particle_contacts_.begin(island, state_.ids, state_.bodies, slots);
     for (uint32_t i = 1; i <= substeps; ++i) {
         const double begin = static_cast<double>(i - 1) / substeps, end = static_cast<double>(i) / substeps;
-        const CollisionContext around = context_of(scene, dt, begin, end);
+        const CollisionContext around = context_of(scene, worker, dt, begin, end);
         const double h = dt / substeps;
         if (island.colliding_count > 0) {
             move_colliding(island, joined, around, h, flight_planes(worker, scene));

@@ -128,6 +128,7 @@ void Solver::prepare(const Scene* scene, double dt) {
         std::sort(active_.begin(), active_.end());
         make_tasks();
         if (scene) reserve_flight_planes();
+        if (scene) reserve_collision_memory();
         state_.near_models.reserve(next_near_models_.capacity());  // the two are swapped
         size_t impulse_count = 0;
         for (const Body& body : state_.bodies) impulse_count += body.contacts.impulses.capacity();
@@ -429,6 +430,12 @@ void Solver::reserve_flight_planes() {
     if (flight_planes_.size() >= workers_.count() || std::none_of(active_.begin(), active_.end(), flies)) return;
     Vector<FlightPlanes> made(workers_.count(), flight_planes_.get_allocator());
     flight_planes_.swap(made);
+}
+
+void Solver::reserve_collision_memory() {
+    if (collision_memory_.size() >= workers_.count()) return;
+    Vector<CollisionMemory> made(workers_.count(), collision_memory_.get_allocator());
+    collision_memory_.swap(made);
 }
 
 /// Makes the tasks: eight undisturbed ropes, a larger group of ropes that share contact lanes, one body, or a part of a

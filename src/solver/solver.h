@@ -67,7 +67,7 @@
 #include "scene/scene.h"
 #include "solver/body_meshes.h"
 #include "solver/body_table.h"
-#include "solver/contact/collision.h"
+#include "solver/contact/collision_memory.h"
 #include "solver/contact/impulse_sums.h"
 #include "solver/contact/particle_contacts.h"
 #include "solver/islands.h"
@@ -302,6 +302,7 @@ private:
     void make_tasks();
     void divide_bodies();
     void reserve_flight_planes();
+    void reserve_collision_memory();
     bool is_worth_sharing(const ActiveBody& active, size_t particles) const;
     void move_shared(const ActiveBody& active, const Scene* scene, double dt);
     void move_shared(Island& island, const Scene* scene, double dt);
@@ -311,17 +312,20 @@ private:
     void begin_body_step(const ActiveBody& active, const Scene* scene, double dt);
     void end_body_step(Body& body, const Scene* scene, double dt, uint32_t substeps);
     uint32_t move_in_substeps(Body& body, uint32_t count, const CollisionContext& step);
-    RopeStepper begin_rope_step(const ActiveBody& active, RopeContacts& contacts, RopeScratch& scratch,
-                                const Scene* scene, double dt);
+    RopeStepper begin_rope_step(const ActiveBody& active, RopeContacts& contacts, uint32_t worker, const Scene* scene,
+                                double dt);
     void end_rope_step(const RopeStepper& rope, const Scene* scene, double dt);
     template <int lanes>
-    void move_contact_lanes(const ActiveBody* ropes, uint32_t count, RopeScratch& scratch, const Scene* scene,
-                            double dt);
+    void move_contact_lanes(const ActiveBody* ropes, uint32_t count, uint32_t worker, const Scene* scene, double dt);
     void move_body(const ActiveBody& active, uint32_t worker, const Scene* scene, double dt);
     void move_part(const Task& task, uint32_t worker, const Scene* scene, double dt);
     void move_undisturbed(const Task& task, uint32_t worker, const Scene* scene, double dt);
     CollisionContext context_of(const Scene* scene, double dt, double begin, double end) const {
         return {scene, &moved_models_, dt, begin, end, share_};
+    }
+    /// With the memory of a worker, for collisions.
+    CollisionContext context_of(const Scene* scene, uint32_t worker, double dt, double begin, double end) {
+        return {scene, &moved_models_, dt, begin, end, share_, scene ? &collision_memory_[worker] : nullptr};
     }
     FlightPlanes* flight_planes(uint32_t worker, const Scene* scene) {
         return scene ? &flight_planes_[worker] : nullptr;
@@ -359,9 +363,11 @@ private:
     Vector<Task> tasks_{&memory};
     Vector<ParticleRange> ranges_{&memory};
     ThreadArena scratch_memory_{&memory};
-    Vector<RopeScratch> rope_scratch_{&memory};    // by worker
-    Vector<FlightPlanes> flight_planes_{&memory};  // by worker, from the first step beside a scene on
-    ImpulseSums impulse_sums_{&memory};            // of the last step
+    Vector<RopeScratch> rope_scratch_{&memory};  // by worker
+    // By worker, from the first step beside a scene on:
+    Vector<FlightPlanes> flight_planes_{&memory};
+    Vector<CollisionMemory> collision_memory_{&memory};
+    ImpulseSums impulse_sums_{&memory};  // of the last step
     /// By slot of a body: the root of its set (union-find), whether the set of that root is awake, and whether it is in
     /// an island.
     Vector<uint32_t> set_of_{&memory};

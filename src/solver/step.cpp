@@ -149,13 +149,14 @@ uint32_t Solver::move_in_substeps(Body& body, uint32_t count, const CollisionCon
 }
 
 /// Call before all substeps of a body of ropes, and end_rope_step after them.
-RopeStepper Solver::begin_rope_step(const ActiveBody& active, RopeContacts& contacts, RopeScratch& scratch,
+RopeStepper Solver::begin_rope_step(const ActiveBody& active, RopeContacts& contacts, uint32_t worker,
                                     const Scene* scene, double dt) {
+    RopeScratch& scratch = rope_scratch_[worker];
     Body& body = state_.bodies[active.slot];
     const Vec3 gravity = state_.settings.gravity;
     begin_body_step(active, scene, dt);
     begin_contact_points(body);
-    const CollisionContext whole = context_of(scene, dt, 0, 1);
+    const CollisionContext whole = context_of(scene, worker, dt, 0, 1);
     choose_stages(body, scratch, {gravity, whole, active.substeps, false});
     const bool has_contacts = active.near_models() || !body.targets.empty();
     if (has_contacts) contacts.begin_step(body, whole, active.near_models(), active.models_move, scratch.parts);
@@ -169,12 +170,12 @@ void Solver::end_rope_step(const RopeStepper& rope, const Scene* scene, double d
 
 /// All substeps of ropes, of which the first is the longest. Accesses no other bodies, and allocates nothing.
 template <int lanes>
-void Solver::move_contact_lanes(const ActiveBody* ropes, uint32_t count, RopeScratch& scratch, const Scene* scene,
+void Solver::move_contact_lanes(const ActiveBody* ropes, uint32_t count, uint32_t worker, const Scene* scene,
                                 double dt) {
-    RopeContactLanes<lanes> group(scratch, ropes[0].size);
+    RopeContactLanes<lanes> group(rope_scratch_[worker], ropes[0].size);
     for (uint32_t begun = 0; begun < count || !group.empty();) {
         if (begun < count && !group.full()) {
-            group.add(begin_rope_step(ropes[begun++], group.next_contacts(), scratch, scene, dt));
+            group.add(begin_rope_step(ropes[begun++], group.next_contacts(), worker, scene, dt));
         } else {
             end_rope_step(group.move_until_one_ends(), scene, dt);
         }
@@ -185,12 +186,11 @@ void Solver::move_contact_lanes(const ActiveBody* ropes, uint32_t count, RopeScr
 void Solver::move_body(const ActiveBody& active, uint32_t worker, const Scene* scene, double dt) {
     Body& body = state_.bodies[active.slot];
     const Vec3 gravity = state_.settings.gravity;
-    const CollisionContext whole = context_of(scene, dt, 0, 1), beginning = context_of(scene, dt, 0, 0);
+    const CollisionContext whole = context_of(scene, worker, dt, 0, 1), beginning = context_of(scene, worker, dt, 0, 0);
     uint32_t substeps = active.substeps;
     if (body.plan.method == GPHYS_SOLVE_DIRECT) {
-        RopeScratch& scratch = rope_scratch_[worker];
-        if (active.has_contact_lane()) return move_contact_lanes<1>(&active, 1, scratch, scene, dt);
-        RopeStepper rope = begin_rope_step(active, scratch.contacts[0], scratch, scene, dt);
+        if (active.has_contact_lane()) return move_contact_lanes<1>(&active, 1, worker, scene, dt);
+        RopeStepper rope = begin_rope_step(active, rope_scratch_[worker].contacts[0], worker, scene, dt);
         while (rope.begin_part()) rope.end_part(rope.solve());
         return end_rope_step(rope, scene, dt);
     }
@@ -201,7 +201,7 @@ void Solver::move_body(const ActiveBody& active, uint32_t worker, const Scene* s
         const Scene* const around = alone ? nullptr : scene;
         body.particles.extent =
             fly_through(body, 0, body.particles.size(), {body.contacts.impulses, body.contacts.has_contact},
-                        context_of(around, dt, 0, 1), gravity, substeps, flight_planes(worker, around));
+                        context_of(around, worker, dt, 0, 1), gravity, substeps, flight_planes(worker, around));
     } else {
         ClothShares& shares = body.cloth.shares;
         std::chrono::steady_clock::time_point begin;
@@ -225,7 +225,7 @@ void Solver::move_part(const Task& task, uint32_t worker, const Scene* scene, do
     Body& body = state_.bodies[active.slot];
     FlightPart& part = body.contacts.parts[task.part];
     const uint32_t first = task.part * part_size, end = std::min(first + part_size, body.particles.size());
-    part.extent = fly_through(body, first, end, {part.impulses, part.has_contact}, context_of(scene, dt, 0, 1),
+    part.extent = fly_through(body, first, end, {part.impulses, part.has_contact}, context_of(scene, worker, dt, 0, 1),
                               state_.settings.gravity, active.substeps, flight_planes(worker, scene));
 }
 
@@ -238,7 +238,7 @@ void Solver::move_undisturbed(const Task& task, uint32_t worker, const Scene* sc
         ropes[i] = {&body, scene && body.settings.layers != 0 ? &first[i].reachable : nullptr, false};
         begin_body_step(first[i], scene, dt);
     }
-    const CollisionContext whole = context_of(scene, dt, 0, 1);
+    const CollisionContext whole = context_of(scene, worker, dt, 0, 1);
     move_ropes(ropes, task.count, scratch,
                {state_.settings.gravity, whole, first->substeps, state_.settings.tolerance > 0});
     for (uint32_t i = 0; i < task.count; ++i) {
@@ -316,7 +316,7 @@ void Solver::simulate(const Scene* scene, double dt, bool first) {
             } else if (active_[task.first].undisturbed) {
                 move_undisturbed(task, worker, scene, dt);
             } else if (task.count > 1) {
-                move_contact_lanes<rope_lanes>(&active_[task.first], task.count, rope_scratch_[worker], scene, dt);
+                move_contact_lanes<rope_lanes>(&active_[task.first], task.count, worker, scene, dt);
             } else {
                 move_body(active_[task.first], worker, scene, dt);
             }

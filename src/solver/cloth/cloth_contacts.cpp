@@ -5,7 +5,7 @@
 #include "solver/cloth/cloth_targets.h"
 #include "solver/cloth/contact_cache.h"
 #include "solver/cloth/contact_search.h"
-#include "solver/contact/collision.h"
+#include "solver/contact/collision_memory.h"
 #include "solver/contact/friction.h"
 #include "solver/quads.h"
 
@@ -166,7 +166,7 @@ void search_cloth_contacts(Body& body, const CollisionContext& around, Vec3 grav
     contacts.penetrating = false;
     find_moving_colliders(body.cloth.moving_colliders, state.origin, body.steady.search_box, body.settings.layers,
                           around);
-    ContactSearch search(around, body, gravity, around.step_time);
+    ContactSearch& search = around.memory->search.emplace(around, body, gravity, around.step_time);
     const Reuse reuse = reusable_contacts(body, around);
     if (reuse == Reuse::nothing) search_balls.assign(4 * size_t{particles.size()}, ContactCache::no_ball);
     if (reuse == Reuse::planes) {
@@ -191,7 +191,8 @@ void search_ahead(Body& body, const CollisionContext& around, Vec3 gravity, doub
     ClothContacts& contacts = body.cloth.contacts;
     const uint32_t count = list_leaving(contacts, body.cloth.state, h, h * length(gravity));
     if (count == 0) return;
-    ContactSearch(around, body, gravity, around.step_time * (1 - around.begin)).run(contacts.escaped.data(), count);
+    around.memory->search.emplace(around, body, gravity, around.step_time * (1 - around.begin))
+        .run(contacts.escaped.data(), count);
 }
 
 namespace {
@@ -462,8 +463,8 @@ void sweep_escaped(Body& body, const CollisionContext& around, Vec3 gravity, dou
         radius = std::max(radius, body.particles.radius[p]);
     }
     const double room = 2 * radius + std::sqrt(longest);
-    const Collider collider(around, body,
-                            bounds(Aabb{all.min - Vec3{room, room, room}, all.max + Vec3{room, room, room}}));
+    const Collider& collider = around.memory->collider.emplace(
+        around, body, bounds(Aabb{all.min - Vec3{room, room, room}, all.max + Vec3{room, room, room}}));
     for (uint32_t k = 0; k < count && !collider.idle(); ++k) {
         const uint32_t p = contacts.escaped[k];
         const size_t i = 4 * size_t{p};
@@ -476,7 +477,8 @@ void sweep_escaped(Body& body, const CollisionContext& around, Vec3 gravity, dou
             put(&state.velocity[i], body.particles.velocity[p]);
         }
     }
-    ContactSearch(around, body, gravity, around.step_time * (1 - around.end) + h).run(contacts.escaped.data(), count);
+    around.memory->search.emplace(around, body, gravity, around.step_time * (1 - around.end) + h)
+        .run(contacts.escaped.data(), count);
 }
 
 void push_out_of_planes(ClothContacts& contacts, ClothState& state, uint32_t particle) {

@@ -2,6 +2,7 @@
 // step records (collision.h).
 #include "solver/contact/collision.h"
 
+#include "solver/contact/collision_memory.h"
 #include "solver/contact/friction.h"
 #include "solver/particles/flight_planes.h"
 
@@ -482,7 +483,8 @@ void add_holder_impulse(Body& body, const CollisionContext& around, uint32_t par
 void collide(Body& body, const CollisionContext& around, double bounce_threshold) {
     body.contacts.has_contact = body.contacts.penetrating = false;
     if (!around.scene || body.settings.layers == 0) return;
-    const Collider collider(around, body, swept_box(body, body.history.start, body.particles.position, 0));
+    const Collider& collider =
+        around.memory->collider.emplace(around, body, swept_box(body, body.history.start, body.particles.position, 0));
     if (collider.idle()) return;
     std::fill(body.contacts.held.begin(), body.contacts.held.end(), uint8_t{0});
     body.rope.solved = body.particles.position;
@@ -496,14 +498,16 @@ void collide(Body& body, const CollisionContext& around, double bounce_threshold
 void relax_contacts(Body& body, const CollisionContext& around) {
     // Each link of a particle moves it by less than the longest link.
     const double margin = most_links_of_a_particle(body) * longest_link(body);
-    const Collider collider(around, body, swept_box(body, body.particles.position, body.particles.position, margin));
+    const Collider& collider = around.memory->collider.emplace(
+        around, body, swept_box(body, body.particles.position, body.particles.position, margin));
     relax_links_between_contacts(collider, body);
     body.history.start = body.particles.position;
 }
 
 void collide_again(Body& body, const CollisionContext& around, double bounce_threshold, const SolvedAgain& again) {
     add_impulses_through_held(body, around, again);
-    const Collider collider(around, body, swept_box(body, body.history.start, body.particles.position, 0));
+    const Collider& collider =
+        around.memory->collider.emplace(around, body, swept_box(body, body.history.start, body.particles.position, 0));
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (body.particles.pinned(p) || body.contacts.held[p]) continue;
         const Vec3 displacement = body.particles.position[p] - body.history.start[p];

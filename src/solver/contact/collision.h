@@ -14,6 +14,7 @@
 namespace gphys {
 
 class FlightPlanes;
+struct CollisionMemory;
 
 struct PlacedModel {
     gphys_model_id model;
@@ -41,6 +42,7 @@ struct CollisionContext {
     /// The part of their way to the present places that models, attached particles and animation targets cover in the
     /// step. Less than 1 in `advance`, where a frame is not exactly one step.
     double share = 1;
+    CollisionMemory* memory = nullptr;  // of the worker, or of the members of its team; null without a scene
 
     /// The fraction of that way at a fraction of the step.
     double way(double fraction) const { return share * fraction; }

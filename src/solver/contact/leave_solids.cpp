@@ -14,7 +14,7 @@
 // other, such as the middle of a ball for a rope across it; then all particles move in one direction.
 #include "solver/contact/leave_solids.h"
 #include "solver/cloth/cloth_chains.h"
-#include "solver/contact/collision.h"
+#include "solver/contact/collision_memory.h"
 #include "solver/quads.h"
 
 namespace gphys {
@@ -96,7 +96,8 @@ double average_link(const Plan& plan) {
 }  // namespace
 
 bool begin_leaving(Body& body, const CollisionContext& around) {
-    const Collider collider(around, body, swept_box(body, body.particles.position, body.particles.position, 0));
+    const Collider& collider = around.memory->collider.emplace(
+        around, body, swept_box(body, body.particles.position, body.particles.position, 0));
     LeavingDirections directions(within_links(collider.most_push(), average_link(body.plan)));
     body.history.start = body.particles.position;
     // Calls visit(particle, normal, depth).
@@ -127,7 +128,8 @@ void end_leaving(Body& body, const CollisionContext& around, bool lengths_found)
         keep_in_range(body.particles.position[p], body.particles.velocity[p], body.history.start[p]);
     if (!collides(body, around)) return;
     // Particles that links have moved stop at models.
-    const Collider collider(around, body, swept_box(body, body.history.start, body.particles.position, 0));
+    const Collider& collider =
+        around.memory->collider.emplace(around, body, swept_box(body, body.history.start, body.particles.position, 0));
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (body.particles.pinned(p) || (body.contacts.penetrating && body.contacts.held[p])) continue;
         const Vec3 displacement = body.particles.position[p] - body.history.start[p];

@@ -2,7 +2,7 @@
 #include "solver/contact/particle_contacts.h"
 
 #include "solver/contact/cloth_loads.h"
-#include "solver/contact/collision.h"
+#include "solver/contact/collision_memory.h"
 #include "solver/contact/friction.h"
 #include "solver/contact/leave_solids.h"
 #include "solver/contact/pair_corrections.h"
@@ -283,7 +283,8 @@ void correct_predicted(const Particle* first, const Particle* end, Body& body) {
 /// The same for consecutive particles of a body without links, or with links that have been solved.
 template <class Particle>
 void correct_block(const Particle* first, const Particle* end, Body& body, const CollisionContext& around,
-                   const ImpulseAccumulator& accumulator, double bounce_threshold, FlightPlanes* planes) {
+                   const ImpulseAccumulator& accumulator, double bounce_threshold, FlightPlanes* planes,
+                   CollisionMemory* memory) {
     Extent places;
     double longest = 0;
     each_moved(first, end, [&](uint32_t p, Vec3 displacement) {
@@ -294,8 +295,8 @@ void correct_block(const Particle* first, const Particle* end, Body& body, const
         const double room = 2 * body.particles.largest_radius + std::sqrt(longest);
         const Vec3 reach{room, room, room};
         if (planes) planes->select_pushed(body, around, first->number, static_cast<uint32_t>(end - first));
-        const Collider collider(around, body, bounds(Aabb{places.box.min - reach, places.box.max + reach}), accumulator,
-                                planes);
+        const Collider& collider = memory->collider.emplace(
+            around, body, bounds(Aabb{places.box.min - reach, places.box.max + reach}), accumulator, planes);
         if (!collider.idle()) {
             each_moved(first, end, [&](uint32_t p, Vec3 displacement) {
                 collider.slide(body, p, body.particles.position[p], displacement, around.end, bounce_threshold);
@@ -329,7 +330,8 @@ void correct_moved(const Particle* first, const Particle* end, Body& body, const
           [&](uint32_t block, uint32_t member) {
               const Particle* const begin = first + block * size;
               correct_block(begin, begin + std::min(size, count - block * size), body, around,
-                            body.contacts.accumulator(block), bounce_threshold, planes ? planes + member : nullptr);
+                            body.contacts.accumulator(block), bounce_threshold, planes ? planes + member : nullptr,
+                            around.memory ? around.memory + member : nullptr);
           });
 }
 

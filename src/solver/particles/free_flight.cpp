@@ -6,9 +6,8 @@
 // from one impact to the next. Neighbours in a body, such as particles that an emitter has made together, are mostly
 // neighbours in space.
 #include "solver/particles/free_flight.h"
-#include "foundation/made_later.h"
 #include "foundation/team.h"
-#include "solver/contact/collision.h"
+#include "solver/contact/collision_memory.h"
 #include "solver/contact/friction.h"
 #include "solver/motion.h"
 #include "solver/particles/flight.h"
@@ -23,8 +22,7 @@ constexpr int most_bounces = 8;
 // Particles that query the scene together: enough to share the cost of the query, and few enough to stay in the L1
 // cache.
 constexpr uint32_t block_size = FlightPlanes::most_particles, block_groups = block_size / flight_group;
-// Boxes around nearby models. Groups are not tested against more than this.
-constexpr uint32_t most_obstacles = 48;
+constexpr uint32_t most_obstacles = CollisionMemory::most_obstacles;
 
 // Those of no particles. Bodies of a few, such as projectiles, would spend most of their time on calls of the kernels.
 constexpr FlightBounds no_bounds{
@@ -42,14 +40,16 @@ void repeat(const Aabb& box, FlightBox& out) {
 
 class FreeFlight {
 public:
-    /// `planes` are those of the worker, or null to sweep every path.
-    FreeFlight(Body& body, const ImpulseAccumulator& accumulator, Vec3 gravity, double h, FlightPlanes* planes)
+    /// `planes` are those of the worker, or null to sweep every path; so is `memory`, or null without a scene.
+    FreeFlight(Body& body, const ImpulseAccumulator& accumulator, Vec3 gravity, double h, FlightPlanes* planes,
+               CollisionMemory* memory)
         : body_(body),
           accumulator_(accumulator),
           gravity_(gravity),
           h_(h),
           whole_(body.settings.damping, h),
           planes_(planes),
+          memory_(memory),
           in_air_(flies_in_air(body)) {
         for (uint32_t i = 0; i < flight_group; ++i) put(acceleration_ + size_t{3} * i, gravity);
     }
@@ -118,6 +118,7 @@ private:
     double h_;
     FlightTime whole_;  // the whole substep
     FlightPlanes* const planes_;
+    CollisionMemory* const memory_;
     const bool in_air_;
     const FlightKernels& kernels_ = flight_kernels(chosen_isa());
     // For the block under way:
@@ -125,7 +126,6 @@ private:
     uint32_t same_air_left_ = 0;                          // substeps in which the forces of the air stay the same
     bool known_ = false;                                  // whether the list of obstacles is complete
     uint32_t obstacle_count_ = 0;
-    FlightObstacle obstacles_[most_obstacles];
     uint8_t overlapping_[block_groups], resting_on_[block_groups], obstacle_of_[block_size];
 };
 
@@ -270,7 +270,7 @@ void FreeFlight::list_obstacles(const Collider& collider, const Aabb& region, ui
     const double friction = body_.settings.friction * least_friction_factor(body_, first, count);
     known_ = collider.for_each_obstacle(radius, region, [&](const Aabb& box, const FlatModel* flat) {
         if (obstacle_count_ < most_obstacles) {
-            FlightObstacle& obstacle = obstacles_[obstacle_count_];
+            FlightObstacle& obstacle = memory_->obstacles[obstacle_count_];
             repeat(box, obstacle.all);
             repeat(alike && flat ? flat->resting_region(radius, gap, gravity_ * whole_.fall, friction) : nowhere,
                    obstacle.rest);
@@ -316,9 +316,11 @@ void FreeFlight::keep_to_targets(uint32_t first, uint32_t count) {
     if (longest == 0) return;
     const double room = 2 * body_.particles.largest_radius + longest;
     const Vec3 reach{room, room, room};
-    MadeLater<Collider> collider;
-    if (collides(body_, around_))
-        collider.emplace(around_, body_, gphys::bounds(Aabb{ways.box.min - reach, ways.box.max + reach}), accumulator_);
+    const Collider* collider = nullptr;
+    if (collides(body_, around_)) {
+        const Box box = gphys::bounds(Aabb{ways.box.min - reach, ways.box.max + reach});
+        collider = &memory_->collider.emplace(around_, body_, box, accumulator_);
+    }
     each_outside([&](uint32_t p, Vec3 at, Vec3 place, const TargetBounds& out_of) {
         body_.particles.velocity[p] = out_of.turned(body_.particles.velocity[p]);
         if (collider && !collider->idle()) {
@@ -353,7 +355,6 @@ void FreeFlight::fly_block(const CollisionContext& around, uint32_t first, uint3
     end_friction(body_, first, first + count);
 }
 
-/// A collider takes 12 KB of stack: that of this function is gone when keep_to_targets makes its own.
 void FreeFlight::move_block(uint32_t first, uint32_t count) {
     const FlightGroups groups{count / flight_group,
                               &body_.particles.position[first].x,
@@ -369,16 +370,16 @@ void FreeFlight::move_block(uint32_t first, uint32_t count) {
     const Aabb region{get(bounds.low), get(bounds.high)};
     known_ = max_component(max(abs(region.min), abs(region.max))) <= GPHYS_MAX_COORDINATE;
     obstacle_count_ = 0;
-    MadeLater<Collider> collider;
+    const Collider* collider = nullptr;
     if (may_collide) {
         // Twice the length of a path, because a bounce may turn it back.
         const double room =
             2 * body_.particles.largest_radius + length(get(bounds.furthest)) + length(get(bounds.fastest)) * h_;
         const Vec3 reach{room, room, room};
-        collider.emplace(around_, body_, gphys::bounds(Aabb{region.min - reach, region.max + reach}), accumulator_,
-                         planes_);
+        collider = &memory_->collider.emplace(
+            around_, body_, gphys::bounds(Aabb{region.min - reach, region.max + reach}), accumulator_, planes_);
         if (collider->idle()) {
-            collider.reset();
+            collider = nullptr;
         } else if (known_) {
             list_obstacles(*collider, region, first, count);
         }
@@ -391,7 +392,8 @@ void FreeFlight::move_block(uint32_t first, uint32_t count) {
             if (body_.particles.pinned(first + i))
                 overlapping_[i / flight_group] |= static_cast<uint8_t>(1 << i % flight_group);
         }
-        kernels_.fly(groups, obstacles_, known_ ? obstacle_count_ : 0, {overlapping_, obstacle_of_, resting_on_});
+        kernels_.fly(groups, memory_ ? memory_->obstacles : nullptr, known_ ? obstacle_count_ : 0,
+                     {overlapping_, obstacle_of_, resting_on_});
     }
     const Vec3 way = gravity_ * whole_.fall;
     for (uint32_t group = 0; group <= groups.count; ++group) {
@@ -408,7 +410,7 @@ void FreeFlight::move_block(uint32_t first, uint32_t count) {
         for (uint32_t i = begin; i < end; ++i) {
             const bool hits = collider && (overlapping >> (i - begin) & 1);
             if (hits) {
-                fly_one(&*collider, first + i, obstacle_of_[i]);
+                fly_one(collider, first + i, obstacle_of_[i]);
             } else {
                 fly_one(nullptr, first + i, several_obstacles);
             }
@@ -425,7 +427,8 @@ void fly(Body& body, const CollisionContext& around, Vec3 gravity, double h, Fli
     share(body.contacts.parts.empty() ? nullptr : team, (size + block_size - 1) / block_size,
           [&](uint32_t block, uint32_t member) {
               const uint32_t first = block * block_size, count = std::min(block_size, size - first);
-              FreeFlight flight(body, body.contacts.accumulator(block), gravity, h, planes ? planes + member : nullptr);
+              FreeFlight flight(body, body.contacts.accumulator(block), gravity, h, planes ? planes + member : nullptr,
+                                around.memory ? around.memory + member : nullptr);
               flight.begin_pushed_block(around, first, count);
               flight.fly_block(around, first, count, 1);
           });
@@ -453,7 +456,7 @@ Extent extent_of(Body& body, uint32_t first, uint32_t end) {
 /// Takes a block through the whole step at once, so that it stays in the L1 cache.
 Extent fly_through(Body& body, uint32_t first, uint32_t end, const ImpulseAccumulator& accumulator,
                    const CollisionContext& step, Vec3 gravity, uint32_t substeps, FlightPlanes* planes) {
-    FreeFlight flight(body, accumulator, gravity, step.step_time / substeps, planes);
+    FreeFlight flight(body, accumulator, gravity, step.step_time / substeps, planes, step.memory);
     Extent extent;
     for (; first < end; first += block_size) {
         const uint32_t count = std::min(block_size, end - first);

@@ -1,6 +1,7 @@
 // Contacts of ropes as springs of an active set in Newton's iterations (rope_contacts.h).
 #include "solver/rope/rope_contacts.h"
 
+#include "solver/contact/collision_memory.h"
 #include "solver/contact/friction.h"
 
 namespace gphys {
@@ -373,7 +374,8 @@ void RopeContacts::sweep_escaped(Body& body, const CollisionContext& around, dou
     for (uint32_t p = 0; p < body.particles.size(); ++p) any = any || escaped(p);
     if (!any) return;
     searched_ = false;
-    const Collider collider(around, body, swept_box(body, body.history.start, body.particles.position, 0));
+    const Collider& collider =
+        around.memory->collider.emplace(around, body, swept_box(body, body.history.start, body.particles.position, 0));
     if (collider.idle()) return;
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (escaped(p)) {
