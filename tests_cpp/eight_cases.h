@@ -30,6 +30,24 @@ struct Tallies {
     Tally fine, touching, tiny;
 };
 
+/// The same of kernels that give the hit.
+struct HitTallies : Tallies {
+    int inside = 0;  // of those left open
+};
+
+/// That enough questions of each kind were asked, and few of the others left open.
+inline void check_tallies(const HitTallies& tallies) {
+    const Tally &fine = tallies.fine, &touching = tallies.touching, &tiny = tallies.tiny;
+    INFO(fine << ", " << touching << ", " << tiny << ", " << tallies.inside);
+    CHECK(fine.no > 20000);
+    CHECK(fine.yes > 500);
+    CHECK(fine.open < 10);
+    CHECK(touching.yes > 1000);
+    CHECK(touching.open > 100);
+    CHECK(tiny.yes > 100);
+    CHECK(tallies.inside > 1000);
+}
+
 /// In any order: some models are asked about by several rays, and some by none.
 template <class Stored>
 class EightCases {

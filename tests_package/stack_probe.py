@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""stack_probe.py API LIMITS: a library in C that measures the stack that calls of gamephys take.
+"""stack_probe.py API: a library in C that measures the stack that calls of gamephys take.
 
 API is a description of the header (cmake/interface/describe.py). Preloaded into a program, the library has a wrapper
 of each function: it paints the stack below its own frame, calls the function, and sees how far the paint is gone. At
@@ -53,16 +53,14 @@ __attribute__((noinline)) static unsigned char* paint(unsigned char* frame) {
     return low;
 }
 
-__attribute__((noinline)) static void see(function* f, unsigned char* frame, unsigned char* low) {
-    const unsigned long all = 0x0101010101010101ul * PAINT;
-    size_t untouched = 0;
+__attribute__((noinline)) static void see(function* f, unsigned char* low) {
+    const unsigned long paint = 0x0101010101010101ul * PAINT;
+    size_t depth = PAINTED;
     --nested;
     if (!low) return;
     __asm__ volatile("" : "+r"(low) : : "memory");
-    while (untouched < PAINTED && *(unsigned long*)(low + untouched) == all) untouched += sizeof all;
-    untouched = PAINTED - untouched;
-    (void)frame;
-    if (untouched > __atomic_load_n(&f->depth, __ATOMIC_RELAXED)) __atomic_store_n(&f->depth, untouched, __ATOMIC_RELAXED);
+    for (; depth > 0 && *(const unsigned long*)low == paint; low += sizeof paint) depth -= sizeof paint;
+    if (depth > f->depth) f->depth = depth; /* threads may lose a depth to each other, not invent one */
 }
 """
 
@@ -96,7 +94,7 @@ def wrapper(number, function):
              "    unsigned char* const frame = (unsigned char*)__builtin_frame_address(0);",
              "    unsigned char* const low = paint(frame);"]
     lines += [f"    {call};"] if result == "void" else [f"    {result} const result = {call};"]
-    lines += [f"    see(&functions[{number}], frame, low);"]
+    lines += [f"    see(&functions[{number}], low);"]
     lines += ["}"] if result == "void" else ["    return result;", "}"]
     return "\n".join(lines)
 
