@@ -2,7 +2,7 @@
  * take most: many models one within the other, rays that all go different ways or all the same, corners and
  * edges met exactly, bodies of many particles against many models.
  *
- * GPHYS_PRINT_STACK=1 c_test_stack prints what each group took. */
+ * GPHYS_PRINT_STACK=1 c_test_stack prints what each group took, however much. */
 #define _POSIX_C_SOURCE 200112L
 #include "test.h"
 
@@ -373,9 +373,11 @@ static void no_call_takes_more_stack_than_is_stated(void** unused) {
     assert_true(empty < SYSTEM);
     for (i = 0; i < sizeof groups / sizeof groups[0]; ++i) {
         const size_t taken = depth(&groups[i], &w) - empty;
-        if (getenv("GPHYS_PRINT_STACK")) printf("%-16s %6lu\n", groups[i].name, (unsigned long)taken);
-        if (taken > (groups[i].most << 10) * ROOM_PER_CENT / 100)
+        if (getenv("GPHYS_PRINT_STACK")) {
+            printf("%-16s %6lu\n", groups[i].name, (unsigned long)taken);
+        } else if (taken > (groups[i].most << 10) * ROOM_PER_CENT / 100) {
             fail_msg("%s: %lu bytes of stack", groups[i].name, (unsigned long)taken);
+        }
     }
 }
 

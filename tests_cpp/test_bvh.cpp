@@ -604,6 +604,42 @@ TEST_CASE("boxes in a geometric series do not make an octree deeper than its sta
     REQUIRE(tree.stats().depth <= Bvh8::max_built_levels);
 }
 
+TEST_CASE("interleaved traversals of a tree that is deeper than their stacks visit all items") {
+    // As seen from the origin, each box is twice as far as the one before: the deepest nodes are nearest, and all
+    // others wait.
+    Bvh8 tree(std::pmr::get_default_resource());
+    uint32_t count = 0;
+    for (int round = 0; round < 60; ++round) {
+        for (int exponent = -120; exponent < 50; ++exponent) {
+            const float x = std::ldexp(1.0f + static_cast<float>(round) / 64, exponent);
+            tree.insert(count++, {{x, x, x}, {x, x, x}});
+        }
+    }
+    constexpr uint32_t queries = 3;
+    std::vector<std::vector<bool>> seen;
+    const auto begin = [&] { seen.assign(queries, std::vector<bool>(count)); };
+    const auto require_all = [&] {
+        for (const auto& of_query : seen) REQUIRE(std::count(of_query.begin(), of_query.end(), true) == count);
+    };
+    const Ray ray{{}, {1, 1, 1}, infinity};
+    const std::vector<Ray> rays(queries, ray);
+    const auto visit = [&](const uint32_t* numbers, const uint32_t* items, uint32_t size) {
+        for (uint32_t k = 0; k < size; ++k) seen[numbers[k]][items[k]] = true;
+        return 0u;
+    };
+    begin();
+    tree.raycast_many(rays.data(), queries, visit);
+    require_all();
+    begin();
+    tree.raycast_any_many(rays.data(), queries, visit);
+    require_all();
+    const std::vector<Vec3> points(queries);
+    std::vector<double> reaches(queries, infinity);
+    begin();
+    tree.nearest_many(points.data(), queries, reaches.data(), [&](uint32_t i, uint32_t item) { seen[i][item] = true; });
+    require_all();
+}
+
 TEST_CASE("an octree rebuilds itself when all its items change places at once") {
     test::Random random(7);
     Boxes boxes = random_boxes(random, Kind::spread, 4000);

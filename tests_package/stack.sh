@@ -20,9 +20,9 @@ measure() {
     local isa=$1 test
     shift
     for test; do
-        # The test of stacks looks at those of its own threads, and finds the probe there.
-        GAMEPHYS_ISA=$isa STACK_DEPTHS=depths.txt LD_PRELOAD=$PWD/probe.so "$BUILD/tests_c/c_test_$test" >run.txt 2>&1 ||
-            [ "$test" = stack ] || fail "$test on $isa: $(tail -n 5 run.txt)"
+        # The test of stacks looks at those of its own threads, and finds the probe there: it is to print them only.
+        GPHYS_PRINT_STACK=1 GAMEPHYS_ISA=$isa STACK_DEPTHS=depths.txt LD_PRELOAD=$PWD/probe.so "$BUILD/tests_c/c_test_$test" >run.txt 2>&1 ||
+            fail "$test on $isa: $(tail -n 5 run.txt)"
     done
 }
 all=()

@@ -21,15 +21,20 @@ inline bool traverse_pairs(const BvhNode* nodes, uint32_t root, const BvhNode* o
                 return true;
             });
     };
-    struct Pair {
-        uint32_t a, b;
+    // A node, and those children of a node of the other tree that are in some lanes; without lanes, that node itself.
+    struct Pairs {
+        uint32_t a, b, lanes;
     };
-    // Each step descends at least one level in one tree and leaves at most 63 pairs on the stack.
-    Pair stack[64 * bvh_max_levels];
+    // Each step descends a level in the first tree, and leaves at most eight entries.
+    Pairs stack[8 * bvh_max_levels + 1];
     int size = 0;
-    stack[size++] = {root, other_root};
+    stack[size++] = {root, other_root, 0};
     while (size > 0) {
-        const Pair pair = stack[--size];
+        Pairs& top = stack[size - 1];
+        Pairs pair = top;
+        if (pair.lanes != 0) pair.b = node_at(other_nodes, pair.b).child[lowest_bit(pair.lanes)];
+        top.lanes &= top.lanes - 1;
+        if ((pair.lanes & (pair.lanes - 1)) == 0) --size;
         const BvhNode& a = node_at(nodes, pair.a);
         const BvhNode& b = node_at(other_nodes, pair.b);
         for (uint32_t i = 0; i < a.count; ++i) {
@@ -38,12 +43,8 @@ inline bool traverse_pairs(const BvhNode* nodes, uint32_t root, const BvhNode* o
                 if (!below_other(a.child[i], test, pair.b)) return false;
                 continue;
             }
-            uint32_t rest = test.hits(b.boxes) & lanes_of(b);
-            if (is_leaf(pair.b)) {
-                if (rest != 0) stack[size++] = {a.child[i], pair.b};
-            } else {
-                for (; rest != 0; rest &= rest - 1) stack[size++] = {a.child[i], b.child[lowest_bit(rest)]};
-            }
+            const uint32_t lanes = test.hits(b.boxes) & lanes_of(b);
+            if (lanes != 0) stack[size++] = {a.child[i], pair.b, is_leaf(pair.b) ? 0 : lanes};
         }
     }
     return true;
