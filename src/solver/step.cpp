@@ -17,8 +17,8 @@
 //                  and copies of particles
 //
 // All but `move` runs on the caller's thread. Workers share the scene, the models that have moved and the settings,
-// which they only read. Each worker has a RopeScratch and FlightPlanes of its own. Several workers write to one body in
-// these cases only:
+// which they only read. Each worker has a RopeScratch, FlightPlanes and a CollisionMemory of its own. Several workers
+// write to one body in these cases only:
 //
 //   A large body of free particles is divided (move_part). The parts are disjoint ranges of its particles, with
 //   impulses of their own, which end_body_step adds in order. All workers move a large cloth as one team (move_shared),
