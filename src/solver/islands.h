@@ -36,6 +36,8 @@ struct Island {
     uint32_t first_joined = 0, joined_count = 0;
     uint32_t first_system = 0, system_count = 0;
     uint32_t first_particle = 0, colliding_count = 0;  // those that collide with others
+    uint32_t first_cluster = 0, cluster_count = 0;     // of these, the free ones
+    uint32_t first_row = 0, row_count = 0;             // room for their contacts
     uint32_t first_group = 0;                          // of their pairs
     bool on_trial = false;                             // whether all workers could move it at once
     bool shared = false;                               // whether they do (SharingTrial)

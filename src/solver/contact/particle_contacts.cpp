@@ -2,6 +2,8 @@
 #include "solver/contact/particle_contacts.h"
 
 #include "solver/contact/cloth_loads.h"
+#include "solver/contact/cluster_contacts.h"
+#include "solver/contact/collision.h"
 #include "solver/contact/collision_memory.h"
 #include "solver/contact/friction.h"
 #include "solver/contact/leave_solids.h"
@@ -81,7 +83,7 @@ Vec3 place_of(const Body& body, uint32_t p) {
 
 void ParticleContacts::reserve(const BodyTable& bodies, Vector<Island>& islands,
                                const Vector<uint32_t>& island_bodies) {
-    uint32_t total = 0, most = 0, groups = 0;
+    uint32_t total = 0, most = 0, groups = 0, clusters = 0, rows = 0;
     for (Island& island : islands) {
         island.first_particle = total;
         island.colliding_count = 0;
@@ -92,6 +94,19 @@ void ParticleContacts::reserve(const BodyTable& bodies, Vector<Island>& islands,
         total += island.colliding_count;
         island.first_group = groups;
         groups += group_count(island.colliding_count);
+        island.first_cluster = clusters;
+        island.first_row = rows;
+        uint32_t members = 0;
+        island.cluster_count = 0;
+        for (uint32_t i = 0; i < island.body_count; ++i) {
+            ClusterContacts::each_free(bodies[island_bodies[island.first_body + i]], [&](ClusterRange cluster) {
+                ++island.cluster_count;
+                members += cluster.size();
+            });
+        }
+        island.row_count = ClusterContacts::most_rows(island.colliding_count, members);
+        clusters += island.cluster_count;
+        rows += island.row_count;
     }
     // Which bodies are near each other changes from step to step, so there is room for all that may collide.
     for (const Body& body : bodies) most += collides_with_others(body) ? body.particles.size() : 0;
@@ -104,6 +119,8 @@ void ParticleContacts::reserve(const BodyTable& bodies, Vector<Island>& islands,
     supports_.resize(most);
     order_.resize(most);
     groups_.resize(groups);
+    clusters_.resize(clusters);
+    rows_.resize(rows);
     listed_.reserve(most);
 }
 
@@ -130,15 +147,21 @@ ParticleContacts::Range ParticleContacts::range(const Island& island) {
             &groups_[island.first_group],
             group_count(island.colliding_count),
             island.team,
-            listed_.of_island(island.first_particle, island.colliding_count)};
+            listed_.of_island(island.first_particle, island.colliding_count),
+            clusters_.data() + island.first_cluster,
+            island.cluster_count,
+            rows_.data() + island.first_row,
+            island.row_count};
 }
 
 void ParticleContacts::begin(const Island& island, const IdTable& ids, const BodyTable& bodies, const uint32_t* slots) {
     const Range range = this->range(island);
     Particle* next = range.particles;
+    ContactCluster* cluster = range.clusters;
     for (uint32_t i = 0; i < island.body_count; ++i) {
         const Body& body = bodies[slots[i]];
         if (!collides_with_others(body)) continue;
+        Particle* const of_body = next;
         for (uint32_t p = 0; p < body.particles.size(); ++p, ++next) {
             *next = {};
             next->body = slots[i];
@@ -149,6 +172,13 @@ void ParticleContacts::begin(const Island& island, const IdTable& ids, const Bod
             next->at = place_of(body, p);
             next->velocity = velocity_of(body, p);
         }
+        ClusterContacts::each_free(body, [&](ClusterRange members) {
+            *cluster = {};
+            for (const ClusterMember& member : members) of_body[member.particle].cluster = cluster;
+            cluster->first = static_cast<uint32_t>(of_body - range.particles);
+            cluster->members = members;
+            ++cluster;
+        });
     }
     std::fill(range.groups, range.groups + range.group_count, Group{});
     range.listed.clear();
@@ -163,6 +193,8 @@ void ParticleContacts::gather(const Range& range, const BodyTable& bodies, doubl
             p.at = p.uncorrected = place_of(body, p.number);
             const Vec3 velocity_before = p.velocity;
             p.velocity = p.uncorrected_velocity = velocity_of(body, p.number);
+            // The shape, links and models have moved it after the contacts of the last substep.
+            if (p.cluster) p.before = body.cloth.state.origin + get(&body.cloth.state.start[4 * size_t{p.number}]);
             if (moves_freely(body) && was_pushed_out(p.at - p.before, velocity_before, p.velocity, h))
                 p.before = p.at - p.velocity * h;
             p.inverse_mass = body.particles.inverse_mass[p.number];
@@ -178,7 +210,7 @@ void ParticleContacts::find_supports(const Range& range, const BodyTable& bodies
             Particle& p = range.particles[i];
             Supports& supports = range.supports[i];
             const Body& body = bodies[p.body];
-            p.supports = p.paired && supports.find_for_positions(body, p.number, p.at, around) ? &supports : nullptr;
+            p.supports = p.paired && !p.cluster && supports.find_for_positions(body, p.number, p.at, around) ? &supports : nullptr;
             p.uncorrected = p.at;
         }
     });
@@ -225,6 +257,7 @@ bool ParticleContacts::find_contacts(const Range& range, const BodyTable& bodies
             range.contacts[begin + found - 1] = {pair.a,
                                                  pair.b,
                                                  both_free,
+                                                 a.cluster || b.cluster,
                                                  normal,
                                                  stays ? radii - overlap : radii,
                                                  std::clamp(overlap, 0.0, most_correction * radii - error),
@@ -491,8 +524,20 @@ ParticleContacts::Found ParticleContacts::solve_contacts(const Island& island, c
         sinking = sinking || group->sinking;
     }
     // Overlaps tell that the sweeps have not sufficed.
-    sweep(range, sinking ? 2 * sweeps : sweeps,
-          [](Contact& contact, Particle& a, Particle& b) { solve_position(contact, a, b); });
+    const int times = sinking ? 2 * sweeps : sweeps;
+    if (range.cluster_count > 0) {
+        ClusterContacts clusters(range, bodies);
+        clusters.begin_positions(around);
+        const double tolerance = ClusterContacts::tolerance_of(gravity, h);
+        clusters.solve(times, tolerance, [&] {
+            sweep(range, 1, [](Contact& contact, Particle& a, Particle& b) {
+                if (!contact.rigid) solve_position(contact, a, b);
+            });
+        });
+        clusters.end_positions();
+    } else {
+        sweep(range, times, [](Contact& contact, Particle& a, Particle& b) { solve_position(contact, a, b); });
+    }
     return found;
 }
 
@@ -533,7 +578,7 @@ void ParticleContacts::solve_positions(const Island& island, BodyTable& bodies, 
 }
 
 void ParticleContacts::solve_velocities(const Island& island, BodyTable& bodies, const uint32_t* slots,
-                                        const CollisionContext& around) {
+                                        const CollisionContext& around, Vec3 gravity, double h) {
     const Range range = this->range(island);
     share_particles(range, [&](uint32_t first, uint32_t end) {
         for (uint32_t i = first; i < end; ++i) {
@@ -542,11 +587,23 @@ void ParticleContacts::solve_velocities(const Island& island, BodyTable& bodies,
             p.velocity = p.uncorrected_velocity = velocity_of(body, p.number);
             Supports& supports = range.supports[i];
             const Vec3 at = place_of(body, p.number);
-            const bool any = p.paired && supports.find_for_velocities(body, p.number, at, p.velocity, around);
+            const bool any = (p.cluster ? p.cluster->active : p.paired) && supports.find_for_velocities(body, p.number, at, p.velocity, around);
             p.supports = any ? &supports : nullptr;
         }
     });
-    sweep(range, sweeps, [](Contact& contact, Particle& a, Particle& b) { solve_velocity(contact, a, b); });
+    if (range.cluster_count > 0) {
+        ClusterContacts clusters(range, bodies);
+        const double tolerance = ClusterContacts::tolerance_of(gravity, h) / h;
+        clusters.begin_velocities(tolerance);
+        clusters.solve(sweeps, tolerance, [&] {
+            sweep(range, 1, [](Contact& contact, Particle& a, Particle& b) {
+                if (!contact.rigid) solve_velocity(contact, a, b);
+            });
+        });
+        clusters.end_velocities();
+    } else {
+        sweep(range, sweeps, [](Contact& contact, Particle& a, Particle& b) { solve_velocity(contact, a, b); });
+    }
     if (island.body_count > 1) add_impulses(range, &Contact::all_change, 1);
     add_support_impulses(island, bodies, slots, around, 1);
     share_particles(range, [&](uint32_t first, uint32_t end) {

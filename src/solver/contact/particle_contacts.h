@@ -25,6 +25,7 @@
 #include "foundation/team.h"
 #include "solver/body_table.h"
 #include "solver/contact/body_contacts.h"
+#include "solver/contact/rigid_contacts.h"
 #include "solver/contact/supports.h"
 #include "solver/islands.h"
 
@@ -49,6 +50,8 @@ public:
           supports_(memory),
           order_(memory),
           groups_(memory),
+          clusters_(memory),
+          rows_(memory),
           listed_(memory) {}
 
     /// Call before a step, for all islands. Sets their ranges. Throws std::bad_alloc.
@@ -80,7 +83,7 @@ public:
                     Vec3 gravity, double h, FlightPlanes* planes);
     /// Call at the end of the substep: restitution and friction of pairs in contact.
     void solve_velocities(const Island& island, BodyTable& bodies, const uint32_t* slots,
-                          const CollisionContext& around);
+                          const CollisionContext& around, Vec3 gravity, double h);
     /// Call after the last substep: separates pairs that constraints have made overlap.
     void solve_final_positions(const Island& island, BodyTable& bodies, const uint32_t* slots,
                                const CollisionContext& around, Vec3 gravity, double h);
@@ -96,9 +99,10 @@ private:
         Vec3 list_position;  // position at which the list was made
         uint32_t body, number;
         gphys_body_id id;
-        bool paired;      // whether it is in any pair of the list
-        bool on_other;    // of ropes: whether it touches one of another rope
-        uint16_t shares;  // of the first one of a load of ropes: in how many contacts it presses on them
+        ContactCluster* cluster;  // that it is a free member of, or null
+        bool paired;              // whether it is in any pair of the list
+        bool on_other;            // of ropes: whether it touches one of another rope
+        uint16_t shares;          // of the first one of a load of ropes: in how many contacts it presses on them
 
         double reach() const { return radius + margin; }
     };
@@ -116,6 +120,7 @@ private:
     struct Contact {
         uint32_t a, b;
         bool both_free;               // whether both are of bodies without links
+        bool rigid;                   // whether any is in a free cluster
         Vec3 normal;                  // unit, from a to b
         double radii;                 // the distance at which they touch: their sum, or less if they overlap
         double overlap;               // metres: how much of that this substep removes
@@ -162,6 +167,10 @@ private:
         uint32_t group_count;  // colour by colour, as many of each
         Team* team;            // of all workers, or null
         IslandContacts listed;
+        ContactCluster* clusters;
+        uint32_t cluster_count;
+        ContactRow* rows;
+        uint32_t row_count;
 
         uint32_t most_pairs() const { return count * pairs_per_particle; }
     };
@@ -170,6 +179,7 @@ private:
         bool deep;              // whether many pairs overlap deeply
     };
     class PairSearch;
+    class ClusterContacts;
 
     // Capacity of the list and of the contacts, for each particle. In the densest packing of equal spheres each touches
     // 12 others and has 18 within 1.4 diameters; a pair counts once. Contacts beyond the capacity are dropped, those of
@@ -221,6 +231,8 @@ private:
     Vector<Supports> supports_;
     Vector<uint32_t> order_;
     Vector<Group> groups_;
+    Vector<ContactCluster> clusters_;
+    Vector<ContactRow> rows_;
     BodyContacts listed_;
 };
 

@@ -15,22 +15,33 @@ Vec3 carried_by(const CollisionContext& around, gphys_model_id model, Vec3 point
     return point - interpolate(moved->world, after, around.way(around.begin)).apply(on_model);
 }
 
+/// A particle that is farther off, in radii, has left the model in this step. What is nearer is the rounding of the
+/// contact point.
+double room(double gap, double radius) {
+    constexpr double left = 0.01;
+    return gap > left * radius ? gap : 0;
+}
+
 }  // namespace
 
-// A particle that is farther off, in radii, has left the model in this step. What is nearer is the rounding of the
-// contact point.
-constexpr double left = 0.01;
-
-void Supports::add(gphys_model_id model, Vec3 normal, Vec3 carried, double gap, double radius) {
+void Supports::add(gphys_model_id model, Vec3 normal, Vec3 carried, double room) {
     Support& support = of_[count_++];
     support = {};
     support.model = model;
     support.normal = normal;
     support.carried = carried;
-    support.room = gap > left * radius ? gap : 0;
+    support.room = room;
 }
 
 bool Supports::find_for_positions(const Body& body, uint32_t particle, Vec3& at, const CollisionContext& around) {
+    return find(body, particle, at, around, false);
+}
+
+bool Supports::find_in_shape(const Body& body, uint32_t particle, Vec3 at, const CollisionContext& around) {
+    return find(body, particle, at, around, true);
+}
+
+bool Supports::find(const Body& body, uint32_t particle, Vec3& at, const CollisionContext& around, bool in_shape) {
     const double radius = body.particles.radius[particle];
     count_ = 0;
     if (is_graph(body)) {
@@ -46,8 +57,9 @@ bool Supports::find_for_positions(const Body& body, uint32_t particle, Vec3& at,
             Vec3 carried;
             if (plane.moving_collider != ContactPlane::unmoved)
                 carried = carried_by(around, plane.model, at - plane.normal * radius);
-            at += plane.normal * std::max(0.0, -gap_to(plane, carried));
-            add(plane.model, plane.normal, carried, gap_to(plane, carried), radius);
+            if (!in_shape) at += plane.normal * std::max(0.0, -gap_to(plane, carried));
+            const double gap = gap_to(plane, carried);
+            add(plane.model, plane.normal, carried, in_shape ? gap : room(gap, radius));
         }
     } else {
         if (body.contacts.points.empty()) return false;
@@ -57,7 +69,7 @@ bool Supports::find_for_positions(const Body& body, uint32_t particle, Vec3& at,
             const ContactPoint& point = points[count_];
             const Vec3 normal = widen(point.normal);
             add(point.model, normal, carried_by(around, point.model, at - normal * radius),
-                dot(at - widen(point.point), normal) - radius, radius);
+                room(dot(at - widen(point.point), normal) - radius, radius));
         }
     }
     if (count_ == 0) return false;

@@ -22,10 +22,14 @@ struct Support {
 /// Of one particle. Corrections are displacements in a substep, or changes of velocity.
 class Supports {
 public:
+    static constexpr uint32_t most = 3;  // in a corner
+
     /// Those of a particle: the models that it has touched in this step, and of cloth the contact planes that it has.
     /// Returns whether there are any. `at`: predicted; of cloth it becomes the place in front of the planes, to which
     /// they push a particle that nothing else presses on them.
     bool find_for_positions(const Body& body, uint32_t particle, Vec3& at, const CollisionContext& around);
+    /// The same for one that keeps its place in a rigid cluster. Its room is negative behind a contact plane.
+    bool find_in_shape(const Body& body, uint32_t particle, Vec3 at, const CollisionContext& around);
     bool find_for_velocities(const Body& body, uint32_t particle, Vec3 at, Vec3 velocity,
                              const CollisionContext& around);
 
@@ -71,11 +75,12 @@ public:
     Vec3 friction() const;
     uint32_t count() const { return count_; }
     const Support& operator[](uint32_t i) const { return of_[i]; }
+    Support& operator[](uint32_t i) { return of_[i]; }
+    double friction_coefficient() const { return friction_; }
 
 private:
-    static constexpr uint32_t most = 3;  // in a corner
-
-    void add(gphys_model_id model, Vec3 normal, Vec3 carried, double gap, double radius);
+    bool find(const Body& body, uint32_t particle, Vec3& at, const CollisionContext& around, bool in_shape);
+    void add(gphys_model_id model, Vec3 normal, Vec3 carried, double room);
 
     uint32_t count_ = 0;
     double friction_ = 0;

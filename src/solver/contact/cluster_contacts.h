@@ -1,0 +1,91 @@
+// The contacts of free rigid clusters in an island (rigid_contacts.h).
+#pragma once
+
+#include "solver/body.h"
+#include "solver/contact/particle_contacts.h"
+
+namespace gphys {
+
+class ParticleContacts::ClusterContacts {
+public:
+    /// The accuracy of gaps, metres: of what gravity moves in a substep.
+    static double tolerance_of(Vec3 gravity, double h) { return 3e-3 * length(gravity) * h * h; }
+
+    ClusterContacts(const Range& range, const BodyTable& bodies)
+        : range_(range), bodies_(bodies), contacts_(range.rows, range.row_count) {}
+
+    /// Calls visit(members) for the clusters of a body that contacts move as a whole: nothing holds them, and none of
+    /// their particles is in another one.
+    template <class Visit>
+    static void each_free(const Body& body, Visit&& visit) {
+        if (!is_graph(body) || body.cloth.clusters.empty() || body.cloth.clusters.overlap) return;
+        if (!collides_with_others(body)) return;
+        each_cluster(body.cloth.clusters, [&](ClusterRange members) {
+            const auto moves = [&](const ClusterMember& m) { return body.particles.inverse_mass[m.particle] > 0; };
+            if (std::all_of(members.begin(), members.end(), moves)) visit(members);
+        });
+    }
+    /// Room for the contacts in an island of so many particles, so many of them in clusters.
+    static uint32_t most_rows(uint32_t particles, uint32_t members);
+
+    void begin_positions(const CollisionContext& around);
+    void end_positions() const;
+    /// `tolerance`: m/s, the accuracy of speeds.
+    void begin_velocities(double tolerance);
+    void end_velocities() const;
+    /// So many sweeps over all contacts. sweep_others() is one over those that no cluster is in.
+    template <class Sweep>
+    void solve(int sweeps, double tolerance, Sweep&& sweep_others) {
+        if (others_ == 0) {
+            contacts_.solve(sweeps * iterations, tolerance);
+            return;
+        }
+        for (int i = 0; i < sweeps; ++i) {
+            sweep_others();
+            contacts_.restart();
+            contacts_.solve(iterations, tolerance);
+        }
+    }
+
+private:
+    // In each of the sweeps over all contacts.
+    static constexpr int iterations = 8;
+
+    template <class Visit>
+    void each_particle(const ContactCluster& cluster, Visit&& visit) const {
+        for (const ClusterMember& member : cluster.members) visit(range_.particles[cluster.first + member.particle]);
+    }
+    template <class Visit>
+    void each_active(Visit&& visit) const {
+        for (uint32_t i = 0; i < range_.cluster_count; ++i) {
+            if (range_.clusters[i].active) visit(range_.clusters[i]);
+        }
+    }
+    /// Calls visit(contact, a, b) for the contacts of clusters. Returns how many others there are.
+    template <class Visit>
+    uint32_t each_rigid(Visit&& visit) const {
+        uint32_t others = 0;
+        for (const Group* group = range_.groups; group != range_.groups + range_.group_count; ++group) {
+            for (uint32_t i = 0; i < group->contacts.count; ++i) {
+                Contact& contact = range_.contacts[group->contacts.begin + i];
+                if (contact.rigid) {
+                    visit(contact, range_.particles[contact.a], range_.particles[contact.b]);
+                } else {
+                    ++others;
+                }
+            }
+        }
+        return others;
+    }
+    void find_inertia(ContactCluster& cluster) const;
+    ContactSide side(Particle& particle, Vec3 Particle::*value, Vec3 Particle::*uncorrected, const Vec3& still) const;
+    template <class Slip>
+    void add_supports(Slip&& slip_of);
+
+    const Range& range_;
+    const BodyTable& bodies_;
+    RigidContacts contacts_;
+    uint32_t others_ = 0;  // contacts without clusters
+};
+
+}  // namespace gphys
