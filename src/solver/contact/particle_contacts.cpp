@@ -210,7 +210,8 @@ void ParticleContacts::find_supports(const Range& range, const BodyTable& bodies
             Particle& p = range.particles[i];
             Supports& supports = range.supports[i];
             const Body& body = bodies[p.body];
-            p.supports = p.paired && !p.cluster && supports.find_for_positions(body, p.number, p.at, around) ? &supports : nullptr;
+            p.supports = p.paired && !p.cluster && supports.find_for_positions(body, p.number, p.at, around) ? &supports
+                                                                                                             : nullptr;
             p.uncorrected = p.at;
         }
     });
@@ -587,7 +588,8 @@ void ParticleContacts::solve_velocities(const Island& island, BodyTable& bodies,
             p.velocity = p.uncorrected_velocity = velocity_of(body, p.number);
             Supports& supports = range.supports[i];
             const Vec3 at = place_of(body, p.number);
-            const bool any = (p.cluster ? p.cluster->active : p.paired) && supports.find_for_velocities(body, p.number, at, p.velocity, around);
+            const bool any = (p.cluster ? p.cluster->active : p.paired) &&
+                             supports.find_for_velocities(body, p.number, at, p.velocity, around);
             p.supports = any ? &supports : nullptr;
         }
     });

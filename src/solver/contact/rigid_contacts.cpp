@@ -56,29 +56,32 @@ double largest_along(const ContactRow& row) {
     return (ss + tt) / 2 + std::sqrt((ss - tt) * (ss - tt) / 4 + st * st);
 }
 
-/// Changes the impulses of a row, of which `among` share the masses. Returns by how much it has changed the gap.
-double change(ContactRow& row, Vec3 moved, double among) {
+/// Changes the normal impulse of a row, of which `among` share the masses. Returns by how much it has changed the gap.
+double change_normal(ContactRow& row, Vec3 moved, double among) {
     row.normal_change = 0;
-    row.friction_change = {};
     const double gap = row.gap + dot(row.normal, moved);
-    if (row.normal_impulse == 0 && gap >= 0 && row.friction_impulse == Vec3{}) return 0;
+    if (row.normal_impulse == 0 && gap >= 0) return 0;
     const double yields = row.inverse_mass + yielding_mass(row, row.normal);
     if (!(yields > 0)) return 0;
     row.normal_change = std::max(-row.normal_impulse, -gap / (yields * among));
     row.normal_impulse += row.normal_change;
-    if (row.friction > 0) {
-        // The surface has moved with the normal impulse.
-        Vec3 slip = row.slip + moved + row.pushed * (row.normal_change * among);
-        slip -= row.normal * dot(slip, row.normal);
-        const double along = row.inverse_mass_along + yielding_mass_along(row, slip);
-        Vec3 wanted = row.friction_impulse;
-        if (along > 0) wanted -= slip / (along * among);
-        const double most = row.friction * row.normal_impulse, square = length_squared(wanted);
-        if (square > most * most) wanted *= most / std::sqrt(square);
-        row.friction_change = wanted - row.friction_impulse;
-        row.friction_impulse = wanted;
-    }
     return std::fabs(row.normal_change) * yields;
+}
+
+/// The same for friction, within Coulomb's bound, by a row with this share of the masses.
+double change_friction(ContactRow& row, Vec3 moved, double share) {
+    row.friction_change = {};
+    if (row.friction == 0 || (row.normal_impulse == 0 && row.friction_impulse == Vec3{})) return 0;
+    Vec3 slip = row.slip + moved;
+    slip -= row.normal * dot(slip, row.normal);
+    const double along = row.inverse_mass_along + yielding_mass_along(row, slip);
+    Vec3 wanted = row.friction_impulse;
+    if (along > 0) wanted -= slip * (share / along);
+    const double most = row.friction * row.normal_impulse, square = length_squared(wanted);
+    if (square > most * most) wanted *= most / std::sqrt(square);
+    row.friction_change = wanted - row.friction_impulse;
+    row.friction_impulse = wanted;
+    return length(row.friction_change) * along;
 }
 
 /// Calls impulse_of(row) for the rows of a group, and applies the sum.
@@ -133,23 +136,32 @@ void RigidContacts::arrange(const ContactCluster* clusters) {
     ContactRow* const end = rows_ + count_;
     for (ContactRow* row = rows_; row != end; row += row->count) {
         row->count = 1;
-        if (row->a.value) continue;  // with a particle
-        while (row + row->count != end && row[row->count].group == row->group) ++row->count;
+        const auto follows = [&](const ContactRow* next) {
+            return next != end && next->group == row->group && !next->a.value;
+        };
+        while (!row->a.value && follows(row + row->count)) ++row->count;
     }
 }
 
-/// Returns the largest change of a gap.
+/// Returns by how much it has moved anything, at most.
 double RigidContacts::sweep() {
     double largest = 0;
     square_ = 0;
     for (ContactRow *first = rows_, *const end = rows_ + count_; first != end; first += first->count) {
         const double among = first->count;
+        double load = 0;
         push_group(first, [&](ContactRow& row) {
-            largest = std::max(largest, change(row, moved(row.b) - moved(row.a), among));
+            largest = std::max(largest, change_normal(row, moved(row.b) - moved(row.a), among));
+            load += row.normal_impulse;
+            return row.normal * row.normal_change;
+        });
+        push_group(first, [&](ContactRow& row) {
+            // Each bears as much of the friction as of the load, which bounds it.
+            const double share = load > 0 ? row.normal_impulse / load : 1 / among;
+            largest = std::max(largest, change_friction(row, moved(row.b) - moved(row.a), share));
             // In the norm of the energy.
-            square_ += row.inverse_mass *
-                       (row.normal_change * row.normal_change + length_squared(row.friction_change));
-            return row.normal * row.normal_change + row.friction_change;
+            square_ += row.inverse_mass * (row.normal_change * row.normal_change + length_squared(row.friction_change));
+            return row.friction_change;
         });
     }
     return largest;

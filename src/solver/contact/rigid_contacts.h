@@ -53,7 +53,7 @@ struct ContactRow {
     Support* support = nullptr;
     double scale = 1;
 
-    uint64_t group = 0;  // the same for rows between two clusters, or of a cluster with models
+    uint64_t group = 0;              // the same for rows between two clusters, or of a cluster with models
     uint32_t number = 0, count = 0;  // count: of the rows of the group, of its first
     bool carried = false;            // whether models carry any of the two, a particle
     // What a unit impulse along the normal moves b by, relative to a; of that along the normal; along the surface at
