@@ -5,11 +5,30 @@
 
 namespace gphys {
 
-uint32_t ParticleContacts::ClusterContacts::most_rows(uint32_t particles, uint32_t members) {
+void ParticleContacts::ClusterContacts::count(Island& island, const BodyTable& bodies, const uint32_t* slots) {
     // A member may touch many small particles. Between two members a contact counts once.
     constexpr uint32_t of_member = 64;
-    if (members == 0) return 0;
-    return std::min(contacts_per_particle * particles, of_member * members) + Supports::most * members;
+    uint32_t members = 0;
+    island.cluster_count = 0;
+    for (uint32_t i = 0; i < island.body_count; ++i) {
+        each_free(bodies[slots[i]], [&](ClusterRange cluster) {
+            ++island.cluster_count;
+            members += cluster.size();
+        });
+    }
+    const uint32_t pairs = std::min(contacts_per_particle * island.colliding_count, of_member * members);
+    island.row_count = pairs + Supports::most * members;
+}
+
+void ParticleContacts::ClusterContacts::list(const Body& body, const Range& range, Particle* of_body,
+                                             ContactCluster*& next) {
+    each_free(body, [&](ClusterRange members) {
+        *next = {};
+        for (const ClusterMember& member : members) of_body[member.particle].cluster = next;
+        next->first = static_cast<uint32_t>(of_body - range.particles);
+        next->members = members;
+        ++next;
+    });
 }
 
 /// As the prediction has left its particles.

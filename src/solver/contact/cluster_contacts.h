@@ -25,23 +25,27 @@ public:
             if (std::all_of(members.begin(), members.end(), moves)) visit(members);
         });
     }
-    /// Room for the contacts in an island of so many particles, so many of them in clusters.
-    static uint32_t most_rows(uint32_t particles, uint32_t members);
+    /// Counts them, and the room for their contacts. Call before a step. `slots`: of the bodies of the island.
+    static void count(Island& island, const BodyTable& bodies, const uint32_t* slots);
+    /// Notes those of a body. Call at its beginning. `of_body`: the first particle of the body. `next`: the first one
+    /// that is not taken yet.
+    static void list(const Body& body, const Range& range, Particle* of_body, ContactCluster*& next);
 
     void begin_positions(const CollisionContext& around);
     void end_positions() const;
     /// `tolerance`: m/s, the accuracy of speeds.
     void begin_velocities(double tolerance);
     void end_velocities() const;
-    /// So many sweeps over all contacts. sweep_others() is one over those that no cluster is in.
-    template <class Sweep>
-    void solve(int sweeps, double tolerance, Sweep&& sweep_others) {
+    /// So many sweeps over all contacts. solve_other(contact, a, b) is called for all of them and leaves out those of
+    /// clusters.
+    template <class Solve>
+    void solve(int sweeps, double tolerance, Solve&& solve_other) {
         if (others_ == 0) {
             contacts_.solve(sweeps * iterations, tolerance);
             return;
         }
         for (int i = 0; i < sweeps; ++i) {
-            sweep_others();
+            sweep(range_, 1, solve_other);
             contacts_.restart();
             contacts_.solve(iterations, tolerance);
         }

@@ -96,15 +96,7 @@ void ParticleContacts::reserve(const BodyTable& bodies, Vector<Island>& islands,
         groups += group_count(island.colliding_count);
         island.first_cluster = clusters;
         island.first_row = rows;
-        uint32_t members = 0;
-        island.cluster_count = 0;
-        for (uint32_t i = 0; i < island.body_count; ++i) {
-            ClusterContacts::each_free(bodies[island_bodies[island.first_body + i]], [&](ClusterRange cluster) {
-                ++island.cluster_count;
-                members += cluster.size();
-            });
-        }
-        island.row_count = ClusterContacts::most_rows(island.colliding_count, members);
+        ClusterContacts::count(island, bodies, &island_bodies[island.first_body]);
         clusters += island.cluster_count;
         rows += island.row_count;
     }
@@ -172,13 +164,7 @@ void ParticleContacts::begin(const Island& island, const IdTable& ids, const Bod
             next->at = place_of(body, p);
             next->velocity = velocity_of(body, p);
         }
-        ClusterContacts::each_free(body, [&](ClusterRange members) {
-            *cluster = {};
-            for (const ClusterMember& member : members) of_body[member.particle].cluster = cluster;
-            cluster->first = static_cast<uint32_t>(of_body - range.particles);
-            cluster->members = members;
-            ++cluster;
-        });
+        ClusterContacts::list(body, range, of_body, cluster);
     }
     std::fill(range.groups, range.groups + range.group_count, Group{});
     range.listed.clear();
@@ -464,32 +450,6 @@ void ParticleContacts::move_loads_of_ropes(const Island& island, BodyTable& bodi
     });
 }
 
-/// So many Gauss-Seidel sweeps: solve(contact, its particles), colour after colour. A processor overlaps the work on
-/// the contacts of two groups, while those of one group mostly wait for each other.
-template <class Solve>
-void ParticleContacts::sweep(const Range& range, int times, Solve&& solve) {
-    const uint32_t in_colour = std::min(range.group_count, groups_per_colour), together = std::min(in_colour, 2u);
-    const auto solve_one = [&](uint32_t i) {
-        Contact& contact = range.contacts[i];
-        solve(contact, range.particles[contact.a], range.particles[contact.b]);
-    };
-    for (int sweep = 0; sweep < times; ++sweep) {
-        for (uint32_t first = 0; first < range.group_count; first += in_colour) {
-            share(range.team, in_colour / together, [&](uint32_t k, uint32_t) {
-                const Group* const group = &range.groups[first + together * k];
-                const Items one = group->contacts, other = together > 1 ? group[1].contacts : Items{};
-                const uint32_t both = std::min(one.count, other.count);
-                for (uint32_t i = 0; i < both; ++i) {
-                    solve_one(one.begin + i);
-                    solve_one(other.begin + i);
-                }
-                for (uint32_t i = both; i < one.count; ++i) solve_one(one.begin + i);
-                for (uint32_t i = both; i < other.count; ++i) solve_one(other.begin + i);
-            });
-        }
-    }
-}
-
 /// Removes what was too near at the beginning of the substep, without speed.
 void ParticleContacts::separate_overlapping(const Island& island, BodyTable& bodies, const uint32_t* slots,
                                             const CollisionContext& around, double bounce_threshold,
@@ -526,19 +486,16 @@ ParticleContacts::Found ParticleContacts::solve_contacts(const Island& island, c
     }
     // Overlaps tell that the sweeps have not sufficed.
     const int times = sinking ? 2 * sweeps : sweeps;
-    if (range.cluster_count > 0) {
-        ClusterContacts clusters(range, bodies);
-        clusters.begin_positions(around);
-        const double tolerance = ClusterContacts::tolerance_of(gravity, h);
-        clusters.solve(times, tolerance, [&] {
-            sweep(range, 1, [](Contact& contact, Particle& a, Particle& b) {
-                if (!contact.rigid) solve_position(contact, a, b);
-            });
-        });
-        clusters.end_positions();
-    } else {
+    if (range.cluster_count == 0) {
         sweep(range, times, [](Contact& contact, Particle& a, Particle& b) { solve_position(contact, a, b); });
+        return found;
     }
+    ClusterContacts clusters(range, bodies);
+    clusters.begin_positions(around);
+    clusters.solve(times, ClusterContacts::tolerance_of(gravity, h), [](Contact& contact, Particle& a, Particle& b) {
+        if (!contact.rigid) solve_position(contact, a, b);
+    });
+    clusters.end_positions();
     return found;
 }
 
@@ -593,18 +550,16 @@ void ParticleContacts::solve_velocities(const Island& island, BodyTable& bodies,
             p.supports = any ? &supports : nullptr;
         }
     });
-    if (range.cluster_count > 0) {
+    if (range.cluster_count == 0) {
+        sweep(range, sweeps, [](Contact& contact, Particle& a, Particle& b) { solve_velocity(contact, a, b); });
+    } else {
         ClusterContacts clusters(range, bodies);
         const double tolerance = ClusterContacts::tolerance_of(gravity, h) / h;
         clusters.begin_velocities(tolerance);
-        clusters.solve(sweeps, tolerance, [&] {
-            sweep(range, 1, [](Contact& contact, Particle& a, Particle& b) {
-                if (!contact.rigid) solve_velocity(contact, a, b);
-            });
+        clusters.solve(sweeps, tolerance, [](Contact& contact, Particle& a, Particle& b) {
+            if (!contact.rigid) solve_velocity(contact, a, b);
         });
         clusters.end_velocities();
-    } else {
-        sweep(range, sweeps, [](Contact& contact, Particle& a, Particle& b) { solve_velocity(contact, a, b); });
     }
     if (island.body_count > 1) add_impulses(range, &Contact::all_change, 1);
     add_support_impulses(island, bodies, slots, around, 1);

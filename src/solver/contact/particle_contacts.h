@@ -303,6 +303,32 @@ bool ParticleContacts::fill_groups(const Range& range, Items Group::*items, uint
     return true;
 }
 
+/// So many Gauss-Seidel sweeps: solve(contact, its particles), colour after colour. A processor overlaps the work on
+/// the contacts of two groups, while those of one group mostly wait for each other.
+template <class Solve>
+void ParticleContacts::sweep(const Range& range, int times, Solve&& solve) {
+    const uint32_t in_colour = std::min(range.group_count, groups_per_colour), together = std::min(in_colour, 2u);
+    const auto solve_one = [&](uint32_t i) {
+        Contact& contact = range.contacts[i];
+        solve(contact, range.particles[contact.a], range.particles[contact.b]);
+    };
+    for (int sweep = 0; sweep < times; ++sweep) {
+        for (uint32_t first = 0; first < range.group_count; first += in_colour) {
+            share(range.team, in_colour / together, [&](uint32_t k, uint32_t) {
+                const Group* const group = &range.groups[first + together * k];
+                const Items one = group->contacts, other = together > 1 ? group[1].contacts : Items{};
+                const uint32_t both = std::min(one.count, other.count);
+                for (uint32_t i = 0; i < both; ++i) {
+                    solve_one(one.begin + i);
+                    solve_one(other.begin + i);
+                }
+                for (uint32_t i = both; i < one.count; ++i) solve_one(one.begin + i);
+                for (uint32_t i = both; i < other.count; ++i) solve_one(other.begin + i);
+            });
+        }
+    }
+}
+
 /// Finds which particles of a body are linked directly, and where they are at rest; for bodies that collide with
 /// themselves. Throws std::bad_alloc.
 void list_linked(Body& body);

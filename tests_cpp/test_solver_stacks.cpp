@@ -1,0 +1,192 @@
+// Rigid clusters on and against each other: stacks, loads, momentum.
+#include "solver_world.h"
+
+using namespace test;
+using gphys::Vec3;
+
+namespace {
+
+constexpr float frame = 1.0f / 60;
+constexpr float spacing = 0.1f, radius = 0.045f, side = 2 * spacing + 2 * radius;
+
+/// A crate of 27 particles.
+gphys_body_id crate(World& world, gphys_vec3 centre, float mass, float friction = 0.5f) {
+    std::vector<gphys_vec3> at;
+    for (uint32_t i = 0; i < 27; ++i) {
+        const auto along = [&](uint32_t k) { return spacing * (static_cast<float>(i / k % 3) - 1); };
+        at.push_back({centre.x + along(1), centre.y + along(3), centre.z + along(9)});
+    }
+    gphys_body_desc desc = colliding(mass, radius);
+    desc.friction = friction;
+    const gphys_body_id body = world.particles(at, desc);
+    std::vector<uint32_t> all;
+    for (uint32_t i = 0; i < 27; ++i) all.push_back(i);
+    gphys_cluster_id id = 0;
+    REQUIRE(gphys_solver_add_cluster(world.solver, body, all.data(), 27, &id) == GPHYS_OK);
+    return body;
+}
+
+/// Crates of these masses on each other, from the lowest one on.
+struct Stack {
+    World world;
+    std::vector<gphys_body_id> crates;
+    std::vector<std::vector<gphys_vec3>> made;
+    double most_energy = 0;
+
+    Stack(uint32_t substeps, const std::vector<float>& masses) : world(substeps) {
+        const gphys_plane floor{{0, 1, 0}, 0};
+        world.model(GPHYS_SHAPE_PLANE, &floor);
+        for (size_t i = 0; i < masses.size(); ++i) {
+            const float height = side * (static_cast<float>(i) + 0.5f);
+            crates.push_back(crate(world, {0.005f * static_cast<float>(i % 3), height, 0}, masses[i]));
+            made.push_back(world.positions(crates.back()));
+        }
+    }
+    void run(int steps) {
+        most_energy = world.energy();
+        for (int i = 0; i < steps; ++i) {
+            world.step(frame);
+            most_energy = std::max(most_energy, world.energy());
+        }
+    }
+    /// How far any particle is from where it was put.
+    double moved() const {
+        double most = 0;
+        for (size_t i = 0; i < crates.size(); ++i) {
+            const std::vector<gphys_vec3> now = world.positions(crates[i]);
+            for (size_t p = 0; p < now.size(); ++p)
+                most = std::max(most, distance(gphys::widen(now[p]), gphys::widen(made[i][p])));
+        }
+        return most;
+    }
+};
+
+/// Momentum, and angular momentum about the origin.
+struct Momenta {
+    Vec3 linear, angular;
+
+    Momenta(const World& world, const std::vector<gphys_body_id>& bodies, const std::vector<double>& masses) {
+        for (size_t i = 0; i < bodies.size(); ++i) {
+            const std::vector<gphys_vec3> at = world.positions(bodies[i]), velocity = world.velocities(bodies[i]);
+            for (size_t p = 0; p < at.size(); ++p) {
+                const Vec3 momentum = gphys::widen(velocity[p]) * masses[i];
+                linear += momentum;
+                angular += cross(gphys::widen(at[p]), momentum);
+            }
+        }
+    }
+};
+
+}  // namespace
+
+TEST_CASE("stacks of crates stand, with any number of substeps") {
+    for (const uint32_t substeps : {1u, 2u, 4u, 8u}) {
+        for (const size_t height : {size_t{3}, size_t{5}, size_t{10}}) {
+            Stack stack(substeps, std::vector<float>(height, 2.0f));
+            const double before = stack.world.energy();
+            stack.run(180);
+            figure("moved", stack.moved(), "m");
+            CHECK(stack.moved() < 0.01);
+            CHECK(stack.most_energy < before * (1 + 1e-5));
+            CHECK(stack.world.stats().kinetic_energy < 5e-3f);
+        }
+    }
+}
+
+TEST_CASE("heavy crates lie on light ones, with any number of substeps") {
+    for (const uint32_t substeps : {1u, 2u, 4u, 8u}) {
+        for (const std::vector<float>& masses : {std::vector<float>{2, 2, 20}, std::vector<float>{2, 20, 2, 20, 2}}) {
+            Stack stack(substeps, masses);
+            stack.run(180);
+            figure("moved", stack.moved(), "m");
+            CHECK(stack.moved() < 0.01);
+        }
+    }
+}
+
+TEST_CASE("a floor carries the weight of a stack") {
+    for (const uint32_t substeps : {2u, 8u}) {
+        Stack stack(substeps, {2, 5, 1, 10, 2});
+        stack.run(120);
+        Vec3 given;
+        for (int i = 0; i < 60; ++i) {
+            stack.world.step(frame);
+            for (const gphys_impulse& impulse : impulses(stack.world)) given += gphys::widen(impulse.linear);
+        }
+        const double weight = 20 * 9.81;
+        figure("force", -given.y / (60 * static_cast<double>(frame)), "N of 196.2");
+        CHECK(-given.y == Approx(weight * 60 * static_cast<double>(frame)).epsilon(1e-3));
+    }
+}
+
+TEST_CASE("a light crate carries balls of its own mass") {
+    for (const uint32_t substeps : {4u, 8u}) {
+        World world(substeps);
+        const gphys_plane floor{{0, 1, 0}, 0};
+        world.model(GPHYS_SHAPE_PLANE, &floor);
+        crate(world, {0, side / 2, 0}, 1);
+        std::vector<gphys_body_id> balls;
+        for (const float x : {-0.05f, 0.05f}) {
+            for (const float z : {-0.05f, 0.05f}) balls.push_back(world.particles({{x, 0.6f, z}}, colliding(1, 0.05f)));
+        }
+        const double before = world.energy();
+        double most = before;
+        for (int i = 0; i < 180; ++i) {
+            world.step(frame);
+            most = std::max(most, world.energy());
+        }
+        CHECK(most < before * (1 + 1e-5));
+        for (const gphys_body_id ball : balls) {
+            figure("height", world.position(ball).y, "m");
+            CHECK(world.position(ball).y > 0.3);
+        }
+    }
+}
+
+TEST_CASE("crates and balls that collide keep their momenta") {
+    for (const float friction : {0.0f, 0.5f}) {
+        World world(4, {0, 0, 0});
+        const std::vector<gphys_body_id> bodies{crate(world, {0, 0, 0}, 2, friction),
+                                                crate(world, {0.6f, 0.17f, 0.04f}, 5, friction),
+                                                world.particles({{-0.6f, 0.1f, 0.05f}}, colliding(1, 0.1f))};
+        const std::vector<double> masses{2.0 / 27, 5.0 / 27, 1};
+        for (uint32_t p = 0; p < 27; ++p) world.set_velocity(bodies[1], p, {-3, 0, 0.5f});
+        world.set_velocity(bodies[2], 0, {5, 0, 0});
+        const Momenta before(world, bodies, masses);
+        const double energy = world.energy();
+        for (int i = 0; i < 120; ++i) {
+            world.step(frame);
+            CHECK(world.energy() < energy * (1 + 1e-5));
+        }
+        const Momenta after(world, bodies, masses);
+        figure("momentum lost", distance(before.linear, after.linear), "N s");
+        figure("angular momentum lost", distance(before.angular, after.angular), "N m s");
+        CHECK(distance(before.linear, after.linear) < 1e-4);
+        // Impulses act along the direction in which particles met, friction at their centres.
+        if (friction == 0) CHECK(distance(before.angular, after.angular) < 0.02);
+        CHECK(world.energy() < 0.9 * energy);
+    }
+}
+
+TEST_CASE("a heap of crates is the same for any number of workers") {
+    std::vector<gphys_vec3> of_one;
+    for (const uint32_t workers : {1u, 2u}) {
+        gphys_solver_desc desc = World::desc(2);
+        desc.worker_count = workers;
+        World world(desc);
+        const gphys_plane floor{{0, 1, 0}, 0};
+        world.model(GPHYS_SHAPE_PLANE, &floor);
+        std::vector<gphys_body_id> crates;
+        for (int i = 0; i < 80; ++i) {
+            const auto place = [&](int k, int of) { return 0.31f * static_cast<float>(i / k % of); };
+            crates.push_back(crate(world, {place(1, 4), 0.2f + place(16, 5), place(4, 4) + 0.01f * place(16, 5)}, 2));
+        }
+        for (int i = 0; i < 60; ++i) world.step(frame);
+        std::vector<gphys_vec3> all;
+        for (const gphys_body_id id : crates) {
+            for (const gphys_vec3& p : world.positions(id)) all.push_back(p);
+        }
+        if (workers == 1) of_one = all;
+        CHECK(std::memcmp(all.data(), of_one.data(), all.size() * sizeof all[0]) == 0);
+    }
+}
