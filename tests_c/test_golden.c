@@ -18,7 +18,7 @@ static const struct golden {
     {"particles", 0x5cce72db, 0x995591b2},
     {"ropes", 0x080daaae, 0x15ba0e4f},
     {"cloth", 0xd7fc1b9e, 0x2e2d4383},
-    {"joints", 0x9231e72e, 0xc5774bf4},
+    {"joints", 0xc9a8bf0d, 0x83e968a0},
     {"moving_models", 0xbffa25e3, 0x0a788959},
     {"cameras", 0xf3b8b092, 0x13040e63},
     {"orbits", 0x62b53876, 0x7d2e2ab7},
