@@ -90,8 +90,8 @@ void reserve_arrays(Body& body, bool collides) {
         body.history.earlier.resize(body.particles.size());
         body.history.earlier_velocity.resize(body.particles.size());
         if (body.settings.body_layers != 0) {
-            body.rope.loads.all.reserve(size_t{2} * body.particles.size());
-            body.rope.loads.heavy.reserve(8 + body.particles.size() / 4);
+            body.rope.loads.all.reserve(8 + body.particles.size());
+            body.rope.loads.heavy.reserve(4 + body.particles.size() / 8);
         }
     }
 }
