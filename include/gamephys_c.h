@@ -69,7 +69,7 @@
  *            at the same time; all others need external synchronisation. No thread is started unless a
  *            worker_count asks for it (gphys_scene_create and gphys_solver_create say which calls
  *            share the threads). Callbacks come on the thread that called the library, never on a worker. A call takes
- *            at most 28 KiB of stack, a batch of rays or nearest points 64, a step 44, besides what callbacks take.
+ *            at most 36 KiB of stack, a batch of rays or nearest points 68, a step 48, besides what callbacks take.
  * Host       Each call computes in the standard floating-point modes, whatever the thread has set, and
  *            leaves the thread in its own: rounding to nearest, denormal numbers kept (on x86 neither
  *            FTZ nor DAZ). So does each task of a task_runner. Callbacks run in the standard modes.
