@@ -166,3 +166,39 @@ TEST_CASE("A heavy ball slides along ropes without friction, and is held with it
     CHECK(slid > 0.4 * free);
     CHECK(held < 0.05);
 }
+
+TEST_CASE("A hook lifts a crate in two slings") {
+    for (const uint32_t substeps : {2u, 4u, 8u}) {
+        World world(substeps);
+        const gphys_plane floor = {{0, 1, 0}, 0};
+        world.model(GPHYS_SHAPE_PLANE, &floor);
+        const gphys_sphere hook = {{0, 0, 0}, 0.05f};
+        gphys_transform place = {{0, 2, 0}, {0, 0, 0, 1}, 1};
+        const gphys_model_id model = world.model(GPHYS_SHAPE_SPHERE, &hook, &place);
+        const gphys_body_id body = crate(world, 0.3f, 10);
+        for (const float z : {-0.05f, 0.05f}) {
+            // From the hook down one side of the crate, below it, and up the other side.
+            std::vector<gphys_vec3> places;
+            for (int i = 0; i <= 80; ++i) {
+                const float way = 0.045f * static_cast<float>(i) - 1.8f, beyond = std::fabs(way) - 0.25f;
+                const float x = beyond < 0 ? way : std::copysign(0.25f * (1 - beyond / 1.55f), way);
+                places.push_back({x, 0.1f + 1.9f * std::max(beyond, 0.0f) / 1.55f, z});
+            }
+            gphys_body_desc desc = colliding(0.5f, 0.02f);
+            desc.layers = 0;
+            const gphys_body_id sling = world.rope(places, 0, desc);
+            const gphys_vec3 middle = {0, 0, 0};
+            for (const uint32_t end : {0u, 80u})
+                REQUIRE(gphys_solver_attach(world.solver, world.scene, sling, end, model, &middle) == GPHYS_OK);
+        }
+        for (int i = 0; i < 240; ++i) {
+            place.position.y = 2 + 0.5f * static_cast<float>(std::min(i, 180)) / 60;
+            REQUIRE(gphys_scene_set_transform(world.scene, model, &place) == GPHYS_OK);
+            world.step(frame);
+        }
+        INFO(substeps << " substeps");
+        figure("height of the crate", world.position(body, 13).y, "m");
+        CHECK(world.position(body, 13).y > 1.2);
+        CHECK(std::fabs(world.position(body, 13).x) < 0.2);
+    }
+}

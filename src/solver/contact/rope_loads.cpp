@@ -70,7 +70,7 @@ void ParticleContacts::RopeLoads::add(const Pair& pair, const Contact& contact, 
     if (of == HeavyBodies::none || particle.inverse_mass < heavy * heavy_.inverse_mass_of(of)) return;
     Vector<RopeLoad>& all = rope.rope.loads.all;
     if (all.size() == all.capacity()) return;
-    all.push_back({of, by, particle.number, static_cast<uint32_t>(&pair - range_.pairs), normal, contact.friction});
+    all.push_back({of, by, particle.number, static_cast<uint32_t>(&pair - range_.pairs), normal, contact.friction > 0});
     ++range_.particles[of].shares;
 }
 
@@ -98,7 +98,8 @@ void ParticleContacts::RopeLoads::divide_loads(Body& rope, Vec3 gravity, double 
         load.arm = place_of(bodies_[by.body], by.number) - of.place;
         const Vec3 torque = cross(load.arm, load.normal);
         const double inverse_mass = 1 / of.mass + dot(torque, of.inverse_inertia * torque);
-        load.along = load.across = 1 / (inverse_mass * range_.particles[load.of].shares);
+        load.along = 1 / (inverse_mass * range_.particles[load.of].shares);
+        load.across = load.sticks ? load.along : 0;
         load.place = rope.particles.position[load.particle];
     }
 }

@@ -3,9 +3,10 @@
 // Contacts are solved before the links. A light particle of a rope gives way there, and its links would then pull it
 // back without a force on what presses on it. So while the links are solved, a pressed particle has the mass of its
 // share of the load, too, and the load moves by the sum of what its shares take (mass splitting; Tonge, Benevolenski
-// and Voroshilov 2012). That conserves momentum. Where a load slides, the mass across the normal of the contact is so
-// much smaller that friction obeys Coulomb's law (RopeLoads::limit_friction). A cluster is one load, as on cloth
-// (cloth/contact_loads.h): a share has the mass that the cluster has at the particle that presses.
+// and Voroshilov 2012). That conserves momentum. Without friction a particle has this mass along the normal of the
+// contact only. With any friction it sticks: bounded by Coulomb's law in each substep, crates slip out of slings. A
+// cluster is one load, as on cloth (cloth/contact_loads.h): a share has the mass that the cluster has at the particle
+// that presses.
 //
 // Links that are strained when a load arrives, by what Newton's method has left, would give it speed as a spring does.
 // So if nothing outside does work on the ropes of an island, and pins or models take the momentum, the impulses of the

@@ -42,7 +42,7 @@ struct RopeLoad {
     uint32_t particle;  // of the rope
     uint32_t pair;      // of the contact, in the list of the island
     Vec3 normal;        // unit, from the particle to the load
-    double friction;    // coefficient
+    bool sticks;        // whether there is any friction
     Vec3 arm{};         // from the centre of the load to the particle that presses
     // The mass that the particle has as well while the links are solved, along the normal and across it, kg:
     double along = 0, across = 0;
@@ -62,9 +62,6 @@ struct RopeLoads {
     double energy = 0;  // of the rope before the links are solved, joules
 
     bool any() const { return !all.empty(); }
-    /// Bounds friction by Coulomb's law, for displacements of the particles to these places. Returns whether the links
-    /// are to be solved again.
-    bool limit_friction(const Vector<Vec3>& position);
     void clear() {
         all.clear();
         heavy.clear();

@@ -285,34 +285,14 @@ void move_rope(Body& body, const CollisionContext& around, Vec3 gravity, double 
     while (rope.begin_part()) rope.end_part(rope.solve());
 }
 
-bool RopeLoads::limit_friction(const Vector<Vec3>& position) {
-    constexpr double tolerance = 1e-3;
-    bool limited = false;
-    for (RopeLoad& load : all) {
-        const Vec3 taken = load.momentum(position[load.particle] - load.place);
-        const double pressure = dot(taken, load.normal), most = load.friction * std::max(pressure, 0.0);
-        const double across = length(taken - load.normal * pressure);
-        if (!(across > most * (1 + tolerance))) continue;
-        load.across *= most / across;
-        limited = true;
-    }
-    return limited;
-}
-
 void end_rope(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme) {
     const double step = scheme.step(body.settings.damping);
-    RopeLoads& loads = body.rope.loads;
-    const auto solve_again = [&] {
+    if (!solve_directly(body, step) && body.rope.loads.any()) {
+        // The links would give the loads speed. In this substep they carry nothing.
+        body.rope.loads.clear();
         body.particles.position = body.history.predicted;
         body.rope.tension = body.rope.earlier_tension;
-        return solve_directly(body, step);
-    };
-    bool solved = solve_directly(body, step);
-    if (solved && loads.any() && loads.limit_friction(body.particles.position)) solved = solve_again();
-    if (!solved && loads.any()) {
-        // The links would give the loads speed. In this substep they carry nothing.
-        loads.clear();
-        solve_again();
+        solve_directly(body, step);
     }
     end_chains(body, nullptr, around, gravity, scheme);
 }
