@@ -55,7 +55,8 @@
  *            in later releases; old clients keep working. All other structs never change.
  * Lists      (out, capacity, out_total): writes at most capacity elements to out, and the number of
  *            all results to *out_total. capacity 0 with out NULL only counts. GPHYS_INCOMPLETE when
- *            *out_total > capacity; which elements are kept is stated, never arbitrary.
+ *            *out_total > capacity; which elements are kept is stated, never arbitrary. Elements of out behind
+ *            the last result may be overwritten, up to capacity.
  * Batches    (array, stride, ..., count): stride is the distance between elements in bytes; 0
  *            means that one element is used throughout; it is not allowed for the positions of several particles. An
  *            input stride must be 0 or at least the element's size, an output stride at least the element's size, both

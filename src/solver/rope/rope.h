@@ -54,8 +54,9 @@ struct RopeLoad {
     }
 };
 
-struct RopeLoads {
-    explicit RopeLoads(std::pmr::memory_resource* memory) : all(memory), heavy(memory) {}
+/// What a rope carries while its links are solved (contact/rope_loads.h finds it).
+struct CarriedLoads {
+    explicit CarriedLoads(std::pmr::memory_resource* memory) : all(memory), heavy(memory) {}
 
     Vector<RopeLoad> all;  // those of a load together
     Vector<HeavyBody> heavy;
@@ -88,7 +89,7 @@ struct Rope {
     Vector<Vec3> solved{memory};    // positions solved with the links alone, before contacts
     Vector<uint8_t> slack{memory};  // if there are limits: whether all its links were slack at the start of the substep
 
-    RopeLoads loads{memory};  // empty between substeps
+    CarriedLoads loads{memory};  // empty between substeps
 };
 
 /// Whether the time scheme restarts after an interruption that is no contact: the first substep is made in parts.
