@@ -73,9 +73,7 @@ void sweep_joined_cloth(const Joined& joined, Body& body, uint32_t slot, const C
     }
     for (auto tether = begin; tether != end; ++tether) {
         JointSystem& system = joined.all_systems[tether->system];
-        if (!system.is_outdated()) continue;  // solved already
-        system.solve();
-        system.scatter(joined.bodies);
+        if (system.respond()) system.scatter(joined.bodies);
     }
 }
 
@@ -161,6 +159,11 @@ void finish_joined(const Joined& joined, const CollisionContext& around, Vec3 gr
     each_body(joined, [&](const Body& body, uint32_t) { interrupted = interrupted || body.history.earlier_step == 0; });
     each_body(joined, [&](Body& body, uint32_t slot) {
         if (is_graph(body)) sweep_joined_cloth(joined, body, slot, around, gravity, h);
+    });
+    each_system(joined, [&](JointSystem& system) {
+        if (!system.is_outdated()) return;
+        system.solve();
+        system.scatter(joined.bodies);
     });
     bool has_limit_impact = false;
     each_system(joined, [&](const JointSystem& system) { system.scatter_tensions(joined.bodies, joined.joints); });

@@ -152,6 +152,7 @@ void JointSystem::plan() {
     entries_.resize(rows.size());
     diagonal_.resize(scalar);
     solution_.resize(scalar);
+    applied_.assign(scalar, 0.0);
 }
 
 void JointSystem::gather_nodes(const BodyTable& bodies, double h, bool predicts_cloth) {
@@ -447,16 +448,30 @@ double JointSystem::advance() {
     return fraction;
 }
 
+void JointSystem::apply_force(uint32_t node, Vec3 force) {
+    Node& at = nodes_[node];
+    at.predicted += force / at.weight;
+    for (uint32_t k = 0; k < 3; ++k) applied_[at.scalar + k] += force[static_cast<int>(k)];
+    outdated_ = has_applied_ = true;
+}
+
+bool JointSystem::respond() {
+    if (!has_applied_) return false;
+    has_applied_ = false;
+    solution_.swap(applied_);
+    std::fill(applied_.begin(), applied_.end(), 0.0);
+    matrix_.solve(solution_.data());
+    for (Link& link : links_) link.tension += solution_[link.scalar];
+    advance();
+    return true;
+}
+
 void JointSystem::response(uint32_t node, Vec3 (&columns)[3]) {
-    for (int k = 0; k < 3; ++k) {
-        columns[k] = {};
-        if (!nodes_[node].free) continue;
-        std::fill(solution_.begin(), solution_.end(), 0.0);
-        double* const own = &solution_[nodes_[node].scalar];
-        own[k] = 1;
-        matrix_.solve(solution_.data());
-        columns[k] = {own[0], own[1], own[2]};
-    }
+    for (Vec3& column : columns) column = {};
+    if (!nodes_[node].free) return;
+    double block[3][3];
+    matrix_.inverse_block(nodes_[node].scalar, block);
+    for (int k = 0; k < 3; ++k) columns[k] = {block[0][k], block[1][k], block[2][k]};
 }
 
 }  // namespace gphys

@@ -98,11 +98,11 @@ public:
     /// Adds the tensions of joints at particles that are attached, or that friction holds, to the impulses of their
     /// models.
     void add_anchor_impulses(BodyTable& bodies, const CollisionContext& around, double h) const;
-    /// Applies a force, newtons, to a node during the substep under way. Then the solution is outdated.
-    void apply_force(uint32_t node, Vec3 force) {
-        nodes_[node].predicted += force / nodes_[node].weight;
-        outdated_ = true;
-    }
+    /// Applies a force, newtons, to a node during the substep under way.
+    void apply_force(uint32_t node, Vec3 force);
+    /// Moves the nodes by what the forces since the last call do to first order: one substitution in place of Newton's
+    /// method. Call solve() after all of them. Returns false, and moves nothing, if there were none.
+    bool respond();
     /// Whether a force was applied since the last solve().
     bool is_outdated() const { return outdated_; }
     /// Returns whether Newton's method has converged.
@@ -139,8 +139,9 @@ private:
     Vector<Link> links_{memory_};
     Vector<NodeBend> bends_{memory_};
     Vector<double> entries_{memory_}, diagonal_{memory_}, solution_{memory_};
+    Vector<double> applied_{memory_};  // newtons, by unknown: the forces that respond() takes
     SparseLdl matrix_{memory_};
-    bool outdated_ = false;
+    bool outdated_ = false, has_applied_ = false;
     double elastic_energy_before_ = 0;
     double regularisation_ = 0;  // compliance that every link has, relative to the inverse masses at its ends
 };

@@ -27,6 +27,7 @@ void SparseLdl::analyse(const Vector<uint32_t>& column_begin, const Vector<uint3
     pattern_.resize(n);
     inverse_pivot_.resize(n);
     sum_.assign(n, 0.0);
+    units_.assign(3 * size_t{n}, 0.0);
 }
 
 void SparseLdl::factor(const double* entries, const double* diagonal) {
@@ -66,12 +67,38 @@ void SparseLdl::factor(const double* entries, const double* diagonal) {
 void SparseLdl::solve(double* x) const {
     const uint32_t n = size();
     for (uint32_t k = 0; k < n; ++k) {
+        if (x[k] == 0) continue;  // most of a force at one place
         for (uint32_t p = factor_begin_[k]; p < factor_begin_[k + 1]; ++p) x[factor_rows_[p]] -= factor_[p] * x[k];
     }
     for (uint32_t k = n; k-- > 0;) {
         double value = x[k] * inverse_pivot_[k];
         for (uint32_t p = factor_begin_[k]; p < factor_begin_[k + 1]; ++p) value -= factor_[p] * x[factor_rows_[p]];
         x[k] = value;
+    }
+}
+
+// With L y_a = e_a for the unit vector of row a, the inverse has the sum of y_a y_b / pivot in row a and column b. Such
+// a y is 0 except at the ancestors of its row in the elimination tree (Davis 2006, "Direct methods for sparse linear
+// systems", section 3.2), so a whole solution is not needed.
+void SparseLdl::inverse_block(uint32_t first, double (&block)[3][3]) {
+    for (int a = 0; a < 3; ++a) {
+        for (int b = 0; b < 3; ++b) block[a][b] = 0;
+        units_[3 * size_t{first + static_cast<uint32_t>(a)} + static_cast<uint32_t>(a)] = 1;
+    }
+    for (uint32_t i = first; i != none; i = parent_[i]) {
+        double* const unit = &units_[3 * size_t{i}];
+        const double y[3] = {unit[0], unit[1], unit[2]};
+        for (int a = 0; a < 3; ++a) {
+            unit[a] = 0;
+            for (int b = 0; b <= a; ++b) block[a][b] += y[a] * y[b] * inverse_pivot_[i];
+        }
+        for (uint32_t p = factor_begin_[i]; p < factor_begin_[i + 1]; ++p) {
+            double* const below = &units_[3 * size_t{factor_rows_[p]}];
+            for (int a = 0; a < 3; ++a) below[a] -= factor_[p] * y[a];
+        }
+    }
+    for (int a = 0; a < 3; ++a) {
+        for (int b = a + 1; b < 3; ++b) block[a][b] = block[b][a];
     }
 }
 

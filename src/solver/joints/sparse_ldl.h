@@ -27,6 +27,8 @@ public:
     void factor(const double* entries, const double* diagonal);
     /// Replaces the right-hand side by the solution.
     void solve(double* x) const;
+    /// Three rows of the inverse, from `first` on, and the same columns. The pattern must couple the three.
+    void inverse_block(uint32_t first, double (&block)[3][3]);
 
 private:
     static constexpr uint32_t none = 0xffffffff;
@@ -36,7 +38,8 @@ private:
     Vector<uint32_t> parent_{memory_};                               // the elimination tree
     Vector<uint32_t> factor_begin_{memory_}, factor_rows_{memory_};  // L by column
     Vector<uint32_t> filled_{memory_}, mark_{memory_}, pattern_{memory_};
-    Vector<double> factor_{memory_}, inverse_pivot_{memory_}, sum_{memory_};
+    Vector<double> factor_{memory_}, inverse_pivot_{memory_};
+    Vector<double> sum_{memory_}, units_{memory_};  // zero between calls; units_: three for each row
 };
 
 }  // namespace gphys
