@@ -50,7 +50,7 @@
 //     cloth_attachments.cpp  particles attached to models
 //     cloth_contacts.cpp contacts with models, as part of its chains
 //     cloth_targets.cpp  its animation targets, as part of its chains
-//     settling.cpp       cloth that lies on models comes to rest
+//     settling.cpp       cloth that lies on models or hangs comes to rest
 //     relax_links.cpp    links that chains have left strained; kept_links.cpp: which links, all but braces
 //     yielding_chords.cpp  collapsed cloth, whose diagonals and links against bending yield
 //     contact_search.cpp the search for contact planes; contact_cache.cpp: reuse from step to step

@@ -15,6 +15,9 @@ constexpr double most_damping = 10;
 // What its root mean square speed may be, and that of a single particle relative to this. Sheets on models were seen to
 // keep moving at 0.04 on average.
 constexpr double slow = 0.07, most = 10;
+// The same of cloth that hangs, and by what factor its velocities must differ from the distances that its particles
+// have moved: of cloth that swings both are the same.
+constexpr double slow_hanging = 0.015, differs = 2;
 // What the speed of its middle may be, averaged over some time. It tells sagging, toppling and sliding from moving back
 // and forth: a sheet that folds up slowly before it falls over is at 0.01.
 constexpr double drift = 0.009, drift_time = 0.5;
@@ -41,17 +44,42 @@ bool is_near_moving_model(const ClothContact& n) {
 }
 
 bool is_held(const ClothContacts& contacts) {
-    if (!contacts.any_active() || contacts.has_moving_model || contacts.penetrating) return false;
+    if (!contacts.any_active()) return false;
     const auto held = std::count_if(contacts.active.begin(), contacts.active.end(),
                                     [&](uint32_t number) { return contacts.candidates[number].held; });
     return static_cast<double>(held) >= least_held * static_cast<double>(contacts.active.size());
 }
 
-bool is_slow(const Body& body, const ClothTravel& travel, double gravity, double dt) {
+bool is_slow(const Body& body, const ClothTravel& travel, double slow, double gravity, double dt) {
     const double fall = std::sqrt(2 * gravity * body.cloth.batches.link_length);
     const double way = slow * fall * dt * std::max(least_kept, body.cloth.settling.kept);
     return travel.sum <= way * way * body.particles.size() && travel.longest <= most * most * way * way &&
            length(body.sleep.drift) <= drift * fall;
+}
+
+/// Whether pins that stand still hold it, and its velocities are not those of its motion. Where pins are closer
+/// together than the links between them, for instance, chains move particles in each substep and relaxation moves them
+/// back. Then velocities show what is undone, or none is left where the energy of these moves is taken from all motion.
+bool moves_in_place(const Body& body, const ClothTravel& travel, double dt) {
+    if (!body.cloth.state.held || are_carried(body.constraints)) return false;
+    double sum = 0;
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
+        const double square = length_squared(body.particles.velocity[p]);
+        if (body.particles.pinned(p) && square > 0) return false;
+        sum += square;
+    }
+    sum *= dt * dt;
+    return std::max(sum, travel.sum) >= differs * differs * std::min(sum, travel.sum);
+}
+
+/// Whether it hardly moves, and what holds it will keep it where it is.
+bool may_settle(const Body& body, const ClothTravel& travel, double gravity, double dt) {
+    const ClothContacts& contacts = body.cloth.contacts;
+    if (contacts.has_moving_model || contacts.penetrating) return false;
+    if (is_held(contacts))
+        return is_slow(body, travel, slow, gravity, dt) &&
+               is_hardly_strained(body, most_strain * body.cloth.relaxation.most_strain);
+    return is_slow(body, travel, slow_hanging, gravity, dt) && moves_in_place(body, travel, dt);
 }
 
 }  // namespace
@@ -59,7 +87,7 @@ bool is_slow(const Body& body, const ClothTravel& travel, double gravity, double
 void begin_settling(Body& body, const CollisionContext& around) {
     Sleep& sleep = body.sleep;
     const Vector<ClothContact>& candidates = body.cloth.contacts.candidates;
-    if (sleep.settling > 0 && (sleep.support != models_around(body, around.scene) ||
+    if (sleep.settling > 0 && (are_carried(body.constraints) || sleep.support != models_around(body, around.scene) ||
                                std::any_of(candidates.begin(), candidates.end(), is_near_moving_model)))
         sleep.settling = 0;
     body.cloth.settling.damping = most_damping * std::min(1.0, sleep.settling / full_damping);
@@ -94,8 +122,7 @@ void note_settling(Body& body, const Scene* scene, Vec3 gravity, double dt, bool
     const Vec3 velocity =
         travel.together / (dt * std::max(least_kept, body.cloth.settling.kept) * body.particles.size());
     sleep.drift += (velocity - sleep.drift) * std::min(1.0, dt / drift_time);
-    if (is_held(body.cloth.contacts) && is_slow(body, travel, length(gravity), dt) &&
-        is_hardly_strained(body, most_strain * body.cloth.relaxation.most_strain)) {
+    if (may_settle(body, travel, length(gravity), dt)) {
         sleep.settling = std::min(settled, sleep.settling + dt);
     } else {
         sleep.settling = std::max(0.0, sleep.settling - return_rate * dt);

@@ -1,9 +1,10 @@
-// Settling: cloth that lies on models and nearly rests is brought to rest.
+// Settling: cloth that lies on models or hangs, and nearly rests, is brought to rest.
 //
-// Links of a sheet on round or sharp models cannot all have their lengths, and sweeps over them move particles back and
-// forth without end (docs/solver/rest.md). Flaps swing, too, since nothing damps them. So while friction holds a slow
-// body on models that stand still, it is first damped, and then its displacements fade away. From then on a step leaves
-// it as it is.
+// Links of a sheet on round or sharp models, or between pins that are too close together, cannot all have their
+// lengths, and sweeps over them move particles back and forth without end (docs/solver/rest.md). Flaps swing, too,
+// since nothing damps them. So while friction holds a slow body on models that stand still, or while pins hold a body
+// whose velocities are not those of its motion, it is first damped, and then its displacements fade away. From then on
+// a step leaves it as it is.
 #pragma once
 
 #include "foundation/math.h"
