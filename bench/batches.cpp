@@ -1,11 +1,13 @@
-// gamephys_bench_batches [--quick] [--scene=NAME] [--rays=NAME] [--out=DIR]: what a batch of rays takes beside the
-// same rays one call at a time, for many ways that rays go and for scenes with something far away in them. Batches
-// decide by themselves which rays share a traversal, so each pair is measured. DIR/batches.csv gets a row for each;
-// the exit status is 1 if a batch takes longer than its single calls or gives other answers.
+// gamephys_bench_batches [--quick] [--scene=NAME] [--rays=NAME] [--size=N] [--out=DIR]: what a batch of rays takes
+// beside the same rays one call at a time, for many ways that rays go and for scenes with something far away in them.
+// With --size the rays are cast in batches of N, such as the 12 pellets of a shot. Batches decide by themselves which
+// rays share a traversal, so each pair is measured. DIR/batches.csv gets a row for each; the exit status is 1 if a
+// batch takes longer than its single calls or gives other answers.
 #include <time.h>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <functional>
 #include <limits>
@@ -40,11 +42,12 @@ gphys_vec3 unit(gphys_vec3 a) { return sum({0, 0, 0}, a, 1 / length(a)); }
 /// What rays are asked of: a scene, or a mesh by itself.
 struct World {
     std::string name;
-    float half;  // of the side of the cube in which most of it lies
+    float half;     // of the side of the cube in which most of it lies
+    uint32_t size;  // rays of a batch
     gphys_scene* scene = nullptr;
     gphys_mesh* mesh = nullptr;
 
-    World(std::string n, float h) : name(std::move(n)), half(h) {}
+    World(std::string n, float h, uint32_t s) : name(std::move(n)), half(h), size(s) {}
     World(const World&) = delete;
     ~World() {
         gphys_scene_destroy(scene);
@@ -67,20 +70,30 @@ struct World {
         check(mesh ? gphys_shape_raycast(GPHYS_SHAPE_MESH, mesh, &ray, &hit)
                    : gphys_scene_raycast(scene, &ray, GPHYS_ALL_LAYERS, &hit));
     }
+    /// cast(first, count) for each batch.
+    template <class Cast>
+    void for_each_batch(size_t rays, const Cast& cast) const {
+        for (size_t first = 0; first < rays; first += size) {
+            check(cast(first, static_cast<uint32_t>(std::min<size_t>(size, rays - first))));
+        }
+    }
     void all(const std::vector<gphys_ray>& rays, std::vector<gphys_hit>& hits) const {
-        const auto count = static_cast<uint32_t>(rays.size());
-        check(mesh ? gphys_shape_raycast_batch(GPHYS_SHAPE_MESH, mesh, rays.data(), sizeof rays[0], count, hits.data(),
-                                               sizeof hits[0])
-                   : gphys_scene_raycast_batch(scene, rays.data(), sizeof rays[0], count, GPHYS_ALL_LAYERS, hits.data(),
-                                               sizeof hits[0]));
+        for_each_batch(rays.size(), [&](size_t i, uint32_t count) {
+            return mesh ? gphys_shape_raycast_batch(GPHYS_SHAPE_MESH, mesh, &rays[i], sizeof rays[0], count, &hits[i],
+                                                    sizeof hits[0])
+                        : gphys_scene_raycast_batch(scene, &rays[i], sizeof rays[0], count, GPHYS_ALL_LAYERS, &hits[i],
+                                                    sizeof hits[0]);
+        });
     }
     bool has_any() const { return scene != nullptr; }
     void any_one(const gphys_ray& ray, int32_t& met) const {
         check(gphys_scene_raycast_any(scene, &ray, GPHYS_ALL_LAYERS, &met));
     }
     void any_all(const std::vector<gphys_ray>& rays, std::vector<int32_t>& met) const {
-        check(gphys_scene_raycast_any_batch(scene, rays.data(), sizeof rays[0], static_cast<uint32_t>(rays.size()),
-                                            GPHYS_ALL_LAYERS, met.data(), sizeof met[0]));
+        for_each_batch(rays.size(), [&](size_t i, uint32_t count) {
+            return gphys_scene_raycast_any_batch(scene, &rays[i], sizeof rays[0], count, GPHYS_ALL_LAYERS, &met[i],
+                                                 sizeof met[0]);
+        });
     }
 };
 
@@ -145,7 +158,7 @@ std::vector<MakeWorld> worlds(bool quick) {
         {"mesh_82k_stray", [=](World& w) { w.make_mesh(large_mesh(quick ? 5 : 6, 50, 5000)); }, 50},
         {"mesh_82k_model",
          [=](World& w) {
-             World mesh("", 0);
+             World mesh("", 0, 0);
              mesh.make_mesh(large_mesh(quick ? 5 : 6, 50, 0));
              check(gphys_scene_create(nullptr, &w.scene));
              gphys_model_id id;
@@ -298,14 +311,15 @@ Times any(const World& world, const std::vector<gphys_ray>& rays) {
     return times;
 }
 
-int run(bool quick, const std::string& only_scene, const std::string& only_rays, const std::string& out) {
+int run(bool quick, const std::string& only_scene, const std::string& only_rays, uint32_t size,
+        const std::string& out) {
     std::FILE* csv = out.empty() ? nullptr : std::fopen((out + "/batches.csv").c_str(), "w");
     if (!out.empty() && !csv) throw std::runtime_error("cannot write into " + out);
     if (csv) std::fprintf(csv, "scene,rays,question,met,batch_ns,single_ns,ratio,differing\n");
     int slower = 0;
     for (const MakeWorld& make : worlds(quick)) {
         if (!only_scene.empty() && only_scene != make.name) continue;
-        World world(make.name, make.half);
+        World world(make.name, make.half, size);
         make.fill(world);
         for (const MakeRays& kind : ray_kinds) {
             if (!only_rays.empty() && only_rays != kind.name) continue;
@@ -339,6 +353,7 @@ int run(bool quick, const std::string& only_scene, const std::string& only_rays,
 int main(int count, char** arguments) {
     bool quick = false;
     std::string scene, rays, out;
+    uint32_t size = std::numeric_limits<uint32_t>::max();
     for (int i = 1; i < count; ++i) {
         const std::string argument = arguments[i];
         if (argument == "--quick") {
@@ -347,15 +362,19 @@ int main(int count, char** arguments) {
             scene = argument.substr(8);
         } else if (argument.rfind("--rays=", 0) == 0) {
             rays = argument.substr(7);
+        } else if (argument.rfind("--size=", 0) == 0 && std::atoi(argument.c_str() + 7) > 0) {
+            size = static_cast<uint32_t>(std::atoi(argument.c_str() + 7));
         } else if (argument.rfind("--out=", 0) == 0) {
             out = argument.substr(6);
         } else {
-            std::fprintf(stderr, "usage: gamephys_bench_batches [--quick] [--scene=NAME] [--rays=NAME] [--out=DIR]\n");
+            std::fprintf(
+                stderr,
+                "usage: gamephys_bench_batches [--quick] [--scene=NAME] [--rays=NAME] [--size=N] [--out=DIR]\n");
             return 2;
         }
     }
     try {
-        return bench::run(quick, scene, rays, out);
+        return bench::run(quick, scene, rays, size, out);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 1;

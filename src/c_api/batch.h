@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <new>
 
 #include "c_api/api.h"
 #include "c_api/query_filters.h"
@@ -47,13 +48,17 @@ void cast_by_tiles(const Scene& scene, const ImageTiles& tiles, RayOf&& ray_of, 
     constexpr uint32_t smallest = batch_chunk / ImageTiles::most;
     for_each_chunk(scene.workers(), tiles.count(), smallest, [&](uint32_t begin, uint32_t end) {
         tiles.for_each(begin, end, fetch, [&](const uint32_t* all, uint32_t all_size) {
-            Ray rays[ImageTiles::most];
+            // Those that are not needed are not initialised: that would take longer than one ray.
+            union Rays {
+                Rays() {}
+                Ray of[ImageTiles::most];
+            } rays;
             uint32_t items[ImageTiles::most], size = 0;
             for (uint32_t k = 0; k < all_size; ++k) {
                 items[size] = all[k];
-                if (ray_of(all[k], rays[size])) ++size;
+                if (ray_of(all[k], *new (&rays.of[size]) Ray)) ++size;
             }
-            cast(rays, items, size);
+            cast(rays.of, items, size);
         });
     });
 }

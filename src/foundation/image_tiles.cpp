@@ -87,7 +87,7 @@ uint32_t ImageTiles::items(uint32_t tile, uint32_t* out) const {
     uint32_t size = 0;
     for (uint32_t y = 0; y < height(); y += rows) {
         const uint64_t row = (top + y) * row_;
-        for (uint32_t x = left; x < right; x += columns) {
+        for (uint32_t x = left; x < right && row + x < count_; x += columns) {
             const uint32_t last = std::min(x + columns, right), below = std::min(rows, height() - y);
             for (uint32_t v = 0; v < below; ++v) {
                 const uint64_t begin = row + uint64_t{v} * row_, end = std::min<uint64_t>(begin + last, count_);

@@ -142,7 +142,7 @@ public:
 
     gphys_status raycast(const Ray& ray, uint32_t layers, gphys_hit& out) const;
     gphys_status raycast(const Ray& ray, const QueryFilter& filter, gphys_hit& out) const;
-    /// Closest hits of up to rays_at_once rays. Lowers rays[i].t_max to the hit. Without a hit, *out[i] is unchanged.
+    /// Closest hits of up to rays_at_once rays, which are scratch memory. Without a hit, *out[i] is unchanged.
     static constexpr uint32_t rays_at_once = Bvh8::rays_at_once;
     void raycast_many(Ray* rays, uint32_t count, uint32_t layers, gphys_hit* const* out) const;
     void raycast_many(Ray* rays, uint32_t count, const BatchFilters& filters, gphys_hit* const* out) const;
@@ -273,11 +273,13 @@ private:
     class LargeMeshes;
     class NearestOfPoint;
     class RejectedCandidates;
-    template <class Filter>
-    gphys_status raycast_by(const Ray& ray, const Filter& filter, gphys_hit& out) const;
     /// Answer is gphys_hit or gphys_distance.
+    template <class Filter, class Answer>
+    gphys_status raycast_by(const Ray& ray, const Filter& filter, Answer& out) const;
     template <class Filters, class Answer>
     void raycast_many_by(Ray* rays, uint32_t count, const Filters& filters, Answer* const* out) const;
+    template <class Filters, class Answer>
+    void raycast_together_by(Ray* rays, uint32_t count, const Filters& filters, Answer* const* out) const;
     template <class Filters, class Answer>
     void raycast_bvh_by(Ray* rays, uint32_t count, const Filters& filters, const LargeMeshes& large,
                         Storage<FirstHitOfRay<Answer>>* first) const;
@@ -285,6 +287,8 @@ private:
     bool raycast_any_by(const Ray& ray, const Filter& filter) const;
     template <class Filters>
     uint64_t raycast_any_many_by(Ray* rays, uint32_t count, const Filters& filters) const;
+    template <class Filters>
+    uint64_t raycast_any_together_by(Ray* rays, uint32_t count, const Filters& filters) const;
     template <class Filter>
     uint32_t overlap_by(const Shape& shape, const Filter& filter, gphys_model_id* out, uint32_t capacity,
                         const OverlapItems* candidates) const;
@@ -293,6 +297,9 @@ private:
     template <class Filters>
     void nearest_many_by(const Vec3* points, uint32_t count, double max_distance, const Filters& filters,
                          gphys_nearest* out) const;
+    template <class Filters>
+    void nearest_together_by(const Vec3* points, uint32_t count, double max_distance, const Filters& filters,
+                             gphys_nearest* out) const;
     template <class SweepOne, class Traverse>
     gphys_status first_contact(Vec3 displacement, const QueryFilter& filter, const SweepOne& sweep_one,
                                const Traverse& traverse, gphys_hit& out) const;
