@@ -38,6 +38,7 @@ struct ContactPlane {
 
     Vec3 normal;
     double offset;
+    double thickness;  // metres that the plane is in front of the surface, beyond the contact margin
     gphys_model_id model;
     uint32_t moving_collider;  // index in Cloth::moving_colliders, or unmoved
 };
@@ -106,6 +107,11 @@ struct ClothContacts {
     void reserve(uint32_t particles, size_t floats);
 };
 
+/// Two models that close on a particle, such as a hand and a hip, may leave less room than its diameter. It cannot be
+/// in front of both planes then: projected out of one after the other it is thrown to and fro, and each projection
+/// counts as normal force, whose friction would tear the cloth along with one of them. So there its thickness yields,
+/// to both sides alike, and the particle is in the middle.
+void make_room(ClothContact& contact, Vec3 at);
 /// At the beginning of a step.
 void search_cloth_contacts(Body& body, const CollisionContext& around, Vec3 gravity);
 /// Call before a substep: particles that would leave their balls search now, so that the chains know their contact

@@ -198,6 +198,7 @@ void ContactSearch::set_contacts(uint32_t p, uint32_t point) {
     }
     double reach = reach_[point];
     choose_planes(p, place_of(p), reach, found);
+    if (found.plane_count > 1) make_room(found, place_of(p));
     float* const ball = &contacts_.balls[4 * size_t{p}];
     put(ball, place_of(p));
     if (push_out(ball, found) > 0) {
@@ -259,6 +260,7 @@ void ContactSearch::choose_planes(uint32_t p, Vec3 at, double& reach, ClothConta
         ContactPlane& plane = found.planes[found.plane_count++];
         plane.normal = part.normal;
         plane.offset = dot(part.normal, part.closest - origin) + off;
+        plane.thickness = particles_.radius[p];
         plane.model = part.model;
         plane.moving_collider = part.tag;
     }
