@@ -35,13 +35,14 @@ struct Island {
     uint32_t first_body = 0, body_count = 0;
     uint32_t first_joined = 0, joined_count = 0;
     uint32_t first_system = 0, system_count = 0;
-    uint32_t first_particle = 0, colliding_count = 0;  // those that collide with others
-    uint32_t first_cluster = 0, cluster_count = 0;     // of these, the free ones
-    uint32_t first_row = 0, row_count = 0;             // room for their contacts
-    uint32_t first_group = 0;                          // of their pairs
-    bool on_trial = false;                             // whether all workers could move it at once
-    bool shared = false;                               // whether they do (SharingTrial)
-    Team* team = nullptr;                              // of these workers, during the step
+    uint32_t first_particle = 0, colliding_count = 0;     // those that collide with others
+    uint32_t first_cluster = 0, cluster_count = 0;        // of these, the free ones
+    uint32_t first_rigid_pair = 0, rigid_pair_count = 0;  // room for the list of their contacts with particles
+    uint32_t first_row = 0, row_count = 0;                // and for these and those with models
+    uint32_t first_group = 0;                             // of their pairs
+    bool on_trial = false;                                // whether all workers could move it at once
+    bool shared = false;                                  // whether they do (SharingTrial)
+    Team* team = nullptr;                                 // of these workers, during the step
 
     /// The largest first, so that no worker begins a large one when the others are done.
     bool operator<(const Island& other) const {

@@ -17,6 +17,7 @@ void ParticleContacts::ClusterContacts::count(Island& island, const BodyTable& b
         });
     }
     const uint32_t pairs = std::min(contacts_per_particle * island.colliding_count, of_member * members);
+    island.rigid_pair_count = island.cluster_count > 0 ? pairs + 1 : 0;  // and the end of the list
     island.row_count = pairs + Supports::most * members;
 }
 
@@ -49,33 +50,86 @@ void ParticleContacts::ClusterContacts::find_inertia(ContactCluster& cluster) co
     cluster.inverse_inertia = moments.inverse_inertia();
 }
 
-ContactSide ParticleContacts::ClusterContacts::side(Particle& particle, Vec3 Particle::*value,
-                                                    Vec3 Particle::*uncorrected, const Vec3& still) const {
-    ContactSide side;
-    side.inverse_mass = particle.inverse_mass;
-    if (particle.cluster) {
-        side.cluster = particle.cluster;
-        side.arm = particle.at - particle.cluster->centre;
-        return side;
+namespace {
+
+/// 0 for a particle that moves alone.
+uint64_t number_of(const ContactCluster* cluster, const ContactCluster* first) {
+    return cluster ? static_cast<uint64_t>(cluster - first) + 1 : 0;
+}
+
+}  // namespace
+
+/// Sorts the contacts of clusters by pair, those with particles that move alone first.
+void ParticleContacts::ClusterContacts::list_pairs() {
+    RigidPair *const first = range_.rigid_pairs, *const last = first + range_.rigid_pair_count - 1, *end = first;
+    for (const Group* group = range_.groups; group != range_.groups + range_.group_count; ++group) {
+        for (uint32_t i = group->contacts.begin; i < group->contacts.begin + group->contacts.count; ++i) {
+            const Contact& contact = range_.contacts[i];
+            if (!contact.rigid || end == last) continue;
+            const uint64_t a = number_of(range_.particles[contact.a].cluster, range_.clusters),
+                           b = number_of(range_.particles[contact.b].cluster, range_.clusters);
+            *end++ = {std::min(a, b) << 32 | std::max(a, b), i};
+        }
     }
-    side.value = &(particle.*value);
-    side.uncorrected = &(particle.*uncorrected);
-    side.still = &still;
-    side.supports = particle.supports;
-    return side;
+    std::sort(first, end);
+    *end = {RigidPair::end, 0};
+}
+
+void ParticleContacts::ClusterContacts::count_others() {
+    others_ = 0;
+    for (const Group* group = range_.groups; group != range_.groups + range_.group_count; ++group)
+        others_ += group->contacts.count;
+    each_rigid([&](const RigidPair&, const Contact&, const Particle&, const Particle&) { --others_; });
+}
+
+/// fill(row, contact, a, b) fills in the gap, the slip of b relative to a, and where the result belongs; it returns
+/// whether there is such a row.
+template <class Fill>
+void ParticleContacts::ClusterContacts::add_contacts(const Values& values, Fill&& fill) {
+    static constexpr Vec3 zero;
+    uint64_t group = RigidPair::end;
+    each_rigid([&](const RigidPair& pair, Contact& contact, Particle& a, Particle& b) {
+        ContactRow row;
+        if (!fill(row, contact, a, b)) return;
+        row.normal = contact.normal;
+        row.friction = contact.friction;
+        row.scale = a.inverse_mass + b.inverse_mass;
+        const bool swapped = number_of(a.cluster, range_.clusters) > number_of(b.cluster, range_.clusters);
+        if (swapped) {
+            row.normal = -row.normal;
+            row.slip = -row.slip;
+        }
+        Particle &first = swapped ? b : a, &second = swapped ? a : b;
+        if (pair.clusters != group || !first.cluster) {
+            ContactPartner partner;
+            partner.cluster = first.cluster;
+            if (!first.cluster) {
+                partner.value = &(first.*values.value);
+                partner.uncorrected = &(first.*values.uncorrected);
+                partner.still = values.still ? &(first.*values.still) : &zero;
+                partner.supports = first.supports;
+                partner.inverse_mass = first.inverse_mass;
+            }
+            contacts_.begin_group(partner, *second.cluster);
+            group = pair.clusters;
+        }
+        if (first.cluster) row.arm_a = first.at - first.cluster->centre;
+        row.arm_b = second.at - second.cluster->centre;
+        contacts_.add(row);
+    });
 }
 
 /// slip_of(particle, support)
 template <class Slip>
 void ParticleContacts::ClusterContacts::add_supports(Slip&& slip_of) {
     each_active([&](ContactCluster& cluster) {
+        contacts_.begin_group({}, cluster);
         each_particle(cluster, [&](Particle& p) {
             if (!p.supports) return;
             for (uint32_t i = 0; i < p.supports->count(); ++i) {
                 Support& support = (*p.supports)[i];
                 ContactRow row;
-                row.b.cluster = &cluster;
-                row.b.arm = p.at - cluster.centre;
+                row.arm_b = p.at - cluster.centre;
                 row.normal = support.normal;
                 row.gap = support.room;
                 row.slip = slip_of(p, support);
@@ -102,47 +156,37 @@ void ParticleContacts::ClusterContacts::begin_positions(const CollisionContext& 
         });
     }
     add_supports([](const Particle& p, const Support& support) { return p.at - p.before - support.carried; });
-    others_ = each_rigid([&](Contact& contact, Particle& a, Particle& b) {
-        ContactRow row;
-        row.a = side(a, &Particle::at, &Particle::uncorrected, a.before);
-        row.b = side(b, &Particle::at, &Particle::uncorrected, b.before);
-        row.normal = contact.normal;
+    list_pairs();
+    count_others();
+    const Values places{&Particle::at, &Particle::uncorrected, &Particle::before};
+    add_contacts(places, [](ContactRow& row, Contact& contact, const Particle& a, const Particle& b) {
         row.gap = std::max(dot(b.at - a.at, contact.normal) - contact.radii, -contact.most_separation);
         row.slip = (b.at - b.before) - (a.at - a.before);
-        row.friction = contact.friction;
         row.separation = &contact.separation;
-        row.scale = a.inverse_mass + b.inverse_mass;
-        contacts_.add(row);
+        return true;
     });
-    contacts_.arrange(range_.clusters);
 }
 
 void ParticleContacts::ClusterContacts::begin_velocities(double tolerance) {
-    static constexpr Vec3 zero;
-    each_active([](ContactCluster& cluster) { cluster.shift = cluster.turn = {}; });
     const auto approach = [](const Contact& contact, const Particle& a, const Particle& b) {
         return contact.target_speed - dot(b.velocity - a.velocity, contact.normal);
     };
+    each_active([](ContactCluster& cluster) { cluster.shift = cluster.turn = {}; });
     bool any = false;
-    others_ = each_rigid([&](const Contact& contact, const Particle& a, const Particle& b) {
+    each_rigid([&](const RigidPair&, const Contact& contact, const Particle& a, const Particle& b) {
         any = any || (contact.all_separation() > 0 && approach(contact, a, b) > tolerance);
     });
+    count_others();
     if (!any) return;
     add_supports([](const Particle& p, const Support& support) { return p.velocity - support.carried; });
-    each_rigid([&](Contact& contact, Particle& a, Particle& b) {
-        if (!(contact.all_separation() > 0)) return;
-        ContactRow row;
-        row.a = side(a, &Particle::velocity, &Particle::uncorrected_velocity, zero);
-        row.b = side(b, &Particle::velocity, &Particle::uncorrected_velocity, zero);
-        row.normal = contact.normal;
+    const Values velocities{&Particle::velocity, &Particle::uncorrected_velocity, nullptr};
+    add_contacts(velocities, [&](ContactRow& row, Contact& contact, const Particle& a, const Particle& b) {
+        if (!(contact.all_separation() > 0)) return false;
         row.gap = -approach(contact, a, b);
         row.slip = b.velocity - a.velocity;
-        row.friction = contact.friction;
         row.separation = &contact.normal_change;
-        row.scale = a.inverse_mass + b.inverse_mass;
-        contacts_.add(row);
+        return true;
     });
-    contacts_.arrange(range_.clusters);
 }
 
 void ParticleContacts::ClusterContacts::end_positions() const {

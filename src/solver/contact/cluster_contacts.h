@@ -12,7 +12,7 @@ public:
     static double tolerance_of(Vec3 gravity, double h) { return 3e-3 * length(gravity) * h * h; }
 
     ClusterContacts(const Range& range, const BodyTable& bodies)
-        : range_(range), bodies_(bodies), contacts_(range.rows, range.row_count) {}
+        : range_(range), bodies_(bodies), contacts_(range.rigid_rows) {}
 
     /// Calls visit(members) for the clusters of a body that contacts move as a whole: nothing holds them, and none of
     /// their particles is in another one.
@@ -65,24 +65,23 @@ private:
             if (range_.clusters[i].active) visit(range_.clusters[i]);
         }
     }
-    /// Calls visit(contact, a, b) for the contacts of clusters. Returns how many others there are.
+    /// What contacts of particles change: their places or their velocities. still: null for zero.
+    struct Values {
+        Vec3 Particle::*value, Particle::*uncorrected, Particle::*still;
+    };
+    void list_pairs();
+    void count_others();
+    /// Calls visit(pair, contact, a, b) for the contacts of clusters.
     template <class Visit>
-    uint32_t each_rigid(Visit&& visit) const {
-        uint32_t others = 0;
-        for (const Group* group = range_.groups; group != range_.groups + range_.group_count; ++group) {
-            for (uint32_t i = 0; i < group->contacts.count; ++i) {
-                Contact& contact = range_.contacts[group->contacts.begin + i];
-                if (contact.rigid) {
-                    visit(contact, range_.particles[contact.a], range_.particles[contact.b]);
-                } else {
-                    ++others;
-                }
-            }
+    void each_rigid(Visit&& visit) const {
+        for (const RigidPair* pair = range_.rigid_pairs; pair->clusters != RigidPair::end; ++pair) {
+            Contact& contact = range_.contacts[pair->contact];
+            visit(*pair, contact, range_.particles[contact.a], range_.particles[contact.b]);
         }
-        return others;
     }
+    template <class Fill>
+    void add_contacts(const Values& values, Fill&& fill);
     void find_inertia(ContactCluster& cluster) const;
-    ContactSide side(Particle& particle, Vec3 Particle::*value, Vec3 Particle::*uncorrected, const Vec3& still) const;
     template <class Slip>
     void add_supports(Slip&& slip_of);
 

@@ -83,7 +83,7 @@ Vec3 place_of(const Body& body, uint32_t p) {
 
 void ParticleContacts::reserve(const BodyTable& bodies, Vector<Island>& islands,
                                const Vector<uint32_t>& island_bodies) {
-    uint32_t total = 0, most = 0, groups = 0, clusters = 0, rows = 0;
+    uint32_t total = 0, most = 0, groups = 0, clusters = 0, pairs = 0, rows = 0;
     for (Island& island : islands) {
         island.first_particle = total;
         island.colliding_count = 0;
@@ -95,9 +95,11 @@ void ParticleContacts::reserve(const BodyTable& bodies, Vector<Island>& islands,
         island.first_group = groups;
         groups += group_count(island.colliding_count);
         island.first_cluster = clusters;
+        island.first_rigid_pair = pairs;
         island.first_row = rows;
         ClusterContacts::count(island, bodies, &island_bodies[island.first_body]);
         clusters += island.cluster_count;
+        pairs += island.rigid_pair_count;
         rows += island.row_count;
     }
     // Which bodies are near each other changes from step to step, so there is room for all that may collide.
@@ -112,6 +114,8 @@ void ParticleContacts::reserve(const BodyTable& bodies, Vector<Island>& islands,
     order_.resize(most);
     groups_.resize(groups);
     clusters_.resize(clusters);
+    rigid_pairs_.resize(pairs);
+    rigid_groups_.resize(size_t{pairs} + clusters);
     rows_.resize(rows);
     listed_.reserve(most);
 }
@@ -142,8 +146,11 @@ ParticleContacts::Range ParticleContacts::range(const Island& island) {
             listed_.of_island(island.first_particle, island.colliding_count),
             clusters_.data() + island.first_cluster,
             island.cluster_count,
-            rows_.data() + island.first_row,
-            island.row_count};
+            rigid_pairs_.data() + island.first_rigid_pair,
+            island.rigid_pair_count,
+            {rows_.data() + island.first_row, island.row_count,
+             rigid_groups_.data() + island.first_rigid_pair + island.first_cluster,
+             island.rigid_pair_count + island.cluster_count}};
 }
 
 void ParticleContacts::begin(const Island& island, const IdTable& ids, const BodyTable& bodies, const uint32_t* slots) {

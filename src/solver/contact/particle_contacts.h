@@ -51,6 +51,8 @@ public:
           order_(memory),
           groups_(memory),
           clusters_(memory),
+          rigid_pairs_(memory),
+          rigid_groups_(memory),
           rows_(memory),
           listed_(memory) {}
 
@@ -139,6 +141,16 @@ private:
         double all_separation() const { return separation + more_separation; }
         double all_change() const { return normal_change + more_change; }
     };
+    /// A contact of a free cluster, in a list that has an end.
+    struct RigidPair {
+        uint64_t clusters;  // that are in contact
+        uint32_t contact;
+
+        static constexpr uint64_t end = ~uint64_t{0};
+        bool operator<(const RigidPair& other) const {
+            return clusters != other.clusters ? clusters < other.clusters : contact < other.contact;
+        }
+    };
     /// Items of a group, in the array of the island.
     struct Items {
         uint32_t begin, count;
@@ -169,8 +181,9 @@ private:
         IslandContacts listed;
         ContactCluster* clusters;
         uint32_t cluster_count;
-        ContactRow* rows;
-        uint32_t row_count;
+        RigidPair* rigid_pairs;
+        uint32_t rigid_pair_count;  // room for them and for the end
+        RigidContacts::Room rigid_rows;
 
         uint32_t most_pairs() const { return count * pairs_per_particle; }
     };
@@ -232,6 +245,8 @@ private:
     Vector<uint32_t> order_;
     Vector<Group> groups_;
     Vector<ContactCluster> clusters_;
+    Vector<RigidPair> rigid_pairs_;
+    Vector<ContactGroup> rigid_groups_;
     Vector<ContactRow> rows_;
     BodyContacts listed_;
 };

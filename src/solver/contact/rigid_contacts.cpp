@@ -1,12 +1,35 @@
 // Solves the contacts of rigid clusters (rigid_contacts.h).
 #include "solver/contact/rigid_contacts.h"
 
+#include "foundation/compiler.h"
+
 namespace gphys {
 namespace {
 
-Vec3 moved(const ContactSide& side) {
-    if (side.cluster) return side.cluster->shift + cross(side.cluster->turn, side.arm);
-    return side.value ? *side.value - *side.uncorrected : Vec3{};
+/// The motion of b relative to a, while the contacts of the two are solved.
+class RelativeMotion {
+public:
+    explicit RelativeMotion(const ContactGroup& group) : linear_(group.b->shift), turn_b_(group.b->turn) {
+        const ContactPartner& a = group.a;
+        if (a.cluster) {
+            linear_ -= a.cluster->shift;
+            turn_a_ = a.cluster->turn;
+        } else if (a.value) {
+            linear_ -= *a.value - *a.uncorrected;
+        }
+    }
+    GPHYS_INLINE Vec3 at(const ContactRow& row) const {
+        return linear_ + cross(turn_b_, row.arm_b) - cross(turn_a_, row.arm_a);
+    }
+
+private:
+    Vec3 linear_, turn_a_, turn_b_;
+};
+
+GPHYS_INLINE void add_impulse(ContactImpulse& sum, const ContactRow& row, Vec3 impulse) {
+    sum.impulse += impulse;
+    sum.about_a += cross(row.arm_a, impulse);
+    sum.about_b += cross(row.arm_b, impulse);
 }
 
 void push(ContactCluster& cluster, Vec3 impulse, Vec3 moment) {
@@ -14,180 +37,189 @@ void push(ContactCluster& cluster, Vec3 impulse, Vec3 moment) {
     cluster.turn += cluster.inverse_inertia * moment;
 }
 
-void push(const ContactSide& side, Vec3 impulse) {
-    if (side.cluster) {
-        push(*side.cluster, impulse, cross(side.arm, impulse));
-    } else if (side.value) {
-        *side.value += impulse * side.inverse_mass;
-        if (!side.supports) return;
-        *side.value = side.supports->stop(*side.value, *side.uncorrected);
-        *side.value = side.supports->hold(*side.value, *side.still);
+void push(const ContactGroup& group, const ContactImpulse& sum) {
+    const ContactPartner& a = group.a;
+    push(*group.b, sum.impulse, sum.about_b);
+    if (a.cluster) {
+        push(*a.cluster, -sum.impulse, -sum.about_a);
+    } else if (a.value) {
+        *a.value -= sum.impulse * a.inverse_mass;
+        if (!a.supports) return;
+        *a.value = a.supports->stop(*a.value, *a.uncorrected);
+        *a.value = a.supports->hold(*a.value, *a.still);
     }
 }
 
-/// What an impulse moves a cluster by at its arm, or a particle that no model carries.
-Vec3 moved_by(const ContactSide& side, Vec3 impulse) {
-    if (!side.cluster) return side.supports ? Vec3{} : impulse * side.inverse_mass;
-    return impulse * side.cluster->inverse_mass +
-           cross(side.cluster->inverse_inertia * cross(side.arm, impulse), side.arm);
+/// What unit impulses at a place move both of a group by, relative to each other: an impulse along s moves them along s
+/// by ss, and along t by st.
+struct InverseMasses {
+    double ss = 0, tt = 0, st = 0;
+
+    InverseMasses(const ContactGroup& group, const ContactRow& row, Vec3 s, Vec3 t) {
+        const ContactPartner& a = group.a;
+        add(*group.b, row.arm_b, s, t);
+        if (a.cluster) {
+            add(*a.cluster, row.arm_a, s, t);
+        } else if (!a.supports) {
+            ss += a.inverse_mass;
+            tt += a.inverse_mass;
+        }
+    }
+    double largest() const { return (ss + tt) / 2 + std::sqrt((ss - tt) * (ss - tt) / 4 + st * st); }
+
+private:
+    void add(const ContactCluster& cluster, Vec3 arm, Vec3 s, Vec3 t) {
+        const Vec3 by_s = cross(arm, s), by_t = cross(arm, t), turned = cluster.inverse_inertia * by_s;
+        ss += cluster.inverse_mass + dot(by_s, turned);
+        tt += cluster.inverse_mass + dot(by_t, cluster.inverse_inertia * by_t);
+        st += dot(by_t, turned);
+    }
+};
+
+double inverse_mass(const ContactCluster& cluster, Vec3 arm, Vec3 direction) {
+    const Vec3 lever = cross(arm, direction);
+    return cluster.inverse_mass + dot(lever, cluster.inverse_inertia * lever);
 }
 
-/// Of a particle that models carry: its inverse mass, as far as they let it go.
-double yielding_mass(const ContactSide& side, Vec3 direction) {
-    if (!side.supports) return 0;
-    return side.inverse_mass * std::max(0.0, dot(side.supports->yielding(direction), direction));
+double inverse_mass(const ContactGroup& group, const ContactRow& row) {
+    const ContactPartner& a = group.a;
+    const double of_b = inverse_mass(*group.b, row.arm_b, row.normal);
+    if (a.cluster) return of_b + inverse_mass(*a.cluster, row.arm_a, row.normal);
+    return a.supports ? of_b : of_b + a.inverse_mass;
 }
 
-double yielding_mass(const ContactRow& row, Vec3 direction) {
-    return row.carried ? yielding_mass(row.a, -direction) + yielding_mass(row.b, direction) : 0;
+/// The largest one along the surface.
+double inverse_mass_along(const ContactGroup& group, const ContactRow& row) {
+    const Vec3 n = row.normal, other = std::fabs(n.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}, across = cross(n, other);
+    const Vec3 s = across / length(across);
+    return InverseMasses(group, row, s, cross(n, s)).largest();
 }
 
-double yielding_mass_along(const ContactRow& row, Vec3 slip) {
-    const double size = row.carried ? length(slip) : 0;
-    return size > 0 ? yielding_mass(row, slip / -size) : 0;
+/// Of a particle that models carry: its inverse mass, as far as they let it go. 0 for others.
+double yielding_mass(const ContactPartner& a, Vec3 direction) {
+    if (!a.supports) return 0;
+    return a.inverse_mass * std::max(0.0, dot(a.supports->yielding(direction), direction));
 }
 
-/// The largest eigenvalue of the inverse mass along the surface.
-double largest_along(const ContactRow& row) {
-    const Vec3 n = row.normal, other = std::fabs(n.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-    const Vec3 s = cross(n, other) / length(cross(n, other)), t = cross(n, s);
-    const Vec3 by_s = moved_by(row.a, s) + moved_by(row.b, s), by_t = moved_by(row.a, t) + moved_by(row.b, t);
-    const double ss = dot(s, by_s), tt = dot(t, by_t), st = dot(t, by_s);
-    return (ss + tt) / 2 + std::sqrt((ss - tt) * (ss - tt) / 4 + st * st);
+double yielding_mass_along(const ContactPartner& a, Vec3 slip) {
+    const double size = a.supports ? length(slip) : 0;
+    return size > 0 ? yielding_mass(a, slip / size) : 0;
 }
 
 /// Changes the normal impulse of a row, of which `among` share the masses. Returns by how much it has changed the gap.
-double change_normal(ContactRow& row, Vec3 moved, double among) {
+GPHYS_INLINE double change_normal(const ContactGroup& group, ContactRow& row, double moved, double among) {
     row.normal_change = 0;
-    const double gap = row.gap + dot(row.normal, moved);
+    const double gap = row.gap + moved;
     if (row.normal_impulse == 0 && gap >= 0) return 0;
-    const double yields = row.inverse_mass + yielding_mass(row, row.normal);
+    const double yields = row.inverse_mass + yielding_mass(group.a, -row.normal);
     if (!(yields > 0)) return 0;
     row.normal_change = std::max(-row.normal_impulse, -gap / (yields * among));
     row.normal_impulse += row.normal_change;
     return std::fabs(row.normal_change) * yields;
 }
 
-/// The same for friction, within Coulomb's bound, by a row with this share of the masses.
-double change_friction(ContactRow& row, Vec3 moved, double share) {
+/// The same for friction, within Coulomb's bound, by a row with this share of the masses. Returns the square.
+GPHYS_INLINE double change_friction(const ContactGroup& group, ContactRow& row, const RelativeMotion& motion,
+                                    double share) {
     row.friction_change = {};
     if (row.friction == 0 || (row.normal_impulse == 0 && row.friction_impulse == Vec3{})) return 0;
-    Vec3 slip = row.slip + moved;
+    Vec3 slip = row.slip + motion.at(row);
     slip -= row.normal * dot(slip, row.normal);
-    const double along = row.inverse_mass_along + yielding_mass_along(row, slip);
+    const double along = row.inverse_mass_along + yielding_mass_along(group.a, slip);
     Vec3 wanted = row.friction_impulse;
     if (along > 0) wanted -= slip * (share / along);
     const double most = row.friction * row.normal_impulse, square = length_squared(wanted);
     if (square > most * most) wanted *= most / std::sqrt(square);
     row.friction_change = wanted - row.friction_impulse;
     row.friction_impulse = wanted;
-    return length(row.friction_change) * along;
-}
-
-/// Calls impulse_of(row) for the rows of a group, and applies the sum.
-template <class Impulse>
-void push_group(ContactRow* first, Impulse&& impulse_of) {
-    ContactRow* const end = first + first->count;
-    if (first->count == 1) {
-        const Vec3 impulse = impulse_of(*first);
-        push(first->a, -impulse);
-        push(first->b, impulse);
-        return;
-    }
-    Vec3 sum, about_a, about_b;
-    for (ContactRow* row = first; row != end; ++row) {
-        const Vec3 impulse = impulse_of(*row);
-        sum += impulse;
-        about_a += cross(row->a.arm, impulse);
-        about_b += cross(row->b.arm, impulse);
-    }
-    if (first->a.cluster) push(*first->a.cluster, -sum, -about_a);
-    push(*first->b.cluster, sum, about_b);
+    return length_squared(row.friction_change) * along * along;
 }
 
 }  // namespace
 
-void RigidContacts::add(const ContactRow& added) {
-    if (count_ == room_) return;
-    ContactRow& row = rows_[count_];
-    row = added;
-    row.number = count_++;
-    row.carried = row.a.supports || row.b.supports;
-    row.pushed = moved_by(row.a, row.normal) + moved_by(row.b, row.normal);
-    row.inverse_mass = dot(row.pushed, row.normal);
-    row.inverse_mass_along = row.friction > 0 ? largest_along(row) : 0;
+void RigidContacts::begin_group(const ContactPartner& a, ContactCluster& b) {
+    // One without rows is overwritten.
+    if (group_count_ == 0 || groups_[group_count_ - 1].count > 0) {
+        is_full_ = group_count_ == room_.group_count;
+        if (is_full_) return;
+        ++group_count_;
+    }
+    groups_[group_count_ - 1] = {a, &b, count_, 0, {}, {}};
 }
 
-void RigidContacts::arrange(const ContactCluster* clusters) {
-    const auto number = [&](const ContactSide& side) {
-        return side.cluster ? static_cast<uint64_t>(side.cluster - clusters) + 1 : 0;
-    };
-    for (ContactRow* row = rows_; row != rows_ + count_; ++row) {
-        if (number(row->a) > number(row->b)) {
-            std::swap(row->a, row->b);
-            row->normal = -row->normal;
-            row->slip = -row->slip;
-        }
-        row->group = number(row->a) << 32 | number(row->b);
-    }
-    std::sort(rows_, rows_ + count_, [](const ContactRow& x, const ContactRow& y) {
-        return x.group != y.group ? x.group < y.group : x.number < y.number;
-    });
-    ContactRow* const end = rows_ + count_;
-    for (ContactRow* row = rows_; row != end; row += row->count) {
-        row->count = 1;
-        const auto follows = [&](const ContactRow* next) {
-            return next != end && next->group == row->group && !next->a.value;
-        };
-        while (!row->a.value && follows(row + row->count)) ++row->count;
-    }
+void RigidContacts::add(const ContactRow& added) {
+    if (is_full_ || count_ == room_.row_count) return;
+    ContactGroup& group = groups_[group_count_ - 1];
+    ContactRow& row = rows_[count_++];
+    ++group.count;
+    row = added;
+    row.inverse_mass = inverse_mass(group, row);
+    row.inverse_mass_along = row.friction > 0 ? inverse_mass_along(group, row) : 0;
 }
 
 /// Returns by how much it has moved anything, at most.
 double RigidContacts::sweep() {
-    double largest = 0;
-    square_ = 0;
-    for (ContactRow *first = rows_, *const end = rows_ + count_; first != end; first += first->count) {
-        const double among = first->count;
+    double largest = 0, largest_square = 0;
+    double squares = 0;
+    for (ContactGroup *group = groups_, *const groups_end = groups_ + group_count_; group != groups_end; ++group) {
+        ContactRow *const first = rows_ + group->first, *const end = first + group->count;
+        const double among = group->count;
+        ContactImpulse normal, friction;
         double load = 0;
-        push_group(first, [&](ContactRow& row) {
-            largest = std::max(largest, change_normal(row, moved(row.b) - moved(row.a), among));
-            load += row.normal_impulse;
-            return row.normal * row.normal_change;
-        });
-        push_group(first, [&](ContactRow& row) {
+        const RelativeMotion approaching(*group);
+        for (ContactRow* row = first; row != end; ++row) {
+            largest = std::max(largest, change_normal(*group, *row, dot(row->normal, approaching.at(*row)), among));
+            load += row->normal_impulse;
+            if (row->normal_change != 0) add_impulse(normal, *row, row->normal * row->normal_change);
+        }
+        push(*group, ContactImpulse(normal));
+        const RelativeMotion sliding(*group);
+        for (ContactRow* row = first; row != end; ++row) {
             // Each bears as much of the friction as of the load, which bounds it.
-            const double share = load > 0 ? row.normal_impulse / load : 1 / among;
-            largest = std::max(largest, change_friction(row, moved(row.b) - moved(row.a), share));
+            const double share = load > 0 ? row->normal_impulse / load : 1 / among;
+            largest_square = std::max(largest_square, change_friction(*group, *row, sliding, share));
             // In the norm of the energy.
-            square_ += row.inverse_mass * (row.normal_change * row.normal_change + length_squared(row.friction_change));
-            return row.friction_change;
-        });
+            squares +=
+                row->inverse_mass * (row->normal_change * row->normal_change + length_squared(row->friction_change));
+            if (row->friction_change != Vec3{}) add_impulse(friction, *row, row->friction_change);
+        }
+        push(*group, ContactImpulse(friction));
+        group->change = {normal.impulse + friction.impulse, normal.about_a + friction.about_a,
+                         normal.about_b + friction.about_b};
     }
-    return largest;
+    square_ = squares;
+    return std::max(largest, std::sqrt(largest_square));
 }
 
 /// What a sweep changes is the gradient.
 void RigidContacts::accelerate() {
     const double factor = square_before_ > 0 ? square_ / square_before_ : infinity;
     square_before_ = square_;
-    for (ContactRow *first = rows_, *const end = rows_ + count_; first != end; first += first->count) {
-        if (factor > 1) {
-            for (ContactRow* row = first; row != first + first->count; ++row) {
+    const bool restarts = factor > 1;
+    for (ContactGroup *group = groups_, *const groups_end = groups_ + group_count_; group != groups_end; ++group) {
+        ContactRow *const first = rows_ + group->first, *const end = first + group->count;
+        if (restarts) {
+            for (ContactRow* row = first; row != end; ++row) {
                 row->normal_way = row->normal_change;
                 row->friction_way = row->friction_change;
             }
+            group->way = group->change;
             continue;
         }
-        push_group(first, [&](ContactRow& row) {
-            const double more = factor * row.normal_way;
-            const Vec3 more_friction = row.friction_way * factor;
-            row.normal_way = more + row.normal_change;
-            row.friction_way = more_friction + row.friction_change;
-            row.normal_impulse += more;
-            row.friction_impulse += more_friction;
-            return row.normal * more + more_friction;
-        });
+        const auto continue_way = [factor](auto& way, auto change, auto& impulse) {
+            const auto more = way * factor;
+            way = more + change;
+            impulse += more;
+        };
+        for (ContactRow* row = first; row != end; ++row) {
+            continue_way(row->normal_way, row->normal_change, row->normal_impulse);
+            continue_way(row->friction_way, row->friction_change, row->friction_impulse);
+        }
+        ContactImpulse more;
+        continue_way(group->way.impulse, group->change.impulse, more.impulse);
+        continue_way(group->way.about_a, group->change.about_a, more.about_a);
+        continue_way(group->way.about_b, group->change.about_b, more.about_b);
+        push(*group, more);
     }
 }
 

@@ -7,9 +7,11 @@
 //
 // Projected Gauss-Seidel on the impulses goes from pair to pair of clusters. The contacts of one pair are solved at
 // once, and share its masses (mass splitting; Tonge, Benevolenski & Voroshilov 2012): one after the other, the first
-// would take the load, and crates would lean. Nonlinear conjugate gradients accelerate it (Silcowitz-Hansen, Niebe &
-// Erleben 2010, "A nonsmooth nonlinear conjugate gradient method for interactive contact force problems"): loads and
-// torques pass through a stack in a few iterations, where Gauss-Seidel needs as many as the square of its height.
+// would take the load, and crates would lean. So a pair needs the relative motion of its clusters once for all its
+// contacts, and pushes them with the sum of their impulses. Nonlinear conjugate gradients accelerate it
+// (Silcowitz-Hansen, Niebe & Erleben 2010, "A nonsmooth nonlinear conjugate gradient method for interactive contact
+// force problems"): loads and torques pass through a stack in a few iterations, where Gauss-Seidel needs as many as the
+// square of its height.
 #pragma once
 
 #include "foundation/math.h"
@@ -30,35 +32,43 @@ struct ContactCluster {
     Vec3 shift, turn;  // by contacts: displacement and rotation vector, or velocity and spin
 };
 
-/// One of the two that a contact pushes: a cluster, or a particle that moves alone.
-struct ContactSide {
+/// What a cluster touches: another one, a particle that moves alone, or neither, for models.
+struct ContactPartner {
     ContactCluster* cluster = nullptr;
-    Vec3 arm;                           // from its centre
     Vec3* value = nullptr;              // of a particle: its place or velocity,
     const Vec3* uncorrected = nullptr;  // this at the beginning,
     const Vec3* still = nullptr;        // and what it would be if the particle had not moved
-    Supports* supports = nullptr;
+    Supports* supports = nullptr;       // null if no model carries it
     double inverse_mass = 0;
+};
+
+/// Impulses on b, their sum, and their moments about the centres of a and b. Those on a are the opposite.
+struct ContactImpulse {
+    Vec3 impulse, about_a, about_b;
+};
+
+/// The contacts of two, which are solved at once.
+struct ContactGroup {
+    ContactPartner a;
+    ContactCluster* b;
+    uint32_t first, count;
+    ContactImpulse change, way;  // the sums of those of the rows
 };
 
 /// Impulses are newton seconds, or kilograms times metres while places are solved.
 struct ContactRow {
-    ContactSide a, b;  // a is neither for a model
-    Vec3 normal;       // from a to b
-    double gap;        // metres, or m/s, at the beginning
-    Vec3 slip;         // of b relative to a, at the beginning; its part along the normal has no meaning
+    Vec3 arm_a, arm_b;  // from the centre of each to its particle
+    Vec3 normal;        // from a to b
+    double gap;         // metres, or m/s, at the beginning
+    Vec3 slip;          // of b relative to a, at the beginning; its part along the normal has no meaning
     double friction;
     // Where the result belongs, and what makes it one of a particle:
     double* separation = nullptr;
     Support* support = nullptr;
     double scale = 1;
 
-    uint64_t group = 0;              // the same for rows between two clusters, or of a cluster with models
-    uint32_t number = 0, count = 0;  // count: of the rows of the group, of its first
-    bool carried = false;            // whether models carry any of the two, a particle
-    // What a unit impulse along the normal moves b by, relative to a; of that along the normal; along the surface at
-    // most. Particles that models carry are left out.
-    Vec3 pushed;
+    // What a unit impulse moves b by relative to a: one along the normal, and one along the surface at most. A particle
+    // that models carry is left out.
     double inverse_mass = 0, inverse_mass_along = 0;
     double normal_impulse = 0;
     Vec3 friction_impulse;
@@ -70,13 +80,18 @@ struct ContactRow {
 /// The rows of an island.
 class RigidContacts {
 public:
-    RigidContacts(ContactRow* rows, uint32_t room) : rows_(rows), room_(room) {}
+    struct Room {
+        ContactRow* rows;
+        uint32_t row_count;
+        ContactGroup* groups;
+        uint32_t group_count;
+    };
 
-    /// Those for which there is no room are left out.
+    explicit RigidContacts(const Room& room) : room_(room), rows_(room.rows), groups_(room.groups) {}
+
+    /// Rows that are added now are between these. Groups and rows for which there is no room are left out.
+    void begin_group(const ContactPartner& a, ContactCluster& b);
     void add(const ContactRow& row);
-    /// Call when all are added.
-    void arrange(const ContactCluster* clusters);
-    bool empty() const { return count_ == 0; }
     /// At most so many iterations, until none changes a gap by more than `tolerance`.
     void solve(int most, double tolerance);
     /// Call when others have moved particles meanwhile.
@@ -88,9 +103,11 @@ private:
     double sweep();
     void accelerate();
 
+    const Room room_;
     ContactRow* const rows_;
-    const uint32_t room_;
-    uint32_t count_ = 0;
+    ContactGroup* const groups_;
+    uint32_t count_ = 0, group_count_ = 0;
+    bool is_full_ = false;                   // whether there is no room for the group of the next rows
     double square_ = 0, square_before_ = 0;  // of the last sweeps' changes
 };
 
