@@ -184,6 +184,9 @@ void MovingCluster::solve_contacts(Body& body) {
     // change what they found. So the sweeps of one cluster are spread over the passes.
     constexpr int sweeps_alone = 32, sweeps_in_pass = sweeps_alone / passes_of_overlapping;
     constexpr double rounding = 1e-8;  // relative to the size of the cluster, below that of float32 positions
+    // Sweeps that change so little, and hardly less than the ones before, go around in a circle: where contacts cannot
+    // all hold, as those of a face with friction, each undoes what the last one did.
+    constexpr double little = 1e-6, hardly_less = 0.97;
     Vector<ClusterContact>& contacts = body.cloth.clusters.contacts;
     list_contacts(body);
     if (contacts.empty()) return;
@@ -191,8 +194,10 @@ void MovingCluster::solve_contacts(Body& body) {
     for (ClusterContact& contact : contacts)
         contact.inverse_effective_mass = inverse_effective_mass(contact.normal, contact.arm);
     const int most_sweeps = body.cloth.clusters.overlap ? sweeps_in_pass : sweeps_alone;
-    double largest = infinity;
-    for (int sweep = 0; sweep < most_sweeps && largest > rounding * size_; ++sweep) {
+    double largest = infinity, before = infinity;
+    const auto circles = [&] { return largest < little * size_ && largest > hardly_less * before; };
+    for (int sweep = 0; sweep < most_sweeps && largest > rounding * size_ && !circles(); ++sweep) {
+        before = largest;
         largest = 0;
         for (ClusterContact& contact : contacts) {
             largest = std::max(largest, solve_normal(contact));
