@@ -40,6 +40,7 @@ struct Island {
     uint32_t first_rigid_pair = 0, rigid_pair_count = 0;  // room for the list of their contacts with particles
     uint32_t first_row = 0, row_count = 0;                // and for these and those with models
     uint32_t first_group = 0;                             // of their pairs
+    bool unequal = false;                                 // whether a ball among them is much heavier than another
     bool on_trial = false;                                // whether all workers could move it at once
     bool shared = false;                                  // whether they do (SharingTrial)
     Team* team = nullptr;                                 // of these workers, during the step

@@ -59,7 +59,7 @@ uint64_t number_of(const ContactCluster* cluster, const ContactCluster* first) {
 
 }  // namespace
 
-/// Sorts the contacts of clusters by pair, those with particles that move alone first.
+/// Sorts the contacts by pair of clusters, those with particles that move alone first.
 void ParticleContacts::ClusterContacts::list_pairs() {
     RigidPair *const first = range_.rigid_pairs, *const last = first + range_.rigid_pair_count - 1, *end = first;
     for (const Group* group = range_.groups; group != range_.groups + range_.group_count; ++group) {
@@ -82,11 +82,23 @@ void ParticleContacts::ClusterContacts::count_others() {
     each_rigid([&](const RigidPair&, const Contact&, const Particle&, const Particle&) { --others_; });
 }
 
+ContactPartner ParticleContacts::ClusterContacts::partner_of(Particle& particle, const Values& values) {
+    static constexpr Vec3 zero;
+    ContactPartner partner;
+    partner.cluster = particle.cluster;
+    if (particle.cluster) return partner;
+    partner.value = &(particle.*values.value);
+    partner.uncorrected = &(particle.*values.uncorrected);
+    partner.still = values.still ? &(particle.*values.still) : &zero;
+    partner.supports = particle.supports;
+    partner.inverse_mass = particle.inverse_mass;
+    return partner;
+}
+
 /// fill(row, contact, a, b) fills in the gap, the slip of b relative to a, and where the result belongs; it returns
 /// whether there is such a row.
 template <class Fill>
 void ParticleContacts::ClusterContacts::add_contacts(const Values& values, Fill&& fill) {
-    static constexpr Vec3 zero;
     uint64_t group = RigidPair::end;
     each_rigid([&](const RigidPair& pair, Contact& contact, Particle& a, Particle& b) {
         ContactRow row;
@@ -101,20 +113,11 @@ void ParticleContacts::ClusterContacts::add_contacts(const Values& values, Fill&
         }
         Particle &first = swapped ? b : a, &second = swapped ? a : b;
         if (pair.clusters != group || !first.cluster) {
-            ContactPartner partner;
-            partner.cluster = first.cluster;
-            if (!first.cluster) {
-                partner.value = &(first.*values.value);
-                partner.uncorrected = &(first.*values.uncorrected);
-                partner.still = values.still ? &(first.*values.still) : &zero;
-                partner.supports = first.supports;
-                partner.inverse_mass = first.inverse_mass;
-            }
-            contacts_.begin_group(partner, *second.cluster);
+            contacts_.begin_group(partner_of(first, values), partner_of(second, values));
             group = pair.clusters;
         }
         if (first.cluster) row.arm_a = first.at - first.cluster->centre;
-        row.arm_b = second.at - second.cluster->centre;
+        if (second.cluster) row.arm_b = second.at - second.cluster->centre;
         contacts_.add(row);
     });
 }
@@ -123,7 +126,9 @@ void ParticleContacts::ClusterContacts::add_contacts(const Values& values, Fill&
 template <class Slip>
 void ParticleContacts::ClusterContacts::add_supports(Slip&& slip_of) {
     each_active([&](ContactCluster& cluster) {
-        contacts_.begin_group({}, cluster);
+        ContactPartner partner;
+        partner.cluster = &cluster;
+        contacts_.begin_group({}, partner);
         each_particle(cluster, [&](Particle& p) {
             if (!p.supports) return;
             for (uint32_t i = 0; i < p.supports->count(); ++i) {

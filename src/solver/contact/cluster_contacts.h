@@ -69,6 +69,7 @@ private:
     struct Values {
         Vec3 Particle::*value, Particle::*uncorrected, Particle::*still;
     };
+    static ContactPartner partner_of(Particle& particle, const Values& values);
     void list_pairs();
     void count_others();
     /// Calls visit(pair, contact, a, b) for the contacts of clusters.

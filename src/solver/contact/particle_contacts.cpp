@@ -39,6 +39,24 @@ double error_of_sweeps(double overlap, double radii, Vec3 gravity, double h) {
     return std::clamp(fallen, least_error * radii, most_correction * radii);
 }
 
+// Gauss-Seidel sweeps pass a load on by the ratio of the masses. Where a ball touches one that is so many times
+// lighter, all contacts between balls are solved together, as those of clusters are.
+constexpr double unequal = 8;
+
+bool has_unequal_balls(const BodyTable& bodies, const uint32_t* first, const uint32_t* end) {
+    double lightest = infinity, heaviest = 0;
+    for (const uint32_t* slot = first; slot != end; ++slot) {
+        const Body& body = bodies[*slot];
+        if (!moves_freely(body) || !collides_with_others(body)) continue;
+        for (uint32_t p = 0; p < body.particles.size(); ++p) {
+            if (body.particles.pinned(p)) continue;
+            lightest = std::min(lightest, body.particles.mass[p]);
+            heaviest = std::max(heaviest, body.particles.mass[p]);
+        }
+    }
+    return heaviest > unequal * lightest;
+}
+
 Vec3 velocity_of(const Body& body, uint32_t p) {
     return is_graph(body) ? get(&body.cloth.state.velocity[4 * size_t{p}]) : body.particles.velocity[p];
 }
@@ -99,6 +117,13 @@ void ParticleContacts::reserve(const BodyTable& bodies, Vector<Island>& islands,
         island.first_row = rows;
         ClusterContacts::count(island, bodies, &island_bodies[island.first_body]);
         clusters += island.cluster_count;
+        const uint32_t* const first_slot = &island_bodies[island.first_body];
+        island.unequal = has_unequal_balls(bodies, first_slot, first_slot + island.body_count);
+        if (island.unequal) {
+            const uint32_t most = contacts_per_particle * island.colliding_count;
+            island.rigid_pair_count = std::max(1u, island.rigid_pair_count) + most;
+            island.row_count += most;
+        }
         pairs += island.rigid_pair_count;
         rows += island.row_count;
     }
@@ -150,7 +175,8 @@ ParticleContacts::Range ParticleContacts::range(const Island& island) {
             island.rigid_pair_count,
             {rows_.data() + island.first_row, island.row_count,
              rigid_groups_.data() + island.first_rigid_pair + island.first_cluster,
-             island.rigid_pair_count + island.cluster_count}};
+             island.rigid_pair_count + island.cluster_count},
+            island.unequal};
 }
 
 void ParticleContacts::begin(const Island& island, const IdTable& ids, const BodyTable& bodies, const uint32_t* slots) {
@@ -275,6 +301,60 @@ bool ParticleContacts::find_contacts(const Range& range, const BodyTable& bodies
         deep_contacts += range.groups[i].deep;
     }
     return deep_contacts * one_deep_of > contacts;
+}
+
+/// Calls visit(contact) for all until it returns true; returns whether it has.
+template <class Visit>
+bool ParticleContacts::any_contact(const Range& range, Visit&& visit) {
+    return std::any_of(range.groups, range.groups + range.group_count, [&](const Group& group) {
+        Contact* const first = range.contacts + group.contacts.begin;
+        return std::any_of(first, first + group.contacts.count, visit);
+    });
+}
+
+/// Where the masses of two balls in contact are unequal, all contacts of balls become rigid. Returns whether they do.
+bool ParticleContacts::couple_unequal(const Range& range) {
+    const bool any = any_contact(range, [](const Contact& contact) {
+        return contact.both_free && std::max(contact.part_of_a, contact.part_of_b) > unequal / (unequal + 1);
+    });
+    if (!any) return false;
+    any_contact(range, [](Contact& contact) {
+        contact.rigid = contact.rigid || contact.both_free;
+        return false;
+    });
+    return true;
+}
+
+/// Undoes that, and what contacts have done since.
+void ParticleContacts::uncouple_unequal(const Range& range) {
+    any_contact(range, [&](Contact& contact) {
+        contact.rigid = range.particles[contact.a].cluster || range.particles[contact.b].cluster;
+        contact.separation = contact.more_separation = contact.friction_displacement = 0;
+        contact.normal_change = contact.more_change = contact.friction_change = 0;
+        return false;
+    });
+}
+
+/// Whether the solution has moved particles farther than contacts can have made necessary. Corrections are a
+/// projection: with the masses as weights, they are no longer than the way from where nothing was in contact, or
+/// overlapped less. Among balls that are pressed deep into each other, the iterations may not converge.
+bool ParticleContacts::have_thrown(const Range& range, Vec3 Particle::*value, Vec3 Particle::*uncorrected,
+                                   Vec3 Particle::*before) {
+    constexpr double farthest = 2;
+    double moved = 0, way = 0;
+    for (const Particle* p = range.particles; p != range.particles + range.count; ++p) {
+        if (p->inverse_mass == 0 || p->*value == p->*uncorrected) continue;
+        moved += length_squared(p->*value - p->*uncorrected) / p->inverse_mass;
+        way += length_squared(before ? p->*uncorrected - p->*before : p->*uncorrected) / p->inverse_mass;
+    }
+    any_contact(range, [&](const Contact& contact) {
+        const double lightest =
+            std::min(range.particles[contact.a].inverse_mass, range.particles[contact.b].inverse_mass);
+        const double apart = before ? contact.most_separation : contact.target_speed;
+        if (contact.rigid && contact.separation > 0 && lightest > 0) way += apart * apart / lightest;
+        return false;
+    });
+    return !(moved <= farthest * farthest * way);
 }
 
 namespace {
@@ -493,17 +573,29 @@ ParticleContacts::Found ParticleContacts::solve_contacts(const Island& island, c
     }
     // Overlaps tell that the sweeps have not sufficed.
     const int times = sinking ? 2 * sweeps : sweeps;
+    if (range.unequal && couple_unequal(range)) {
+        solve_coupled_positions(range, bodies, around, times, gravity, h);
+        if (!have_thrown(range, &Particle::at, &Particle::uncorrected, &Particle::before)) return found;
+        uncouple_unequal(range);
+        for (Particle* p = range.particles; p != range.particles + range.count; ++p) p->at = p->uncorrected;
+        find_supports(range, bodies, around);
+    }
     if (range.cluster_count == 0) {
         sweep(range, times, [](Contact& contact, Particle& a, Particle& b) { solve_position(contact, a, b); });
-        return found;
+    } else {
+        solve_coupled_positions(range, bodies, around, times, gravity, h);
     }
+    return found;
+}
+
+void ParticleContacts::solve_coupled_positions(const Range& range, const BodyTable& bodies,
+                                               const CollisionContext& around, int times, Vec3 gravity, double h) {
     ClusterContacts clusters(range, bodies);
     clusters.begin_positions(around);
     clusters.solve(times, ClusterContacts::tolerance_of(gravity, h), [](Contact& contact, Particle& a, Particle& b) {
         if (!contact.rigid) solve_position(contact, a, b);
     });
     clusters.end_positions();
-    return found;
 }
 
 void ParticleContacts::solve_positions(const Island& island, BodyTable& bodies, const uint32_t* slots,
@@ -557,7 +649,8 @@ void ParticleContacts::solve_velocities(const Island& island, BodyTable& bodies,
             p.supports = any ? &supports : nullptr;
         }
     });
-    if (range.cluster_count == 0) {
+    const bool coupled = range.unequal && any_contact(range, [](const Contact& contact) { return contact.rigid; });
+    if (range.cluster_count == 0 && !coupled) {
         sweep(range, sweeps, [](Contact& contact, Particle& a, Particle& b) { solve_velocity(contact, a, b); });
     } else {
         ClusterContacts clusters(range, bodies);
@@ -567,6 +660,13 @@ void ParticleContacts::solve_velocities(const Island& island, BodyTable& bodies,
             if (!contact.rigid) solve_velocity(contact, a, b);
         });
         clusters.end_velocities();
+        if (coupled && have_thrown(range, &Particle::velocity, &Particle::uncorrected_velocity, nullptr)) {
+            uncouple_unequal(range);
+            for (Particle* p = range.particles; p != range.particles + range.count; ++p) {
+                p->velocity = p->uncorrected_velocity;
+                p->supports = nullptr;
+            }
+        }
     }
     if (island.body_count > 1) add_impulses(range, &Contact::all_change, 1);
     add_support_impulses(island, bodies, slots, around, 1);

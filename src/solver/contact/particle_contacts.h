@@ -122,7 +122,7 @@ private:
     struct Contact {
         uint32_t a, b;
         bool both_free;               // whether both are of bodies without links
-        bool rigid;                   // whether any is in a free cluster
+        bool rigid;                   // whether it is solved together with others (ClusterContacts)
         Vec3 normal;                  // unit, from a to b
         double radii;                 // the distance at which they touch: their sum, or less if they overlap
         double overlap;               // metres: how much of that this substep removes
@@ -184,6 +184,7 @@ private:
         RigidPair* rigid_pairs;
         uint32_t rigid_pair_count;  // room for them and for the end
         RigidContacts::Room rigid_rows;
+        bool unequal;  // see Island
 
         uint32_t most_pairs() const { return count * pairs_per_particle; }
     };
@@ -221,6 +222,14 @@ private:
     void find_pairs(const Range& range, const BodyTable& bodies) const;
     /// `final`: corrections give no speed at all.
     bool find_contacts(const Range& range, const BodyTable& bodies, bool final, Vec3 gravity, double h) const;
+    template <class Visit>
+    static bool any_contact(const Range& range, Visit&& visit);
+    static bool couple_unequal(const Range& range);
+    static void uncouple_unequal(const Range& range);
+    static bool have_thrown(const Range& range, Vec3 Particle::*value, Vec3 Particle::*uncorrected,
+                            Vec3 Particle::*before);
+    void solve_coupled_positions(const Range& range, const BodyTable& bodies, const CollisionContext& around, int times,
+                                 Vec3 gravity, double h);
     template <class Visit>
     static void each_between_bodies(const Range& range, Visit&& visit);
     static void add_to_list(const Range& range, Pair& pair, Vec3 normal, double impulse);

@@ -6,18 +6,18 @@
 namespace gphys {
 namespace {
 
+Vec3 shift_of(const ContactPartner& partner) {
+    if (partner.cluster) return partner.cluster->shift;
+    return partner.value ? *partner.value - *partner.uncorrected : Vec3{};
+}
+
+Vec3 turn_of(const ContactPartner& partner) { return partner.cluster ? partner.cluster->turn : Vec3{}; }
+
 /// The motion of b relative to a, while the contacts of the two are solved.
 class RelativeMotion {
 public:
-    explicit RelativeMotion(const ContactGroup& group) : linear_(group.b->shift), turn_b_(group.b->turn) {
-        const ContactPartner& a = group.a;
-        if (a.cluster) {
-            linear_ -= a.cluster->shift;
-            turn_a_ = a.cluster->turn;
-        } else if (a.value) {
-            linear_ -= *a.value - *a.uncorrected;
-        }
-    }
+    explicit RelativeMotion(const ContactGroup& group)
+        : linear_(shift_of(group.b) - shift_of(group.a)), turn_a_(turn_of(group.a)), turn_b_(turn_of(group.b)) {}
     GPHYS_INLINE Vec3 at(const ContactRow& row) const {
         return linear_ + cross(turn_b_, row.arm_b) - cross(turn_a_, row.arm_a);
     }
@@ -32,22 +32,21 @@ GPHYS_INLINE void add_impulse(ContactImpulse& sum, const ContactRow& row, Vec3 i
     sum.about_b += cross(row.arm_b, impulse);
 }
 
-void push(ContactCluster& cluster, Vec3 impulse, Vec3 moment) {
-    cluster.shift += impulse * cluster.inverse_mass;
-    cluster.turn += cluster.inverse_inertia * moment;
+void push(const ContactPartner& partner, Vec3 impulse, Vec3 moment) {
+    if (partner.cluster) {
+        partner.cluster->shift += impulse * partner.cluster->inverse_mass;
+        partner.cluster->turn += partner.cluster->inverse_inertia * moment;
+    } else if (partner.value) {
+        *partner.value += impulse * partner.inverse_mass;
+        if (!partner.supports) return;
+        *partner.value = partner.supports->stop(*partner.value, *partner.uncorrected);
+        *partner.value = partner.supports->hold(*partner.value, *partner.still);
+    }
 }
 
 void push(const ContactGroup& group, const ContactImpulse& sum) {
-    const ContactPartner& a = group.a;
-    push(*group.b, sum.impulse, sum.about_b);
-    if (a.cluster) {
-        push(*a.cluster, -sum.impulse, -sum.about_a);
-    } else if (a.value) {
-        *a.value -= sum.impulse * a.inverse_mass;
-        if (!a.supports) return;
-        *a.value = a.supports->stop(*a.value, *a.uncorrected);
-        *a.value = a.supports->hold(*a.value, *a.still);
-    }
+    push(group.b, sum.impulse, sum.about_b);
+    push(group.a, -sum.impulse, -sum.about_a);
 }
 
 /// What unit impulses at a place move both of a group by, relative to each other: an impulse along s moves them along s
@@ -56,19 +55,20 @@ struct InverseMasses {
     double ss = 0, tt = 0, st = 0;
 
     InverseMasses(const ContactGroup& group, const ContactRow& row, Vec3 s, Vec3 t) {
-        const ContactPartner& a = group.a;
-        add(*group.b, row.arm_b, s, t);
-        if (a.cluster) {
-            add(*a.cluster, row.arm_a, s, t);
-        } else if (!a.supports) {
-            ss += a.inverse_mass;
-            tt += a.inverse_mass;
-        }
+        add(group.b, row.arm_b, s, t);
+        add(group.a, row.arm_a, s, t);
     }
     double largest() const { return (ss + tt) / 2 + std::sqrt((ss - tt) * (ss - tt) / 4 + st * st); }
 
 private:
-    void add(const ContactCluster& cluster, Vec3 arm, Vec3 s, Vec3 t) {
+    void add(const ContactPartner& partner, Vec3 arm, Vec3 s, Vec3 t) {
+        if (!partner.cluster) {
+            if (partner.supports) return;
+            ss += partner.inverse_mass;
+            tt += partner.inverse_mass;
+            return;
+        }
+        const ContactCluster& cluster = *partner.cluster;
         const Vec3 by_s = cross(arm, s), by_t = cross(arm, t), turned = cluster.inverse_inertia * by_s;
         ss += cluster.inverse_mass + dot(by_s, turned);
         tt += cluster.inverse_mass + dot(by_t, cluster.inverse_inertia * by_t);
@@ -76,16 +76,14 @@ private:
     }
 };
 
-double inverse_mass(const ContactCluster& cluster, Vec3 arm, Vec3 direction) {
+double inverse_mass(const ContactPartner& partner, Vec3 arm, Vec3 direction) {
+    if (!partner.cluster) return partner.supports ? 0 : partner.inverse_mass;
     const Vec3 lever = cross(arm, direction);
-    return cluster.inverse_mass + dot(lever, cluster.inverse_inertia * lever);
+    return partner.cluster->inverse_mass + dot(lever, partner.cluster->inverse_inertia * lever);
 }
 
 double inverse_mass(const ContactGroup& group, const ContactRow& row) {
-    const ContactPartner& a = group.a;
-    const double of_b = inverse_mass(*group.b, row.arm_b, row.normal);
-    if (a.cluster) return of_b + inverse_mass(*a.cluster, row.arm_a, row.normal);
-    return a.supports ? of_b : of_b + a.inverse_mass;
+    return inverse_mass(group.b, row.arm_b, row.normal) + inverse_mass(group.a, row.arm_a, row.normal);
 }
 
 /// The largest one along the surface.
@@ -96,14 +94,19 @@ double inverse_mass_along(const ContactGroup& group, const ContactRow& row) {
 }
 
 /// Of a particle that models carry: its inverse mass, as far as they let it go. 0 for others.
-double yielding_mass(const ContactPartner& a, Vec3 direction) {
-    if (!a.supports) return 0;
-    return a.inverse_mass * std::max(0.0, dot(a.supports->yielding(direction), direction));
+double yielding_mass(const ContactPartner& partner, Vec3 direction) {
+    if (!partner.supports) return 0;
+    return partner.inverse_mass * std::max(0.0, dot(partner.supports->yielding(direction), direction));
 }
 
-double yielding_mass_along(const ContactPartner& a, Vec3 slip) {
-    const double size = a.supports ? length(slip) : 0;
-    return size > 0 ? yielding_mass(a, slip / size) : 0;
+/// Of both, for an impulse on b.
+double yielding_mass(const ContactGroup& group, Vec3 direction) {
+    return yielding_mass(group.a, -direction) + yielding_mass(group.b, direction);
+}
+
+double yielding_mass_along(const ContactGroup& group, Vec3 slip) {
+    const double size = group.a.supports || group.b.supports ? length(slip) : 0;
+    return size > 0 ? yielding_mass(group, slip / -size) : 0;
 }
 
 /// Changes the normal impulse of a row, of which `among` share the masses. Returns by how much it has changed the gap.
@@ -111,7 +114,7 @@ GPHYS_INLINE double change_normal(const ContactGroup& group, ContactRow& row, do
     row.normal_change = 0;
     const double gap = row.gap + moved;
     if (row.normal_impulse == 0 && gap >= 0) return 0;
-    const double yields = row.inverse_mass + yielding_mass(group.a, -row.normal);
+    const double yields = row.inverse_mass + yielding_mass(group, row.normal);
     if (!(yields > 0)) return 0;
     row.normal_change = std::max(-row.normal_impulse, -gap / (yields * among));
     row.normal_impulse += row.normal_change;
@@ -125,7 +128,7 @@ GPHYS_INLINE double change_friction(const ContactGroup& group, ContactRow& row, 
     if (row.friction == 0 || (row.normal_impulse == 0 && row.friction_impulse == Vec3{})) return 0;
     Vec3 slip = row.slip + motion.at(row);
     slip -= row.normal * dot(slip, row.normal);
-    const double along = row.inverse_mass_along + yielding_mass_along(group.a, slip);
+    const double along = row.inverse_mass_along + yielding_mass_along(group, slip);
     Vec3 wanted = row.friction_impulse;
     if (along > 0) wanted -= slip * (share / along);
     const double most = row.friction * row.normal_impulse, square = length_squared(wanted);
@@ -137,14 +140,14 @@ GPHYS_INLINE double change_friction(const ContactGroup& group, ContactRow& row, 
 
 }  // namespace
 
-void RigidContacts::begin_group(const ContactPartner& a, ContactCluster& b) {
+void RigidContacts::begin_group(const ContactPartner& a, const ContactPartner& b) {
     // One without rows is overwritten.
     if (group_count_ == 0 || groups_[group_count_ - 1].count > 0) {
         is_full_ = group_count_ == room_.group_count;
         if (is_full_) return;
         ++group_count_;
     }
-    groups_[group_count_ - 1] = {a, &b, count_, 0, {}, {}};
+    groups_[group_count_ - 1] = {a, b, count_, 0, {}, {}};
 }
 
 void RigidContacts::add(const ContactRow& added) {

@@ -32,7 +32,7 @@ struct ContactCluster {
     Vec3 shift, turn;  // by contacts: displacement and rotation vector, or velocity and spin
 };
 
-/// What a cluster touches: another one, a particle that moves alone, or neither, for models.
+/// One of the two that touch: a cluster, a particle that moves alone, or neither, for models.
 struct ContactPartner {
     ContactCluster* cluster = nullptr;
     Vec3* value = nullptr;              // of a particle: its place or velocity,
@@ -49,8 +49,7 @@ struct ContactImpulse {
 
 /// The contacts of two, which are solved at once.
 struct ContactGroup {
-    ContactPartner a;
-    ContactCluster* b;
+    ContactPartner a, b;
     uint32_t first, count;
     ContactImpulse change, way;  // the sums of those of the rows
 };
@@ -90,7 +89,7 @@ public:
     explicit RigidContacts(const Room& room) : room_(room), rows_(room.rows), groups_(room.groups) {}
 
     /// Rows that are added now are between these. Groups and rows for which there is no room are left out.
-    void begin_group(const ContactPartner& a, ContactCluster& b);
+    void begin_group(const ContactPartner& a, const ContactPartner& b);
     void add(const ContactRow& row);
     /// At most so many iterations, until none changes a gap by more than `tolerance`.
     void solve(int most, double tolerance);
