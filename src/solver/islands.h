@@ -6,6 +6,7 @@
 
 namespace gphys {
 
+class JointSurroundings;
 class Team;
 
 /// Union-find with path halving; the root of a set is its lowest member.
@@ -44,6 +45,7 @@ struct Island {
     bool on_trial = false;                                // whether all workers could move it at once
     bool shared = false;                                  // whether they do (SharingTrial)
     Team* team = nullptr;                                 // of these workers, during the step
+    const JointSurroundings* beside_joints = nullptr;     // what does not collide
 
     /// The largest first, so that no worker begins a large one when the others are done.
     bool operator<(const Island& other) const {

@@ -121,6 +121,7 @@ void Solver::prepare(const Scene* scene, double dt) {
         }
         if (!joints_current_) plan_joints();
         list_islands();
+        for (Island& island : islands_) island.beside_joints = &beside_joints_;
         particle_contacts_.reserve(state_.bodies, islands_, island_bodies_);
         divide_bodies();
         if (scene) list_near_models(*scene, dt);

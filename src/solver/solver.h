@@ -72,6 +72,7 @@
 #include "solver/contact/particle_contacts.h"
 #include "solver/islands.h"
 #include "solver/joints/joined_motion.h"
+#include "solver/joints/joint_surroundings.h"
 #include "solver/jumps.h"
 #include "solver/particles/flight_planes.h"
 #include "solver/rope/rope_lanes.h"
@@ -388,6 +389,7 @@ private:
     };
     Vector<SweptBounds> swept_bounds_{&memory};
     BodyMeshes meshes_{&memory};
+    JointSurroundings beside_joints_{&memory};
 };
 
 }  // namespace gphys

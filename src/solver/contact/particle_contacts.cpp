@@ -176,7 +176,8 @@ ParticleContacts::Range ParticleContacts::range(const Island& island) {
             {rows_.data() + island.first_row, island.row_count,
              rigid_groups_.data() + island.first_rigid_pair + island.first_cluster,
              island.rigid_pair_count + island.cluster_count},
-            island.unequal};
+            island.unequal,
+            island.beside_joints};
 }
 
 void ParticleContacts::begin(const Island& island, const IdTable& ids, const BodyTable& bodies, const uint32_t* slots) {

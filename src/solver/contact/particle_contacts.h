@@ -185,6 +185,7 @@ private:
         uint32_t rigid_pair_count;  // room for them and for the end
         RigidContacts::Room rigid_rows;
         bool unequal;  // see Island
+        const JointSurroundings* beside_joints;
 
         uint32_t most_pairs() const { return count * pairs_per_particle; }
     };

@@ -3,6 +3,7 @@
 #include "solver/contact/particle_pairs.h"
 
 #include "solver/contact/particle_contacts.h"
+#include "solver/joints/joint_surroundings.h"
 
 namespace gphys {
 namespace {
@@ -262,8 +263,9 @@ bool ParticleContacts::PairSearch::finds(uint32_t i, const Particle& p, const Ne
     const Particle& other = range_.particles[q.particle];
     if (p.inverse_mass == 0 && other.inverse_mass == 0) return false;
     const Body &a = bodies_[p.body], &b = bodies_[other.body];
-    return p.body == other.body ? collide_within(a, p.number, other.number)
-                                : (a.settings.body_layers & b.settings.body_layers) != 0;
+    if (p.body == other.body) return collide_within(a, p.number, other.number);
+    if ((a.settings.body_layers & b.settings.body_layers) == 0) return false;
+    return !a.plan.joined || !b.plan.joined || !range_.beside_joints->has(p.body, p.number, other.body, other.number);
 }
 
 /// Lists the pairs of all groups. Returns whether there was room for all. Stops when there are too many.

@@ -201,6 +201,7 @@ void Solver::plan_joints() {
         }
     }
     std::sort(tethers_.begin(), tethers_.end());
+    beside_joints_.find(state_.bodies, state_.joints, state_.joint_ids);
     joints_current_ = true;
 }
 

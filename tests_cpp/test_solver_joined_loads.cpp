@@ -1,0 +1,61 @@
+// Balls and crates that are much heavier than the joined cloth they press on.
+#include <algorithm>
+#include <cmath>
+
+#include "solver_world.h"
+
+namespace {
+
+using test::colliding;
+using test::figure;
+using test::World;
+
+constexpr float frame = 1.0f / 60;
+
+/// A hammock of 1.2 m by 0.7 m, joined by its corners to four ropes whose far ends are pinned.
+gphys_body_id hammock(World& world) {
+    const gphys_body_id cloth =
+        world.cloth({-0.6f, 0, -0.35f}, {1.2f, 0, 0}, {0, 0, 0.7f}, 25, 15, colliding(0.5f, 0.022f));
+    const uint32_t corners[] = {0, 24, 14 * 25, 14 * 25 + 24};
+    const uint32_t* corner = corners;
+    for (const float z : {-0.35f, 0.35f}) {
+        for (const float x : {-0.6f, 0.6f}) {
+            const gphys_body_id rope =
+                world.rope(test::line({x, 0, z}, {x / 15, 0.04f, -0.02f * z}, 16), 0, colliding(0.1f, 0.02f));
+            world.pin(rope, 15);
+            gphys_joint_id joint = 0;
+            REQUIRE(gphys_solver_join(world.solver, rope, 0, cloth, *corner++, 0, 0, &joint) == GPHYS_OK);
+        }
+    }
+    return cloth;
+}
+
+struct Fall {
+    double gained = 0, strain = 0, strain_at_end = 0;  // joules, of the energy at the beginning; largest strain
+};
+
+Fall run(World& world, int steps) {
+    Fall fall;
+    const double energy = world.energy();
+    for (int i = 0; i < steps; ++i) {
+        world.step(frame);
+        fall.strain_at_end = static_cast<double>(world.stats().strain_max);
+        fall.strain = std::max(fall.strain, fall.strain_at_end);
+        fall.gained = std::max(fall.gained, world.energy() - energy);
+    }
+    return fall;
+}
+
+}  // namespace
+
+TEST_CASE("What is joined does not collide around its joints") {
+    World world;
+    hammock(world);
+    const Fall fall = run(world, 120);
+    figure("strain", 100 * fall.strain, "%");
+    figure("gain", fall.gained, "J");
+    // Before, the ropes and the corners pushed each other off: 69 % and 1.7 J. Without collisions it is strained as
+    // much as now, 2.4 %, by its weight in the first second.
+    CHECK(fall.strain < 0.04);
+    CHECK(fall.gained < 1e-3);
+}
