@@ -149,9 +149,9 @@ void Solver::move_colliding(const Island& island, const Joined& joined, const Co
             Body& body = state_.bodies[slots[i]];
             if (!body.plan.joined) end_move(body, within, gravity, part);
         }
-        particle_contacts_.move_loads(island, state_.bodies, slots, within, gravity, part, planes);
-        particle_contacts_.move_loads_of_ropes(island, state_.bodies, slots, within, gravity, part, planes);
         end_joined(joined, within, gravity, part);
+        particle_contacts_.move_loads(island, state_.bodies, slots, joined, within, gravity, part, planes);
+        particle_contacts_.move_loads_of_ropes(island, state_.bodies, slots, within, gravity, part, planes);
         particle_contacts_.solve_velocities(island, state_.bodies, slots, within, gravity, part);
     };
     if (interrupted && !has_contact) {

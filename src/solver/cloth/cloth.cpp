@@ -40,7 +40,7 @@ void reserve_cloth(Body& body, bool collides) {
     cloth.shares.reserve(particles, floats, cloth.batches.chains.size());
     if (cloth.relaxation.most_strain > 0) cloth.relaxation.reserve(cloth.batches.rest.size());
     if (!body.constraints.attachments.empty()) cloth.in_chains.pulls.resize(floats);
-    const bool may_be_loaded = body.settings.body_layers != 0 && !body.plan.joined;
+    const bool may_be_loaded = body.settings.body_layers != 0;
     if (!body.targets.empty() || body.plan.joined || may_be_loaded || collides) cloth.in_chains.reserve(floats);
     if (body.plan.joined || may_be_loaded) cloth.tethers.reserve(floats);
     if (may_be_loaded) reserve_loads(cloth.loads, particles, floats);
@@ -97,19 +97,16 @@ void predict_cloth(Body& body, const CollisionContext& around, double h) {
     stretch_taut_spans(cloth);
 }
 
-namespace {
-
-/// Bodies with hubs are swept there and back (hubs.cpp).
 int least_sweeps_of(const Body& body) { return body.plan.crowded ? 2 : 1; }
 
-/// So many sweeps over all chains, with the masses of loads if there are any.
-void sweep_chains(Body& body, bool has_contact, int sweeps) {
+void sweep_links(Body& body, int first, int end) {
     const ClothKernels& kernels = cloth_kernels(chosen_isa());
     Cloth& cloth = body.cloth;
     ChainContacts& in_chains = cloth.in_chains;
     const bool loaded = cloth.loads.any();
+    const bool has_contact = cloth.contacts.any_active() || !body.targets.pressing.empty();
     const int least_sweeps = least_sweeps_of(body);
-    for (int sweep = 0; sweep < sweeps; ++sweep) {
+    for (int sweep = first; sweep < end; ++sweep) {
         // The sides of cells come last, and have no error left.
         const bool backward = least_sweeps == 2 && sweep == 0;
         const auto solve = [&](const ChainBatch& batch, ClothChains chains, float* rows) {
@@ -140,46 +137,55 @@ void sweep_chains(Body& body, bool has_contact, int sweeps) {
     }
 }
 
+namespace {
+
+bool pulls_count(const Body& body) { return body.cloth.contacts.any_active() || !body.constraints.attachments.empty(); }
+
+void correct_volume(Body& body) {
+    Cloth& cloth = body.cloth;
+    if (!cloth.volume.held) return;
+    solve_volume(cloth.volume, cloth.sheet, cloth.state, cloth.in_chains, cloth.batches.scale,
+                 cloth.contacts.any_active(), pulls_count(body));
+}
+
 }  // namespace
 
-void solve_cloth(Body& body) {
+void begin_links(Body& body) {
     Cloth& cloth = body.cloth;
-    ClothContacts& contacts = cloth.contacts;
-    ChainContacts& in_chains = cloth.in_chains;
-    find_target_contacts(body.targets, cloth.state, in_chains, contacts.any_active());
-    const bool has_contact = contacts.any_active() || !body.targets.pressing.empty();
-    const bool pulls_count = contacts.any_active() || !body.constraints.attachments.empty();
-    const auto correct_volume = [&] {
-        if (!cloth.volume.held) return;
-        solve_volume(cloth.volume, cloth.sheet, cloth.state, in_chains, cloth.batches.scale, contacts.any_active(),
-                     pulls_count);
-    };
+    find_target_contacts(body.targets, cloth.state, cloth.in_chains, cloth.contacts.any_active());
     // Before the chains, which need the volume for their shape, and after them, because they leave an error in it.
     cloth.volume.multiplier = 0;
-    correct_volume();
+    correct_volume(body);
+    if (cloth.loads.any()) note_motion(cloth);
+}
+
+void end_links(Body& body) {
+    Cloth& cloth = body.cloth;
+    ClothContacts& contacts = cloth.contacts;
     const bool loaded = cloth.loads.any();
-    if (loaded) {
-        note_motion(cloth);
-        sweep_chains(body, has_contact, ContactLoads::sweeps);
-        if (links_threw_loads(cloth)) {
-            undo_loads(cloth);
-            sweep_chains(body, has_contact, least_sweeps_of(body));
-        }
-        take_pulls_of_loads(cloth.loads, in_chains);
-    } else {
-        sweep_chains(body, has_contact, least_sweeps_of(body));
-    }
-    correct_volume();
-    if (!cloth.clusters.empty()) solve_clusters(body, pulls_count || body.plan.joined);
+    if (loaded) take_pulls_of_loads(cloth.loads, cloth.in_chains);
+    correct_volume(body);
+    if (!cloth.clusters.empty()) solve_clusters(body, pulls_count(body) || body.plan.joined);
     if (contacts.any_active()) save_positions(contacts, cloth.state);
     if (loaded) note_places(cloth.loads, cloth.state);
     if (body.constraints.attachments.empty()) {
         apply_reach_limits(cloth.reach, cloth.state, cloth.shares.team);
     } else {
-        apply_reach_limits(cloth.reach, cloth.state, in_chains.pulls.data());
+        apply_reach_limits(cloth.reach, cloth.state, cloth.in_chains.pulls.data());
     }
     // The limits of a particle act one after the other, and would pull it aside under its load.
     if (loaded) restore_places(cloth.loads, cloth.state);
+}
+
+void solve_cloth(Body& body) {
+    Cloth& cloth = body.cloth;
+    begin_links(body);
+    sweep_links(body, 0, cloth.loads.any() ? ContactLoads::sweeps : least_sweeps_of(body));
+    if (cloth.loads.any() && links_threw_loads(cloth)) {
+        undo_loads(cloth);
+        sweep_links(body, 0, least_sweeps_of(body));
+    }
+    end_links(body);
 }
 
 void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, double h) {

@@ -63,6 +63,12 @@ void move_cloth(Body& body, const CollisionContext& around, Vec3 gravity, double
 /// The parts of move_cloth, for cloth that is joined to other bodies: prediction, chains, and what follows from them.
 void predict_cloth(Body& body, const CollisionContext& around, double h);
 void solve_cloth(Body& body);
+/// How often the links of cloth without loads are swept: bodies with hubs there and back (hubs.cpp).
+int least_sweeps_of(const Body& body);
+/// The parts of solve_cloth. Sweeps over the links: from number `first` of the substep to before `end`.
+void begin_links(Body& body);
+void sweep_links(Body& body, int first, int end);
+void end_links(Body& body);
 void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 /// All after the prediction.
 void end_cloth_substep(Body& body, const CollisionContext& around, Vec3 gravity, double h);

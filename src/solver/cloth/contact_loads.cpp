@@ -39,7 +39,7 @@ void divide(const HeavyBody& heavy, ContactLoad* first, const ContactLoad* end, 
     // Across the normal a particle takes at most as many times its own mass. With none, chains between heavy particles
     // would correct their lengths by moving these aside. With all, cloth would not slide under its load.
     constexpr double most_across = 100;
-    const double shares = static_cast<double>(end - first);
+    const double shares = heavy.shares;
     for (ContactLoad* load = first; load != end; ++load) {
         const auto turning = [&](Vec3 direction) {
             const Vec3 lever = cross(load->arm, direction);
@@ -106,15 +106,6 @@ double motion_before_links(const Cloth& cloth) {
     for (size_t i = 0; i < 4 * size_t{state.particles}; i += 4)
         sum += state.acceleration[i + 3] * length_squared(get(&state.at[i]) - get(&state.start[i]));
     for (const HeavyBody& heavy : cloth.loads.heavy) sum += product(heavy, heavy.motion, heavy.motion) * h * h;
-    return sum;
-}
-
-double energy_after_links(Cloth& cloth) {
-    const ClothState& state = cloth.state;
-    const Vec3 frame = cloth.loads.frame;
-    double sum =
-        stored_energy(cloth) + energy_of_cloth(state, [&](size_t i) { return get(&state.velocity[i]) - frame; });
-    for (const HeavyBody& heavy : cloth.loads.heavy) sum += energy_of(heavy, frame);
     return sum;
 }
 
@@ -187,6 +178,20 @@ void give_back(Body& body, const CollisionContext& around, double part) {
 
 }  // namespace
 
+double energy_after_links(Cloth& cloth) {
+    const ClothState& state = cloth.state;
+    const Vec3 frame = cloth.loads.frame;
+    double sum =
+        stored_energy(cloth) + energy_of_cloth(state, [&](size_t i) { return get(&state.velocity[i]) - frame; });
+    for (const HeavyBody& heavy : cloth.loads.heavy) sum += energy_of(heavy, frame);
+    return sum;
+}
+
+bool is_energy_known(const Body& body) {
+    const ContactLoads& loads = body.cloth.loads;
+    return loads.closed && loads.on_moving == body.cloth.contacts.has_moving_model && !body.targets.act();
+}
+
 void reserve_loads(ContactLoads& loads, uint32_t particles, size_t floats) {
     loads.all.reserve(particles);
     loads.heavy.reserve(particles);
@@ -210,15 +215,21 @@ void begin_loads(Body& body, double h) {
     cloth.loads.seconds = h;
 }
 
+void note_energy(Cloth& cloth, double h) {
+    ContactLoads& loads = cloth.loads;
+    loads.seconds = h;
+    loads.on_moving = cloth.contacts.has_moving_model;
+    loads.frame = {};
+    if (loads.on_moving) loads.closed = loads.closed && find_frame(cloth);
+    loads.energy = energy_before_links(cloth);
+}
+
 void note_motion(Cloth& cloth) {
     ContactLoads& loads = cloth.loads;
     note_places(loads, cloth.state);
     loads.predicted = cloth.state.at;
-    loads.on_moving = cloth.contacts.has_moving_model;
-    loads.frame = {};
-    if (loads.on_moving) loads.closed = loads.closed && find_frame(cloth);
+    note_energy(cloth, loads.seconds);
     loads.motion = motion_before_links(cloth);
-    loads.energy = energy_before_links(cloth);
     uint32_t i = 0;
     for (HeavyBody& heavy : loads.heavy) {
         for (; i < heavy.end; ++i) {
@@ -319,7 +330,7 @@ void accelerate_loads(Body& body, const CollisionContext& around) {
         for (; i < heavy.end; ++i) moment += cross(loads.all[i].arm, loads.all[i].taken);
         heavy.motion = heavy.motion + LoadMotion{heavy.moved, moment} * (1 / loads.seconds);
     }
-    if (loads.closed && loads.on_moving == cloth.contacts.has_moving_model && !body.targets.act()) {
+    if (!body.plan.joined && is_energy_known(body)) {
         double gain = energy_after_links(cloth) - loads.energy;
         if (gain > 0) {
             const double kept = take_from_carried(loads, gain);

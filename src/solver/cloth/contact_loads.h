@@ -14,6 +14,9 @@
 // no work. A load that a model carries loses only what links have added: the speed that contacts
 // have given it is that at which the model holds it.
 //
+// Cloth that is joined to other bodies is swept in turn with these, and its energy is bounded together with theirs
+// (joints/joined_motion.cpp, joined_energy.cpp).
+//
 // Where cloth is crumpled between loads and a model, the elimination of a chain of very unequal masses has no accurate
 // solution, and throws particles and loads far beyond all that moves. Energy could not bring them back. Such sweeps are
 // undone, and the links are solved without loads in that substep.
@@ -73,6 +76,8 @@ void reserve_loads(ContactLoads& loads, uint32_t particles, size_t floats);
 void begin_loads(Body& body, double h);
 /// Call before the links are solved, when contact planes have corrected the prediction.
 void note_motion(Cloth& cloth);
+/// The same of the energy alone, in a substep of `h` seconds.
+void note_energy(Cloth& cloth, double h);
 /// After something else has moved loaded particles; and when links have moved them.
 void note_places(ContactLoads& loads, const ClothState& state);
 void move_loads(ContactLoads& loads, const ClothState& state);
@@ -86,6 +91,10 @@ void undo_loads(Cloth& cloth);
 void take_pulls_of_loads(const ContactLoads& loads, ChainContacts& in_chains);
 /// Undoes the motion of loaded particles since note_places.
 void restore_places(const ContactLoads& loads, ClothState& state);
+/// The energy of cloth and loads now, in the frame of the models, per average mass. Call after accelerate_loads.
+double energy_after_links(Cloth& cloth);
+/// Whether note_motion, and what has followed, tell all work that anything outside of cloth and loads has done.
+bool is_energy_known(const Body& body);
 /// Call when the velocities are known: adds the links' to those of the loads, and slows cloth and loads so that the
 /// links have not added energy. The impulses of the loads become those that have changed the velocities.
 void accelerate_loads(Body& body, const CollisionContext& around);

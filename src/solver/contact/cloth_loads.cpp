@@ -2,6 +2,7 @@
 #include "solver/contact/cloth_loads.h"
 
 #include "solver/contact/collision.h"
+#include "solver/joints/joined_motion.h"
 
 namespace gphys {
 
@@ -15,6 +16,7 @@ void ParticleContacts::ClothLoads::add(const Pair& pair, uint32_t on, uint32_t b
     const uint32_t of = heavy_.first_of(by);
     if (of == HeavyBodies::none || particle.inverse_mass < heavy * heavy_.inverse_mass_of(of)) return;
     body.cloth.loads.is_loaded[particle.number] = 1;
+    ++range_.particles[of].shares;
     body.cloth.loads.all.push_back({of, by, particle.number, static_cast<uint32_t>(&pair - range_.pairs), normal});
 }
 
@@ -30,7 +32,9 @@ void ParticleContacts::ClothLoads::leave_out_carried_ropes(ContactLoads& loads) 
     };
     if (std::none_of(loads.all.begin(), loads.all.end(), is_carried)) return;
     for (const ContactLoad& share : loads.all) {
-        if (is_rope(share)) loads.is_loaded[share.particle] = 0;
+        if (!is_rope(share)) continue;
+        loads.is_loaded[share.particle] = 0;
+        --range_.particles[share.of].shares;
     }
     loads.all.erase(std::remove_if(loads.all.begin(), loads.all.end(), is_rope), loads.all.end());
 }
@@ -40,6 +44,7 @@ void ParticleContacts::ClothLoads::find(Vec3 gravity, double h) {
         return std::any_of(first_, end_, [&](uint32_t slot) { return is(bodies_[slot]); });
     };
     if (!any_body(HeavyBodies::may_press) || !any_body(may_be_loaded)) return;
+    for (Particle* p = range_.particles; p != range_.particles + range_.count; ++p) p->shares = 0;
     // Contacts with a small gap count, too: where a heavy particle has given cloth its own velocity, contacts open and
     // close from substep to substep.
     each_between_bodies(range_, [&](const Pair& pair, const Contact& contact) {
@@ -59,6 +64,7 @@ void ParticleContacts::ClothLoads::find(Vec3 gravity, double h) {
             if (k == 0 || loads.heavy.back().of != share.of)
                 loads.heavy.push_back(heavy_.find(share.of, units_of(body), gravity, h));
             HeavyBody& heavy = loads.heavy.back();
+            heavy.shares = range_.particles[share.of].shares;
             heavy.end = k + 1;
             const Particle& by = range_.particles[share.by];
             if (is_graph(bodies_[by.body]))
@@ -68,11 +74,32 @@ void ParticleContacts::ClothLoads::find(Vec3 gravity, double h) {
     }
 }
 
+/// Slows joined bodies and their loads so that links and joints have not added energy.
+void ParticleContacts::ClothLoads::bound_joined_energy(const Joined& joined, Vec3 gravity) {
+    const auto each_load = [&](auto&& visit) {
+        gphys::each_body(joined, [&](Body& body, uint32_t) {
+            for (HeavyBody& heavy : body.cloth.loads.heavy) visit(heavy, units_of(body));
+        });
+    };
+    each_load([&](HeavyBody& heavy, const LoadUnits& units) { heavy.motion = heavy_.motion_of(heavy, units); });
+    const double kept = slow_joined(joined, gravity);
+    if (kept == 1) return;
+    each_load([&](HeavyBody& heavy, const LoadUnits& units) {
+        uint16_t& shares = range_.particles[heavy.of].shares;
+        if (shares == 0) return;  // done, for another cloth
+        shares = 0;
+        heavy.moved = heavy.turned = {};
+        heavy.before = heavy_.motion_of(heavy, units);
+        heavy.motion = {heavy.before.velocity * kept, heavy.before.spin * kept};
+        heavy_.move(heavy);
+    });
+}
+
 bool ParticleContacts::ClothLoads::any() const {
     return std::any_of(first_, end_, [&](uint32_t slot) { return bodies_[slot].cloth.loads.any(); });
 }
 
-void ParticleContacts::ClothLoads::move(const CollisionContext& around) {
+void ParticleContacts::ClothLoads::move(const Joined& joined, const CollisionContext& around, Vec3 gravity) {
     for (const uint32_t* slot = first_; slot != end_; ++slot) {
         Body& body = bodies_[*slot];
         ContactLoads& loads = body.cloth.loads;
@@ -88,12 +115,19 @@ void ParticleContacts::ClothLoads::move(const CollisionContext& around) {
         }
         accelerate_loads(body, around);
         for (const HeavyBody& heavy : loads.heavy) heavy_.move(heavy);
+    }
+    bound_joined_energy(joined, gravity);
+    for (const uint32_t* slot = first_; slot != end_; ++slot) {
+        Body& body = bodies_[*slot];
+        ContactLoads& loads = body.cloth.loads;
+        if (!loads.any()) continue;
         for (const ContactLoad& share : loads.all) {
             Pair& pair = range_.pairs[share.pair];
             const double impulse = share.impulse * body.cloth.state.average_mass;
             if (impulse > 0) add_to_list(range_, pair, pair.b == share.by ? share.normal : -share.normal, impulse);
         }
         clear_loads(loads);
+        if (body.plan.joined) body.cloth.tethers.clear();
     }
 }
 

@@ -6,6 +6,8 @@
 
 namespace gphys {
 
+struct Joined;
+
 class ParticleContacts::ClothLoads {
 public:
     ClothLoads(const Range& range, const Island& island, BodyTable& bodies, const uint32_t* slots)
@@ -16,15 +18,15 @@ public:
     /// Whether `find` has found any.
     bool any() const;
     /// Moves the loads as the links have moved the cloth under them.
-    void move(const CollisionContext& around);
+    void move(const Joined& joined, const CollisionContext& around, Vec3 gravity);
 
 private:
     static bool may_be_loaded(const Body& body) {
-        return is_graph(body) && !body.plan.joined && !body.cloth.batches.chains.empty() &&
-               !body.cloth.loads.is_loaded.empty();
+        return is_graph(body) && !body.cloth.batches.chains.empty() && !body.cloth.loads.is_loaded.empty();
     }
     static LoadUnits units_of(const Body& cloth) { return {cloth.cloth.state.origin, cloth.cloth.state.average_mass}; }
     const Body& body_of(const ContactLoad& share) const { return bodies_[range_.particles[share.by].body]; }
+    void bound_joined_energy(const Joined& joined, Vec3 gravity);
     void leave_out_carried_ropes(ContactLoads& loads) const;
     void add(const Pair& pair, uint32_t on, uint32_t by, Vec3 normal);
 

@@ -26,6 +26,7 @@ struct HeavyBody {
     Vec3 place;              // of its centre, when the contacts are solved
     LoadMotion motion;       // the same
     Vec3 acceleration;       // by gravity and forces
+    uint32_t shares = 0;     // on all cloth
     uint32_t end = 0;        // its shares are those before this one and after those of the load before it
     bool carried = false;    // whether a model is under one of the particles that it presses on
     Vec3 moved{}, turned{};  // by the links: metres, and a rotation vector

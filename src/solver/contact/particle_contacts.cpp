@@ -496,7 +496,7 @@ void ParticleContacts::add_support_impulses(const Island& island, BodyTable& bod
     });
 }
 
-void ParticleContacts::move_loads(const Island& island, BodyTable& bodies, const uint32_t* slots,
+void ParticleContacts::move_loads(const Island& island, BodyTable& bodies, const uint32_t* slots, const Joined& joined,
                                   const CollisionContext& around, Vec3 gravity, double h, FlightPlanes* planes) {
     const Range range = this->range(island);
     ClothLoads loads(range, island, bodies, slots);
@@ -505,7 +505,7 @@ void ParticleContacts::move_loads(const Island& island, BodyTable& bodies, const
         if (!HeavyBodies::may_press(body)) return;
         for (Particle* p = first; p != end; ++p) p->at = p->uncorrected = place_of(body, p->number);
     });
-    loads.move(around);
+    loads.move(joined, around, gravity);
     const double bounce_threshold = find_bounce_threshold(gravity, h);
     each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
         if (!HeavyBodies::may_press(body)) return;

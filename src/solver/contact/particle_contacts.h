@@ -38,6 +38,8 @@ inline bool moves_freely(const Body& body) { return body.plan.method == GPHYS_SO
 /// Of a particle, during a step.
 Vec3 place_of(const Body& body, uint32_t p);
 
+struct Joined;
+
 class ParticleContacts {
 public:
     explicit ParticleContacts(std::pmr::memory_resource* memory)
@@ -81,8 +83,8 @@ public:
     void move_loads_of_ropes(const Island& island, BodyTable& bodies, const uint32_t* slots,
                              const CollisionContext& around, Vec3 gravity, double h, FlightPlanes* planes);
     /// The same of cloth (cloth/contact_loads.h).
-    void move_loads(const Island& island, BodyTable& bodies, const uint32_t* slots, const CollisionContext& around,
-                    Vec3 gravity, double h, FlightPlanes* planes);
+    void move_loads(const Island& island, BodyTable& bodies, const uint32_t* slots, const Joined& joined,
+                    const CollisionContext& around, Vec3 gravity, double h, FlightPlanes* planes);
     /// Call at the end of the substep: restitution and friction of pairs in contact.
     void solve_velocities(const Island& island, BodyTable& bodies, const uint32_t* slots,
                           const CollisionContext& around, Vec3 gravity, double h);

@@ -4,6 +4,7 @@
 // to their common drift. So their energy never exceeds what it was.
 #include "solver/joints/joined_motion.h"
 #include "solver/motion.h"
+#include "solver/time_scheme.h"
 
 namespace gphys {
 namespace {
@@ -90,6 +91,71 @@ void limit_joined_energy(const Joined& joined, Vec3 gravity) {
     each_body(joined, [&](Body& body, uint32_t) { kinetic += kinetic_energy(body, drift); });
     const double factor = -lost < kinetic ? std::sqrt(1 + lost / kinetic) : 0;
     each_body(joined, [&](Body& body, uint32_t) { scale_velocities(body, drift, factor); });
+}
+
+namespace {
+
+/// Joules, of chains and particles.
+template <class Velocity>
+double energy_of_particles(const Body& body, Vec3 gravity, const Vector<Vec3>& places, Velocity&& velocity) {
+    double energy = 0;
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
+        if (body.particles.pinned(p)) continue;
+        const Vec3 falling = gravity + body.particles.force[p] * body.particles.inverse_mass[p];
+        energy += body.particles.mass[p] * (length_squared(velocity(p)) / 2 - dot(falling, places[p]));
+    }
+    return energy;
+}
+
+}  // namespace
+
+void note_joined_energy(const Joined& joined, Vec3 gravity, double h) {
+    each_body(joined, [&](Body& body, uint32_t) {
+        if (is_graph(body)) {
+            if (!body.cloth.loads.any()) note_energy(body.cloth, h);
+            return;
+        }
+        const TimeScheme scheme(h, body.history.earlier_step);
+        body.rope.loads.energy = energy_of_particles(body, gravity, body.history.predicted, [&](uint32_t p) {
+            const Vec3 before =
+                scheme.from_history(body.history.start[p], body.history.earlier[p], body.history.start_velocity[p]);
+            return (body.history.predicted[p] * scheme.next - before) / scheme.h;
+        });
+    });
+}
+
+double slow_joined(const Joined& joined, Vec3 gravity) {
+    bool loaded = false, known = true, held = false;
+    each_body(joined, [&](const Body& body, uint32_t) {
+        loaded = loaded || body.cloth.loads.any();
+        held = held || has_pin(body.particles) || !body.contacts.impulses.empty();
+        known = known && (is_graph(body) ? is_energy_known(body)
+                                         : body.constraints.attachments.empty() &&
+                                               body.constraints.length_changes.empty() && !body.plan.damped);
+    });
+    // Pins or models must take the momentum.
+    if (!loaded || !known || !held) return 1;
+    double gain = 0, kinetic = 0;
+    each_body(joined, [&](Body& body, uint32_t) {
+        kinetic += kinetic_energy(body, {});
+        if (!is_graph(body)) {
+            gain += energy_of_particles(body, gravity, body.particles.position,
+                                        [&](uint32_t p) { return body.particles.velocity[p]; }) -
+                    body.rope.loads.energy;
+            return;
+        }
+        const ContactLoads& loads = body.cloth.loads;
+        gain += (energy_after_links(body.cloth) - loads.energy) * body.cloth.state.average_mass;
+        for (const HeavyBody& heavy : loads.heavy)
+            kinetic += heavy.mass * body.cloth.state.average_mass * length_squared(heavy.motion.velocity) / 2;
+    });
+    for (const uint32_t* i = joined.systems_begin; i != joined.systems_end; ++i) {
+        gain += joined.all_systems[*i].elastic_energy() - joined.all_systems[*i].elastic_energy_before();
+    }
+    if (!(gain > 0)) return 1;
+    const double kept = gain < kinetic ? std::sqrt(1 - gain / kinetic) : 0;
+    each_body(joined, [&](Body& body, uint32_t) { scale_velocities(body, {}, kept); });
+    return kept;
 }
 
 }  // namespace gphys

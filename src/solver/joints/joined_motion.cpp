@@ -45,36 +45,132 @@ void set_inverse_mass(TetherInertia& inertia, const Tether& tether, JointSystem&
     }
 }
 
+/// visit(tether) for all of one cloth
+template <class Visit>
+void each_tether(const Joined& joined, uint32_t slot, Visit&& visit) {
+    const auto end = joined.all_tethers.end();
+    for (auto tether = std::lower_bound(joined.all_tethers.begin(), end, Tether{slot, 0, 0, 0});
+         tether != end && tether->body == slot; ++tether)
+        visit(*tether, joined.all_systems[tether->system]);
+}
+
+bool moves(const Body& cloth, const Tether& tether) {
+    return cloth.cloth.state.at[4 * size_t{tether.particle} + 3] > 0;
+}
+
+/// After forces or loads were applied to them.
+void solve_outdated(const Joined& joined) {
+    each_system(joined, [&](JointSystem& system) {
+        if (!system.is_outdated()) return;
+        system.solve();
+        system.scatter(joined.bodies);
+    });
+}
+
+/// Sweeps over the links of one cloth, with the inertia of what is joined to it, which then moves with it.
+template <class Sweep>
+void sweep_with_joints(const Joined& joined, Body& body, uint32_t slot, double h, Sweep&& sweep) {
+    Vector<float>& pulls = body.cloth.in_chains.pulls;
+    each_tether(joined, slot, [&](const Tether& tether, JointSystem& system) {
+        set_inverse_mass(body.cloth.tethers, tether, system);
+        // A joint does not pull off a particle that friction holds.
+        if (moves(body, tether)) std::fill_n(&pulls[4 * size_t{tether.particle}], 3, 0.0f);
+    });
+    sweep();
+    const double step = TimeScheme(h, body.history.earlier_step).step(body.settings.damping);
+    each_tether(joined, slot, [&](const Tether& tether, JointSystem& system) {
+        if (!moves(body, tether)) return;
+        const float* pull = &pulls[4 * size_t{tether.particle}];
+        system.apply_force(tether.node, get(pull) * (body.cloth.state.average_mass / (step * step)));
+    });
+    each_tether(joined, slot, [&](const Tether&, JointSystem& system) {
+        if (system.respond()) system.scatter(joined.bodies);
+    });
+}
+
+void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
+    if (collides(body, around)) find_active_planes(body, around, gravity, TimeScheme(h, body.history.earlier_step));
+}
+
+/// The joints move the particles from where cloth has pulled them. What then lacks to their places is the part of their
+/// contacts.
+void save_places_of_tethers(const Joined& joined, Body& body, uint32_t slot) {
+    if (!body.cloth.contacts.any_active()) return;
+    each_tether(joined, slot, [&](const Tether& tether, const JointSystem& system) {
+        if (moves(body, tether))
+            put(&body.cloth.contacts.saved[4 * size_t{tether.particle}],
+                system.node(tether.node).predicted - body.cloth.state.origin);
+    });
+}
+
 void sweep_joined_cloth(const Joined& joined, Body& body, uint32_t slot, const CollisionContext& around, Vec3 gravity,
                         double h) {
-    const auto begin = std::lower_bound(joined.all_tethers.begin(), joined.all_tethers.end(), Tether{slot, 0, 0, 0});
-    const auto end = std::lower_bound(begin, joined.all_tethers.end(), Tether{slot + 1, 0, 0, 0});
-    Vector<float>& pulls = body.cloth.in_chains.pulls;
-    const bool collides = gphys::collides(body, around);
-    if (collides) find_active_planes(body, around, gravity, TimeScheme(h, body.history.earlier_step));
-    const auto moves = [&](const Tether& tether) { return body.cloth.state.at[4 * size_t{tether.particle} + 3] > 0; };
-    for (auto tether = begin; tether != end; ++tether) {
-        set_inverse_mass(body.cloth.tethers, *tether, joined.all_systems[tether->system]);
-        // A joint does not pull off a particle that friction holds.
-        if (moves(*tether)) std::fill_n(&pulls[4 * size_t{tether->particle}], 3, 0.0f);
-    }
-    solve_cloth(body);
+    find_active_planes(body, around, gravity, h);
+    sweep_with_joints(joined, body, slot, h, [&] { solve_cloth(body); });
+    save_places_of_tethers(joined, body, slot);
+}
+
+/// The masses of loads on joined particles become those of the nodes.
+void add_loads_to_nodes(const Joined& joined, const Body& body, uint32_t slot, double h) {
+    if (!body.cloth.loads.any()) return;
     const double step = TimeScheme(h, body.history.earlier_step).step(body.settings.damping);
-    for (auto tether = begin; tether != end; ++tether) {
-        if (!moves(*tether)) continue;
-        const float* pull = &pulls[4 * size_t{tether->particle}];
-        const Vec3 force = get(pull) * (body.cloth.state.average_mass / (step * step));
-        JointSystem& system = joined.all_systems[tether->system];
-        system.apply_force(tether->node, force);
-        // The joints move the particle from there. What then lacks to its place is the part of its contact.
-        if (body.cloth.contacts.any_active())
-            put(&body.cloth.contacts.saved[4 * size_t{tether->particle}],
-                system.node(tether->node).predicted - body.cloth.state.origin);
+    each_tether(joined, slot, [&](const Tether& tether, JointSystem& system) {
+        if (body.cloth.loads.is_loaded[tether.particle] == 0) return;
+        for (const ContactLoad& load : body.cloth.loads.all) {
+            if (load.particle != tether.particle) continue;
+            const double scale = body.cloth.state.average_mass / (step * step), more = load.along - load.across;
+            const Vec3 n = load.normal;
+            system.add_load(tether.node, {(n * (more * n.x) + Vec3{load.across, 0, 0}) * scale,
+                                          (n * (more * n.y) + Vec3{0, load.across, 0}) * scale,
+                                          (n * (more * n.z) + Vec3{0, 0, load.across}) * scale});
+        }
+    });
+}
+
+bool is_loaded(const Joined& joined) {
+    bool any = false;
+    each_body(joined, [&](const Body& body, uint32_t) { any = any || body.cloth.loads.any(); });
+    return any;
+}
+
+/// Sweeps over all cloth in turn, as often as loads need it.
+void sweep_loaded(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h) {
+    const auto each_cloth = [&](auto&& visit) {
+        each_body(joined, [&](Body& body, uint32_t slot) {
+            if (is_graph(body)) visit(body, slot);
+        });
+    };
+    each_cloth([&](Body& body, uint32_t slot) {
+        find_active_planes(body, around, gravity, h);
+        begin_links(body);
+        add_loads_to_nodes(joined, body, slot, h);
+    });
+    solve_outdated(joined);
+    note_joined_energy(joined, gravity, h);
+    for (int sweep = 0; sweep < ContactLoads::sweeps; ++sweep) {
+        each_cloth([&](Body& body, uint32_t slot) {
+            sweep_with_joints(joined, body, slot, h, [&] { sweep_links(body, sweep, sweep + 1); });
+            move_loads(body.cloth.loads, body.cloth.state);
+        });
+        solve_outdated(joined);
     }
-    for (auto tether = begin; tether != end; ++tether) {
-        JointSystem& system = joined.all_systems[tether->system];
-        if (system.respond()) system.scatter(joined.bodies);
+    bool threw = false;
+    each_cloth(
+        [&](Body& body, uint32_t) { threw = threw || (body.cloth.loads.any() && links_threw_loads(body.cloth)); });
+    if (threw) {
+        each_cloth([&](Body& body, uint32_t) {
+            if (body.cloth.loads.any()) undo_loads(body.cloth);
+        });
+        gather_systems(joined, h);
+        solve_systems(joined);
+        each_cloth([&](Body& body, uint32_t slot) {
+            sweep_with_joints(joined, body, slot, h, [&] { sweep_links(body, 0, least_sweeps_of(body)); });
+        });
     }
+    each_cloth([&](Body& body, uint32_t slot) {
+        end_links(body);
+        save_places_of_tethers(joined, body, slot);
+    });
 }
 
 /// As `collide` of a single body, but with the held particles of all bodies pinned at once.
@@ -157,14 +253,14 @@ void leave_solids_joined(const Joined& joined, const CollisionContext& around, d
 void finish_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h) {
     bool interrupted = false;  // then the previous tensions, and so the elastic energies, are unknown
     each_body(joined, [&](const Body& body, uint32_t) { interrupted = interrupted || body.history.earlier_step == 0; });
-    each_body(joined, [&](Body& body, uint32_t slot) {
-        if (is_graph(body)) sweep_joined_cloth(joined, body, slot, around, gravity, h);
-    });
-    each_system(joined, [&](JointSystem& system) {
-        if (!system.is_outdated()) return;
-        system.solve();
-        system.scatter(joined.bodies);
-    });
+    if (is_loaded(joined)) {
+        sweep_loaded(joined, around, gravity, h);
+    } else {
+        each_body(joined, [&](Body& body, uint32_t slot) {
+            if (is_graph(body)) sweep_joined_cloth(joined, body, slot, around, gravity, h);
+        });
+    }
+    solve_outdated(joined);
     bool has_limit_impact = false;
     each_system(joined, [&](const JointSystem& system) { system.scatter_tensions(joined.bodies, joined.joints); });
     each_body(joined, [&](Body& body, uint32_t) {

@@ -172,7 +172,22 @@ void JointSystem::gather_nodes(const BodyTable& bodies, double h, bool predicts_
     }
 }
 
+void JointSystem::apply_force(uint32_t node, Vec3 force) {
+    Node& of = nodes_[node];
+    for (uint32_t k = 0; k < 3; ++k) applied_[of.scalar + k] += force[static_cast<int>(k)];
+    outdated_ = has_applied_ = true;
+    if (!of.loaded) {
+        of.predicted += force / of.weight;
+        return;
+    }
+    const Vec3 x = of.load.x + axes[0] * of.weight, y = of.load.y + axes[1] * of.weight,
+               z = of.load.z + axes[2] * of.weight;
+    const Vec3 yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);
+    of.predicted += Vec3{dot(yz, force), dot(zx, force), dot(xy, force)} / dot(x, yz);
+}
+
 void JointSystem::gather(const BodyTable& bodies, const Vector<Joint>& joints, double h) {
+    for (Node& node : nodes_) node.loaded = false, node.load = {{}, {}, {}};
     gather_nodes(bodies, h, true);
     for (Link& link : links_) {
         if (link.owner == of_joint) {
@@ -291,10 +306,13 @@ void JointSystem::assemble() {
         return entries_.data() + matrix_.column_begin(node.scalar + column + 1) - column;
     };
     for (const Node& node : nodes_) {
-        const Vec3 force = node.free ? (node.predicted - node.position) * node.weight : Vec3{};
+        const Vec3 way = node.free ? node.predicted - node.position : Vec3{},
+                   force = way * node.weight + node.load * way;
         for (uint32_t k = 0; k < 3; ++k) {
-            diagonal_[node.scalar + k] = node.weight;
+            const Vec3 column = node.load * axes[k];
+            diagonal_[node.scalar + k] = node.weight + column[static_cast<int>(k)];
             solution_[node.scalar + k] = force[static_cast<int>(k)];
+            for (uint32_t row = 0; row < k; ++row) own(node, k)[row] = column[static_cast<int>(row)];
         }
     }
     for (const Link& link : links_) {
@@ -446,13 +464,6 @@ double JointSystem::advance() {
         node.position += Vec3{x[0], x[1], x[2]} * fraction;  // pins are coupled to nothing, so theirs is 0
     }
     return fraction;
-}
-
-void JointSystem::apply_force(uint32_t node, Vec3 force) {
-    Node& at = nodes_[node];
-    at.predicted += force / at.weight;
-    for (uint32_t k = 0; k < 3; ++k) applied_[at.scalar + k] += force[static_cast<int>(k)];
-    outdated_ = has_applied_ = true;
 }
 
 bool JointSystem::respond() {

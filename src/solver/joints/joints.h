@@ -39,10 +39,12 @@ public:
         bool of_graph = false;  // whether it belongs to cloth
         bool free = true;
         double weight = 0;  // N/m, mass / step^2: the force that moves it by a metre
-        Vec3 before{};      // before the substep
-        Vec3 predicted{};   // without constraints
-        Vec3 start{};       // the initial guess of the solution under way
-        Vec3 position{};    // the present iterate
+        bool loaded = false;
+        Mat3 load{{}, {}, {}};  // if loaded: the same of what presses on it, by direction; symmetric
+        Vec3 before{};          // before the substep
+        Vec3 predicted{};       // without constraints
+        Vec3 start{};           // the initial guess of the solution under way
+        Vec3 position{};        // the present iterate
     };
     /// A constraint between two nodes: a link of a chain, a joint with a length, or one axis of a joint without one.
     struct Link {
@@ -103,6 +105,12 @@ public:
     /// Moves the nodes by what the forces since the last call do to first order: one substitution in place of Newton's
     /// method. Call solve() after all of them. Returns false, and moves nothing, if there were none.
     bool respond();
+    /// Adds to the weight of a node, until gather() is called.
+    void add_load(uint32_t node, const Mat3& weight) {
+        nodes_[node].loaded = outdated_ = true;
+        Mat3& load = nodes_[node].load;
+        load = {load.x + weight.x, load.y + weight.y, load.z + weight.z};
+    }
     /// Whether a force was applied since the last solve().
     bool is_outdated() const { return outdated_; }
     /// Returns whether Newton's method has converged.
