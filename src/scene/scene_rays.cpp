@@ -42,7 +42,10 @@ gphys_hit hit_of(const Hits8::Rounded& hit, uint32_t model, uint32_t tag) {
 
 /// Whether rays of a batch are cast one by one. Measured: what a group of rays sets up costs as much as it saves at 5
 /// rays among 100,000 boxes, 12 among 1000 boxes or small meshes, 15 in a large mesh.
-bool are_few(uint32_t count, uint32_t large_meshes) { return count < (large_meshes == 0 ? 12 : 16); }
+bool are_few(uint32_t count, uint32_t models, uint32_t large_meshes) {
+    constexpr uint32_t many_models = 30000;
+    return count < (large_meshes > 0 ? 16 : models < many_models ? 12 : 6);
+}
 
 }  // namespace
 
@@ -489,7 +492,7 @@ GPHYS_NOINLINE void Scene::raycast_bvh_by(Ray* rays, uint32_t count, const Filte
 
 template <class Filters, class Answer>
 void Scene::raycast_many_by(Ray* rays, uint32_t count, const Filters& filters, Answer* const* out) const {
-    if (are_few(count, large_mesh_count_)) {
+    if (are_few(count, size(), large_mesh_count_)) {
         for (uint32_t i = 0; i < count; ++i) raycast_by(rays[i], filter_of_item(filters, i), *out[i]);
         return;
     }
@@ -557,7 +560,7 @@ bool Scene::raycast_any_by(const Ray& given, const Filter& filter) const {
 template <class Filters>
 uint64_t Scene::raycast_any_many_by(Ray* rays, uint32_t count, const Filters& filters) const {
     uint64_t hits = 0;
-    if (are_few(count, large_mesh_count_)) {
+    if (are_few(count, size(), large_mesh_count_)) {
         for (uint32_t i = 0; i < count; ++i) hits |= uint64_t{raycast_any_by(rays[i], filter_of_item(filters, i))} << i;
         return hits;
     }
