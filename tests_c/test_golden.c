@@ -18,14 +18,14 @@ static const struct golden {
     {"particles", 0x5cce72db, 0x995591b2},
     {"ropes", 0x080daaae, 0x15ba0e4f},
     {"cloth", 0xd7fc1b9e, 0x2e2d4383},
-    {"joints", 0xc9a8bf0d, 0x83e968a0},
+    {"joints", 0x437c3738, 0x8f46ecf8},
     {"moving_models", 0xbffa25e3, 0x0a788959},
     {"cameras", 0xf3b8b092, 0x13040e63},
     {"orbits", 0x62b53876, 0x7d2e2ab7},
     {"queries", 0x0825934e, 0x151790c5},
     {"shapes", 0x67a709b4, 0x62fe01be},
     {"targets", 0x692b68c8, 0x7968f31f},
-    {"clusters", 0xe1b183b8, 0xc1de378c},
+    {"clusters", 0x4876dd91, 0xa6511b44},
     {"tears", 0xc966b40b, 0x5bc920be},
 };
 

@@ -264,26 +264,6 @@ TEST_CASE("a gathered curtain at rest moves again when something stirs it") {
     CHECK(room.moved(at_rest) > 0.02);
 }
 
-TEST_CASE("a gathered curtain that is attached to a model moves as a pinned one, and goes with the model") {
-    GatheredCurtain room(8), pinned(8);
-    const gphys_aabb rail{{-1, -0.01f, -0.01f}, {1, 0.01f, 0.01f}};
-    const gphys_transform above{{0, 0.1f, 0}, {0, 0, 0, 1}, 1};
-    const gphys_model_id model = room.model(GPHYS_SHAPE_AABB, &rail, &above);
-    for (uint32_t p = 0; p < GatheredCurtain::columns; ++p)
-        REQUIRE(gphys_solver_attach(room.solver, room.scene, room.sheet, p, model, nullptr) == GPHYS_OK);
-    room.run(120);
-    pinned.run(120);
-    CHECK(room.moved(pinned.positions(pinned.sheet)) < 1e-6);
-    room.come_to_rest();
-    const double height = room.mean_height();
-    for (int i = 1; i <= 30; ++i) {
-        room.place(model, {0, 0.1f + 0.01f * static_cast<float>(i), 0});
-        room.step(frame);
-    }
-    room.run(30);
-    CHECK(std::fabs(room.mean_height() - height - 0.3) < 0.02);
-}
-
 TEST_CASE("a sheet with small swings goes on swinging") {
     // By 2 mm at its end, so at most at 6 mm/s.
     Room room;

@@ -281,9 +281,6 @@ void move_cloth(Body& body, const CollisionContext& around, Vec3 gravity, double
 void end_cloth(Body& body, const CollisionContext& around) {
     if (collides(body, around)) record_contact_points(body, around);
     publish_state(body.cloth.state, body.particles, body.cloth.shares);
-    // Rounded to float32 they would seem to move in each step, and do work.
-    for (const Attachment& attachment : body.constraints.attachments)
-        body.particles.position[attachment.particle] = attachment.end;
     if (collides(body, around)) update_cache(body, around);
 }
 

@@ -18,6 +18,8 @@ constexpr double slow = 0.07, most = 10;
 // The same of cloth that hangs, and by what factor its velocities must differ from the distances that its particles
 // have moved: of cloth that swings both are the same.
 constexpr double slow_hanging = 0.015, differs = 2;
+// What hangs at a root mean square speed below this rests already.
+constexpr double resting = 1e-3;
 // What the speed of its middle may be, averaged over some time. It tells sagging, toppling and sliding from moving back
 // and forth: a sheet that folds up slowly before it falls over is at 0.01.
 constexpr double drift = 0.009, drift_time = 0.5;
@@ -50,18 +52,25 @@ bool is_held(const ClothContacts& contacts) {
     return static_cast<double>(held) >= least_held * static_cast<double>(contacts.active.size());
 }
 
+/// Metres by which particles move in a step at a part of the speed after such a fall, while displacements fade as they
+/// do.
+double way_at(const Body& body, double part, double gravity, double dt) {
+    return part * std::sqrt(2 * gravity * body.cloth.batches.link_length) * dt *
+           std::max(least_kept, body.cloth.settling.kept);
+}
+
 bool is_slow(const Body& body, const ClothTravel& travel, double slow, double gravity, double dt) {
-    const double fall = std::sqrt(2 * gravity * body.cloth.batches.link_length);
-    const double way = slow * fall * dt * std::max(least_kept, body.cloth.settling.kept);
+    const double way = way_at(body, slow, gravity, dt);
     return travel.sum <= way * way * body.particles.size() && travel.longest <= most * most * way * way &&
-           length(body.sleep.drift) <= drift * fall;
+           length(body.sleep.drift) <= drift * std::sqrt(2 * gravity * body.cloth.batches.link_length);
 }
 
 /// Whether pins that stand still hold it, and its velocities are not those of its motion. Where pins are closer
 /// together than the links between them, for instance, chains move particles in each substep and relaxation moves them
 /// back. Then velocities show what is undone, or none is left where the energy of these moves is taken from all motion.
-bool moves_in_place(const Body& body, const ClothTravel& travel, double dt) {
-    if (!body.cloth.state.held || are_carried(body.constraints)) return false;
+bool moves_in_place(const Body& body, const ClothTravel& travel, double gravity, double dt) {
+    // What displacements that fade do to attached particles would be missing in the impulses of their models.
+    if (!body.cloth.state.held || !body.constraints.attachments.empty()) return false;
     double sum = 0;
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         const double square = length_squared(body.particles.velocity[p]);
@@ -69,7 +78,9 @@ bool moves_in_place(const Body& body, const ClothTravel& travel, double dt) {
         sum += square;
     }
     sum *= dt * dt;
-    return std::max(sum, travel.sum) >= differs * differs * std::min(sum, travel.sum);
+    const double larger = std::max(sum, travel.sum), smaller = std::min(sum, travel.sum),
+                 least = way_at(body, resting, gravity, dt);
+    return larger >= differs * differs * smaller && larger >= least * least * body.particles.size();
 }
 
 /// Whether it hardly moves, and what holds it will keep it where it is.
@@ -79,7 +90,7 @@ bool may_settle(const Body& body, const ClothTravel& travel, double gravity, dou
     if (is_held(contacts))
         return is_slow(body, travel, slow, gravity, dt) &&
                is_hardly_strained(body, most_strain * body.cloth.relaxation.most_strain);
-    return is_slow(body, travel, slow_hanging, gravity, dt) && moves_in_place(body, travel, dt);
+    return is_slow(body, travel, slow_hanging, gravity, dt) && moves_in_place(body, travel, gravity, dt);
 }
 
 }  // namespace
@@ -87,7 +98,7 @@ bool may_settle(const Body& body, const ClothTravel& travel, double gravity, dou
 void begin_settling(Body& body, const CollisionContext& around) {
     Sleep& sleep = body.sleep;
     const Vector<ClothContact>& candidates = body.cloth.contacts.candidates;
-    if (sleep.settling > 0 && (are_carried(body.constraints) || sleep.support != models_around(body, around.scene) ||
+    if (sleep.settling > 0 && (sleep.support != models_around(body, around.scene) ||
                                std::any_of(candidates.begin(), candidates.end(), is_near_moving_model)))
         sleep.settling = 0;
     body.cloth.settling.damping = most_damping * std::min(1.0, sleep.settling / full_damping);

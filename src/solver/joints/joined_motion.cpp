@@ -67,10 +67,14 @@ void solve_outdated(const Joined& joined) {
     });
 }
 
-/// Sweeps over the links of one cloth, with the inertia of what is joined to it, which then moves with it.
+/// Sweeps over the links of one cloth, with the inertia of what is joined to it. Forces of cloth that was swept before
+/// move that by what they do to first order.
 template <class Sweep>
 void sweep_with_joints(const Joined& joined, Body& body, uint32_t slot, double h, Sweep&& sweep) {
     Vector<float>& pulls = body.cloth.in_chains.pulls;
+    each_tether(joined, slot, [&](const Tether&, JointSystem& system) {
+        if (system.respond()) system.scatter(joined.bodies);
+    });
     each_tether(joined, slot, [&](const Tether& tether, JointSystem& system) {
         set_inverse_mass(body.cloth.tethers, tether, system);
         // A joint does not pull off a particle that friction holds.
@@ -82,9 +86,6 @@ void sweep_with_joints(const Joined& joined, Body& body, uint32_t slot, double h
         if (!moves(body, tether)) return;
         const float* pull = &pulls[4 * size_t{tether.particle}];
         system.apply_force(tether.node, get(pull) * (body.cloth.state.average_mass / (step * step)));
-    });
-    each_tether(joined, slot, [&](const Tether&, JointSystem& system) {
-        if (system.respond()) system.scatter(joined.bodies);
     });
 }
 

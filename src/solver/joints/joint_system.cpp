@@ -22,10 +22,10 @@
 namespace gphys {
 namespace {
 
-// As for chains: Newton's method squares the error in each iteration.
-constexpr int most_iterations = 4;
-constexpr int most_limited_iterations = 16;  // which also determine the active limits
-constexpr double tolerance = 1e-9;           // of lengths
+// Newton's method squares the error in each iteration, and mostly needs three. But a load that is jerked up by a rope
+// bends it first, as one that falls onto a rope does (rope_direct.cpp). Iterations also determine the active limits.
+constexpr int most_iterations = 16;
+constexpr double tolerance = 1e-9;  // of lengths
 // The links of eight joints of zero length. Up to this number, the tensions that end at a node couple by a few hundred
 // entries at most.
 constexpr uint32_t most_late_links = 24;
@@ -423,11 +423,11 @@ bool JointSystem::is_feasible() const {
 }
 
 bool JointSystem::solve() {
-    outdated_ = false;
+    if (has_applied_) std::fill(applied_.begin(), applied_.end(), 0.0);
+    outdated_ = has_applied_ = false;
     for (Node& node : nodes_) node.start = node.position;
     regularisation_ = rope_regularisation;
-    const bool limited = std::any_of(links_.begin(), links_.end(), [](const Link& link) { return link.limit; });
-    int iterations = limited ? most_limited_iterations : most_iterations;
+    int iterations = most_iterations;
     for (int iteration = 0; iteration < iterations; ++iteration) {
         assemble();
         assemble_bends();

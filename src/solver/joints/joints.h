@@ -102,8 +102,8 @@ public:
     void add_anchor_impulses(BodyTable& bodies, const CollisionContext& around, double h) const;
     /// Applies a force, newtons, to a node during the substep under way.
     void apply_force(uint32_t node, Vec3 force);
-    /// Moves the nodes by what the forces since the last call do to first order: one substitution in place of Newton's
-    /// method. Call solve() after all of them. Returns false, and moves nothing, if there were none.
+    /// Moves the nodes by what the forces since the last solution do to first order: one substitution in place of
+    /// Newton's method. Returns false, and moves nothing, if there were none. Call solve() in the end.
     bool respond();
     /// Adds to the weight of a node, until gather() is called.
     void add_load(uint32_t node, const Mat3& weight) {
