@@ -61,7 +61,7 @@ TEST_CASE("What is joined does not collide around its joints") {
 }
 
 TEST_CASE("A hammock on joined ropes carries a ball of ten times its mass") {
-    const auto check = [](uint32_t substeps, double most_strain, double most_at_end) {
+    const auto check = [](uint32_t substeps, double most_strain, double most_at_end, double most_gained) {
         World world(substeps);
         hammock(world);
         const gphys_body_id ball = world.particles({{0, 0.35f, 0}}, colliding(5, 0.12f));
@@ -73,9 +73,11 @@ TEST_CASE("A hammock on joined ropes carries a ball of ten times its mass") {
         // falls through at 4 substeps, and energy grows by 4 to 800 J.
         CHECK(fall.strain < most_strain);
         CHECK(fall.strain_at_end < most_at_end);
-        CHECK(fall.gained < 1e-3);
+        CHECK(fall.gained < most_gained);
         CHECK(world.position(ball).y > -0.4);
     };
-    check(4, 1.1, 0.25);
-    check(8, 0.25, 0.06);
+    // The ball and the sheet fall by 17 J at most. With the ball left out where energy is bounded, 109 J.
+    check(2, 1.2, 0.4, 10);
+    check(4, 1.1, 0.25, 1e-3);
+    check(8, 0.25, 0.06, 1e-3);
 }

@@ -16,7 +16,7 @@ void ParticleContacts::ClothLoads::add(const Pair& pair, uint32_t on, uint32_t b
     const uint32_t of = heavy_.first_of(by);
     if (of == HeavyBodies::none || particle.inverse_mass < heavy * heavy_.inverse_mass_of(of)) return;
     body.cloth.loads.is_loaded[particle.number] = 1;
-    ++range_.particles[of].shares;
+    ++range_.particles[of].cloth_shares;
     body.cloth.loads.all.push_back({of, by, particle.number, static_cast<uint32_t>(&pair - range_.pairs), normal});
 }
 
@@ -34,7 +34,7 @@ void ParticleContacts::ClothLoads::leave_out_carried_ropes(ContactLoads& loads) 
     for (const ContactLoad& share : loads.all) {
         if (!is_rope(share)) continue;
         loads.is_loaded[share.particle] = 0;
-        --range_.particles[share.of].shares;
+        --range_.particles[share.of].cloth_shares;
     }
     loads.all.erase(std::remove_if(loads.all.begin(), loads.all.end(), is_rope), loads.all.end());
 }
@@ -44,7 +44,7 @@ void ParticleContacts::ClothLoads::find(Vec3 gravity, double h) {
         return std::any_of(first_, end_, [&](uint32_t slot) { return is(bodies_[slot]); });
     };
     if (!any_body(HeavyBodies::may_press) || !any_body(may_be_loaded)) return;
-    for (Particle* p = range_.particles; p != range_.particles + range_.count; ++p) p->shares = 0;
+    for (Particle* p = range_.particles; p != range_.particles + range_.count; ++p) p->cloth_shares = 0;
     // Contacts with a small gap count, too: where a heavy particle has given cloth its own velocity, contacts open and
     // close from substep to substep.
     each_between_bodies(range_, [&](const Pair& pair, const Contact& contact) {
@@ -64,7 +64,7 @@ void ParticleContacts::ClothLoads::find(Vec3 gravity, double h) {
             if (k == 0 || loads.heavy.back().of != share.of)
                 loads.heavy.push_back(heavy_.find(share.of, units_of(body), gravity, h));
             HeavyBody& heavy = loads.heavy.back();
-            heavy.shares = range_.particles[share.of].shares;
+            heavy.shares = range_.particles[share.of].cloth_shares;
             heavy.end = k + 1;
             const Particle& by = range_.particles[share.by];
             if (is_graph(bodies_[by.body]))
@@ -85,7 +85,7 @@ void ParticleContacts::ClothLoads::bound_joined_energy(const Joined& joined, Vec
     const double kept = slow_joined(joined, gravity);
     if (kept == 1) return;
     each_load([&](HeavyBody& heavy, const LoadUnits& units) {
-        uint16_t& shares = range_.particles[heavy.of].shares;
+        uint32_t& shares = range_.particles[heavy.of].cloth_shares;
         if (shares == 0) return;  // done, for another cloth
         shares = 0;
         heavy.moved = heavy.turned = {};

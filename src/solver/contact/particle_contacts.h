@@ -106,7 +106,8 @@ private:
         ContactCluster* cluster;  // that it is a free member of, or null
         bool paired;              // whether it is in any pair of the list
         bool on_other;            // of ropes: whether it touches one of another rope
-        uint16_t shares;          // of the first one of a load of ropes: in how many contacts it presses on them
+        // Of the first one of a load: in how many contacts it presses on ropes, and on cloth.
+        uint32_t rope_shares, cloth_shares;
 
         double reach() const { return radius + margin; }
     };

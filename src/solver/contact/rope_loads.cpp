@@ -71,7 +71,7 @@ void ParticleContacts::RopeLoads::add(const Pair& pair, const Contact& contact, 
     Vector<RopeLoad>& all = rope.rope.loads.all;
     if (all.size() == all.capacity()) return;
     all.push_back({of, by, particle.number, static_cast<uint32_t>(&pair - range_.pairs), normal, contact.friction > 0});
-    ++range_.particles[of].shares;
+    ++range_.particles[of].rope_shares;
 }
 
 void ParticleContacts::RopeLoads::divide_loads(Body& rope, Vec3 gravity, double h) {
@@ -98,7 +98,7 @@ void ParticleContacts::RopeLoads::divide_loads(Body& rope, Vec3 gravity, double 
         load.arm = place_of(bodies_[by.body], by.number) - of.place;
         const Vec3 torque = cross(load.arm, load.normal);
         const double inverse_mass = 1 / of.mass + dot(torque, of.inverse_inertia * torque);
-        load.along = 1 / (inverse_mass * range_.particles[load.of].shares);
+        load.along = 1 / (inverse_mass * range_.particles[load.of].rope_shares);
         load.across = load.sticks ? load.along : 0;
         load.place = rope.particles.position[load.particle];
     }
@@ -109,7 +109,8 @@ void ParticleContacts::RopeLoads::find(Vec3 gravity, double h) {
         return std::any_of(first_, end_, [&](uint32_t slot) { return is(bodies_[slot]); });
     };
     if (!any_body(is_rope) || !any_body(may_press)) return;
-    for (Particle* p = range_.particles; p != range_.particles + range_.count; ++p) p->on_other = false, p->shares = 0;
+    for (Particle* p = range_.particles; p != range_.particles + range_.count; ++p)
+        p->on_other = false, p->rope_shares = 0;
     each_between_bodies(range_, [&](const Pair&, const Contact& contact) {
         Particle &a = range_.particles[contact.a], &b = range_.particles[contact.b];
         if (is_rope(bodies_[a.body]) && is_rope(bodies_[b.body])) a.on_other = b.on_other = true;
@@ -153,7 +154,7 @@ void ParticleContacts::RopeLoads::move_by(Body& rope, double h) {
             Pair& pair = range_.pairs[load->pair];
             if (impulse > 0) add_to_list(range_, pair, pair.b == load->by ? load->normal : -load->normal, impulse);
         }
-        uint16_t& shares = range_.particles[of.of].shares;
+        uint32_t& shares = range_.particles[of.of].rope_shares;
         of.first = shares > 0;
         shares = 0;
         of.moved = momentum / of.mass;

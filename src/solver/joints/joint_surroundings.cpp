@@ -15,47 +15,55 @@ struct Near {
     double way;
 };
 
-/// The links of each particle of a body.
-struct LinkLists {
+/// The links of a body by particle.
+class LinkLists {
+public:
+    double largest_radius = 0;
+
+    LinkLists(const Body& body, std::pmr::memory_resource* memory)
+        : links_(memory), is_near_(body.particles.size(), uint8_t{0}, memory) {
+        for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
+            if (!body.constraints.ids.live(slot)) continue;
+            const DistanceConstraint& c = body.constraints.by_slot[slot];
+            links_.push_back({c.a, c.b, c.rest});
+            links_.push_back({c.b, c.a, c.rest});
+        }
+        std::stable_sort(links_.begin(), links_.end(),
+                         [](const Link& x, const Link& y) { return x.particle < y.particle; });
+        for (const double radius : body.particles.radius) largest_radius = std::max(largest_radius, double{radius});
+    }
+    /// A particle, its neighbours, and those within `reach`. The nearest come first.
+    void find_near(uint32_t particle, double reach, Vector<Near>& near) {
+        near.assign(1, {particle, 0});
+        is_near_[particle] = 1;
+        for (size_t i = 0; i < near.size(); ++i) {
+            const Near from = near[i];
+            each_of(from.particle, [&](uint32_t other, double length) {
+                const double way = from.way + length;
+                if (is_near_[other] || (i > 0 && way > reach)) return;
+                is_near_[other] = 1;
+                near.push_back({other, way});
+            });
+        }
+        for (const Near& each : near) is_near_[each.particle] = 0;
+    }
+
+private:
     struct Link {
         uint32_t particle, other;
         double length;
     };
-    Vector<Link> links;  // sorted by particle
-    double largest_radius = 0;
 
-    LinkLists(const Body& body, std::pmr::memory_resource* memory) : links(memory) {
-        for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
-            if (!body.constraints.ids.live(slot)) continue;
-            const DistanceConstraint& c = body.constraints.by_slot[slot];
-            links.push_back({c.a, c.b, c.rest});
-            links.push_back({c.b, c.a, c.rest});
-        }
-        std::stable_sort(links.begin(), links.end(),
-                         [](const Link& x, const Link& y) { return x.particle < y.particle; });
-        for (const double radius : body.particles.radius) largest_radius = std::max(largest_radius, double{radius});
-    }
     template <class Visit>
     void each_of(uint32_t particle, Visit&& visit) const {
-        auto link = std::lower_bound(links.begin(), links.end(), particle,
+        auto link = std::lower_bound(links_.begin(), links_.end(), particle,
                                      [](const Link& x, uint32_t p) { return x.particle < p; });
-        for (; link != links.end() && link->particle == particle; ++link) visit(link->other, link->length);
+        for (; link != links_.end() && link->particle == particle; ++link) visit(link->other, link->length);
     }
-};
 
-/// The neighbours of a particle, and those within `reach`. The nearest come first.
-void find_near(const LinkLists& lists, uint32_t particle, double reach, Vector<Near>& near) {
-    near.assign(1, {particle, 0});
-    for (size_t i = 0; i < near.size(); ++i) {
-        const Near from = near[i];
-        lists.each_of(from.particle, [&](uint32_t other, double length) {
-            const double way = from.way + length;
-            const auto is_other = [&](const Near& known) { return known.particle == other; };
-            if ((i == 0 || way <= reach) && std::none_of(near.begin(), near.end(), is_other))
-                near.push_back({other, way});
-        });
-    }
-}
+    Vector<Link> links_;       // sorted by particle
+    Vector<uint8_t> is_near_;  // by particle; 0 between calls
+};
 
 }  // namespace
 
@@ -71,16 +79,16 @@ void JointSurroundings::find(const BodyTable& bodies, const Vector<Joint>& joint
     joined.erase(std::unique(joined.begin(), joined.end()), joined.end());
     Vector<LinkLists> lists(memory_);
     for (const uint32_t body : joined) lists.emplace_back(bodies[body], memory_);
-    const auto lists_of = [&](uint32_t body) -> const LinkLists& {
+    const auto lists_of = [&](uint32_t body) -> LinkLists& {
         return lists[static_cast<size_t>(std::lower_bound(joined.begin(), joined.end(), body) - joined.begin())];
     };
     Vector<Near> near_a(memory_), near_b(memory_);
     for (const uint32_t slot : slots) {
         const Joint& joint = joints[slot];
-        const LinkLists &of_a = lists_of(joint.body_a), &of_b = lists_of(joint.body_b);
+        LinkLists &of_a = lists_of(joint.body_a), &of_b = lists_of(joint.body_b);
         const double reach = of_a.largest_radius + of_b.largest_radius;
-        find_near(of_a, joint.particle_a, reach, near_a);
-        find_near(of_b, joint.particle_b, reach, near_b);
+        of_a.find_near(joint.particle_a, reach, near_a);
+        of_b.find_near(joint.particle_b, reach, near_b);
         for (const Near& a : near_a) {
             for (const Near& b : near_b) {
                 pairs_.push_back(joint.body_a < joint.body_b
