@@ -14,6 +14,7 @@
 #include "solver/motion.h"
 #include "solver/particles/free_flight.h"
 #include "solver/rope/rope.h"
+#include "solver/rope/rope_start.h"
 #include "solver/solver.h"
 
 namespace gphys {
@@ -179,8 +180,8 @@ void Solver::prepare_body(uint32_t slot, const Scene* scene, double dt) {
         body.particles.largest_radius = *largest;
     }
     active_.push_back({body.particles.size(), slot, substeps_of(body, state_.settings, dt),
-                       static_cast<uint32_t>(plan.chains.size()), 0, is_plain_rope(body), is_plain_rope(body),
-                       restarts(body.history, body.contacts)});
+                       static_cast<uint32_t>(plan.chains.size()), 0, is_plain_rope(body),
+                       is_plain_rope(body) && !starts_misplaced(body), restarts(body.history, body.contacts)});
 }
 
 void Solver::Undo::apply(Body& body) {

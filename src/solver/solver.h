@@ -36,6 +36,7 @@
 //     rope_lanes.cpp     undisturbed ropes, eight side by side
 //     rope_contact_lanes.cpp  ropes that may touch models, their equations solved side by side
 //     rope_kernels.cpp   what these two compute; rope_layout_kernels.cpp: gather and scatter
+//     rope_start.cpp     the first substep after links were placed with wrong lengths
 //     rope_limits.cpp    links that only pull
 //     damping.h          damped links as undamped ones with other parameters
 //   cloth/             cloth and graphs: colours of chains

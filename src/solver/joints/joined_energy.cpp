@@ -62,6 +62,32 @@ void scale_velocities(Body& body, Vec3 drift, double factor) {
 
 }  // namespace
 
+void bound_starting_energy(const Joined& joined, Vec3 gravity) {
+    const ClothKernels& kernels = cloth_kernels(chosen_isa());
+    bool pinned = false;
+    double gain = 0, kinetic = 0;
+    Motion whole;
+    each_body(joined, [&](Body& body, uint32_t) {
+        pinned = pinned || has_pin(body.particles);
+        whole.add(motion_of(body));
+        if (!is_graph(body)) {
+            gain += energy_gain(body, gravity);
+            return;
+        }
+        ClothState& state = body.cloth.state;
+        gain += state.average_mass *
+                sum_of_blocks(state, body.cloth.shares, [&](const ClothMotion& block) { return kernels.gain(block); });
+    });
+    if (!(gain > 0)) return;
+    const Vec3 drift = pinned ? Vec3{} : whole.momentum / whole.mass;
+    each_body(joined, [&](Body& body, uint32_t) { kinetic += kinetic_energy(body, drift); });
+    const double kept = gain < kinetic ? std::sqrt(1 - gain / kinetic) : 0;
+    each_body(joined, [&](Body& body, uint32_t) {
+        scale_velocities(body, drift, kept);
+        body.history.earlier_step = 0;
+    });
+}
+
 void limit_joined_energy(const Joined& joined, Vec3 gravity) {
     bool cloth = false, closed = true, pinned = false;
     double gain = 0;

@@ -253,7 +253,13 @@ void leave_solids_joined(const Joined& joined, const CollisionContext& around, d
 /// Call after the systems are solved.
 void finish_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h) {
     bool interrupted = false;  // then the previous tensions, and so the elastic energies, are unknown
-    each_body(joined, [&](const Body& body, uint32_t) { interrupted = interrupted || body.history.earlier_step == 0; });
+    bool has_contact = false, moved = false, rigid = true;
+    each_body(joined, [&](const Body& body, uint32_t) {
+        interrupted = interrupted || body.history.earlier_step == 0;
+        has_contact = has_contact || body.contacts.has_contact;
+        moved = moved || are_carried(body.constraints) || !body.constraints.length_changes.empty();
+    });
+    each_system(joined, [&](const JointSystem& system) { rigid = rigid && system.is_rigid(); });
     if (is_loaded(joined)) {
         sweep_loaded(joined, around, gravity, h);
     } else {
@@ -282,7 +288,11 @@ void finish_joined(const Joined& joined, const CollisionContext& around, Vec3 gr
             end_substep(body, has_limit_impact, scheme);
         }
     });
-    if (!interrupted) limit_joined_energy(joined, gravity);
+    if (!interrupted) {
+        limit_joined_energy(joined, gravity);
+    } else if (rigid && !has_contact && !moved) {
+        bound_starting_energy(joined, gravity);
+    }
     leave_solids_joined(joined, around, h);
 }
 

@@ -413,6 +413,11 @@ bool JointSystem::began_feasible() const {
     });
 }
 
+bool JointSystem::is_rigid() const {
+    return bends_.empty() && std::none_of(links_.begin(), links_.end(),
+                                          [](const Link& link) { return link.limit || link.compliance > 0; });
+}
+
 bool JointSystem::is_feasible() const {
     return std::all_of(links_.begin(), links_.end(), [&](const Link& link) {
         const Node &a = nodes_[link.a], &b = nodes_[link.b];

@@ -117,6 +117,8 @@ public:
     bool solve();
     /// Whether all rigid links had their lengths before the substep, nearly. Not for cloth.
     bool began_feasible() const;
+    /// Whether no link or joint stores energy. Not for cloth.
+    bool is_rigid() const;
     /// Joules, in elastic links and in bends: now, and before the substep.
     double elastic_energy() const;
     double elastic_energy_before() const { return elastic_energy_before_; }

@@ -79,7 +79,8 @@ struct Rope {
     Vector<double> target{memory};                                  // metres, the length to reach (set_targets)
     Vector<double> tension{memory};                                 // newtons, of the last substep
     Vector<double> earlier_tension{memory};                         // of the substep before
-    bool yields = false;  // whether links between pins share a stretch that they cannot correct in this substep
+    bool misplaced = false;  // whether rigid links had wrong lengths when the substep began (rope_start.h)
+    bool yields = false;     // whether links between pins share a stretch that they cannot correct in this substep
 
     Bending bending{memory};
 

@@ -18,6 +18,7 @@
 #include "solver/rope/rope.h"
 #include "solver/rope/rope_contacts.h"
 #include "solver/rope/rope_limits.h"
+#include "solver/rope/rope_start.h"
 #include "solver/rope/rope_stepper.h"
 #include "solver/rope/stretched_ropes.h"
 
@@ -87,6 +88,7 @@ void damp_chains(Rope& rope, const Plan& plan, const History& history, const Tim
 }  // namespace
 
 void begin_chains(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme) {
+    body.rope.misplaced = starts_misplaced(body);
     body.rope.earlier_tension = body.rope.tension;
     if (!body.constraints.length_changes.empty()) change_lengths(body, around.end);
     aim_targets(body, around);
@@ -196,6 +198,7 @@ void end_chains(Body& body, RopeContacts* contacts, const CollisionContext& arou
     if (!body.constraints.attachments.empty()) add_tension_impulses(body, around, scheme);
     if (!with_models) leave_solids(body, around, scheme.step(body.settings.damping));
     end_substep(body, has_limit_impact, scheme);
+    if (body.rope.misplaced) bound_starting_energy(body, gravity);
 }
 
 }  // namespace
