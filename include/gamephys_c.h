@@ -2162,7 +2162,8 @@ GPHYS_API gphys_status gphys_solver_add_particles(gphys_solver* solver, const gp
 /** Add a rope through the given points, one particle at each.
  *  @param desc         NULL: the defaults
  *  @param positions    metres; count elements, count >= 2
- *  @param link_length  rest length of each link in metres; 0: as placed. A length below 1e-9 m counts as 0.
+ *  @param link_length  rest length of each link in metres; 0: as placed. A length below 1e-9 m counts as 0. Rigid
+ *                      links get their lengths in the first step, and the particles no speed by it.
  *  @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
  *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_add_rope(gphys_solver* solver, const gphys_body_desc* desc,
@@ -2325,7 +2326,8 @@ GPHYS_API gphys_status gphys_solver_get_nearest_particle(const gphys_solver* sol
  *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_get_positions(const gphys_solver* solver, gphys_body_id body, uint32_t first,
                                                   uint32_t count, gphys_vec3* out_positions, uint32_t out_stride);
-/** Move particles at once and without collision on the way; velocities stay as they are. Wakes the body.
+/** Move particles at once and without collision on the way; velocities stay as they are. Wakes the body. Rigid
+ *  links that are too long or too short then get their lengths in the next step, and the particles no speed by it.
  *  Pinned particles that are moved alone pull the others: during the next step they go evenly from where they
  *  were to their new places, as attached ones do. They are placed at once before the body's first step, or if a
  *  free particle of the body is placed as well.
@@ -2705,9 +2707,10 @@ typedef uint32_t gphys_joint_id;
  *  equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved as one
  *  system, as stiff as one rope; a joined particle of cloth has the inertia of all that hangs on it. Free
  *  particles of a joined body are moved by the time scheme of ropes, no longer exactly. Joined bodies are moved by
- *  one thread and fall asleep and wake together. A joint is removed with either body.
+ *  one thread and fall asleep and wake together. A joint is removed with either body. Particles of the two that
+ *  are linked to a joint within touch of each other do not collide there.
  *  @param rest_length  metres; 0: at the same place, as below 1e-9; negative: the present distance. Particles
- *                      at another distance are moved to it within a step, and get the speed of that motion.
+ *                      at another distance are moved to it in the next step; by a rigid joint without speed.
  *  @param compliance   metres per newton, >= 0; 0 is rigid
  *  @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same body (see
  *          gphys_solver_add_distance); GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints

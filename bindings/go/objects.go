@@ -3382,6 +3382,7 @@ func (o *Solver) AddParticles(positions []Vec3, desc *BodyDesc) (body BodyID, er
 //   - desc: nil: the defaults
 //   - positions: metres
 //   - linkLength: rest length of each link in metres; 0: as placed. A length below 1e-9 m counts as 0.
+//     Rigid links get their lengths in the first step, and the particles no speed by it.
 // The error is ErrCapacity beyond 2^24 - 1 particles or bodies.
 // Cost: O(elements).
 func (o *Solver) AddRope(positions []Vec3, linkLength float32, desc *BodyDesc) (body BodyID, err error) {
@@ -3629,9 +3630,10 @@ func (o *Solver) Positions(body BodyID, first uint32, positions []Vec3) (err err
 }
 
 // Move particles at once and without collision on the way; velocities stay as they are. Wakes the
-// body. Pinned particles that are moved alone pull the others: during the next step they go evenly
-// from where they were to their new places, as attached ones do. They are placed at once before the
-// body's first step, or if a free particle of the body is placed as well.
+// body. Rigid links that are too long or too short then get their lengths in the next step, and the
+// particles no speed by it. Pinned particles that are moved alone pull the others: during the next
+// step they go evenly from where they were to their new places, as attached ones do. They are placed
+// at once before the body's first step, or if a free particle of the body is placed as well.
 //   - first: as in Solver.Positions
 // Cost: O(elements).
 func (o *Solver) SetPositions(body BodyID, first uint32, positions []Vec3) (err error) {
@@ -4361,9 +4363,10 @@ func (o *Solver) ClusterParticles(body BodyID, cluster ClusterID) (result []uint
 // as one system, as stiff as one rope; a joined particle of cloth has the inertia of all that hangs on
 // it. Free particles of a joined body are moved by the time scheme of ropes, no longer exactly. Joined
 // bodies are moved by one thread and fall asleep and wake together. A joint is removed with either
-// body.
+// body. Particles of the two that are linked to a joint within touch of each other do not collide
+// there.
 //   - restLength: metres; 0: at the same place, as below 1e-9; negative: the present distance.
-//     Particles at another distance are moved to it within a step, and get the speed of that motion.
+//     Particles at another distance are moved to it in the next step; by a rigid joint without speed.
 //   - compliance: metres per newton, >= 0; 0 is rigid
 // The error is ErrInvalidArgument for a particle that does not exist or twice the same body (see
 // Solver.AddDistance).

@@ -161,10 +161,8 @@ void Solver::prepare_body(uint32_t slot, const Scene* scene, double dt) {
     update_plan(body);
     if (!body.constraints.length_changes.empty()) find_changed_links(body);
     body.plan.joined = body.plan.joined || plan.branched;
-    // Relaxation would move particles away from where a system of joints has placed them.
-    const bool relaxed = is_graph(body) && !body.plan.joined;
     const double most_strain = state_.settings.max_strain > 0 ? state_.settings.max_strain : usual_cloth_strain;
-    body.cloth.relaxation.most_strain = relaxed ? most_strain : 0;
+    body.cloth.relaxation.most_strain = is_graph(body) ? most_strain : 0;
     body.cloth.relaxation.braces_yield = state_.settings.max_strain == 0;
     if (body.settings.self_collision && (changed || body.contacts.self.linked_begin.empty())) list_linked(body);
     reserve_arrays(body, scene && body.settings.layers != 0);

@@ -1851,7 +1851,7 @@ do
     --- @param desc nil: the defaults
     --- @param positions metres
     --- @param link_length rest length of each link in metres; 0: as placed. A length below 1e-9 m counts as
-    ---     0.
+    ---     0. Rigid links get their lengths in the first step, and the particles no speed by it.
     --- @raise status ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies
     function Solver:add_rope(positions, link_length, desc)
         local positions, positions_count, positions_stride = to_array(Vec3, positions)
@@ -2002,9 +2002,10 @@ function Solver:get_positions(body, first, count, out)
 end
 
 --- Move particles at once and without collision on the way; velocities stay as they are. Wakes the
---- body. Pinned particles that are moved alone pull the others: during the next step they go evenly
---- from where they were to their new places, as attached ones do. They are placed at once before the
---- body's first step, or if a free particle of the body is placed as well.
+--- body. Rigid links that are too long or too short then get their lengths in the next step, and the
+--- particles no speed by it. Pinned particles that are moved alone pull the others: during the next
+--- step they go evenly from where they were to their new places, as attached ones do. They are placed
+--- at once before the body's first step, or if a free particle of the body is placed as well.
 --- Cost: O(elements).
 --- @param first as in Solver:get_positions
 function Solver:set_positions(body, first, positions)
@@ -2463,11 +2464,12 @@ do
     --- as one system, as stiff as one rope; a joined particle of cloth has the inertia of all that hangs on
     --- it. Free particles of a joined body are moved by the time scheme of ropes, no longer exactly. Joined
     --- bodies are moved by one thread and fall asleep and wake together. A joint is removed with either
-    --- body.
+    --- body. Particles of the two that are linked to a joint within touch of each other do not collide
+    --- there.
     --- Cost: the next step plans all joined ropes again. A link of them takes 2.5 to 4 times as long as one
     --- of a rope that is not joined. Allocates.
     --- @param rest_length metres; 0: at the same place, as below 1e-9; negative: the present distance.
-    ---     Particles at another distance are moved to it within a step, and get the speed of that motion.
+    ---     Particles at another distance are moved to it in the next step; by a rigid joint without speed.
     --- @param compliance metres per newton, >= 0; 0 is rigid
     --- @raise status ERROR_INVALID_ARGUMENT: for a particle that does not exist or twice the same body (see
     ---     Solver:add_distance)

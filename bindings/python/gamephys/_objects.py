@@ -2210,7 +2210,7 @@ class Solver(Bodies):
             desc: None: the defaults
             positions: metres
             link_length: rest length of each link in metres; 0: as placed. A length below 1e-9 m counts
-                as 0.
+                as 0. Rigid links get their lengths in the first step, and the particles no speed by it.
 
         Raises:
             Error, status ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies"""
@@ -2387,9 +2387,11 @@ class Solver(Bodies):
 
     def set_positions(self, body: int, first: int, positions: ArrayLike) -> None:
         """Move particles at once and without collision on the way; velocities stay as they are. Wakes the
-        body. Pinned particles that are moved alone pull the others: during the next step they go evenly
-        from where they were to their new places, as attached ones do. They are placed at once before
-        the body's first step, or if a free particle of the body is placed as well.
+        body. Rigid links that are too long or too short then get their lengths in the next step, and
+        the particles no speed by it. Pinned particles that are moved alone pull the others: during the
+        next step they go evenly from where they were to their new places, as attached ones do. They are
+        placed at once before the body's first step, or if a free particle of the body is placed as
+        well.
         Cost: O(elements).
 
         Args:
@@ -2976,14 +2978,15 @@ class Solver(Bodies):
         are solved as one system, as stiff as one rope; a joined particle of cloth has the inertia of
         all that hangs on it. Free particles of a joined body are moved by the time scheme of ropes, no
         longer exactly. Joined bodies are moved by one thread and fall asleep and wake together. A joint
-        is removed with either body.
+        is removed with either body. Particles of the two that are linked to a joint within touch of
+        each other do not collide there.
         Cost: the next step plans all joined ropes again. A link of them takes 2.5 to 4 times as long as
         one of a rope that is not joined. Allocates.
 
         Args:
             rest_length: metres; 0: at the same place, as below 1e-9; negative: the present distance.
-                Particles at another distance are moved to it within a step, and get the speed of that
-                motion.
+                Particles at another distance are moved to it in the next step; by a rigid joint without
+                speed.
             compliance: metres per newton, >= 0; 0 is rigid
 
         Raises:

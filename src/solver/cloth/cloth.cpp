@@ -10,6 +10,7 @@
 #include "solver/cloth/cloth_chains.h"
 #include "solver/cloth/cloth_targets.h"
 #include "solver/cloth/hinged_clusters.h"
+#include "solver/cloth/leave_plane.h"
 #include "solver/cloth/whole_motion.h"
 #include "solver/contact/collision.h"
 #include "solver/contact/leave_solids.h"
@@ -61,9 +62,8 @@ void begin_cloth(Body& body, const CollisionContext& around, Vec3 gravity) {
     cloth.state.average_mass = extent.mass / body.particles.size();
     cloth.relaxation.begin_step();
     cloth.balance.current = cloth.yielding.current = false;
-    cloth.balance.pulled =
-        (body.history.earlier_step == 0 && !body.contacts.has_contact) || !body.constraints.length_changes.empty();
     load_state(cloth.state, body.particles, cloth.batches.spare, gravity, cloth.shares.team);
+    cloth.misplaced = body.history.placed && start_cloth(cloth, body.plan.joined);
     cloth.contacts.active.clear();
     if (collides(body, around)) {
         search_cloth_contacts(body, around, gravity);
@@ -81,9 +81,11 @@ void predict_cloth(Body& body, const CollisionContext& around, double h) {
     const TimeScheme scheme(h, body.history.earlier_step);
     if (!body.constraints.length_changes.empty()) change_lengths(body, around.end);
     soften_links(cloth.batches, cloth.state.average_mass, scheme.step(body.settings.damping));
-    find_yielding_chords(cloth, collides(body, around) && !cloth.contacts.candidates.empty(), around.step_time);
-    // Moving models and other bodies do work.
-    const bool closed = !are_carried(body.constraints) && !cloth.balance.pulled && !body.targets.moves;
+    find_yielding_chords(cloth, body.plan.joined, collides(body, around) && !cloth.contacts.candidates.empty(),
+                         around.step_time);
+    // Moving models, other bodies and links that change their lengths do work.
+    const bool closed =
+        !are_carried(body.constraints) && body.constraints.length_changes.empty() && !body.targets.moves;
     if (closed && !cloth.balance.current) cloth.balance.stored = stored_energy(cloth);
     cloth.balance.closed = closed;
     if (body.air.blows()) blow_cloth(body, around, h);
@@ -203,9 +205,17 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
     keep_cloth_to_targets(body.targets, state, cloth.in_chains);
     if (collides) resolve_contacts(body);
     const ClothStep step = cloth_step(h, body.history.earlier_step, damping);
-    const double gain =
+    const auto sum_of_gains = [&] {
+        return sum_of_blocks(state, cloth.shares, [&](const ClothMotion& block) { return kernels.gain(block); });
+    };
+    double gain =
         sum_of_blocks(state, cloth.shares, [&](const ClothMotion& block) { return kernels.finish(block, step); });
     state.velocity.swap(state.velocity_before);
+    const bool misplaced = std::exchange(cloth.misplaced, false) && balance.closed;
+    if (misplaced) {
+        keep_velocities(state, h);
+        gain = sum_of_gains();
+    }
     if (collides) add_contact_impulses(body, around, scheme.next / h);
     TautLimits taut(body.constraints, around, cloth.in_chains, body.contacts.impulses, scheme, damping);
     const bool has_limit_impact = taut.apply_impacts(cloth.batches.limits, state, body.breaking.impulse);
@@ -214,7 +224,8 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
     const bool bounded = body.targets.act();
     balance.closed = balance.closed && !(collides && contacts.has_moving_model) && !bounded;
     const bool accounted = is_accounted_for(body, collides);
-    const double before = balance.stored;
+    // Of elastic links that rigid ones hold, too, it is released by no motion.
+    const double before = misplaced ? std::min(balance.stored, stored_energy(cloth)) : balance.stored;
     const auto remove = [&](double energy) {
         if (cloth.yielding.any) {
             remove_own_gains(state, energy);
@@ -235,7 +246,7 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
         solve_contact_velocities(body, around, h);
         if (contacts.has_moving_model) relax_links_in_contact(body);
     }
-    if (cloth.relaxation.most_strain > 0) {
+    if (cloth.relaxation.most_strain > 0 && !(body.plan.joined && cloth.relaxation.left_out)) {
         if (collides) save_positions(contacts, state);
         const std::optional<double> lost = relax_links(body, collides, h);
         if (lost && collides) stop_undone_motion(body, around, h);
@@ -253,14 +264,12 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
     if (balance.closed && !accounted && !body.plan.joined && !contacts.penetrating) {
         // Contact planes and friction only take energy, but pushing particles out of planes raises them.
         const double stored = stored_energy(cloth);
-        const double all =
-            sum_of_blocks(state, cloth.shares, [&](const ClothMotion& block) { return kernels.gain(block); }) + stored -
-            before;
+        const double all = sum_of_gains() + stored - before;
         if (all > 0) remove(all * state.average_mass);
         balance.stored = stored;
     }
     balance.current = balance.closed && !collides && (accounted || cloth.relaxation.most_strain == 0);
-    body.history.earlier_step = body.contacts.has_contact ? 0 : h;
+    body.history.earlier_step = body.contacts.has_contact || misplaced ? 0 : h;
     if (body.breaking.possible()) add_cloth_loads(body, scheme);
 }
 

@@ -40,6 +40,7 @@ struct Cloth {
     ClothState state{memory};
     ClothShares shares{memory};
     ClothBalance balance;
+    bool misplaced = false;  // the next substep is the first one, and links have wrong lengths
     TetherInertia tethers{memory};
     ContactLoads loads{memory};
     ChainContacts in_chains{memory};

@@ -17,7 +17,6 @@ struct ClothBalance {
     double lost = 0;       // joules lost together with joined bodies; the first cloth of a system holds this for all
     double stored = 0;     // in elastic links and by the volume, per average mass
     bool current = false;  // whether `stored` is valid: nothing has moved since
-    bool pulled = false;   // the caller may have done work on the cloth since the last step
 };
 
 /// The energy of elastic links and of the compressed volume, per average mass.

@@ -104,4 +104,11 @@ void slow_cloth(ClothState& state, Team* team, Vec3 drift, double kept) {
                  [&](const ClothMotion& motion, uint32_t) { kernels.slow(motion, common, static_cast<float>(kept)); });
 }
 
+void keep_velocities(ClothState& state, double h) {
+    for (size_t i = 0; i < 4 * size_t{state.particles}; i += 4) {
+        if (state.at[i + 3] == 0) continue;
+        put(&state.velocity[i], get(&state.velocity_before[i]) + get(&state.acceleration[i]) * h);
+    }
+}
+
 }  // namespace gphys

@@ -50,6 +50,9 @@ void publish_state(const ClothState& state, Particles& particles, ClothShares& s
 Motion motion_of_cloth(const ClothState& state);
 double inner_energy_of_cloth(ClothState& state, ClothShares& shares, Vec3 drift);
 void slow_cloth(ClothState& state, Team* team, Vec3 drift, double kept);
+/// Gives all particles the velocities before a substep of h seconds, and what forces have added: its displacements
+/// were no motion (rope/rope_start.h).
+void keep_velocities(ClothState& state, double h);
 
 /// Some particles of the state as the kernels take them.
 inline ClothMotion part_of(ClothState& state, uint32_t first, uint32_t most_floats) {

@@ -8,10 +8,14 @@ namespace gphys {
 namespace {
 
 // A shortening that relaxation and the next substeps would not remove.
-constexpr double least_shortening = 0.05;
+constexpr double least_displaced = 0.05;
+// Of links that were placed with a wrong length. Smaller errors are those of the last step.
+constexpr double least_misplaced = 0.02;
 // Of the average length of a link. The displacement changes lengths by at most its square, a thousandth; half of it was
 // seen to be too little where the sheet is compressed within few frames.
 constexpr double displacement = 0.03, flat = 1e-4;
+// Folds of fewer links have sharp edges.
+constexpr double links_per_fold = 6, most_folded = 0.5;
 // Most cloth is not flat, and this many particles show that.
 constexpr uint32_t sample_size = 16;
 
@@ -46,19 +50,76 @@ double scattered(uint32_t particle) {
     return static_cast<double>(word ^ word >> 16) * 0x1p-31 - 1;
 }
 
+/// A wave of period 2 and amplitude 1, of parabolas.
+double wave(double phase) {
+    const double part = phase - 2 * std::floor((phase + 1) / 2);
+    return 4 * part * (1 - std::fabs(part));
+}
+
+/// The direction in which links are shortened most, and by how much of their length, as if by the same everywhere.
+struct Compression {
+    Vec3 along;
+    double shortening = 0;
+};
+
+Compression compression_of(const Cloth& cloth, Vec3 normal) {
+    // Least squares: the shortening of a link in the direction (x, y) is (x^2, 2 x y, y^2) . strain.
+    const Vec3 x = perpendicular(normal), y = cross(normal, x);
+    Mat3 products{{}, {}, {}};
+    Vec3 shortenings;
+    for (const KeptLinks::Link& link : cloth.relaxation.kept.links) {
+        const Vec3 way = place(cloth.state, link.b) - place(cloth.state, link.a);
+        const double length = gphys::length(way), shortening = 1 - length / link.rest;
+        if (link.limit || length == 0) continue;
+        const double cosine = dot(way, x) / length, sine = dot(way, y) / length;
+        const Vec3 row{cosine * cosine, 2 * cosine * sine, sine * sine};
+        products.x += row * row.x, products.y += row * row.y, products.z += row * row.z;
+        shortenings += row * shortening;
+    }
+    const Vec3 others = cross(products.y, products.z);
+    const double determinant = dot(products.x, others);
+    if (!(determinant > 0)) return {};
+    const Vec3 strain = Vec3{dot(shortenings, others), dot(shortenings, cross(products.z, products.x)),
+                             dot(shortenings, cross(products.x, products.y))} /
+                        determinant;
+    const double half = (strain.x - strain.z) / 2, radius = std::sqrt(half * half + strain.y * strain.y);
+    const Vec3 along = half >= 0 ? x * (half + radius) + y * strain.y : x * strain.y + y * (radius - half);
+    return {radius > 0 ? normalized(along) : x, (strain.x + strain.z) / 2 + radius};
+}
+
 }  // namespace
 
-void leave_plane(Cloth& cloth, double compressed) {
-    if (compressed < least_shortening) return;
+void leave_plane(Cloth& cloth, double strain) {
+    if (strain < least_displaced) return;
     ClothState& state = cloth.state;
     const double link = cloth.batches.link_length;
     const Vec3 normal = normal_of(state, flat * link);
     if (normal == Vec3{}) return;
+    const Compression most = compression_of(cloth, normal);
+    // The mean square slope of the folds is that with which links have their lengths.
+    const double shortening = std::clamp(most.shortening, 0.0, most_folded), kept = 1 - shortening;
+    const double half_fold = links_per_fold * link * kept / 2;
+    const double height = half_fold * std::sqrt((1 / (kept * kept) - 1) * 3 / 16);
     for (uint32_t p = 0; p < state.particles; ++p) {
         float* const at = &state.at[4 * size_t{p}];
         if (at[3] == 0) continue;
-        put(at, get(at) + normal * (displacement * link * scattered(p)));
+        const double fold = height * wave(dot(most.along, get(at)) / half_fold);
+        put(at, get(at) + normal * (fold + displacement * link * scattered(p)));
     }
+}
+
+bool start_cloth(Cloth& cloth, bool joined) {
+    double largest = 0, shortest = 0;
+    for (const KeptLinks::Link& link : cloth.relaxation.kept.links) {
+        const float *a = &cloth.state.at[4 * size_t{link.a}], *b = &cloth.state.at[4 * size_t{link.b}];
+        if (a[3] == 0 && b[3] == 0) continue;
+        const double strain = distance(get(a), get(b)) / link.rest - 1;
+        largest = std::max(largest, strain);
+        if (!link.limit) shortest = std::min(shortest, strain);
+    }
+    const double strain = std::max(largest, -shortest);
+    if (cloth.state.held || joined) leave_plane(cloth, joined ? 1 : strain);
+    return strain > least_misplaced;
 }
 
 }  // namespace gphys

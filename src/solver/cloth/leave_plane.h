@@ -3,15 +3,20 @@
 //
 // Nothing takes such a sheet out of its plane: all forces are in it. There rigid links hold inverted cells, and the
 // energy that these store, for good. A real sheet buckles, because it is never exactly flat. So an exactly flat one is
-// displaced across its plane by a small part of its links, once: then it is not flat any more, and buckles.
+// displaced across its plane, once: into folds across the direction in which it is shortest, as high as its links need,
+// and by a small part of a link at random. Then it is not flat any more, and buckles.
 #pragma once
 
 namespace gphys {
 
 struct Cloth;
 
-/// Call with strained links, of cloth without contacts. `compressed`: the largest shortening of a link, relative to its
+/// Call with strained links, of cloth without contacts. `strain`: the largest shortening of a link, relative to its
 /// length.
-void leave_plane(Cloth& cloth, double compressed);
+void leave_plane(Cloth& cloth, double strain);
+/// Call at the beginning of the first step after particles were placed: the same if links have wrong lengths, too long
+/// or too short, or if the cloth is joined to other bodies, which may pull it together within its plane. Returns
+/// whether links have wrong lengths.
+bool start_cloth(Cloth& cloth, bool joined);
 
 }  // namespace gphys

@@ -17,6 +17,9 @@ struct Relaxation {
 
     double most_strain = 0;     // of rigid links; 0: the cloth is not relaxed
     bool braces_yield = false;  // braces are not relaxed
+    // In this substep, of joined bodies that nothing holds: the particles at joints stay where they are, so the others
+    // would change the angular momentum.
+    bool left_out = false;
     double wanted_substep = 0;  // seconds: the longest that would have sufficed, in the worst substep of this step
     double infeasible = 0;      // the strain that was left when a substep of this step failed by far; else 0
     bool given_up = false;      // in this step: shorter substeps did not help

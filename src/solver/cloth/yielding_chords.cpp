@@ -67,11 +67,11 @@ void soften_chords(Cloth& cloth, bool yield) {
 
 }  // namespace
 
-void find_yielding_chords(Cloth& cloth, bool near, double step_time) {
+void find_yielding_chords(Cloth& cloth, bool joined, bool near, double step_time) {
     YieldingChords& yielding = cloth.yielding;
     if (yielding.current && !yielding.any) return;
     const Limits& limits = near ? near_models : alone;
-    const bool can_yield = cloth.relaxation.most_strain > 0;
+    const bool can_yield = cloth.relaxation.most_strain > 0 && !joined;
     if (yielding.any) {
         soften_chords(cloth, false);
         yielding.any = can_yield && has_chord_below(cloth, limits.unfolded);

@@ -23,7 +23,8 @@ struct YieldingChords {
 };
 
 /// Tests the cloth at the beginning of a step, and in each substep while chords yield. Call in each substep after
-/// soften_links. `near`: whether models may be in contact.
-void find_yielding_chords(Cloth& cloth, bool near, double step_time);
+/// soften_links. `near`: whether models may be in contact. In joined cloth none yield: those beside its joints carry
+/// it.
+void find_yielding_chords(Cloth& cloth, bool joined, bool near, double step_time);
 
 }  // namespace gphys

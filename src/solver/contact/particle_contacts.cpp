@@ -4,13 +4,12 @@
 #include "solver/contact/cloth_loads.h"
 #include "solver/contact/cluster_contacts.h"
 #include "solver/contact/collision.h"
-#include "solver/contact/collision_memory.h"
+#include "solver/contact/corrections.h"
 #include "solver/contact/friction.h"
 #include "solver/contact/leave_solids.h"
 #include "solver/contact/pair_corrections.h"
 #include "solver/contact/particle_pairs.h"
 #include "solver/contact/rope_loads.h"
-#include "solver/particles/flight_planes.h"
 #include "solver/quads.h"
 #include "solver/rope/rope.h"
 
@@ -37,24 +36,6 @@ double error_of_sweeps(double overlap, double radii, Vec3 gravity, double h) {
     if (overlap > shallow_overlap * radii)
         fallen *= std::max(0.0, (deep_overlap - overlap / radii) / (deep_overlap - shallow_overlap));
     return std::clamp(fallen, least_error * radii, most_correction * radii);
-}
-
-// Gauss-Seidel sweeps pass a load on by the ratio of the masses. Where a ball touches one that is so many times
-// lighter, all contacts between balls are solved together, as those of clusters are.
-constexpr double unequal = 8;
-
-bool has_unequal_balls(const BodyTable& bodies, const uint32_t* first, const uint32_t* end) {
-    double lightest = infinity, heaviest = 0;
-    for (const uint32_t* slot = first; slot != end; ++slot) {
-        const Body& body = bodies[*slot];
-        if (!moves_freely(body) || !collides_with_others(body)) continue;
-        for (uint32_t p = 0; p < body.particles.size(); ++p) {
-            if (body.particles.pinned(p)) continue;
-            lightest = std::min(lightest, body.particles.mass[p]);
-            heaviest = std::max(heaviest, body.particles.mass[p]);
-        }
-    }
-    return heaviest > unequal * lightest;
 }
 
 Vec3 velocity_of(const Body& body, uint32_t p) {
@@ -304,144 +285,7 @@ bool ParticleContacts::find_contacts(const Range& range, const BodyTable& bodies
     return deep_contacts * one_deep_of > contacts;
 }
 
-/// Calls visit(contact) for all until it returns true; returns whether it has.
-template <class Visit>
-bool ParticleContacts::any_contact(const Range& range, Visit&& visit) {
-    return std::any_of(range.groups, range.groups + range.group_count, [&](const Group& group) {
-        Contact* const first = range.contacts + group.contacts.begin;
-        return std::any_of(first, first + group.contacts.count, visit);
-    });
-}
-
-/// Where the masses of two balls in contact are unequal, all contacts of balls become rigid. Returns whether they do.
-bool ParticleContacts::couple_unequal(const Range& range) {
-    const bool any = any_contact(range, [](const Contact& contact) {
-        return contact.both_free && std::max(contact.part_of_a, contact.part_of_b) > unequal / (unequal + 1);
-    });
-    if (!any) return false;
-    any_contact(range, [](Contact& contact) {
-        contact.rigid = contact.rigid || contact.both_free;
-        return false;
-    });
-    return true;
-}
-
-/// Undoes that, and what contacts have done since.
-void ParticleContacts::uncouple_unequal(const Range& range) {
-    any_contact(range, [&](Contact& contact) {
-        contact.rigid = range.particles[contact.a].cluster || range.particles[contact.b].cluster;
-        contact.separation = contact.more_separation = contact.friction_displacement = 0;
-        contact.normal_change = contact.more_change = contact.friction_change = 0;
-        return false;
-    });
-}
-
-/// Whether the solution has moved particles farther than contacts can have made necessary. Corrections are a
-/// projection: with the masses as weights, they are no longer than the way from where nothing was in contact, or
-/// overlapped less. Among balls that are pressed deep into each other, the iterations may not converge.
-bool ParticleContacts::have_thrown(const Range& range, Vec3 Particle::*value, Vec3 Particle::*uncorrected,
-                                   Vec3 Particle::*before) {
-    constexpr double farthest = 2;
-    double moved = 0, way = 0;
-    for (const Particle* p = range.particles; p != range.particles + range.count; ++p) {
-        if (p->inverse_mass == 0 || p->*value == p->*uncorrected) continue;
-        moved += length_squared(p->*value - p->*uncorrected) / p->inverse_mass;
-        way += length_squared(before ? p->*uncorrected - p->*before : p->*uncorrected) / p->inverse_mass;
-    }
-    any_contact(range, [&](const Contact& contact) {
-        const double lightest =
-            std::min(range.particles[contact.a].inverse_mass, range.particles[contact.b].inverse_mass);
-        const double apart = before ? contact.most_separation : contact.target_speed;
-        if (contact.rigid && contact.separation > 0 && lightest > 0) way += apart * apart / lightest;
-        return false;
-    });
-    return !(moved <= farthest * farthest * way);
-}
-
 namespace {
-
-/// Calls visit(particle, displacement) for the particles that contacts have moved.
-template <class Particle, class Visit>
-void each_moved(const Particle* first, const Particle* end, Visit&& visit) {
-    for (const Particle* p = first; p != end; ++p) {
-        if (p->inverse_mass > 0 && p->at != p->uncorrected) visit(p->number, p->at - p->uncorrected);
-    }
-}
-
-/// For particles of a body whose constraints are solved afterwards: corrects their predicted positions.
-template <class Particle>
-void correct_predicted(const Particle* first, const Particle* end, Body& body) {
-    if (is_graph(body)) {
-        for (const Particle* p = first; p != end; ++p) {
-            const Vec3 displacement = p->inverse_mass > 0 ? p->at - p->uncorrected : Vec3{};
-            float* const at = &body.cloth.state.at[4 * size_t{p->number}];
-            if (displacement != Vec3{}) put(at, get(at) + displacement);
-            if (!p->supports) continue;
-            note_correction(body.cloth.contacts, p->number, displacement, p->supports->push(), p->supports->friction());
-        }
-        return;
-    }
-    each_moved(first, end, [&](uint32_t p, Vec3 displacement) {
-        body.particles.position[p] += displacement;
-        body.history.predicted[p] += displacement;
-        if (body.plan.limited) body.rope.slack[p] = 0;
-    });
-}
-
-/// The same for consecutive particles of a body without links, or with links that have been solved.
-template <class Particle>
-void correct_block(const Particle* first, const Particle* end, Body& body, const CollisionContext& around,
-                   const ImpulseAccumulator& accumulator, double bounce_threshold, FlightPlanes* planes,
-                   CollisionMemory* memory) {
-    Extent places;
-    double longest = 0;
-    each_moved(first, end, [&](uint32_t p, Vec3 displacement) {
-        places.add({{body.particles.position[p], body.particles.position[p]}, {}});
-        longest = std::max(longest, length_squared(displacement));
-    });
-    if (longest > 0 && collides(body, around)) {
-        const double room = 2 * body.particles.largest_radius + std::sqrt(longest);
-        const Vec3 reach{room, room, room};
-        if (planes) planes->select_pushed(body, around, first->number, static_cast<uint32_t>(end - first));
-        const Collider& collider = memory->collider.emplace(
-            around, body, bounds(Aabb{places.box.min - reach, places.box.max + reach}), accumulator, planes);
-        if (!collider.idle()) {
-            each_moved(first, end, [&](uint32_t p, Vec3 displacement) {
-                collider.slide(body, p, body.particles.position[p], displacement, around.end, bounce_threshold);
-            });
-            return;
-        }
-    }
-    each_moved(first, end, [&](uint32_t p, Vec3 displacement) {
-        body.particles.position[p] += displacement;
-        keep_in_range(body.particles.position[p], body.particles.velocity[p]);
-    });
-}
-
-/// For particles at the end of their substep: corrects their positions as far as the models allow. `planes` and `team`:
-/// as in fly.
-template <class Particle>
-void correct_moved(const Particle* first, const Particle* end, Body& body, const CollisionContext& around,
-                   double bounce_threshold, FlightPlanes* planes, Team* team) {
-    if (is_graph(body)) {
-        each_moved(first, end, [&](uint32_t p, Vec3 displacement) {
-            float* const at = &body.cloth.state.at[4 * size_t{p}];
-            put(at, get(at) + displacement);
-            if (collides(body, around)) push_out_of_planes(body.cloth.contacts, body.cloth.state, p);
-        });
-        return;
-    }
-    if (body.flight.all.empty()) planes = nullptr;
-    const uint32_t count = static_cast<uint32_t>(end - first);
-    constexpr uint32_t size = FlightPlanes::most_particles;
-    share(body.contacts.parts.empty() ? nullptr : team, (count + size - 1) / size,
-          [&](uint32_t block, uint32_t member) {
-              const Particle* const begin = first + block * size;
-              correct_block(begin, begin + std::min(size, count - block * size), body, around,
-                            body.contacts.accumulator(block), bounce_threshold, planes ? planes + member : nullptr,
-                            around.memory ? around.memory + member : nullptr);
-          });
-}
 
 /// For particles of a rope that have moved with the cloth on which they press: without their lengths, rigid links would
 /// turn the difference into speed.

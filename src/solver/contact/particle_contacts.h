@@ -228,6 +228,8 @@ private:
     bool find_contacts(const Range& range, const BodyTable& bodies, bool final, Vec3 gravity, double h) const;
     template <class Visit>
     static bool any_contact(const Range& range, Visit&& visit);
+    /// unequal_balls.cpp
+    static bool has_unequal_balls(const BodyTable& bodies, const uint32_t* first, const uint32_t* end);
     static bool couple_unequal(const Range& range);
     static void uncouple_unequal(const Range& range);
     static bool have_thrown(const Range& range, Vec3 Particle::*value, Vec3 Particle::*uncorrected,
@@ -282,6 +284,15 @@ void ParticleContacts::each_body(const Island& island, BodyTable& bodies, const 
         visit(body, first, first + body.particles.size());
         first += body.particles.size();
     }
+}
+
+/// Calls visit(contact) for all until it returns true; returns whether it has.
+template <class Visit>
+bool ParticleContacts::any_contact(const Range& range, Visit&& visit) {
+    return std::any_of(range.groups, range.groups + range.group_count, [&](const Group& group) {
+        Contact* const first = range.contacts + group.contacts.begin;
+        return std::any_of(first, first + group.contacts.count, visit);
+    });
 }
 
 /// Calls visit(pair, contact) for the contacts between different bodies.

@@ -4,6 +4,7 @@
 // to their common drift. So their energy never exceeds what it was.
 #include "solver/joints/joined_motion.h"
 #include "solver/motion.h"
+#include "solver/rope/rope_start.h"
 #include "solver/time_scheme.h"
 
 namespace gphys {
@@ -28,10 +29,6 @@ double energy_gain(const Body& body, Vec3 gravity) {
                                           dot(falling, body.particles.position[p] - body.history.start[p]));
     }
     return gain;
-}
-
-bool has_pin(const Particles& particles) {
-    return std::find(particles.inverse_mass.begin(), particles.inverse_mass.end(), 0.0) != particles.inverse_mass.end();
 }
 
 Motion motion_of(const Body& body) {
@@ -62,7 +59,11 @@ void scale_velocities(Body& body, Vec3 drift, double factor) {
 
 }  // namespace
 
-void bound_starting_energy(const Joined& joined, Vec3 gravity) {
+bool has_pin(const Particles& particles) {
+    return std::find(particles.inverse_mass.begin(), particles.inverse_mass.end(), 0.0) != particles.inverse_mass.end();
+}
+
+void bound_starting_energy(const Joined& joined, Vec3 gravity, double h) {
     const ClothKernels& kernels = cloth_kernels(chosen_isa());
     bool pinned = false;
     double gain = 0, kinetic = 0;
@@ -81,9 +82,16 @@ void bound_starting_energy(const Joined& joined, Vec3 gravity) {
     if (!(gain > 0)) return;
     const Vec3 drift = pinned ? Vec3{} : whole.momentum / whole.mass;
     each_body(joined, [&](Body& body, uint32_t) { kinetic += kinetic_energy(body, drift); });
-    const double kept = gain < kinetic ? std::sqrt(1 - gain / kinetic) : 0;
+    // If the bodies have got most of it by their displacement, what they had before is hidden in it.
+    const bool displaced = gain > kinetic / 2;
     each_body(joined, [&](Body& body, uint32_t) {
-        scale_velocities(body, drift, kept);
+        if (!displaced) {
+            scale_velocities(body, drift, std::sqrt(1 - gain / kinetic));
+        } else if (is_graph(body)) {
+            keep_velocities(body.cloth.state, h);
+        } else {
+            keep_velocities(body, gravity, h);
+        }
         body.history.earlier_step = 0;
     });
 }

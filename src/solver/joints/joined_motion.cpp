@@ -277,6 +277,10 @@ void finish_joined(const Joined& joined, const CollisionContext& around, Vec3 gr
         if (body.plan.limited) has_limit_impact = apply_limit_impacts(body, around, scheme) || has_limit_impact;
     });
     collide_joined(joined, around, find_bounce_threshold(gravity, h), h);
+    bool held = false;
+    each_body(joined,
+              [&](const Body& body, uint32_t) { held = held || body.contacts.has_contact || has_pin(body.particles); });
+    each_body(joined, [&](Body& body, uint32_t) { body.cloth.relaxation.left_out = !held; });
     each_system(joined, [&](const JointSystem& system) { system.add_anchor_impulses(joined.bodies, around, h); });
     each_body(joined, [&](Body& body, uint32_t) {
         if (is_graph(body)) {
@@ -291,7 +295,7 @@ void finish_joined(const Joined& joined, const CollisionContext& around, Vec3 gr
     if (!interrupted) {
         limit_joined_energy(joined, gravity);
     } else if (rigid && !has_contact && !moved) {
-        bound_starting_energy(joined, gravity);
+        bound_starting_energy(joined, gravity, h);
     }
     leave_solids_joined(joined, around, h);
 }

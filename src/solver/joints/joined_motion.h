@@ -30,11 +30,13 @@ void each_body(const Joined& joined, Visit&& visit) {
 void move_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h);
 void begin_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h);
 void end_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h);
+/// Whether any particle is pinned or attached.
+bool has_pin(const Particles& particles);
 /// joined_energy.cpp: if one of the bodies is cloth, slows all of them so that a substep gains no energy.
 void limit_joined_energy(const Joined& joined, Vec3 gravity);
-/// Call at the end of a first substep, in place of it: after bodies were placed, maybe with wrong lengths
-/// (rope/rope_start.h).
-void bound_starting_energy(const Joined& joined, Vec3 gravity);
+/// Call at the end of a first substep of h seconds, in place of it: after bodies were placed or joined, maybe with
+/// wrong lengths (rope/rope_start.h).
+void bound_starting_energy(const Joined& joined, Vec3 gravity, double h);
 /// The same for cloth with loads. Call note_joined_energy before links are solved, and slow_joined when the velocities
 /// of all bodies and loads are known. That returns the factor of the velocities.
 void note_joined_energy(const Joined& joined, Vec3 gravity, double h);

@@ -1,4 +1,4 @@
-// Finds ropes with wrong lengths, and bounds their energy (rope_start.h).
+// Finds ropes with wrong lengths, and keeps their velocities (rope_start.h).
 #include "solver/rope/rope_start.h"
 
 #include <algorithm>
@@ -28,30 +28,13 @@ bool starts_misplaced(const Body& body) {
     return wrong && std::all_of(plan.compliance.begin(), plan.compliance.end(), [](double c) { return c == 0; });
 }
 
-void bound_starting_energy(Body& body, Vec3 gravity) {
+void keep_velocities(Body& body, Vec3 gravity, double h) {
     Particles& particles = body.particles;
-    const History& history = body.history;
-    const auto each_free = [&](auto&& visit) {
-        for (uint32_t p = 0; p < particles.size(); ++p) {
-            if (!particles.pinned(p)) visit(p, particles.mass[p]);
-        }
-    };
-    Motion whole;
-    double gain = 0;
-    uint32_t free = 0;
-    each_free([&](uint32_t p, double mass) {
-        const Vec3 now = particles.velocity[p], before = history.start_velocity[p];
+    for (uint32_t p = 0; p < particles.size(); ++p) {
+        if (particles.pinned(p)) continue;
         const Vec3 falling = gravity + particles.force[p] * particles.inverse_mass[p];
-        gain += mass * (dot(now - before, now + before) / 2 - dot(falling, particles.position[p] - history.start[p]));
-        whole.add(mass, now);
-        ++free;
-    });
-    if (!(gain > 0)) return;
-    const Vec3 drift = free < particles.size() ? Vec3{} : whole.momentum / whole.mass;
-    double kinetic = 0;
-    each_free([&](uint32_t p, double mass) { kinetic += mass * length_squared(particles.velocity[p] - drift) / 2; });
-    const double kept = gain < kinetic ? std::sqrt(1 - gain / kinetic) : 0;
-    each_free([&](uint32_t p, double) { particles.velocity[p] = drift + (particles.velocity[p] - drift) * kept; });
+        particles.velocity[p] = body.history.start_velocity[p] + falling * h;
+    }
     body.history.earlier_step = 0;
 }
 

@@ -198,7 +198,7 @@ void end_chains(Body& body, RopeContacts* contacts, const CollisionContext& arou
     if (!body.constraints.attachments.empty()) add_tension_impulses(body, around, scheme);
     if (!with_models) leave_solids(body, around, scheme.step(body.settings.damping));
     end_substep(body, has_limit_impact, scheme);
-    if (body.rope.misplaced) bound_starting_energy(body, gravity);
+    if (body.rope.misplaced) keep_velocities(body, gravity, scheme.advance);
 }
 
 }  // namespace

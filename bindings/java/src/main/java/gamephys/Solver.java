@@ -212,7 +212,7 @@ public final class Solver extends Owned {
      * @param desc null: the defaults
      * @param positions metres
      * @param linkLength rest length of each link in metres; 0: as placed. A length below 1e-9 m counts as
-     *     0.
+     *     0. Rigid links get their lengths in the first step, and the particles no speed by it.
      * @throws GamephysException with ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies
      */
     public int addRope(Batch<Vec3> positions, float linkLength, BodyDesc desc) {
@@ -520,9 +520,10 @@ public final class Solver extends Owned {
 
     /**
      * Move particles at once and without collision on the way; velocities stay as they are. Wakes the
-     * body. Pinned particles that are moved alone pull the others: during the next step they go evenly
-     * from where they were to their new places, as attached ones do. They are placed at once before the
-     * body's first step, or if a free particle of the body is placed as well.
+     * body. Rigid links that are too long or too short then get their lengths in the next step, and the
+     * particles no speed by it. Pinned particles that are moved alone pull the others: during the next
+     * step they go evenly from where they were to their new places, as attached ones do. They are placed
+     * at once before the body's first step, or if a free particle of the body is placed as well.
      * Cost: O(elements).
      * @param first as in Solver.getPositions
      */
@@ -1395,11 +1396,12 @@ public final class Solver extends Owned {
      * as one system, as stiff as one rope; a joined particle of cloth has the inertia of all that hangs on
      * it. Free particles of a joined body are moved by the time scheme of ropes, no longer exactly. Joined
      * bodies are moved by one thread and fall asleep and wake together. A joint is removed with either
-     * body.
+     * body. Particles of the two that are linked to a joint within touch of each other do not collide
+     * there.
      * Cost: the next step plans all joined ropes again. A link of them takes 2.5 to 4 times as long as one
      * of a rope that is not joined. Allocates.
      * @param restLength metres; 0: at the same place, as below 1e-9; negative: the present distance.
-     *     Particles at another distance are moved to it within a step, and get the speed of that motion.
+     *     Particles at another distance are moved to it in the next step; by a rigid joint without speed.
      * @param compliance metres per newton, &gt;= 0; 0 is rigid
      * @throws GamephysException with ERROR_INVALID_ARGUMENT: for a particle that does not exist or twice
      *     the same body (see Solver.addDistance)
