@@ -63,7 +63,7 @@ void begin_cloth(Body& body, const CollisionContext& around, Vec3 gravity) {
     cloth.relaxation.begin_step();
     cloth.balance.current = cloth.yielding.current = false;
     load_state(cloth.state, body.particles, cloth.batches.spare, gravity, cloth.shares.team);
-    cloth.misplaced = body.history.placed && start_cloth(cloth, body.plan.joined);
+    cloth.misplaced = body.history.placed && start_cloth(body);
     cloth.contacts.active.clear();
     if (collides(body, around)) {
         search_cloth_contacts(body, around, gravity);

@@ -1,7 +1,8 @@
 // Finds flat sheets, and displaces their particles (leave_plane.h).
 #include "solver/cloth/leave_plane.h"
 
-#include "solver/cloth/cloth.h"
+#include "solver/body.h"
+#include "solver/cloth/cloth_contacts.h"
 #include "solver/quads.h"
 
 namespace gphys {
@@ -87,38 +88,52 @@ Compression compression_of(const Cloth& cloth, Vec3 normal) {
     return {radius > 0 ? normalized(along) : x, (strain.x + strain.z) / 2 + radius};
 }
 
-}  // namespace
-
-void leave_plane(Cloth& cloth, double strain) {
-    if (strain < least_displaced) return;
-    ClothState& state = cloth.state;
+/// move(particle, displacement)
+template <class Move>
+void fold(const Cloth& cloth, Move&& move) {
     const double link = cloth.batches.link_length;
-    const Vec3 normal = normal_of(state, flat * link);
+    const Vec3 normal = normal_of(cloth.state, flat * link);
     if (normal == Vec3{}) return;
     const Compression most = compression_of(cloth, normal);
     // The mean square slope of the folds is that with which links have their lengths.
     const double shortening = std::clamp(most.shortening, 0.0, most_folded), kept = 1 - shortening;
     const double half_fold = links_per_fold * link * kept / 2;
     const double height = half_fold * std::sqrt((1 / (kept * kept) - 1) * 3 / 16);
-    for (uint32_t p = 0; p < state.particles; ++p) {
-        float* const at = &state.at[4 * size_t{p}];
-        if (at[3] == 0) continue;
-        const double fold = height * wave(dot(most.along, get(at)) / half_fold);
-        put(at, get(at) + normal * (fold + displacement * link * scattered(p)));
+    for (uint32_t p = 0; p < cloth.state.particles; ++p) {
+        if (cloth.state.at[4 * size_t{p} + 3] == 0) continue;
+        const double folded = height * wave(dot(most.along, place(cloth.state, p)) / half_fold);
+        move(p, normal * (folded + displacement * link * scattered(p)));
     }
 }
 
-bool start_cloth(Cloth& cloth, bool joined) {
+}  // namespace
+
+void leave_plane(Body& body, double strain, bool collides) {
+    if (strain < least_displaced) return;
+    Cloth& cloth = body.cloth;
+    fold(cloth, [&](uint32_t p, Vec3 way) {
+        if (body.plan.joined && !cloth.tethers.is_unit(p)) return;
+        displace(cloth.state, cloth.contacts, body.targets, p, way, collides);
+    });
+}
+
+bool start_cloth(Body& body) {
+    ClothState& state = body.cloth.state;
     double largest = 0, shortest = 0;
-    for (const KeptLinks::Link& link : cloth.relaxation.kept.links) {
-        const float *a = &cloth.state.at[4 * size_t{link.a}], *b = &cloth.state.at[4 * size_t{link.b}];
+    for (const KeptLinks::Link& link : body.cloth.relaxation.kept.links) {
+        const float *a = &state.at[4 * size_t{link.a}], *b = &state.at[4 * size_t{link.b}];
         if (a[3] == 0 && b[3] == 0) continue;
         const double strain = distance(get(a), get(b)) / link.rest - 1;
         largest = std::max(largest, strain);
         if (!link.limit) shortest = std::min(shortest, strain);
     }
     const double strain = std::max(largest, -shortest);
-    if (cloth.state.held || joined) leave_plane(cloth, joined ? 1 : strain);
+    if (body.plan.joined || (state.held && strain >= least_displaced)) {
+        fold(body.cloth, [&](uint32_t p, Vec3 way) {
+            float* const at = &state.at[4 * size_t{p}];
+            put(at, get(at) + way);
+        });
+    }
     return strain > least_misplaced;
 }
 

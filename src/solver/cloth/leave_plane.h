@@ -9,14 +9,15 @@
 
 namespace gphys {
 
-struct Cloth;
+struct Body;
 
-/// Call with strained links, of cloth without contacts. `strain`: the largest shortening of a link, relative to its
-/// length.
-void leave_plane(Cloth& cloth, double strain);
-/// Call at the beginning of the first step after particles were placed: the same if links have wrong lengths, too long
-/// or too short, or if the cloth is joined to other bodies, which may pull it together within its plane. Returns
-/// whether links have wrong lengths.
-bool start_cloth(Cloth& cloth, bool joined);
+/// Call with strained links. `strain`: the largest shortening of a link, relative to its length. Particles stay outside
+/// the planes of their contacts, so a sheet on the ground rises from it, within the bounds of their targets, and at
+/// their joints.
+void leave_plane(Body& body, double strain, bool collides);
+/// Call at the beginning of the first step after particles were placed, before contacts are found: the same if links
+/// have wrong lengths, too long or too short, or if the cloth is joined to other bodies, which may pull it together
+/// within its plane. Returns whether links have wrong lengths.
+bool start_cloth(Body& body);
 
 }  // namespace gphys

@@ -55,7 +55,7 @@ public:
           batches_(body.cloth.batches),
           relaxation_(body.cloth.relaxation),
           loads_(body.cloth.loads),
-          joined_(body.plan.joined ? body.cloth.tethers.diagonal.data() : nullptr),
+          tethers_(body.plan.joined ? &body.cloth.tethers : nullptr),
           has_contact_(body.contacts.has_contact),
           collides_(collides),
           h_(h) {}
@@ -80,7 +80,7 @@ private:
     const ClothBatches& batches_;
     Relaxation& relaxation_;
     const ContactLoads& loads_;
-    const float* const joined_;  // see TetherInertia; null if the body is not joined
+    const TetherInertia* const tethers_;  // of joined cloth
     const bool has_contact_, collides_;
     const double h_;
 };
@@ -145,7 +145,7 @@ bool Relaxer::relax(const KeptLinks::Link& link, double& lost) {
     const double length = gphys::length(along), error = length - link.rest;
     if (std::fabs(error) < relaxed_part * relaxation_.most_strain * link.rest) return false;
     const auto weight_of = [&](uint32_t p, const float* at) {
-        if (joined_ && joined_[4 * size_t{p}] != 1) return 0.0;  // a system of joints has placed it
+        if (tethers_ && !tethers_->is_unit(p)) return 0.0;  // a system of joints has placed it
         if (loads_.any() && loads_.is_loaded[p]) return loaded_part * at[3];
         return collides_ && is_held(contacts_, p) ? held_part * at[3] : double{at[3]};
     };
@@ -192,7 +192,7 @@ std::optional<double> relax_links(Body& body, bool collides, double h) {
     while (passes < most_passes) {
         const double largest = relaxer.find_strained(count);
         if (count == 0 || largest <= relaxation.most_strain - rounding) break;
-        if (passes == 0 && !collides) leave_plane(body.cloth, relaxer.largest_shortening(count));
+        if (passes == 0) leave_plane(body, relaxer.largest_shortening(count), collides);
         for (; passes < most_passes && count > 0; ++passes) {
             if (work < count) return lost;
             work -= count;

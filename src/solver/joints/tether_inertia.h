@@ -18,6 +18,11 @@ struct TetherInertia {
         diagonal.resize(floats);
         off.resize(floats);
     }
+    /// Whether a particle is not joined.
+    bool is_unit(uint32_t particle) const {
+        const float* const i = &diagonal[4 * size_t{particle}];
+        return i[0] == 1 && i[1] == 1 && i[2] == 1;
+    }
     /// Unit matrices: no particle is joined.
     void clear() {
         std::fill(diagonal.begin(), diagonal.end(), 1.0f);
