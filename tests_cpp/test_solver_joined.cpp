@@ -425,3 +425,45 @@ TEST_CASE("a body that stands still beside one that swings does not fall asleep 
         CHECK(asleep(world) == 0);
     }
 }
+
+TEST_CASE("ropes that meet in a knot do not push each other off it") {
+    for (const bool in_a_row : {false, true}) {
+        World world;
+        // At twelve o'clock, four and eight, seen from above, and downwards.
+        gphys_body_id ropes[3];
+        for (int i = 0; i < 3; ++i) {
+            const double angle = i * 2 * 3.14159265358979 / 3;
+            const gphys_vec3 link{static_cast<float>(0.05 * std::sin(angle)), -0.025f,
+                                  static_cast<float>(0.05 * std::cos(angle))};
+            ropes[i] = world.rope(line({0, 0, 0}, link, 11), 0, test::colliding(0.1f, 0.01f));
+        }
+        world.pin(ropes[0], 0);
+        for (int i = 1; i < 3; ++i) join(world, ropes[in_a_row ? i - 1 : 0], 0, ropes[i], 0);
+        double strain = 0, gap = 0;
+        for (int step = 0; step < 120; ++step) {
+            world.step(dt);
+            strain = std::max(strain, static_cast<double>(world.stats().strain_max));
+            for (int i = 1; i < 3; ++i) gap = std::max(gap, length(world.position(ropes[i], 0)));
+        }
+        figure("strain", 100 * strain, "%");
+        figure("gap", 1000 * gap, "mm");
+        // The ends of two ropes pushed each other a diameter apart: 8 %.
+        CHECK(strain < 0.005);
+        CHECK(gap < 1e-5);
+    }
+}
+
+TEST_CASE("balls on strings from one hook collide") {
+    World world;
+    const gphys_body_id hook = world.particles({{0, 0, 0}}, test::colliding(1, 0.05f));
+    world.pin(hook, 0);
+    const gphys_body_id left = world.particles({{-0.3f, -0.4f, 0}}, test::colliding(1, 0.05f));
+    const gphys_body_id right = world.particles({{0.3f, -0.4f, 0}}, test::colliding(1, 0.05f));
+    join(world, hook, 0, left, 0, 0.5f);
+    join(world, hook, 0, right, 0, 0.5f);
+    for (int step = 0; step < 120; ++step) {
+        world.step(dt);
+        // Overlaps are removed within a step.
+        CHECK(distance(world.position(left), world.position(right)) > 0.1 * (1 - 1e-3));
+    }
+}

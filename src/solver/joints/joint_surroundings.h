@@ -3,8 +3,11 @@
 //
 // Contacts would push apart what the joint pulls together: the last particle of a rope and the corner of cloth that it
 // is joined to are at one place, and beside a seam the particles of both sheets are nearer than their radii. It is as
-// within a body, where linked particles do not collide. They are those of a path of links that goes through the joint:
-// on each side the joined particle, its neighbours, and those that are as near along links as two particles reach.
+// within a body, where linked particles do not collide.
+//
+// Joints that hold their ends within touch may share an end, as where several ropes of a net cross: what they join is
+// one knot. Each longer joint has a knot of its own. Around a knot are, in each body, the joined particle, its
+// neighbours, and those that are as near along links as two particles reach.
 #pragma once
 
 #include "foundation/ids.h"
@@ -23,14 +26,15 @@ public:
     bool has(uint32_t body_a, uint32_t a, uint32_t body_b, uint32_t b) const;
 
 private:
-    struct JointPair {
-        uint32_t body_a, body_b, a, b;  // body_a < body_b
+    /// A particle around a knot.
+    struct Member {
+        uint32_t body, particle, knot;
 
-        bool operator<(const JointPair& other) const;
+        bool operator<(const Member& other) const;
     };
 
     std::pmr::memory_resource* memory_;
-    Vector<JointPair> pairs_{memory_};  // sorted, each once
+    Vector<Member> members_{memory_};  // sorted, each once
 };
 
 }  // namespace gphys
