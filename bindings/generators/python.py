@@ -268,6 +268,12 @@ def checked(api, p):
     return f'if type({name}) is not int or {name} >> {bits}: {name} = {check}({name}, "{name}")'
 
 
+def packed(parameters, i):
+    """An argument for arrays whose elements the library takes only side by side: those without a stride."""
+    has_stride = i + 1 < len(parameters) and parameters[i + 1]["role"] == "stride"
+    return "" if has_stride else ", packed=True"
+
+
 def body(api, call, self_handle):
     """The statements of a method, and the arguments of the C call."""
     f, lines, arguments = call.function, [], []
@@ -300,7 +306,7 @@ def body(api, call, self_handle):
                 lines.append(f"{name}_ = descs_of({name}, low.{camel(element(p))})")
             else:
                 width = f", {p['width']}" if "width" in p else ""
-                lines.append(f"{name}_ = array_of({name}, {numpy_type(api, element(p))}{width})")
+                lines.append(f"{name}_ = array_of({name}, {numpy_type(api, element(p))}{width}{packed(parameters, i)})")
             arguments.append(f"{name}_.address")
         elif role == "stride" and name == "out_stride":
             arguments.append("out_.stride")
@@ -321,7 +327,7 @@ def body(api, call, self_handle):
                                  f"{counted_array(parameters, i)['name']}_.length")
         elif role == "out_array":
             size = p.get("length", length)
-            lines.append(("result", size, p))
+            lines.append(("result", f"{size}, {numpy_type(api, element(p))}{packed(parameters, i)}"))
             arguments.append("out_.address")
         elif role == "out":
             of = element(p)
@@ -338,9 +344,9 @@ def body(api, call, self_handle):
             arguments.append(name)
     # The length is known when all arrays are, and room for results is made when the length is.
     arrays = [line for line in lines if isinstance(line, str)]
-    lengths = [f"{what[0]}({', '.join(p['name'] + '_' for p in what[1])})" for what in lines if len(what) == 2]
-    results = [f"out_ = result_array(out, {size}, {numpy_type(api, element(p))})"
-               for kind, size, p in (what for what in lines if what[0] == "result")]
+    lengths = [f"{what[0]}({', '.join(p['name'] + '_' for p in what[1])})" for what in lines
+               if what[0] == "count = common_length"]
+    results = [f"out_ = result_array(out, {what[1]})" for what in lines if what[0] == "result"]
     return arrays + lengths + results, arguments
 
 

@@ -30,7 +30,7 @@ class Mesh(Object):
     def __init__(self, vertices: ArrayLike, indices: ArrayLike, desc: low.MeshDesc | None = None) -> None:
         desc_ = desc if desc is None else value_of(desc, low.MeshDesc, "desc")
         vertices_ = array_of(vertices, "<f4", 3)
-        indices_ = array_of(indices, "<u4")
+        indices_ = array_of(indices, "<u4", packed=True)
         handle = ctypes.c_void_p()
         check(low.gphys_mesh_create(desc_, vertices_.address, vertices_.stride, vertices_.length, indices_.address, indices_.numbers, ctypes.byref(handle)))
         self._own(handle.value)
@@ -84,7 +84,7 @@ class Mesh(Object):
                 another byte order
             Error, status ERROR_UNSUPPORTED: for a deformable hull"""
         desc_ = desc if desc is None else value_of(desc, low.MeshDesc, "desc")
-        words_ = array_of(words, "<u4")
+        words_ = array_of(words, "<u4", packed=True)
         handle = ctypes.c_void_p()
         check(low.gphys_mesh_create_from_snapshot(desc_, words_.address, words_.length, ctypes.byref(handle)))
         made = cls.__new__(cls)
@@ -404,7 +404,7 @@ class Scene(Models):
         transforms_ = array_of(transforms, low.transform_dtype)
         desc_ = desc if desc is None else value_of(desc, low.ModelDesc, "desc")
         count = common_length(shapes_, transforms_)
-        out_ = result_array(out, count, "<u4")
+        out_ = result_array(out, count, "<u4", packed=True)
         status = low.gphys_scene_add_batch(self._handle, type_, shapes_.address, shapes_.stride, transforms_.address, transforms_.stride, count, desc_, out_.address)
         if status < 0: check(status)
         return out_.array
@@ -423,7 +423,7 @@ class Scene(Models):
         transforms_ = array_of(transforms, low.transform_dtype)
         descs_ = descs_of(descs, low.ModelDesc)
         count = common_length(shapes_, transforms_, descs_)
-        out_ = result_array(out, count, "<u4")
+        out_ = result_array(out, count, "<u4", packed=True)
         status = low.gphys_scene_add_described_batch(self._handle, type_, shapes_.address, shapes_.stride, transforms_.address, transforms_.stride, descs_.address, descs_.stride, count, out_.address)
         if status < 0: check(status)
         return out_.array
@@ -441,7 +441,7 @@ class Scene(Models):
 
         Args:
             models: the ids; an id that appears twice is ERROR_INVALID_ID"""
-        models_ = array_of(models, "<u4")
+        models_ = array_of(models, "<u4", packed=True)
         count = common_length(models_)
         status = low.gphys_scene_remove_batch(self._handle, models_.address, count)
         if status < 0: check(status)
@@ -640,7 +640,7 @@ class Scene(Models):
         Args:
             models: the ids
             transforms: as in Scene.set_transform"""
-        models_ = array_of(models, "<u4")
+        models_ = array_of(models, "<u4", packed=True)
         transforms_ = array_of(transforms, low.transform_dtype)
         count = common_length(models_, transforms_)
         status = low.gphys_scene_set_transforms(self._handle, models_.address, transforms_.address, transforms_.stride, count)
@@ -652,7 +652,7 @@ class Scene(Models):
 
         Args:
             models: the ids; an id may appear twice"""
-        models_ = array_of(models, "<u4")
+        models_ = array_of(models, "<u4", packed=True)
         count = common_length(models_)
         out_ = result_array(out, count, low.transform_dtype)
         status = low.gphys_scene_get_transforms(self._handle, models_.address, count, out_.address, out_.stride)
@@ -666,7 +666,7 @@ class Scene(Models):
 
         Args:
             models: the ids; an id may appear twice"""
-        models_ = array_of(models, "<u4")
+        models_ = array_of(models, "<u4", packed=True)
         count = common_length(models_)
         out_ = result_array(out, count, low.transform_dtype)
         status = low.gphys_scene_get_world_transforms(self._handle, models_.address, count, out_.address, out_.stride)
@@ -1380,7 +1380,7 @@ class Scene(Models):
             InvalidArgument: for words that are no snapshot of a scene, damaged, of a later format or of
                 another byte order, and if a mesh is missing
             OutOfMemory: if there is no room for it"""
-        words_ = array_of(words, "<u4")
+        words_ = array_of(words, "<u4", packed=True)
         count = common_length(words_)
         status = low.gphys_scene_restore(self._handle, handle_of(library, Scene), words_.address, count)
         if status < 0: check(status)
@@ -2873,7 +2873,7 @@ class Solver(Bodies):
         Args:
             constraints: the ids; one may appear twice"""
         if type(body) is not int or body >> 32: body = whole(body, "body")
-        constraints_ = array_of(constraints, "<u4")
+        constraints_ = array_of(constraints, "<u4", packed=True)
         count = common_length(constraints_)
         out_ = result_array(out, count, "<i4")
         status = low.gphys_solver_get_constraint_kinds(self._handle, body, constraints_.address, count, out_.address, out_.stride)
@@ -2887,7 +2887,7 @@ class Solver(Bodies):
         Args:
             constraints: the ids; one may appear twice"""
         if type(body) is not int or body >> 32: body = whole(body, "body")
-        constraints_ = array_of(constraints, "<u4")
+        constraints_ = array_of(constraints, "<u4", packed=True)
         count = common_length(constraints_)
         out_ = result_array(out, count, low.constraint_settings_dtype)
         status = low.gphys_solver_get_constraint_settings(self._handle, body, constraints_.address, count, out_.address, out_.stride)
@@ -2904,7 +2904,7 @@ class Solver(Bodies):
         Args:
             constraints: the ids; one that appears twice gets the last"""
         if type(body) is not int or body >> 32: body = whole(body, "body")
-        constraints_ = array_of(constraints, "<u4")
+        constraints_ = array_of(constraints, "<u4", packed=True)
         settings_ = array_of(settings, low.constraint_settings_dtype)
         count = common_length(constraints_, settings_)
         status = low.gphys_solver_set_constraint_settings(self._handle, body, constraints_.address, settings_.address, settings_.stride, count)
@@ -2938,7 +2938,7 @@ class Solver(Bodies):
             Error, status ERROR_CAPACITY: beyond 2^24 - 1 clusters of a body, or that many particles in
                 them"""
         if type(body) is not int or body >> 32: body = whole(body, "body")
-        particles_ = array_of(particles, "<u4")
+        particles_ = array_of(particles, "<u4", packed=True)
         out_cluster = ctypes.c_uint32()
         count = common_length(particles_)
         status = low.gphys_solver_add_cluster(self._handle, body, particles_.address, count, ctypes.byref(out_cluster))
@@ -3032,7 +3032,7 @@ class Solver(Bodies):
             constraints: the ids; one that appears twice gets the last
             forces: newtons, >= 0; 0: never breaks, as all that are added to a body later"""
         if type(body) is not int or body >> 32: body = whole(body, "body")
-        constraints_ = array_of(constraints, "<u4")
+        constraints_ = array_of(constraints, "<u4", packed=True)
         forces_ = array_of(forces, "<f4")
         count = common_length(constraints_, forces_)
         status = low.gphys_solver_set_breaking_forces(self._handle, body, constraints_.address, forces_.address, forces_.stride, count)
@@ -3048,7 +3048,7 @@ class Solver(Bodies):
         Returns:
             newtons."""
         if type(body) is not int or body >> 32: body = whole(body, "body")
-        constraints_ = array_of(constraints, "<u4")
+        constraints_ = array_of(constraints, "<u4", packed=True)
         count = common_length(constraints_)
         out_ = result_array(out, count, "<f4")
         status = low.gphys_solver_get_breaking_forces(self._handle, body, constraints_.address, count, out_.address, out_.stride)
@@ -3217,7 +3217,7 @@ class Solver(Bodies):
         Raises:
             InvalidArgument: for words that are no snapshot, damaged, of another version or byte order
             OutOfMemory: if there is no room for it"""
-        words_ = array_of(words, "<u4")
+        words_ = array_of(words, "<u4", packed=True)
         count = common_length(words_)
         status = low.gphys_solver_restore(self._handle, words_.address, count)
         if status < 0: check(status)
@@ -3709,7 +3709,7 @@ def mesh_check(vertices: ArrayLike, indices: ArrayLike) -> low.MeshReport:
     Raises:
         InvalidArgument: for an index_count that is no multiple of 3"""
     vertices_ = array_of(vertices, "<f4", 3)
-    indices_ = array_of(indices, "<u4")
+    indices_ = array_of(indices, "<u4", packed=True)
     out_report = low.MeshReport()
     status = low.gphys_mesh_check(vertices_.address, vertices_.stride, vertices_.length, indices_.address, indices_.numbers, ctypes.byref(out_report))
     if status < 0: check(status)

@@ -185,8 +185,9 @@ def matrix(memory: Any) -> NDArray[np.float32]:
     return np.frombuffer(memory, "<f4").reshape(4, 4).T
 
 
-def array_of(things: Any, dtype: Any, width: int = 1) -> Argument:
-    """An array of the dtype, taken as it is where it is one: any step between elements, no copy.
+def array_of(things: Any, dtype: Any, width: int = 1, packed: bool = False) -> Argument:
+    """An array of the dtype, taken as it is where it is one: any step between elements, no copy, unless the library
+    takes elements only side by side (packed).
     float32 arrays whose last axis holds an element's numbers will do for structs of floats."""
     if things is None:
         return _NONE
@@ -224,7 +225,7 @@ def array_of(things: Any, dtype: Any, width: int = 1) -> Argument:
         array = array.reshape(-1)
     length = array.shape[0]
     stride = array.strides[0] if length > 1 else size
-    if length > 1 and (stride < size or stride % 4):
+    if length > 1 and (stride < size or stride % 4 or packed and stride != size):
         array = np.ascontiguousarray(array)
         stride = array.strides[0]
     return Argument(array.__array_interface__["data"][0], stride, length, array.size, array)
@@ -304,8 +305,8 @@ def common_length(*arguments: Argument) -> int:
 # --- results --------------------------------------------------------------------------------
 
 
-def result_array(out: NDArray[Any] | None, length: int, dtype: Any) -> Argument:
-    """Where results go: the caller's array, if given, else a new one."""
+def result_array(out: NDArray[Any] | None, length: int, dtype: Any, packed: bool = False) -> Argument:
+    """Where results go: the caller's array, if given, else a new one. packed: as in array_of."""
     dtype = np.dtype(dtype)
     if out is None:
         out = np.empty(length, dtype)
@@ -320,6 +321,8 @@ def result_array(out: NDArray[Any] | None, length: int, dtype: Any) -> Argument:
     stride = out.strides[0] if length > 1 else dtype.itemsize
     if stride < dtype.itemsize:
         raise ValueError("out must not run backwards")
+    if packed and stride != dtype.itemsize:
+        raise ValueError("out must be contiguous")
     return Argument(out.__array_interface__["data"][0], stride, length, array=out)
 
 

@@ -188,6 +188,21 @@ class Batches(unittest.TestCase):
         np.testing.assert_array_equal(scene.raycast_batch(rays[::-2]), expected[::-2])
         np.testing.assert_array_equal(scene.raycast_batch(rows.astype("f8")), expected)
 
+    def test_ids_with_other_fields_between_them(self):
+        solver = gp.Solver()
+        rope = solver.add_rope([(x, 0, 0) for x in range(5)])
+        ids = solver.get_constraints(rope)["id"]
+        self.assertFalse(ids.flags.contiguous)
+        solver.set_breaking_forces(rope, ids, [1, 2, 3, 4])
+        self.assertEqual(list(solver.get_breaking_forces(rope, ids[::-1])), [4, 3, 2, 1])
+        scene, balls, models = scene_of_balls(8)
+        scene.remove_batch(np.array(models, "<u4")[::2])
+        self.assertEqual(list(scene.get_models()), sorted(models[1::2]))
+        table = np.zeros(8, [("model", "<u4"), ("mark", "<u4")])
+        with self.assertRaises(ValueError):
+            scene.add_batch(balls, out=table["model"])
+        self.assertFalse(table["mark"].any())
+
     def test_empty_and_single_batches(self):
         scene, _, _ = scene_of_balls()
         self.assertEqual(len(scene.raycast_batch(random_rays()[:0])), 0)
