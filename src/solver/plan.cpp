@@ -127,7 +127,7 @@ void update_plan(Body& body) {
     }
     if (!plan.pins_packed) {
         pack_reach_limits(body.cloth.reach, body.particles.size());
-        mark_attached(body.cloth.batches, body.constraints, body.particles.size());
+        mark_attached(body.cloth.batches, body.constraints, body.particles);
         list_pinned_spans(body.cloth, plan, body.particles);
         plan.crowded =
             std::any_of(plan.hubs.begin(), plan.hubs.end(), [&](uint32_t hub) { return !body.particles.pinned(hub); });

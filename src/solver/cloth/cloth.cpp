@@ -31,6 +31,13 @@ ClothStep cloth_step(double h, double earlier_step, double damping) {
             narrowed(scheme.drag(damping))};
 }
 
+/// Whether only models and pins can have got what its momentum lacks at the end of a substep.
+bool gives_all_momentum_to_models(const Body& body, const CollisionContext& around) {
+    return around.scene && !body.constraints.attachments.empty() && !body.plan.joined && !body.contacts.near &&
+           body.targets.empty() && !body.cloth.loads.any() &&
+           !(body.cloth.contacts.penetrating && collides(body, around));
+}
+
 }  // namespace
 
 void reserve_cloth(Body& body, bool collides) {
@@ -200,7 +207,7 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
     const TimeScheme scheme(h, body.history.earlier_step);
     const bool collides = gphys::collides(body, around);
     if (!body.constraints.attachments.empty())
-        add_pull_impulses(body.constraints, around, state, cloth.in_chains, body.contacts.impulses,
+        add_pull_impulses(body.constraints, around, state, cloth.in_chains, contacts, body.contacts.impulses,
                           scheme.step(damping), h);
     keep_cloth_to_targets(body.targets, state, cloth.in_chains);
     if (collides) resolve_contacts(body);
@@ -217,9 +224,9 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
         gain = sum_of_gains();
     }
     if (collides) add_contact_impulses(body, around, scheme.next / h);
-    TautLimits taut(body.constraints, around, cloth.in_chains, body.contacts.impulses, scheme, damping);
+    TautLimits taut(body.constraints, around, cloth.in_chains, contacts, body.contacts.impulses, scheme, damping);
     const bool has_limit_impact = taut.apply_impacts(cloth.batches.limits, state, body.breaking.impulse);
-    if (contacts.penetrating && collides && !state.held)
+    if (contacts.penetrating && collides && state.held.empty())
         limit_energy_in_solid(state, cloth.shares, gain * state.average_mass);
     const bool bounded = body.targets.act();
     balance.closed = balance.closed && !(collides && contacts.has_moving_model) && !bounded;
@@ -268,8 +275,13 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
         if (all > 0) remove(all * state.average_mass);
         balance.stored = stored;
     }
+    if (gives_all_momentum_to_models(body, around))
+        add_missing_impulses(body.constraints, around, state, missing_momentum(state, contacts, damping, h),
+                             body.contacts.impulses);
     balance.current = balance.closed && !collides && (accounted || cloth.relaxation.most_strain == 0);
-    body.history.earlier_step = body.contacts.has_contact || misplaced ? 0 : h;
+    // What lies still has no earlier motion, which would make each step differ from the one before.
+    const bool interrupted = body.contacts.has_contact || misplaced || cloth.settling.kept == 0;
+    body.history.earlier_step = interrupted ? 0 : h;
     if (body.breaking.possible()) add_cloth_loads(body, scheme);
 }
 
@@ -290,6 +302,7 @@ void move_cloth(Body& body, const CollisionContext& around, Vec3 gravity, double
 void end_cloth(Body& body, const CollisionContext& around) {
     if (collides(body, around)) record_contact_points(body, around);
     publish_state(body.cloth.state, body.particles, body.cloth.shares);
+    place_attached(body.constraints, body.cloth.state, body.particles.position);
     if (collides(body, around)) update_cache(body, around);
 }
 

@@ -1,14 +1,22 @@
 // Particles of cloth that are attached to models (cloth_attachments.h).
 #include "solver/cloth/cloth_attachments.h"
+#include "solver/cloth/second_moments.h"
+#include "solver/cloth/whole_motion.h"
 #include "solver/contact/collision.h"
 #include "solver/quads.h"
 
 namespace gphys {
+namespace {
+
+Vec3 place(const ClothState& state, uint32_t particle) { return get(&state.at[4 * size_t{particle}]); }
+
+}  // namespace
 
 /// Attached particles move along arcs as their models rotate. Interpolating linearly between two positions on a circle
 /// would bring them closer to each other.
 void follow_models(const Constraints& constraints, const CollisionContext& around, ClothState& state,
                    ChainContacts& contacts) {
+    if (constraints.attachments.empty()) return;
     const double way = around.way(around.end);
     gphys_model_id model = 0;
     const MovedModel* moved = nullptr;
@@ -26,39 +34,69 @@ void follow_models(const Constraints& constraints, const CollisionContext& aroun
         }
         put(&state.at[4 * size_t{attachment.particle}], next - state.origin, farthest_in_cloth);
     }
-    for (const Attachment& attachment : constraints.attachments) {
-        put(&contacts.pulls[4 * size_t{attachment.particle}], {}, 0);
-    }
+    for (const uint32_t p : state.held) put(&contacts.pulls[4 * size_t{p}], {});
 }
 
 void add_pull_impulses(const Constraints& constraints, const CollisionContext& around, const ClothState& state,
-                       const ChainContacts& contacts, Vector<ModelImpulse>& impulses, double step, double h) {
+                       const ChainContacts& in_chains, ClothContacts& contacts, Vector<ModelImpulse>& impulses,
+                       double step, double h) {
     if (!around.scene) return;
-    const double to_impulse = state.average_mass * h / (step * step);
+    const double to_velocity = h / (step * step);
+    const auto pull = [&](uint32_t p) { return get(&in_chains.pulls[4 * size_t{p}]) * to_velocity; };
+    for (const uint32_t p : state.held) contacts.add(place(state, p), pull(p));
     for (const Attachment& attachment : constraints.attachments) {
-        const size_t i = 4 * size_t{attachment.particle};
-        add_impulse(impulses, around, attachment.model, state.origin + get(&state.at[i]),
-                    get(&contacts.pulls[i]) * to_impulse);
+        const uint32_t p = attachment.particle;
+        add_impulse(impulses, around, attachment.model, state.origin + place(state, p), pull(p) * state.average_mass);
+    }
+}
+
+void add_missing_impulses(const Constraints& constraints, const CollisionContext& around, const ClothState& state,
+                          const Momentum& missing, Vector<ModelImpulse>& impulses) {
+    const double count = static_cast<double>(state.held.size());
+    Vec3 centre;
+    for (const uint32_t p : state.held) centre += place(state, p) / count;
+    SecondMoments moments;
+    for (const uint32_t p : state.held) moments.add(place(state, p) - centre, 1);
+    // On a line they take no moment about it: they count as a hundredth of their length thick, or rounding would be.
+    moments.thicken(1e-4);
+    const Vec3 turn = moments.inverse_inertia() * (missing.angular - cross(centre, missing.linear));
+    for (const Attachment& attachment : constraints.attachments) {
+        const Vec3 at = place(state, attachment.particle);
+        add_impulse(impulses, around, attachment.model, state.origin + at,
+                    missing.linear / count + cross(turn, at - centre));
+    }
+}
+
+void place_attached(const Constraints& constraints, const ClothState& state, Vector<Vec3>& positions) {
+    for (const Attachment& attachment : constraints.attachments) {
+        float there[3];
+        put(there, attachment.end - state.origin, farthest_in_cloth);
+        if (get(there) == get(&state.at[4 * size_t{attachment.particle}]))
+            positions[attachment.particle] = attachment.end;
     }
 }
 
 /// add_pull_impulses has counted the pulls of this substep as continuous forces, by the factor h / step^2. In an impact
 /// they act by the factor next / h. `counted_` is the difference.
-TautLimits::TautLimits(const Constraints& constraints, const CollisionContext& around, ChainContacts& contacts,
-                       Vector<ModelImpulse>& impulses, const TimeScheme& scheme, double damping)
+TautLimits::TautLimits(const Constraints& constraints, const CollisionContext& around, ChainContacts& in_chains,
+                       ClothContacts& contacts, Vector<ModelImpulse>& impulses, const TimeScheme& scheme,
+                       double damping)
     : constraints_(constraints),
       around_(around),
+      in_chains_(in_chains),
       contacts_(contacts),
       impulses_(impulses),
       counted_(scheme.h / (scheme.step(damping) * scheme.step(damping)) - scheme.next / scheme.h) {}
 
 void TautLimits::add_to_model(const ClothState& state, uint32_t particle, Vec3 impulse) {
-    const Attachment* attachment = around_.scene ? find_attachment(constraints_, particle) : nullptr;
-    if (!attachment) return;
-    float* pull = &contacts_.pulls[4 * size_t{particle}];
-    const Vec3 more = (impulse - get(pull) * counted_) * state.average_mass;
-    add_impulse(impulses_, around_, attachment->model, state.origin + get(&state.at[4 * size_t{particle}]), more);
-    put(pull, {}, 0);
+    const float* at = &state.at[4 * size_t{particle}];
+    if (!around_.scene || constraints_.attachments.empty() || at[3] != 0) return;
+    float* pull = &in_chains_.pulls[4 * size_t{particle}];
+    const Vec3 more = impulse - get(pull) * counted_;
+    put(pull, {});
+    contacts_.add(get(at), more);
+    if (const Attachment* attachment = find_attachment(constraints_, particle))
+        add_impulse(impulses_, around_, attachment->model, state.origin + get(at), more * state.average_mass);
 }
 
 bool TautLimits::apply_impacts(const Vector<LimitInCloth>& limits, ClothState& state, Vector<double>& loads) {

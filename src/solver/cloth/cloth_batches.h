@@ -9,6 +9,7 @@
 namespace gphys {
 
 struct Constraints;
+struct Particles;
 
 /// A damped link and the particles at its ends.
 struct DampedInCloth {
@@ -62,7 +63,7 @@ void each_link_place(const Plan& plan, const ClothBatches& batches, Visit&& visi
         }
     }
 }
-/// Marks the batches with particles that are attached to models. Throws std::bad_alloc.
-void mark_attached(ClothBatches& batches, const Constraints& constraints, uint32_t particles);
+/// Marks the batches with pinned or attached particles, of a body that is attached to models.
+void mark_attached(ClothBatches& batches, const Constraints& constraints, const Particles& particles);
 
 }  // namespace gphys

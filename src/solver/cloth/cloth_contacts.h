@@ -98,10 +98,14 @@ struct ClothContacts {
     Vector<float> balls;              // four floats for each particle: centre, squared radius
     Vector<float> saved;              // positions, by save_positions
     Vector<uint32_t> escaped;         // particles outside their balls; when searching, those that search
-    Vec3 impulse, moment;             // sums of those of the candidates in this substep, times their relative masses
-    bool has_moving_model = false;    // whether any active one is in contact with a moving model
-    bool penetrating = false;         // whether any was found in a model
+    // Sums of those of the candidates in this substep, times their relative masses; and of the pulls on attached
+    // particles and pins of a body that has attachments.
+    Vec3 impulse, moment;
+    bool has_moving_model = false;  // whether any active one is in contact with a moving model
+    bool penetrating = false;       // whether any was found in a model
 
+    /// Adds an impulse at a place.
+    void add(Vec3 at, Vec3 given) { impulse += given, moment += cross(at, given); }
     bool any_active() const { return !active.empty(); }
     /// `floats`: the length of the arrays of the state. Throws std::bad_alloc.
     void reserve(uint32_t particles, size_t floats);

@@ -23,7 +23,7 @@ double stored_energy(Cloth& cloth) {
 
 bool is_accounted_for(const Body& body, bool collides) {
     const ClothContacts& contacts = body.cloth.contacts;
-    if (body.cloth.state.held || body.plan.joined || body.contacts.near) return false;
+    if (!body.cloth.state.held.empty() || body.plan.joined || body.contacts.near) return false;
     if (body.targets.act()) return false;
     if (body.air.blows()) return false;  // the wind's force depends on the velocity that would be restored
     if (!collides || !(contacts.any_active() || contacts.penetrating)) return true;
@@ -59,7 +59,7 @@ void remove_own_gains(ClothState& state, double gain) {
 
 void remove_energy(ClothState& state, ClothShares& shares, double gain) {
     Vec3 drift;
-    if (!state.held) {
+    if (state.held.empty()) {
         const Motion motion = motion_of_cloth(state);
         drift = motion.momentum / motion.mass;
     }

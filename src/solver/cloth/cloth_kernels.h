@@ -13,7 +13,7 @@ struct ChainBatch {
     uint32_t first_particle, first_link;  // in the arrays below, in units of eight
     uint32_t link_count;
     uint32_t limit = 0;     // 1: single links that can only pull
-    uint32_t attached = 0;  // 1: some particle is attached to a model
+    uint32_t attached = 0;  // 1: some particle is held, of a body that is attached to models
     uint32_t elastic = 0;   // 1: some link stores energy
     uint32_t kept = 0;      // which kinds of its links are in KeptLinks
     static constexpr uint32_t threads = 1, braces = 2, chords = 4;

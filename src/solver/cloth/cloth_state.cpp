@@ -20,6 +20,7 @@ void reserve_state(ClothState& state, size_t floats) {
     for (Vector<float>* values : {&state.at, &state.start, &state.velocity, &state.acceleration}) {
         values->resize(floats);
     }
+    state.held.reserve(floats / 4);
 }
 
 ClothExtent extent_of(const Particles& particles, ClothShares& shares) {
@@ -42,8 +43,10 @@ ClothExtent extent_of(const Particles& particles, ClothShares& shares) {
 
 void load_state(ClothState& state, const Particles& particles, uint32_t spare, Vec3 gravity, Team* team) {
     state.particles = particles.size();
-    state.held =
-        std::find(particles.inverse_mass.begin(), particles.inverse_mass.end(), 0.0) != particles.inverse_mass.end();
+    state.held.clear();
+    for (uint32_t p = 0; p < particles.size(); ++p) {
+        if (particles.pinned(p)) state.held.push_back(p);
+    }
     share_particles(team, particles.size(), [&](uint32_t, uint32_t first, uint32_t end) {
         for (uint32_t p = first; p < end; ++p) {
             const size_t i = 4 * size_t{p};

@@ -16,12 +16,18 @@ struct Particles;
 
 struct ClothState {
     explicit ClothState(std::pmr::memory_resource* memory)
-        : at(memory), start(memory), moved(memory), velocity(memory), velocity_before(memory), acceleration(memory) {}
+        : held(memory),
+          at(memory),
+          start(memory),
+          moved(memory),
+          velocity(memory),
+          velocity_before(memory),
+          acceleration(memory) {}
 
     Vec3 origin;              // of the positions
     double average_mass = 1;  // of the particles
     uint32_t particles = 0;   // number of the body's particles
-    bool held = false;        // whether any particle does not move freely
+    Vector<uint32_t> held;    // those that do not move freely: pins, attached particles, those that targets carry
     Vector<float> at, start, moved, velocity, velocity_before, acceleration;  // see ClothMotion
 };
 

@@ -78,9 +78,10 @@ bool find_frame(Cloth& cloth) {
     Vec3 mean;
     for (const uint32_t number : contacts.active) mean += way_of(number) / static_cast<double>(contacts.active.size());
     cloth.loads.frame = mean / cloth.loads.seconds;
-    return !cloth.state.held && std::all_of(contacts.active.begin(), contacts.active.end(), [&](uint32_t number) {
-        return length_squared(way_of(number) - mean) <= rounding * rounding * length_squared(mean);
-    });
+    return cloth.state.held.empty() &&
+           std::all_of(contacts.active.begin(), contacts.active.end(), [&](uint32_t number) {
+               return length_squared(way_of(number) - mean) <= rounding * rounding * length_squared(mean);
+           });
 }
 
 /// Per average mass. The prediction has moved the cloth without its links, so their energy is that at the start of the
@@ -137,7 +138,7 @@ double take_from_carried(ContactLoads& loads, double& energy) {
 void slow_by(Cloth& cloth, double energy) {
     ClothState& state = cloth.state;
     Vec3 drift = cloth.loads.frame;
-    if (!state.held && !cloth.contacts.any_active()) {
+    if (state.held.empty() && !cloth.contacts.any_active()) {
         Motion whole = motion_of_cloth(state);
         for (const HeavyBody& heavy : cloth.loads.heavy)
             whole.add(heavy.mass * state.average_mass, heavy.motion.velocity);

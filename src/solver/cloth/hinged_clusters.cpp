@@ -10,7 +10,8 @@ namespace {
 
 bool is_known(const Body& body, bool collides) {
     const Cloth& cloth = body.cloth;
-    if (cloth.clusters.empty() || cloth.clusters.overlap || !cloth.state.held || !cloth.balance.closed) return false;
+    if (cloth.clusters.empty() || cloth.clusters.overlap || cloth.state.held.empty() || !cloth.balance.closed)
+        return false;
     // Of velocities that a contact or the caller has given single particles, the shape keeps what is rigid.
     if (body.history.earlier_step == 0) return false;
     if (!body.plan.rest.empty() || body.plan.joined || body.contacts.near || body.air.blows()) return false;

@@ -128,7 +128,7 @@ bool start_cloth(Body& body) {
         if (!link.limit) shortest = std::min(shortest, strain);
     }
     const double strain = std::max(largest, -shortest);
-    if (body.plan.joined || (state.held && strain >= least_displaced)) {
+    if (body.plan.joined || (!state.held.empty() && strain >= least_displaced)) {
         fold(body.cloth, [&](uint32_t p, Vec3 way) {
             float* const at = &state.at[4 * size_t{p}];
             put(at, get(at) + way);

@@ -4,6 +4,7 @@
 // not move.
 #include "solver/cloth/cloth_batches.h"
 #include "solver/constraints.h"
+#include "solver/particles/particles.h"
 
 namespace gphys {
 namespace {
@@ -105,13 +106,12 @@ void pack_cloth_chains(ClothBatches& batches, const Plan& plan, uint32_t particl
     batches.rows.resize(size_t{cloth_row_floats} * batches.longest);
 }
 
-void mark_attached(ClothBatches& batches, const Constraints& constraints, uint32_t particles) {
-    Vector<uint8_t> attached(particles + size_t{batches.spare}, 0, batches.rest.get_allocator());
-    for (const Attachment& attachment : constraints.attachments) attached[attachment.particle] = 1;
+void mark_attached(ClothBatches& batches, const Constraints& constraints, const Particles& particles) {
+    const auto is_held = [&](uint32_t p) { return p < particles.size() && particles.pinned(p); };
     for (ChainBatch& batch : batches.chains) {
         const uint32_t* first = &batches.particles[lanes * size_t{batch.first_particle}];
-        batch.attached =
-            std::any_of(first, first + lanes * size_t{batch.link_count + 1}, [&](uint32_t p) { return attached[p]; });
+        batch.attached = !constraints.attachments.empty() &&
+                         std::any_of(first, first + lanes * size_t{batch.link_count + 1}, is_held);
     }
 }
 

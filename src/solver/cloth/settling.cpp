@@ -69,8 +69,7 @@ bool is_slow(const Body& body, const ClothTravel& travel, double slow, double gr
 /// together than the links between them, for instance, chains move particles in each substep and relaxation moves them
 /// back. Then velocities show what is undone, or none is left where the energy of these moves is taken from all motion.
 bool moves_in_place(const Body& body, const ClothTravel& travel, double gravity, double dt) {
-    // What displacements that fade do to attached particles would be missing in the impulses of their models.
-    if (!body.cloth.state.held || !body.constraints.attachments.empty()) return false;
+    if (body.cloth.state.held.empty() || are_carried(body.constraints)) return false;
     double sum = 0;
     for (uint32_t p = 0; p < body.particles.size(); ++p) {
         const double square = length_squared(body.particles.velocity[p]);
@@ -98,7 +97,7 @@ bool may_settle(const Body& body, const ClothTravel& travel, double gravity, dou
 void begin_settling(Body& body, const CollisionContext& around) {
     Sleep& sleep = body.sleep;
     const Vector<ClothContact>& candidates = body.cloth.contacts.candidates;
-    if (sleep.settling > 0 && (sleep.support != models_around(body, around.scene) ||
+    if (sleep.settling > 0 && (are_carried(body.constraints) || sleep.support != models_around(body, around.scene) ||
                                std::any_of(candidates.begin(), candidates.end(), is_near_moving_model)))
         sleep.settling = 0;
     body.cloth.settling.damping = most_damping * std::min(1.0, sleep.settling / full_damping);

@@ -3,7 +3,8 @@
 // Constraints act between particles, so they change neither. Sweeps over them do: each link is corrected along the
 // direction that it had before later links moved its ends, and limiting the energy slows all motion. If all external
 // forces on a body are known, it gets back the missing momentum and angular momentum at the end of a substep, as a
-// rigid motion. Energy is then only taken from the motion relative to that.
+// rigid motion. Energy is then only taken from the motion relative to that. If pins or models hold it, they have got
+// what is missing.
 #include "solver/cloth/whole_motion.h"
 #include "foundation/elementary.h"
 #include "solver/cloth/cloth_contacts.h"
@@ -84,6 +85,12 @@ void keep_momentum(ClothState& state, const ClothContacts& contacts, bool closed
         added = added * kept + rigid_motion(after.centre, momentum / sums.mass, angular_velocity) * (1 - kept);
     }
     kernels.move(particles, kept, added.velocity, added.angular_velocity);
+}
+
+Momentum missing_momentum(ClothState& state, const ClothContacts& contacts, double damping, double h) {
+    const Momentum lost = whole_motion_kernels(chosen_isa()).lost(part_of(state, 0, 4 * state.particles), damping, h);
+    return {(lost.linear - contacts.impulse) * state.average_mass,
+            (lost.angular - contacts.moment) * state.average_mass};
 }
 
 }  // namespace gphys

@@ -1,5 +1,7 @@
-// Conservation of the momentum of cloth on which only forces and contacts act.
+// Conservation of the momentum of cloth.
 #pragma once
+
+#include "solver/cloth/whole_motion_kernels.h"
 
 namespace gphys {
 
@@ -12,5 +14,9 @@ struct ClothState;
 /// gain in elastic links, per average mass.
 void keep_momentum(ClothState& state, const ClothContacts& contacts, bool closed, double damping, double h,
                    double stored);
+
+/// Call at the end of a substep of h seconds: what should be left, in N s, after forces, drag and contacts.impulse,
+/// less what there is.
+Momentum missing_momentum(ClothState& state, const ClothContacts& contacts, double damping, double h);
 
 }  // namespace gphys

@@ -2,6 +2,8 @@
 // i of a register sums particles i, i + 8, ..., so all instruction sets give the same bits.
 #include "solver/cloth/whole_motion_kernels.h"
 
+#include <algorithm>
+
 #include "foundation/simd_double.h"
 
 namespace gphys::GPHYS_ISA {
@@ -12,6 +14,9 @@ class EightParticles {
 public:
     EightParticles(const ClothMotion& motion, uint32_t first) : first_(first), last_(motion.floats - 4) {}
 
+    GPHYS_INLINE Quads8 load_floats(const float* from) const {
+        return load_quads([&](int i) GPHYS_INLINE_LAMBDA { return from + place(i); });
+    }
     GPHYS_INLINE Four8 load(const float* from) const {
         return Four8([&](int i) GPHYS_INLINE_LAMBDA { return from + place(i); });
     }
@@ -19,9 +24,10 @@ public:
         store_quads([&](int i) GPHYS_INLINE_LAMBDA { return to + place(i); }, quads);
     }
     /// 0 behind the end.
-    GPHYS_INLINE Double8 without_repeated(Double8 values) const {
+    template <class Number, class Lanes>
+    GPHYS_INLINE Lanes without_repeated(Lanes values) const {
         if (first_ + 28 <= last_) return values;
-        double lanes[8];
+        Number lanes[8];
         GPHYS_ISA::store(lanes, values);
         for (uint32_t i = 0; i < 8; ++i) {
             if (first_ + 4 * i > last_) lanes[i] = 0;
@@ -39,6 +45,8 @@ private:
 };
 
 GPHYS_INLINE Vec<Double8> vector_of(const Four8& quads) { return {quads.x, quads.y, quads.z}; }
+GPHYS_INLINE Vec<Float8> vector_of(const Quads8& quads) { return {quads.x, quads.y, quads.z}; }
+GPHYS_INLINE Vec<Double8> widened(const Vec<Float8>& v) { return {widened(v.x), widened(v.y), widened(v.z)}; }
 
 double sum_of(Double8 v) {
     double lanes[8];
@@ -60,7 +68,7 @@ ClothMoments<double> moments(const ClothMotion& motion) {
         const Vec<Double8> earlier = vector_of(eight.load(motion.velocity_before));
         const Vec<Double8> velocity = vector_of(eight.load(motion.velocity));
         const Four8 fall = eight.load(motion.acceleration);
-        const Double8 mass = eight.without_repeated(fall.w);
+        const Double8 mass = eight.without_repeated<double>(fall.w);
         const Vec<Double8> load = vector_of(fall) * mass, weighted = at * mass;
 
         sums.mass = sums.mass + mass;
@@ -78,6 +86,29 @@ ClothMoments<double> moments(const ClothMotion& motion) {
             sum_of(sums.force), sum_of(sums.torque), sum_of(sums.energy), sum_of(sums.gain)};
 }
 
+/// A particle loses m (v0 + a h - v1 (1 + d h)): as in the backward formula, drag is that of the velocity at the end.
+/// So there is none at rest. Its moment is the difference of the angular momenta and the mean torque.
+Momentum lost(const ClothMotion& motion, double damping, double h) {
+    constexpr double strongest = 1e6;  // nothing moves; and no product overflows
+    const Float8 seconds = splat(static_cast<float>(h)), half = splat(static_cast<float>(h / 2)),
+                 undamped = splat(static_cast<float>(std::min(1 + damping * h, strongest)));
+    Vec<Double8> linear{}, angular{};
+    for (uint32_t first = 0; first < motion.floats; first += 32) {
+        const EightParticles eight(motion, first);
+        const Vec<Float8> at = vector_of(eight.load_floats(motion.at)),
+                          start = vector_of(eight.load_floats(motion.start));
+        const Vec<Float8> before = vector_of(eight.load_floats(motion.velocity_before)),
+                          after = vector_of(eight.load_floats(motion.velocity));
+        const Quads8 fall = eight.load_floats(motion.acceleration);
+        const Float8 mass = eight.without_repeated<float>(fall.w);
+        const Vec<Float8> fell = vector_of(fall);
+        const Vec<Float8> impulse = (before + fell * seconds - after * undamped) * mass;
+        linear += widened(impulse);
+        angular += widened(cross(at, impulse) - cross(at - start, before + fell * half) * mass);
+    }
+    return {sum_of(linear), sum_of(angular)};
+}
+
 void move(const ClothMotion& motion, double kept, const Vec<double>& velocity, const Vec<double>& angular_velocity) {
     const auto in_all_lanes = [](const Vec<double>& v) { return Vec<Double8>{v.x, v.y, v.z}; };
     const Vec<Double8> along = in_all_lanes(velocity), turning = in_all_lanes(angular_velocity);
@@ -92,6 +123,6 @@ void move(const ClothMotion& motion, double kept, const Vec<double>& velocity, c
 
 }  // namespace
 
-const WholeMotionKernels whole_motion_kernels = {moments, move};
+const WholeMotionKernels whole_motion_kernels = {moments, lost, move};
 
 }  // namespace gphys::GPHYS_ISA

@@ -28,8 +28,15 @@ struct ClothMoments {
     N gain{};                  // kinetic energy gained in the substep beyond the work of forces
 };
 
+/// About the origin of the cloth.
+struct Momentum {
+    Vec<double> linear, angular;
+};
+
 struct WholeMotionKernels {
     ClothMoments<double> (*moments)(const ClothMotion& motion);
+    /// What forces and drag have not taken in a substep of h seconds, per average mass.
+    Momentum (*lost)(const ClothMotion& motion, double damping, double h);
     /// Scales the velocities and adds a rigid motion: the velocity of the origin, and the angular velocity.
     void (*move)(const ClothMotion& motion, double kept, const Vec<double>& velocity,
                  const Vec<double>& angular_velocity);
