@@ -15,6 +15,8 @@ constexpr double least_misplaced = 0.02;
 // Of the average length of a link. The displacement changes lengths by at most its square, a thousandth; half of it was
 // seen to be too little where the sheet is compressed within few frames.
 constexpr double displacement = 0.03, flat = 1e-4;
+// Of that, where nothing is compressed yet.
+constexpr double part_of_joined = 0.1;
 // Folds of fewer links have sharp edges.
 constexpr double links_per_fold = 6, most_folded = 0.5;
 // Most cloth is not flat, and this many particles show that.
@@ -88,9 +90,9 @@ Compression compression_of(const Cloth& cloth, Vec3 normal) {
     return {radius > 0 ? normalized(along) : x, (strain.x + strain.z) / 2 + radius};
 }
 
-/// move(particle, displacement)
+/// `part`: of the random displacement. move(particle, displacement)
 template <class Move>
-void fold(const Cloth& cloth, Move&& move) {
+void fold(const Cloth& cloth, double part, Move&& move) {
     const double link = cloth.batches.link_length;
     const Vec3 normal = normal_of(cloth.state, flat * link);
     if (normal == Vec3{}) return;
@@ -102,7 +104,7 @@ void fold(const Cloth& cloth, Move&& move) {
     for (uint32_t p = 0; p < cloth.state.particles; ++p) {
         if (cloth.state.at[4 * size_t{p} + 3] == 0) continue;
         const double folded = height * wave(dot(most.along, place(cloth.state, p)) / half_fold);
-        move(p, normal * (folded + displacement * link * scattered(p)));
+        move(p, normal * (folded + part * displacement * link * scattered(p)));
     }
 }
 
@@ -111,7 +113,7 @@ void fold(const Cloth& cloth, Move&& move) {
 void leave_plane(Body& body, double strain, bool collides) {
     if (strain < least_displaced) return;
     Cloth& cloth = body.cloth;
-    fold(cloth, [&](uint32_t p, Vec3 way) {
+    fold(cloth, 1, [&](uint32_t p, Vec3 way) {
         if (body.plan.joined && !cloth.tethers.is_unit(p)) return;
         displace(cloth.state, cloth.contacts, body.targets, p, way, collides);
     });
@@ -128,8 +130,9 @@ bool start_cloth(Body& body) {
         if (!link.limit) shortest = std::min(shortest, strain);
     }
     const double strain = std::max(largest, -shortest);
-    if (body.plan.joined || (!state.held.empty() && strain >= least_displaced)) {
-        fold(body.cloth, [&](uint32_t p, Vec3 way) {
+    const bool shortened = !state.held.empty() && strain >= least_displaced;
+    if (shortened || body.plan.joined) {
+        fold(body.cloth, shortened ? 1 : part_of_joined, [&](uint32_t p, Vec3 way) {
             float* const at = &state.at[4 * size_t{p}];
             put(at, get(at) + way);
         });
