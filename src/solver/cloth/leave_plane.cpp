@@ -72,8 +72,9 @@ Compression compression_of(const Cloth& cloth, Vec3 normal) {
     Vec3 shortenings;
     for (const KeptLinks::Link& link : cloth.relaxation.kept.links) {
         const Vec3 way = place(cloth.state, link.b) - place(cloth.state, link.a);
-        const double length = gphys::length(way), shortening = 1 - length / link.rest;
-        if (link.limit || length == 0) continue;
+        const double length = gphys::length(way);
+        if (link.limit || link.rest == 0 || length == 0) continue;
+        const double shortening = 1 - length / link.rest;
         const double cosine = dot(way, x) / length, sine = dot(way, y) / length;
         const Vec3 row{cosine * cosine, 2 * cosine * sine, sine * sine};
         products.x += row * row.x, products.y += row * row.y, products.z += row * row.z;
@@ -94,6 +95,7 @@ Compression compression_of(const Cloth& cloth, Vec3 normal) {
 template <class Move>
 void fold(const Cloth& cloth, double part, Move&& move) {
     const double link = cloth.batches.link_length;
+    if (link == 0) return;
     const Vec3 normal = normal_of(cloth.state, flat * link);
     if (normal == Vec3{}) return;
     const Compression most = compression_of(cloth, normal);
@@ -110,13 +112,18 @@ void fold(const Cloth& cloth, double part, Move&& move) {
 
 }  // namespace
 
-void leave_plane(Body& body, double strain, bool collides) {
-    if (strain < least_displaced) return;
+double leave_plane(Body& body, double strain, bool collides) {
+    double lost = 0;
+    if (strain < least_displaced) return lost;
     Cloth& cloth = body.cloth;
     fold(cloth, 1, [&](uint32_t p, Vec3 way) {
         if (body.plan.joined && !cloth.tethers.is_unit(p)) return;
+        const Vec3 before = place(cloth.state, p);
         displace(cloth.state, cloth.contacts, body.targets, p, way, collides);
+        const float* const force = &cloth.state.acceleration[4 * size_t{p}];
+        lost += force[3] * dot(get(force), before - place(cloth.state, p));
     });
+    return lost;
 }
 
 bool start_cloth(Body& body) {
@@ -124,7 +131,7 @@ bool start_cloth(Body& body) {
     double largest = 0, shortest = 0;
     for (const KeptLinks::Link& link : body.cloth.relaxation.kept.links) {
         const float *a = &state.at[4 * size_t{link.a}], *b = &state.at[4 * size_t{link.b}];
-        if (a[3] == 0 && b[3] == 0) continue;
+        if (link.rest == 0 || (a[3] == 0 && b[3] == 0)) continue;
         const double strain = distance(get(a), get(b)) / link.rest - 1;
         largest = std::max(largest, strain);
         if (!link.limit) shortest = std::min(shortest, strain);

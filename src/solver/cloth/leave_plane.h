@@ -13,8 +13,8 @@ struct Body;
 
 /// Call with strained links. `strain`: the largest shortening of a link, relative to its length. Particles stay outside
 /// the planes of their contacts, so a sheet on the ground rises from it, within the bounds of their targets, and at
-/// their joints.
-void leave_plane(Body& body, double strain, bool collides);
+/// their joints. Returns the energy that forces have lost by it, per average mass.
+double leave_plane(Body& body, double strain, bool collides);
 /// Call at the beginning of the first step after particles were placed, before contacts are found: the same if links
 /// have wrong lengths, too long or too short, or if the cloth is joined to other bodies, which may pull it together
 /// within its plane. Returns whether links have wrong lengths.

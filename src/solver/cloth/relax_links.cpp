@@ -192,7 +192,7 @@ std::optional<double> relax_links(Body& body, bool collides, double h) {
     while (passes < most_passes) {
         const double largest = relaxer.find_strained(count);
         if (count == 0 || largest <= relaxation.most_strain - rounding) break;
-        if (passes == 0) leave_plane(body, relaxer.largest_shortening(count), collides);
+        if (passes == 0) lost += leave_plane(body, relaxer.largest_shortening(count), collides);
         for (; passes < most_passes && count > 0; ++passes) {
             if (work < count) return lost;
             work -= count;

@@ -135,7 +135,8 @@ void JointSurroundings::find(const BodyTable& bodies, const Vector<Joint>& joint
     for (const uint32_t slot : slots) {
         const Joint& joint = joints[slot];
         const uint32_t a = end_of(joint.body_a, joint.particle_a), b = end_of(joint.body_b, joint.particle_b);
-        if (joint.rest <= lists_of(joint.body_a).largest_radius + lists_of(joint.body_b).largest_radius) {
+        // Half of the distance at which they touch: beads on a string are no knot.
+        if (joint.rest <= (lists_of(joint.body_a).largest_radius + lists_of(joint.body_b).largest_radius) / 2) {
             knots.unite(a, b);
         } else {
             of_knots.insert(of_knots.end(), {{next_knot, a}, {next_knot, b}});

@@ -5,7 +5,7 @@
 // is joined to are at one place, and beside a seam the particles of both sheets are nearer than their radii. It is as
 // within a body, where linked particles do not collide.
 //
-// Joints that hold their ends within touch may share an end, as where several ropes of a net cross: what they join is
+// Joints that hold their ends close together may share an end, as where several ropes of a net cross: what they join is
 // one knot. Each longer joint has a knot of its own. Around a knot are, in each body, the joined particle, its
 // neighbours, and those that are as near along links as two particles reach.
 #pragma once
