@@ -248,6 +248,7 @@ TEST_CASE("a gathered curtain at rest moves again when something stirs it") {
     GatheredCurtain room(8);
     room.come_to_rest();
     const std::vector<gphys_vec3> at_rest = room.positions(room.sheet);
+    double least = 0.02;
     SECTION("a ball that passes through it") {
         const gphys_sphere ball{{0, 0, 0}, 0.2f};
         const gphys_transform away{{0, -0.5f, 1}, {0, 0, 0, 1}, 1};
@@ -260,6 +261,7 @@ TEST_CASE("a gathered curtain at rest moves again when something stirs it") {
     SECTION("a pin that is released") {
         REQUIRE(gphys_solver_set_pinned(room.solver, room.sheet, 0, 1, 0) == GPHYS_OK);
         room.run(30);
+        least = 0.01;  // the corner hangs on a link of 67 mm that is gathered by a tenth
     }
     SECTION("a pin that is moved") {
         const gphys_vec3 to{at_rest[0].x + 0.05f, at_rest[0].y, at_rest[0].z + 0.1f};
@@ -276,8 +278,7 @@ TEST_CASE("a gathered curtain at rest moves again when something stirs it") {
         REQUIRE(gphys_solver_set_gravity(room.solver, &aside) == GPHYS_OK);
         room.run(60);
     }
-    // A corner that is released has no room for more than its links, of 2 to 5 cm.
-    CHECK(room.moved(at_rest) > 0.01);
+    CHECK(room.moved(at_rest) > least);
 }
 
 TEST_CASE("a gathered curtain that is attached to a model moves and rests as a pinned one, and goes with the model") {
