@@ -157,7 +157,7 @@ void Solver::prepare_body(uint32_t slot, const Scene* scene, double dt) {
         undo_.back().reach_limits.swap(body.cloth.reach.limits);
         release_dangling(body, scene);
     }
-    if (changed) joints_current_ = false;
+    if (changed || std::exchange(body.cloth.clusters.changed, false)) joints_current_ = false;
     update_plan(body);
     if (!body.constraints.length_changes.empty()) find_changed_links(body);
     body.plan.joined = body.plan.joined || plan.branched;

@@ -35,6 +35,7 @@ gphys_status add_cluster(Body& body, const uint32_t* particles, uint32_t count, 
     auto at = clusters.members.insert(
         std::lower_bound(clusters.members.begin(), clusters.members.end(), slot, BySlot()), count, ClusterMember{});
     for (uint32_t i = 0; i < count; ++i) *at++ = {position[particles[i]] - position[particles[0]], particles[i], slot};
+    clusters.changed = true;
     interrupt(body);
     return GPHYS_OK;
 }
@@ -53,6 +54,7 @@ gphys_status remove_cluster(Body& body, gphys_cluster_id id) {
     clusters.members.erase(range.first, range.second);
     clusters.ids.remove(id);
     if (clusters.empty()) body.plan.chains_current = false;
+    clusters.changed = true;
     interrupt(body);
     return GPHYS_OK;
 }

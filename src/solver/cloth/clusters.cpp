@@ -36,7 +36,8 @@ Vec3 place_of(const ClothState& state, const ClusterMember& member) {
 /// The pose of a cluster while it is solved.
 class MovingCluster {
 public:
-    MovingCluster(ClusterRange members, const ClothState& state) : members_(members), state_(state) {}
+    MovingCluster(ClusterRange members, const ClothState& state, ClusterResponse* response = nullptr)
+        : members_(members), state_(state), response_(response) {}
 
     /// Finds where the shape is nearest to the particles. Returns false if none of them moves freely.
     bool fit();
@@ -48,14 +49,30 @@ public:
     void add_pulls(ChainContacts& in_chains, const Vector<ClusterContact>& contacts) const;
 
 private:
+    /// The same before its contacts were solved.
+    Vec3 place_before(const ClusterMember& member) const {
+        if (!response_) return place_of(state_, member);
+        return response_->centre + response_->rotation * (member.rest - response_->rest);
+    }
+    void take_pose();
     void find_inertia();
     void apply_impulse(Vec3 impulse, Vec3 arm) {
-        shift_ += impulse * inverse_mass_;
-        turn_ += inverse_inertia_ * cross(arm, impulse);
+        const Vec3 torque = cross(arm, impulse);
+        if (!response_) {
+            shift_ += impulse * inverse_mass_;
+            turn_ += inverse_inertia_ * torque;
+            return;
+        }
+        response_->impulse += impulse;
+        response_->angular_impulse += torque;
+        shift_ += response_->shift_by_force * impulse + response_->shift_by_torque * torque;
+        turn_ += transpose_times(response_->shift_by_torque, impulse) + response_->turn_by_torque * torque;
     }
     double inverse_effective_mass(Vec3 direction, Vec3 arm) const {
         const Vec3 lever = cross(arm, direction);
-        return inverse_mass_ + dot(lever, inverse_inertia_ * lever);
+        if (!response_) return inverse_mass_ + dot(lever, inverse_inertia_ * lever);
+        return dot(direction, response_->shift_by_force * direction + response_->shift_by_torque * lever * 2) +
+               dot(lever, response_->turn_by_torque * lever);
     }
     Vec3 displacement(Vec3 arm) const { return shift_ + cross(turn_, arm); }
     void list_contacts(Body& body);
@@ -72,10 +89,25 @@ private:
     double weight_ = 0;        // of members that do not move freely, in the inertia
     double size_ = 0;          // metres: root mean square distance of the particles from that point
     Mat3 inverse_inertia_;
-    Vec3 shift_, turn_;  // by contacts: displacement, and rotation vector
+    ClusterResponse* const response_;  // in place of inverse mass and inertia, if it is joined
+    Vec3 shift_, turn_;                // by contacts: displacement, and rotation vector
 };
 
+/// Where the joints have moved it.
+void MovingCluster::take_pose() {
+    double mass = 0, moment = 0;
+    for (const ClusterMember& member : members_) {
+        mass += mass_of(state_, member);
+        moment += mass_of(state_, member) * length_squared(member.rest - response_->rest);
+    }
+    at_ = response_->centre;
+    rest_ = response_->rest;
+    rotation_ = response_->rotation;
+    size_ = std::sqrt(moment / mass);
+}
+
 bool MovingCluster::fit() {
+    if (response_) return take_pose(), true;
     double mass = 0;
     Vec3 at, rest, held_at, held_rest;
     for (const ClusterMember& member : members_) {
@@ -112,6 +144,7 @@ bool MovingCluster::fit() {
 }
 
 void MovingCluster::find_inertia() {
+    if (response_) return;
     SecondMoments moments;
     for (const ClusterMember& member : members_) {
         const double m = mass_of(state_, member);
@@ -193,6 +226,10 @@ void MovingCluster::solve_contacts(Body& body) {
     find_inertia();
     for (ClusterContact& contact : contacts)
         contact.inverse_effective_mass = inverse_effective_mass(contact.normal, contact.arm);
+    if (response_) {  // else the fit has shared it out
+        for (const ClusterContact& contact : contacts)
+            apply_impulse(contact.normal * contact.normal_before, contact.arm);
+    }
     const int most_sweeps = body.cloth.clusters.overlap ? sweeps_in_pass : sweeps_alone;
     double largest = infinity, before = infinity;
     const auto circles = [&] { return largest < little * size_ && largest > hardly_less * before; };
@@ -235,9 +272,10 @@ void MovingCluster::add_pulls(ChainContacts& in_chains, const Vector<ClusterCont
         const ClusterMember& member = members_.first[i];
         const double m = mass_of(state_, member);
         if (m == 0) continue;
-        Vec3 pull = (place(member) - place_of(state_, member)) * m;
+        Vec3 pull = (place(member) - place_before(member)) * m;
         if (contact != contacts.end() && contact->member == i) {
-            pull -= contact->normal * (contact->normal_impulse - contact->normal_before) + contact->friction_impulse;
+            const double before = response_ ? 0 : contact->normal_before;  // in place_before
+            pull -= contact->normal * (contact->normal_impulse - before) + contact->friction_impulse;
             ++contact;
         }
         put(pull_on(member), get(pull_on(member)) + pull);
@@ -264,6 +302,14 @@ void put_on_shape(const MovingCluster& cluster, ClusterRange members, ClothState
     }
 }
 
+ClusterResponse* response_of(Clusters& clusters, uint32_t cluster) {
+    const auto end = clusters.responses.end();
+    const auto response =
+        std::lower_bound(clusters.responses.begin(), end, cluster,
+                         [](const ClusterResponse& of, uint32_t wanted) { return of.cluster < wanted; });
+    return response != end && response->cluster == cluster ? &*response : nullptr;
+}
+
 template <class Visit>
 void sweep_clusters(const Clusters& clusters, Visit&& visit) {
     for (int pass = 0; pass < (clusters.overlap ? passes_of_overlapping : 1); ++pass) each_cluster(clusters, visit);
@@ -277,6 +323,8 @@ void reserve_clusters(Clusters& clusters, uint32_t particles) {
     uint32_t largest = 0;
     each_cluster(clusters, [&](ClusterRange members) { largest = std::max(largest, members.size()); });
     clusters.contacts.reserve(largest);
+    clusters.responses.clear();
+    clusters.responses.reserve(clusters.ids.size());
     each_cluster(clusters, [&](ClusterRange members) {
         for (const ClusterMember& member : members) {
             uint32_t& first = clusters.first_member[member.particle];
@@ -300,7 +348,7 @@ void solve_clusters(Body& body, bool pulls_count) {
     const bool in_contact = body.cloth.contacts.any_active();
     clusters.contacts.clear();
     sweep_clusters(clusters, [&](ClusterRange members) {
-        MovingCluster cluster(members, state);
+        MovingCluster cluster(members, state, response_of(clusters, members.first->cluster));
         if (!cluster.fit()) return;
         if (in_contact) cluster.solve_contacts(body);
         if (pulls_count) cluster.add_pulls(body.cloth.in_chains, clusters.contacts);

@@ -46,9 +46,20 @@ struct ClusterContact {
     Vec3 friction_impulse;          // accumulated
 };
 
+/// A cluster that is part of a system of joints: its pose, and how it moves if a force, and a torque about its centre,
+/// act on it. What it is joined to resists, too. Relative inverse masses.
+struct ClusterResponse {
+    uint32_t cluster;  // slot
+    Vec3 centre;       // relative to the cloth's origin
+    Vec3 rest;         // the same point in the shape
+    Mat3 rotation;
+    Mat3 shift_by_force, shift_by_torque, turn_by_torque;  // of the centre; the first and the last are symmetric
+    Vec3 impulse, angular_impulse;                         // results: of contacts, relative masses times metres
+};
+
 struct Clusters {
     explicit Clusters(std::pmr::memory_resource* memory)
-        : ids(memory), members(memory), first_member(memory), contacts(memory) {}
+        : ids(memory), members(memory), first_member(memory), contacts(memory), responses(memory) {}
 
     static constexpr uint32_t none = 0xffffffff;
 
@@ -57,11 +68,13 @@ struct Clusters {
     bool has(uint32_t particle) const { return !empty() && first_member[particle] != none; }
 
     IdTable ids;
+    bool changed = false;           // since joints were planned
     Vector<ClusterMember> members;  // cluster by cluster, in the order of slots; of each as they were given
     // Of the step under way:
-    bool overlap = false;             // whether any particle is in several
-    Vector<uint32_t> first_member;    // by particle: the index of the first member of its first cluster, or none
-    Vector<ClusterContact> contacts;  // of the cluster being solved; capacity for the largest
+    bool overlap = false;               // whether any particle is in several
+    Vector<uint32_t> first_member;      // by particle: the index of the first member of its first cluster, or none
+    Vector<ClusterContact> contacts;    // of the cluster being solved; capacity for the largest
+    Vector<ClusterResponse> responses;  // of those that joint systems move, by slot; capacity for all
 };
 
 /// Allocates what a step needs of clusters. Throws std::bad_alloc.

@@ -24,12 +24,16 @@ struct SecondMoments {
         const double smallest = 4 * dot(x, cross(y, z)) / (sum * sum), missing = part * sum - smallest;
         if (missing > 0) squares += Vec3{missing, missing, missing} / 2;
     }
-    /// The inverse of the tensor of inertia, times its determinant. About a line through all points the inertia is a
-    /// rounding error, and so are torques: this part of the sum of squares is added to it.
-    Mat3 inverse(double regularisation, double& determinant) const {
+    /// The tensor of inertia. About a line through all points it is a rounding error, and so are torques: this part of
+    /// the sum of squares is added to it.
+    Mat3 inertia(double regularisation) const {
         const Vec3 s = squares, p = products;
         const double least = regularisation * (s.x + s.y + s.z);
-        const Vec3 x{s.y + s.z + least, -p.z, -p.y}, y{-p.z, s.z + s.x + least, -p.x}, z{-p.y, -p.x, s.x + s.y + least};
+        return {{s.y + s.z + least, -p.z, -p.y}, {-p.z, s.z + s.x + least, -p.x}, {-p.y, -p.x, s.x + s.y + least}};
+    }
+    /// Its inverse, times its determinant.
+    Mat3 inverse(double regularisation, double& determinant) const {
+        const auto [x, y, z] = inertia(regularisation);
         const Vec3 yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);
         determinant = dot(x, yz);
         return {yz, zx, xy};

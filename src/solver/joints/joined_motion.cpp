@@ -36,7 +36,8 @@ bool solve_systems(const Joined& joined) {
 void set_inverse_mass(TetherInertia& inertia, const Tether& tether, JointSystem& system) {
     Vec3 columns[3];
     system.response(tether.node, columns);
-    const double weight = system.node(tether.node).weight;
+    const JointSystem::Node& node = system.node(tether.node);
+    const double weight = node.weight / node.share;
     float* const diagonal = &inertia.diagonal[4 * size_t{tether.particle}];
     float* const off = &inertia.off[4 * size_t{tether.particle}];
     for (int k = 0; k < 3; ++k) {
@@ -84,30 +85,67 @@ void sweep_with_joints(const Joined& joined, Body& body, uint32_t slot, double h
     const double step = TimeScheme(h, body.history.earlier_step).step(body.settings.damping);
     each_tether(joined, slot, [&](const Tether& tether, JointSystem& system) {
         if (!moves(body, tether)) return;
-        const float* pull = &pulls[4 * size_t{tether.particle}];
+        float* const pull = &pulls[4 * size_t{tether.particle}];
         system.apply_force(tether.node, get(pull) * (body.cloth.state.average_mass / (step * step)));
+        if (system.node(tether.node).share < 1) put(pull, {});  // its cluster has it
     });
+    if (!body.plan.rest.empty())
+        each_system(joined, [&](JointSystem& system) { system.apply_link_pulls(body, slot, h); });
 }
 
 void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     if (collides(body, around)) find_active_planes(body, around, gravity, TimeScheme(h, body.history.earlier_step));
 }
 
+bool has_clusters(const Joined& joined, uint32_t slot) {
+    bool has = false;
+    each_system(joined, [&](const JointSystem& system) { has = has || system.has_clusters_of(slot); });
+    return has;
+}
+
 /// The joints move the particles from where cloth has pulled them. What then lacks to their places is the part of their
 /// contacts.
 void save_places_of_tethers(const Joined& joined, Body& body, uint32_t slot) {
     if (!body.cloth.contacts.any_active()) return;
+    each_system(joined, [&](const JointSystem& system) { system.save_cluster_places(body, slot); });
     each_tether(joined, slot, [&](const Tether& tether, const JointSystem& system) {
-        if (moves(body, tether))
+        if (moves(body, tether) && system.node(tether.node).share == 1)
             put(&body.cloth.contacts.saved[4 * size_t{tether.particle}],
                 system.node(tether.node).predicted - body.cloth.state.origin);
     });
 }
 
+/// Contacts act on the clusters with the inertia of what is joined to them, and then on that.
+void end_joined_links(const Joined& joined, Body& body, uint32_t slot, double h) {
+    Vector<ClusterResponse>& responses = body.cloth.clusters.responses;
+    const bool in_contact = body.cloth.contacts.any_active();
+    if (in_contact) {
+        each_system(joined, [&](JointSystem& system) { system.list_cluster_responses(body, slot, h, responses); });
+        std::sort(responses.begin(), responses.end(),
+                  [](const ClusterResponse& a, const ClusterResponse& b) { return a.cluster < b.cluster; });
+    }
+    end_links(body);
+    if (in_contact) {
+        each_system(joined, [&](JointSystem& system) { system.apply_contact_impulses(body, slot, h, responses); });
+    }
+    responses.clear();
+}
+
 void sweep_joined_cloth(const Joined& joined, Body& body, uint32_t slot, const CollisionContext& around, Vec3 gravity,
                         double h) {
     find_active_planes(body, around, gravity, h);
-    sweep_with_joints(joined, body, slot, h, [&] { solve_cloth(body); });
+    if (has_clusters(joined, slot)) {
+        begin_links(body);
+        if (!body.plan.rest.empty()) {
+            sweep_with_joints(joined, body, slot, h, [&] { sweep_links(body, 0, least_sweeps_of(body)); });
+        }
+        each_system(joined, [&](JointSystem& system) {
+            if (system.respond()) system.scatter(joined.bodies);
+        });
+        end_joined_links(joined, body, slot, h);
+    } else {
+        sweep_with_joints(joined, body, slot, h, [&] { solve_cloth(body); });
+    }
     save_places_of_tethers(joined, body, slot);
 }
 
@@ -169,7 +207,7 @@ void sweep_loaded(const Joined& joined, const CollisionContext& around, Vec3 gra
         });
     }
     each_cloth([&](Body& body, uint32_t slot) {
-        end_links(body);
+        end_joined_links(joined, body, slot, h);
         save_places_of_tethers(joined, body, slot);
     });
 }

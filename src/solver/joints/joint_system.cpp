@@ -58,10 +58,20 @@ uint32_t JointSystem::find_node(uint32_t body, uint32_t particle) const {
 
 void JointSystem::plan() {
     std::pmr::memory_resource* memory = nodes_.get_allocator().resource();
+    for (JoinedCluster& cluster : clusters_) {
+        for (uint32_t* const node : {&cluster.centre, &cluster.turn}) {
+            *node = node_count();
+            add_node(cluster.body, of_pose, false);
+        }
+    }
     const uint32_t count = node_count();
     Vector<Edge> edges(memory);
     for (const Link& link : links_) edges.push_back({link.a, link.b});
     for (const NodeBend& bend : bends_) edges.push_back({bend.nodes[0], bend.nodes[2]});
+    for (const ClusterTie& tie : ties_) {
+        edges.push_back({tie.node, clusters_[tie.cluster].centre});
+        edges.push_back({tie.node, clusters_[tie.cluster].turn});
+    }
     Vector<uint32_t> order(memory), place(count, memory);
     order_by_degree(count, edges, order);
     for (uint32_t i = 0; i < count; ++i) place[order[i]] = i;
@@ -71,6 +81,12 @@ void JointSystem::plan() {
     for (Link& link : links_) link.a = place[link.a], link.b = place[link.b];
     for (NodeBend& bend : bends_) {
         for (uint32_t& node : bend.nodes) node = place[node];
+    }
+    for (JoinedCluster& cluster : clusters_) cluster.centre = place[cluster.centre], cluster.turn = place[cluster.turn];
+    for (ClusterTie& tie : ties_) {
+        tie.node = place[tie.node];
+        tie.before_centre = tie.node < clusters_[tie.cluster].centre;
+        tie.before_turn = tie.node < clusters_[tie.cluster].turn;
     }
 
     // The tension of a link is eliminated right after the later of its ends, whose mass keeps its pivot from zero. But
@@ -101,9 +117,14 @@ void JointSystem::plan() {
     std::stable_sort(by_later.begin(), by_later.end(),
                      [](const BendCoupling& a, const BendCoupling& b) { return a.later < b.later; });
 
+    Vector<uint32_t> by_node(memory);  // ties
+    for (uint32_t t = 0; t < ties_.size(); ++t) by_node.push_back(t);
+    std::stable_sort(by_node.begin(), by_node.end(),
+                     [&](uint32_t a, uint32_t b) { return ties_[a].node < ties_[b].node; });
+
     Vector<uint32_t> column_begin(1, 0, memory), rows(memory);
     uint32_t scalar = 0;
-    size_t next_end = 0, next_link = 0, next_bend = 0;
+    size_t next_end = 0, next_link = 0, next_bend = 0, next_tie = 0;
     for (uint32_t i = 0; i < count; ++i) {
         nodes_[i].scalar = scalar;
         const size_t first_end = next_end;
@@ -135,6 +156,7 @@ void JointSystem::plan() {
                 if (link.after_earlier) rows.push_back(link.scalar);
             }
             for (size_t e = first_bend; e < next_bend; ++e) rows.push_back(nodes_[by_later[e].earlier].scalar + k);
+            if (nodes_[i].particle == of_pose) list_ties_of_pose(i, k, rows);
             for (uint32_t above = 0; above < k; ++above) rows.push_back(nodes_[i].scalar + above);
             column_begin.push_back(static_cast<uint32_t>(rows.size()));
         }
@@ -147,6 +169,8 @@ void JointSystem::plan() {
             }
             column_begin.push_back(static_cast<uint32_t>(rows.size()));
         }
+        for (; next_tie < by_node.size() && ties_[by_node[next_tie]].node == i; ++next_tie)
+            list_columns(ties_[by_node[next_tie]], scalar, column_begin, rows);
     }
     matrix_.analyse(column_begin, rows);
     entries_.resize(rows.size());
@@ -157,10 +181,11 @@ void JointSystem::plan() {
 
 void JointSystem::gather_nodes(const BodyTable& bodies, double h, bool predicts_cloth) {
     for (Node& node : nodes_) {
+        if (node.particle == of_pose) continue;
         const Body& body = bodies[node.body];
         const double step = TimeScheme(h, body.history.earlier_step).step(body.settings.damping);
         node.free = !body.particles.pinned(node.particle);
-        node.weight = body.particles.mass[node.particle] / (step * step);
+        node.weight = node.share * body.particles.mass[node.particle] / (step * step);
         if (node.of_graph) {
             if (predicts_cloth)
                 node.position = node.predicted = node.before = cloth_position(body.cloth.state, node.particle);
@@ -188,6 +213,7 @@ void JointSystem::apply_force(uint32_t node, Vec3 force) {
 
 void JointSystem::gather(const BodyTable& bodies, const Vector<Joint>& joints, double h) {
     for (Node& node : nodes_) node.loaded = false, node.load = {{}, {}, {}};
+    gather_clusters(bodies, h);
     gather_nodes(bodies, h, true);
     for (Link& link : links_) {
         if (link.owner == of_joint) {
@@ -228,8 +254,8 @@ Vec3 JointSystem::strain(const NodeBend& bend) const {
 
 void JointSystem::scatter(BodyTable& bodies) const {
     for (const Node& node : nodes_) {
+        if (!node.free || node.particle == of_pose) continue;
         Body& body = bodies[node.body];
-        if (!node.free) continue;
         if (node.of_graph) {
             const Vec3 at = node.position - body.cloth.state.origin;
             for (int k = 0; k < 3; ++k) {
@@ -240,6 +266,7 @@ void JointSystem::scatter(BodyTable& bodies) const {
             body.particles.position[node.particle] = node.position;
         }
     }
+    scatter_clusters(bodies);
 }
 
 void JointSystem::scatter_tensions(BodyTable& bodies, Vector<Joint>& joints) const {
@@ -386,12 +413,12 @@ double JointSystem::most_displacement() const {
 }
 
 bool JointSystem::is_converged() const {
-    return std::all_of(links_.begin(), links_.end(), [&](const Link& link) {
-        // The equations of joints with zero length are linear.
-        if (link.axis != along) return true;
-        const LinkEquation s = linearise(link);
-        return !s.active || std::fabs(s.error - s.softness * link.tension) <= tolerance * link.rest;
-    });
+    return ties_are_converged() && std::all_of(links_.begin(), links_.end(), [&](const Link& link) {
+               // The equations of joints with zero length are linear.
+               if (link.axis != along) return true;
+               const LinkEquation s = linearise(link);
+               return !s.active || std::fabs(s.error - s.softness * link.tension) <= tolerance * link.rest;
+           });
 }
 
 bool JointSystem::is_solved() const {
@@ -436,15 +463,18 @@ bool JointSystem::solve() {
     for (int iteration = 0; iteration < iterations; ++iteration) {
         assemble();
         assemble_bends();
+        assemble_ties();
         matrix_.factor(entries_.data(), diagonal_.data());
         matrix_.solve(solution_.data());
         for (Link& link : links_) link.tension = solution_[link.scalar];
+        take_tie_forces(false);
         if (regularisation_ != soft_regularisation && !is_feasible()) {
             regularisation_ = soft_regularisation;
             iterations = most_soft_iterations;
             // Where only the regularisation bounds the tensions, they are inversely proportional to it.
             for (Link& link : links_) link.tension *= rope_regularisation / soft_regularisation;
             for (Node& node : nodes_) node.position = node.start;
+            place_clusters();
             iteration = -1;
             continue;
         }
@@ -461,6 +491,7 @@ double JointSystem::advance() {
     for (const Node& node : nodes_) {
         const double* x = &solution_[node.scalar];
         if (!is_finite(Vec3{x[0], x[1], x[2]})) return 0;
+        if (node.weight == 0) continue;  // a rotation
         longest = std::max({longest, std::fabs(x[0]), std::fabs(x[1]), std::fabs(x[2])});
     }
     const double most = most_displacement(), fraction = longest > most ? most / longest : 1;
@@ -468,6 +499,7 @@ double JointSystem::advance() {
         const double* x = &solution_[node.scalar];
         node.position += Vec3{x[0], x[1], x[2]} * fraction;  // pins are coupled to nothing, so theirs is 0
     }
+    turn_clusters(fraction);
     return fraction;
 }
 
@@ -478,6 +510,7 @@ bool JointSystem::respond() {
     std::fill(applied_.begin(), applied_.end(), 0.0);
     matrix_.solve(solution_.data());
     for (Link& link : links_) link.tension += solution_[link.scalar];
+    take_tie_forces(true);
     advance();
     return true;
 }

@@ -116,6 +116,19 @@ void add_chain_links(const Body& body, uint32_t slot, JointSystem& system) {
     }
 }
 
+/// visit(members) for the clusters of cloth that share no particle with another one.
+template <class Visit>
+void each_cluster_of_its_own(const Body& body, Visit&& visit) {
+    const Clusters& clusters = body.cloth.clusters;
+    if (body.plan.method != GPHYS_SOLVE_GRAPH || clusters.empty()) return;
+    Vector<uint8_t> uses(body.particles.size(), 0, clusters.members.get_allocator());
+    for (const ClusterMember& member : clusters.members) uses[member.particle] += uses[member.particle] < 2;
+    each_cluster(clusters, [&](ClusterRange members) {
+        if (std::all_of(members.begin(), members.end(), [&](const ClusterMember& m) { return uses[m.particle] == 1; }))
+            visit(members);
+    });
+}
+
 void add_joint(const Joint& joint, uint32_t slot, JointSystem& system) {
     JointSystem::Link link;
     link.a = system.find_node(joint.body_a, joint.particle_a);
@@ -158,6 +171,25 @@ void Solver::plan_joints() {
         sets.unite(part_a(joint), partition.index(partition.part_of(joint.body_b, joint.particle_b)));
     });
 
+    Vector<ClusterRange> clusters(&memory);  // of which a particle is joined
+    Vector<uint32_t> part_of_cluster(&memory);
+    for (const uint32_t slot : state_.ids) {
+        const uint32_t none = static_cast<uint32_t>(parts.size()), first_of_body = partition.index({slot, 0});
+        if (first_of_body == none || parts[first_of_body].body != slot) continue;
+        each_cluster_of_its_own(state_.bodies[slot], [&](ClusterRange members) {
+            uint32_t first = none;
+            for (const ClusterMember& member : members) {
+                const uint32_t part = partition.index({slot, member.particle});
+                if (part == none || !(parts[part] == Part{slot, member.particle})) continue;
+                first = std::min(first, part);
+                sets.unite(first, part);
+            }
+            if (first == none) return;
+            clusters.push_back(members);
+            part_of_cluster.push_back(first);
+        });
+    }
+
     // Systems are ordered by their first parts.
     Vector<uint32_t> system_of(parts.size(), 0, &memory);
     for (uint32_t i = 0; i < parts.size(); ++i) {
@@ -193,6 +225,8 @@ void Solver::plan_joints() {
         }
     }
     each_joint([&](const Joint& joint, uint32_t slot) { add_joint(joint, slot, systems_[system_of[part_a(joint)]]); });
+    for (size_t i = 0; i < clusters.size(); ++i)
+        systems_[system_of[part_of_cluster[i]]].add_cluster(parts[part_of_cluster[i]].body, clusters[i]);
     for (uint32_t s = 0; s < systems_.size(); ++s) {
         systems_[s].plan();
         for (uint32_t i = 0; i < systems_[s].node_count(); ++i) {

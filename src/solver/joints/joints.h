@@ -9,9 +9,12 @@
 // the response of such a particle to a force, a matrix, which replaces its inverse mass in the chains of the cloth. The
 // forces of the chains then act on the system. So a weight on a rope loads a corner of cloth with its whole mass along
 // the rope and with almost none across it. Momentum between cloth and rope is conserved to the last bit of float32.
+//
+// A rigid cluster of which a particle is joined is part of the system as a rigid body (joined_clusters.cpp).
 #pragma once
 
 #include "foundation/math.h"
+#include "solver/cloth/clusters.h"
 #include "solver/joints/sparse_ldl.h"
 #include "solver/rope/bending.h"
 
@@ -34,11 +37,12 @@ public:
 
     /// A particle of the system. Nodes are stored in the order of elimination.
     struct Node {
-        uint32_t body, particle;
-        uint32_t scalar = 0;    // index of the first of its three unknowns
-        bool of_graph = false;  // whether it belongs to cloth
+        uint32_t body, particle;  // particle: or `of_pose`
+        uint32_t scalar = 0;      // index of the first of its three unknowns
+        bool of_graph = false;    // whether it belongs to cloth
         bool free = true;
-        double weight = 0;  // N/m, mass / step^2: the force that moves it by a metre
+        double share = 1;   // part of its mass that is not in the pose of a cluster
+        double weight = 0;  // N/m, share of the mass / step^2: the force that moves it by a metre
         bool loaded = false;
         Mat3 load{{}, {}, {}};  // if loaded: the same of what presses on it, by direction; symmetric
         Vec3 before{};          // before the substep
@@ -75,14 +79,40 @@ public:
             out[0] = bend.before, out[1] = -(bend.before + bend.after), out[2] = bend.after;
         }
     };
+    /// A rigid cluster of which particles are joined. Its centre of mass and its rotation are nodes without particles.
+    /// Each of its particles that is joined has half of its mass as a node, so that no node is without mass.
+    struct JoinedCluster {
+        uint32_t body, cluster;         // slots
+        uint32_t first_member, count;   // in predicted_ and shares_
+        uint32_t first_tie, tie_count;  // in ties_
+        uint32_t centre = 0, turn = 0;  // nodes; the position of `turn` is the Gibbs vector, times 2, of the rotation
+                                        // since the prediction, and its load is the inertia
+        bool free = false;              // whether all members move freely in this substep
+        Vec3 rest = {};                 // of the centre, in the shape
+        Mat3 predicted = {}, rotation = {};
+        double size = 0;  // metres: root mean square distance of the members from the centre
+    };
+    /// position of the node = centre + rotation * rest
+    struct ClusterTie {
+        uint32_t node, cluster;                           // cluster: index in clusters_
+        uint32_t member;                                  // of the cluster
+        uint32_t scalar = 0;                              // of the force along x; eliminated right after the node
+        bool before_centre = false, before_turn = false;  // whether the node is eliminated before these
+        uint32_t centre_entry = 0, turn_entry = 0;        // if it is, places in their columns
+        Vec3 rest = {}, arm = {};                         // from the centre, in the shape and in space
+        Vec3 force = {};                                  // N, of the particle on the cluster
+    };
     static constexpr int along = -1;
-    static constexpr uint32_t of_joint = 0xffffffff;
+    static constexpr uint32_t of_joint = 0xffffffff, of_pose = 0xffffffff;
 
-    // To build a system: add all nodes, by body and particle, then the links and bends between them, then call plan().
+    // To build a system: add all nodes, by body and particle, then the links and bends between them, and the clusters,
+    // then call plan().
     void add_node(uint32_t body, uint32_t particle, bool of_graph) { nodes_.push_back({body, particle, 0, of_graph}); }
     uint32_t find_node(uint32_t body, uint32_t particle) const;
     void add_link(const Link& link) { links_.push_back(link); }
     void add_bend(const NodeBend& bend) { bends_.push_back(bend); }
+    /// `members`: of a cluster that shares no particle with another one, some of which are nodes.
+    void add_cluster(uint32_t body, ClusterRange members);
     /// Orders the nodes and computes the fill of the elimination (symbolic factorisation). Throws std::bad_alloc.
     void plan();
     /// Number of entries of the factor below the diagonal. Call after plan().
@@ -96,6 +126,14 @@ public:
     /// The same once more in a substep, when contacts hold particles: the forces of cloth go on acting on its nodes.
     void gather_again(const BodyTable& bodies, double h) { gather_nodes(bodies, h, false); }
     void scatter(BodyTable& bodies) const;
+    /// Applies to the clusters of a body the pulls of links on their members since scatter(), but for nodes.
+    void apply_link_pulls(Body& body, uint32_t slot, double h);
+    /// Adds the responses of the clusters of a body to `out`, in no order.
+    void list_cluster_responses(const Body& body, uint32_t slot, double h, Vector<ClusterResponse>& out);
+    /// Applies the impulses of contacts on the clusters of a body.
+    void apply_contact_impulses(const Body& body, uint32_t slot, double h, const Vector<ClusterResponse>& responses);
+    /// Adds to the saved positions of members in contact by how much scatter() has moved them before contacts did.
+    void save_cluster_places(Body& body, uint32_t slot) const;
     void scatter_tensions(BodyTable& bodies, Vector<Joint>& joints) const;
     /// Adds the tensions of joints at particles that are attached, or that friction holds, to the impulses of their
     /// models.
@@ -122,6 +160,8 @@ public:
     /// Joules, in elastic links and in bends: now, and before the substep.
     double elastic_energy() const;
     double elastic_energy_before() const { return elastic_energy_before_; }
+    /// Whether it has the rigid clusters of a body.
+    bool has_clusters_of(uint32_t body) const;
     /// The compliance matrix of a node, m/N: its displacement by a unit force along each axis, as three columns.
     void response(uint32_t node, Vec3 (&columns)[3]);
 
@@ -136,8 +176,18 @@ private:
     void gather_nodes(const BodyTable& bodies, double h, bool predicts_cloth);
     LinkEquation linearise(const Link& link) const;
     Vec3 strain(const NodeBend& bend) const;
+    void list_ties_of_pose(uint32_t node, uint32_t axis, Vector<uint32_t>& rows);
+    void list_columns(ClusterTie& tie, uint32_t& scalar, Vector<uint32_t>& column_begin, Vector<uint32_t>& rows) const;
+    void gather_clusters(const BodyTable& bodies, double h);
+    void scatter_clusters(BodyTable& bodies) const;
     void assemble();
     void assemble_bends();
+    void assemble_ties();
+    void take_tie_forces(bool add);
+    void turn_clusters(double fraction);
+    void place_clusters();
+    bool ties_are_converged() const;
+    Vec3 error(const ClusterTie& tie) const;
     double most_displacement() const;
     bool is_converged() const;
     bool is_solved() const;
@@ -148,6 +198,10 @@ private:
     Vector<Node> nodes_{memory_};
     Vector<Link> links_{memory_};
     Vector<NodeBend> bends_{memory_};
+    Vector<JoinedCluster> clusters_{memory_};
+    Vector<ClusterTie> ties_{memory_};
+    Vector<Vec3> predicted_{memory_};  // by member of a cluster, relative to the cloth's origin
+    Vector<double> shares_{memory_};   // by member of a cluster: part of its mass that is in the pose
     Vector<double> entries_{memory_}, diagonal_{memory_}, solution_{memory_};
     Vector<double> applied_{memory_};  // newtons, by unknown: the forces that respond() takes
     SparseLdl matrix_{memory_};

@@ -1,0 +1,342 @@
+// Rigid clusters in the systems of joints: each is a rigid body with six unknowns, the displacement of its centre of
+// mass and its rotation (Newton's method on the pose; the rotation is updated by composition, Simo & Vu-Quoc 1986).
+// Ties keep the joined particles at their places in it. So a joint acts on the mass and the inertia of the whole
+// cluster at once. If it acted on the mass of one particle, a light plank under a heavy load would leave its joints in
+// long substeps.
+//
+// Clusters with particles that are pinned or attached, and clusters that share particles, are left to shape matching.
+#include "solver/body_table.h"
+#include "solver/cloth/best_rotation.h"
+#include "solver/cloth/second_moments.h"
+#include "solver/joints/joints.h"
+#include "solver/quads.h"
+#include "solver/time_scheme.h"
+
+namespace gphys {
+namespace {
+
+// Of the mass of a joined particle, in the pose of its cluster.
+constexpr double share_of_pose = 0.5;
+// Of lengths, as of links.
+constexpr double tolerance = 1e-9;
+// Of the sum of squares, added to the moments of inertia: see SecondMoments.
+constexpr double inertia_regularisation = 1e-9;
+
+Quat rotation_since(Vec3 gibbs) { return normalized({gibbs.x / 2, gibbs.y / 2, gibbs.z / 2, 1}); }
+
+Mat3 scaled(const Mat3& m, double factor) { return {m.x * factor, m.y * factor, m.z * factor}; }
+
+Mat3 sum(const Mat3& a, const Mat3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+
+/// Sylvester's criterion.
+bool is_definite(const Mat3& m) {
+    return m.x.x > 0 && m.x.x * m.y.y - m.x.y * m.y.x > 0 && dot(m.x, cross(m.y, m.z)) > 0;
+}
+
+double mass_of(const ClothState& state, uint32_t particle) { return state.acceleration[4 * size_t{particle} + 3]; }
+
+double step_of(const Body& body, double h) {
+    return TimeScheme(h, body.history.earlier_step).step(body.settings.damping);
+}
+
+}  // namespace
+
+void JointSystem::add_cluster(uint32_t body, ClusterRange members) {
+    JoinedCluster cluster{};
+    cluster.body = body;
+    cluster.cluster = members.first->cluster;
+    cluster.first_member = static_cast<uint32_t>(predicted_.size());
+    cluster.count = members.size();
+    cluster.first_tie = static_cast<uint32_t>(ties_.size());
+    for (uint32_t i = 0; i < members.size(); ++i) {
+        const uint32_t particle = members.first[i].particle, node = find_node(body, particle);
+        const bool joined = node < node_count() && nodes_[node].body == body && nodes_[node].particle == particle;
+        predicted_.push_back({});
+        shares_.push_back(joined ? share_of_pose : 1);
+        if (joined) ties_.push_back({node, static_cast<uint32_t>(clusters_.size()), i});
+    }
+    cluster.tie_count = static_cast<uint32_t>(ties_.size()) - cluster.first_tie;
+    clusters_.push_back(cluster);
+}
+
+/// Adds rows to a column of a pose: the tie forces that are eliminated before it.
+void JointSystem::list_ties_of_pose(uint32_t node, uint32_t axis, Vector<uint32_t>& rows) {
+    const auto cluster = std::find_if(clusters_.begin(), clusters_.end(),
+                                      [&](const JoinedCluster& c) { return c.centre == node || c.turn == node; });
+    uint32_t entry = 0;
+    for (uint32_t t = cluster->first_tie; t < cluster->first_tie + cluster->tie_count; ++t) {
+        ClusterTie& tie = ties_[t];
+        if (cluster->centre == node && tie.before_centre) {
+            tie.centre_entry = entry++;
+            rows.push_back(tie.scalar + axis);
+        } else if (cluster->turn == node && tie.before_turn) {
+            tie.turn_entry = entry;
+            entry += 2;
+            rows.insert(rows.end(), {tie.scalar + (axis + 1) % 3, tie.scalar + (axis + 2) % 3});
+        }
+    }
+}
+
+/// The columns of the forces of a tie: rows of its node, and of the pose if that is eliminated before.
+void JointSystem::list_columns(ClusterTie& tie, uint32_t& scalar, Vector<uint32_t>& column_begin,
+                               Vector<uint32_t>& rows) const {
+    const JoinedCluster& cluster = clusters_[tie.cluster];
+    const uint32_t node = nodes_[tie.node].scalar, centre = nodes_[cluster.centre].scalar,
+                   turn = nodes_[cluster.turn].scalar;
+    tie.scalar = scalar;
+    for (uint32_t k = 0; k < 3; ++k, ++scalar) {
+        rows.push_back(node + k);
+        if (!tie.before_centre) rows.push_back(centre + k);
+        if (!tie.before_turn) rows.insert(rows.end(), {turn + (k + 1) % 3, turn + (k + 2) % 3});
+        column_begin.push_back(static_cast<uint32_t>(rows.size()));
+    }
+}
+
+/// Fits the poses to the predicted positions. Call before gather_nodes.
+void JointSystem::gather_clusters(const BodyTable& bodies, double h) {
+    for (JoinedCluster& cluster : clusters_) {
+        const Body& body = bodies[cluster.body];
+        const ClothState& state = body.cloth.state;
+        const ClusterRange members = members_of(body.cloth.clusters, cluster.cluster);
+        const double* const share = &shares_[cluster.first_member];
+        Vec3* const predicted = &predicted_[cluster.first_member];
+        double mass = 0;
+        Vec3 at, rest;
+        cluster.free = true;
+        for (uint32_t i = 0; i < cluster.count; ++i) {
+            const ClusterMember& member = members.first[i];
+            const double m = mass_of(state, member.particle) * share[i];
+            predicted[i] = get(&state.at[4 * size_t{member.particle}]);
+            cluster.free = cluster.free && m > 0;
+            mass += m;
+            at += predicted[i] * m;
+            rest += member.rest * m;
+        }
+        Node &centre = nodes_[cluster.centre], &turn = nodes_[cluster.turn];
+        centre.free = turn.free = cluster.free;
+        centre.position = turn.position = {};
+        centre.weight = turn.weight = 1;
+        for (uint32_t t = cluster.first_tie; t < cluster.first_tie + cluster.tie_count; ++t)
+            nodes_[ties_[t].node].share = cluster.free ? 1 - share_of_pose : 1;
+        if (cluster.free) {
+            at = at / mass;
+            cluster.rest = rest / mass;
+            Mat3 covariance{{}, {}, {}};
+            SecondMoments moments;
+            for (uint32_t i = 0; i < cluster.count; ++i) {
+                const double m = mass_of(state, members.first[i].particle) * share[i];
+                const Vec3 local = members.first[i].rest - cluster.rest, weighted = (predicted[i] - at) * m;
+                covariance = sum(covariance, {weighted * local.x, weighted * local.y, weighted * local.z});
+                moments.add(local, m);
+            }
+            const double step = step_of(body, h), scale = state.average_mass / (step * step);
+            const Vec3 squares = moments.squares;
+            cluster.predicted = best_rotation(covariance);
+            cluster.size = std::sqrt((squares.x + squares.y + squares.z) / mass);
+            const Mat3& r = cluster.predicted;
+            centre.position = state.origin + at;
+            centre.weight = mass * scale;
+            turn.weight = 0;
+            turn.loaded = true;
+            turn.load = scaled(r * moments.inertia(inertia_regularisation) * transposed(r), scale);
+        }
+        for (Node* const node : {&centre, &turn}) node->before = node->predicted = node->position;
+        for (uint32_t t = cluster.first_tie; t < cluster.first_tie + cluster.tie_count; ++t) {
+            ties_[t].rest = members.first[ties_[t].member].rest - cluster.rest;
+            ties_[t].force = {};
+        }
+    }
+    place_clusters();
+}
+
+/// Finds the rotations and the arms of ties from the nodes.
+void JointSystem::place_clusters() {
+    for (JoinedCluster& cluster : clusters_) {
+        cluster.rotation = rotation_matrix(rotation_since(nodes_[cluster.turn].position)) * cluster.predicted;
+    }
+    for (ClusterTie& tie : ties_) tie.arm = clusters_[tie.cluster].rotation * tie.rest;
+}
+
+/// Composes the rotations with the part of the solution that advance() has added to them.
+void JointSystem::turn_clusters(double fraction) {
+    // Radians in one iteration, and the tangent of half of the angle in a substep.
+    constexpr double most_turn = 1, most_tangent = 10;
+    for (const JoinedCluster& cluster : clusters_) {
+        Node& turn = nodes_[cluster.turn];
+        const double* const x = &solution_[turn.scalar];
+        Vec3 by = Vec3{x[0], x[1], x[2]} * fraction;
+        const Quat before = rotation_since(turn.position - by);
+        const double angle = length(by);
+        if (angle > most_turn) by *= most_turn / angle;
+        const Quat q = rotation_since(by) * before;
+        const Vec3 axis{q.x, q.y, q.z};
+        turn.position = axis * (2 / std::max(q.w, length(axis) / most_tangent));
+    }
+    place_clusters();
+}
+
+Vec3 JointSystem::error(const ClusterTie& tie) const {
+    return nodes_[tie.node].position - nodes_[clusters_[tie.cluster].centre].position - tie.arm;
+}
+
+bool JointSystem::ties_are_converged() const {
+    return std::all_of(ties_.begin(), ties_.end(), [&](const ClusterTie& tie) {
+        const JoinedCluster& cluster = clusters_[tie.cluster];
+        return !cluster.free || cluster.size == 0 || length(error(tie)) <= tolerance * cluster.size;
+    });
+}
+
+/// Adds the equations of ties, and the change of the torques of their forces with the rotation (geometric stiffness).
+void JointSystem::assemble_ties() {
+    for (const ClusterTie& tie : ties_) {
+        const JoinedCluster& cluster = clusters_[tie.cluster];
+        const uint32_t centre = nodes_[cluster.centre].scalar, turn = nodes_[cluster.turn].scalar;
+        const double one = cluster.free ? 1 : 0;
+        const Vec3 error = this->error(tie), arm = tie.arm * one;
+        for (uint32_t k = 0; k < 3; ++k) {
+            const uint32_t next = (k + 1) % 3, last = (k + 2) % 3;
+            double* at = entries_.data() + matrix_.column_begin(tie.scalar + k);
+            diagonal_[tie.scalar + k] = cluster.free ? 0 : -1;
+            solution_[tie.scalar + k] = -error[static_cast<int>(k)] * one;
+            *at++ = one;
+            if (!tie.before_centre) *at++ = -one;
+            if (!tie.before_turn) at[0] = -arm[static_cast<int>(last)], at[1] = arm[static_cast<int>(next)];
+            if (tie.before_centre) entries_[matrix_.column_begin(centre + k) + tie.centre_entry] = -one;
+            if (tie.before_turn) {
+                double* const of_turn = entries_.data() + matrix_.column_begin(turn + k) + tie.turn_entry;
+                of_turn[0] = arm[static_cast<int>(last)], of_turn[1] = -arm[static_cast<int>(next)];
+            }
+        }
+    }
+    for (const JoinedCluster& cluster : clusters_) {
+        if (!cluster.free) continue;
+        Mat3 stiffness{{}, {}, {}};
+        for (uint32_t t = cluster.first_tie; t < cluster.first_tie + cluster.tie_count; ++t) {
+            const Vec3 f = ties_[t].force, a = ties_[t].arm;
+            const double along = dot(f, a);
+            stiffness = sum(stiffness,
+                            {Vec3{along, 0, 0} - (f * a.x + a * f.x) / 2, Vec3{0, along, 0} - (f * a.y + a * f.y) / 2,
+                             Vec3{0, 0, along} - (f * a.z + a * f.z) / 2});
+        }
+        const Node& turn = nodes_[cluster.turn];
+        if (!is_definite(sum(turn.load, stiffness))) continue;  // forces that turn it over, faster than it can move
+        const Vec3 columns[3] = {stiffness.x, stiffness.y, stiffness.z};
+        for (uint32_t k = 0; k < 3; ++k) {
+            double* const above = entries_.data() + matrix_.column_begin(turn.scalar + k + 1) - k;
+            diagonal_[turn.scalar + k] += columns[k][static_cast<int>(k)];
+            for (uint32_t row = 0; row < k; ++row) above[row] += columns[k][static_cast<int>(row)];
+        }
+    }
+}
+
+/// From the solution: the forces, or with `add` their change.
+void JointSystem::take_tie_forces(bool add) {
+    for (ClusterTie& tie : ties_) {
+        const double* const x = &solution_[tie.scalar];
+        tie.force = (add ? tie.force : Vec3{}) + Vec3{x[0], x[1], x[2]};
+    }
+}
+
+void JointSystem::scatter_clusters(BodyTable& bodies) const {
+    for (const JoinedCluster& cluster : clusters_) {
+        if (!cluster.free) continue;
+        Body& body = bodies[cluster.body];
+        const Vec3 centre = nodes_[cluster.centre].position - body.cloth.state.origin;
+        for (const ClusterMember& member : members_of(body.cloth.clusters, cluster.cluster)) {
+            put(&body.cloth.state.at[4 * size_t{member.particle}],
+                centre + cluster.rotation * (member.rest - cluster.rest), farthest_in_cloth);
+        }
+    }
+}
+
+bool JointSystem::has_clusters_of(uint32_t body) const {
+    return std::any_of(clusters_.begin(), clusters_.end(),
+                       [&](const JoinedCluster& cluster) { return cluster.free && cluster.body == body; });
+}
+
+void JointSystem::apply_link_pulls(Body& body, uint32_t slot, double h) {
+    const ClothState& state = body.cloth.state;
+    const ClothContacts& contacts = body.cloth.contacts;
+    const double step = step_of(body, h), scale = state.average_mass / (step * step);
+    const auto in_contact = [&](uint32_t particle) {
+        if (!contacts.any_active()) return false;
+        const uint32_t candidate = contacts.candidate_of[particle];
+        return candidate != ClothContacts::none && contacts.candidates[candidate].active_plane >= 0;
+    };
+    for (const JoinedCluster& cluster : clusters_) {
+        if (!cluster.free || cluster.body != slot) continue;
+        const ClusterRange members = members_of(body.cloth.clusters, cluster.cluster);
+        const Vec3 centre = nodes_[cluster.centre].position - state.origin;
+        Vec3 impulse, angular_impulse;
+        for (uint32_t i = 0; i < cluster.count; ++i) {
+            if (shares_[cluster.first_member + i] < 1) continue;
+            const size_t at = 4 * size_t{members.first[i].particle};
+            const Vec3 arm = cluster.rotation * (members.first[i].rest - cluster.rest);
+            Vec3 pull = (get(&state.at[at]) - centre - arm) * mass_of(state, members.first[i].particle);
+            if (in_contact(members.first[i].particle)) {  // contact planes have moved it, too
+                pull = get(&body.cloth.in_chains.pulls[at]);
+                put(&body.cloth.in_chains.pulls[at], {});
+            }
+            impulse += pull;
+            angular_impulse += cross(arm, pull);
+        }
+        apply_force(cluster.centre, impulse * scale);
+        apply_force(cluster.turn, angular_impulse * scale);
+    }
+}
+
+void JointSystem::list_cluster_responses(const Body& body, uint32_t slot, double h, Vector<ClusterResponse>& out) {
+    const double step = step_of(body, h), scale = body.cloth.state.average_mass / (step * step);
+    for (const JoinedCluster& cluster : clusters_) {
+        if (!cluster.free || cluster.body != slot) continue;
+        const Node &centre = nodes_[cluster.centre], &turn = nodes_[cluster.turn];
+        const auto column = [&](uint32_t unknown, const Node& of) {
+            const double* const x = &solution_[of.scalar];
+            std::fill(solution_.begin(), solution_.end(), 0.0);
+            solution_[unknown] = scale;
+            matrix_.solve(solution_.data());
+            return Vec3{x[0], x[1], x[2]};
+        };
+        const auto shift = [&](const Node& by) {
+            return Mat3{column(by.scalar, centre), column(by.scalar + 1, centre), column(by.scalar + 2, centre)};
+        };
+        out.push_back({cluster.cluster,
+                       centre.position - body.cloth.state.origin,
+                       cluster.rest,
+                       cluster.rotation,
+                       shift(centre),
+                       shift(turn),
+                       {column(turn.scalar, turn), column(turn.scalar + 1, turn), column(turn.scalar + 2, turn)},
+                       {},
+                       {}});
+    }
+}
+
+void JointSystem::apply_contact_impulses(const Body& body, uint32_t slot, double h,
+                                         const Vector<ClusterResponse>& responses) {
+    const double step = step_of(body, h), scale = body.cloth.state.average_mass / (step * step);
+    for (const JoinedCluster& cluster : clusters_) {
+        if (!cluster.free || cluster.body != slot) continue;
+        const auto response = std::find_if(responses.begin(), responses.end(),
+                                           [&](const ClusterResponse& of) { return of.cluster == cluster.cluster; });
+        apply_force(cluster.centre, response->impulse * scale);
+        apply_force(cluster.turn, response->angular_impulse * scale);
+    }
+}
+
+void JointSystem::save_cluster_places(Body& body, uint32_t slot) const {
+    ClothContacts& contacts = body.cloth.contacts;
+    for (const JoinedCluster& cluster : clusters_) {
+        if (!cluster.free || cluster.body != slot) continue;
+        const ClusterRange members = members_of(body.cloth.clusters, cluster.cluster);
+        const Vec3 centre = nodes_[cluster.centre].position - body.cloth.state.origin;
+        for (uint32_t i = 0; i < cluster.count; ++i) {
+            const ClusterMember& member = members.first[i];
+            float* const saved = &contacts.saved[4 * size_t{member.particle}];
+            const Vec3 place = centre + cluster.rotation * (member.rest - cluster.rest);
+            put(saved, get(saved) - (place - predicted_[cluster.first_member + i]));
+        }
+    }
+}
+
+}  // namespace gphys

@@ -1,0 +1,243 @@
+// Rigid clusters that are joined to ropes, hooks and each other: rungs, plates, pendulums, and what is lifted or towed.
+#include "solver_world.h"
+
+namespace {
+
+using gphys::Vec3;
+using test::figure;
+using test::World;
+
+constexpr float dt = 1.0f / 60;
+constexpr double gravity = 9.81;
+
+gphys_body_desc of_mass(float mass, float radius = 0.02f) {
+    gphys_body_desc desc = World::body_desc();
+    desc.mass = mass;
+    desc.radius = radius;
+    desc.friction = 0.5f;
+    return desc;
+}
+
+/// A box of particles as a rigid cluster.
+struct Rigid {
+    gphys_body_id body;
+    std::vector<gphys_vec3> placed;
+
+    Rigid(World& world, gphys_vec3 centre, gphys_vec3 size, std::array<uint32_t, 3> counts, float mass) {
+        const auto along = [](uint32_t i, uint32_t count, float length) {
+            return count > 1 ? length * (static_cast<float>(i) / static_cast<float>(count - 1) - 0.5f) : 0;
+        };
+        std::vector<uint32_t> all;
+        for (uint32_t x = 0; x < counts[0]; ++x) {
+            for (uint32_t y = 0; y < counts[1]; ++y) {
+                for (uint32_t z = 0; z < counts[2]; ++z) {
+                    placed.push_back({centre.x + along(x, counts[0], size.x), centre.y + along(y, counts[1], size.y),
+                                      centre.z + along(z, counts[2], size.z)});
+                    all.push_back(static_cast<uint32_t>(all.size()));
+                }
+            }
+        }
+        body = world.particles(placed, of_mass(mass));
+        gphys_cluster_id cluster = 0;
+        REQUIRE(gphys_solver_add_cluster(world.solver, body, all.data(), static_cast<uint32_t>(all.size()), &cluster) ==
+                GPHYS_OK);
+    }
+    uint32_t count() const { return static_cast<uint32_t>(placed.size()); }
+    /// The particle nearest to a place.
+    uint32_t at(gphys_vec3 place) const {
+        const auto far = [&](gphys_vec3 p) { return distance(gphys::widen(p), gphys::widen(place)); };
+        const auto nearest =
+            std::min_element(placed.begin(), placed.end(), [&](gphys_vec3 a, gphys_vec3 b) { return far(a) < far(b); });
+        return static_cast<uint32_t>(nearest - placed.begin());
+    }
+    /// Metres: the largest change of the distance between two particles.
+    double distortion(const World& world) const {
+        const std::vector<gphys_vec3> now = world.positions(body);
+        double most = 0;
+        for (uint32_t a = 0; a < count(); ++a) {
+            for (uint32_t b = 0; b < a; ++b) {
+                const double before = distance(gphys::widen(placed[a]), gphys::widen(placed[b]));
+                most = std::max(most, std::fabs(distance(gphys::widen(now[a]), gphys::widen(now[b])) - before));
+            }
+        }
+        return most;
+    }
+};
+
+void join(World& world, gphys_body_id a, uint32_t particle_a, gphys_body_id b, uint32_t particle_b, float length = 0,
+          float compliance = 0) {
+    gphys_joint_id joint = 0;
+    REQUIRE(gphys_solver_join(world.solver, a, particle_a, b, particle_b, length, compliance, &joint) == GPHYS_OK);
+}
+
+gphys_body_id hook(World& world, gphys_vec3 at) {
+    const gphys_body_id body = world.particles({at}, of_mass(1));
+    world.pin(body, 0);
+    return body;
+}
+
+/// newtons
+double joint_force(const World& world, gphys_body_id body) {
+    gphys_joint_info joints[8];
+    uint32_t total = 0;
+    REQUIRE(gphys_solver_get_joints(world.solver, body, joints, 8, &total) == GPHYS_OK);
+    return joints[0].force;
+}
+
+/// The mean force on the only model that is touched, in the last step.
+Vec3 force_on_model(const World& world) {
+    const std::vector<gphys_impulse> all = test::impulses(world);
+    return all.empty() ? Vec3{} : gphys::widen(all[0].linear) / dt;
+}
+
+// Positions of cloth are float32: bodies of 1 m have an error of 6e-8 m in each coordinate.
+constexpr double rounding = 1e-6;
+
+}  // namespace
+
+TEST_CASE("A rung on two ropes keeps its shape under a man") {
+    for (const uint32_t substeps : {8u, 2u, 1u}) {
+        World world(substeps);
+        const Rigid rung(world, {0, 0, 0}, {0.5f, 0.03f, 0.03f}, {6, 2, 2}, 0.4f);
+        for (const float x : {-0.25f, 0.25f}) {
+            const uint32_t end = rung.at({x, 0.015f, 0.015f});
+            const gphys_body_id rope = world.rope(test::line(rung.placed[end], {0, 0.1f, 0}, 11), 0, of_mass(0.2f));
+            world.pin(rope, 10);
+            join(world, rope, 0, rung.body, end);
+        }
+        const std::vector<gphys_vec3> load(rung.count(), {0, -700.0f / static_cast<float>(rung.count()), 0});
+        double distortion = 0;
+        for (int step = 0; step < 60; ++step) {
+            if (step == 10) {
+                REQUIRE(gphys_solver_set_forces(world.solver, rung.body, 0, rung.count(), load.data(), 12) == GPHYS_OK);
+            }
+            world.step(dt);
+            distortion = std::max(distortion, rung.distortion(world));
+        }
+        figure("distortion", 1000 * distortion, "mm");
+        CHECK(distortion < 4 * rounding);  // 38 mm at 8 substeps if the joints acted on single particles
+        CHECK(joint_force(world, rung.body) == Approx(350 + 0.2 * gravity).epsilon(0.05));
+    }
+}
+
+TEST_CASE("A plate on a flat bridle hangs still") {
+    for (const uint32_t substeps : {8u, 2u}) {
+        World world(substeps);
+        const Rigid plate(world, {0, 0, 0}, {1, 0, 1}, {5, 1, 5}, 5);
+        const gphys_body_id knot = hook(world, {0, 0.1f, 0});
+        for (const float x : {-0.5f, 0.5f}) {
+            for (const float z : {-0.5f, 0.5f}) join(world, knot, 0, plate.body, plate.at({x, 0, z}), -1);
+        }
+        double fastest = 0;
+        for (int step = 0; step < 120; ++step) {
+            world.step(dt);
+            for (const gphys_vec3 v : world.velocities(plate.body))
+                fastest = std::max(fastest, length(gphys::widen(v)));
+        }
+        figure("speed", 1000 * fastest, "mm/s");
+        CHECK(fastest < 1e-3);  // 0.24 m/s at 8 substeps if the joints acted on single particles
+    }
+}
+
+TEST_CASE("A rod on a hook swings with the period of a compound pendulum, and keeps its energy") {
+    World world(8);
+    const Rigid rod(world, {0.5f, 0, 0}, {1, 0, 0}, {11, 1, 1}, 1);
+    join(world, hook(world, {0, 0, 0}), 0, rod.body, 0);
+    const double energy = world.energy(rod.body);
+    double least = energy, most = energy;
+    double fall = 0;  // seconds until it hangs down
+    for (int step = 0; step < 300; ++step) {
+        const double before = world.position(rod.body, 10).x;
+        world.step(dt);
+        const double now = world.position(rod.body, 10).x;
+        if (fall == 0 && now < 0) fall = (step + before / (before - now)) * dt;
+        least = std::min(least, world.energy(rod.body)), most = std::max(most, world.energy(rod.body));
+        CHECK(rod.distortion(world) < 4 * rounding);
+    }
+    // From level to upright: K(1 / sqrt 2) sqrt(I / (m g d)), from the particles' moments about the hook.
+    double moment = 0, distance = 0;
+    for (const gphys_vec3 p : rod.placed) {
+        moment += p.x * p.x / static_cast<double>(rod.count());
+        distance += p.x / static_cast<double>(rod.count());
+    }
+    const double exact = 1.8540746773 * std::sqrt(moment / (gravity * distance));
+    figure("energy", most - least, "J");
+    figure("time of the fall", 100 * (fall / exact - 1), "%");
+    CHECK(fall == Approx(exact).epsilon(1e-3));  // the speed changes by 2 % in the step that ends it
+    CHECK(most - least < 4e-3);
+}
+
+TEST_CASE("A spring that bears half of a plate leaves half of its weight to the floor") {
+    for (const uint32_t substeps : {8u, 1u}) {
+        World world(substeps);
+        const gphys_plane floor{{0, 1, 0}, 0};
+        world.model(GPHYS_SHAPE_PLANE, &floor);
+        const Rigid plate(world, {0, 0.02f, 0}, {1, 0, 1}, {5, 1, 5}, 10);
+        const double half = 5 * gravity, compliance = 0.001;
+        join(world, hook(world, {0, 2, 0}), 0, plate.body, plate.at({0, 0.02f, 0}),
+             static_cast<float>(1.98 - half * compliance), static_cast<float>(compliance));
+        for (int step = 0; step < 240; ++step) world.step(dt);
+        figure("floor", -force_on_model(world).y, "N");
+        CHECK(plate.distortion(world) < 4 * rounding);
+        CHECK(-force_on_model(world).y == Approx(half).epsilon(1e-3));  // 59 N at 1 substep with single particles
+    }
+}
+
+TEST_CASE("A crate that is towed pulls its rod by Coulomb's law") {
+    for (const uint32_t substeps : {8u, 1u}) {
+        World world(substeps);
+        const gphys_plane floor{{0, 1, 0}, 0};
+        world.model(GPHYS_SHAPE_PLANE, &floor);
+        const Rigid crate(world, {0, 0.27f, 0}, {0.5f, 0.5f, 0.5f}, {4, 4, 4}, 20);
+        const uint32_t eye = crate.at({0.25f, 0.1f, 0.08f});
+        gphys_vec3 at = crate.placed[eye];
+        at.x += 1;
+        const gphys_body_id car = hook(world, at);
+        join(world, car, 0, crate.body, eye, -1);
+        double force = 0, pull = 0;
+        for (int step = 0; step < 180; ++step) {
+            if (step > 30) at.x += dt;
+            REQUIRE(gphys_solver_set_positions(world.solver, car, 0, 1, &at, 12) == GPHYS_OK);
+            world.step(dt);
+            if (step < 120) continue;
+            force += force_on_model(world).x / 60;
+            pull += joint_force(world, crate.body) / 60;
+        }
+        figure("friction", force, "N");
+        figure("rod", pull, "N");
+        // It turns a little, which takes some of the friction aside.
+        CHECK(force == Approx(0.5 * 20 * gravity).epsilon(0.01));
+        CHECK(pull == Approx(force).epsilon(0.01));
+        CHECK(crate.distortion(world) < 1e-3);  // 30 mm at 1 substep if the joint acted on a single particle
+    }
+}
+
+TEST_CASE("Plates that are joined edge to edge hang as one band") {
+    World world(2);
+    std::vector<Rigid> plates;
+    for (int i = 0; i < 8; ++i)
+        plates.emplace_back(world, gphys_vec3{0.42f * static_cast<float>(i), 0, 0}, gphys_vec3{0.4f, 0, 0.6f},
+                            std::array<uint32_t, 3>{3, 1, 4}, 2.0f);
+    for (size_t i = 0; i + 1 < plates.size(); ++i) {
+        const float x = 0.42f * static_cast<float>(i);
+        for (const float z : {-0.3f, 0.3f})
+            join(world, plates[i].body, plates[i].at({x + 0.2f, 0, z}), plates[i + 1].body,
+                 plates[i + 1].at({x + 0.22f, 0, z}), -1);
+    }
+    for (const float z : {-0.3f, 0.3f}) {
+        join(world, hook(world, {-0.25f, 0, z}), 0, plates[0].body, plates[0].at({-0.2f, 0, z}), -1);
+        const float end = 0.42f * 7;
+        join(world, hook(world, {end + 0.2f, 0, z}), 0, plates[7].body, plates[7].at({end + 0.2f, 0, z}), 0.1f);
+    }
+    const double energy = world.energy();
+    double gained = 0, distortion = 0;
+    for (int step = 0; step < 180; ++step) {
+        world.step(dt);
+        gained = std::max(gained, world.energy() - energy);
+        for (const Rigid& plate : plates) distortion = std::max(distortion, plate.distortion(world));
+    }
+    figure("gain", gained, "J");
+    figure("distortion", 1000 * distortion, "mm");
+    CHECK(distortion < 4 * rounding);  // 57 mm if the joints acted on single particles
+    CHECK(gained < 0.02);
+}
