@@ -144,7 +144,7 @@ void Solver::move_colliding(const Island& island, const Joined& joined, const Co
             if (!body.plan.joined) begin_move(body, within, gravity, part, planes, island.team);
         }
         begin_joined(joined, within, gravity, part);
-        particle_contacts_.solve_positions(island, state_.bodies, slots, within, gravity, part, planes);
+        particle_contacts_.solve_positions(island, state_.bodies, slots, joined, within, gravity, part, planes);
         for (uint32_t i = 0; i < island.body_count; ++i) {
             Body& body = state_.bodies[slots[i]];
             if (!body.plan.joined) end_move(body, within, gravity, part);

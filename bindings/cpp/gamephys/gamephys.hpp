@@ -2278,10 +2278,12 @@ public:
     // models move the cluster as a whole, with friction; only particles touch, not the faces between them,
     // so they should be no further apart than the thickness of the thinnest thing that a cluster meets. Of
     // its restitution a cluster shows only the share of the mass of the particles that touched. A shape is
-    // matched once in each substep, after the links: then what hangs from it may be strained a little, and
-    // clusters that share particles approach their shapes in eight passes. Bodies with clusters are solved
-    // as cloth (GPHYS_SOLVE_GRAPH), ropes and free particles too. The rest positions of cloth are not
-    // changed by a cluster.
+    // matched once in each substep, after the links: then what hangs from it by links may be strained a
+    // little, and clusters that share particles approach their shapes in eight passes. What is joined to
+    // it by Solver::join is solved together with it, unless a pin holds one of its particles, or another
+    // cluster has it, too: hang heavy loads, or a light cluster under a heavy load, by joints. Bodies with
+    // clusters are solved as cloth (GPHYS_SOLVE_GRAPH), ropes and free particles too. The rest positions
+    // of cloth are not changed by a cluster.
     //   - particles: count different particles, at least 2
     // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or appears twice.
     // Throws Error with GPHYS_ERROR_CAPACITY beyond 2^24 - 1 clusters of a body, or that many particles in
@@ -2317,12 +2319,12 @@ public:
     }
 
     // Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that
-    // are equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved
-    // as one system, as stiff as one rope; a joined particle of cloth has the inertia of all that hangs on
-    // it. Free particles of a joined body are moved by the time scheme of ropes, no longer exactly. Joined
-    // bodies are moved by one thread and fall asleep and wake together. A joint is removed with either
-    // body. Particles of the two that are linked to a joint within touch of each other do not collide
-    // there.
+    // are equal and opposite; either may be pinned or attached. Joined ropes, free particles and rigid
+    // clusters are solved as one system, as stiff as one rope; a joined particle of cloth has the inertia
+    // of all that hangs on it. Free particles of a joined body are moved by the time scheme of ropes, no
+    // longer exactly. Joined bodies are moved by one thread and fall asleep and wake together. A joint is
+    // removed with either body. Particles of the two that are linked to a joint within touch of each other
+    // do not collide there.
     //   - rest_length: metres; 0: at the same place, as below 1e-9; negative: the present distance.
     //     Particles at another distance are moved to it in the next step; by a rigid joint without speed.
     //   - compliance: metres per newton, >= 0; 0 is rigid

@@ -2926,10 +2926,12 @@ impl Solver {
     /// models move the cluster as a whole, with friction; only particles touch, not the faces between them,
     /// so they should be no further apart than the thickness of the thinnest thing that a cluster meets. Of
     /// its restitution a cluster shows only the share of the mass of the particles that touched. A shape is
-    /// matched once in each substep, after the links: then what hangs from it may be strained a little, and
-    /// clusters that share particles approach their shapes in eight passes. Bodies with clusters are solved
-    /// as cloth (`SolveMethod::GRAPH`), ropes and free particles too. The rest positions of cloth are not
-    /// changed by a cluster.
+    /// matched once in each substep, after the links: then what hangs from it by links may be strained a
+    /// little, and clusters that share particles approach their shapes in eight passes. What is joined to
+    /// it by `Solver::join` is solved together with it, unless a pin holds one of its particles, or another
+    /// cluster has it, too: hang heavy loads, or a light cluster under a heavy load, by joints. Bodies with
+    /// clusters are solved as cloth (`SolveMethod::GRAPH`), ropes and free particles too. The rest
+    /// positions of cloth are not changed by a cluster.
     ///
     /// Cost: O(particles); allocates. In each substep about 1 us a cluster, 50 ns a particle of it and 0.3
     /// us one that touches a model, and up to eight times that if clusters of the body share particles; the
@@ -2976,12 +2978,12 @@ impl Solver {
     }
 
     /// Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that
-    /// are equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved
-    /// as one system, as stiff as one rope; a joined particle of cloth has the inertia of all that hangs on
-    /// it. Free particles of a joined body are moved by the time scheme of ropes, no longer exactly. Joined
-    /// bodies are moved by one thread and fall asleep and wake together. A joint is removed with either
-    /// body. Particles of the two that are linked to a joint within touch of each other do not collide
-    /// there.
+    /// are equal and opposite; either may be pinned or attached. Joined ropes, free particles and rigid
+    /// clusters are solved as one system, as stiff as one rope; a joined particle of cloth has the inertia
+    /// of all that hangs on it. Free particles of a joined body are moved by the time scheme of ropes, no
+    /// longer exactly. Joined bodies are moved by one thread and fall asleep and wake together. A joint is
+    /// removed with either body. Particles of the two that are linked to a joint within touch of each other
+    /// do not collide there.
     ///
     /// Cost: the next step plans all joined ropes again. A link of them takes 2.5 to 4 times as long as one
     /// of a rope that is not joined. Allocates.

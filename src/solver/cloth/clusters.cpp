@@ -302,14 +302,6 @@ void put_on_shape(const MovingCluster& cluster, ClusterRange members, ClothState
     }
 }
 
-ClusterResponse* response_of(Clusters& clusters, uint32_t cluster) {
-    const auto end = clusters.responses.end();
-    const auto response =
-        std::lower_bound(clusters.responses.begin(), end, cluster,
-                         [](const ClusterResponse& of, uint32_t wanted) { return of.cluster < wanted; });
-    return response != end && response->cluster == cluster ? &*response : nullptr;
-}
-
 template <class Visit>
 void sweep_clusters(const Clusters& clusters, Visit&& visit) {
     for (int pass = 0; pass < (clusters.overlap ? passes_of_overlapping : 1); ++pass) each_cluster(clusters, visit);
@@ -332,6 +324,14 @@ void reserve_clusters(Clusters& clusters, uint32_t particles) {
             if (first == Clusters::none) first = static_cast<uint32_t>(members.first - clusters.members.data());
         }
     });
+}
+
+ClusterResponse* response_of(Clusters& clusters, uint32_t cluster) {
+    const auto end = clusters.responses.end();
+    const auto response =
+        std::lower_bound(clusters.responses.begin(), end, cluster,
+                         [](const ClusterResponse& of, uint32_t wanted) { return of.cluster < wanted; });
+    return response != end && response->cluster == cluster ? &*response : nullptr;
 }
 
 ClusterRange cluster_with(const Clusters& clusters, uint32_t particle) {

@@ -54,7 +54,7 @@ struct ClusterResponse {
     Vec3 rest;         // the same point in the shape
     Mat3 rotation;
     Mat3 shift_by_force, shift_by_torque, turn_by_torque;  // of the centre; the first and the last are symmetric
-    Vec3 impulse, angular_impulse;                         // results: of contacts, relative masses times metres
+    Vec3 impulse, angular_impulse;                         // of contacts, relative masses times metres
 };
 
 struct Clusters {
@@ -104,6 +104,8 @@ struct ClusterRange {
 /// Of that with this slot; and, in a step, of the first that a particle is in.
 ClusterRange members_of(const Clusters& clusters, uint32_t slot);
 ClusterRange cluster_with(const Clusters& clusters, uint32_t particle);
+/// Null if it has none.
+ClusterResponse* response_of(Clusters& clusters, uint32_t cluster);
 /// Calls visit(members) for each cluster.
 template <class Visit>
 void each_cluster(const Clusters& clusters, Visit&& visit) {

@@ -2,6 +2,7 @@
 #include "solver/contact/cluster_contacts.h"
 
 #include "solver/cloth/second_moments.h"
+#include "solver/joints/joined_motion.h"
 
 namespace gphys {
 
@@ -147,19 +148,47 @@ void ParticleContacts::ClusterContacts::add_supports(Slip&& slip_of) {
     });
 }
 
-void ParticleContacts::ClusterContacts::begin_positions(const CollisionContext& around) {
+/// Joints hold some clusters: puts these where they would be without contacts.
+void ParticleContacts::ClusterContacts::find_responses(const Joined& joined, double h) {
+    bool any = false;
+    each_active(
+        [&](const ContactCluster& cluster) { any = any || bodies_[range_.particles[cluster.first].body].plan.joined; });
+    if (!any) return;
+    list_cluster_responses(joined, h);
+    each_active([&](ContactCluster& cluster) {
+        const Body& body = joined.bodies[range_.particles[cluster.first].body];
+        cluster.response = response_of(joined.bodies[range_.particles[cluster.first].body].cloth.clusters,
+                                       cluster.members.first->cluster);
+        if (!cluster.response) return;
+        const ClusterResponse& response = *cluster.response;
+        const Vec3 origin = body.cloth.state.origin;
+        cluster.mass_unit = body.cloth.state.average_mass;
+        cluster.centre = origin + response.centre;
+        for (const ClusterMember& member : cluster.members) {
+            range_.particles[cluster.first + member.particle].at =
+                cluster.centre + response.rotation * (member.rest - response.rest);
+        }
+    });
+}
+
+void ParticleContacts::ClusterContacts::begin_positions(const Joined* joined, const CollisionContext& around,
+                                                        double h) {
     for (uint32_t i = 0; i < range_.cluster_count; ++i) {
         ContactCluster& cluster = range_.clusters[i];
         cluster.active = false;
         each_particle(cluster, [&](const Particle& p) { cluster.active = cluster.active || p.paired; });
         if (!cluster.active) continue;
         cluster.shift = cluster.turn = {};
+        cluster.response = nullptr;
         find_inertia(cluster);
+    }
+    if (joined) find_responses(*joined, h);
+    each_active([&](ContactCluster& cluster) {
         each_particle(cluster, [&](Particle& p) {
             Supports& supports = range_.supports[&p - range_.particles];
             p.supports = supports.find_in_shape(bodies_[p.body], p.number, p.at, around) ? &supports : nullptr;
         });
-    }
+    });
     add_supports([](const Particle& p, const Support& support) { return p.at - p.before - support.carried; });
     list_pairs();
     count_others();
@@ -197,6 +226,12 @@ void ParticleContacts::ClusterContacts::begin_velocities(double tolerance) {
 void ParticleContacts::ClusterContacts::end_positions() const {
     contacts_.end();
     each_active([&](ContactCluster& cluster) {
+        if (cluster.response) {
+            each_particle(cluster, [](Particle& p) { p.at = p.uncorrected; });
+            cluster.response = nullptr;
+            find_inertia(cluster);
+            return;
+        }
         if (cluster.shift == Vec3{} && cluster.turn == Vec3{}) return;
         const Vec3 half = cluster.turn / 2;
         const Mat3 rotation = rotation_matrix(Quat{half.x, half.y, half.z, 1});

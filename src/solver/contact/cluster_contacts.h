@@ -31,7 +31,8 @@ public:
     /// that is not taken yet.
     static void list(const Body& body, const Range& range, Particle* of_body, ContactCluster*& next);
 
-    void begin_positions(const CollisionContext& around);
+    /// `joined`: null if joints are not solved afterwards.
+    void begin_positions(const Joined* joined, const CollisionContext& around, double h);
     void end_positions() const;
     /// `tolerance`: m/s, the accuracy of speeds.
     void begin_velocities(double tolerance);
@@ -83,6 +84,7 @@ private:
     template <class Fill>
     void add_contacts(const Values& values, Fill&& fill);
     void find_inertia(ContactCluster& cluster) const;
+    void find_responses(const Joined& joined, double h);
     template <class Slip>
     void add_supports(Slip&& slip_of);
 

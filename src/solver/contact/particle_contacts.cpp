@@ -402,13 +402,13 @@ void ParticleContacts::separate_overlapping(const Island& island, BodyTable& bod
 }
 
 ParticleContacts::Found ParticleContacts::solve_contacts(const Island& island, const BodyTable& bodies,
-                                                         const CollisionContext& around, bool final, Vec3 gravity,
-                                                         double h) {
+                                                         const Joined* joined, const CollisionContext& around,
+                                                         Vec3 gravity, double h) {
     const Range range = this->range(island);
     gather(range, bodies, h);
     if (!list_is_valid(range)) find_pairs(range, bodies);
     find_supports(range, bodies, around);
-    const bool any_deep = find_contacts(range, bodies, final, gravity, h);
+    const bool any_deep = find_contacts(range, bodies, !joined, gravity, h);
     Found found{false, false, any_deep};
     bool sinking = false;
     for (const Group* group = range.groups; group != range.groups + range.group_count; ++group) {
@@ -419,7 +419,7 @@ ParticleContacts::Found ParticleContacts::solve_contacts(const Island& island, c
     // Overlaps tell that the sweeps have not sufficed.
     const int times = sinking ? 2 * sweeps : sweeps;
     if (range.unequal && couple_unequal(range)) {
-        solve_coupled_positions(range, bodies, around, times, gravity, h);
+        solve_coupled_positions(range, bodies, joined, around, times, gravity, h);
         if (!have_thrown(range, &Particle::at, &Particle::uncorrected, &Particle::before)) return found;
         uncouple_unequal(range);
         for (Particle* p = range.particles; p != range.particles + range.count; ++p) p->at = p->uncorrected;
@@ -428,15 +428,15 @@ ParticleContacts::Found ParticleContacts::solve_contacts(const Island& island, c
     if (range.cluster_count == 0) {
         sweep(range, times, [](Contact& contact, Particle& a, Particle& b) { solve_position(contact, a, b); });
     } else {
-        solve_coupled_positions(range, bodies, around, times, gravity, h);
+        solve_coupled_positions(range, bodies, joined, around, times, gravity, h);
     }
     return found;
 }
 
-void ParticleContacts::solve_coupled_positions(const Range& range, const BodyTable& bodies,
+void ParticleContacts::solve_coupled_positions(const Range& range, const BodyTable& bodies, const Joined* joined,
                                                const CollisionContext& around, int times, Vec3 gravity, double h) {
     ClusterContacts clusters(range, bodies);
-    clusters.begin_positions(around);
+    clusters.begin_positions(joined, around, h);
     clusters.solve(times, ClusterContacts::tolerance_of(gravity, h), [](Contact& contact, Particle& a, Particle& b) {
         if (!contact.rigid) solve_position(contact, a, b);
     });
@@ -444,9 +444,10 @@ void ParticleContacts::solve_coupled_positions(const Range& range, const BodyTab
 }
 
 void ParticleContacts::solve_positions(const Island& island, BodyTable& bodies, const uint32_t* slots,
-                                       const CollisionContext& around, Vec3 gravity, double h, FlightPlanes* planes) {
+                                       const Joined& joined, const CollisionContext& around, Vec3 gravity, double h,
+                                       FlightPlanes* planes) {
     const double bounce_threshold = find_bounce_threshold(gravity, h);
-    const Found contacts = solve_contacts(island, bodies, around, false, gravity, h);
+    const Found contacts = solve_contacts(island, bodies, &joined, around, gravity, h);
     const Range range = this->range(island);
     // Separating deep pairs changes no velocity, so it transfers no impulse.
     if (contacts.any && island.body_count > 1) add_impulses(range, &Contact::all_separation, contacts.deep ? 0 : 1 / h);
@@ -539,7 +540,7 @@ void ParticleContacts::solve_velocities(const Island& island, BodyTable& bodies,
 void ParticleContacts::solve_final_positions(const Island& island, BodyTable& bodies, const uint32_t* slots,
                                              const CollisionContext& around, Vec3 gravity, double h) {
     const double bounce_threshold = find_bounce_threshold(gravity, h);
-    if (!solve_contacts(island, bodies, around, true, gravity, h).any) return;
+    if (!solve_contacts(island, bodies, nullptr, around, gravity, h).any) return;
     each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
         if (!moves_freely(body)) correct_moved(first, end, body, around, bounce_threshold, nullptr, nullptr);
     });

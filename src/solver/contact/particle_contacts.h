@@ -77,8 +77,10 @@ public:
     /// Call when all bodies are predicted: separates pairs in contact, with friction. h: seconds of the substep.
     /// `planes` have what free particles have found around them, one for each member of the team of the island; null if
     /// there are no models.
-    void solve_positions(const Island& island, BodyTable& bodies, const uint32_t* slots, const CollisionContext& around,
-                         Vec3 gravity, double h, FlightPlanes* planes);
+    /// `joined`: those of the bodies that are. Contacts of their clusters are left to the systems of joints, as
+    /// impulses in Clusters::responses.
+    void solve_positions(const Island& island, BodyTable& bodies, const uint32_t* slots, const Joined& joined,
+                         const CollisionContext& around, Vec3 gravity, double h, FlightPlanes* planes);
     /// Call when the links are solved: moves what presses on ropes and is heavy (rope_loads.h).
     void move_loads_of_ropes(const Island& island, BodyTable& bodies, const uint32_t* slots,
                              const CollisionContext& around, Vec3 gravity, double h, FlightPlanes* planes);
@@ -234,8 +236,8 @@ private:
     static void uncouple_unequal(const Range& range);
     static bool have_thrown(const Range& range, Vec3 Particle::*value, Vec3 Particle::*uncorrected,
                             Vec3 Particle::*before);
-    void solve_coupled_positions(const Range& range, const BodyTable& bodies, const CollisionContext& around, int times,
-                                 Vec3 gravity, double h);
+    void solve_coupled_positions(const Range& range, const BodyTable& bodies, const Joined* joined,
+                                 const CollisionContext& around, int times, Vec3 gravity, double h);
     template <class Visit>
     static void each_between_bodies(const Range& range, Visit&& visit);
     static void add_to_list(const Range& range, Pair& pair, Vec3 normal, double impulse);
@@ -247,8 +249,9 @@ private:
                               const CollisionContext& around, double rate);
     void separate_overlapping(const Island& island, BodyTable& bodies, const uint32_t* slots,
                               const CollisionContext& around, double bounce_threshold, FlightPlanes* planes);
-    Found solve_contacts(const Island& island, const BodyTable& bodies, const CollisionContext& around, bool final,
-                         Vec3 gravity, double h);
+    /// `joined`: null at the end of a step.
+    Found solve_contacts(const Island& island, const BodyTable& bodies, const Joined* joined,
+                         const CollisionContext& around, Vec3 gravity, double h);
 
     Vector<Particle> particles_;
     Vector<Pair> pairs_;

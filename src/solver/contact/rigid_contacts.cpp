@@ -33,7 +33,12 @@ GPHYS_INLINE void add_impulse(ContactImpulse& sum, const ContactRow& row, Vec3 i
 }
 
 void push(const ContactPartner& partner, Vec3 impulse, Vec3 moment) {
-    if (partner.cluster) {
+    if (partner.cluster && partner.cluster->response) {
+        ContactCluster& cluster = *partner.cluster;
+        cluster.displace(impulse, moment, cluster.shift, cluster.turn);
+        cluster.response->impulse += impulse / cluster.mass_unit;
+        cluster.response->angular_impulse += moment / cluster.mass_unit;
+    } else if (partner.cluster) {
         partner.cluster->shift += impulse * partner.cluster->inverse_mass;
         partner.cluster->turn += partner.cluster->inverse_inertia * moment;
     } else if (partner.value) {
@@ -69,6 +74,13 @@ private:
             return;
         }
         const ContactCluster& cluster = *partner.cluster;
+        if (cluster.response) {
+            const Vec3 moved = cluster.displacement(arm, s);
+            ss += dot(s, moved);
+            tt += dot(t, cluster.displacement(arm, t));
+            st += dot(t, moved);
+            return;
+        }
         const Vec3 by_s = cross(arm, s), by_t = cross(arm, t), turned = cluster.inverse_inertia * by_s;
         ss += cluster.inverse_mass + dot(by_s, turned);
         tt += cluster.inverse_mass + dot(by_t, cluster.inverse_inertia * by_t);
@@ -78,6 +90,7 @@ private:
 
 double inverse_mass(const ContactPartner& partner, Vec3 arm, Vec3 direction) {
     if (!partner.cluster) return partner.supports ? 0 : partner.inverse_mass;
+    if (partner.cluster->response) return dot(direction, partner.cluster->displacement(arm, direction));
     const Vec3 lever = cross(arm, direction);
     return partner.cluster->inverse_mass + dot(lever, partner.cluster->inverse_inertia * lever);
 }

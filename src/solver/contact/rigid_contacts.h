@@ -29,7 +29,21 @@ struct ContactCluster {
     Vec3 centre;
     double inverse_mass;
     Mat3 inverse_inertia;
-    Vec3 shift, turn;  // by contacts: displacement and rotation vector, or velocity and spin
+    Vec3 shift, turn;                     // by contacts: displacement and rotation vector, or velocity and spin
+    ClusterResponse* response = nullptr;  // of a joined one, in place of inverse mass and inertia
+    double mass_unit = 1;                 // kg, of the response
+
+    /// The displacement of a place on it by an impulse there, or by an impulse and its moment.
+    Vec3 displacement(Vec3 arm, Vec3 impulse) const {
+        Vec3 by_shift, by_turn;
+        displace(impulse, cross(arm, impulse), by_shift, by_turn);
+        return by_shift + cross(by_turn, arm);
+    }
+    void displace(Vec3 impulse, Vec3 moment, Vec3& by_shift, Vec3& by_turn) const {
+        const Vec3 j = impulse / mass_unit, m = moment / mass_unit;
+        by_shift += response->shift_by_force * j + response->shift_by_torque * m;
+        by_turn += transpose_times(response->shift_by_torque, j) + response->turn_by_torque * m;
+    }
 };
 
 /// One of the two that touch: a cluster, a particle that moves alone, or neither, for models.

@@ -115,20 +115,28 @@ void save_places_of_tethers(const Joined& joined, Body& body, uint32_t slot) {
     });
 }
 
+/// The responses of the clusters of a body, to the systems as they were solved last.
+void list_responses(const Joined& joined, Body& body, uint32_t slot, double h) {
+    Vector<ClusterResponse>& responses = body.cloth.clusters.responses;
+    responses.clear();
+    each_system(joined, [&](JointSystem& system) { system.list_cluster_responses(body, slot, h, responses); });
+    std::sort(responses.begin(), responses.end(),
+              [](const ClusterResponse& a, const ClusterResponse& b) { return a.cluster < b.cluster; });
+}
+
+/// The impulses that contacts have added to these.
+void apply_contact_impulses(const Joined& joined, Body& body, uint32_t slot, double h) {
+    Vector<ClusterResponse>& responses = body.cloth.clusters.responses;
+    if (responses.empty()) return;
+    each_system(joined, [&](JointSystem& system) { system.apply_contact_impulses(body, slot, h, responses); });
+    responses.clear();
+}
+
 /// Contacts act on the clusters with the inertia of what is joined to them, and then on that.
 void end_joined_links(const Joined& joined, Body& body, uint32_t slot, double h) {
-    Vector<ClusterResponse>& responses = body.cloth.clusters.responses;
-    const bool in_contact = body.cloth.contacts.any_active();
-    if (in_contact) {
-        each_system(joined, [&](JointSystem& system) { system.list_cluster_responses(body, slot, h, responses); });
-        std::sort(responses.begin(), responses.end(),
-                  [](const ClusterResponse& a, const ClusterResponse& b) { return a.cluster < b.cluster; });
-    }
+    if (body.cloth.contacts.any_active()) list_responses(joined, body, slot, h);
     end_links(body);
-    if (in_contact) {
-        each_system(joined, [&](JointSystem& system) { system.apply_contact_impulses(body, slot, h, responses); });
-    }
-    responses.clear();
+    apply_contact_impulses(joined, body, slot, h);
 }
 
 void sweep_joined_cloth(const Joined& joined, Body& body, uint32_t slot, const CollisionContext& around, Vec3 gravity,
@@ -363,8 +371,17 @@ struct JoinedMotion {
 
 }  // namespace
 
+void list_cluster_responses(const Joined& joined, double h) {
+    gather_systems(joined, h);
+    each_system(joined, [](JointSystem& system) { system.solve(); });
+    each_body(joined, [&](Body& body, uint32_t slot) {
+        if (is_graph(body) && !body.cloth.clusters.empty()) list_responses(joined, body, slot, h);
+    });
+}
+
 void end_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h) {
     gather_systems(joined, h);
+    each_body(joined, [&](Body& body, uint32_t slot) { apply_contact_impulses(joined, body, slot, h); });
     solve_systems(joined);
     finish_joined(joined, around, gravity, h);
 }

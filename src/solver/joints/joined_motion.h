@@ -30,6 +30,9 @@ void each_body(const Joined& joined, Visit&& visit) {
 void move_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h);
 void begin_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h);
 void end_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h);
+/// Lists the responses of all joined clusters after the prediction of a substep of h seconds, without contacts.
+/// Contacts may add impulses to them, which end_joined takes.
+void list_cluster_responses(const Joined& joined, double h);
 /// Whether any particle is pinned or attached.
 bool has_pin(const Particles& particles);
 /// joined_energy.cpp: if one of the bodies is cloth, slows all of them so that a substep gains no energy.
