@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # Tests the library: ./test.sh [--long | --bindings | --platforms | --fuzz MINUTES | --soak | --coverage [--write]]
 # Installs what is missing, builds and runs the whole suite as users get the library, then again
-# under the address and undefined-behaviour sanitizers. Prints which lines and branches of each file these reach
+# under the address and undefined-behaviour sanitizers, without long simulations and with fewer random cases
+# (GAMEPHYS_SHORT_TESTS). Prints which lines and branches of each file these reach
 # (fuzz/coverage.py). --long adds a build with clang, tests of
 # minutes, such as a million queries of each kind against a linear scan, hours of tests against
 # exact arithmetic, their short form with each compiler, unoptimised and for Haswell, on each
-# instruction set, and the workers under the thread sanitizer. --bindings instead tests the packages
+# instruction set, all tests under the sanitizers, and the workers under the thread sanitizer. --bindings instead tests the packages
 # in bindings/, --platforms runs the C tests on 32-bit x86, 64-bit ARM (qemu), Windows (Wine) and
 # WebAssembly (Node); both install what they need. --fuzz runs random programs on each instruction set
 # and libFuzzer under sanitizers for so many minutes (fuzz/campaign.py). --soak runs a million frames of
@@ -21,7 +22,7 @@ source cmake/test_summary.sh
 presets=(release asan-ubsan)
 packages=(cmake ninja-build g++ clang pkg-config dpkg-dev lintian file locales catch2 libcmocka-dev libcgal-dev libassimp-dev libstb-dev
     libbenchmark-dev valgrind python3 python3-cffi luajit abigail-tools libmpfr-dev python3-sphinx python3-myst-parser furo python3-numpy python3-matplotlib
-    libsdl2-dev libgl-dev libgl1-mesa-dri xvfb xdotool libopenmpi-dev openmpi-bin llvm libclang-rt-14-dev)
+    libsdl2-dev libgl-dev libgl1-mesa-dri xvfb xdotool libopenmpi-dev openmpi-bin llvm lld libclang-rt-14-dev)
 configuration=()
 options=()
 usage() {
@@ -34,7 +35,7 @@ case ${1:-} in
     --long)
         presets=(release clang exact-gcc-O0 exact-gcc-haswell exact-clang-O0 exact-clang-haswell asan-ubsan tsan)
         configuration=(-C Long)
-        options=(-DGAMEPHYS_EXACT_TESTS=ON)
+        options=(-DGAMEPHYS_EXACT_TESTS=ON -DGAMEPHYS_SHORT_TESTS=OFF)
         ;;
     --bindings)
         presets=(bindings)

@@ -6,6 +6,12 @@ function(gamephys_left_out what reason)
   set_property(GLOBAL APPEND_STRING PROPERTY gamephys_left_out "${what} (${reason})\n")
 endfunction()
 
+option(GAMEPHYS_SHORT_TESTS
+       "Of the tests' long simulations none, of random cases and failing allocations a part, and one process for each \
+file of C++ tests: for sanitizers, under which tests take ten times as long, and a process a fifth of a second"
+       OFF)
+mark_as_advanced(GAMEPHYS_SHORT_TESTS)
+
 set(build_tests ${GAMEPHYS_TESTS})
 if(NOT build_tests)
   return()

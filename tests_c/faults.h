@@ -163,14 +163,17 @@ static inline void note(session* s, const char* call, long before, gphys_status 
         note(s, #call, before_, status_);          \
     } while (0)
 
-/* Runs it with every allocation failing in turn. */
+/* Runs it with every allocation failing in turn, or with each nth that GPHYS_FAULTS_EVERY in the environment asks for.
+ */
 static inline void with_all_failing(void (*run)(session*)) {
+    const char* setting = getenv("GPHYS_FAULTS_EVERY");
+    const long every = setting ? strtol(setting, NULL, 10) : 1;
     static session s;
     uint64_t end = 0;
     long total = -1, failing;
     int all_after;
     for (all_after = 0; all_after < 2; ++all_after) {
-        for (failing = -1; failing < total || total < 0; failing += all_after ? 5 : 1) {
+        for (failing = -1; failing < total || total < 0; failing += all_after ? 5 * every : every) {
             memset(&s, 0, offsetof(session, digests));
             s.undisturbed = total < 0;
             s.heap.failing = failing;

@@ -20,6 +20,15 @@
 
 namespace test {
 
+/// How many cases of a random test are tried: all, or in the short form (GAMEPHYS_SHORT_TESTS) one of four.
+constexpr int tries(int all) {
+#ifdef GPHYS_SHORT_TESTS
+    return all / 4;
+#else
+    return all;
+#endif
+}
+
 struct Random {
     std::mt19937_64 engine;
     explicit Random(uint64_t seed) : engine(seed) {}

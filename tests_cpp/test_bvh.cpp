@@ -440,7 +440,7 @@ TEST_CASE("an octree finds what a linear scan finds, after any sequence of chang
         Bvh8 tree(std::pmr::get_default_resource());
         Boxes boxes;
         std::feclearexcept(FE_ALL_EXCEPT);
-        for (int batch = 0; batch < 50; ++batch) {
+        for (int batch = 0; batch < test::tries(50); ++batch) {
             for (int i = 0; i < 300; ++i) change(tree, boxes, random, kind);
             require_sound(tree, boxes);
             REQUIRE(std::fetestexcept(trapped_exceptions) == 0);
@@ -463,7 +463,7 @@ TEST_CASE("rays at once find in an octree what each finds alone, in company or n
             const Boxes boxes = random_boxes(random, kind, count);
             Bvh8 tree(std::pmr::get_default_resource());
             build(tree, boxes);
-            for (int round = 0; round < 10; ++round) {
+            for (int round = 0; round < test::tries(10); ++round) {
                 // Runs of rays, each in company of the first of its run, closer or less close.
                 std::vector<Ray> rays;
                 while (rays.size() < Bvh8::rays_at_once) {

@@ -16,7 +16,7 @@ using namespace test;
 
 namespace {
 
-constexpr int cases = 100000;
+constexpr int cases = test::tries(100000);
 
 MeshArrays points_of(const std::vector<gphys_vec3>& points) {
     return {points.empty() ? nullptr : &points[0].x, sizeof(gphys_vec3), static_cast<uint32_t>(points.size()), nullptr,

@@ -134,7 +134,7 @@ TEST_CASE("a mesh ray gives, bit for bit, the nearest of all triangles") {
         REQUIRE(mesh->bvh().defect() == nullptr);
         const Vec3 centre = centre_of(named);
         uint32_t hit_count = 0;
-        for (int i = 0; i < 1500; ++i) {
+        for (int i = 0; i < test::tries(1500); ++i) {
             const Ray ray = random_ray(random, *mesh, centre, named.size);
             Hit hit;
             std::vector<Hit> all;
@@ -152,7 +152,7 @@ TEST_CASE("a mesh ray gives, bit for bit, the nearest of all triangles") {
             REQUIRE(all.size() == expected.size());
             for (size_t k = 0; k < all.size(); ++k) REQUIRE(same_bits(all[k], expected[k]));
         }
-        REQUIRE((mesh->triangle_count() < 2 || hit_count > 500));
+        REQUIRE((mesh->triangle_count() < 2 || hit_count > static_cast<uint32_t>(test::tries(500))));
     }
 }
 
@@ -164,7 +164,7 @@ TEST_CASE("rays in groups of any size and direction get what each would get alon
         for (const Isa isa : test::isas()) {
             INFO(named.name << ", " << name_of(isa));
             const MeshHolder mesh = hold(named.arrays, isa);
-            for (int i = 0; i < 300; ++i) {
+            for (int i = 0; i < test::tries(300); ++i) {
                 // Unrelated rays; into one octant; from one eye past a few neighbouring points.
                 const int kind = i % 3;
                 const uint32_t count = 1 + random.index(Mesh::rays_at_once);

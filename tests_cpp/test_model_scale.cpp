@@ -280,7 +280,7 @@ TEST_CASE("overlaps, nearest points, sweeps and penetrations of scaled models ar
     scenes.fill(24);
     test::Random& random = scenes.random;
     uint32_t overlapped = 0, found = 0, swept = 0, pushed = 0;
-    for (int i = 0; i < 6000; ++i) {
+    for (int i = 0; i < test::tries(6000); ++i) {
         const QueryShapes shapes(random);
         const auto queries = shapes.all();
         for (const auto& query : queries) {
@@ -330,10 +330,10 @@ TEST_CASE("overlaps, nearest points, sweeps and penetrations of scaled models ar
             pushed += total;
         }
     }
-    CHECK(overlapped > 5000);
-    CHECK(found > 3000);
-    CHECK(swept > 3000);
-    CHECK(pushed > 1000);
+    CHECK(overlapped > test::tries(5000));
+    CHECK(found > test::tries(3000));
+    CHECK(swept > test::tries(3000));
+    CHECK(pushed > test::tries(1000));
 }
 
 TEST_CASE("scales of a millionth beside a million leave the answers as they are") {

@@ -186,7 +186,7 @@ TEST_CASE("all pairs of solids agree with support functions, at random and nearl
     for (int a = 0; a < kinds; ++a) {
         for (int b = a; b < kinds; ++b) {
             int overlapping = 0, decided = 0;
-            for (int i = 0; i < 10000; ++i) {
+            for (int i = 0; i < test::tries(10000); ++i) {
                 const Vec3 at = i % 4 ? Vec3{} : Vec3{65536, -4096, 1048576};
                 const Specimen first = make(random, a, true);
                 // Two infinite ones could meet beyond the end of their twins.
@@ -209,7 +209,7 @@ TEST_CASE("all pairs of solids agree with support functions, at random and nearl
                     if (i % 64 == 0) REQUIRE(overlaps(other, one) == result);
                 }
             }
-            REQUIRE(decided > 10000);
+            REQUIRE(decided > test::tries(10000));
             REQUIRE(overlapping > decided / 50);
         }
     }

@@ -240,7 +240,7 @@ TEST_CASE("a rope with a weight comes as close to the reference as its tolerance
     CHECK(untold.rms > 1e-4);
 }
 
-TEST_CASE("cloth on two corners hardly stretches") {
+TEST_CASE("cloth on two corners hardly stretches", "[simulation]") {
     constexpr uint32_t n = 100;
     World world(20);
     gphys_body_desc desc = World::body_desc();
@@ -337,7 +337,7 @@ TEST_CASE("any time step is finite and adds no energy") {
     }
 }
 
-TEST_CASE("undamped bodies do not gain energy in the long run") {
+TEST_CASE("undamped bodies do not gain energy in the long run", "[simulation]") {
     for (int kind = 0; kind < 7; ++kind) {
         World world(8);
         gphys_body_id body = 0;

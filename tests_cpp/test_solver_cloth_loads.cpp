@@ -76,7 +76,7 @@ double farthest_apart(const std::vector<gphys_vec3>& a, const std::vector<gphys_
 
 }  // namespace
 
-TEST_CASE("A floor carries a cloth and what lies on it, and all come to rest") {
+TEST_CASE("A floor carries a cloth and what lies on it, and all come to rest", "[simulation]") {
     const auto check = [](float cloth_mass, int side, float gap, float radius, float mass, int frames) {
         World world;
         const gphys_body_id cloth = rug(world, 26, 1, cloth_mass);
@@ -110,7 +110,7 @@ TEST_CASE("A floor carries a cloth and what lies on it, and all come to rest") {
     SECTION("the same between four particles") { check(1, 1, 0, 0.03f, 5, 600); }
 }
 
-TEST_CASE("A net catches a rigid cluster, and adds no energy") {
+TEST_CASE("A net catches a rigid cluster, and adds no energy", "[simulation]") {
     const auto check = [](float mass, float speed, float max_strain) {
         Net scene(mass, speed, max_strain);
         World& world = scene.world;
@@ -137,7 +137,7 @@ TEST_CASE("A net catches a rigid cluster, and adds no energy") {
     SECTION("1.5 kg, with a bound of strain") { check(1.5f, 5, 0.02f); }
 }
 
-TEST_CASE("A cloth that is lifted by its corners takes along what lies on it") {
+TEST_CASE("A cloth that is lifted by its corners takes along what lies on it", "[simulation]") {
     World world;
     constexpr uint32_t side = 26;
     const gphys_body_id cloth = rug(world, side, 1, 0.4f);
@@ -160,7 +160,7 @@ TEST_CASE("A cloth that is lifted by its corners takes along what lies on it") {
     CHECK(lowest(world.positions(loads)) > 0.15f);
 }
 
-TEST_CASE("Balls that begin in a cloth leave it slowly") {
+TEST_CASE("Balls that begin in a cloth leave it slowly", "[simulation]") {
     World world;
     rug(world, 26, 1, 1);
     // They overlap particles of the cloth by up to a third.
@@ -174,7 +174,7 @@ TEST_CASE("Balls that begin in a cloth leave it slowly") {
     CHECK(fastest < 0.5f);
 }
 
-TEST_CASE("A stick on a cloth that slides off a box with it gains no energy") {
+TEST_CASE("A stick on a cloth that slides off a box with it gains no energy", "[simulation]") {
     // Its particles are in a line, about which it has no inertia.
     const auto check = [](uint32_t substeps, float step, uint32_t self_collision) {
         World world(substeps);
@@ -212,7 +212,7 @@ TEST_CASE("A stick on a cloth that slides off a box with it gains no energy") {
     check(16, 1.0f / 144, 0);
 }
 
-TEST_CASE("A hammock carries a heavy rope, and adds no energy") {
+TEST_CASE("A hammock carries a heavy rope, and adds no energy", "[simulation]") {
     const auto check = [](uint32_t substeps, double most_stretch) {
         World world(substeps);
         constexpr uint32_t side = 20;

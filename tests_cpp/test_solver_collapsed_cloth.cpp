@@ -63,7 +63,7 @@ struct Curtain {
 
 }  // namespace
 
-TEST_CASE("a curtain that is pulled in its middle beyond its reach hangs as before when it is let go") {
+TEST_CASE("a curtain that is pulled in its middle beyond its reach hangs as before when it is let go", "[simulation]") {
     for (const uint32_t substeps : {8u, 16u, 32u}) {
         for (const int frames : {30, 300}) {
             Curtain curtain(substeps);

@@ -222,7 +222,7 @@ void drape(World& world, uint32_t n, double size, float radius, int frames, doub
 
 }  // namespace
 
-TEST_CASE("cloth that falls on a ball keeps its threads' lengths") {
+TEST_CASE("cloth that falls on a ball keeps its threads' lengths", "[simulation]") {
     World world(16);
     const gphys_plane floor{{0, 1, 0}, -0.5f};
     const gphys_sphere ball{{0, 0, 0}, 0.5f};
@@ -231,7 +231,7 @@ TEST_CASE("cloth that falls on a ball keeps its threads' lengths") {
     drape(world, 61, 1.8, 0.02f, 180, 0.05, 0.015);
 }
 
-TEST_CASE("cloth that falls on a mesh keeps its threads' lengths and lets nothing through") {
+TEST_CASE("cloth that falls on a mesh keeps its threads' lengths and lets nothing through", "[simulation]") {
     World world(16);
     const gphys_plane floor{{0, 1, 0}, -0.6f};
     world.model(GPHYS_SHAPE_PLANE, &floor);

@@ -181,7 +181,7 @@ TEST_CASE("a sheet that falls on another that is pinned stays above it") {
     CHECK(world.stats().kinetic_energy < 1e-2f);
 }
 
-TEST_CASE("cloth that is folded rests on itself") {
+TEST_CASE("cloth that is folded rests on itself", "[simulation]") {
     constexpr float spacing = 0.04f, radius = 0.4f * spacing;
     constexpr uint32_t columns = 31, rows = 21;
     World world;

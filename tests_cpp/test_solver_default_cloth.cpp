@@ -73,7 +73,7 @@ TEST_CASE("threads of a sheet of default settings keep their lengths on a box") 
     CHECK(peak < 0.03);
 }
 
-TEST_CASE("woven cloth comes to rest on a box") {
+TEST_CASE("woven cloth comes to rest on a box", "[simulation]") {
     Sheet sheet(30);
     const gphys_aabb box{{-0.4f, -0.4f, -0.4f}, {0.4f, 0.4f, 0.4f}};
     sheet.world.model(GPHYS_SHAPE_AABB, &box);
@@ -109,7 +109,7 @@ TEST_CASE("a cell shears as far as shear_compliance says") {
     CHECK(std::fabs(sheared / wanted - 1) < 0.01);
 }
 
-TEST_CASE("threads of a curtain that somebody walks through keep their lengths") {
+TEST_CASE("threads of a curtain that somebody walks through keep their lengths", "[simulation]") {
     Sheet sheet(60);
     const gphys_capsule walker{{0, -0.5f, 0}, {0, 0.5f, 0}, 0.3f};
     gphys_transform place{{0, -1, 1}, {0, 0, 0, 1}, 1};
@@ -178,7 +178,7 @@ TEST_CASE("cloth does not fall asleep while a corner of it swings") {
     CHECK(fastest < 0.03 * 40);
 }
 
-TEST_CASE("a sheet comes to rest after its model has jumped in its plane") {
+TEST_CASE("a sheet comes to rest after its model has jumped in its plane", "[simulation]") {
     Sheet sheet(30);
     const gphys_aabb bar{{-1, -0.01f, -0.05f}, {1, 0.01f, -0.03f}};
     const gphys_model_id model = sheet.world.model(GPHYS_SHAPE_AABB, &bar);

@@ -243,7 +243,7 @@ TEST_CASE("a flight that hits nothing has the bits of one without models") {
     }
 }
 
-TEST_CASE("nothing leaves a closed mesh that turns") {
+TEST_CASE("nothing leaves a closed mesh that turns", "[simulation]") {
     const std::vector<float> corners{-1, -1, -1, 1, -1, -1, -1, 1, -1, 1, 1, -1,
                                      -1, -1, 1,  1, -1, 1,  -1, 1, 1,  1, 1, 1};
     const test::MeshHandle box(corners, {0, 1, 3, 0, 3, 2, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,

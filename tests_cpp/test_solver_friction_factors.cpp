@@ -400,7 +400,7 @@ TEST_CASE("Made-up friction factors are refused") {
     CHECK(restore(other.solver, words) == GPHYS_OK);
 }
 
-TEST_CASE("Friction by particle has the same bits for any number of workers") {
+TEST_CASE("Friction by particle has the same bits for any number of workers", "[simulation]") {
     uint64_t first = 0;
     for (uint32_t workers = 1; workers <= 4; ++workers) {
         gphys_solver_desc desc = World::desc(4);

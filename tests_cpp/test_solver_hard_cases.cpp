@@ -22,7 +22,7 @@ float frame_time(test::Random& random) {
 
 }  // namespace
 
-TEST_CASE("frames of unequal length, spikes included, stretch nothing and add no energy") {
+TEST_CASE("frames of unequal length, spikes included, stretch nothing and add no energy", "[simulation]") {
     World world(8);
     const gphys_body_id rope = world.rope(line({0, 0, 0}, {0.05f, 0, 0}, 41), 0.05f);
     gphys_body_desc desc = World::body_desc();
@@ -87,7 +87,7 @@ TEST_CASE("a rope over a sharp edge slides as friction lets it, and keeps its le
     }
 }
 
-TEST_CASE("cloth between pins that move apart beyond its length stays finite and shares the stretch") {
+TEST_CASE("cloth between pins that move apart beyond its length stays finite and shares the stretch", "[simulation]") {
     World world(8);
     const uint32_t n = 21;
     const gphys_body_id cloth = world.cloth({0, 0, 0}, {1, 0, 0}, {0, 0, 1}, n, n);
@@ -164,7 +164,7 @@ TEST_CASE("particles between closing walls stay between them until there is no r
     for (const gphys_vec3& v : world.velocities(body)) CHECK(length(widen(v)) < 100);
 }
 
-TEST_CASE("double pendulums are chaotic, and their mean motion does not depend on the substeps") {
+TEST_CASE("double pendulums are chaotic, and their mean motion does not depend on the substeps", "[simulation]") {
     // 24 double pendulums that start a hair apart. By the virial theorem no closed form: the mean height
     // of the tips over a minute is compared between two step lengths, and the energy with its start.
     double mean[2], apart = 0;

@@ -72,7 +72,7 @@ struct Fall {
 
 }  // namespace
 
-TEST_CASE("A net of 1 kg catches a ball of 1 kg") {
+TEST_CASE("A net of 1 kg catches a ball of 1 kg", "[simulation]") {
     World world;
     const Sheet net(world, 40, 4, colliding(1, 0.01f));
     net.pin_edges();
@@ -91,7 +91,7 @@ TEST_CASE("A net of 1 kg catches a ball of 1 kg") {
     CHECK(net.stretch() < 0.005);
 }
 
-TEST_CASE("A trampoline of 5 kg stops a ball of 60 kg") {
+TEST_CASE("A trampoline of 5 kg stops a ball of 60 kg", "[simulation]") {
     World world;
     const Sheet sheet(world, 20, 3, colliding(5, 0.02f));
     sheet.pin_edges();
@@ -103,7 +103,7 @@ TEST_CASE("A trampoline of 5 kg stops a ball of 60 kg") {
     CHECK(fall.deepest > -0.4);
 }
 
-TEST_CASE("Heaps of twenty balls of 1 kg stay in a net of 1 kg") {
+TEST_CASE("Heaps of twenty balls of 1 kg stay in a net of 1 kg", "[simulation]") {
     World world;
     const Sheet net(world, 40, 4, colliding(1, 0.01f));
     net.pin_edges();
@@ -155,7 +155,7 @@ TEST_CASE("A heavy ball that flies into a free sheet keeps the momentum of both,
     CHECK(world.energy() < 0.95 * energy);  // the ball has pushed the sheet along
 }
 
-TEST_CASE("A ball at rest in a net presses on it with its weight") {
+TEST_CASE("A ball at rest in a net presses on it with its weight", "[simulation]") {
     World world;
     const Sheet net(world, 40, 4, colliding(1, 0.01f));
     net.pin_edges();
@@ -182,7 +182,7 @@ TEST_CASE("A ball at rest in a net presses on it with its weight") {
     CHECK(part == Approx(1).margin(0.1));
 }
 
-TEST_CASE("Heavy balls on a rug on the floor stay slow and near") {
+TEST_CASE("Heavy balls on a rug on the floor stay slow and near", "[simulation]") {
     const auto check = [](double mass, float radius, float gap, int side, double fastest_allowed) {
         World world;
         const gphys_plane floor = {{0, 1, 0}, 0};

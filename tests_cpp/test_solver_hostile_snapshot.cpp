@@ -380,7 +380,7 @@ TEST_CASE("a hostile snapshot is refused, or a state like any other") {
     Count all;
     for (const State& state : states) {
         INFO(state.what);
-        const Count count = attack_everywhere(state, 1, 200, 11);
+        const Count count = attack_everywhere(state, 1, test::tries(200), 11);
         all.taken += count.taken;
         all.refused += count.refused;
     }

@@ -59,7 +59,7 @@ double fastest(const World& world, gphys_body_id body) {
 
 }  // namespace
 
-TEST_CASE("A parachute whose gores meet in one point keeps its shape, and sinks as its area says") {
+TEST_CASE("A parachute whose gores meet in one point keeps its shape, and sinks as its area says", "[simulation]") {
     for (const uint32_t gores : {8u, 10u, 16u, 24u}) {
         World world;
         gphys_body_desc desc = World::body_desc();
@@ -89,7 +89,7 @@ TEST_CASE("A parachute whose gores meet in one point keeps its shape, and sinks 
     }
 }
 
-TEST_CASE("A web of elastic cords gains no energy, and rests, whatever the number of its spokes") {
+TEST_CASE("A web of elastic cords gains no energy, and rests, whatever the number of its spokes", "[simulation]") {
     for (const uint32_t spokes : {8u, 10u, 12u, 16u, 32u}) {
         constexpr uint32_t rings = 10;
         World world;
@@ -143,7 +143,7 @@ TEST_CASE("A weight on many elastic links hangs where their forces carry it") {
     CHECK(std::fabs(force / (mass * 9.81) - 1) < 0.01);
 }
 
-TEST_CASE("A disc of cloth that tumbles in free flight gains no energy, and loses little") {
+TEST_CASE("A disc of cloth that tumbles in free flight gains no energy, and loses little", "[simulation]") {
     constexpr uint32_t spokes = 24;
     World world(8, {0, 0, 0});
     gphys_body_desc desc = World::body_desc();

@@ -218,7 +218,7 @@ TEST_CASE("What hangs pulls its models with its weight") {
 }
 
 // Its links along the edge have lengths that rounding makes wrong, and nothing between them can give way.
-TEST_CASE("A flag pulls the pole that holds its edge with its weight") {
+TEST_CASE("A flag pulls the pole that holds its edge with its weight", "[simulation]") {
     for (const uint32_t flags : {0u, uint32_t{GPHYS_CLOTH_SHEAR | GPHYS_CLOTH_BEND}}) {
         for (const bool is_joined : {false, true}) {
             for (const bool touches : {false, true}) {

@@ -95,7 +95,7 @@ TEST_CASE("a rope that begins in a solid leaves it without gaining energy") {
     }
 }
 
-TEST_CASE("cloth that begins in a solid leaves it without gaining energy") {
+TEST_CASE("cloth that begins in a solid leaves it without gaining energy", "[simulation]") {
     for (const Solid solid : solids) {
         for (const gphys_vec3& place : places) {
             World world;

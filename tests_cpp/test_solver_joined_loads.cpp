@@ -60,7 +60,7 @@ TEST_CASE("What is joined does not collide around its joints") {
     CHECK(fall.gained < 1e-3);
 }
 
-TEST_CASE("A hammock on joined ropes carries a ball of ten times its mass") {
+TEST_CASE("A hammock on joined ropes carries a ball of ten times its mass", "[simulation]") {
     const auto check = [](uint32_t substeps, double most_strain, double most_at_end, double most_gained) {
         World world(substeps);
         hammock(world);

@@ -167,14 +167,15 @@ TEST_CASE("a large cloth has the same bits whoever shares its work") {
     CHECK(drape(3, n, &backwards) == alone);
 }
 
-TEST_CASE("free particles of a large body have the same bits, and press as much, whoever shares their work") {
+TEST_CASE("free particles of a large body have the same bits, and press as much, whoever shares their work",
+          "[simulation]") {
     const Hash alone = rain(1);
     CHECK(rain(2) == alone);
     CHECK(rain(5) == alone);
     CHECK(rain(3, &backwards) == alone);
 }
 
-TEST_CASE("many balls have the same bits whoever shares the work on their contacts") {
+TEST_CASE("many balls have the same bits whoever shares the work on their contacts", "[simulation]") {
     const bool fall = GENERATE(true, false);
     const Hash alone = balls(1, fall);
     CHECK(balls(2, fall) == alone);

@@ -98,7 +98,7 @@ TEST_CASE("a lattice of rigid links goes on turning") {
     CHECK(left < 1.0001);
 }
 
-TEST_CASE("a ball goes on turning, with its volume held and without") {
+TEST_CASE("a ball goes on turning, with its volume held and without", "[simulation]") {
     const Surface sphere = icosphere(2);
     for (const float compliance : {-1.0f, 0.0f, 1e-5f}) {
         World world(8, {0, 0, 0});
@@ -122,7 +122,7 @@ TEST_CASE("a ball of gas and soft links keeps its momentum") {
     check("gas", lost_in(world, body, 10));
 }
 
-TEST_CASE("a free sheet keeps its momenta while it tumbles and folds, in few substeps and in many") {
+TEST_CASE("a free sheet keeps its momenta while it tumbles and folds, in few substeps and in many", "[simulation]") {
     for (const uint32_t substeps : {8u, 60u}) {
         World world(substeps, {0, 0, 0});
         const gphys_body_id body = world.cloth({-0.95f, 0, -0.95f}, {1.9f, 0, 0}, {0, 0, 1.9f}, 20, 20);

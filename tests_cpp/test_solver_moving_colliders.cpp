@@ -88,7 +88,7 @@ TEST_CASE("a paddle on a long arm meets what is in its way, at any step") {
     }
 }
 
-TEST_CASE("ropes and cloth thrown at a wall that turns away do not pass") {
+TEST_CASE("ropes and cloth thrown at a wall that turns away do not pass", "[simulation]") {
     for (const int kind : {0, 1}) {
         for (const double speed : {-5.0, 5.0}) {
             World world(4, {0, 0, 0});

@@ -143,7 +143,7 @@ TEST_CASE("A lift is pressed by what it carries with m (g + a)") {
     CHECK(std::fabs(tray.middle().y - (y + 0.01)) < 1e-4);
 }
 
-TEST_CASE("Cloth on a ball that moves keeps its threads' lengths") {
+TEST_CASE("Cloth on a ball that moves keeps its threads' lengths", "[simulation]") {
     for (const int way : {0, 1, 2}) {
         Draped draped;
         double peak = 0;
@@ -164,7 +164,7 @@ TEST_CASE("Cloth on a ball that moves keeps its threads' lengths") {
     }
 }
 
-TEST_CASE("Cloth stays outside a ball that jumps, turns or grows") {
+TEST_CASE("Cloth stays outside a ball that jumps, turns or grows", "[simulation]") {
     for (const int way : {0, 1, 2}) {
         Draped draped;
         for (int i = 1; i <= 60; ++i) {

@@ -211,7 +211,7 @@ TEST_CASE("a model that moves gets the momentum that a rope loses") {
     }
 }
 
-TEST_CASE("walkers go through ropes that hang, and into none of them") {
+TEST_CASE("walkers go through ropes that hang, and into none of them", "[simulation]") {
     const gphys_capsule shape{{0, 0.2f, 0}, {0, 1.7f, 0}, 0.2f};
     for (const bool ground : {false, true}) {
         for (const uint32_t substeps : {1u, 8u}) {
@@ -260,7 +260,7 @@ TEST_CASE("walkers go through ropes that hang, and into none of them") {
     }
 }
 
-TEST_CASE("no rope leaves a closed mesh that turns") {
+TEST_CASE("no rope leaves a closed mesh that turns", "[simulation]") {
     const test::MeshHandle box(corners, faces);
     struct Case {
         double turning;  // rad/s

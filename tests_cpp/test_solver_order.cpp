@@ -272,7 +272,7 @@ TEST_CASE("a star of joints to particles that do not move is held by them") {
     }
 }
 
-TEST_CASE("a step of n bodies joined to one takes as long as one of n bodies in a row") {
+TEST_CASE("a step of n bodies joined to one takes as long as one of n bodies in a row", "[simulation]") {
     // Both have as many nodes and links, and nothing is filled in. How their times grow with n depends on the caches.
     const auto time_of = [](uint32_t n, bool row) {
         World world;

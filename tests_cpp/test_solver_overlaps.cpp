@@ -91,7 +91,7 @@ TEST_CASE("Two balls that begin too near come apart without speed, however deep 
     }
 }
 
-TEST_CASE("A model that appears in a heap of balls, or grows there, throws none away") {
+TEST_CASE("A model that appears in a heap of balls, or grows there, throws none away", "[simulation]") {
     // A ball that slides from a model into free room falls by at most 0.3 m.
     const float falling = std::sqrt(2 * 9.81f * 0.3f);
     for (const float radius : {0.1f, 0.3f}) {
@@ -154,7 +154,7 @@ TEST_CASE("What a model presses against a wall gets no more than its speed") {
     }
 }
 
-TEST_CASE("Balls poured into a deep heap gain no energy, and do not sink into each other") {
+TEST_CASE("Balls poured into a deep heap gain no energy, and do not sink into each other", "[simulation]") {
     constexpr float radius = 0.1f;
     for (const uint32_t substeps : {1u, 2u, 3u, 4u, 8u}) {
         World world(substeps);
@@ -197,7 +197,7 @@ TEST_CASE("Balls poured into a deep heap gain no energy, and do not sink into ea
     }
 }
 
-TEST_CASE("Targets of strain and of error take no substeps from balls that are poured into a heap") {
+TEST_CASE("Targets of strain and of error take no substeps from balls that are poured into a heap", "[simulation]") {
     constexpr float radius = 0.05f;
     for (const bool of_strain : {true, false}) {
         gphys_solver_desc settings = World::desc(8);

@@ -394,7 +394,9 @@ void pour_into_bowl(uint32_t count, int seconds) {
 
 }  // namespace
 
-TEST_CASE("nothing passes through a wall of one millimetre at 1000 m/s, in a million shots") { check_shots(100000); }
+TEST_CASE("nothing passes through a wall of one millimetre at 1000 m/s, in a million shots", "[simulation]") {
+    check_shots(100000);
+}
 TEST_CASE("nothing passes through a wall of one millimetre at 1000 m/s, in ten million shots", "[.long]") {
     check_shots(1000000);
 }

@@ -63,7 +63,7 @@ struct Thighs : World {
 
 }  // namespace
 
-TEST_CASE("thighs that leave cloth less room than its thickness do not tear it along") {
+TEST_CASE("thighs that leave cloth less room than its thickness do not tear it along", "[simulation]") {
     // With thickness that does not yield, 0.65 at 2 substeps, 1.2 and 2.2 at 8; now 0.04 to 0.08, of links that turn.
     for (const uint32_t substeps : {2u, 8u}) {
         for (const float gap : {0.019f, 0.01f}) {

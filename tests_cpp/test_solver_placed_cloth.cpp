@@ -66,7 +66,7 @@ TEST_CASE("a sheet that is placed too narrow or too wide gets its width without 
     }
 }
 
-TEST_CASE("a flat curtain whose pins are closer than its links falls into folds") {
+TEST_CASE("a flat curtain whose pins are closer than its links falls into folds", "[simulation]") {
     for (const uint32_t substeps : {2u, 4u, 8u}) {
         for (const uint32_t flags : {0u, default_flags}) {
             for (const int pins : {2, int{side}}) {
@@ -146,7 +146,7 @@ TEST_CASE("a corner that the caller has placed far off comes back to its sheet w
     }
 }
 
-TEST_CASE("a flat sheet hangs calmly from a slack rope in its plane") {
+TEST_CASE("a flat sheet hangs calmly from a slack rope in its plane", "[simulation]") {
     for (const uint32_t substeps : {4u, 8u}) {
         for (const double longer : {0.005, 0.02, 0.1}) {
             INFO(substeps << " substeps, " << longer);

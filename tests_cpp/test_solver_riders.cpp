@@ -112,7 +112,7 @@ const Ride rides[] = {
 
 }  // namespace
 
-TEST_CASE("friction keeps particles at their places on models that move") {
+TEST_CASE("friction keeps particles at their places on models that move", "[simulation]") {
     for (const Floor kind : {Floor::box, Floor::mesh, Floor::hills}) {
         for (const float static_friction : {0.0f, 0.7f}) {
             for (const uint32_t substeps : {1u, 8u}) {

@@ -167,7 +167,7 @@ TEST_CASE("A heavy ball slides along ropes without friction, and is held with it
     CHECK(held < 0.05);
 }
 
-TEST_CASE("A hook lifts a crate in two slings") {
+TEST_CASE("A hook lifts a crate in two slings", "[simulation]") {
     for (const uint32_t substeps : {2u, 4u, 8u}) {
         World world(substeps);
         const gphys_plane floor = {{0, 1, 0}, 0};

@@ -69,7 +69,8 @@ struct Room : World {
 
 }  // namespace
 
-TEST_CASE("a default sheet on a box, a ball, a capsule or a bar comes to rest with its threads unstrained") {
+TEST_CASE("a default sheet on a box, a ball, a capsule or a bar comes to rest with its threads unstrained",
+          "[simulation]") {
     const gphys_sphere ball{{0, 0, 0}, 0.5f};
     const gphys_capsule standing{{0, -0.8f, 0}, {0, 0.3f, 0}, 0.25f}, bar{{-2, 0.4f, 0}, {2, 0.4f, 0}, 0.05f};
     for (const int which : {0, 1, 2, 3}) {
@@ -102,7 +103,7 @@ TEST_CASE("units do not matter for settling: a sheet in centimetres") {
     CHECK(room.rests());
 }
 
-TEST_CASE("a settled sheet falls when its support is gone, and follows it when it moves") {
+TEST_CASE("a settled sheet falls when its support is gone, and follows it when it moves", "[simulation]") {
     Room room;
     const gphys_model_id box = room.box();
     room.drape(0.5f);
@@ -122,7 +123,7 @@ TEST_CASE("a settled sheet falls when its support is gone, and follows it when i
     CHECK(std::fabs(before - room.mean_height() - 9.81 / 8) < 0.12);
 }
 
-TEST_CASE("a model that passes a settled sheet does not stir it, and one that hits it does") {
+TEST_CASE("a model that passes a settled sheet does not stir it, and one that hits it does", "[simulation]") {
     Room room;
     room.box();
     const gphys_sphere ball{{0, 0, 0}, 0.1f};
@@ -144,7 +145,7 @@ TEST_CASE("a model that passes a settled sheet does not stir it, and one that hi
     CHECK(room.moved(before) > 0.05);
 }
 
-TEST_CASE("a sheet slides down a slope that is hardly too steep, as Coulomb's law says") {
+TEST_CASE("a sheet slides down a slope that is hardly too steep, as Coulomb's law says", "[simulation]") {
     for (const double degrees : {26.7, 28.0}) {  // friction of 0.5 holds up to 26.565
         Room room;
         const double angle = degrees * 3.14159265358979 / 180;
@@ -234,7 +235,7 @@ struct GatheredCurtain : Room {
 
 }  // namespace
 
-TEST_CASE("a gathered curtain with default links comes to rest") {
+TEST_CASE("a gathered curtain with default links comes to rest", "[simulation]") {
     for (const uint32_t substeps : {8u, 7u, 2u}) {
         GatheredCurtain room(substeps);
         room.come_to_rest();
@@ -244,7 +245,7 @@ TEST_CASE("a gathered curtain with default links comes to rest") {
     }
 }
 
-TEST_CASE("a gathered curtain at rest moves again when something stirs it") {
+TEST_CASE("a gathered curtain at rest moves again when something stirs it", "[simulation]") {
     GatheredCurtain room(8);
     room.come_to_rest();
     const std::vector<gphys_vec3> at_rest = room.positions(room.sheet);
@@ -281,7 +282,8 @@ TEST_CASE("a gathered curtain at rest moves again when something stirs it") {
     CHECK(room.moved(at_rest) > least);
 }
 
-TEST_CASE("a gathered curtain that is attached to a model moves and rests as a pinned one, and goes with the model") {
+TEST_CASE("a gathered curtain that is attached to a model moves and rests as a pinned one, and goes with the model",
+          "[simulation]") {
     const gphys_vec3 at{0, 0.1f, 0};
     GatheredCurtain attached(8, &at), pinned(8);
     for (int i = 0; i < 120; ++i) {
@@ -301,7 +303,7 @@ TEST_CASE("a gathered curtain that is attached to a model moves and rests as a p
     CHECK(std::fabs(attached.mean_height() - height - 0.3) < 0.02);
 }
 
-TEST_CASE("a gathered curtain pulls its rail with its weight before it rests, and at rest") {
+TEST_CASE("a gathered curtain pulls its rail with its weight before it rests, and at rest", "[simulation]") {
     const gphys_vec3 at{0.3f, 0.1f, 0};
     for (const uint32_t every : {1u, 3u}) {
         for (const uint32_t substeps : {8u, 4u, 2u, 1u}) {
@@ -347,7 +349,7 @@ TEST_CASE("a sheet with small swings goes on swinging") {
     CHECK(largest_swing() > 0.6 * first);  // the time scheme loses 30 % in the 15 seconds between
 }
 
-TEST_CASE("a sheet that settles continues with the same bits from a snapshot") {
+TEST_CASE("a sheet that settles continues with the same bits from a snapshot", "[simulation]") {
     Room room;
     room.box();
     room.drape(0.5f, 20);

@@ -86,7 +86,7 @@ TEST_CASE("a ball with many vertices at its poles is unstrained, and sleeps") {
     }
 }
 
-TEST_CASE("such a ball falls on the ground within its strain, and without the maximum of substeps") {
+TEST_CASE("such a ball falls on the ground within its strain, and without the maximum of substeps", "[simulation]") {
     for (const bool exact : {true, false}) {
         World world(desc_with(0.02f, {0, -9.81f, 0}));
         const gphys_plane ground{{0, 1, 0}, -0.6f};

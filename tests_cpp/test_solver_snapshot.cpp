@@ -223,7 +223,7 @@ TEST_CASE("a forged snapshot is refused or taken, and never reaches past an arra
     test::Random random(6);
     const uint32_t values[] = {0, 1, 2, 7, 0xff, 0xffffff, 0x1000000, 0x7fffffff, 0x80000000, 0x7ff80000, 0xffffffff};
     int taken = 0, refused = 0;
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < test::tries(3000); ++i) {
         const size_t at = 5 + random.index(static_cast<uint32_t>(good.size()) - 5);
         const Words words = forged(good, at, values[random.index(sizeof values / sizeof values[0])]);
         const gphys_status status =

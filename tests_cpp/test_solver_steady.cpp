@@ -196,7 +196,8 @@ const std::vector<Event>& events() {
 
 }  // namespace
 
-TEST_CASE("bodies that lie still go on with the same bits as those moved in every step, whatever happens") {
+TEST_CASE("bodies that lie still go on with the same bits as those moved in every step, whatever happens",
+          "[simulation]") {
     Room first;
     first.run(600);
     const test::Words calm = test::snapshot(first.solver);

@@ -102,7 +102,7 @@ TEST_CASE("A cantilever bends under its weight as its moments say") {
     CHECK(std::fabs(deflection / (g / 8 / stiffness) - 1) < 0.05);
 }
 
-TEST_CASE("A cantilever under a large load has the shape of the elastica") {
+TEST_CASE("A cantilever under a large load has the shape of the elastica", "[simulation]") {
     // Bisshopp and Drucker 1945, "Large deflection of cantilever beams": F L^2 / E I, then the deflection of the tip
     // and the way by which it is nearer to the wall.
     constexpr double table[][3] = {{1, 0.30172, 0.05643}, {2, 0.49346, 0.16064}, {10, 0.81061, 0.55500}};

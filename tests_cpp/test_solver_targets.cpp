@@ -140,7 +140,7 @@ TEST_CASE("targets that cannot be met take the most substeps, and no more") {
     CHECK(world.stats(rope).strain_max > 0.09f);
 }
 
-TEST_CASE("cloth that lands on a ball and whips around it meets its target in every step") {
+TEST_CASE("cloth that lands on a ball and whips around it meets its target in every step", "[simulation]") {
     struct Seen {
         double peak = 0;
         uint32_t most = 0, last = 0, inside = 0;
@@ -172,7 +172,7 @@ TEST_CASE("cloth that lands on a ball and whips around it meets its target in ev
     CHECK(told.inside == 0);
 }
 
-TEST_CASE("what a target of strain asks for adds no energy to cloth") {
+TEST_CASE("what a target of strain asks for adds no energy to cloth", "[simulation]") {
     // Without damping, and so close a target that links are relaxed in every step.
     const float target = GENERATE(0.02f, 0.005f);
     World world(with_strain(target));

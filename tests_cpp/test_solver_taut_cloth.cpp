@@ -85,7 +85,7 @@ TEST_CASE("a taut sheet that is released on one side has its lengths again") {
     REQUIRE(lowest == Approx(-3).epsilon(0.002));
 }
 
-TEST_CASE("a banner whose bar rises and stops hangs again as long as it is") {
+TEST_CASE("a banner whose bar rises and stops hangs again as long as it is", "[simulation]") {
     for (const float damping : {0.0f, 1.0f, 5.0f}) {
         World world;
         const gphys_sphere ball{{0, 0, 0}, 0.01f};

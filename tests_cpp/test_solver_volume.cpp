@@ -41,7 +41,7 @@ gphys_body_desc soft(float mass, float compliance, float damping) {
 
 }  // namespace
 
-TEST_CASE("A ball filled with water keeps its volume on the floor") {
+TEST_CASE("A ball filled with water keeps its volume on the floor", "[simulation]") {
     const Surface sphere = icosphere(3);
     const double whole = volume_of(sphere.vertices, sphere.indices);
     for (const float compliance : {0.0f, 1e-3f}) {
@@ -73,7 +73,7 @@ TEST_CASE("A ball filled with water keeps its volume on the floor") {
     }
 }
 
-TEST_CASE("Without its volume a soft ball lies flat") {
+TEST_CASE("Without its volume a soft ball lies flat", "[simulation]") {
     const Surface sphere = icosphere(3);
     const double whole = volume_of(sphere.vertices, sphere.indices);
     World world(16);

@@ -93,7 +93,7 @@ double mean_weight_on(World& world, gphys_model_id model) {
 
 }  // namespace
 
-TEST_CASE("Layers of balls between walls press the floor with the weight of all") {
+TEST_CASE("Layers of balls between walls press the floor with the weight of all", "[simulation]") {
     for (const int count : {1, 2, 4, 8}) {
         World world;
         const gphys_model_id floor = world.box({5, 0.5f, 5}, {0, -0.5f, 0});
@@ -106,7 +106,7 @@ TEST_CASE("Layers of balls between walls press the floor with the weight of all"
     }
 }
 
-TEST_CASE("Layers of balls in a pit of triangles press it with the weight of all, and stay inside") {
+TEST_CASE("Layers of balls in a pit of triangles press it with the weight of all, and stay inside", "[simulation]") {
     for (const float rise : {0.0f, 0.1f}) {
         World world;
         const test::MeshHandle pit = mesh_pit(rise);
@@ -154,7 +154,7 @@ TEST_CASE("A ball passes on the weight of one that is a hundred times as heavy")
     CHECK(std::fabs(static_cast<double>(contact.impulse) * 60 / (100 * g) - 1) < 1e-3);
 }
 
-TEST_CASE("A sheet and a rope pass on the weight of what lies on them") {
+TEST_CASE("A sheet and a rope pass on the weight of what lies on them", "[simulation]") {
     World world;
     const gphys_model_id floor = world.box({5, 0.5f, 5}, {0, -0.5f, 0});
     gphys_body_desc desc = balls(1, 0.5f);
@@ -210,7 +210,7 @@ TEST_CASE("The impulses on models are the change of momentum of a heap, which ga
     }
 }
 
-TEST_CASE("A heap lies on a slope that holds one of its balls, and slides down a steeper one") {
+TEST_CASE("A heap lies on a slope that holds one of its balls, and slides down a steeper one", "[simulation]") {
     for (const int layers : {1, 2, 4}) {
         for (const double degrees : {10.0, 15.0, 20.0, 30.0}) {
             World world;
@@ -247,7 +247,7 @@ TEST_CASE("A heap lies on a slope that holds one of its balls, and slides down a
     }
 }
 
-TEST_CASE("A floor that moves under layers of balls drags them by Coulomb's law of their weight") {
+TEST_CASE("A floor that moves under layers of balls drags them by Coulomb's law of their weight", "[simulation]") {
     for (const float friction : {0.2f, 0.5f}) {
         for (const int layers : {1, 4}) {
             World world;

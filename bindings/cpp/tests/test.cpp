@@ -3,7 +3,6 @@
 #include <catch2/catch_all.hpp>
 using Catch::Approx;
 #else
-#define CATCH_CONFIG_MAIN
 #include <catch2/catch.hpp>
 #endif
 
