@@ -42,6 +42,10 @@ function(gamephys_compilation target)
                POSITION_INDEPENDENT_CODE ON
                UNITY_BUILD OFF)
   gamephys_warnings(${target})
+  # src is C++17 without extensions, of which clang finds more than gcc (tests_package/microsoft.sh).
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    target_compile_options(${target} PRIVATE -pedantic -Wgnu)
+  endif()
   target_compile_options(${target} PRIVATE ${GAMEPHYS_OPTIMISATION} ${GAMEPHYS_IEEE} ${GAMEPHYS_LIBRARY_OPTIONS} -fno-rtti)
   if(NOT EMSCRIPTEN) # which has -fwasm-exceptions instead
     target_compile_options(${target} PRIVATE -fexceptions)

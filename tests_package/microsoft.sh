@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
 # src is C++17 that another compiler takes: extensions of gcc and clang are for these two, in compiler.h and
 # simd_plain.h alone.
-# clang looks at all of src as Microsoft's compiler would: with the branches for that one, vectors without
+# clang looks at src as Microsoft's compiler would: with the branches for that one, vectors without
 # operators (microsoft/intrin.h), and what a GNU extension is told by -pedantic-errors and -Wgnu is an error.
 # -fms-extensions is for __forceinline and __declspec; -fms-compatibility would refuse this system's C++
 # library, and allows more than it forbids.
+# Without the argument "all" it looks at the kernels, all other headers at once, and the files that name a vector or
+# a system: the rest has no such branches, and each build by clang finds its GNU extensions with the same warnings.
 source "$SOURCE/tests_package/common.sh"
 command -v clang++ >/dev/null || {
     echo "clang is not installed"
@@ -21,14 +23,17 @@ flags=(-std=c++17 -fms-extensions -pedantic-errors -Wgnu -Werror -Wno-microsoft 
 clang++ "${flags[@]}" -x c++-header tests_package/microsoft/prelude.h -o "$WORK/prelude.pch"
 flags+=(-fsyntax-only -include-pch "$WORK/prelude.pch")
 check() { clang++ "${flags[@]}" "$@"; }
-# The narrowest and the widest registers, or all if the argument is "all": float4.h has those of SSE2 anyway.
-sets=(scalar avx512)
-[ "${1:-}" != all ] || sets=(scalar sse2 avx2 avx512)
+# Kernels with the narrowest and the widest registers, or with all: float4.h has those of SSE2 anyway.
+sets=(scalar avx512) special='Float|Double|Mask|Vec<|simd|_mm_|__m[0-9]|^#if'
+[ "${1:-}" != all ] || sets=(scalar sse2 avx2 avx512) special=
 for set in "${sets[@]}"; do
     find src -name '*_kernels.cpp' -printf "-DGPHYS_ISA=$set %p\n"
 done >"$WORK/units.txt"
 [ -s "$WORK/units.txt" ] || fail "no kernels found"
-find src -name '*.cpp' ! -name '*_kernels.cpp' >>"$WORK/units.txt"
+find src -name '*.cpp' ! -name '*_kernels.cpp' -exec grep -lE "$special" {} + >>"$WORK/units.txt"
+find src -name '*.h' ! -path '*/simd*' -exec grep -L GPHYS_ISA {} + | sed 's|^src/\(.*\)|#include "\1"|' >"$WORK/headers.cpp"
+[ "$(wc -l <"$WORK/headers.cpp")" -ge 100 ] || fail "no headers found"
+echo "$WORK/headers.cpp" >>"$WORK/units.txt"
 xargs -d '\n' -P 2 -I{} sh -c 'clang++ "$@" $0' {} "${flags[@]}" <"$WORK/units.txt"
 
 # refused NAME CODE: in a function of a file with the registers of SSE2.
