@@ -186,6 +186,32 @@ TEST_CASE("A spring that bears half of a plate leaves half of its weight to the 
     }
 }
 
+TEST_CASE("So it does if other clusters of its body are hinged to each other") {
+    World world(2);
+    const gphys_plane floor{{0, 1, 0}, 0};
+    world.model(GPHYS_SHAPE_PLANE, &floor);
+    std::vector<gphys_vec3>
+        points;  // a plate of 5 x 5, and ten of two planks, which have the fifth and sixth in common
+    for (uint32_t i = 0; i < 25; ++i)
+        points.push_back({0.25f * static_cast<float>(i / 5) - 0.5f, 0.02f, 0.25f * static_cast<float>(i % 5) - 0.5f});
+    for (uint32_t i = 0; i < 10; ++i)
+        points.push_back({3 + 0.25f * static_cast<float>(i / 2), 0.02f, 0.2f * static_cast<float>(i % 2)});
+    const gphys_body_id body = world.particles(points, of_mass(14));
+    for (const std::pair<uint32_t, uint32_t> range : {std::pair(0u, 25u), std::pair(25u, 31u), std::pair(29u, 35u)}) {
+        std::vector<uint32_t> particles;
+        for (uint32_t i = range.first; i < range.second; ++i) particles.push_back(i);
+        gphys_cluster_id cluster = 0;
+        REQUIRE(gphys_solver_add_cluster(world.solver, body, particles.data(), static_cast<uint32_t>(particles.size()),
+                                         &cluster) == GPHYS_OK);
+    }
+    const double half = 5 * gravity, compliance = 0.001;
+    join(world, hook(world, {0, 2, 0}), 0, body, 12, static_cast<float>(1.98 - half * compliance),
+         static_cast<float>(compliance));
+    for (int step = 0; step < 120; ++step) world.step(dt);
+    CHECK(-force_on_model(world).y == Approx(half + 4 * gravity).epsilon(1e-3));
+    CHECK(joint_force(world, body) == Approx(half).epsilon(1e-3));
+}
+
 TEST_CASE("A crate that is towed pulls its rod by Coulomb's law") {
     for (const uint32_t substeps : {8u, 1u}) {
         World world(substeps);

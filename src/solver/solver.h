@@ -59,7 +59,7 @@
 //     volume.cpp         the enclosed volume of closed cloth
 //     clusters.cpp       particles that keep their shape; cluster_edits.cpp, best_rotation.cpp
 //   contact/           particles against the scene and against particles; impulses on models; lists of contacts
-//   joints/            joints between bodies: Newton's method on all joined chains, by sparse elimination
+//   joints/            joints between bodies: Newton's method on joined chains and clusters, by sparse elimination
 //   snapshot/          the whole state as words, and back; its hash
 #pragma once
 

@@ -230,7 +230,7 @@ void MovingCluster::solve_contacts(Body& body) {
         for (const ClusterContact& contact : contacts)
             apply_impulse(contact.normal * contact.normal_before, contact.arm);
     }
-    const int most_sweeps = body.cloth.clusters.overlap ? sweeps_in_pass : sweeps_alone;
+    const int most_sweeps = body.cloth.clusters.overlap && !response_ ? sweeps_in_pass : sweeps_alone;
     double largest = infinity, before = infinity;
     const auto circles = [&] { return largest < little * size_ && largest > hardly_less * before; };
     for (int sweep = 0; sweep < most_sweeps && largest > rounding * size_ && !circles(); ++sweep) {
@@ -302,9 +302,11 @@ void put_on_shape(const MovingCluster& cluster, ClusterRange members, ClothState
     }
 }
 
+/// visit(members, number of the pass)
 template <class Visit>
 void sweep_clusters(const Clusters& clusters, Visit&& visit) {
-    for (int pass = 0; pass < (clusters.overlap ? passes_of_overlapping : 1); ++pass) each_cluster(clusters, visit);
+    for (int pass = 0; pass < (clusters.overlap ? passes_of_overlapping : 1); ++pass)
+        each_cluster(clusters, [&](ClusterRange members) { visit(members, pass); });
 }
 
 }  // namespace
@@ -347,8 +349,10 @@ void solve_clusters(Body& body, bool pulls_count) {
     ClothState& state = body.cloth.state;
     const bool in_contact = body.cloth.contacts.any_active();
     clusters.contacts.clear();
-    sweep_clusters(clusters, [&](ClusterRange members) {
-        MovingCluster cluster(members, state, response_of(clusters, members.first->cluster));
+    sweep_clusters(clusters, [&](ClusterRange members, int pass) {
+        ClusterResponse* const response = response_of(clusters, members.first->cluster);
+        if (response && pass > 0) return;  // it shares no particles
+        MovingCluster cluster(members, state, response);
         if (!cluster.fit()) return;
         if (in_contact) cluster.solve_contacts(body);
         if (pulls_count) cluster.add_pulls(body.cloth.in_chains, clusters.contacts);
@@ -357,7 +361,7 @@ void solve_clusters(Body& body, bool pulls_count) {
 }
 
 void project_clusters(const Clusters& clusters, ClothState& state) {
-    sweep_clusters(clusters, [&](ClusterRange members) {
+    sweep_clusters(clusters, [&](ClusterRange members, int) {
         MovingCluster cluster(members, state);
         if (cluster.fit()) put_on_shape(cluster, members, state);
     });
