@@ -119,11 +119,20 @@ function runtime.to_value(of, given)
     return ffi.new(of.new, given)
 end
 
+local void = ffi.typeof 'void*'
+
+--- A pointer does not say how many elements it has, and its own size would be taken for theirs.
+local function refuse_pointer(of, given)
+    if ffi.istype(of.pointer, given) or ffi.istype(void, given) then error('a pointer does not say how many elements it has', 4) end
+end
+
 --- A given number of elements.
 function runtime.to_numbers(of, given, count)
-    if type(given) ~= 'table' then return given end
-    if #given ~= count then error(('expected %d numbers, got %d'):format(count, #given), 3) end
-    return of.array(count, given)
+    if type(given) == 'table' then given = of.array(#given, given) end
+    if type(given) ~= 'cdata' then error(('expected %d numbers, got a %s'):format(count, type(given)), 3) end
+    refuse_pointer(of, given)
+    if ffi.sizeof(given) ~= count * of.size then error(('expected %d numbers, got %d'):format(count, ffi.sizeof(given) / of.size), 3) end
+    return given
 end
 
 --- What descs point to lives as long as they do.
@@ -203,9 +212,14 @@ end
 --- for all: it has no number, and a step of 0.
 function runtime.to_array(of, given, width)
     if given == nil then return nil, nil, 0 end
-    if type(given) == 'table' then given = of.array(#given, given) end
+    if type(given) == 'table' then
+        if of.name == 'uint32_t' then
+            for i, number in ipairs(given) do runtime.whole(number, 'element ' .. i) end
+        end
+        given = of.array(#given, given)
+    end
     if type(given) ~= 'cdata' then error('expected an array or a table, got a ' .. type(given), 3) end
-    if ffi.istype(of.pointer, given) then error('a pointer does not say how many elements it has', 3) end
+    refuse_pointer(of, given)
     if ffi.istype(of.new, given) then return given, nil, 0 end
     local bytes, size = ffi.sizeof(given), of.size * (width or 1)
     if bytes % size ~= 0 then error('not a whole number of elements of ' .. size .. ' bytes', 3) end
@@ -252,6 +266,8 @@ end
 --- Room for results: the caller's, if it gave some.
 function runtime.results(of, out, count)
     if not out then return of.array(count) end
+    if type(out) ~= 'cdata' then error('room for results must be an array, not a ' .. type(out), 3) end
+    refuse_pointer(of, out)
     if ffi.sizeof(out) ~= count * of.size then error('room for results has another length', 3) end
     return out
 end

@@ -39,6 +39,34 @@ function tests.ids_and_masks_beyond_32_bits_are_refused_by_name()
     assert(scene:raycast(ahead, bit.bnot(1)) == nil)
 end
 
+function tests.memory_that_is_too_short_or_of_unknown_length_is_refused()
+    local scene, camera, solver = gp.Scene(), gp.Camera(), gp.Solver()
+    local model, other = scene:add(ball), scene:add(ball)
+    local rays = gp.array('ray', { ahead, ahead })
+    local unknown = 'a pointer does not say how many elements it has'
+    for _, object in ipairs { scene, camera, solver } do
+        raises('expected 3 numbers, got 1', object.set_origin, object, gp.array('double', { 7 }))
+        raises('expected 3 numbers, got 0', object.set_origin, object, gp.array('double', 0))
+        raises('expected 3 numbers, got 2', object.set_origin, object, { 7, 7 })
+        raises('expected 3 numbers, got a nil', object.set_origin, object)
+        local three = gp.array('double', { 7, 7, 7 })
+        raises(unknown, object.set_origin, object, three + 0)
+        assert(object:get_origin()[0] == 0)
+        object:set_origin(three)
+        assert(object:get_origin()[2] == 7)
+    end
+    for _, kind in ipairs { 'void*', 'const void*', 'uint32_t*', 'const uint32_t*' } do
+        raises(unknown, scene.remove_batch, scene, ffi.cast(kind, gp.array('uint32_t', { model, other })))
+    end
+    raises(unknown, scene.raycast_batch, scene, rays + 0)
+    raises(unknown, scene.raycast_any_batch, scene, rays, nil, ffi.new 'int32_t[2]' + 0)
+    raises('room for results must be an array', scene.raycast_any_batch, scene, rays, nil, {})
+    raises('room for results has another length', scene.raycast_any_batch, scene, rays, nil, gp.array('int32_t', 1))
+    raises('element 2 ', scene.remove_batch, scene, { model, other + 2 ^ 32 })
+    raises('is not a whole number', scene.remove_batch, scene, { model + 0.5 })
+    assert(scene:has(model) and scene:has(other))
+end
+
 function tests.what_is_not_given_is_the_identity_and_what_does_not_exist_is_refused()
     local whole = { gp.Transform(), gp.Transform { position = { 0, 0, 0 } }, gp.Transform({ 0, 0, 0 }, { 0, 0, 0, 1 }) }
     for _, transform in ipairs(whole) do assert(transform.rotation.w == 1 and transform.scale == 1) end
