@@ -3,7 +3,7 @@
 A template has {n} for the parameter's name and, where they exist, {shape} for the shape that a kind
 belongs to, {array} for the array that a stride or count belongs to, {type} for the element's type.
 """
-from ._names import element
+from ._names import element, has_stride
 
 
 def arguments(call, templates, type_name):
@@ -21,6 +21,8 @@ def arguments(call, templates, type_name):
             values["shape"] = parameters[i + 1]["name"]
         elif role == "array" and element(p) == "void":
             key = "shape_array"
+        elif role in ("array", "out_array") and "packed_array" in templates and not has_stride(parameters, i):
+            key = "packed_array"
         elif role == "stride":
             values["array"] = parameters[i - 1]["name"]
             if p["name"] == "stride" or p["name"] == "out_stride":

@@ -175,6 +175,11 @@ def shape_of(parameters, i):
     return parameters[i - 1] if parameters[i - 1]["role"] == "shape_type" else None
 
 
+def has_stride(parameters, i):
+    """Whether the library takes an array with any step between its elements, not only side by side."""
+    return i + 1 < len(parameters) and parameters[i + 1]["role"] == "stride"
+
+
 def counted_array(parameters, i):
     """The input array whose length the count parameters[i] is: the one before it."""
     return next((p for p in reversed(parameters[:i]) if p["role"] == "array"), None) or next(

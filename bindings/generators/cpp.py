@@ -10,9 +10,9 @@ HEADER = """// SPDX-FileCopyrightText: 2026 The gamephys authors
 // Generated from gamephys_api.json by bindings/generate.py. Not for editing.
 """
 TEMPLATES = {
-    "self": "handle()", "handle": "{n}.handle()", "handle?": "{n} ? {n}->handle() : nullptr",
+    "self": "handle()", "handle": "{n}.handle()", "handle?": "optional_handle({n})",
     "shape_type": "{shape}.type", "shape": "{n}.pointer", "in": "&{n}", "in?": "{n}",
-    "array": "{n}.data", "shape_array": "{n}.data", "stride": "{array}.stride", "out_array": "{n}.data",
+    "array": "{n}.data", "packed_array": "{n}.contiguous(\"{n}\")", "shape_array": "{n}.data", "stride": "{array}.stride", "out_array": "{n}.data",
     "batch_count": "count", "own_count": "{array}.size", "plain_count": "count", "scalar": "{n}",
     "out": "&{n}", "in_fixed": "{n}.data()", "out_fixed": "{n}.data()", "list": "{n}", "capacity": "capacity", "total": "total",
     "ragged": "{n}", "offsets": "offsets", "new": "&made",
@@ -118,8 +118,7 @@ def with_list(api, struct, pointer, count):
     of = cpp_type(api, element(next(f for f in struct["fields"] if f["name"] == pointer)))
     return (f"// The same with {pointer}, to which the result points: they have to stay as long as it is used.\n"
             f"inline {name} {short}(Span<const {of}> {pointer}) {{\n    {name} desc = {short}();\n"
-            f"    if ({pointer}.size > 1 && {pointer}.stride != sizeof({of})) throw std::invalid_argument(\"{pointer} must be contiguous\");\n"
-            f"    desc.{pointer} = {pointer}.data;\n    desc.{count} = {pointer}.size;\n    return desc;\n}}\n"
+            f"    desc.{pointer} = {pointer}.contiguous(\"{pointer}\");\n    desc.{count} = {pointer}.size;\n    return desc;\n}}\n"
             f"inline {name} {short}(std::vector<{of}>&& {pointer}) = delete;")
 
 

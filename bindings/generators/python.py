@@ -1,7 +1,7 @@
 """Python: ctypes structs, numpy dtypes, prototypes, and a method for each function."""
 from ._docs import Language, outcome, paragraphs, translated, wrapped
 from ._names import (ANSWERS, BUILT, MASKS, OF_THE_DESC, SHAPES, base_type, calls, camel, counted_array, creations, element,
-                     lists, other_creations, plain, settable)
+                     has_stride, lists, other_creations, plain, settable)
 
 NUMBERS = {"float": "c_float", "int32_t": "c_int32", "uint32_t": "c_uint32", "size_t": "c_size_t"}
 DTYPES = {"float": "<f4", "double": "<f8", "int32_t": "<i4", "uint32_t": "<u4"}
@@ -270,8 +270,7 @@ def checked(api, p):
 
 def packed(parameters, i):
     """An argument for arrays whose elements the library takes only side by side: those without a stride."""
-    has_stride = i + 1 < len(parameters) and parameters[i + 1]["role"] == "stride"
-    return "" if has_stride else ", packed=True"
+    return "" if has_stride(parameters, i) else ", packed=True"
 
 
 def body(api, call, self_handle):

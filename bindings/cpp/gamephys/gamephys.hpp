@@ -79,8 +79,7 @@ inline QueryFilterDesc query_filter_desc() {
 // The same with ignored_models, to which the result points: they have to stay as long as it is used.
 inline QueryFilterDesc query_filter_desc(Span<const gphys_model_id> ignored_models) {
     QueryFilterDesc desc = query_filter_desc();
-    if (ignored_models.size > 1 && ignored_models.stride != sizeof(gphys_model_id)) throw std::invalid_argument("ignored_models must be contiguous");
-    desc.ignored_models = ignored_models.data;
+    desc.ignored_models = ignored_models.contiguous("ignored_models");
     desc.ignored_count = ignored_models.size;
     return desc;
 }
@@ -165,7 +164,7 @@ public:
     // Cost: O(n log n), about 1 us per triangle.
     explicit Mesh(Span<const float> vertices, Span<const uint32_t> indices, const MeshDesc* desc = nullptr) {
         gphys_mesh* made = nullptr;
-        check(gphys_mesh_create(desc, vertices.data, vertices.stride, vertices.size, indices.data, indices.size, &made));
+        check(gphys_mesh_create(desc, vertices.data, vertices.stride, vertices.size, indices.contiguous("indices"), indices.size, &made));
         own(made);
     }
 
@@ -205,7 +204,7 @@ public:
     // Cost: O(n), a small part of Mesh's; allocates.
     explicit Mesh(Span<const uint32_t> words, const MeshDesc* desc = nullptr) {
         gphys_mesh* made = nullptr;
-        check(gphys_mesh_create_from_snapshot(desc, words.data, words.size, &made));
+        check(gphys_mesh_create_from_snapshot(desc, words.contiguous("words"), words.size, &made));
         own(made);
     }
 
@@ -460,7 +459,7 @@ public:
     void add_batch(ShapeSpan shapes, Span<const Transform> transforms, const ModelDesc* desc, Span<gphys_model_id> out_models) {
         const uint32_t count = common_size({shapes.sizes(), transforms.sizes()});
         require_size(out_models.size, count);
-        check(gphys_scene_add_batch(handle(), shapes.type, shapes.data, shapes.stride, transforms.data, transforms.stride, count, desc, out_models.data));
+        check(gphys_scene_add_batch(handle(), shapes.type, shapes.data, shapes.stride, transforms.data, transforms.stride, count, desc, out_models.contiguous("out_models")));
     }
 
     // Add the models of one type, all or none, each with a desc of its own.
@@ -473,7 +472,7 @@ public:
     void add_described_batch(ShapeSpan shapes, Span<const Transform> transforms, Span<const ModelDesc> descs, Span<gphys_model_id> out_models) {
         const uint32_t count = common_size({shapes.sizes(), transforms.sizes(), descs.sizes()});
         require_size(out_models.size, count);
-        check(gphys_scene_add_described_batch(handle(), shapes.type, shapes.data, shapes.stride, transforms.data, transforms.stride, descs.data, descs.stride, count, out_models.data));
+        check(gphys_scene_add_described_batch(handle(), shapes.type, shapes.data, shapes.stride, transforms.data, transforms.stride, descs.data, descs.stride, count, out_models.contiguous("out_models")));
     }
 
     // Remove a model. Its children stay where they are in the world and lose their parent.
@@ -487,7 +486,7 @@ public:
     // Cost: that of as many calls of Scene::remove. Renews the octree as far as there is memory.
     void remove_batch(Span<const gphys_model_id> models) {
         const uint32_t count = common_size({models.sizes()});
-        check(gphys_scene_remove_batch(handle(), models.data, count));
+        check(gphys_scene_remove_batch(handle(), models.contiguous("models"), count));
     }
 
     // Remove a model and all its descendants.
@@ -644,7 +643,7 @@ public:
     // the octree as far as there is memory.
     void set_transforms(Span<const gphys_model_id> models, Span<const Transform> transforms) {
         const uint32_t count = common_size({models.sizes(), transforms.sizes()});
-        check(gphys_scene_set_transforms(handle(), models.data, transforms.data, transforms.stride, count));
+        check(gphys_scene_set_transforms(handle(), models.contiguous("models"), transforms.data, transforms.stride, count));
     }
 
     // Local transforms of the models, as they were set: relative to the parent.
@@ -653,7 +652,7 @@ public:
     void get_transforms(Span<const gphys_model_id> models, Span<Transform> out_transforms) const {
         const uint32_t count = common_size({models.sizes()});
         require_size(out_transforms.size, count);
-        check(gphys_scene_get_transforms(handle(), models.data, count, out_transforms.data, out_transforms.stride));
+        check(gphys_scene_get_transforms(handle(), models.contiguous("models"), count, out_transforms.data, out_transforms.stride));
     }
 
     // World transforms of the models: with those of all ancestors applied, rounded to float32. Answers of
@@ -663,7 +662,7 @@ public:
     void get_world_transforms(Span<const gphys_model_id> models, Span<Transform> out_transforms) const {
         const uint32_t count = common_size({models.sizes()});
         require_size(out_transforms.size, count);
-        check(gphys_scene_get_world_transforms(handle(), models.data, count, out_transforms.data, out_transforms.stride));
+        check(gphys_scene_get_world_transforms(handle(), models.contiguous("models"), count, out_transforms.data, out_transforms.stride));
     }
 
     // Closest model on a ray; the fields are exact as in gamephys::raycast.
@@ -1158,7 +1157,7 @@ public:
     // Cost: O(n), 150 to 700 ns for each model, besides embedded meshes (Mesh). Allocates.
     void restore(const Scene* library, Span<const uint32_t> words) {
         const uint32_t count = common_size({words.sizes()});
-        check(gphys_scene_restore(handle(), library ? library->handle() : nullptr, words.data, count));
+        check(gphys_scene_restore(handle(), optional_handle(library), words.contiguous("words"), count));
     }
 
     // A hash of the whole state except the octree, the low half first; meshes count by their content.
@@ -2245,7 +2244,7 @@ public:
     void get_constraint_kinds(gphys_body_id body, Span<const gphys_constraint_id> constraints, Span<gphys_constraint_kind> out_kinds) const {
         const uint32_t count = common_size({constraints.sizes()});
         require_size(out_kinds.size, count);
-        check(gphys_solver_get_constraint_kinds(handle(), body, constraints.data, count, out_kinds.data, out_kinds.stride));
+        check(gphys_solver_get_constraint_kinds(handle(), body, constraints.contiguous("constraints"), count, out_kinds.data, out_kinds.stride));
     }
 
     // The present settings of constraints.
@@ -2254,7 +2253,7 @@ public:
     void get_constraint_settings(gphys_body_id body, Span<const gphys_constraint_id> constraints, Span<ConstraintSettings> out_settings) const {
         const uint32_t count = common_size({constraints.sizes()});
         require_size(out_settings.size, count);
-        check(gphys_solver_get_constraint_settings(handle(), body, constraints.data, count, out_settings.data, out_settings.stride));
+        check(gphys_solver_get_constraint_settings(handle(), body, constraints.contiguous("constraints"), count, out_settings.data, out_settings.stride));
     }
 
     // Change constraints while they act, all or none: winches, muscles. A rest length goes from the old to
@@ -2265,7 +2264,7 @@ public:
     // gets longer links O(n log n). Chains are not planned again. Allocates.
     void set_constraint_settings(gphys_body_id body, Span<const gphys_constraint_id> constraints, Span<const ConstraintSettings> settings) {
         const uint32_t count = common_size({constraints.sizes(), settings.sizes()});
-        check(gphys_solver_set_constraint_settings(handle(), body, constraints.data, settings.data, settings.stride, count));
+        check(gphys_solver_set_constraint_settings(handle(), body, constraints.contiguous("constraints"), settings.data, settings.stride, count));
     }
 
     // Make particles of a body a rigid cluster: they keep the shape in which they are now, and move and
@@ -2294,7 +2293,7 @@ public:
     gphys_cluster_id add_cluster(gphys_body_id body, Span<const uint32_t> particles) {
         const uint32_t count = common_size({particles.sizes()});
         gphys_cluster_id out_cluster{};
-        check(gphys_solver_add_cluster(handle(), body, particles.data, count, &out_cluster));
+        check(gphys_solver_add_cluster(handle(), body, particles.contiguous("particles"), count, &out_cluster));
         return out_cluster;
     }
 
@@ -2360,7 +2359,7 @@ public:
     // pin. Allocates. Since 1.1.
     void set_breaking_forces(gphys_body_id body, Span<const gphys_constraint_id> constraints, Span<const float> forces) {
         const uint32_t count = common_size({constraints.sizes(), forces.sizes()});
-        check(gphys_solver_set_breaking_forces(handle(), body, constraints.data, forces.data, forces.stride, count));
+        check(gphys_solver_set_breaking_forces(handle(), body, constraints.contiguous("constraints"), forces.data, forces.stride, count));
     }
 
     // What Solver::set_breaking_forces or BodyDesc.breaking_force has set; 0: never breaks.
@@ -2370,7 +2369,7 @@ public:
     void get_breaking_forces(gphys_body_id body, Span<const gphys_constraint_id> constraints, Span<float> out_forces) const {
         const uint32_t count = common_size({constraints.sizes()});
         require_size(out_forces.size, count);
-        check(gphys_solver_get_breaking_forces(handle(), body, constraints.data, count, out_forces.data, out_forces.stride));
+        check(gphys_solver_get_breaking_forces(handle(), body, constraints.contiguous("constraints"), count, out_forces.data, out_forces.stride));
     }
 
     // Break a constraint as a load would, whatever its breaking force: scissors, claws. Wakes the body.
@@ -2406,7 +2405,7 @@ public:
     // Cost: O(particles + constraints) a substep, and a scene query for particles near models; O(1) and a
     // scene query for a body that the last step, of the same dt, left exactly as it was.
     void step(const Scene* scene, float dt) {
-        check(gphys_solver_step(handle(), scene ? scene->handle() : nullptr, dt));
+        check(gphys_solver_step(handle(), optional_handle(scene), dt));
     }
 
     // Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next frame,
@@ -2423,7 +2422,7 @@ public:
     std::tuple<uint32_t, float> advance(const Scene* scene, float frame_time) {
         uint32_t out_steps{};
         float out_leftover{};
-        check(gphys_solver_advance(handle(), scene ? scene->handle() : nullptr, frame_time, &out_steps, &out_leftover));
+        check(gphys_solver_advance(handle(), optional_handle(scene), frame_time, &out_steps, &out_leftover));
         return std::make_tuple(out_steps, out_leftover);
     }
 
@@ -2511,7 +2510,7 @@ public:
     // Cost: as Solver::get_snapshot; allocates.
     void restore(Span<const uint32_t> words) {
         const uint32_t count = common_size({words.sizes()});
-        check(gphys_solver_restore(handle(), words.data, count));
+        check(gphys_solver_restore(handle(), words.contiguous("words"), count));
     }
 
     // A hash of the whole state, the low half first. Equal states have equal hashes on every machine;
@@ -2841,7 +2840,7 @@ inline Frustum frustum_from_matrix(const Mat4& view_projection, gphys_depth_rang
 // Cost: O(n log n).
 inline MeshReport mesh_check(Span<const float> vertices, Span<const uint32_t> indices) {
     MeshReport out_report{};
-    check(gphys_mesh_check(vertices.data, vertices.stride, vertices.size, indices.data, indices.size, &out_report));
+    check(gphys_mesh_check(vertices.data, vertices.stride, vertices.size, indices.contiguous("indices"), indices.size, &out_report));
     return out_report;
 }
 

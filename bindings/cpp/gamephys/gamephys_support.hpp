@@ -61,6 +61,13 @@ private:
     std::unique_ptr<T, Destroyer> pointer;
 };
 
+// Of an object that may be left out, which one without a handle is not.
+template <class Owner>
+auto optional_handle(const Owner* object) {
+    if (object && !object->handle()) throw std::invalid_argument("an object that was moved from or reset");
+    return object ? object->handle() : nullptr;
+}
+
 constexpr uint32_t ANY_SIZE = 0xffffffffu;  // of what stands for each element of a batch
 
 // What a container with contiguous elements holds, and whether that is T.
@@ -86,6 +93,11 @@ struct Span {
     template <class One, class = std::enable_if_t<std::is_class_v<One> && std::is_same_v<const One, T>>>
     Span(const One& element) : Span(&element, 1, 0) {}
     uint32_t sizes() const { return given && stride ? size : ANY_SIZE; }
+    // Where they are, for functions that take elements only side by side.
+    T* contiguous(const char* name) const {
+        if (size > 1 && stride != sizeof(T)) throw std::invalid_argument(std::string(name) + " must be contiguous");
+        return data;
+    }
 
 private:
     bool given = false;  // containers without elements have no data either, but are not left out

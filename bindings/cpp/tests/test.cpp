@@ -122,6 +122,27 @@ TEST_CASE("meshes") {
     CHECK((distances[0].t == hits[0].t && distances[0].triangle == hits[0].triangle && distances[1].t == INF));
 }
 
+TEST_CASE("ids with a step between them are refused") {
+    Scene scene;
+    std::vector<gphys_model_id> models(6);
+    for (gphys_model_id& model : models) model = scene.add(ball, nullptr, nullptr);
+    const Span<const gphys_model_id> every_other(models.data(), 3, 8);
+    std::vector<Transform> places(3, identity);
+    CHECK_THROWS_AS(scene.remove_batch(every_other), std::invalid_argument);
+    CHECK_THROWS_AS(scene.set_transforms(every_other, places), std::invalid_argument);
+    CHECK_THROWS_AS(scene.get_transforms(every_other, places), std::invalid_argument);
+    const Span<gphys_model_id> room(models.data(), 3, 8);
+    CHECK_THROWS_AS(scene.add_batch(std::vector<Sphere>(3, ball), {}, nullptr, room), std::invalid_argument);
+    const std::vector<float> corners{0, 0, 0, 1, 0, 0, 0, 1, 0};
+    const std::vector<uint32_t> indices{0, 9, 1, 9, 2, 9};
+    CHECK_THROWS_AS(Mesh(Span<const float>(corners.data(), 3, 12), Span<const uint32_t>(indices.data(), 3, 8)),
+                    std::invalid_argument);
+    CHECK(scene.get_models() == models);
+    scene.remove_batch(
+        Span<const gphys_model_id>(&models[4], 1, 8));  // there is nothing between one element and the next
+    CHECK(scene.get_models().size() == 5);
+}
+
 TEST_CASE("an array without elements is not one that is left out") {
     Scene scene;
     const std::vector<Ray> no_rays;
@@ -899,4 +920,7 @@ TEST_CASE("an object that was given up is an error") {
     const Scene other = std::move(scene);
     CHECK(other.get_models().size() == 1);
     failure(GPHYS_ERROR_INVALID_ARGUMENT, [&] { scene.get_models(); });
+    Solver solver;
+    CHECK_THROWS_AS(solver.step(&scene, 0.01f), std::invalid_argument);  // not a step without a scene
+    solver.step(nullptr, 0.01f);
 }
