@@ -250,7 +250,7 @@ def method(api, call, creation=None):
 
     if creation:
         inner = "".join(f"\n        {line}" for line in [*status(), "return status;"])
-        lines += [f"return Low.create(made -> {{{inner}\n    }});" if held else f"return Low.create(made -> {invoke});"]
+        lines += [f"return Low.create(made -> {{{inner}\n    }});"]
         kind = "Pointer"
     elif listed:
         of = java_type(api, element(listed))

@@ -8,6 +8,7 @@ import com.sun.jna.Native;
 import com.sun.jna.Pointer;
 import gamephys.*;
 import java.nio.ByteBuffer;
+import java.nio.ReadOnlyBufferException;
 import java.nio.ByteOrder;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -15,6 +16,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.IntStream;
 import org.junit.Test;
 import org.junit.function.ThrowingRunnable;
@@ -820,6 +822,10 @@ public class GamephysTest {
         mesh.close();
         assertThrows(IllegalStateException.class, () -> scene.add(mesh));
         assertThrows(IllegalStateException.class, () -> Shapes.of(mesh));
+        Mesh other = pyramid();
+        Shapes shapes = Shapes.of(other);
+        other.close();
+        assertThrows(IllegalStateException.class, () -> overlapsBatch(shapes, Shapes.of(List.of(BALL))));
         assertThrows(IllegalStateException.class, () -> raycast(mesh, AHEAD));
         assertTrue(scene.raycast(new Ray(v(0.1, 5, 0.1), v(0, -1, 0), 10)).isPresent()); // the model holds it
         scene.close();
@@ -861,6 +867,36 @@ public class GamephysTest {
         assertEquals(Map.of(), taken);
         assertNotNull(allocate);
         assertNotNull(release);
+    }
+
+    private static GamephysException refused(int triangles) {
+        Batch<Integer> indices = Batch.allocate(Layout.INT, 3 * triangles);
+        indices.set(3 * triangles - 1, 3);
+        return assertThrows(GamephysException.class, () -> new Mesh(Batch.floats(0, 0, 0, 1, 0, 0, 0, 1, 0), indices));
+    }
+
+    /** Arrays that nothing but the call refers to: the last index is read before they are freed. */
+    @Test
+    public void theCollectorLeavesWhatACallReads() throws InterruptedException {
+        for (int i = 0; i < 20000; ++i) refused(1); // interpreted code keeps what is in its variables
+        AtomicBoolean done = new AtomicBoolean();
+        Thread collector = new Thread(() -> {
+            while (!done.get()) System.gc();
+        });
+        collector.start();
+        for (int i = 0; i < 4; ++i) assertTrue(refused(2_000_000).getMessage().contains("indices[5999999] 3 is not"));
+        done.set(true);
+        collector.join();
+    }
+
+    @Test
+    public void resultsDoNotGoIntoMemoryThatIsOnlyRead() {
+        Batch<Integer> room = Batch.allocate(Layout.INT, 1), read = Batch.of(Layout.INT, room.buffer().asReadOnlyBuffer());
+        Batch<Ray> rays = Batch.copyOf(Ray.LAYOUT, List.of(AHEAD));
+        Scene scene = new Scene();
+        scene.add(BALL);
+        assertThrows(ReadOnlyBufferException.class, () -> scene.raycastAnyBatch(rays, ALL_LAYERS, read));
+        assertEquals(0, (int) read.get(0));
     }
 
     /** Queries of one scene may run at once. */

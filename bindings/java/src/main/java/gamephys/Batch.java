@@ -4,6 +4,7 @@ import com.sun.jna.Native;
 import com.sun.jna.Pointer;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.ReadOnlyBufferException;
 import java.util.AbstractList;
 import java.util.List;
 
@@ -155,6 +156,7 @@ public final class Batch<T> extends AbstractList<T> {
     static <T> Batch<T> room(Layout<T> layout, int size, Batch<T> out) {
         if (out == null) return allocate(layout, size);
         if (out.size() != size) throw new IllegalArgumentException("room for " + out.size() + " results, not " + size);
+        if (out.memory.isReadOnly()) throw new ReadOnlyBufferException();
         return out;
     }
 }

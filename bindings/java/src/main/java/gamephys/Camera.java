@@ -21,7 +21,11 @@ public final class Camera extends Owned {
     }
 
     private static Pointer create(CameraDesc desc) {
-        return Low.create(made -> Low.gphys_camera_create(desc == null ? null : desc.pointer(), made));
+        return Low.create(made -> {
+            int status = Low.gphys_camera_create(desc == null ? null : desc.pointer(), made);
+            Low.keep(desc);
+            return status;
+        });
     }
 
     /**

@@ -23,7 +23,11 @@ public final class Mesh extends Owned implements Shape {
     }
 
     private static Pointer create(Batch<Float> vertices, Batch<Integer> indices, MeshDesc desc) {
-        return Low.create(made -> Low.gphys_mesh_create(desc == null ? null : desc.pointer(), vertices.pointer(), vertices.stride(12), vertices.size(3), indices.pointer(), indices.size(), made));
+        return Low.create(made -> {
+            int status = Low.gphys_mesh_create(desc == null ? null : desc.pointer(), vertices.pointer(), vertices.stride(12), vertices.size(3), indices.pointer(), indices.size(), made);
+            Low.keep(desc, vertices, indices);
+            return status;
+        });
     }
 
     private Mesh(Pointer made) {
@@ -83,7 +87,11 @@ public final class Mesh extends Owned implements Shape {
     }
 
     private static Pointer createHull(Batch<Float> points, MeshDesc desc) {
-        return Low.create(made -> Low.gphys_mesh_create_hull(desc == null ? null : desc.pointer(), points.pointer(), points.stride(12), points.size(3), made));
+        return Low.create(made -> {
+            int status = Low.gphys_mesh_create_hull(desc == null ? null : desc.pointer(), points.pointer(), points.stride(12), points.size(3), made);
+            Low.keep(desc, points);
+            return status;
+        });
     }
 
     /**
@@ -123,7 +131,11 @@ public final class Mesh extends Owned implements Shape {
     }
 
     private static Pointer create(Batch<Integer> words, MeshDesc desc) {
-        return Low.create(made -> Low.gphys_mesh_create_from_snapshot(desc == null ? null : desc.pointer(), words.pointer(), words.size(), made));
+        return Low.create(made -> {
+            int status = Low.gphys_mesh_create_from_snapshot(desc == null ? null : desc.pointer(), words.pointer(), words.size(), made);
+            Low.keep(desc, words);
+            return status;
+        });
     }
 
     /**

@@ -29,7 +29,11 @@ public final class Scene extends SceneBase {
     }
 
     private static Pointer create(SceneDesc desc) {
-        return Low.create(made -> Low.gphys_scene_create(desc == null ? null : desc.pointer(), made));
+        return Low.create(made -> {
+            int status = Low.gphys_scene_create(desc == null ? null : desc.pointer(), made);
+            Low.keep(desc);
+            return status;
+        });
     }
 
     /**

@@ -63,8 +63,9 @@ public final class Shapes {
         return kind;
     }
 
+    /** Of a mesh only as long as it is open. */
     Pointer pointer() {
-        return pointer;
+        return owner instanceof Mesh mesh ? mesh.opened() : pointer;
     }
 
     int stride() {

@@ -23,7 +23,11 @@ public final class Solver extends Owned {
     }
 
     private static Pointer create(SolverDesc desc) {
-        return Low.create(made -> Low.gphys_solver_create(desc == null ? null : desc.pointer(), made));
+        return Low.create(made -> {
+            int status = Low.gphys_solver_create(desc == null ? null : desc.pointer(), made);
+            Low.keep(desc);
+            return status;
+        });
     }
 
     /**
