@@ -130,10 +130,10 @@ private:
 
     void compute() {
         for (int i = 0; i < count; ++i) height[i] = height_over<Bounded>(halfspaces[i], reference());
-        for (int i = 0; i < count; ++i) {
-            for (int j = i + 1; j < count; ++j) {
-                for (int k = j + 1; k < count; ++k) {
-                    const int t = triple(i, j, k);
+        int t = 0;  // triple(i, j, k)
+        for (int k = 2; k < count; ++k) {
+            for (int j = 1; j < k; ++j) {
+                for (int i = 0; i < j; ++i, ++t) {
                     value[t] = volume(halfspaces[i].normal, halfspaces[j].normal, halfspaces[k].normal);
                     sign[t] = static_cast<int8_t>(value[t].sign());
                     spans = spans || sign[t] != 0;
