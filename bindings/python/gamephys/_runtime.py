@@ -225,10 +225,11 @@ def array_of(things: Any, dtype: Any, width: int = 1, packed: bool = False) -> A
         array = array.reshape(-1)
     length = array.shape[0]
     stride = array.strides[0] if length > 1 else size
-    if length > 1 and (stride < size or stride % 4 or packed and stride != size):
-        array = np.ascontiguousarray(array)
-        stride = array.strides[0]
-    return Argument(array.__array_interface__["data"][0], stride, length, array.size, array)
+    address = array.__array_interface__["data"][0]
+    if length > 1 and (stride < size or stride % 4 or packed and stride != size) or address % 4:
+        array = array.copy()
+        stride, address = array.strides[0], array.__array_interface__["data"][0]
+    return Argument(address, stride, length, array.size, array)
 
 
 def structs_of(things: Any, kind: Any) -> Argument:
@@ -312,12 +313,14 @@ def result_array(out: NDArray[Any] | None, length: int, dtype: Any, packed: bool
         out = np.empty(length, dtype)
     elif not isinstance(out, np.ndarray):
         raise TypeError(f"out must be a numpy array, not {type(out).__name__}")
-    elif out.shape[:1] != (length,) or (out.dtype != (dtype.base if dtype.subdtype else dtype)):
+    elif out.shape != (length, *dtype.shape) or out.dtype != dtype.base:
         raise ValueError(f"out must be {length} elements of {dtype}")
     elif not out.flags.writeable:
         raise ValueError("out is read-only")
-    elif dtype.subdtype and (out.shape[1:] != dtype.shape or out.strides[-1] != 4):
+    elif dtype.subdtype and out.strides[-1] != 4:
         raise ValueError(f"out must have contiguous rows of {dtype}")
+    elif out.__array_interface__["data"][0] % 4:
+        raise ValueError("out must begin at a multiple of 4 bytes")
     stride = out.strides[0] if length > 1 else dtype.itemsize
     if stride < dtype.itemsize:
         raise ValueError("out must not run backwards")

@@ -279,6 +279,27 @@ class Errors(unittest.TestCase):
             with self.assertRaises(error):
                 call()
 
+    def test_memory_for_results_has_their_shape(self):
+        scene = gp.Scene()
+        scene.add(gp.Sphere((0, 0, 5), 1))
+        rays = gp.rays(4, (0, 0, 0), (0, 0, 1))
+        for out in np.zeros((4, 5), "i4"), np.zeros((4, 1), "i4"), np.zeros(3, "i4"), np.zeros(20, "i4")[::-5]:
+            with self.assertRaisesRegex(ValueError, "out must"):
+                scene.raycast_any_batch(rays, out=out)
+            self.assertFalse(out.any())
+        self.assertEqual(scene.raycast_any_batch(rays, out=np.zeros((4, 5), "i4")[:, 2]).tolist(), [1] * 4)
+
+    def test_memory_between_multiples_of_4_bytes_is_copied_and_refused_for_results(self):
+        scene = gp.Scene()
+        scene.add(gp.Sphere((0, 0, 5), 1))
+        rays = gp.rays(4, (0, 0, 0), (0, 0, 1))
+        inner = np.zeros(rays.nbytes + 1, "u1")[1:].view(rays.dtype)
+        inner[:] = rays
+        hits = scene.raycast_batch(inner)
+        self.assertEqual(hits["t"].tolist(), [4] * 4)
+        with self.assertRaisesRegex(ValueError, "out must begin at a multiple of 4 bytes"):
+            scene.raycast_batch(rays, out=np.zeros(hits.nbytes + 1, "u1")[1:].view(hits.dtype))
+
     def test_ids_and_masks_beyond_32_bits_are_refused_by_name(self):
         scene = gp.Scene()
         ball = scene.add(gp.Sphere((0, 0, 5), 1))
