@@ -1,7 +1,7 @@
 """Ruby: the functions for the ffi gem, values as Structs, and a method for each function."""
 from ._calls import arguments, batch_arrays, comment
 from ._docs import Language, as_tags, translated
-from ._names import ANSWERS, SHAPES, base_type, calls, camel, constants, creations, element, lists, other_creations, plain
+from ._names import ANSWERS, MASKS, SHAPES, base_type, calls, camel, constants, creations, element, lists, other_creations, plain
 
 HEADER = "# frozen_string_literal: true\n\n# Generated from gamephys_api.json by bindings/generate.py. Not for editing.\n"
 FFI = {"float": ":float", "double": ":double", "int32_t": ":int32", "uint32_t": ":uint32", "size_t": ":size_t", "void": ":void"}
@@ -85,7 +85,7 @@ def values(api):
     out = [HEADER + "module Gamephys"]
     out.append("\n".join(f"{name} = {number!r}" for name, number in constants(api).items()) + "\n")
     for base, name in NUMBERS.items():
-        out.append(f"module {name}\n  extend Plain\n  FORMAT, COUNT, BYTES = '{FORMATS[base]}', 1, {8 if base == 'double' else 4}\n"
+        out.append(f"module {name}\n  extend {'Whole' if base == 'uint32_t' else 'Plain'}\n  FORMAT, COUNT, BYTES = '{FORMATS[base]}', 1, {8 if base == 'double' else 4}\n"
                    "  def self.from(n) = n[0]\nend\n")
     out += [value_class(api, s) for s in api["structs"]
             if not s["name"].endswith("_desc") and not any("*" in base_type(api, f["type"]) for f in s["fields"])]
@@ -157,6 +157,8 @@ def argument_list(api, call):
             words[i] = f"{kind(api, element(parameters[i - 1]))}::BYTES"
         elif n in ("pinned", "keep_world", "reverse_z", "embed_meshes"):
             words[i] = f"Low.flag({n})"
+        elif p["role"] in ("scalar", "count") and words[i] == n != "count" and base_type(api, p["type"]) == "uint32_t" and n not in MASKS:
+            words[i] = f"Low.whole({n})"
     return words
 
 

@@ -96,6 +96,27 @@ class TestGamephys < Minitest::Test
     assert_raises(TypeError) { scene.add_batch([3]) }
   end
 
+  def test_ids_that_are_no_whole_numbers_of_32_bits_are_refused
+    scene = Scene.new
+    models = Array.new(2) { scene.add(BALL) }
+    assert_raises(TypeError) { scene.remove(models[0] + 0.5) }
+    assert_raises(RangeError) { scene.remove(models[0] + 2**32) }
+    assert_raises(TypeError) { scene.remove_batch([models[0] + 0.5]) }
+    [-1, 2**32 + models[0], 2**64 + models[0]].each { |id| assert_raises(RangeError) { scene.remove_batch([models[1], id]) } }
+    assert_raises(RangeError) { scene.raycast_filtered(AHEAD, { ignored_models: [2**32 + models[0]] }) }
+    assert(models.all? { |model| scene.has?(model) })
+  end
+
+  def test_memory_that_is_too_short_is_refused
+    scene = Scene.new
+    short = FFI::MemoryPointer.new(:uint8, Ray::BYTES)
+    assert_raises(ArgumentError) { Records.new(Ray, 2, short) }
+    assert_raises(ArgumentError) { Records.new(Ray, -1) }
+    assert_raises(ArgumentError) { scene.raycast_batch(FFI::Pointer.new(short.address)) } # of unknown length
+    assert_raises(ArgumentError) { scene.set_origin([7, 7]) }
+    assert_equal(1, scene.raycast_any_batch(Records.new(Ray, 1, short).tap { |rays| rays[0] = AHEAD }).size)
+  end
+
   def test_models
     scene = Scene.new(reserve_models: 4, worker_count: 2)
     model = scene.add(BALL, tag: 7)

@@ -70,7 +70,7 @@ module Gamephys
     # @raise [Error] if the model's shape is no mesh (ERROR_UNSUPPORTED)
     def self.from_scene(scene, model)
       allocate.tap do |object|
-        object.send(:own, Pointer) { |made| Low.gphys_scene_get_mesh(Low.opened(scene, Scene), model, made) }
+        object.send(:own, Pointer) { |made| Low.gphys_scene_get_mesh(Low.opened(scene, Scene), Low.whole(model), made) }
       end
     end
 
@@ -101,7 +101,7 @@ module Gamephys
     # @param desc the mesh is deformable whatever it says
     def self.from_body(solver, body, **desc)
       allocate.tap do |object|
-        object.send(:own, Pointer) { |made| Low.gphys_mesh_create_from_body(Low.desc(Low::MeshDesc, :gphys_mesh_desc_init, desc), Low.opened(solver, Solver), body, made) }
+        object.send(:own, Pointer) { |made| Low.gphys_mesh_create_from_body(Low.desc(Low::MeshDesc, :gphys_mesh_desc_init, desc), Low.opened(solver, Solver), Low.whole(body), made) }
       end
     end
 
@@ -265,7 +265,7 @@ module Gamephys
     # @param workers as SceneDesc.worker_count
     # @raise [OutOfMemory] also if the threads cannot be started; the former ones are kept
     def set_worker_count(workers)
-      Low.check(Low.gphys_scene_set_worker_count(opened, workers))
+      Low.check(Low.gphys_scene_set_worker_count(opened, Low.whole(workers)))
       nil
     end
 
@@ -352,7 +352,7 @@ module Gamephys
     # Remove a model. Its children stay where they are in the world and lose their parent.
     # Cost: O(log n) amortised, and O(1) a child. Renews the octree as far as there is memory.
     def remove(model)
-      Low.check(Low.gphys_scene_remove(opened, model))
+      Low.check(Low.gphys_scene_remove(opened, Low.whole(model)))
       nil
     end
 
@@ -369,7 +369,7 @@ module Gamephys
     # Remove a model and all its descendants.
     # Cost: O(log n) amortised for each. Renews the octree as far as there is memory.
     def remove_subtree(model)
-      Low.check(Low.gphys_scene_remove_subtree(opened, model))
+      Low.check(Low.gphys_scene_remove_subtree(opened, Low.whole(model)))
       nil
     end
 
@@ -383,7 +383,7 @@ module Gamephys
     # Whether an id names a model of this scene.
     # Cost: O(1).
     def has?(model)
-      Low.answered(Low.gphys_scene_has(opened, model), ERROR_INVALID_ID)
+      Low.answered(Low.gphys_scene_has(opened, Low.whole(model)), ERROR_INVALID_ID)
     end
 
     # Ids of all models, ascending.
@@ -401,14 +401,14 @@ module Gamephys
     # Ids of the direct children of a model, ascending.
     # Cost: O(k log k).
     def get_children(model)
-      Low.list(UInt32) { |out, capacity, total| Low.gphys_scene_get_children(opened, model, out, capacity, total) }
+      Low.list(UInt32) { |out, capacity, total| Low.gphys_scene_get_children(opened, Low.whole(model), out, capacity, total) }
     end
 
     # Kind, parent, layers, tag and number of children of a model.
     # Cost: O(1).
     def get_info(model)
       out_info = ModelInfo.room
-      Low.check(Low.gphys_scene_get_info(opened, model, out_info))
+      Low.check(Low.gphys_scene_get_info(opened, Low.whole(model), out_info))
       ModelInfo.unpack(out_info)
     end
 
@@ -418,7 +418,7 @@ module Gamephys
     # @return nil for a plane.
     def get_bounds(model)
       out_bounds = Aabb.room
-      Aabb.unpack(out_bounds) if Low.found(Low.gphys_scene_get_bounds(opened, model, out_bounds))
+      Aabb.unpack(out_bounds) if Low.found(Low.gphys_scene_get_bounds(opened, Low.whole(model), out_bounds))
     end
 
     # World box of all bounded models. Planes are left out.
@@ -441,7 +441,7 @@ module Gamephys
     # @raise [InvalidArgument] also if the model would leave the range of the world
     # @raise [OutOfMemory]
     def set_shape(model, shape)
-      Low.check(Low.gphys_scene_set_shape(opened, model, Low.kind(shape), Low.shape(shape)))
+      Low.check(Low.gphys_scene_set_shape(opened, Low.whole(model), Low.kind(shape), Low.shape(shape)))
       nil
     end
 
@@ -467,7 +467,7 @@ module Gamephys
     #     leave the range of the world
     # @raise [OutOfMemory]
     def set_scale(model, scale)
-      Low.check(Low.gphys_scene_set_scale(opened, model, Vec3.pack(scale)))
+      Low.check(Low.gphys_scene_set_scale(opened, Low.whole(model), Vec3.pack(scale)))
       nil
     end
 
@@ -475,7 +475,7 @@ module Gamephys
     # Cost: O(1).
     def get_scale(model)
       out_scale = Vec3.room
-      Low.check(Low.gphys_scene_get_scale(opened, model, out_scale))
+      Low.check(Low.gphys_scene_get_scale(opened, Low.whole(model), out_scale))
       Vec3.unpack(out_scale)
     end
 
@@ -484,7 +484,7 @@ module Gamephys
     # Cost: O(1).
     # @param layers any mask; 0: no query sees it
     def set_layers(model, layers)
-      Low.check(Low.gphys_scene_set_layers(opened, model, layers))
+      Low.check(Low.gphys_scene_set_layers(opened, Low.whole(model), layers))
       nil
     end
 
@@ -492,7 +492,7 @@ module Gamephys
     # Cost: O(1).
     # @param tag any number of the caller's
     def set_tag(model, tag)
-      Low.check(Low.gphys_scene_set_tag(opened, model, tag))
+      Low.check(Low.gphys_scene_set_tag(opened, Low.whole(model), Low.whole(tag)))
       nil
     end
 
@@ -503,7 +503,7 @@ module Gamephys
     #     so that the world transform stays (within float32 rounding)
     # @raise [Error] if parent is the model or one of its descendants (ERROR_CYCLE)
     def set_parent(model, parent, keep_world)
-      Low.check(Low.gphys_scene_set_parent(opened, model, parent, Low.flag(keep_world)))
+      Low.check(Low.gphys_scene_set_parent(opened, Low.whole(model), Low.whole(parent), Low.flag(keep_world)))
       nil
     end
 
@@ -512,7 +512,7 @@ module Gamephys
     # @param transform relative to the parent; scale > 0
     # @raise [InvalidArgument] also if it, or a descendant, would leave the range of the world
     def set_transform(model, transform)
-      Low.check(Low.gphys_scene_set_transform(opened, model, Transform.pack(transform)))
+      Low.check(Low.gphys_scene_set_transform(opened, Low.whole(model), Transform.pack(transform)))
       nil
     end
 
@@ -1030,7 +1030,7 @@ module Gamephys
     # @raise [OutOfMemory] : the octree is as before, and the next call begins again
     def maintain_octree(budget)
       out_done = Int32.room
-      Low.check(Low.gphys_scene_maintain_octree(opened, budget, out_done))
+      Low.check(Low.gphys_scene_maintain_octree(opened, Low.whole(budget), out_done))
       Int32.unpack(out_done) != 0
     end
 
@@ -1559,7 +1559,7 @@ module Gamephys
     # @param height its rows; width * height fewer than 2^32
     def pick_rays(x, y, width, height, out: nil)
       out = Low.results(Ray, out, width * height)
-      Low.check(Low.gphys_camera_pick_rays(opened, x, y, width, height, out.pointer, Ray::BYTES))
+      Low.check(Low.gphys_camera_pick_rays(opened, Low.whole(x), Low.whole(y), Low.whole(width), Low.whole(height), out.pointer, Ray::BYTES))
       out
     end
 
@@ -1666,7 +1666,7 @@ module Gamephys
     # @param workers as SolverDesc.worker_count
     # @raise [OutOfMemory] also if the threads cannot be started; the former ones are kept
     def set_worker_count(workers)
-      Low.check(Low.gphys_solver_set_worker_count(opened, workers))
+      Low.check(Low.gphys_solver_set_worker_count(opened, Low.whole(workers)))
       nil
     end
 
@@ -1713,7 +1713,7 @@ module Gamephys
     # Cost: O(1).
     # @param substeps 1 .. 1000
     def set_substeps(substeps)
-      Low.check(Low.gphys_solver_set_substeps(opened, substeps))
+      Low.check(Low.gphys_solver_set_substeps(opened, Low.whole(substeps)))
       nil
     end
 
@@ -1778,7 +1778,7 @@ module Gamephys
     # @raise [Error] beyond 2^24 - 1 particles, links or bodies (ERROR_CAPACITY)
     def add_cloth(corner, edge_u, edge_v, columns, rows, **desc)
       out_body = UInt32.room
-      Low.check(Low.gphys_solver_add_cloth(opened, Low.desc(Low::BodyDesc, :gphys_body_desc_init, desc), Vec3.pack(corner), Vec3.pack(edge_u), Vec3.pack(edge_v), columns, rows, out_body))
+      Low.check(Low.gphys_solver_add_cloth(opened, Low.desc(Low::BodyDesc, :gphys_body_desc_init, desc), Vec3.pack(corner), Vec3.pack(edge_u), Vec3.pack(edge_v), Low.whole(columns), Low.whole(rows), out_body))
       UInt32.unpack(out_body)
     end
 
@@ -1803,7 +1803,7 @@ module Gamephys
     # Cost: O(particles + constraints of the body), O(joints of the solver), and O(bodies that gave
     # impulses to the same models).
     def remove_body(body)
-      Low.check(Low.gphys_solver_remove_body(opened, body))
+      Low.check(Low.gphys_solver_remove_body(opened, Low.whole(body)))
       nil
     end
 
@@ -1834,7 +1834,7 @@ module Gamephys
     # Cost: O(1) a body.
     # @param body 0: all
     def wake(body)
-      Low.check(Low.gphys_solver_wake(opened, body))
+      Low.check(Low.gphys_solver_wake(opened, Low.whole(body)))
       nil
     end
 
@@ -1842,7 +1842,7 @@ module Gamephys
     # Cost: O(1).
     def get_body_settings(body)
       out_settings = BodySettings.room
-      Low.check(Low.gphys_solver_get_body_settings(opened, body, out_settings))
+      Low.check(Low.gphys_solver_get_body_settings(opened, Low.whole(body), out_settings))
       BodySettings.unpack(out_settings)
     end
 
@@ -1850,7 +1850,7 @@ module Gamephys
     # Wakes the body.
     # Cost: O(1); O(particles) when self_collision changes, and it allocates.
     def set_body_settings(body, settings)
-      Low.check(Low.gphys_solver_set_body_settings(opened, body, BodySettings.pack(settings)))
+      Low.check(Low.gphys_solver_set_body_settings(opened, Low.whole(body), BodySettings.pack(settings)))
       nil
     end
 
@@ -1858,7 +1858,7 @@ module Gamephys
     # Cost: O(1); after a change of constraints O(particles), and it allocates.
     def get_body_info(body)
       out_info = BodyInfo.room
-      Low.check(Low.gphys_solver_get_body_info(opened, body, out_info))
+      Low.check(Low.gphys_solver_get_body_info(opened, Low.whole(body), out_info))
       BodyInfo.unpack(out_info)
     end
 
@@ -1866,7 +1866,7 @@ module Gamephys
     # change, and their number does not.
     # Cost: O(triangles).
     def get_triangles(body)
-      Low.list(UInt32) { |out, capacity, total| Low.gphys_solver_get_triangles(opened, body, out, capacity, total) }
+      Low.list(UInt32) { |out, capacity, total| Low.gphys_solver_get_triangles(opened, Low.whole(body), out, capacity, total) }
     end
 
     # The particle of a body nearest to a point, for example to grab it; of equally near ones the lowest.
@@ -1877,7 +1877,7 @@ module Gamephys
     # @raise [InvalidArgument] also if the mesh has no such triangle
     def get_nearest_particle(body, triangle, point)
       out_particle = UInt32.room
-      Low.check(Low.gphys_solver_get_nearest_particle(opened, body, triangle, Vec3.pack(point), out_particle))
+      Low.check(Low.gphys_solver_get_nearest_particle(opened, Low.whole(body), Low.whole(triangle), Vec3.pack(point), out_particle))
       UInt32.unpack(out_particle)
     end
 
@@ -1887,7 +1887,7 @@ module Gamephys
     # @param count how many from there on; a range beyond the body is ERROR_INVALID_ARGUMENT
     def get_positions(body, first, count, out: nil)
       out = Low.results(Vec3, out, count)
-      Low.check(Low.gphys_solver_get_positions(opened, body, first, count, out.pointer, Vec3::BYTES))
+      Low.check(Low.gphys_solver_get_positions(opened, Low.whole(body), Low.whole(first), count, out.pointer, Vec3::BYTES))
       out
     end
 
@@ -1901,7 +1901,7 @@ module Gamephys
     def set_positions(body, first, positions)
       positions = Low.array(Vec3, positions)
       count = Low.common(positions)
-      Low.check(Low.gphys_solver_set_positions(opened, body, first, count, positions.pointer, positions.stride))
+      Low.check(Low.gphys_solver_set_positions(opened, Low.whole(body), Low.whole(first), count, positions.pointer, positions.stride))
       nil
     end
 
@@ -1912,7 +1912,7 @@ module Gamephys
     # @return 0 of what is pinned and stands still.
     def get_velocities(body, first, count, out: nil)
       out = Low.results(Vec3, out, count)
-      Low.check(Low.gphys_solver_get_velocities(opened, body, first, count, out.pointer, Vec3::BYTES))
+      Low.check(Low.gphys_solver_get_velocities(opened, Low.whole(body), Low.whole(first), count, out.pointer, Vec3::BYTES))
       out
     end
 
@@ -1923,7 +1923,7 @@ module Gamephys
     def set_velocities(body, first, velocities)
       velocities = Low.array(Vec3, velocities)
       count = Low.common(velocities)
-      Low.check(Low.gphys_solver_set_velocities(opened, body, first, count, velocities.pointer, velocities.stride))
+      Low.check(Low.gphys_solver_set_velocities(opened, Low.whole(body), Low.whole(first), count, velocities.pointer, velocities.stride))
       nil
     end
 
@@ -1933,7 +1933,7 @@ module Gamephys
     # @param count as in Solver#get_positions
     def get_masses(body, first, count, out: nil)
       out = Low.results(Float32, out, count)
-      Low.check(Low.gphys_solver_get_masses(opened, body, first, count, out.pointer, Float32::BYTES))
+      Low.check(Low.gphys_solver_get_masses(opened, Low.whole(body), Low.whole(first), count, out.pointer, Float32::BYTES))
       out
     end
 
@@ -1945,7 +1945,7 @@ module Gamephys
     def set_masses(body, first, masses)
       masses = Low.array(Float32, masses)
       count = Low.common(masses)
-      Low.check(Low.gphys_solver_set_masses(opened, body, first, count, masses.pointer, masses.stride))
+      Low.check(Low.gphys_solver_set_masses(opened, Low.whole(body), Low.whole(first), count, masses.pointer, masses.stride))
       nil
     end
 
@@ -1955,7 +1955,7 @@ module Gamephys
     # @param count as in Solver#get_positions
     def get_radii(body, first, count, out: nil)
       out = Low.results(Float32, out, count)
-      Low.check(Low.gphys_solver_get_radii(opened, body, first, count, out.pointer, Float32::BYTES))
+      Low.check(Low.gphys_solver_get_radii(opened, Low.whole(body), Low.whole(first), count, out.pointer, Float32::BYTES))
       out
     end
 
@@ -1966,7 +1966,7 @@ module Gamephys
     def set_radii(body, first, radii)
       radii = Low.array(Float32, radii)
       count = Low.common(radii)
-      Low.check(Low.gphys_solver_set_radii(opened, body, first, count, radii.pointer, radii.stride))
+      Low.check(Low.gphys_solver_set_radii(opened, Low.whole(body), Low.whole(first), count, radii.pointer, radii.stride))
       nil
     end
 
@@ -1976,7 +1976,7 @@ module Gamephys
     # @param count as in Solver#get_positions
     def get_friction_factors(body, first, count, out: nil)
       out = Low.results(Float32, out, count)
-      Low.check(Low.gphys_solver_get_friction_factors(opened, body, first, count, out.pointer, Float32::BYTES))
+      Low.check(Low.gphys_solver_get_friction_factors(opened, Low.whole(body), Low.whole(first), count, out.pointer, Float32::BYTES))
       out
     end
 
@@ -1990,7 +1990,7 @@ module Gamephys
     def set_friction_factors(body, first, factors)
       factors = Low.array(Float32, factors)
       count = Low.common(factors)
-      Low.check(Low.gphys_solver_set_friction_factors(opened, body, first, count, factors.pointer, factors.stride))
+      Low.check(Low.gphys_solver_set_friction_factors(opened, Low.whole(body), Low.whole(first), count, factors.pointer, factors.stride))
       nil
     end
 
@@ -2000,7 +2000,7 @@ module Gamephys
     # @param count as in Solver#get_positions
     def get_forces(body, first, count, out: nil)
       out = Low.results(Vec3, out, count)
-      Low.check(Low.gphys_solver_get_forces(opened, body, first, count, out.pointer, Vec3::BYTES))
+      Low.check(Low.gphys_solver_get_forces(opened, Low.whole(body), Low.whole(first), count, out.pointer, Vec3::BYTES))
       out
     end
 
@@ -2011,7 +2011,7 @@ module Gamephys
     def set_forces(body, first, forces)
       forces = Low.array(Vec3, forces)
       count = Low.common(forces)
-      Low.check(Low.gphys_solver_set_forces(opened, body, first, count, forces.pointer, forces.stride))
+      Low.check(Low.gphys_solver_set_forces(opened, Low.whole(body), Low.whole(first), count, forces.pointer, forces.stride))
       nil
     end
 
@@ -2021,7 +2021,7 @@ module Gamephys
     # @param count as in Solver#get_positions
     def get_pinned(body, first, count, out: nil)
       out = Low.results(Int32, out, count)
-      Low.check(Low.gphys_solver_get_pinned(opened, body, first, count, out.pointer, Int32::BYTES))
+      Low.check(Low.gphys_solver_get_pinned(opened, Low.whole(body), Low.whole(first), count, out.pointer, Int32::BYTES))
       out
     end
 
@@ -2033,7 +2033,7 @@ module Gamephys
     # @param count as in Solver#get_positions
     # @param pinned 1: pin; 0: release
     def set_pinned(body, first, count, pinned)
-      Low.check(Low.gphys_solver_set_pinned(opened, body, first, count, Low.flag(pinned)))
+      Low.check(Low.gphys_solver_set_pinned(opened, Low.whole(body), Low.whole(first), count, Low.flag(pinned)))
       nil
     end
 
@@ -2052,7 +2052,7 @@ module Gamephys
     # @param body 0: all bodies there are
     # @param wind of density 0: no air
     def set_wind(body, wind)
-      Low.check(Low.gphys_solver_set_wind(opened, body, Wind.pack(wind)))
+      Low.check(Low.gphys_solver_set_wind(opened, Low.whole(body), Wind.pack(wind)))
       nil
     end
 
@@ -2060,7 +2060,7 @@ module Gamephys
     # Cost: O(1).
     def get_wind(body)
       out_wind = Wind.room
-      Low.check(Low.gphys_solver_get_wind(opened, body, out_wind))
+      Low.check(Low.gphys_solver_get_wind(opened, Low.whole(body), out_wind))
       Wind.unpack(out_wind)
     end
 
@@ -2072,7 +2072,7 @@ module Gamephys
     def set_air_velocities(body, first, velocities)
       velocities = Low.array(Vec3, velocities)
       count = Low.common(velocities)
-      Low.check(Low.gphys_solver_set_air_velocities(opened, body, first, count, velocities.pointer, velocities.stride))
+      Low.check(Low.gphys_solver_set_air_velocities(opened, Low.whole(body), Low.whole(first), count, velocities.pointer, velocities.stride))
       nil
     end
 
@@ -2082,7 +2082,7 @@ module Gamephys
     # @param count as in Solver#get_positions
     def get_air_velocities(body, first, count, out: nil)
       out = Low.results(Vec3, out, count)
-      Low.check(Low.gphys_solver_get_air_velocities(opened, body, first, count, out.pointer, Vec3::BYTES))
+      Low.check(Low.gphys_solver_get_air_velocities(opened, Low.whole(body), Low.whole(first), count, out.pointer, Vec3::BYTES))
       out
     end
 
@@ -2110,7 +2110,7 @@ module Gamephys
     def set_animation_targets(body, first, targets)
       targets = Low.array(AnimationTarget, targets)
       count = Low.common(targets)
-      Low.check(Low.gphys_solver_set_animation_targets(opened, body, first, count, targets.pointer, targets.stride))
+      Low.check(Low.gphys_solver_set_animation_targets(opened, Low.whole(body), Low.whole(first), count, targets.pointer, targets.stride))
       nil
     end
 
@@ -2120,7 +2120,7 @@ module Gamephys
     # @param count as in Solver#get_positions
     def get_animation_targets(body, first, count, out: nil)
       out = Low.results(AnimationTarget, out, count)
-      Low.check(Low.gphys_solver_get_animation_targets(opened, body, first, count, out.pointer, AnimationTarget::BYTES))
+      Low.check(Low.gphys_solver_get_animation_targets(opened, Low.whole(body), Low.whole(first), count, out.pointer, AnimationTarget::BYTES))
       out
     end
 
@@ -2136,7 +2136,7 @@ module Gamephys
     #     scale, and not Scene#set_scale; nil: where the particle is now
     # @raise [InvalidArgument] for a particle that does not exist
     def attach(scene, body, particle, model, local_point = nil)
-      Low.check(Low.gphys_solver_attach(opened, Low.opened(scene, Scene), body, particle, model, local_point && Vec3.pack(local_point)))
+      Low.check(Low.gphys_solver_attach(opened, Low.opened(scene, Scene), Low.whole(body), Low.whole(particle), Low.whole(model), local_point && Vec3.pack(local_point)))
       nil
     end
 
@@ -2144,14 +2144,14 @@ module Gamephys
     # Cost: O(1).
     # @raise [InvalidArgument] if it is not attached, or does not exist
     def detach(body, particle)
-      Low.check(Low.gphys_solver_detach(opened, body, particle))
+      Low.check(Low.gphys_solver_detach(opened, Low.whole(body), Low.whole(particle)))
       nil
     end
 
     # The attachments of a body, by particle. One to a model that is gone is listed until the next step.
     # Cost: O(attachments). Since 1.1.
     def get_attachments(body)
-      Low.list(Attachment) { |out, capacity, total| Low.gphys_solver_get_attachments(opened, body, out, capacity, total) }
+      Low.list(Attachment) { |out, capacity, total| Low.gphys_solver_get_attachments(opened, Low.whole(body), out, capacity, total) }
     end
 
     # Hold two different particles of a body at a distance.
@@ -2162,7 +2162,7 @@ module Gamephys
     # @raise [Error] beyond 2^24 - 1 constraints of a body (ERROR_CAPACITY)
     def add_distance(body, particle_a, particle_b, rest_length, compliance: 0)
       out_constraint = UInt32.room
-      Low.check(Low.gphys_solver_add_distance(opened, body, particle_a, particle_b, rest_length, compliance, out_constraint))
+      Low.check(Low.gphys_solver_add_distance(opened, Low.whole(body), Low.whole(particle_a), Low.whole(particle_b), rest_length, compliance, out_constraint))
       UInt32.unpack(out_constraint)
     end
 
@@ -2177,7 +2177,7 @@ module Gamephys
     # @param compliance metres per newton, >= 0, of what it yields beyond that; 0 is rigid
     def add_max_distance(body, particle_a, particle_b, max_length, compliance: 0)
       out_constraint = UInt32.room
-      Low.check(Low.gphys_solver_add_max_distance(opened, body, particle_a, particle_b, max_length, compliance, out_constraint))
+      Low.check(Low.gphys_solver_add_max_distance(opened, Low.whole(body), Low.whole(particle_a), Low.whole(particle_b), max_length, compliance, out_constraint))
       UInt32.unpack(out_constraint)
     end
 
@@ -2188,7 +2188,7 @@ module Gamephys
     # @param damping N s/m, >= 0; 0, which every constraint begins with: none
     # @raise [InvalidId] for a body or constraint that does not exist
     def set_constraint_damping(body, constraint, damping)
-      Low.check(Low.gphys_solver_set_constraint_damping(opened, body, constraint, damping))
+      Low.check(Low.gphys_solver_set_constraint_damping(opened, Low.whole(body), Low.whole(constraint), damping))
       nil
     end
 
@@ -2201,7 +2201,7 @@ module Gamephys
     # @raise [Error] if the triangles do not close (each side is that of two triangles), are not oriented
     #     consistently, or face inward when the present volume is asked for (ERROR_UNSUPPORTED)
     def set_volume(body, rest_volume, compliance: 0)
-      Low.check(Low.gphys_solver_set_volume(opened, body, rest_volume, compliance))
+      Low.check(Low.gphys_solver_set_volume(opened, Low.whole(body), rest_volume, compliance))
       nil
     end
 
@@ -2212,7 +2212,7 @@ module Gamephys
     def get_volume(body)
       out_volume = Float32.room
       out_pressure = Float32.room
-      Low.check(Low.gphys_solver_get_volume(opened, body, out_volume, out_pressure))
+      Low.check(Low.gphys_solver_get_volume(opened, Low.whole(body), out_volume, out_pressure))
       [Float32.unpack(out_volume), Float32.unpack(out_pressure)]
     end
 
@@ -2223,7 +2223,7 @@ module Gamephys
     def get_volume_settings(body)
       out_rest_volume = Float32.room
       out_compliance = Float32.room
-      Low.check(Low.gphys_solver_get_volume_settings(opened, body, out_rest_volume, out_compliance))
+      Low.check(Low.gphys_solver_get_volume_settings(opened, Low.whole(body), out_rest_volume, out_compliance))
       [Float32.unpack(out_rest_volume), Float32.unpack(out_compliance)]
     end
 
@@ -2232,14 +2232,14 @@ module Gamephys
     # Cost: as Solver#add_distance; allocates.
     # @raise [InvalidId] for a body or constraint that does not exist, or no longer
     def remove_constraint(body, constraint)
-      Low.check(Low.gphys_solver_remove_constraint(opened, body, constraint))
+      Low.check(Low.gphys_solver_remove_constraint(opened, Low.whole(body), Low.whole(constraint)))
       nil
     end
 
     # All constraints of a body, including those created with the body, by id.
     # Cost: O(constraints).
     def get_constraints(body)
-      Low.list(ConstraintInfo) { |out, capacity, total| Low.gphys_solver_get_constraints(opened, body, out, capacity, total) }
+      Low.list(ConstraintInfo) { |out, capacity, total| Low.gphys_solver_get_constraints(opened, Low.whole(body), out, capacity, total) }
     end
 
     # Which constraints keep a length, and which a maximum.
@@ -2249,7 +2249,7 @@ module Gamephys
       constraints = Low.array(UInt32, constraints)
       count = Low.common(constraints)
       out = Low.results(Int32, out, count)
-      Low.check(Low.gphys_solver_get_constraint_kinds(opened, body, constraints.pointer, count, out.pointer, Int32::BYTES))
+      Low.check(Low.gphys_solver_get_constraint_kinds(opened, Low.whole(body), constraints.pointer, count, out.pointer, Int32::BYTES))
       out
     end
 
@@ -2260,7 +2260,7 @@ module Gamephys
       constraints = Low.array(UInt32, constraints)
       count = Low.common(constraints)
       out = Low.results(ConstraintSettings, out, count)
-      Low.check(Low.gphys_solver_get_constraint_settings(opened, body, constraints.pointer, count, out.pointer, ConstraintSettings::BYTES))
+      Low.check(Low.gphys_solver_get_constraint_settings(opened, Low.whole(body), constraints.pointer, count, out.pointer, ConstraintSettings::BYTES))
       out
     end
 
@@ -2274,7 +2274,7 @@ module Gamephys
       constraints = Low.array(UInt32, constraints)
       settings = Low.array(ConstraintSettings, settings)
       count = Low.common(constraints, settings)
-      Low.check(Low.gphys_solver_set_constraint_settings(opened, body, constraints.pointer, settings.pointer, settings.stride, count))
+      Low.check(Low.gphys_solver_set_constraint_settings(opened, Low.whole(body), constraints.pointer, settings.pointer, settings.stride, count))
       nil
     end
 
@@ -2304,7 +2304,7 @@ module Gamephys
       particles = Low.array(UInt32, particles)
       count = Low.common(particles)
       out_cluster = UInt32.room
-      Low.check(Low.gphys_solver_add_cluster(opened, body, particles.pointer, count, out_cluster))
+      Low.check(Low.gphys_solver_add_cluster(opened, Low.whole(body), particles.pointer, count, out_cluster))
       UInt32.unpack(out_cluster)
     end
 
@@ -2312,21 +2312,21 @@ module Gamephys
     # Cost: O(particles in clusters of the body). Since 1.1.
     # @raise [InvalidId] for a body or cluster that does not exist, or no longer
     def remove_cluster(body, cluster)
-      Low.check(Low.gphys_solver_remove_cluster(opened, body, cluster))
+      Low.check(Low.gphys_solver_remove_cluster(opened, Low.whole(body), Low.whole(cluster)))
       nil
     end
 
     # All clusters of a body, by id.
     # Cost: O(clusters). Since 1.1.
     def get_clusters(body)
-      Low.list(UInt32) { |out, capacity, total| Low.gphys_solver_get_clusters(opened, body, out, capacity, total) }
+      Low.list(UInt32) { |out, capacity, total| Low.gphys_solver_get_clusters(opened, Low.whole(body), out, capacity, total) }
     end
 
     # The particles of a cluster, in the order in which they were given.
     # Cost: O(particles of the cluster). Since 1.1.
     # @raise [InvalidId] for a body or cluster that does not exist, or no longer
     def get_cluster_particles(body, cluster)
-      Low.list(UInt32) { |out, capacity, total| Low.gphys_solver_get_cluster_particles(opened, body, cluster, out, capacity, total) }
+      Low.list(UInt32) { |out, capacity, total| Low.gphys_solver_get_cluster_particles(opened, Low.whole(body), Low.whole(cluster), out, capacity, total) }
     end
 
     # Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that
@@ -2346,7 +2346,7 @@ module Gamephys
     # @raise [Error] beyond 2^24 - 1 joints (ERROR_CAPACITY)
     def join(body_a, particle_a, body_b, particle_b, rest_length, compliance: 0)
       out_joint = UInt32.room
-      Low.check(Low.gphys_solver_join(opened, body_a, particle_a, body_b, particle_b, rest_length, compliance, out_joint))
+      Low.check(Low.gphys_solver_join(opened, Low.whole(body_a), Low.whole(particle_a), Low.whole(body_b), Low.whole(particle_b), rest_length, compliance, out_joint))
       UInt32.unpack(out_joint)
     end
 
@@ -2354,7 +2354,7 @@ module Gamephys
     # Cost: as Solver#join.
     # @raise [InvalidId] for a joint that does not exist, or no longer
     def unjoin(joint)
-      Low.check(Low.gphys_solver_unjoin(opened, joint))
+      Low.check(Low.gphys_solver_unjoin(opened, Low.whole(joint)))
       nil
     end
 
@@ -2362,7 +2362,7 @@ module Gamephys
     # Cost: O(joints of the solver).
     # @param body 0: of all bodies
     def get_joints(body)
-      Low.list(JointInfo) { |out, capacity, total| Low.gphys_solver_get_joints(opened, body, out, capacity, total) }
+      Low.list(JointInfo) { |out, capacity, total| Low.gphys_solver_get_joints(opened, Low.whole(body), out, capacity, total) }
     end
 
     # Breaking forces of constraints. Wakes the body.
@@ -2374,7 +2374,7 @@ module Gamephys
       constraints = Low.array(UInt32, constraints)
       forces = Low.array(Float32, forces)
       count = Low.common(constraints, forces)
-      Low.check(Low.gphys_solver_set_breaking_forces(opened, body, constraints.pointer, forces.pointer, forces.stride, count))
+      Low.check(Low.gphys_solver_set_breaking_forces(opened, Low.whole(body), constraints.pointer, forces.pointer, forces.stride, count))
       nil
     end
 
@@ -2386,7 +2386,7 @@ module Gamephys
       constraints = Low.array(UInt32, constraints)
       count = Low.common(constraints)
       out = Low.results(Float32, out, count)
-      Low.check(Low.gphys_solver_get_breaking_forces(opened, body, constraints.pointer, count, out.pointer, Float32::BYTES))
+      Low.check(Low.gphys_solver_get_breaking_forces(opened, Low.whole(body), constraints.pointer, count, out.pointer, Float32::BYTES))
       out
     end
 
@@ -2398,7 +2398,7 @@ module Gamephys
     # @raise [Error] beyond 2^24 - 1 particles or constraints (ERROR_CAPACITY)
     def break_constraint(body, constraint)
       out_result = Break.room
-      Low.check(Low.gphys_solver_break_constraint(opened, body, constraint, out_result))
+      Low.check(Low.gphys_solver_break_constraint(opened, Low.whole(body), Low.whole(constraint), out_result))
       Break.unpack(out_result)
     end
 
@@ -2466,7 +2466,7 @@ module Gamephys
     # Cost: O(1).
     def get_substeps(body)
       out_substeps = UInt32.room
-      Low.check(Low.gphys_solver_get_substeps(opened, body, out_substeps))
+      Low.check(Low.gphys_solver_get_substeps(opened, Low.whole(body), out_substeps))
       UInt32.unpack(out_substeps)
     end
 
@@ -2475,7 +2475,7 @@ module Gamephys
     # @param body 0: all bodies together
     def get_stats(body)
       out_stats = SolverStats.room
-      Low.check(Low.gphys_solver_get_stats(opened, body, out_stats))
+      Low.check(Low.gphys_solver_get_stats(opened, Low.whole(body), out_stats))
       SolverStats.unpack(out_stats)
     end
 

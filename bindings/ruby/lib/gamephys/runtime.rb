@@ -33,6 +33,13 @@ module Gamephys
     def numbers_of(value) = Array(value)
   end
 
+  # Ids, indices and words.
+  module Whole
+    include Plain
+
+    def numbers_of(value) = super.map { |number| Low.whole(number) }
+  end
+
   # Structs, for which an Array or a Hash of their fields does too.
   module Value
     include Kind
@@ -55,6 +62,9 @@ module Gamephys
     attr_reader :kind, :size, :pointer
 
     def initialize(kind, size, pointer = FFI::MemoryPointer.new(:uint8, [kind::BYTES * size, 1].max))
+      bytes = kind::BYTES * size
+      raise ArgumentError, "#{size} of #{kind.name} need #{bytes} bytes, not #{pointer.size}" if size.negative? || pointer.size < bytes
+
       @kind = kind
       @size = size
       @pointer = pointer
@@ -138,6 +148,14 @@ module Gamephys
     # A status that is an answer: OK is yes, the one given is no.
     def answered(status, no) = status != no && found(status)
 
+    # A number as it is, of which 32 bits would hold another one if it is not such.
+    def whole(value)
+      raise TypeError, "expected a whole number, got #{value.inspect}" unless value.is_a?(Integer)
+      raise RangeError, "#{value} is not a whole number from 0 to 4294967295" unless value.between?(0, 0xffffffff)
+
+      value
+    end
+
     def flag(value)
       return value if value.is_a?(Integer)
 
@@ -194,17 +212,17 @@ module Gamephys
       when Records
         raise TypeError, "expected #{kind.name}, got #{given.kind.name}" if given.kind != kind
 
-        whole(kind, given.pointer, given.size * kind::BYTES, bytes)
-      when String then whole(kind, given, given.bytesize, bytes)
-      when FFI::Pointer then whole(kind, given, given.size, bytes)
+        sized(kind, given.pointer, given.size * kind::BYTES, bytes)
+      when String then sized(kind, given, given.bytesize, bytes)
+      when FFI::Pointer then sized(kind, given, given.size, bytes)
       when Array
         packed = kind::COUNT == 1 ? kind.pack_all(given.flatten) : kind.pack_all(given)
-        whole(kind, packed, packed.bytesize, bytes)
+        sized(kind, packed, packed.bytesize, bytes)
       else Memory.new(kind, kind.pack(given), nil, 0)
       end
     end
 
-    def whole(kind, memory, size, bytes)
+    def sized(kind, memory, size, bytes)
       raise ArgumentError, "not a whole number of elements of #{bytes} bytes" if size % bytes != 0
 
       Memory.new(kind, memory, size / bytes, bytes)

@@ -89,7 +89,7 @@ module Gamephys
   end
 
   module UInt32
-    extend Plain
+    extend Whole
     FORMAT, COUNT, BYTES = 'L', 1, 4
     def self.from(n) = n[0]
   end
