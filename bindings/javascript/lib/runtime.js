@@ -139,13 +139,16 @@ function isDetached(buffer) {
     }
 }
 
-/** The memory of a typed array or of Records. An array of numbers must hold those that are meant, if only one kind is. */
+const wholeNumbers = ['uint32_t', 'int32_t'];
+
+/** The memory of a typed array or of Records. Numbers must be those that are meant, if only one kind is. */
 function viewOf(value, name, kind = '') {
     if (value instanceof Uint16Array && kind === 'u32') return Uint32Array.from(value);
-    const view = value instanceof Records ? value.views.f32 : value;
-    const floats = view instanceof Float32Array;
-    if (view === value && (kind === 'f32' ? !floats && view?.BYTES_PER_ELEMENT === 4 : kind && floats)) {
-        throw new TypeError(`${name} must hold ${kind === 'f32' ? 'floats' : 'whole numbers'}: not ${view.constructor.name}`);
+    const rows = value instanceof Records;
+    const view = rows ? value.views.f32 : value;
+    const floats = rows ? !wholeNumbers.includes(value.kind) : view instanceof Float32Array;
+    if (kind === 'f32' ? !floats && view?.BYTES_PER_ELEMENT === 4 : kind && floats) {
+        throw new TypeError(`${name} must hold ${kind === 'f32' ? 'floats' : 'whole numbers'}: not ${rows ? `Records of ${value.kind}` : view.constructor.name}`);
     }
     if (!ArrayBuffer.isView(view)) throw new TypeError(`${name} must be a typed array or Records`);
     if (view.byteLength === 0 && isDetached(view.buffer)) {
@@ -238,7 +241,12 @@ export function runtime(memory) {
     const nothing = { object: 0, stride: 0 };
 
     function input(value, size, name, kind) {
-        const view = viewOf(value, name, kind);
+        let view = viewOf(value, name, kind);
+        if (value instanceof Records && value.stride % size && size % value.stride) {
+            throw new TypeError(`${name}: ${value.kind} has ${value.stride} bytes, not ${size}`);
+        }
+        // The library reads numbers of four bytes only where these may lie.
+        if (view.byteOffset % 4) view = new Uint8Array(view.buffer.slice(view.byteOffset, view.byteOffset + view.byteLength));
         if (view.byteLength % size) throw new RangeError(`${name}: not a whole number of elements of ${size} bytes`);
         return { view, address: memory.locate(view), stride: size, length: view.byteLength / size, numbers: view.byteLength / 4 };
     }
@@ -288,7 +296,8 @@ export function runtime(memory) {
             const records = new Records(kind, length);
             return { view: records.f32, records, out: true };
         }
-        const view = viewOf(out, 'out');
+        if (out instanceof Records && out.kind !== kind) throw new TypeError(`out must be Records of ${kind}, not of ${out.kind}`);
+        const view = viewOf(out, 'out', wholeNumbers.includes(kind) ? 'u32' : kind === 'float' ? 'f32' : '');
         if (view.byteLength !== bytes) throw new RangeError(`out has ${view.byteLength} bytes, not ${bytes}`);
         const address = memory.locate(view);
         if (out instanceof Records) return { view, records: out, address, out: true };

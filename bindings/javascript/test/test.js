@@ -139,6 +139,27 @@ test('arrays hold the numbers that are meant', () => {
     }
 });
 
+test('records and results are of the kind that is meant', () => {
+    const scene = new gp.Scene();
+    const model = scene.add(gp.sphere([0, 0, 5], 1));
+    const rays = gp.records('ray', 3);
+    for (let i = 0; i < 3; ++i) rays.set(i, { origin: [0, 0, 0], direction: [0, 0, 1], t_max: 100 });
+    assert.throws(() => scene.raycastBatch(gp.records('transform', 7)), /rays: transform has 32 bytes, not 28/);
+    assert.throws(() => scene.removeBatch(gp.records('ray', 1)), /models must hold whole numbers: not Records of ray/);
+    assert.throws(() => new gp.Mesh(gp.records('uint32_t', 9)), /vertices must hold floats: not Records of uint32_t/);
+    assert.equal(new gp.Mesh(gp.records('triangle', 1)).getInfo().vertex_count, 3);
+    for (const out of [new Float32Array(3), gp.records('distance', 1), gp.records('float', 3)]) {
+        assert.throws(() => scene.raycastAnyBatch(rays, gp.ALL_LAYERS, out), TypeError);
+    }
+    const out = new Uint32Array(3);
+    scene.raycastAnyBatch(rays, gp.ALL_LAYERS, out);
+    assert.deepEqual([...out], [1, 1, 1]);
+    // Bytes that begin between two numbers.
+    const bytes = new Uint8Array(rays.f32.byteLength + 1);
+    bytes.set(new Uint8Array(rays.f32.buffer, rays.f32.byteOffset, rays.f32.byteLength), 1);
+    assert.deepEqual([...scene.raycastBatch(bytes.subarray(1))].map((hit) => hit.model), [model, model, model]);
+});
+
 test('lists of any length, one and many', () => {
     const scene = new gp.Scene();
     const models = scene.addBatch(gp.shapes('sphere', new Float32Array(4 * 500)));
