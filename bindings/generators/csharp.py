@@ -299,7 +299,7 @@ def prepare(api, call):
         fixed = [f"{p['name']}.Length" for p in arrays if not has_stride(call, p)]
         shared = [f"{p['name']}.Count" if element(p) == "void" else f"{p['name']}.Length"
                   for p in arrays if has_stride(call, p) and not p.get("nullable")]
-        shared += [f"Optional({p['name']}.Length)" for p in arrays if p.get("nullable")]
+        shared += [f"Optional({p['name']})" for p in arrays if p.get("nullable")]
         lines.append(f"var count = CommonLength({fixed[0] if fixed else -1}, {', '.join(shared) or '1'});")
     for p in call.outputs:
         if p["role"] == "out_array" and not counted_by_out(call):

@@ -454,7 +454,7 @@ public sealed partial class Scene : IDisposable {
     public unsafe void AddBatch(Shapes shapes, Span<uint> models, ReadOnlySpan<Transform> transforms = default(ReadOnlySpan<Transform>), ModelDesc? desc = null) {
         var shapesOne = shapes.One;
         var desc_ = desc.GetValueOrDefault();
-        var count = CommonLength(-1, shapes.Count, Optional(transforms.Length));
+        var count = CommonLength(-1, shapes.Count, Optional(transforms));
         RequireLength(models.Length, count);
         Status status;
         fixed (byte* shapesFirst = &MemoryMarshal.GetReference(shapes.Bytes))
@@ -474,7 +474,7 @@ public sealed partial class Scene : IDisposable {
     /// has before the call</param>
     public unsafe void AddDescribedBatch(Shapes shapes, Span<uint> models, ReadOnlySpan<Transform> transforms = default(ReadOnlySpan<Transform>), ReadOnlySpan<ModelDesc> descs = default(ReadOnlySpan<ModelDesc>)) {
         var shapesOne = shapes.One;
-        var count = CommonLength(-1, shapes.Count, Optional(transforms.Length), Optional(descs.Length));
+        var count = CommonLength(-1, shapes.Count, Optional(transforms), Optional(descs));
         RequireLength(models.Length, count);
         Status status;
         fixed (byte* shapesFirst = &MemoryMarshal.GetReference(shapes.Bytes))
@@ -1081,7 +1081,7 @@ public sealed partial class Scene : IDisposable {
     /// Cost: at most that of as many calls of Scene.RaycastFiltered; shared among workers.</summary>
     /// <param name="filters">null: the defaults</param>
     public unsafe void RaycastFilteredBatch(ReadOnlySpan<Ray> rays, Span<Hit> hits, ReadOnlySpan<QueryFilterDesc> filters = default(ReadOnlySpan<QueryFilterDesc>)) {
-        var count = CommonLength(-1, rays.Length, Optional(filters.Length));
+        var count = CommonLength(-1, rays.Length, Optional(filters));
         RequireLength(hits.Length, count);
         fixed (Ray* rays_ = &MemoryMarshal.GetReference(rays))
         using (var filters_ = new QueryFilterDescs(filters))
@@ -1094,7 +1094,7 @@ public sealed partial class Scene : IDisposable {
     /// Cost: less than that of Scene.RaycastFilteredBatch; shared among workers. Since 1.1.</summary>
     /// <param name="filters">null: the defaults</param>
     public unsafe void RaycastDistanceFilteredBatch(ReadOnlySpan<Ray> rays, Span<Distance> distances, ReadOnlySpan<QueryFilterDesc> filters = default(ReadOnlySpan<QueryFilterDesc>)) {
-        var count = CommonLength(-1, rays.Length, Optional(filters.Length));
+        var count = CommonLength(-1, rays.Length, Optional(filters));
         RequireLength(distances.Length, count);
         fixed (Ray* rays_ = &MemoryMarshal.GetReference(rays))
         using (var filters_ = new QueryFilterDescs(filters))
@@ -1117,7 +1117,7 @@ public sealed partial class Scene : IDisposable {
     /// Cost: at most that of as many single calls; shared among workers.</summary>
     /// <param name="filters">null: the defaults</param>
     public unsafe void RaycastAnyFilteredBatch(ReadOnlySpan<Ray> rays, Span<int> hits, ReadOnlySpan<QueryFilterDesc> filters = default(ReadOnlySpan<QueryFilterDesc>)) {
-        var count = CommonLength(-1, rays.Length, Optional(filters.Length));
+        var count = CommonLength(-1, rays.Length, Optional(filters));
         RequireLength(hits.Length, count);
         fixed (Ray* rays_ = &MemoryMarshal.GetReference(rays))
         using (var filters_ = new QueryFilterDescs(filters))
@@ -1149,7 +1149,7 @@ public sealed partial class Scene : IDisposable {
     /// Cost: that of as many single calls; shared among workers.</summary>
     /// <param name="filters">null: the defaults</param>
     public unsafe Ragged<Hit> RaycastAllFilteredBatch(ReadOnlySpan<Ray> rays, ReadOnlySpan<QueryFilterDesc> filters = default(ReadOnlySpan<QueryFilterDesc>)) {
-        var count = CommonLength(-1, rays.Length, Optional(filters.Length));
+        var count = CommonLength(-1, rays.Length, Optional(filters));
         var result = new Hit[Guess + count];
         var offsets = new uint[count + 1];
         for (;;) {
@@ -1185,7 +1185,7 @@ public sealed partial class Scene : IDisposable {
     /// Cost: that of as many single calls; shared among workers.</summary>
     /// <param name="filters">null: the defaults</param>
     public unsafe void SegmentTestFilteredBatch(ReadOnlySpan<Segment> segments, Span<Hit> hits, ReadOnlySpan<QueryFilterDesc> filters = default(ReadOnlySpan<QueryFilterDesc>)) {
-        var count = CommonLength(-1, segments.Length, Optional(filters.Length));
+        var count = CommonLength(-1, segments.Length, Optional(filters));
         RequireLength(hits.Length, count);
         fixed (Segment* segments_ = &MemoryMarshal.GetReference(segments))
         using (var filters_ = new QueryFilterDescs(filters))
@@ -1224,7 +1224,7 @@ public sealed partial class Scene : IDisposable {
     /// <exception cref="GamephysException">Status.ErrorUnsupported: as there</exception>
     public unsafe Ragged<uint> OverlapFilteredBatch(Shapes shapes, ReadOnlySpan<QueryFilterDesc> filters = default(ReadOnlySpan<QueryFilterDesc>)) {
         var shapesOne = shapes.One;
-        var count = CommonLength(-1, shapes.Count, Optional(filters.Length));
+        var count = CommonLength(-1, shapes.Count, Optional(filters));
         var result = new uint[Guess + count];
         var offsets = new uint[count + 1];
         for (;;) {
@@ -1271,7 +1271,7 @@ public sealed partial class Scene : IDisposable {
     /// Cost: that of as many single calls; shared among workers. Since 1.1.</summary>
     /// <param name="filters">null: the defaults</param>
     public unsafe Ragged<uint> CullFilteredBatch(ReadOnlySpan<Frustum> frusta, ReadOnlySpan<QueryFilterDesc> filters = default(ReadOnlySpan<QueryFilterDesc>)) {
-        var count = CommonLength(-1, frusta.Length, Optional(filters.Length));
+        var count = CommonLength(-1, frusta.Length, Optional(filters));
         var result = new uint[Guess + count];
         var offsets = new uint[count + 1];
         for (;;) {
@@ -1312,7 +1312,7 @@ public sealed partial class Scene : IDisposable {
     /// <param name="maxDistance">metres, &gt;= 0, INFINITY allowed, for all points</param>
     /// <param name="filters">null: the defaults</param>
     public unsafe void NearestFilteredBatch(ReadOnlySpan<Vec3> points, Span<Nearest> nearest, float maxDistance = float.PositiveInfinity, ReadOnlySpan<QueryFilterDesc> filters = default(ReadOnlySpan<QueryFilterDesc>)) {
-        var count = CommonLength(-1, points.Length, Optional(filters.Length));
+        var count = CommonLength(-1, points.Length, Optional(filters));
         RequireLength(nearest.Length, count);
         fixed (Vec3* points_ = &MemoryMarshal.GetReference(points))
         using (var filters_ = new QueryFilterDescs(filters))
@@ -1339,7 +1339,7 @@ public sealed partial class Scene : IDisposable {
     /// <param name="displacements">metres</param>
     /// <param name="filters">null: the defaults</param>
     public unsafe void SweepSphereFilteredBatch(ReadOnlySpan<Sphere> spheres, ReadOnlySpan<Vec3> displacements, Span<Hit> hits, ReadOnlySpan<QueryFilterDesc> filters = default(ReadOnlySpan<QueryFilterDesc>)) {
-        var count = CommonLength(-1, spheres.Length, displacements.Length, Optional(filters.Length));
+        var count = CommonLength(-1, spheres.Length, displacements.Length, Optional(filters));
         RequireLength(hits.Length, count);
         fixed (Sphere* spheres_ = &MemoryMarshal.GetReference(spheres))
         fixed (Vec3* displacements_ = &MemoryMarshal.GetReference(displacements))
@@ -1372,7 +1372,7 @@ public sealed partial class Scene : IDisposable {
     /// <exception cref="GamephysException">Status.ErrorUnsupported: as Scene.Sweep</exception>
     public unsafe void SweepFilteredBatch(Shapes shapes, ReadOnlySpan<Vec3> displacements, Span<Hit> hits, ReadOnlySpan<QueryFilterDesc> filters = default(ReadOnlySpan<QueryFilterDesc>)) {
         var shapesOne = shapes.One;
-        var count = CommonLength(-1, shapes.Count, displacements.Length, Optional(filters.Length));
+        var count = CommonLength(-1, shapes.Count, displacements.Length, Optional(filters));
         RequireLength(hits.Length, count);
         Status status;
         fixed (byte* shapesFirst = &MemoryMarshal.GetReference(shapes.Bytes))
@@ -1415,7 +1415,7 @@ public sealed partial class Scene : IDisposable {
     /// <exception cref="GamephysException">Status.ErrorUnsupported: as Scene.Penetration</exception>
     public unsafe Ragged<Penetration> PenetrationFilteredBatch(Shapes shapes, ReadOnlySpan<QueryFilterDesc> filters = default(ReadOnlySpan<QueryFilterDesc>)) {
         var shapesOne = shapes.One;
-        var count = CommonLength(-1, shapes.Count, Optional(filters.Length));
+        var count = CommonLength(-1, shapes.Count, Optional(filters));
         var result = new Penetration[Guess + count];
         var offsets = new uint[count + 1];
         for (;;) {
@@ -2111,7 +2111,7 @@ public sealed partial class Camera : IDisposable {
     /// <param name="pixels">x, y pairs of floats</param>
     /// <param name="filters">null: the defaults</param>
     public unsafe void PickFilteredBatch(Scene scene, ReadOnlySpan<Vec2> pixels, Span<Hit> hits, ReadOnlySpan<QueryFilterDesc> filters = default(ReadOnlySpan<QueryFilterDesc>)) {
-        var count = CommonLength(-1, pixels.Length, Optional(filters.Length));
+        var count = CommonLength(-1, pixels.Length, Optional(filters));
         RequireLength(hits.Length, count);
         fixed (Vec2* pixels_ = &MemoryMarshal.GetReference(pixels))
         using (var filters_ = new QueryFilterDescs(filters))

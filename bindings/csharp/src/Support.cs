@@ -53,8 +53,10 @@ internal static class Support {
         return elements.Length == 1 ? 0 : SizeOf(elements);
     }
 
-    // The length of an array that may be left out.
-    internal static int Optional(int length) { return length == 0 ? 1 : length; }
+    // The length of an array that may be left out, which one without elements is not.
+    internal static int Optional<T>(ReadOnlySpan<T> elements) where T : struct {
+        return elements == default(ReadOnlySpan<T>) ? 1 : elements.Length;
+    }
 
     // The number of elements of a batch, known if an array of just that length is given. In shared
     // arrays one element stands for all.

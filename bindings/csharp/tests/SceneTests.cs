@@ -13,6 +13,21 @@ using static Common;
 [TestFixture]
 public class SceneTests {
     [Test]
+    public void AnArrayWithoutElementsIsNotOneThatIsLeftOut() {
+        var scene = new Scene();
+        var spheres = new Sphere[] { new Sphere((0, 0, 5), 1), new Sphere((0, 0, 9), 1) };
+        var rays = new Ray[] { new Ray((0, 0, 0), (0, 0, 1), 100), new Ray((0, 0, 0), (0, 0, 1), 100) };
+        Assert.Throws<ArgumentException>(() => scene.AddBatch(spheres, new uint[2], new Transform[0]));
+        Assert.Throws<ArgumentException>(() => scene.AddDescribedBatch(spheres, new uint[2], null, new ModelDesc[0]));
+        Assert.Throws<ArgumentException>(() => scene.RaycastFilteredBatch(rays, new Hit[2], new QueryFilterDesc[0]));
+        Assert.IsEmpty(scene.GetModels());
+        scene.AddBatch(spheres, new uint[2], null);
+        scene.AddBatch(new Sphere[0], new uint[0], new Transform[0]);
+        scene.RaycastFilteredBatch(rays, new Hit[2]);
+        Assert.AreEqual(2, scene.GetModels().Length);
+    }
+
+    [Test]
     public void BatchesAnswerAsSingleCallsDo() {
         uint[] models;
         var scene = SceneOfBalls(out models);
