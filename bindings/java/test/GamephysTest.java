@@ -805,6 +805,7 @@ public class GamephysTest {
         assertThrows(IllegalArgumentException.class, () -> scene.sweepSphereBatch(Batch.allocate(Sphere.LAYOUT, 2), points(UP)));
         assertThrows(IllegalArgumentException.class, () -> Batch.of(Ray.LAYOUT, ByteBuffer.allocateDirect(30)));
         assertThrows(IllegalArgumentException.class, () -> Batch.of(Ray.LAYOUT, ByteBuffer.allocate(28)));
+        assertThrows(IllegalArgumentException.class, () -> Batch.of(Ray.LAYOUT, ByteBuffer.allocateDirect(29).position(1)));
         assertThrows(IllegalArgumentException.class, () -> Shapes.of(List.of(BALL, new Plane(UP, 0))));
         assertThrows(IllegalArgumentException.class, () -> new Mesh(Batch.floats(0, 0), Batch.ints()));
         assertThrows(IllegalArgumentException.class, () -> scene.setOrigin(new double[2]));

@@ -41,7 +41,9 @@ public final class Batch<T> extends AbstractList<T> {
     /** The memory between position and limit of a direct buffer, without a copy. */
     public static <T> Batch<T> of(Layout<T> layout, ByteBuffer buffer) {
         if (!buffer.isDirect()) throw new IllegalArgumentException("a direct buffer is needed");
-        return new Batch<>(layout, buffer.slice().order(ByteOrder.nativeOrder()), false);
+        Batch<T> batch = new Batch<>(layout, buffer.slice().order(ByteOrder.nativeOrder()), false);
+        if (Pointer.nativeValue(batch.pointer) % 4 != 0) throw new IllegalArgumentException("memory must begin at a multiple of 4 bytes");
+        return batch;
     }
 
     /** A copy of values. */
