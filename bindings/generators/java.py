@@ -233,6 +233,8 @@ def method(api, call, creation=None):
     fence = f"Low.keep({', '.join(fences)});" if fences else None
     held = [("self" if i == 0 and call.owner and not creation else f"{p['name']}_", "this" if i == 0 and call.owner and not creation
              else name_of(p)) for i, p in enumerate(parameters) if p["role"] == "handle"]
+    held += [(None, f"Low.mesh({name_of(p)})") for p in parameters if p["role"] == "shape"]
+    held += [(None, f"{name_of(p)}.mesh()") for p in parameters if p["role"] == "array" and element(p) == "void"]
     outs, result_record = call.outputs, ""
     invoke = f"Low.{f['name']}({', '.join(words)})"
     given = [f"{given_type(api, p)} {name_of(p)}" for p in call.inputs]
@@ -244,7 +246,8 @@ def method(api, call, creation=None):
         """The call, during which nobody frees the objects that it uses."""
         text = [f"status = {invoke};"]
         for pointer, object in reversed(held):
-            text = [f"Pointer {pointer} = Owned.enter({object});", "try {", *(f"    {line}" for line in text),
+            entered = f"Owned.enter({object});"
+            text = [f"Pointer {pointer} = {entered}" if pointer else entered, "try {", *(f"    {line}" for line in text),
                     "} finally {", f"    Owned.leave({object});", "}"]
         return (["int status;", *text] if held else [f"int status = {invoke};"]) + ([fence] if fence else [])
 

@@ -870,6 +870,56 @@ public class GamephysTest {
         assertNotNull(release);
     }
 
+    /** A mesh that is closed while another thread asks about it goes when the call ends, on that thread. */
+    @Test
+    public void aCallHoldsTheMeshThatIsItsShape() throws InterruptedException {
+        Map<Pointer, Memory> taken = new ConcurrentHashMap<>();
+        AtomicBoolean asking = new AtomicBoolean(), freedMeanwhile = new AtomicBoolean();
+        Thread[] asker = new Thread[1];
+        Allocate allocate = (user, size, alignment) -> {
+            Memory memory = new Memory(size + alignment);
+            Pointer start = memory.align((int) alignment);
+            taken.put(start, memory);
+            return start;
+        };
+        Release release = (user, memory, size, alignment) -> {
+            if (asking.get() && Thread.currentThread() != asker[0]) freedMeanwhile.set(true);
+        };
+        Memory allocator = new Memory(3L * Native.POINTER_SIZE);
+        allocator.setPointer(0, CallbackReference.getFunctionPointer(allocate));
+        allocator.setPointer(Native.POINTER_SIZE, CallbackReference.getFunctionPointer(release));
+        allocator.setPointer(2L * Native.POINTER_SIZE, null);
+        Batch<Ray> rays = Batch.copyOf(Ray.LAYOUT, Collections.nCopies(200_000, AHEAD));
+        Batch<Hit> hits = Batch.allocate(Hit.LAYOUT, rays.size());
+        Batch<Integer> yes = Batch.allocate(Layout.INT, rays.size());
+        Shapes balls = Shapes.of(Batch.copyOf(Sphere.LAYOUT, Collections.nCopies(rays.size(), BALL)));
+        for (boolean asShapes : new boolean[] {false, true}) {
+            Mesh mesh = pyramid(new MeshDesc().allocator(allocator));
+            Shapes shapes = Shapes.of(mesh);
+            AtomicBoolean answered = new AtomicBoolean(); // unless it was closed before the call began
+            asker[0] = new Thread(() -> {
+                asking.set(true);
+                try {
+                    if (asShapes) overlapsBatch(balls, shapes, yes);
+                    else raycastBatch(mesh, rays, hits);
+                    answered.set(true);
+                } catch (IllegalStateException closed) {
+                    // nothing was asked
+                }
+                asking.set(false);
+            });
+            asker[0].start();
+            while (!asking.get()) Thread.onSpinWait();
+            Thread.sleep(5);
+            mesh.close();
+            asker[0].join();
+            boolean freed = freedMeanwhile.getAndSet(false);
+            assertFalse(answered.get() && freed);
+        }
+        assertNotNull(allocate);
+        assertNotNull(release);
+    }
+
     private static GamephysException refused(int triangles) {
         Batch<Integer> indices = Batch.allocate(Layout.INT, 3 * triangles);
         indices.set(3 * triangles - 1, 3);

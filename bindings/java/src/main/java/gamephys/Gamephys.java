@@ -82,7 +82,13 @@ public final class Gamephys extends GamephysBase {
      */
     public static void validate(Shape shape) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_shape_validate(shape.kind(), Low.shape(shape, scratch, 1));
+        int status;
+        Owned.enter(Low.mesh(shape));
+        try {
+            status = Low.gphys_shape_validate(shape.kind(), Low.shape(shape, scratch, 1));
+        } finally {
+            Owned.leave(Low.mesh(shape));
+        }
         Low.keep(shape);
         Low.check(status);
     }
@@ -95,7 +101,13 @@ public final class Gamephys extends GamephysBase {
      */
     public static Optional<Aabb> bounds(Shape shape) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_shape_bounds(shape.kind(), Low.shape(shape, scratch, 1), scratch.slot(2));
+        int status;
+        Owned.enter(Low.mesh(shape));
+        try {
+            status = Low.gphys_shape_bounds(shape.kind(), Low.shape(shape, scratch, 1), scratch.slot(2));
+        } finally {
+            Owned.leave(Low.mesh(shape));
+        }
         Low.keep(shape);
         return Low.found(status) ? Optional.of(Aabb.read(scratch.memory, Scratch.at(2))) : Optional.empty();
     }
@@ -109,7 +121,13 @@ public final class Gamephys extends GamephysBase {
      */
     public static boolean contains(Shape shape, Vec3 point, float tolerance) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_shape_contains(shape.kind(), Low.shape(shape, scratch, 1), scratch.put(2, point), tolerance, scratch.slot(4));
+        int status;
+        Owned.enter(Low.mesh(shape));
+        try {
+            status = Low.gphys_shape_contains(shape.kind(), Low.shape(shape, scratch, 1), scratch.put(2, point), tolerance, scratch.slot(4));
+        } finally {
+            Owned.leave(Low.mesh(shape));
+        }
         Low.keep(shape);
         Low.check(status);
         return scratch.getInt(4) != 0;
@@ -129,7 +147,13 @@ public final class Gamephys extends GamephysBase {
         Scratch scratch = Scratch.get();
         int count = Low.common(points.common());
         Batch<Integer> room = Batch.room(Layout.INT, count, out);
-        int status = Low.gphys_shape_contains_batch(shape.kind(), Low.shape(shape, scratch, 1), points.pointer(), points.stride(), count, tolerance, room.pointer(), Layout.INT.bytes());
+        int status;
+        Owned.enter(Low.mesh(shape));
+        try {
+            status = Low.gphys_shape_contains_batch(shape.kind(), Low.shape(shape, scratch, 1), points.pointer(), points.stride(), count, tolerance, room.pointer(), Layout.INT.bytes());
+        } finally {
+            Owned.leave(Low.mesh(shape));
+        }
         Low.keep(shape, points, room);
         Low.check(status);
         return room;
@@ -155,7 +179,13 @@ public final class Gamephys extends GamephysBase {
      */
     public static Optional<Nearest> closestPoint(Shape shape, Vec3 point) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_shape_closest_point(shape.kind(), Low.shape(shape, scratch, 1), scratch.put(2, point), scratch.slot(3));
+        int status;
+        Owned.enter(Low.mesh(shape));
+        try {
+            status = Low.gphys_shape_closest_point(shape.kind(), Low.shape(shape, scratch, 1), scratch.put(2, point), scratch.slot(3));
+        } finally {
+            Owned.leave(Low.mesh(shape));
+        }
         Low.keep(shape);
         return Low.found(status) ? Optional.of(Nearest.read(scratch.memory, Scratch.at(3))) : Optional.empty();
     }
@@ -169,7 +199,13 @@ public final class Gamephys extends GamephysBase {
         Scratch scratch = Scratch.get();
         int count = Low.common(points.common());
         Batch<Nearest> room = Batch.room(Nearest.LAYOUT, count, out);
-        int status = Low.gphys_shape_closest_point_batch(shape.kind(), Low.shape(shape, scratch, 1), points.pointer(), points.stride(), count, room.pointer(), Nearest.LAYOUT.bytes());
+        int status;
+        Owned.enter(Low.mesh(shape));
+        try {
+            status = Low.gphys_shape_closest_point_batch(shape.kind(), Low.shape(shape, scratch, 1), points.pointer(), points.stride(), count, room.pointer(), Nearest.LAYOUT.bytes());
+        } finally {
+            Owned.leave(Low.mesh(shape));
+        }
         Low.keep(shape, points, room);
         Low.check(status);
         return room;
@@ -207,7 +243,18 @@ public final class Gamephys extends GamephysBase {
      */
     public static boolean overlaps(Shape a, Shape b) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_shape_overlaps(a.kind(), Low.shape(a, scratch, 1), b.kind(), Low.shape(b, scratch, 3), scratch.slot(4));
+        int status;
+        Owned.enter(Low.mesh(a));
+        try {
+            Owned.enter(Low.mesh(b));
+            try {
+                status = Low.gphys_shape_overlaps(a.kind(), Low.shape(a, scratch, 1), b.kind(), Low.shape(b, scratch, 3), scratch.slot(4));
+            } finally {
+                Owned.leave(Low.mesh(b));
+            }
+        } finally {
+            Owned.leave(Low.mesh(a));
+        }
         Low.keep(a, b);
         Low.check(status);
         return scratch.getInt(4) != 0;
@@ -223,7 +270,18 @@ public final class Gamephys extends GamephysBase {
     public static Batch<Integer> overlapsBatch(Shapes a, Shapes b, Batch<Integer> out) {
         int count = Low.common(a.common(), b.common());
         Batch<Integer> room = Batch.room(Layout.INT, count, out);
-        int status = Low.gphys_shape_overlaps_batch(a.kind(), a.pointer(), a.stride(), b.kind(), b.pointer(), b.stride(), count, room.pointer(), Layout.INT.bytes());
+        int status;
+        Owned.enter(a.mesh());
+        try {
+            Owned.enter(b.mesh());
+            try {
+                status = Low.gphys_shape_overlaps_batch(a.kind(), a.pointer(), a.stride(), b.kind(), b.pointer(), b.stride(), count, room.pointer(), Layout.INT.bytes());
+            } finally {
+                Owned.leave(b.mesh());
+            }
+        } finally {
+            Owned.leave(a.mesh());
+        }
         Low.keep(a, b, room);
         Low.check(status);
         return room;
@@ -246,7 +304,13 @@ public final class Gamephys extends GamephysBase {
      */
     public static ClassifyPlaneResult classifyPlane(Shape shape, Plane plane) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_shape_classify_plane(shape.kind(), Low.shape(shape, scratch, 1), scratch.put(2, plane), scratch.slot(3), scratch.slot(4));
+        int status;
+        Owned.enter(Low.mesh(shape));
+        try {
+            status = Low.gphys_shape_classify_plane(shape.kind(), Low.shape(shape, scratch, 1), scratch.put(2, plane), scratch.slot(3), scratch.slot(4));
+        } finally {
+            Owned.leave(Low.mesh(shape));
+        }
         Low.keep(shape);
         Low.check(status);
         return new ClassifyPlaneResult(scratch.getInt(3), scratch.getFloat(4));
@@ -260,7 +324,13 @@ public final class Gamephys extends GamephysBase {
      */
     public static int classifyFrustum(Shape shape, Frustum frustum) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_shape_classify_frustum(shape.kind(), Low.shape(shape, scratch, 1), scratch.put(2, frustum), scratch.slot(3));
+        int status;
+        Owned.enter(Low.mesh(shape));
+        try {
+            status = Low.gphys_shape_classify_frustum(shape.kind(), Low.shape(shape, scratch, 1), scratch.put(2, frustum), scratch.slot(3));
+        } finally {
+            Owned.leave(Low.mesh(shape));
+        }
         Low.keep(shape);
         Low.check(status);
         return scratch.getInt(3);
@@ -279,7 +349,13 @@ public final class Gamephys extends GamephysBase {
      */
     public static Optional<Hit> raycast(Shape shape, Ray ray) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_shape_raycast(shape.kind(), Low.shape(shape, scratch, 1), scratch.put(2, ray), scratch.slot(3));
+        int status;
+        Owned.enter(Low.mesh(shape));
+        try {
+            status = Low.gphys_shape_raycast(shape.kind(), Low.shape(shape, scratch, 1), scratch.put(2, ray), scratch.slot(3));
+        } finally {
+            Owned.leave(Low.mesh(shape));
+        }
         Low.keep(shape);
         return Low.found(status) ? Optional.of(Hit.read(scratch.memory, Scratch.at(3))) : Optional.empty();
     }
@@ -294,7 +370,13 @@ public final class Gamephys extends GamephysBase {
         Scratch scratch = Scratch.get();
         int count = Low.common(rays.common());
         Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
-        int status = Low.gphys_shape_raycast_batch(shape.kind(), Low.shape(shape, scratch, 1), rays.pointer(), rays.stride(), count, room.pointer(), Hit.LAYOUT.bytes());
+        int status;
+        Owned.enter(Low.mesh(shape));
+        try {
+            status = Low.gphys_shape_raycast_batch(shape.kind(), Low.shape(shape, scratch, 1), rays.pointer(), rays.stride(), count, room.pointer(), Hit.LAYOUT.bytes());
+        } finally {
+            Owned.leave(Low.mesh(shape));
+        }
         Low.keep(shape, rays, room);
         Low.check(status);
         return room;
@@ -315,7 +397,13 @@ public final class Gamephys extends GamephysBase {
      */
     public static Optional<Hit> segmentTest(Shape shape, Segment segment) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_shape_segment_test(shape.kind(), Low.shape(shape, scratch, 1), scratch.put(2, segment), scratch.slot(3));
+        int status;
+        Owned.enter(Low.mesh(shape));
+        try {
+            status = Low.gphys_shape_segment_test(shape.kind(), Low.shape(shape, scratch, 1), scratch.put(2, segment), scratch.slot(3));
+        } finally {
+            Owned.leave(Low.mesh(shape));
+        }
         Low.keep(shape);
         return Low.found(status) ? Optional.of(Hit.read(scratch.memory, Scratch.at(3))) : Optional.empty();
     }
@@ -336,7 +424,13 @@ public final class Gamephys extends GamephysBase {
      */
     public static Optional<Hit> sweepSphere(Shape shape, Sphere sphere, Vec3 displacement) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_shape_sweep_sphere(shape.kind(), Low.shape(shape, scratch, 1), scratch.put(2, sphere), scratch.put(3, displacement), scratch.slot(4));
+        int status;
+        Owned.enter(Low.mesh(shape));
+        try {
+            status = Low.gphys_shape_sweep_sphere(shape.kind(), Low.shape(shape, scratch, 1), scratch.put(2, sphere), scratch.put(3, displacement), scratch.slot(4));
+        } finally {
+            Owned.leave(Low.mesh(shape));
+        }
         Low.keep(shape);
         return Low.found(status) ? Optional.of(Hit.read(scratch.memory, Scratch.at(4))) : Optional.empty();
     }
@@ -358,7 +452,18 @@ public final class Gamephys extends GamephysBase {
      */
     public static Optional<Hit> sweep(Shape shape, Shape moving, Vec3 displacement) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_shape_sweep(shape.kind(), Low.shape(shape, scratch, 1), moving.kind(), Low.shape(moving, scratch, 3), scratch.put(4, displacement), scratch.slot(5));
+        int status;
+        Owned.enter(Low.mesh(shape));
+        try {
+            Owned.enter(Low.mesh(moving));
+            try {
+                status = Low.gphys_shape_sweep(shape.kind(), Low.shape(shape, scratch, 1), moving.kind(), Low.shape(moving, scratch, 3), scratch.put(4, displacement), scratch.slot(5));
+            } finally {
+                Owned.leave(Low.mesh(moving));
+            }
+        } finally {
+            Owned.leave(Low.mesh(shape));
+        }
         Low.keep(shape, moving);
         return Low.found(status) ? Optional.of(Hit.read(scratch.memory, Scratch.at(5))) : Optional.empty();
     }
@@ -376,7 +481,18 @@ public final class Gamephys extends GamephysBase {
     public static Batch<Hit> sweepBatch(Shapes shapes, Shapes moving, Batch<Vec3> displacements, Batch<Hit> out) {
         int count = Low.common(shapes.common(), moving.common(), displacements.common());
         Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
-        int status = Low.gphys_shape_sweep_batch(shapes.kind(), shapes.pointer(), shapes.stride(), moving.kind(), moving.pointer(), moving.stride(), displacements.pointer(), displacements.stride(), count, room.pointer(), Hit.LAYOUT.bytes());
+        int status;
+        Owned.enter(shapes.mesh());
+        try {
+            Owned.enter(moving.mesh());
+            try {
+                status = Low.gphys_shape_sweep_batch(shapes.kind(), shapes.pointer(), shapes.stride(), moving.kind(), moving.pointer(), moving.stride(), displacements.pointer(), displacements.stride(), count, room.pointer(), Hit.LAYOUT.bytes());
+            } finally {
+                Owned.leave(moving.mesh());
+            }
+        } finally {
+            Owned.leave(shapes.mesh());
+        }
         Low.keep(shapes, moving, displacements, room);
         Low.check(status);
         return room;
@@ -408,7 +524,18 @@ public final class Gamephys extends GamephysBase {
      */
     public static Optional<Penetration> penetration(Shape shape, Shape moving) {
         Scratch scratch = Scratch.get();
-        int status = Low.gphys_shape_penetration(shape.kind(), Low.shape(shape, scratch, 1), moving.kind(), Low.shape(moving, scratch, 3), scratch.slot(4));
+        int status;
+        Owned.enter(Low.mesh(shape));
+        try {
+            Owned.enter(Low.mesh(moving));
+            try {
+                status = Low.gphys_shape_penetration(shape.kind(), Low.shape(shape, scratch, 1), moving.kind(), Low.shape(moving, scratch, 3), scratch.slot(4));
+            } finally {
+                Owned.leave(Low.mesh(moving));
+            }
+        } finally {
+            Owned.leave(Low.mesh(shape));
+        }
         Low.keep(shape, moving);
         return Low.found(status) ? Optional.of(Penetration.read(scratch.memory, Scratch.at(4))) : Optional.empty();
     }
@@ -425,7 +552,18 @@ public final class Gamephys extends GamephysBase {
     public static Batch<Penetration> penetrationBatch(Shapes shapes, Shapes moving, Batch<Penetration> out) {
         int count = Low.common(shapes.common(), moving.common());
         Batch<Penetration> room = Batch.room(Penetration.LAYOUT, count, out);
-        int status = Low.gphys_shape_penetration_batch(shapes.kind(), shapes.pointer(), shapes.stride(), moving.kind(), moving.pointer(), moving.stride(), count, room.pointer(), Penetration.LAYOUT.bytes());
+        int status;
+        Owned.enter(shapes.mesh());
+        try {
+            Owned.enter(moving.mesh());
+            try {
+                status = Low.gphys_shape_penetration_batch(shapes.kind(), shapes.pointer(), shapes.stride(), moving.kind(), moving.pointer(), moving.stride(), count, room.pointer(), Penetration.LAYOUT.bytes());
+            } finally {
+                Owned.leave(moving.mesh());
+            }
+        } finally {
+            Owned.leave(shapes.mesh());
+        }
         Low.keep(shapes, moving, room);
         Low.check(status);
         return room;

@@ -55,6 +55,11 @@ final class Low extends LowFunctions {
         for (Object object : objects) Reference.reachabilityFence(object);
     }
 
+    /** A shape that is an object of the library, which a call holds. */
+    static Mesh mesh(Shape shape) {
+        return shape instanceof Mesh mesh ? mesh : null;
+    }
+
     static Pointer shape(Shape shape, Scratch scratch, int slot) {
         return shape instanceof Mesh mesh ? mesh.opened() : scratch.put(slot, (Value) shape);
     }

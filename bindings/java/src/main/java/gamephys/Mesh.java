@@ -507,7 +507,12 @@ public final class Mesh extends Owned implements Shape {
                 int status;
                 Pointer self = Owned.enter(this);
                 try {
-                    status = Low.gphys_mesh_overlap(self, shape.kind(), Low.shape(shape, scratch, 2), room, capacity, total);
+                    Owned.enter(Low.mesh(shape));
+                    try {
+                        status = Low.gphys_mesh_overlap(self, shape.kind(), Low.shape(shape, scratch, 2), room, capacity, total);
+                    } finally {
+                        Owned.leave(Low.mesh(shape));
+                    }
                 } finally {
                     Owned.leave(this);
                 }

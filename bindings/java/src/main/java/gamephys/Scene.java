@@ -136,7 +136,12 @@ public final class Scene extends SceneBase {
         int status;
         Pointer self = Owned.enter(this);
         try {
-            status = Low.gphys_scene_add(self, shape.kind(), Low.shape(shape, scratch, 2), scratch.put(3, transform), desc == null ? null : desc.pointer(), scratch.slot(5));
+            Owned.enter(Low.mesh(shape));
+            try {
+                status = Low.gphys_scene_add(self, shape.kind(), Low.shape(shape, scratch, 2), scratch.put(3, transform), desc == null ? null : desc.pointer(), scratch.slot(5));
+            } finally {
+                Owned.leave(Low.mesh(shape));
+            }
         } finally {
             Owned.leave(this);
         }
@@ -170,7 +175,12 @@ public final class Scene extends SceneBase {
         int status;
         Pointer self = Owned.enter(this);
         try {
-            status = Low.gphys_scene_add_batch(self, shapes.kind(), shapes.pointer(), shapes.stride(), Batch.pointer(transforms), Batch.stride(transforms), count, desc == null ? null : desc.pointer(), room.pointer());
+            Owned.enter(shapes.mesh());
+            try {
+                status = Low.gphys_scene_add_batch(self, shapes.kind(), shapes.pointer(), shapes.stride(), Batch.pointer(transforms), Batch.stride(transforms), count, desc == null ? null : desc.pointer(), room.pointer());
+            } finally {
+                Owned.leave(shapes.mesh());
+            }
         } finally {
             Owned.leave(this);
         }
@@ -209,7 +219,12 @@ public final class Scene extends SceneBase {
         int status;
         Pointer self = Owned.enter(this);
         try {
-            status = Low.gphys_scene_add_described_batch(self, shapes.kind(), shapes.pointer(), shapes.stride(), Batch.pointer(transforms), Batch.stride(transforms), Batch.pointer(descs), Batch.stride(descs), count, room.pointer());
+            Owned.enter(shapes.mesh());
+            try {
+                status = Low.gphys_scene_add_described_batch(self, shapes.kind(), shapes.pointer(), shapes.stride(), Batch.pointer(transforms), Batch.stride(transforms), Batch.pointer(descs), Batch.stride(descs), count, room.pointer());
+            } finally {
+                Owned.leave(shapes.mesh());
+            }
         } finally {
             Owned.leave(this);
         }
@@ -443,7 +458,12 @@ public final class Scene extends SceneBase {
         int status;
         Pointer self = Owned.enter(this);
         try {
-            status = Low.gphys_scene_set_shape(self, model, shape.kind(), Low.shape(shape, scratch, 3));
+            Owned.enter(Low.mesh(shape));
+            try {
+                status = Low.gphys_scene_set_shape(self, model, shape.kind(), Low.shape(shape, scratch, 3));
+            } finally {
+                Owned.leave(Low.mesh(shape));
+            }
         } finally {
             Owned.leave(this);
         }
@@ -915,7 +935,12 @@ public final class Scene extends SceneBase {
                 int status;
                 Pointer self = Owned.enter(this);
                 try {
-                    status = Low.gphys_scene_overlap(self, shape.kind(), Low.shape(shape, scratch, 2), layers, room, capacity, total);
+                    Owned.enter(Low.mesh(shape));
+                    try {
+                        status = Low.gphys_scene_overlap(self, shape.kind(), Low.shape(shape, scratch, 2), layers, room, capacity, total);
+                    } finally {
+                        Owned.leave(Low.mesh(shape));
+                    }
                 } finally {
                     Owned.leave(this);
                 }
@@ -941,7 +966,12 @@ public final class Scene extends SceneBase {
                 int status;
                 Pointer self = Owned.enter(this);
                 try {
-                    status = Low.gphys_scene_overlap_batch(self, shapes.kind(), shapes.pointer(), shapes.stride(), count, layers, room, capacity, offsets);
+                    Owned.enter(shapes.mesh());
+                    try {
+                        status = Low.gphys_scene_overlap_batch(self, shapes.kind(), shapes.pointer(), shapes.stride(), count, layers, room, capacity, offsets);
+                    } finally {
+                        Owned.leave(shapes.mesh());
+                    }
                 } finally {
                     Owned.leave(this);
                 }
@@ -1149,7 +1179,12 @@ public final class Scene extends SceneBase {
         int status;
         Pointer self = Owned.enter(this);
         try {
-            status = Low.gphys_scene_sweep(self, shape.kind(), Low.shape(shape, scratch, 2), scratch.put(3, displacement), layers, scratch.slot(5));
+            Owned.enter(Low.mesh(shape));
+            try {
+                status = Low.gphys_scene_sweep(self, shape.kind(), Low.shape(shape, scratch, 2), scratch.put(3, displacement), layers, scratch.slot(5));
+            } finally {
+                Owned.leave(Low.mesh(shape));
+            }
         } finally {
             Owned.leave(this);
         }
@@ -1175,7 +1210,12 @@ public final class Scene extends SceneBase {
         int status;
         Pointer self = Owned.enter(this);
         try {
-            status = Low.gphys_scene_sweep_batch(self, shapes.kind(), shapes.pointer(), shapes.stride(), displacements.pointer(), displacements.stride(), count, layers, room.pointer(), Hit.LAYOUT.bytes());
+            Owned.enter(shapes.mesh());
+            try {
+                status = Low.gphys_scene_sweep_batch(self, shapes.kind(), shapes.pointer(), shapes.stride(), displacements.pointer(), displacements.stride(), count, layers, room.pointer(), Hit.LAYOUT.bytes());
+            } finally {
+                Owned.leave(shapes.mesh());
+            }
         } finally {
             Owned.leave(this);
         }
@@ -1207,7 +1247,12 @@ public final class Scene extends SceneBase {
                 int status;
                 Pointer self = Owned.enter(this);
                 try {
-                    status = Low.gphys_scene_penetration(self, shape.kind(), Low.shape(shape, scratch, 2), layers, room, capacity, total);
+                    Owned.enter(Low.mesh(shape));
+                    try {
+                        status = Low.gphys_scene_penetration(self, shape.kind(), Low.shape(shape, scratch, 2), layers, room, capacity, total);
+                    } finally {
+                        Owned.leave(Low.mesh(shape));
+                    }
                 } finally {
                     Owned.leave(this);
                 }
@@ -1234,7 +1279,12 @@ public final class Scene extends SceneBase {
                 int status;
                 Pointer self = Owned.enter(this);
                 try {
-                    status = Low.gphys_scene_penetration_batch(self, shapes.kind(), shapes.pointer(), shapes.stride(), count, layers, room, capacity, offsets);
+                    Owned.enter(shapes.mesh());
+                    try {
+                        status = Low.gphys_scene_penetration_batch(self, shapes.kind(), shapes.pointer(), shapes.stride(), count, layers, room, capacity, offsets);
+                    } finally {
+                        Owned.leave(shapes.mesh());
+                    }
                 } finally {
                     Owned.leave(this);
                 }
@@ -1510,7 +1560,12 @@ public final class Scene extends SceneBase {
                 int status;
                 Pointer self = Owned.enter(this);
                 try {
-                    status = Low.gphys_scene_overlap_filtered(self, shape.kind(), Low.shape(shape, scratch, 2), filter == null ? null : filter.pointer(), room, capacity, total);
+                    Owned.enter(Low.mesh(shape));
+                    try {
+                        status = Low.gphys_scene_overlap_filtered(self, shape.kind(), Low.shape(shape, scratch, 2), filter == null ? null : filter.pointer(), room, capacity, total);
+                    } finally {
+                        Owned.leave(Low.mesh(shape));
+                    }
                 } finally {
                     Owned.leave(this);
                 }
@@ -1537,7 +1592,12 @@ public final class Scene extends SceneBase {
                 int status;
                 Pointer self = Owned.enter(this);
                 try {
-                    status = Low.gphys_scene_overlap_filtered_batch(self, shapes.kind(), shapes.pointer(), shapes.stride(), count, Batch.pointer(filters), Batch.stride(filters), room, capacity, offsets);
+                    Owned.enter(shapes.mesh());
+                    try {
+                        status = Low.gphys_scene_overlap_filtered_batch(self, shapes.kind(), shapes.pointer(), shapes.stride(), count, Batch.pointer(filters), Batch.stride(filters), room, capacity, offsets);
+                    } finally {
+                        Owned.leave(shapes.mesh());
+                    }
                 } finally {
                     Owned.leave(this);
                 }
@@ -1742,7 +1802,12 @@ public final class Scene extends SceneBase {
         int status;
         Pointer self = Owned.enter(this);
         try {
-            status = Low.gphys_scene_sweep_filtered(self, shape.kind(), Low.shape(shape, scratch, 2), scratch.put(3, displacement), filter == null ? null : filter.pointer(), scratch.slot(5));
+            Owned.enter(Low.mesh(shape));
+            try {
+                status = Low.gphys_scene_sweep_filtered(self, shape.kind(), Low.shape(shape, scratch, 2), scratch.put(3, displacement), filter == null ? null : filter.pointer(), scratch.slot(5));
+            } finally {
+                Owned.leave(Low.mesh(shape));
+            }
         } finally {
             Owned.leave(this);
         }
@@ -1768,7 +1833,12 @@ public final class Scene extends SceneBase {
         int status;
         Pointer self = Owned.enter(this);
         try {
-            status = Low.gphys_scene_sweep_filtered_batch(self, shapes.kind(), shapes.pointer(), shapes.stride(), displacements.pointer(), displacements.stride(), count, Batch.pointer(filters), Batch.stride(filters), room.pointer(), Hit.LAYOUT.bytes());
+            Owned.enter(shapes.mesh());
+            try {
+                status = Low.gphys_scene_sweep_filtered_batch(self, shapes.kind(), shapes.pointer(), shapes.stride(), displacements.pointer(), displacements.stride(), count, Batch.pointer(filters), Batch.stride(filters), room.pointer(), Hit.LAYOUT.bytes());
+            } finally {
+                Owned.leave(shapes.mesh());
+            }
         } finally {
             Owned.leave(this);
         }
@@ -1800,7 +1870,12 @@ public final class Scene extends SceneBase {
                 int status;
                 Pointer self = Owned.enter(this);
                 try {
-                    status = Low.gphys_scene_penetration_filtered(self, shape.kind(), Low.shape(shape, scratch, 2), filter == null ? null : filter.pointer(), room, capacity, total);
+                    Owned.enter(Low.mesh(shape));
+                    try {
+                        status = Low.gphys_scene_penetration_filtered(self, shape.kind(), Low.shape(shape, scratch, 2), filter == null ? null : filter.pointer(), room, capacity, total);
+                    } finally {
+                        Owned.leave(Low.mesh(shape));
+                    }
                 } finally {
                     Owned.leave(this);
                 }
@@ -1827,7 +1902,12 @@ public final class Scene extends SceneBase {
                 int status;
                 Pointer self = Owned.enter(this);
                 try {
-                    status = Low.gphys_scene_penetration_filtered_batch(self, shapes.kind(), shapes.pointer(), shapes.stride(), count, Batch.pointer(filters), Batch.stride(filters), room, capacity, offsets);
+                    Owned.enter(shapes.mesh());
+                    try {
+                        status = Low.gphys_scene_penetration_filtered_batch(self, shapes.kind(), shapes.pointer(), shapes.stride(), count, Batch.pointer(filters), Batch.stride(filters), room, capacity, offsets);
+                    } finally {
+                        Owned.leave(shapes.mesh());
+                    }
                 } finally {
                     Owned.leave(this);
                 }

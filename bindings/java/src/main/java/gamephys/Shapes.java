@@ -63,6 +63,11 @@ public final class Shapes {
         return kind;
     }
 
+    /** What a call holds, if they are a mesh. */
+    Mesh mesh() {
+        return owner instanceof Mesh mesh ? mesh : null;
+    }
+
     /** Of a mesh only as long as it is open. */
     Pointer pointer() {
         return owner instanceof Mesh mesh ? mesh.opened() : pointer;
