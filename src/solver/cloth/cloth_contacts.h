@@ -107,6 +107,11 @@ struct ClothContacts {
     /// Adds an impulse at a place.
     void add(Vec3 at, Vec3 given) { impulse += given, moment += cross(at, given); }
     bool any_active() const { return !active.empty(); }
+    /// Whether a particle has an active contact plane. Only where models are near.
+    bool is_active(uint32_t particle) const {
+        const uint32_t number = candidate_of[particle];
+        return number != none && candidates[number].active_plane >= 0;
+    }
     /// `floats`: the length of the arrays of the state. Throws std::bad_alloc.
     void reserve(uint32_t particles, size_t floats);
 };

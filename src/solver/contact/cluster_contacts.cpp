@@ -154,11 +154,16 @@ void ParticleContacts::ClusterContacts::find_responses(const Joined& joined, dou
     each_active(
         [&](const ContactCluster& cluster) { any = any || bodies_[range_.particles[cluster.first].body].plan.joined; });
     if (!any) return;
-    list_cluster_responses(joined, h);
+    solve_without_contacts(joined, h);
+    const auto body_of = [&](const ContactCluster& cluster) { return range_.particles[cluster.first].body; };
+    each_active(
+        [&](const ContactCluster& cluster) { joined.bodies[body_of(cluster)].cloth.clusters.responses.clear(); });
+    each_active([&](const ContactCluster& cluster) {
+        add_cluster_response(joined, body_of(cluster), cluster.members.first->cluster, h);
+    });
     each_active([&](ContactCluster& cluster) {
-        const Body& body = joined.bodies[range_.particles[cluster.first].body];
-        cluster.response = response_of(joined.bodies[range_.particles[cluster.first].body].cloth.clusters,
-                                       cluster.members.first->cluster);
+        Body& body = joined.bodies[body_of(cluster)];
+        cluster.response = response_of(body.cloth.clusters, cluster.members.first->cluster);
         if (!cluster.response) return;
         const ClusterResponse& response = *cluster.response;
         const Vec3 origin = body.cloth.state.origin;

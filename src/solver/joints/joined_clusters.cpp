@@ -19,6 +19,8 @@ namespace {
 constexpr double share_of_pose = 0.5;
 // Of lengths, as of links.
 constexpr double tolerance = 1e-9;
+// Metres: a smaller cluster is a point, and no force turns it.
+constexpr double smallest = 1e-9;
 // Of the sum of squares, added to the moments of inertia: see SecondMoments.
 constexpr double inertia_regularisation = 1e-9;
 
@@ -136,9 +138,11 @@ void JointSystem::gather_clusters(const BodyTable& bodies, double h) {
             const Mat3& r = cluster.predicted;
             centre.position = state.origin + at;
             centre.weight = mass * scale;
-            turn.weight = 0;
-            turn.loaded = true;
-            turn.load = scaled(r * moments.inertia(inertia_regularisation) * transposed(r), scale);
+            if (cluster.size > smallest) {
+                turn.weight = 0;
+                turn.loaded = true;
+                turn.load = scaled(r * moments.inertia(inertia_regularisation) * transposed(r), scale);
+            }
         }
         for (Node* const node : {&centre, &turn}) node->before = node->predicted = node->position;
         for (uint32_t t = cluster.first_tie; t < cluster.first_tie + cluster.tie_count; ++t) {
@@ -182,7 +186,7 @@ Vec3 JointSystem::error(const ClusterTie& tie) const {
 bool JointSystem::ties_are_converged() const {
     return std::all_of(ties_.begin(), ties_.end(), [&](const ClusterTie& tie) {
         const JoinedCluster& cluster = clusters_[tie.cluster];
-        return !cluster.free || cluster.size == 0 || length(error(tie)) <= tolerance * cluster.size;
+        return !cluster.free || cluster.size <= smallest || length(error(tie)) <= tolerance * cluster.size;
     });
 }
 
@@ -257,12 +261,8 @@ bool JointSystem::has_clusters_of(uint32_t body) const {
 void JointSystem::apply_link_pulls(Body& body, uint32_t slot, double h) {
     const ClothState& state = body.cloth.state;
     const ClothContacts& contacts = body.cloth.contacts;
+    const bool in_contact = contacts.any_active();
     const double step = step_of(body, h), scale = state.average_mass / (step * step);
-    const auto in_contact = [&](uint32_t particle) {
-        if (!contacts.any_active()) return false;
-        const uint32_t candidate = contacts.candidate_of[particle];
-        return candidate != ClothContacts::none && contacts.candidates[candidate].active_plane >= 0;
-    };
     for (const JoinedCluster& cluster : clusters_) {
         if (!cluster.free || cluster.body != slot) continue;
         const ClusterRange members = members_of(body.cloth.clusters, cluster.cluster);
@@ -273,7 +273,7 @@ void JointSystem::apply_link_pulls(Body& body, uint32_t slot, double h) {
             const size_t at = 4 * size_t{members.first[i].particle};
             const Vec3 arm = cluster.rotation * (members.first[i].rest - cluster.rest);
             Vec3 pull = (get(&state.at[at]) - centre - arm) * mass_of(state, members.first[i].particle);
-            if (in_contact(members.first[i].particle)) {  // contact planes have moved it, too
+            if (in_contact && contacts.is_active(members.first[i].particle)) {  // contact planes have moved it, too
                 pull = get(&body.cloth.in_chains.pulls[at]);
                 put(&body.cloth.in_chains.pulls[at], {});
             }
@@ -285,42 +285,47 @@ void JointSystem::apply_link_pulls(Body& body, uint32_t slot, double h) {
     }
 }
 
-void JointSystem::list_cluster_responses(const Body& body, uint32_t slot, double h, Vector<ClusterResponse>& out) {
+/// Null if it has none. They were added in this order.
+const JointSystem::JoinedCluster* JointSystem::find_cluster(uint32_t body, uint32_t cluster) const {
+    const auto found = std::lower_bound(clusters_.begin(), clusters_.end(), std::pair(body, cluster),
+                                        [](const JoinedCluster& of, const std::pair<uint32_t, uint32_t>& wanted) {
+                                            return std::pair(of.body, of.cluster) < wanted;
+                                        });
+    return found != clusters_.end() && found->body == body && found->cluster == cluster ? &*found : nullptr;
+}
+
+void JointSystem::add_cluster_response(const Body& body, uint32_t slot, uint32_t number, double h,
+                                       Vector<ClusterResponse>& out) {
+    const JoinedCluster* const cluster = find_cluster(slot, number);
+    if (!cluster || !cluster->free) return;
     const double step = step_of(body, h), scale = body.cloth.state.average_mass / (step * step);
-    for (const JoinedCluster& cluster : clusters_) {
-        if (!cluster.free || cluster.body != slot) continue;
-        const Node &centre = nodes_[cluster.centre], &turn = nodes_[cluster.turn];
-        const auto column = [&](uint32_t unknown, const Node& of) {
-            const double* const x = &solution_[of.scalar];
-            std::fill(solution_.begin(), solution_.end(), 0.0);
-            solution_[unknown] = scale;
-            matrix_.solve(solution_.data());
-            return Vec3{x[0], x[1], x[2]};
+    double inverse[6][6];
+    matrix_.inverse_block<2>({nodes_[cluster->centre].scalar, nodes_[cluster->turn].scalar}, inverse);
+    const auto block = [&](int row, int column) {
+        const auto at = [&](int k) {
+            return Vec3{inverse[row][column + k], inverse[row + 1][column + k], inverse[row + 2][column + k]} * scale;
         };
-        const auto shift = [&](const Node& by) {
-            return Mat3{column(by.scalar, centre), column(by.scalar + 1, centre), column(by.scalar + 2, centre)};
-        };
-        out.push_back({cluster.cluster,
-                       centre.position - body.cloth.state.origin,
-                       cluster.rest,
-                       cluster.rotation,
-                       shift(centre),
-                       shift(turn),
-                       {column(turn.scalar, turn), column(turn.scalar + 1, turn), column(turn.scalar + 2, turn)},
-                       {},
-                       {}});
-    }
+        return Mat3{at(0), at(1), at(2)};
+    };
+    out.push_back({number,
+                   nodes_[cluster->centre].position - body.cloth.state.origin,
+                   cluster->rest,
+                   cluster->rotation,
+                   block(0, 0),
+                   block(0, 3),
+                   block(3, 3),
+                   {},
+                   {}});
 }
 
 void JointSystem::apply_contact_impulses(const Body& body, uint32_t slot, double h,
                                          const Vector<ClusterResponse>& responses) {
     const double step = step_of(body, h), scale = body.cloth.state.average_mass / (step * step);
-    for (const JoinedCluster& cluster : clusters_) {
-        if (!cluster.free || cluster.body != slot) continue;
-        const auto response = std::find_if(responses.begin(), responses.end(),
-                                           [&](const ClusterResponse& of) { return of.cluster == cluster.cluster; });
-        apply_force(cluster.centre, response->impulse * scale);
-        apply_force(cluster.turn, response->angular_impulse * scale);
+    for (const ClusterResponse& response : responses) {
+        const JoinedCluster* const cluster = find_cluster(slot, response.cluster);
+        if (!cluster || !cluster->free) continue;
+        apply_force(cluster->centre, response.impulse * scale);
+        apply_force(cluster->turn, response.angular_impulse * scale);
     }
 }
 

@@ -115,16 +115,16 @@ void save_places_of_tethers(const Joined& joined, Body& body, uint32_t slot) {
     });
 }
 
-/// The responses of the clusters of a body, to the systems as they were solved last.
-void list_responses(const Joined& joined, Body& body, uint32_t slot, double h) {
-    Vector<ClusterResponse>& responses = body.cloth.clusters.responses;
-    responses.clear();
-    each_system(joined, [&](JointSystem& system) { system.list_cluster_responses(body, slot, h, responses); });
-    std::sort(responses.begin(), responses.end(),
-              [](const ClusterResponse& a, const ClusterResponse& b) { return a.cluster < b.cluster; });
+/// The responses of the clusters of a body that touch models, to the systems as they were solved last.
+void list_responses(const Joined& joined, const Body& body, uint32_t slot, double h) {
+    each_cluster(body.cloth.clusters, [&](ClusterRange members) {
+        const auto touches = [&](const ClusterMember& m) { return body.cloth.contacts.is_active(m.particle); };
+        if (std::any_of(members.begin(), members.end(), touches))
+            add_cluster_response(joined, slot, members.first->cluster, h);
+    });
 }
 
-/// The impulses that contacts have added to these.
+/// The impulses that contacts have added to responses.
 void apply_contact_impulses(const Joined& joined, Body& body, uint32_t slot, double h) {
     Vector<ClusterResponse>& responses = body.cloth.clusters.responses;
     if (responses.empty()) return;
@@ -371,11 +371,15 @@ struct JoinedMotion {
 
 }  // namespace
 
-void list_cluster_responses(const Joined& joined, double h) {
+void solve_without_contacts(const Joined& joined, double h) {
     gather_systems(joined, h);
     each_system(joined, [](JointSystem& system) { system.solve(); });
-    each_body(joined, [&](Body& body, uint32_t slot) {
-        if (is_graph(body) && !body.cloth.clusters.empty()) list_responses(joined, body, slot, h);
+}
+
+void add_cluster_response(const Joined& joined, uint32_t slot, uint32_t cluster, double h) {
+    Body& body = joined.bodies[slot];
+    each_system(joined, [&](JointSystem& system) {
+        system.add_cluster_response(body, slot, cluster, h, body.cloth.clusters.responses);
     });
 }
 

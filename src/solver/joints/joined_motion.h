@@ -30,9 +30,11 @@ void each_body(const Joined& joined, Visit&& visit) {
 void move_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h);
 void begin_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h);
 void end_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h);
-/// Lists the responses of all joined clusters after the prediction of a substep of h seconds, without contacts.
-/// Contacts may add impulses to them, which end_joined takes.
-void list_cluster_responses(const Joined& joined, double h);
+/// Solves the joints after the prediction of a substep of h seconds, without contacts, and moves no body. Then
+/// add_cluster_response adds the response of a joined cluster to those of its body, in ascending order. Contacts may
+/// add impulses to it, which end_joined takes.
+void solve_without_contacts(const Joined& joined, double h);
+void add_cluster_response(const Joined& joined, uint32_t slot, uint32_t cluster, double h);
 /// Whether any particle is pinned or attached.
 bool has_pin(const Particles& particles);
 /// joined_energy.cpp: if one of the bodies is cloth, slows all of them so that a substep gains no energy.

@@ -519,7 +519,7 @@ void JointSystem::response(uint32_t node, Vec3 (&columns)[3]) {
     for (Vec3& column : columns) column = {};
     if (!nodes_[node].free) return;
     double block[3][3];
-    matrix_.inverse_block(nodes_[node].scalar, block);
+    matrix_.inverse_block<1>({nodes_[node].scalar}, block);
     for (int k = 0; k < 3; ++k) columns[k] = {block[0][k], block[1][k], block[2][k]};
 }
 

@@ -128,8 +128,9 @@ public:
     void scatter(BodyTable& bodies) const;
     /// Applies to the clusters of a body the pulls of links on their members since scatter(), but for nodes.
     void apply_link_pulls(Body& body, uint32_t slot, double h);
-    /// Adds the responses of the clusters of a body to `out`, in no order.
-    void list_cluster_responses(const Body& body, uint32_t slot, double h, Vector<ClusterResponse>& out);
+    /// Adds the response of a cluster to `out`, if it is one of the system that moves freely.
+    void add_cluster_response(const Body& body, uint32_t slot, uint32_t cluster, double h,
+                              Vector<ClusterResponse>& out);
     /// Applies the impulses of contacts on the clusters of a body.
     void apply_contact_impulses(const Body& body, uint32_t slot, double h, const Vector<ClusterResponse>& responses);
     /// Adds to the saved positions of members in contact by how much scatter() has moved them before contacts did.
@@ -187,6 +188,7 @@ private:
     void turn_clusters(double fraction);
     void place_clusters();
     bool ties_are_converged() const;
+    const JoinedCluster* find_cluster(uint32_t body, uint32_t cluster) const;
     Vec3 error(const ClusterTie& tie) const;
     double most_displacement() const;
     bool is_converged() const;

@@ -1,6 +1,8 @@
 // Symbolic and numerical up-looking L D L^T factorisation (sparse_ldl.h).
 #include "solver/joints/sparse_ldl.h"
 
+#include <algorithm>
+
 namespace gphys {
 
 void SparseLdl::analyse(const Vector<uint32_t>& column_begin, const Vector<uint32_t>& rows) {
@@ -27,7 +29,7 @@ void SparseLdl::analyse(const Vector<uint32_t>& column_begin, const Vector<uint3
     pattern_.resize(n);
     inverse_pivot_.resize(n);
     sum_.assign(n, 0.0);
-    units_.assign(3 * size_t{n}, 0.0);
+    units_.assign(most_units * size_t{n}, 0.0);
 }
 
 void SparseLdl::factor(const double* entries, const double* diagonal) {
@@ -80,26 +82,40 @@ void SparseLdl::solve(double* x) const {
 // With L y_a = e_a for the unit vector of row a, the inverse has the sum of y_a y_b / pivot in row a and column b. Such
 // a y is 0 except at the ancestors of its row in the elimination tree (Davis 2006, "Direct methods for sparse linear
 // systems", section 3.2), so a whole solution is not needed.
-void SparseLdl::inverse_block(uint32_t first, double (&block)[3][3]) {
-    for (int a = 0; a < 3; ++a) {
-        for (int b = 0; b < 3; ++b) block[a][b] = 0;
-        units_[3 * size_t{first + static_cast<uint32_t>(a)} + static_cast<uint32_t>(a)] = 1;
+template <int threes>
+void SparseLdl::inverse_block(const uint32_t (&first)[threes], double (&block)[3 * threes][3 * threes]) {
+    constexpr int units = 3 * threes;
+    uint32_t next[threes];  // on the way up from each
+    for (int three = 0; three < threes; ++three) {
+        next[three] = first[three];
+        for (int k = 3 * three; k < 3 * three + 3; ++k) {
+            for (double& entry : block[k]) entry = 0;
+            units_[most_units * size_t{first[three] + static_cast<uint32_t>(k) % 3} + static_cast<uint32_t>(k)] = 1;
+        }
     }
-    for (uint32_t i = first; i != none; i = parent_[i]) {
-        double* const unit = &units_[3 * size_t{i}];
-        const double y[3] = {unit[0], unit[1], unit[2]};
-        for (int a = 0; a < 3; ++a) {
+    // The ways end at a common ancestor, or at the roots of two trees.
+    for (uint32_t i; (i = *std::min_element(next, next + threes)) != none;) {
+        double* const unit = &units_[most_units * size_t{i}];
+        double y[units];
+        for (int a = 0; a < units; ++a) {
+            y[a] = unit[a];
             unit[a] = 0;
             for (int b = 0; b <= a; ++b) block[a][b] += y[a] * y[b] * inverse_pivot_[i];
         }
         for (uint32_t p = factor_begin_[i]; p < factor_begin_[i + 1]; ++p) {
-            double* const below = &units_[3 * size_t{factor_rows_[p]}];
-            for (int a = 0; a < 3; ++a) below[a] -= factor_[p] * y[a];
+            double* const below = &units_[most_units * size_t{factor_rows_[p]}];
+            for (int a = 0; a < units; ++a) below[a] -= factor_[p] * y[a];
+        }
+        for (uint32_t& from : next) {
+            if (from == i) from = parent_[i];
         }
     }
-    for (int a = 0; a < 3; ++a) {
-        for (int b = a + 1; b < 3; ++b) block[a][b] = block[b][a];
+    for (int a = 0; a < units; ++a) {
+        for (int b = a + 1; b < units; ++b) block[a][b] = block[b][a];
     }
 }
+
+template void SparseLdl::inverse_block<1>(const uint32_t (&first)[1], double (&block)[3][3]);
+template void SparseLdl::inverse_block<2>(const uint32_t (&first)[2], double (&block)[6][6]);
 
 }  // namespace gphys

@@ -27,11 +27,13 @@ public:
     void factor(const double* entries, const double* diagonal);
     /// Replaces the right-hand side by the solution.
     void solve(double* x) const;
-    /// Three rows of the inverse, from `first` on, and the same columns. The pattern must couple the three.
-    void inverse_block(uint32_t first, double (&block)[3][3]);
+    /// Rows of the inverse, three from each of `first` on, and the same columns. The pattern must couple each three.
+    /// For one or two threes.
+    template <int threes>
+    void inverse_block(const uint32_t (&first)[threes], double (&block)[3 * threes][3 * threes]);
 
 private:
-    static constexpr uint32_t none = 0xffffffff;
+    static constexpr uint32_t none = 0xffffffff, most_units = 6;
 
     std::pmr::memory_resource* memory_;
     Vector<uint32_t> column_begin_{memory_}, rows_{memory_};
@@ -39,7 +41,7 @@ private:
     Vector<uint32_t> factor_begin_{memory_}, factor_rows_{memory_};  // L by column
     Vector<uint32_t> filled_{memory_}, mark_{memory_}, pattern_{memory_};
     Vector<double> factor_{memory_}, inverse_pivot_{memory_};
-    Vector<double> sum_{memory_}, units_{memory_};  // zero between calls; units_: three for each row
+    Vector<double> sum_{memory_}, units_{memory_};  // zero between calls; units_: `most_units` for each row
 };
 
 }  // namespace gphys
