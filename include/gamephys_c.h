@@ -2676,7 +2676,7 @@ typedef uint32_t gphys_cluster_id;
  *  cluster shows only the share of the mass of the particles that touched.
  *  A shape is matched once in each substep, after the links: then what hangs from it by links may be strained a
  *  little, and clusters that share particles approach their shapes in eight passes. What is joined to it by
- *  gphys_solver_join is solved together with it, unless a pin holds one of its particles, or another cluster has it,
+ *  gphys_solver_join is solved together with it, unless one of its particles is attached, or another cluster has it,
  *  too: hang heavy loads, or a light cluster under a heavy load, by joints. Bodies with clusters are solved as cloth
  *  (GPHYS_SOLVE_GRAPH), ropes and free particles too. The rest positions of cloth are not changed by a cluster.
  *  @param particles  count different particles, at least 2

@@ -2,6 +2,7 @@
 #include <set>
 #include <tuple>
 
+#include "rigid_cluster.h"
 #include "snapshots.h"
 
 using namespace test;
@@ -120,6 +121,46 @@ TEST_CASE("What bodies give each other adds up to their changes of momentum") {
     figure("largest error of a step", worst, "N s");
     CHECK(listed > 20);
     CHECK(worst < 1e-7 * given);
+}
+
+TEST_CASE("What a ball hits gets the momentum that the ball loses, whenever in a substep they meet") {
+    const std::string kind = GENERATE("rope", "cloth", "crate");
+    double worst = 0, worst_listed = 0;
+    int hits = 0;
+    for (int i = 0; i < 40; ++i) {
+        World world(4, {0, 0, 0});
+        const gphys_body_desc desc = colliding(4, 0.02f);
+        const gphys_body_id body = kind == "rope" ? world.rope(line({-1, 0, 0}, {0.1f, 0, 0}, 21), 0, desc)
+                                   : kind == "cloth"
+                                       ? world.cloth({-0.5f, -0.5f, 0}, {1, 0, 0}, {0, 1, 0}, 11, 11, desc)
+                                       : Rigid(world, {0, 0, 0}, {1, 1, 0}, {11, 11, 1}, 4, 1).body;
+        const float speed = 40, gap = 0.02f + 0.03f * static_cast<float>(i);
+        const gphys_body_id missile = world.particles({{0, 0, 0.12f + gap}}, colliding(1, 0.1f));
+        world.set_velocity(missile, 0, {0, 0, -speed});
+        double listed = 0;
+        for (int step = 0; step < 4; ++step) {
+            world.step(frame);
+            for (const gphys_body_contact& c : contacts(world))
+                listed += static_cast<double>(c.normal.z * c.impulse) * (c.body_a == body ? -1 : 1);
+        }
+        const std::vector<gphys_vec3> velocities = world.velocities(body);
+        std::vector<float> masses(velocities.size());
+        REQUIRE(gphys_solver_get_masses(world.solver, body, 0, static_cast<uint32_t>(masses.size()), masses.data(),
+                                        sizeof(float)) == GPHYS_OK);
+        double given = 0;
+        for (size_t p = 0; p < masses.size(); ++p)
+            given += static_cast<double>(masses[p]) * static_cast<double>(velocities[p].z);
+        const double lost = static_cast<double>(-speed - world.velocities(missile)[0].z);
+        hits += std::fabs(lost) > 1;
+        worst = std::max(worst, std::fabs(given / lost - 1));
+        worst_listed = std::max(worst_listed, std::fabs(listed / lost - 1));
+    }
+    figure("momentum", 100 * worst, "%");
+    figure("impulses listed", 100 * worst_listed, "%");
+    CHECK(hits == 40);
+    // Velocities of cloth are float32. If an impact changed them as the time scheme does in undisturbed motion: 17 %
+    // for ropes, 11 % for cloth, 49 % for crates.
+    CHECK(worst < 1e-4);
 }
 
 TEST_CASE("What lies on another is listed in every step, with its weight, also while the list of pairs changes") {

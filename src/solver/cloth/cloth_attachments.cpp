@@ -59,11 +59,10 @@ void add_missing_impulses(const Constraints& constraints, const CollisionContext
     for (const uint32_t p : state.held) moments.add(place(state, p) - centre, 1);
     // On a line they take no moment about it: they count as a hundredth of their length thick, or rounding would be.
     moments.thicken(1e-4);
-    const Vec3 turn = moments.inverse_inertia() * (missing.angular - cross(centre, missing.linear));
+    const LeastForces shares(missing.linear, missing.angular - cross(centre, missing.linear), count, moments);
     for (const Attachment& attachment : constraints.attachments) {
         const Vec3 at = place(state, attachment.particle);
-        add_impulse(impulses, around, attachment.model, state.origin + at,
-                    missing.linear / count + cross(turn, at - centre));
+        add_impulse(impulses, around, attachment.model, state.origin + at, shares.at(at - centre));
     }
 }
 

@@ -3,27 +3,15 @@
 
 #include "solver/body.h"
 #include "solver/cloth/best_rotation.h"
-#include "solver/cloth/second_moments.h"
+#include "solver/cloth/cluster_pivot.h"
 #include "solver/contact/friction.h"
 #include "solver/quads.h"
 
 namespace gphys {
 namespace {
 
-// Particles that do not move freely have this many times the moment of inertia of the others, so they determine the
-// rotation first. With two of them the free particles determine the rotation about the line through these, with one the
-// whole rotation.
-constexpr double held_weight = 1e6;
 // Clusters that share particles are solved one after the other, in several passes (Gauss-Seidel).
 constexpr int passes_of_overlapping = 8;
-
-/// The sum of weight * at rest^T.
-void add_product(Mat3& sum, Vec3 at, Vec3 rest, double weight) {
-    const Vec3 weighted = at * weight;
-    sum.x += weighted * rest.x;
-    sum.y += weighted * rest.y;
-    sum.z += weighted * rest.z;
-}
 
 /// Relative; 0 if it does not move freely.
 double mass_of(const ClothState& state, const ClusterMember& member) {
@@ -108,38 +96,27 @@ void MovingCluster::take_pose() {
 
 bool MovingCluster::fit() {
     if (response_) return take_pose(), true;
-    double mass = 0;
-    Vec3 at, rest, held_at, held_rest;
-    for (const ClusterMember& member : members_) {
-        const double m = mass_of(state_, member);
-        if (m > 0) {
-            mass += m;
-            at += place_of(state_, member) * m;
-            rest += member.rest * m;
-        } else {
-            ++held_;
-            held_at += place_of(state_, member);
-            held_rest += member.rest;
-        }
-    }
-    if (mass == 0) return false;
-    at_ = held_ > 0 ? held_at / held_ : at / mass;
-    rest_ = held_ > 0 ? held_rest / held_ : rest / mass;
-    inverse_mass_ = held_ > 0 ? 0 : 1 / mass;
+    ClusterPivot pivot;
+    for (const ClusterMember& member : members_)
+        pivot.add(place_of(state_, member), member.rest, mass_of(state_, member));
+    if (!pivot.moves()) return false;
+    held_ = pivot.held_count();
+    at_ = pivot.at();
+    rest_ = pivot.rest();
+    inverse_mass_ = pivot.inverse_mass();
 
-    Mat3 free{{}, {}, {}}, held{{}, {}, {}};
+    Covariance free, held;
     double free_size = 0, held_size = 0;
     for (const ClusterMember& member : members_) {
         const double m = mass_of(state_, member);
         const Vec3 local = member.rest - rest_;
-        add_product(m > 0 ? free : held, place_of(state_, member) - at_, local, m > 0 ? m : 1);
+        (m > 0 ? free : held).add(place_of(state_, member) - at_, local, m > 0 ? m : 1);
         (m > 0 ? free_size : held_size) += length_squared(local) * (m > 0 ? m : 1);
     }
-    size_ = std::sqrt(free_size / mass);
-    // Held particles at one point do not determine the rotation.
-    constexpr double one_point = 1e-12;
-    weight_ = held_size > one_point * size_ * size_ ? held_weight * free_size / held_size : 0;
-    rotation_ = best_rotation({free.x + held.x * weight_, free.y + held.y * weight_, free.z + held.z * weight_});
+    size_ = std::sqrt(free_size / pivot.mass());
+    weight_ = weight_of_held(free_size, held_size, pivot.mass());
+    free.add(held, weight_);
+    rotation_ = best_rotation(free.matrix);
     return true;
 }
 
@@ -262,8 +239,7 @@ void MovingCluster::apply_displacement() {
 }
 
 /// The displacement of a free particle is the sum of its pull and its contact impulses. The pulls on particles that do
-/// not move freely balance the force and the torque of the others; of all such pulls they have the least sum of
-/// squares.
+/// not move freely balance the force and the torque of the others.
 void MovingCluster::add_pulls(ChainContacts& in_chains, const Vector<ClusterContact>& contacts) const {
     const auto pull_on = [&](const ClusterMember& member) { return &in_chains.pulls[4 * size_t{member.particle}]; };
     Vec3 force, torque;
@@ -287,11 +263,10 @@ void MovingCluster::add_pulls(ChainContacts& in_chains, const Vector<ClusterCont
     for (const ClusterMember& member : members_) {
         if (mass_of(state_, member) == 0) moments.add(place_of(state_, member) - at_, 1);
     }
-    const Vec3 turning = moments.inverse_inertia() * torque;
+    const LeastForces shares(force, torque, held_, moments);
     for (const ClusterMember& member : members_) {
         if (mass_of(state_, member) > 0) continue;
-        const Vec3 share = force / held_ + cross(turning, place_of(state_, member) - at_);
-        put(pull_on(member), get(pull_on(member)) - share);
+        put(pull_on(member), get(pull_on(member)) - shares.at(place_of(state_, member) - at_));
     }
 }
 

@@ -4,6 +4,7 @@
 #include "solver/body.h"
 #include "solver/contact/collision.h"
 #include "solver/quads.h"
+#include "solver/time_scheme.h"
 
 namespace gphys {
 namespace {
@@ -172,7 +173,7 @@ void give_back(Body& body, const CollisionContext& around, double part) {
             const Vec3 place =
                 get(&state.at[4 * size_t{load.particle}]) - plane.normal * body.particles.radius[load.particle];
             add_impulse(body, around, plane.model, state.origin + place,
-                        load.taken * (part * state.average_mass / body.cloth.loads.seconds));
+                        load.taken * (part * state.average_mass * body.cloth.loads.rate));
         }
     }
 }
@@ -214,6 +215,7 @@ void begin_loads(Body& body, double h) {
         set_inertia(cloth.tethers, load, cloth.state.at[4 * size_t{load.particle} + 3]);
     }
     cloth.loads.seconds = h;
+    cloth.loads.rate = TimeScheme(h, body.history.earlier_step).next / h;
 }
 
 void note_energy(Cloth& cloth, double h) {
@@ -329,7 +331,7 @@ void accelerate_loads(Body& body, const CollisionContext& around) {
     for (HeavyBody& heavy : loads.heavy) {
         Vec3 moment;
         for (; i < heavy.end; ++i) moment += cross(loads.all[i].arm, loads.all[i].taken);
-        heavy.motion = heavy.motion + LoadMotion{heavy.moved, moment} * (1 / loads.seconds);
+        heavy.motion = heavy.motion + LoadMotion{heavy.moved, moment} * loads.rate;
     }
     if (!body.plan.joined && is_energy_known(body)) {
         double gain = energy_after_links(cloth) - loads.energy;

@@ -61,6 +61,7 @@ struct ContactLoads {
     Vector<uint8_t> is_loaded;  // by particle of the cloth; empty if there cannot be any load
     Vector<float> predicted;    // ClothState::at before the links are solved
     double seconds = 0;         // of the substep
+    double rate = 0;            // 1/s: by which a displacement by links changes the velocity
     double motion = 0;          // before the links are solved: mass * square of the way, of cloth and loads
     bool closed = false;        // whether no energy comes from outside, in the frame of the models
     bool on_moving = false;     // whether models in contact move

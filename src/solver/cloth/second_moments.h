@@ -1,4 +1,4 @@
-// The inertia of points that move as one: rigid clusters.
+// The inertia of points that move as one, and forces at them: rigid clusters.
 #pragma once
 
 #include "foundation/math.h"
@@ -13,6 +13,12 @@ struct SecondMoments {
         squares += by_component(at, at) * weight;
         products += Vec3{at.y * at.z, at.z * at.x, at.x * at.y} * weight;
     }
+    void add(const SecondMoments& other, double weight) {
+        squares += other.squares * weight;
+        products += other.products * weight;
+    }
+    /// Of weight times squared distance.
+    double sum() const { return squares.x + squares.y + squares.z; }
     /// Makes points that are nearly in a line so thick that the moment of inertia about it is at least this part of the
     /// sum of the three. Where points have left the line by an error, torques about it are not as small as that moment.
     void thicken(double part) {
@@ -45,6 +51,20 @@ struct SecondMoments {
         if (!(determinant > 0)) return {{}, {}, {}};
         return {times.x / determinant, times.y / determinant, times.z / determinant};
     }
+};
+
+/// Forces at points whose sum and whose torque about the mean of the points are given. Of all such forces they have the
+/// least sum of squares.
+class LeastForces {
+public:
+    /// `moments`: of the points, each with weight 1.
+    LeastForces(Vec3 force, Vec3 torque, double count, const SecondMoments& moments)
+        : mean_(force / count), turning_(moments.inverse_inertia() * torque) {}
+    /// `arm`: of a point, from the mean.
+    Vec3 at(Vec3 arm) const { return mean_ + cross(turning_, arm); }
+
+private:
+    Vec3 mean_, turning_;
 };
 
 }  // namespace gphys

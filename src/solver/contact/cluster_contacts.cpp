@@ -1,7 +1,7 @@
-// Makes rows of the contacts of free rigid clusters, and moves their particles (cluster_contacts.h).
+// Makes rows of the contacts of rigid clusters, and moves their particles (cluster_contacts.h).
 #include "solver/contact/cluster_contacts.h"
 
-#include "solver/cloth/second_moments.h"
+#include "solver/cloth/cluster_pivot.h"
 #include "solver/joints/joined_motion.h"
 
 namespace gphys {
@@ -12,7 +12,7 @@ void ParticleContacts::ClusterContacts::count(Island& island, const BodyTable& b
     uint32_t members = 0;
     island.cluster_count = 0;
     for (uint32_t i = 0; i < island.body_count; ++i) {
-        each_free(bodies[slots[i]], [&](ClusterRange cluster) {
+        each_moving(bodies[slots[i]], [&](ClusterRange cluster) {
             ++island.cluster_count;
             members += cluster.size();
         });
@@ -24,7 +24,7 @@ void ParticleContacts::ClusterContacts::count(Island& island, const BodyTable& b
 
 void ParticleContacts::ClusterContacts::list(const Body& body, const Range& range, Particle* of_body,
                                              ContactCluster*& next) {
-    each_free(body, [&](ClusterRange members) {
+    each_moving(body, [&](ClusterRange members) {
         *next = {};
         for (const ClusterMember& member : members) of_body[member.particle].cluster = next;
         next->first = static_cast<uint32_t>(of_body - range.particles);
@@ -37,17 +37,20 @@ void ParticleContacts::ClusterContacts::list(const Body& body, const Range& rang
 void ParticleContacts::ClusterContacts::find_inertia(ContactCluster& cluster) const {
     // Links have moved single particles out of the shape.
     constexpr double thinnest = 1e-3;
-    double mass = 0;
-    Vec3 at;
+    ClusterPivot pivot;
+    const auto mass_of = [](const Particle& p) { return p.inverse_mass > 0 ? 1 / p.inverse_mass : 0; };
+    each_particle(cluster, [&](const Particle& p) { pivot.add(p.at, {}, mass_of(p)); });
+    cluster.held = pivot.held_count() > 0;
+    cluster.centre = pivot.at();
+    cluster.inverse_mass = pivot.inverse_mass();
+    SecondMoments moments, held;
     each_particle(cluster, [&](const Particle& p) {
-        mass += 1 / p.inverse_mass;
-        at += p.at / p.inverse_mass;
+        const double mass = mass_of(p);
+        (mass > 0 ? moments : held).add(p.at - cluster.centre, mass > 0 ? mass : 1);
     });
-    cluster.centre = at / mass;
-    cluster.inverse_mass = 1 / mass;
-    SecondMoments moments;
-    each_particle(cluster, [&](const Particle& p) { moments.add(p.at - cluster.centre, 1 / p.inverse_mass); });
+    const double weight = weight_of_held(moments.sum(), held.sum(), pivot.mass());
     moments.thicken(thinnest);
+    moments.add(held, weight);
     cluster.inverse_inertia = moments.inverse_inertia();
 }
 
@@ -170,8 +173,8 @@ void ParticleContacts::ClusterContacts::find_responses(const Joined& joined, dou
         cluster.mass_unit = body.cloth.state.average_mass;
         cluster.centre = origin + response.centre;
         for (const ClusterMember& member : cluster.members) {
-            range_.particles[cluster.first + member.particle].at =
-                cluster.centre + response.rotation * (member.rest - response.rest);
+            Particle& p = range_.particles[cluster.first + member.particle];
+            if (p.inverse_mass > 0) p.at = cluster.centre + response.rotation * (member.rest - response.rest);
         }
     });
 }
@@ -183,7 +186,7 @@ void ParticleContacts::ClusterContacts::begin_positions(const Joined* joined, co
         cluster.active = false;
         each_particle(cluster, [&](const Particle& p) { cluster.active = cluster.active || p.paired; });
         if (!cluster.active) continue;
-        cluster.shift = cluster.turn = {};
+        cluster.shift = cluster.turn = cluster.impulse = cluster.moment = {};
         cluster.response = nullptr;
         find_inertia(cluster);
     }
@@ -197,7 +200,6 @@ void ParticleContacts::ClusterContacts::begin_positions(const Joined* joined, co
     add_supports([](const Particle& p, const Support& support) { return p.at - p.before - support.carried; });
     list_pairs();
     count_others();
-    const Values places{&Particle::at, &Particle::uncorrected, &Particle::before};
     add_contacts(places, [](ContactRow& row, Contact& contact, const Particle& a, const Particle& b) {
         row.gap = std::max(dot(b.at - a.at, contact.normal) - contact.radii, -contact.most_separation);
         row.slip = (b.at - b.before) - (a.at - a.before);
@@ -210,7 +212,7 @@ void ParticleContacts::ClusterContacts::begin_velocities(double tolerance) {
     const auto approach = [](const Contact& contact, const Particle& a, const Particle& b) {
         return contact.target_speed - dot(b.velocity - a.velocity, contact.normal);
     };
-    each_active([](ContactCluster& cluster) { cluster.shift = cluster.turn = {}; });
+    each_active([](ContactCluster& cluster) { cluster.shift = cluster.turn = cluster.impulse = cluster.moment = {}; });
     bool any = false;
     each_rigid([&](const RigidPair&, const Contact& contact, const Particle& a, const Particle& b) {
         any = any || (contact.all_separation() > 0 && approach(contact, a, b) > tolerance);
@@ -218,7 +220,6 @@ void ParticleContacts::ClusterContacts::begin_velocities(double tolerance) {
     count_others();
     if (!any) return;
     add_supports([](const Particle& p, const Support& support) { return p.velocity - support.carried; });
-    const Values velocities{&Particle::velocity, &Particle::uncorrected_velocity, nullptr};
     add_contacts(velocities, [&](ContactRow& row, Contact& contact, const Particle& a, const Particle& b) {
         if (!(contact.all_separation() > 0)) return false;
         row.gap = -approach(contact, a, b);
@@ -241,6 +242,7 @@ void ParticleContacts::ClusterContacts::end_positions() const {
         const Vec3 half = cluster.turn / 2;
         const Mat3 rotation = rotation_matrix(Quat{half.x, half.y, half.z, 1});
         each_particle(cluster, [&](Particle& p) {
+            if (p.inverse_mass == 0) return;
             const Vec3 arm = p.at - cluster.centre;
             p.at += cluster.shift + rotation * arm - arm;
         });
@@ -252,8 +254,34 @@ void ParticleContacts::ClusterContacts::end_velocities() const {
     contacts_.end();
     each_active([&](const ContactCluster& cluster) {
         if (cluster.shift == Vec3{} && cluster.turn == Vec3{}) return;
-        each_particle(cluster,
-                      [&](Particle& p) { p.velocity += cluster.shift + cross(cluster.turn, p.at - cluster.centre); });
+        each_particle(cluster, [&](Particle& p) {
+            if (p.inverse_mass > 0) p.velocity += cluster.shift + cross(cluster.turn, p.at - cluster.centre);
+        });
+    });
+}
+
+/// Contacts press held clusters against the models to which their particles are attached, except for what moves them.
+void ParticleContacts::ClusterContacts::press_models(BodyTable& bodies, const CollisionContext& around,
+                                                     const Values& values, double rate) const {
+    if (!around.scene) return;
+    each_active([&](const ContactCluster& cluster) {
+        Body& body = bodies[range_.particles[cluster.first].body];
+        if (!cluster.held || body.constraints.attachments.empty()) return;
+        Vec3 impulse = cluster.impulse, moment = cluster.moment;
+        SecondMoments held;
+        double count = 0;
+        each_particle(cluster, [&](const Particle& p) {
+            const Vec3 arm = p.at - cluster.centre;
+            if (p.inverse_mass == 0) return held.add(arm, 1), void(++count);
+            const Vec3 taken = (p.*values.value - p.*values.uncorrected) / p.inverse_mass;
+            impulse -= taken;
+            moment -= cross(arm, taken);
+        });
+        const LeastForces shares(impulse, moment, count, held);
+        each_particle(cluster, [&](const Particle& p) {
+            if (p.inverse_mass == 0)
+                add_anchor_impulse(body, around, p.number, shares.at(p.at - cluster.centre) * rate);
+        });
     });
 }
 

@@ -1,4 +1,4 @@
-// The contacts of free rigid clusters in an island (rigid_contacts.h).
+// The contacts of rigid clusters in an island (rigid_contacts.h).
 #pragma once
 
 #include "solver/body.h"
@@ -14,15 +14,15 @@ public:
     ClusterContacts(const Range& range, const BodyTable& bodies)
         : range_(range), bodies_(bodies), contacts_(range.rigid_rows) {}
 
-    /// Calls visit(members) for the clusters of a body that contacts move as a whole: nothing holds them, and none of
-    /// their particles is in another one.
+    /// Calls visit(members) for the clusters of a body that contacts move as a whole: none of their particles is in
+    /// another one, and any moves freely.
     template <class Visit>
-    static void each_free(const Body& body, Visit&& visit) {
+    static void each_moving(const Body& body, Visit&& visit) {
         if (!is_graph(body) || body.cloth.clusters.empty() || body.cloth.clusters.overlap) return;
         if (!collides_with_others(body)) return;
         each_cluster(body.cloth.clusters, [&](ClusterRange members) {
             const auto moves = [&](const ClusterMember& m) { return body.particles.inverse_mass[m.particle] > 0; };
-            if (std::all_of(members.begin(), members.end(), moves)) visit(members);
+            if (std::any_of(members.begin(), members.end(), moves)) visit(members);
         });
     }
     /// Counts them, and the room for their contacts. Call before a step. `slots`: of the bodies of the island.
@@ -37,6 +37,14 @@ public:
     /// `tolerance`: m/s, the accuracy of speeds.
     void begin_velocities(double tolerance);
     void end_velocities() const;
+    /// Adds what clusters press on the models that hold them, after the end of places or of velocities. `rate`: by
+    /// which the impulses of contacts are impulses in N s.
+    void press_models_by_places(BodyTable& bodies, const CollisionContext& around, double rate) const {
+        press_models(bodies, around, places, rate);
+    }
+    void press_models_by_velocities(BodyTable& bodies, const CollisionContext& around) const {
+        press_models(bodies, around, velocities, 1);
+    }
     /// So many sweeps over all contacts. solve_other(contact, a, b) is called for all of them and leaves out those of
     /// clusters.
     template <class Solve>
@@ -56,6 +64,13 @@ private:
     // In each of the sweeps over all contacts. Three let a stack of ten sag by 6 mm at 8 substeps; five by 3.
     static constexpr int iterations = 5;
 
+    /// What contacts of particles change: their places or their velocities. still: null for zero.
+    struct Values {
+        Vec3 Particle::*value, Particle::*uncorrected, Particle::*still;
+    };
+    static constexpr Values places{&Particle::at, &Particle::uncorrected, &Particle::before};
+    static constexpr Values velocities{&Particle::velocity, &Particle::uncorrected_velocity, nullptr};
+
     template <class Visit>
     void each_particle(const ContactCluster& cluster, Visit&& visit) const {
         for (const ClusterMember& member : cluster.members) visit(range_.particles[cluster.first + member.particle]);
@@ -66,10 +81,6 @@ private:
             if (range_.clusters[i].active) visit(range_.clusters[i]);
         }
     }
-    /// What contacts of particles change: their places or their velocities. still: null for zero.
-    struct Values {
-        Vec3 Particle::*value, Particle::*uncorrected, Particle::*still;
-    };
     static ContactPartner partner_of(Particle& particle, const Values& values);
     void list_pairs();
     void count_others();
@@ -83,6 +94,7 @@ private:
     }
     template <class Fill>
     void add_contacts(const Values& values, Fill&& fill);
+    void press_models(BodyTable& bodies, const CollisionContext& around, const Values& values, double rate) const;
     void find_inertia(ContactCluster& cluster) const;
     void find_responses(const Joined& joined, double h);
     template <class Slip>

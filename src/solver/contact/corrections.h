@@ -6,6 +6,7 @@
 #include "solver/contact/collision_memory.h"
 #include "solver/particles/flight_planes.h"
 #include "solver/quads.h"
+#include "solver/time_scheme.h"
 
 namespace gphys {
 
@@ -17,14 +18,22 @@ void each_moved(const Particle* first, const Particle* end, Visit&& visit) {
     }
 }
 
-/// For particles of a body whose constraints are solved afterwards: corrects their predicted positions.
+/// For particles of a body whose constraints are solved afterwards: corrects their predicted positions. h: seconds of
+/// the substep. A displacement is to change the velocity by displacement / h, as that of the other body, or momentum
+/// would not be conserved. With the history of an undisturbed motion the time scheme would change it by up to 5 / 3 of
+/// that, so the history is displaced, too.
 template <class Particle>
-void correct_predicted(const Particle* first, const Particle* end, Body& body) {
+void correct_predicted(const Particle* first, const Particle* end, Body& body, double h) {
+    const double of_history = TimeScheme(h, body.history.earlier_step).earlier > 0 ? body.history.earlier_step / h : 0;
     if (is_graph(body)) {
         for (const Particle* p = first; p != end; ++p) {
             const Vec3 displacement = p->inverse_mass > 0 ? p->at - p->uncorrected : Vec3{};
             float* const at = &body.cloth.state.at[4 * size_t{p->number}];
-            if (displacement != Vec3{}) put(at, get(at) + displacement);
+            if (displacement != Vec3{}) {
+                float* const moved = &body.cloth.state.moved[4 * size_t{p->number}];
+                put(at, get(at) + displacement);
+                put(moved, get(moved) + displacement * of_history);
+            }
             if (!p->supports) continue;
             note_correction(body.cloth.contacts, p->number, displacement, p->supports->push(), p->supports->friction());
         }
@@ -33,6 +42,7 @@ void correct_predicted(const Particle* first, const Particle* end, Body& body) {
     each_moved(first, end, [&](uint32_t p, Vec3 displacement) {
         body.particles.position[p] += displacement;
         body.history.predicted[p] += displacement;
+        body.history.earlier[p] -= displacement * of_history;
         if (body.plan.limited) body.rope.slack[p] = 0;
     });
 }

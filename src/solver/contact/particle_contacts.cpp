@@ -375,7 +375,7 @@ void ParticleContacts::move_loads_of_ropes(const Island& island, BodyTable& bodi
     each_load([](Body& body, Particle* first, Particle* end) {
         for (Particle* p = first; p != end; ++p) p->at = p->uncorrected = place_of(body, p->number);
     });
-    loads.move(around, h);
+    loads.move(around);
     const double bounce_threshold = find_bounce_threshold(gravity, h);
     each_load([&](Body& body, const Particle* first, const Particle* end) {
         correct_moved(first, end, body, around, bounce_threshold, planes, island.team);
@@ -451,7 +451,10 @@ void ParticleContacts::solve_positions(const Island& island, BodyTable& bodies, 
     const Range range = this->range(island);
     // Separating deep pairs changes no velocity, so it transfers no impulse.
     if (contacts.any && island.body_count > 1) add_impulses(range, &Contact::all_separation, contacts.deep ? 0 : 1 / h);
-    if (contacts.any && !contacts.deep) add_support_impulses(island, bodies, slots, around, 1 / h);
+    if (contacts.any && !contacts.deep) {
+        add_support_impulses(island, bodies, slots, around, 1 / h);
+        ClusterContacts(range, bodies).press_models_by_places(bodies, around, 1 / h);
+    }
     for (const Group* group = range.groups; group != range.groups + range.group_count; ++group) {
         for (uint32_t i = group->pairs.begin; i < group->pairs.begin + group->pairs.count; ++i) {
             for (const uint32_t p : {range.pairs[i].a, range.pairs[i].b})
@@ -464,7 +467,7 @@ void ParticleContacts::solve_positions(const Island& island, BodyTable& bodies, 
         if (body.contacts.near) body.cloth.balance.closed = false;  // others do work
         if (!contacts.any) return;
         if (!moves_freely(body)) {
-            correct_predicted(first, end, body);
+            correct_predicted(first, end, body, h);
             return;
         }
         // If many pairs overlap deeply, the correction changes no velocities, because it would give the particles high
@@ -506,6 +509,7 @@ void ParticleContacts::solve_velocities(const Island& island, BodyTable& bodies,
             if (!contact.rigid) solve_velocity(contact, a, b);
         });
         clusters.end_velocities();
+        clusters.press_models_by_velocities(bodies, around);
         if (coupled && have_thrown(range, &Particle::velocity, &Particle::uncorrected_velocity, nullptr)) {
             uncouple_unequal(range);
             for (Particle* p = range.particles; p != range.particles + range.count; ++p) {

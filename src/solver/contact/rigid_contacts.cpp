@@ -247,13 +247,24 @@ void RigidContacts::solve(int most, double tolerance) {
 }
 
 void RigidContacts::end() const {
-    for (const ContactRow* row = rows_; row != rows_ + count_; ++row) {
-        if (row->support) {
-            row->support->push = row->normal_impulse * row->scale;
-            row->support->friction = row->friction_impulse * row->scale;
-        } else {
-            *row->separation = row->normal_impulse * row->scale;
+    for (const ContactGroup* group = groups_; group != groups_ + group_count_; ++group) {
+        ContactImpulse sum;
+        for (const ContactRow *row = rows_ + group->first, *const last = row + group->count; row != last; ++row) {
+            add_impulse(sum, *row, row->normal * row->normal_impulse + row->friction_impulse);
+            if (row->support) {
+                row->support->push = row->normal_impulse * row->scale;
+                row->support->friction = row->friction_impulse * row->scale;
+            } else {
+                *row->separation = row->normal_impulse * row->scale;
+            }
         }
+        const auto add = [](ContactCluster* cluster, Vec3 impulse, Vec3 moment) {
+            if (!cluster || !cluster->held) return;
+            cluster->impulse += impulse;
+            cluster->moment += moment;
+        };
+        add(group->b.cluster, sum.impulse, sum.about_b);
+        add(group->a.cluster, -sum.impulse, -sum.about_a);
     }
 }
 

@@ -2,8 +2,8 @@
 // cluster.
 //
 // Contacts of particles alone would move one particle of a crate, of which the shape keeps its share of the mass, and a
-// stack of crates would sink into itself. So a free cluster is a rigid body here: contacts displace it, or change its
-// velocity and spin, and all its particles follow.
+// stack of crates would sink into itself. So a cluster is a rigid body here: contacts displace it, or change its
+// velocity and spin, and all its particles follow. One with particles that do not move freely turns about these.
 //
 // Projected Gauss-Seidel on the impulses goes from pair to pair of clusters. The contacts of one pair are solved at
 // once, and share its masses (mass splitting; Tonge, Benevolenski & Voroshilov 2012): one after the other, the first
@@ -21,14 +21,16 @@
 
 namespace gphys {
 
-/// A free rigid cluster while contacts are solved.
+/// A rigid cluster while contacts are solved.
 struct ContactCluster {
     uint32_t first;  // particle of its body, in the island
     ClusterRange members;
     bool active;  // whether any of its particles is in a pair
+    bool held;    // whether any does not move freely; then `centre` is the pivot (cluster_pivot.h)
     Vec3 centre;
     double inverse_mass;
     Mat3 inverse_inertia;
+    Vec3 impulse, moment;                 // of contacts, about the centre, if it is held
     Vec3 shift, turn;                     // by contacts: displacement and rotation vector, or velocity and spin
     ClusterResponse* response = nullptr;  // of a joined one, in place of inverse mass and inertia
     double mass_unit = 1;                 // kg, of the response

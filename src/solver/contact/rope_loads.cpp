@@ -75,6 +75,7 @@ void ParticleContacts::RopeLoads::add(const Pair& pair, const Contact& contact, 
 }
 
 void ParticleContacts::RopeLoads::divide_loads(Body& rope, Vec3 gravity, double h) {
+    rope.rope.loads.rate = TimeScheme(h, rope.history.earlier_step).next / h;
     Vector<RopeLoad>& all = rope.rope.loads.all;
     Vector<HeavyBody>& heavy = rope.rope.loads.heavy;
     std::sort(all.begin(), all.end(), [](const RopeLoad& a, const RopeLoad& b) {
@@ -141,16 +142,17 @@ bool ParticleContacts::RopeLoads::any() const {
 }
 
 /// Moves the loads of a rope, and gives them the speed of that motion.
-void ParticleContacts::RopeLoads::move_by(Body& rope, double h) {
+void ParticleContacts::RopeLoads::move_by(Body& rope) {
+    const double rate = rope.rope.loads.rate;
     const Vector<RopeLoad>& all = rope.rope.loads.all;
     const RopeLoad* load = all.data();
     for (HeavyBody& of : rope.rope.loads.heavy) {
-        Vec3 momentum, spin;  // times the seconds of the substep
+        Vec3 momentum, spin;  // divided by the rate
         for (; load != all.data() + of.end; ++load) {
             const Vec3 taken = load->momentum(rope.particles.position[load->particle] - load->place);
             momentum += taken;
             spin += cross(load->arm, taken);
-            const double impulse = dot(taken, load->normal) / h;
+            const double impulse = dot(taken, load->normal) * rate;
             Pair& pair = range_.pairs[load->pair];
             if (impulse > 0) add_to_list(range_, pair, pair.b == load->by ? load->normal : -load->normal, impulse);
         }
@@ -160,8 +162,8 @@ void ParticleContacts::RopeLoads::move_by(Body& rope, double h) {
         of.moved = momentum / of.mass;
         of.turned = of.inverse_inertia * spin;
         of.before = of.motion = heavy_.motion_of(of, units);
-        of.motion.velocity += of.moved / h;
-        of.motion.spin += spin / h;
+        of.motion.velocity += of.moved * rate;
+        of.motion.spin += spin * rate;
         heavy_.move(of);
     }
 }
@@ -212,8 +214,8 @@ void ParticleContacts::RopeLoads::bound_energy(const CollisionContext& around) {
     });
 }
 
-void ParticleContacts::RopeLoads::move(const CollisionContext& around, double h) {
-    for (const uint32_t* slot = first_; slot != end_; ++slot) move_by(bodies_[*slot], h);
+void ParticleContacts::RopeLoads::move(const CollisionContext& around) {
+    for (const uint32_t* slot = first_; slot != end_; ++slot) move_by(bodies_[*slot]);
     bound_energy(around);
     for (const uint32_t* slot = first_; slot != end_; ++slot) bodies_[*slot].rope.loads.clear();
 }

@@ -29,8 +29,8 @@ public:
     /// Finds the loads of all ropes. Call when the contacts have corrected the prediction.
     void find(Vec3 gravity, double h);
     bool any() const;
-    /// Moves the loads as the links have moved the ropes under them. `h`: seconds of the substep.
-    void move(const CollisionContext& around, double h);
+    /// Moves the loads as the links have moved the ropes under them.
+    void move(const CollisionContext& around);
 
 private:
     static constexpr LoadUnits units{{}, 1};
@@ -38,7 +38,7 @@ private:
     static bool is_rope(const Body& body) { return body.plan.method == GPHYS_SOLVE_DIRECT; }
     void add(const Pair& pair, const Contact& contact, uint32_t on, uint32_t by, Vec3 normal);
     void divide_loads(Body& rope, Vec3 gravity, double h);
-    void move_by(Body& rope, double h);
+    void move_by(Body& rope);
     template <class Visit>
     void each_load(Visit&& visit);
     void bound_energy(const CollisionContext& around);

@@ -4,10 +4,12 @@
 // cluster at once. If it acted on the mass of one particle, a light plank under a heavy load would leave its joints in
 // long substeps.
 //
-// Clusters with particles that are pinned or attached, and clusters that share particles, are left to shape matching.
+// A cluster with pinned particles turns about these (cluster_pivot.h), so its centre does not move. Clusters of bodies
+// with attached particles, if they have pinned or attached ones, and clusters that share particles, are left to shape
+// matching.
 #include "solver/body_table.h"
 #include "solver/cloth/best_rotation.h"
-#include "solver/cloth/second_moments.h"
+#include "solver/cloth/cluster_pivot.h"
 #include "solver/joints/joints.h"
 #include "solver/quads.h"
 #include "solver/time_scheme.h"
@@ -102,46 +104,45 @@ void JointSystem::gather_clusters(const BodyTable& bodies, double h) {
         const ClusterRange members = members_of(body.cloth.clusters, cluster.cluster);
         const double* const share = &shares_[cluster.first_member];
         Vec3* const predicted = &predicted_[cluster.first_member];
-        double mass = 0;
-        Vec3 at, rest;
-        cluster.free = true;
+        ClusterPivot pivot;
         for (uint32_t i = 0; i < cluster.count; ++i) {
             const ClusterMember& member = members.first[i];
-            const double m = mass_of(state, member.particle) * share[i];
             predicted[i] = get(&state.at[4 * size_t{member.particle}]);
-            cluster.free = cluster.free && m > 0;
-            mass += m;
-            at += predicted[i] * m;
-            rest += member.rest * m;
+            pivot.add(predicted[i], member.rest, mass_of(state, member.particle) * share[i]);
         }
+        const bool held = pivot.held_count() > 0;
+        cluster.free = pivot.moves() && (!held || body.constraints.attachments.empty());
         Node &centre = nodes_[cluster.centre], &turn = nodes_[cluster.turn];
-        centre.free = turn.free = cluster.free;
+        centre.free = cluster.free && !held;
+        turn.free = cluster.free;
         centre.position = turn.position = {};
         centre.weight = turn.weight = 1;
         for (uint32_t t = cluster.first_tie; t < cluster.first_tie + cluster.tie_count; ++t)
             nodes_[ties_[t].node].share = cluster.free ? 1 - share_of_pose : 1;
         if (cluster.free) {
-            at = at / mass;
-            cluster.rest = rest / mass;
-            Mat3 covariance{{}, {}, {}};
-            SecondMoments moments;
+            cluster.rest = pivot.rest();
+            Covariance covariance, of_held;
+            SecondMoments moments, held_moments;
             for (uint32_t i = 0; i < cluster.count; ++i) {
-                const double m = mass_of(state, members.first[i].particle) * share[i];
-                const Vec3 local = members.first[i].rest - cluster.rest, weighted = (predicted[i] - at) * m;
-                covariance = sum(covariance, {weighted * local.x, weighted * local.y, weighted * local.z});
-                moments.add(local, m);
+                const double m = mass_of(state, members.first[i].particle) * share[i], weight = m > 0 ? m : 1;
+                const Vec3 local = members.first[i].rest - cluster.rest;
+                (m > 0 ? covariance : of_held).add(predicted[i] - pivot.at(), local, weight);
+                (m > 0 ? moments : held_moments).add(local, weight);
             }
+            const double weight = weight_of_held(moments.sum(), held_moments.sum(), pivot.mass());
             const double step = step_of(body, h), scale = state.average_mass / (step * step);
-            const Vec3 squares = moments.squares;
-            cluster.predicted = best_rotation(covariance);
-            cluster.size = std::sqrt((squares.x + squares.y + squares.z) / mass);
+            covariance.add(of_held, weight);
+            cluster.predicted = best_rotation(covariance.matrix);
+            cluster.size = std::sqrt(moments.sum() / pivot.mass());
             const Mat3& r = cluster.predicted;
-            centre.position = state.origin + at;
-            centre.weight = mass * scale;
+            centre.position = state.origin + pivot.at();
+            centre.weight = pivot.mass() * scale;
             if (cluster.size > smallest) {
                 turn.weight = 0;
                 turn.loaded = true;
-                turn.load = scaled(r * moments.inertia(inertia_regularisation) * transposed(r), scale);
+                const Mat3 inertia =
+                    sum(moments.inertia(inertia_regularisation), scaled(held_moments.inertia(0), weight));
+                turn.load = scaled(r * inertia * transposed(r), scale);
             }
         }
         for (Node* const node : {&centre, &turn}) node->before = node->predicted = node->position;
@@ -183,10 +184,14 @@ Vec3 JointSystem::error(const ClusterTie& tie) const {
     return nodes_[tie.node].position - nodes_[clusters_[tie.cluster].centre].position - tie.arm;
 }
 
+bool JointSystem::is_active(const ClusterTie& tie) const {
+    return clusters_[tie.cluster].free && nodes_[tie.node].free;
+}
+
 bool JointSystem::ties_are_converged() const {
     return std::all_of(ties_.begin(), ties_.end(), [&](const ClusterTie& tie) {
         const JoinedCluster& cluster = clusters_[tie.cluster];
-        return !cluster.free || cluster.size <= smallest || length(error(tie)) <= tolerance * cluster.size;
+        return !is_active(tie) || cluster.size <= smallest || length(error(tie)) <= tolerance * cluster.size;
     });
 }
 
@@ -195,17 +200,18 @@ void JointSystem::assemble_ties() {
     for (const ClusterTie& tie : ties_) {
         const JoinedCluster& cluster = clusters_[tie.cluster];
         const uint32_t centre = nodes_[cluster.centre].scalar, turn = nodes_[cluster.turn].scalar;
-        const double one = cluster.free ? 1 : 0;
+        const bool active = is_active(tie);
+        const double one = active ? 1 : 0, of_centre = active && nodes_[cluster.centre].free ? 1 : 0;
         const Vec3 error = this->error(tie), arm = tie.arm * one;
         for (uint32_t k = 0; k < 3; ++k) {
             const uint32_t next = (k + 1) % 3, last = (k + 2) % 3;
             double* at = entries_.data() + matrix_.column_begin(tie.scalar + k);
-            diagonal_[tie.scalar + k] = cluster.free ? 0 : -1;
+            diagonal_[tie.scalar + k] = active ? 0 : -1;
             solution_[tie.scalar + k] = -error[static_cast<int>(k)] * one;
             *at++ = one;
-            if (!tie.before_centre) *at++ = -one;
+            if (!tie.before_centre) *at++ = -of_centre;
             if (!tie.before_turn) at[0] = -arm[static_cast<int>(last)], at[1] = arm[static_cast<int>(next)];
-            if (tie.before_centre) entries_[matrix_.column_begin(centre + k) + tie.centre_entry] = -one;
+            if (tie.before_centre) entries_[matrix_.column_begin(centre + k) + tie.centre_entry] = -of_centre;
             if (tie.before_turn) {
                 double* const of_turn = entries_.data() + matrix_.column_begin(turn + k) + tie.turn_entry;
                 of_turn[0] = arm[static_cast<int>(last)], of_turn[1] = -arm[static_cast<int>(next)];
@@ -247,6 +253,7 @@ void JointSystem::scatter_clusters(BodyTable& bodies) const {
         Body& body = bodies[cluster.body];
         const Vec3 centre = nodes_[cluster.centre].position - body.cloth.state.origin;
         for (const ClusterMember& member : members_of(body.cloth.clusters, cluster.cluster)) {
+            if (body.particles.pinned(member.particle)) continue;
             put(&body.cloth.state.at[4 * size_t{member.particle}],
                 centre + cluster.rotation * (member.rest - cluster.rest), farthest_in_cloth);
         }
@@ -307,12 +314,14 @@ void JointSystem::add_cluster_response(const Body& body, uint32_t slot, uint32_t
         };
         return Mat3{at(0), at(1), at(2)};
     };
+    const bool moves = nodes_[cluster->centre].free;
+    const Mat3 none{{}, {}, {}};
     out.push_back({number,
                    nodes_[cluster->centre].position - body.cloth.state.origin,
                    cluster->rest,
                    cluster->rotation,
-                   block(0, 0),
-                   block(0, 3),
+                   moves ? block(0, 0) : none,
+                   moves ? block(0, 3) : none,
                    block(3, 3),
                    {},
                    {}});

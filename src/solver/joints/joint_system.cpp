@@ -199,6 +199,7 @@ void JointSystem::gather_nodes(const BodyTable& bodies, double h, bool predicts_
 
 void JointSystem::apply_force(uint32_t node, Vec3 force) {
     Node& of = nodes_[node];
+    if (!of.free) return;
     for (uint32_t k = 0; k < 3; ++k) applied_[of.scalar + k] += force[static_cast<int>(k)];
     outdated_ = has_applied_ = true;
     if (!of.loaded) {

@@ -79,7 +79,7 @@ public:
             out[0] = bend.before, out[1] = -(bend.before + bend.after), out[2] = bend.after;
         }
     };
-    /// A rigid cluster of which particles are joined. Its centre of mass and its rotation are nodes without particles.
+    /// A rigid cluster of which particles are joined. Its pivot and its rotation are nodes without particles.
     /// Each of its particles that is joined has half of its mass as a node, so that no node is without mass.
     struct JoinedCluster {
         uint32_t body, cluster;         // slots
@@ -87,10 +87,10 @@ public:
         uint32_t first_tie, tie_count;  // in ties_
         uint32_t centre = 0, turn = 0;  // nodes; the position of `turn` is the Gibbs vector, times 2, of the rotation
                                         // since the prediction, and its load is the inertia
-        bool free = false;              // whether all members move freely in this substep
-        Vec3 rest = {};                 // of the centre, in the shape
+        bool free = false;              // whether the system moves it in this substep
+        Vec3 rest = {};                 // of the pivot, in the shape
         Mat3 predicted = {}, rotation = {};
-        double size = 0;  // metres: root mean square distance of the members from the centre
+        double size = 0;  // metres: root mean square distance of the members from the pivot
     };
     /// position of the node = centre + rotation * rest
     struct ClusterTie {
@@ -139,7 +139,7 @@ public:
     /// Adds the tensions of joints at particles that are attached, or that friction holds, to the impulses of their
     /// models.
     void add_anchor_impulses(BodyTable& bodies, const CollisionContext& around, double h) const;
-    /// Applies a force, newtons, to a node during the substep under way.
+    /// Applies a force, newtons, to a node during the substep under way. One that does not move freely resists it.
     void apply_force(uint32_t node, Vec3 force);
     /// Moves the nodes by what the forces since the last solution do to first order: one substitution in place of
     /// Newton's method. Returns false, and moves nothing, if there were none. Call solve() in the end.
@@ -187,6 +187,8 @@ private:
     void take_tie_forces(bool add);
     void turn_clusters(double fraction);
     void place_clusters();
+    /// Whether both move freely: the node, and the cluster at least about its pivot.
+    bool is_active(const ClusterTie& tie) const;
     bool ties_are_converged() const;
     const JoinedCluster* find_cluster(uint32_t body, uint32_t cluster) const;
     Vec3 error(const ClusterTie& tie) const;

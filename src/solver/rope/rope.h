@@ -61,6 +61,7 @@ struct CarriedLoads {
     Vector<RopeLoad> all;  // those of a load together
     Vector<HeavyBody> heavy;
     double energy = 0;  // of the rope before the links are solved, joules
+    double rate = 0;    // 1/s: by which a displacement by links changes the velocity
 
     bool any() const { return !all.empty(); }
     void clear() {
