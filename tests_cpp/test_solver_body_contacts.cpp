@@ -124,7 +124,7 @@ TEST_CASE("What bodies give each other adds up to their changes of momentum") {
 }
 
 TEST_CASE("What a ball hits gets the momentum that the ball loses, whenever in a substep they meet") {
-    const std::string kind = GENERATE("rope", "cloth", "crate");
+    const std::string kind = GENERATE("rope", "cloth", "crate", "joined crate");
     double worst = 0, worst_listed = 0;
     int hits = 0;
     for (int i = 0; i < 40; ++i) {
@@ -137,6 +137,11 @@ TEST_CASE("What a ball hits gets the momentum that the ball loses, whenever in a
         const float speed = 40, gap = 0.02f + 0.03f * static_cast<float>(i);
         const gphys_body_id missile = world.particles({{0, 0, 0.12f + gap}}, colliding(1, 0.1f));
         world.set_velocity(missile, 0, {0, 0, -speed});
+        gphys_body_id joined = 0;
+        if (kind == "joined crate") {
+            joined = world.particles({{0.5f, 0.5f, 0}}, of_mass(1));
+            join(world, joined, 0, body, 120);
+        }
         double listed = 0;
         for (int step = 0; step < 4; ++step) {
             world.step(frame);
@@ -147,7 +152,7 @@ TEST_CASE("What a ball hits gets the momentum that the ball loses, whenever in a
         std::vector<float> masses(velocities.size());
         REQUIRE(gphys_solver_get_masses(world.solver, body, 0, static_cast<uint32_t>(masses.size()), masses.data(),
                                         sizeof(float)) == GPHYS_OK);
-        double given = 0;
+        double given = joined == 0 ? 0 : static_cast<double>(world.velocities(joined)[0].z);
         for (size_t p = 0; p < masses.size(); ++p)
             given += static_cast<double>(masses[p]) * static_cast<double>(velocities[p].z);
         const double lost = static_cast<double>(-speed - world.velocities(missile)[0].z);

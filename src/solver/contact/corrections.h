@@ -18,21 +18,32 @@ void each_moved(const Particle* first, const Particle* end, Visit&& visit) {
     }
 }
 
+/// A displacement of a particle by contacts, in a substep of h seconds, is to change its velocity by displacement / h,
+/// as it does in bodies without links, or momentum would not be conserved. With the history of an undisturbed motion
+/// the time scheme would change it by up to 5 / 3 of that, so the history is displaced, too.
+inline void displace_history(Body& body, uint32_t particle, Vec3 displacement, double h) {
+    if (TimeScheme(h, body.history.earlier_step).earlier == 0) return;
+    const Vec3 back = displacement * (body.history.earlier_step / h);
+    if (is_graph(body)) {
+        float* const moved = &body.cloth.state.moved[4 * size_t{particle}];
+        put(moved, get(moved) + back);
+    } else {
+        body.history.earlier[particle] -= back;
+    }
+}
+
 /// For particles of a body whose constraints are solved afterwards: corrects their predicted positions. h: seconds of
-/// the substep. A displacement is to change the velocity by displacement / h, as that of the other body, or momentum
-/// would not be conserved. With the history of an undisturbed motion the time scheme would change it by up to 5 / 3 of
-/// that, so the history is displaced, too.
+/// the substep.
 template <class Particle>
 void correct_predicted(const Particle* first, const Particle* end, Body& body, double h) {
-    const double of_history = TimeScheme(h, body.history.earlier_step).earlier > 0 ? body.history.earlier_step / h : 0;
     if (is_graph(body)) {
         for (const Particle* p = first; p != end; ++p) {
             const Vec3 displacement = p->inverse_mass > 0 ? p->at - p->uncorrected : Vec3{};
             float* const at = &body.cloth.state.at[4 * size_t{p->number}];
             if (displacement != Vec3{}) {
-                float* const moved = &body.cloth.state.moved[4 * size_t{p->number}];
+                body.contacts.pushed = true;
                 put(at, get(at) + displacement);
-                put(moved, get(moved) + displacement * of_history);
+                displace_history(body, p->number, displacement, h);
             }
             if (!p->supports) continue;
             note_correction(body.cloth.contacts, p->number, displacement, p->supports->push(), p->supports->friction());
@@ -40,9 +51,10 @@ void correct_predicted(const Particle* first, const Particle* end, Body& body, d
         return;
     }
     each_moved(first, end, [&](uint32_t p, Vec3 displacement) {
+        body.contacts.pushed = true;
         body.particles.position[p] += displacement;
         body.history.predicted[p] += displacement;
-        body.history.earlier[p] -= displacement * of_history;
+        displace_history(body, p, displacement, h);
         if (body.plan.limited) body.rope.slack[p] = 0;
     });
 }

@@ -10,6 +10,7 @@
 #include "solver/body_table.h"
 #include "solver/cloth/best_rotation.h"
 #include "solver/cloth/cluster_pivot.h"
+#include "solver/contact/corrections.h"
 #include "solver/joints/joints.h"
 #include "solver/quads.h"
 #include "solver/time_scheme.h"
@@ -336,6 +337,36 @@ void JointSystem::apply_contact_impulses(const Body& body, uint32_t slot, double
         apply_force(cluster->centre, response.impulse * scale);
         apply_force(cluster->turn, response.angular_impulse * scale);
     }
+}
+
+template <class Visit>
+void JointSystem::each_displaced(BodyTable& bodies, Visit&& visit) {
+    if (!substitute()) return;
+    const auto of = [&](uint32_t node) {
+        const double* const x = &solution_[nodes_[node].scalar];
+        return nodes_[node].free ? Vec3{x[0], x[1], x[2]} : Vec3{};
+    };
+    for (uint32_t i = 0; i < node_count(); ++i) {
+        const Node& node = nodes_[i];
+        if (node.free && node.particle != of_pose) visit(bodies[node.body], node.particle, of(i));
+    }
+    for (const JoinedCluster& cluster : clusters_) {
+        if (!cluster.free) continue;
+        Body& body = bodies[cluster.body];
+        const Vec3 shift = of(cluster.centre), turn = of(cluster.turn);
+        const ClusterRange members = members_of(body.cloth.clusters, cluster.cluster);
+        for (uint32_t i = 0; i < cluster.count; ++i) {
+            const ClusterMember& member = members.first[i];
+            if (shares_[cluster.first_member + i] < 1 || body.particles.pinned(member.particle)) continue;
+            visit(body, member.particle, shift + cross(turn, cluster.rotation * (member.rest - cluster.rest)));
+        }
+    }
+}
+
+void JointSystem::displace_histories(BodyTable& bodies, double h) {
+    each_displaced(bodies, [h](Body& body, uint32_t particle, Vec3 displacement) {
+        displace_history(body, particle, displacement, h);
+    });
 }
 
 void JointSystem::save_cluster_places(Body& body, uint32_t slot) const {

@@ -125,11 +125,10 @@ void list_responses(const Joined& joined, const Body& body, uint32_t slot, doubl
 }
 
 /// The impulses that contacts have added to responses.
-void apply_contact_impulses(const Joined& joined, Body& body, uint32_t slot, double h) {
-    Vector<ClusterResponse>& responses = body.cloth.clusters.responses;
+void apply_contact_impulses(const Joined& joined, const Body& body, uint32_t slot, double h) {
+    const Vector<ClusterResponse>& responses = body.cloth.clusters.responses;
     if (responses.empty()) return;
     each_system(joined, [&](JointSystem& system) { system.apply_contact_impulses(body, slot, h, responses); });
-    responses.clear();
 }
 
 /// Contacts act on the clusters with the inertia of what is joined to them, and then on that.
@@ -137,6 +136,7 @@ void end_joined_links(const Joined& joined, Body& body, uint32_t slot, double h)
     if (body.cloth.contacts.any_active()) list_responses(joined, body, slot, h);
     end_links(body);
     apply_contact_impulses(joined, body, slot, h);
+    body.cloth.clusters.responses.clear();
 }
 
 void sweep_joined_cloth(const Joined& joined, Body& body, uint32_t slot, const CollisionContext& around, Vec3 gravity,
@@ -261,7 +261,12 @@ void collide_joined(const Joined& joined, const CollisionContext& around, double
 }  // namespace
 
 void begin_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h) {
+    // The time schemes of all bodies must restart together, or momentum between them would not be conserved.
+    bool interrupted = false;
+    each_body(joined, [&](const Body& body, uint32_t) { interrupted = interrupted || body.history.earlier_step == 0; });
+    if (interrupted) each_body(joined, [&](Body& body, uint32_t) { body.history.earlier_step = 0; });
     each_body(joined, [&](Body& body, uint32_t) {
+        body.contacts.pushed = false;
         if (is_graph(body)) {
             predict_cloth(body, around, h);
         } else {
@@ -299,11 +304,12 @@ void leave_solids_joined(const Joined& joined, const CollisionContext& around, d
 /// Call after the systems are solved.
 void finish_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h) {
     bool interrupted = false;  // then the previous tensions, and so the elastic energies, are unknown
-    bool has_contact = false, moved = false, rigid = true;
+    bool has_contact = false, moved = false, rigid = true;  // moved: by what is outside
     each_body(joined, [&](const Body& body, uint32_t) {
         interrupted = interrupted || body.history.earlier_step == 0;
         has_contact = has_contact || body.contacts.has_contact;
-        moved = moved || are_carried(body.constraints) || !body.constraints.length_changes.empty();
+        moved =
+            moved || body.contacts.pushed || are_carried(body.constraints) || !body.constraints.length_changes.empty();
     });
     each_system(joined, [&](const JointSystem& system) { rigid = rigid && system.is_rigid(); });
     if (is_loaded(joined)) {
@@ -384,8 +390,18 @@ void add_cluster_response(const Joined& joined, uint32_t slot, uint32_t cluster,
 }
 
 void end_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h) {
+    const auto apply_impulses = [&] {
+        each_body(joined, [&](const Body& body, uint32_t slot) { apply_contact_impulses(joined, body, slot, h); });
+    };
+    apply_impulses();
+    each_system(joined, [&](JointSystem& system) { system.displace_histories(joined.bodies, h); });
     gather_systems(joined, h);
-    each_body(joined, [&](Body& body, uint32_t slot) { apply_contact_impulses(joined, body, slot, h); });
+    apply_impulses();
+    each_body(joined, [&](Body& body, uint32_t) {
+        for (const ClusterResponse& response : body.cloth.clusters.responses)
+            body.contacts.pushed = body.contacts.pushed || response.impulse != Vec3{};
+        body.cloth.clusters.responses.clear();
+    });
     solve_systems(joined);
     finish_joined(joined, around, gravity, h);
 }
@@ -395,13 +411,11 @@ void move_joined(const Joined& joined, const CollisionContext& around, Vec3 grav
         JoinedMotion motion{joined, gravity};
         move_in_halves(motion, within, part);
     };
-    // The time schemes of all bodies must restart together, or momentum between them would not be conserved.
     bool interrupted = false, has_contact = false;
     each_body(joined, [&](const Body& body, uint32_t) {
         interrupted = interrupted || body.history.earlier_step == 0;
         has_contact = has_contact || body.contacts.has_contact;
     });
-    if (interrupted) each_body(joined, [&](Body& body, uint32_t) { body.history.earlier_step = 0; });
     if (interrupted && !has_contact) {
         start_slowly(around, h, move_once);
     } else {

@@ -504,12 +504,18 @@ double JointSystem::advance() {
     return fraction;
 }
 
-bool JointSystem::respond() {
+/// Solves for the forces that were applied. Returns false if there are none.
+bool JointSystem::substitute() {
     if (!has_applied_) return false;
     has_applied_ = false;
     solution_.swap(applied_);
     std::fill(applied_.begin(), applied_.end(), 0.0);
     matrix_.solve(solution_.data());
+    return true;
+}
+
+bool JointSystem::respond() {
+    if (!substitute()) return false;
     for (Link& link : links_) link.tension += solution_[link.scalar];
     take_tie_forces(true);
     advance();

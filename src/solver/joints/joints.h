@@ -133,6 +133,9 @@ public:
                               Vector<ClusterResponse>& out);
     /// Applies the impulses of contacts on the clusters of a body.
     void apply_contact_impulses(const Body& body, uint32_t slot, double h, const Vector<ClusterResponse>& responses);
+    /// Call after that, before the next gather(): changes the histories of the bodies so that what the impulses
+    /// displace changes velocities as in other bodies (contact/corrections.h).
+    void displace_histories(BodyTable& bodies, double h);
     /// Adds to the saved positions of members in contact by how much scatter() has moved them before contacts did.
     void save_cluster_places(Body& body, uint32_t slot) const;
     void scatter_tensions(BodyTable& bodies, Vector<Joint>& joints) const;
@@ -190,6 +193,11 @@ private:
     /// Whether both move freely: the node, and the cluster at least about its pivot.
     bool is_active(const ClusterTie& tie) const;
     bool ties_are_converged() const;
+    /// Calls visit(body, particle, displacement) with what the forces that were applied since the last solution do to
+    /// first order, and takes these back.
+    template <class Visit>
+    void each_displaced(BodyTable& bodies, Visit&& visit);
+    bool substitute();
     const JoinedCluster* find_cluster(uint32_t body, uint32_t cluster) const;
     Vec3 error(const ClusterTie& tie) const;
     double most_displacement() const;
