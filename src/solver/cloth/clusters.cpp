@@ -227,6 +227,7 @@ void MovingCluster::solve_contacts(Body& body) {
         // what they tilt off.
         if (contact.normal_impulse == 0) {
             n.active_plane = -1;
+            n.pressed = 0;
             put(&body.cloth.in_chains.normals[4 * size_t{particle}], {});
         }
     }
