@@ -34,13 +34,13 @@ struct Moments {
 };
 
 /// Two balls fall on it; its end hits the floor.
-Rigid seesaw(World& world) {
+Rigid seesaw(World& world, float height = 2.5f) {
     const gphys_plane floor{{0, 1, 0}, 0};
     world.model(GPHYS_SHAPE_PLANE, &floor);
     const Rigid plank(world, {0, 1, 0}, {4, 0, 0.4f}, {17, 1, 3}, 10, 1);
     pin(world, plank, {{0, 1, -0.2f}, {0, 1, 0.2f}});
     world.particles({{-1.5f, 1.35f, 0}}, test::colliding(20, 0.2f));
-    world.particles({{1.5f, 2.5f, 0}}, test::colliding(60, 0.25f));
+    world.particles({{1.5f, height, 0}}, test::colliding(60, 0.25f));
     return plank;
 }
 
@@ -116,17 +116,20 @@ TEST_CASE("A seesaw keeps its shape under weights that fall on it") {
 
 TEST_CASE("A seesaw that is restored before every step has the same bits as one that is not") {
     // What presses a particle onto a model in one step must not in the next.
-    for (const uint32_t substeps : {4u, 1u}) {
-        World world(substeps), restored(substeps);
-        seesaw(world);
-        seesaw(restored);
+    int same = 0;
+    for (int i = 0; i < 8; ++i) {
+        const float height = 1.8f + 0.1f * static_cast<float>(i);
+        World world(1), restored(1);
+        seesaw(world, height);
+        seesaw(restored, height);
         for (int step = 0; step < 120; ++step) {
             REQUIRE(test::restore(restored.solver, test::snapshot(restored.solver)) == GPHYS_OK);
             world.step(dt);
             restored.step(dt);
-            REQUIRE(test::hash(world.solver) == test::hash(restored.solver));
         }
+        same += test::hash(world.solver) == test::hash(restored.solver);
     }
+    CHECK(same == 8);
 }
 
 TEST_CASE("What lies on an attached shelf presses on the model") {
