@@ -152,7 +152,7 @@ void Solver::move_colliding(const Island& island, const Joined& joined, const Co
         end_joined(joined, within, gravity, part);
         particle_contacts_.move_loads(island, state_.bodies, slots, joined, within, gravity, part, planes);
         particle_contacts_.move_loads_of_ropes(island, state_.bodies, slots, within, gravity, part, planes);
-        particle_contacts_.solve_velocities(island, state_.bodies, slots, within, gravity, part);
+        particle_contacts_.solve_velocities(island, state_.bodies, slots, joined, within, gravity, part);
     };
     if (interrupted && !has_contact) {
         start_slowly(around, h, move_once);

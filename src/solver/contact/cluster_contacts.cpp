@@ -151,27 +151,36 @@ void ParticleContacts::ClusterContacts::add_supports(Slip&& slip_of) {
     });
 }
 
-/// Joints hold some clusters: puts these where they would be without contacts.
-void ParticleContacts::ClusterContacts::find_responses(const Joined& joined, double h) {
+bool ParticleContacts::ClusterContacts::any_joined() const {
     bool any = false;
     each_active(
         [&](const ContactCluster& cluster) { any = any || bodies_[range_.particles[cluster.first].body].plan.joined; });
-    if (!any) return;
-    solve_without_contacts(joined, h);
+    return any;
+}
+
+/// How clusters that joints hold move, to the systems as they were solved last.
+void ParticleContacts::ClusterContacts::find_responses(const Joined& joined) {
     const auto body_of = [&](const ContactCluster& cluster) { return range_.particles[cluster.first].body; };
     each_active(
         [&](const ContactCluster& cluster) { joined.bodies[body_of(cluster)].cloth.clusters.responses.clear(); });
     each_active([&](const ContactCluster& cluster) {
-        add_cluster_response(joined, body_of(cluster), cluster.members.first->cluster, h);
+        add_cluster_response(joined, body_of(cluster), cluster.members.first->cluster);
     });
     each_active([&](ContactCluster& cluster) {
         Body& body = joined.bodies[body_of(cluster)];
         cluster.response = response_of(body.cloth.clusters, cluster.members.first->cluster);
+        cluster.mass_unit = body.cloth.state.average_mass;
+    });
+}
+
+/// Puts clusters that joints hold where they would be without contacts.
+void ParticleContacts::ClusterContacts::place_joined(const Joined& joined, double h) {
+    solve_without_contacts(joined, h);
+    find_responses(joined);
+    each_active([&](ContactCluster& cluster) {
         if (!cluster.response) return;
         const ClusterResponse& response = *cluster.response;
-        const Vec3 origin = body.cloth.state.origin;
-        cluster.mass_unit = body.cloth.state.average_mass;
-        cluster.centre = origin + response.centre;
+        cluster.centre = bodies_[range_.particles[cluster.first].body].cloth.state.origin + response.centre;
         for (const ClusterMember& member : cluster.members) {
             Particle& p = range_.particles[cluster.first + member.particle];
             if (p.inverse_mass > 0) p.at = cluster.centre + response.rotation * (member.rest - response.rest);
@@ -189,8 +198,13 @@ void ParticleContacts::ClusterContacts::begin_positions(const Joined* joined, co
         cluster.shift = cluster.turn = cluster.impulse = cluster.moment = {};
         cluster.response = nullptr;
         find_inertia(cluster);
+        // Nothing would close the joints of what is joined again, so that stays.
+        if (!joined && bodies_[range_.particles[cluster.first].body].plan.joined) {
+            cluster.inverse_mass = 0;
+            cluster.inverse_inertia = {{}, {}, {}};
+        }
     }
-    if (joined) find_responses(*joined, h);
+    if (joined && any_joined()) place_joined(*joined, h);
     each_active([&](ContactCluster& cluster) {
         each_particle(cluster, [&](Particle& p) {
             Supports& supports = range_.supports[&p - range_.particles];
@@ -208,7 +222,7 @@ void ParticleContacts::ClusterContacts::begin_positions(const Joined* joined, co
     });
 }
 
-void ParticleContacts::ClusterContacts::begin_velocities(double tolerance) {
+void ParticleContacts::ClusterContacts::begin_velocities(const Joined* joined, double tolerance) {
     const auto approach = [](const Contact& contact, const Particle& a, const Particle& b) {
         return contact.target_speed - dot(b.velocity - a.velocity, contact.normal);
     };
@@ -219,6 +233,7 @@ void ParticleContacts::ClusterContacts::begin_velocities(double tolerance) {
     });
     count_others();
     if (!any) return;
+    if (joined && any_joined()) find_responses(*joined);
     add_supports([](const Particle& p, const Support& support) { return p.velocity - support.carried; });
     add_contacts(velocities, [&](ContactRow& row, Contact& contact, const Particle& a, const Particle& b) {
         if (!(contact.all_separation() > 0)) return false;
@@ -252,7 +267,8 @@ void ParticleContacts::ClusterContacts::end_positions() const {
 
 void ParticleContacts::ClusterContacts::end_velocities() const {
     contacts_.end();
-    each_active([&](const ContactCluster& cluster) {
+    each_active([&](ContactCluster& cluster) {
+        if (std::exchange(cluster.response, nullptr)) return;
         if (cluster.shift == Vec3{} && cluster.turn == Vec3{}) return;
         each_particle(cluster, [&](Particle& p) {
             if (p.inverse_mass > 0) p.velocity += cluster.shift + cross(cluster.turn, p.at - cluster.centre);

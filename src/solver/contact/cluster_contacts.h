@@ -34,8 +34,9 @@ public:
     /// `joined`: null if joints are not solved afterwards.
     void begin_positions(const Joined* joined, const CollisionContext& around, double h);
     void end_positions() const;
-    /// `tolerance`: m/s, the accuracy of speeds.
-    void begin_velocities(double tolerance);
+    /// `tolerance`: m/s, the accuracy of speeds. `joined`: null if they are given no responses.
+    void begin_velocities(const Joined* joined, double tolerance);
+    /// Those of joined clusters are left to change_joined_velocities.
     void end_velocities() const;
     /// Adds what clusters press on the models that hold them, after the end of places or of velocities. `rate`: by
     /// which the impulses of contacts are impulses in N s.
@@ -96,7 +97,9 @@ private:
     void add_contacts(const Values& values, Fill&& fill);
     void press_models(BodyTable& bodies, const CollisionContext& around, const Values& values, double rate) const;
     void find_inertia(ContactCluster& cluster) const;
-    void find_responses(const Joined& joined, double h);
+    void find_responses(const Joined& joined);
+    bool any_joined() const;
+    void place_joined(const Joined& joined, double h);
     template <class Slip>
     void add_supports(Slip&& slip_of);
 

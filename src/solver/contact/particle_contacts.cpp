@@ -10,6 +10,7 @@
 #include "solver/contact/pair_corrections.h"
 #include "solver/contact/particle_pairs.h"
 #include "solver/contact/rope_loads.h"
+#include "solver/joints/joined_motion.h"
 #include "solver/quads.h"
 #include "solver/rope/rope.h"
 
@@ -484,7 +485,7 @@ void ParticleContacts::solve_positions(const Island& island, BodyTable& bodies, 
 }
 
 void ParticleContacts::solve_velocities(const Island& island, BodyTable& bodies, const uint32_t* slots,
-                                        const CollisionContext& around, Vec3 gravity, double h) {
+                                        const Joined& joined, const CollisionContext& around, Vec3 gravity, double h) {
     const Range range = this->range(island);
     share_particles(range, [&](uint32_t first, uint32_t end) {
         for (uint32_t i = first; i < end; ++i) {
@@ -504,7 +505,8 @@ void ParticleContacts::solve_velocities(const Island& island, BodyTable& bodies,
     } else {
         ClusterContacts clusters(range, bodies);
         const double tolerance = ClusterContacts::tolerance_of(gravity, h) / h;
-        clusters.begin_velocities(tolerance);
+        // What is coupled may be thrown, and then the velocities from before are kept.
+        clusters.begin_velocities(coupled ? nullptr : &joined, tolerance);
         clusters.solve(sweeps, tolerance, [](Contact& contact, Particle& a, Particle& b) {
             if (!contact.rigid) solve_velocity(contact, a, b);
         });
@@ -532,6 +534,7 @@ void ParticleContacts::solve_velocities(const Island& island, BodyTable& bodies,
             }
         }
     });
+    change_joined_velocities(joined);
     each_body(island, bodies, slots, [&](Body& body, const Particle*, const Particle*) {
         if (!body.contacts.near) return;
         // Motion with contacts is not smooth, so the time scheme must not use its history.

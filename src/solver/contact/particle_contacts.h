@@ -88,7 +88,7 @@ public:
     void move_loads(const Island& island, BodyTable& bodies, const uint32_t* slots, const Joined& joined,
                     const CollisionContext& around, Vec3 gravity, double h, FlightPlanes* planes);
     /// Call at the end of the substep: restitution and friction of pairs in contact.
-    void solve_velocities(const Island& island, BodyTable& bodies, const uint32_t* slots,
+    void solve_velocities(const Island& island, BodyTable& bodies, const uint32_t* slots, const Joined& joined,
                           const CollisionContext& around, Vec3 gravity, double h);
     /// Call after the last substep: separates pairs that constraints have made overlap.
     void solve_final_positions(const Island& island, BodyTable& bodies, const uint32_t* slots,

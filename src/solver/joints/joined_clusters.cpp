@@ -132,6 +132,7 @@ void JointSystem::gather_clusters(const BodyTable& bodies, double h) {
             }
             const double weight = weight_of_held(moments.sum(), held_moments.sum(), pivot.mass());
             const double step = step_of(body, h), scale = state.average_mass / (step * step);
+            cluster.scale = scale;
             covariance.add(of_held, weight);
             cluster.predicted = best_rotation(covariance.matrix);
             cluster.size = std::sqrt(moments.sum() / pivot.mass());
@@ -266,11 +267,10 @@ bool JointSystem::has_clusters_of(uint32_t body) const {
                        [&](const JoinedCluster& cluster) { return cluster.free && cluster.body == body; });
 }
 
-void JointSystem::apply_link_pulls(Body& body, uint32_t slot, double h) {
+void JointSystem::apply_link_pulls(Body& body, uint32_t slot) {
     const ClothState& state = body.cloth.state;
     const ClothContacts& contacts = body.cloth.contacts;
     const bool in_contact = contacts.any_active();
-    const double step = step_of(body, h), scale = state.average_mass / (step * step);
     for (const JoinedCluster& cluster : clusters_) {
         if (!cluster.free || cluster.body != slot) continue;
         const ClusterRange members = members_of(body.cloth.clusters, cluster.cluster);
@@ -288,8 +288,8 @@ void JointSystem::apply_link_pulls(Body& body, uint32_t slot, double h) {
             impulse += pull;
             angular_impulse += cross(arm, pull);
         }
-        apply_force(cluster.centre, impulse * scale);
-        apply_force(cluster.turn, angular_impulse * scale);
+        apply_force(cluster.centre, impulse * cluster.scale);
+        apply_force(cluster.turn, angular_impulse * cluster.scale);
     }
 }
 
@@ -302,11 +302,10 @@ const JointSystem::JoinedCluster* JointSystem::find_cluster(uint32_t body, uint3
     return found != clusters_.end() && found->body == body && found->cluster == cluster ? &*found : nullptr;
 }
 
-void JointSystem::add_cluster_response(const Body& body, uint32_t slot, uint32_t number, double h,
-                                       Vector<ClusterResponse>& out) {
+void JointSystem::add_cluster_response(const Body& body, uint32_t slot, uint32_t number, Vector<ClusterResponse>& out) {
     const JoinedCluster* const cluster = find_cluster(slot, number);
     if (!cluster || !cluster->free) return;
-    const double step = step_of(body, h), scale = body.cloth.state.average_mass / (step * step);
+    const double scale = cluster->scale;
     double inverse[6][6];
     matrix_.inverse_block<2>({nodes_[cluster->centre].scalar, nodes_[cluster->turn].scalar}, inverse);
     const auto block = [&](int row, int column) {
@@ -328,14 +327,12 @@ void JointSystem::add_cluster_response(const Body& body, uint32_t slot, uint32_t
                    {}});
 }
 
-void JointSystem::apply_contact_impulses(const Body& body, uint32_t slot, double h,
-                                         const Vector<ClusterResponse>& responses) {
-    const double step = step_of(body, h), scale = body.cloth.state.average_mass / (step * step);
+void JointSystem::apply_contact_impulses(uint32_t slot, const Vector<ClusterResponse>& responses) {
     for (const ClusterResponse& response : responses) {
         const JoinedCluster* const cluster = find_cluster(slot, response.cluster);
         if (!cluster || !cluster->free) continue;
-        apply_force(cluster->centre, response.impulse * scale);
-        apply_force(cluster->turn, response.angular_impulse * scale);
+        apply_force(cluster->centre, response.impulse * cluster->scale);
+        apply_force(cluster->turn, response.angular_impulse * cluster->scale);
     }
 }
 
@@ -366,6 +363,17 @@ void JointSystem::each_displaced(BodyTable& bodies, Visit&& visit) {
 void JointSystem::displace_histories(BodyTable& bodies, double h) {
     each_displaced(bodies, [h](Body& body, uint32_t particle, Vec3 displacement) {
         displace_history(body, particle, displacement, h);
+    });
+}
+
+void JointSystem::change_velocities(BodyTable& bodies) {
+    each_displaced(bodies, [](Body& body, uint32_t particle, Vec3 faster) {
+        if (is_graph(body)) {
+            float* const velocity = &body.cloth.state.velocity[4 * size_t{particle}];
+            put(velocity, get(velocity) + faster);
+        } else {
+            body.particles.velocity[particle] += faster;
+        }
     });
 }
 

@@ -89,8 +89,7 @@ void sweep_with_joints(const Joined& joined, Body& body, uint32_t slot, double h
         system.apply_force(tether.node, get(pull) * (body.cloth.state.average_mass / (step * step)));
         if (system.node(tether.node).share < 1) put(pull, {});  // its cluster has it
     });
-    if (!body.plan.rest.empty())
-        each_system(joined, [&](JointSystem& system) { system.apply_link_pulls(body, slot, h); });
+    if (!body.plan.rest.empty()) each_system(joined, [&](JointSystem& system) { system.apply_link_pulls(body, slot); });
 }
 
 void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
@@ -116,26 +115,26 @@ void save_places_of_tethers(const Joined& joined, Body& body, uint32_t slot) {
 }
 
 /// The responses of the clusters of a body that touch models, to the systems as they were solved last.
-void list_responses(const Joined& joined, const Body& body, uint32_t slot, double h) {
+void list_responses(const Joined& joined, const Body& body, uint32_t slot) {
     each_cluster(body.cloth.clusters, [&](ClusterRange members) {
         const auto touches = [&](const ClusterMember& m) { return body.cloth.contacts.is_active(m.particle); };
         if (std::any_of(members.begin(), members.end(), touches))
-            add_cluster_response(joined, slot, members.first->cluster, h);
+            add_cluster_response(joined, slot, members.first->cluster);
     });
 }
 
 /// The impulses that contacts have added to responses.
-void apply_contact_impulses(const Joined& joined, const Body& body, uint32_t slot, double h) {
+void apply_contact_impulses(const Joined& joined, const Body& body, uint32_t slot) {
     const Vector<ClusterResponse>& responses = body.cloth.clusters.responses;
     if (responses.empty()) return;
-    each_system(joined, [&](JointSystem& system) { system.apply_contact_impulses(body, slot, h, responses); });
+    each_system(joined, [&](JointSystem& system) { system.apply_contact_impulses(slot, responses); });
 }
 
 /// Contacts act on the clusters with the inertia of what is joined to them, and then on that.
-void end_joined_links(const Joined& joined, Body& body, uint32_t slot, double h) {
-    if (body.cloth.contacts.any_active()) list_responses(joined, body, slot, h);
+void end_joined_links(const Joined& joined, Body& body, uint32_t slot) {
+    if (body.cloth.contacts.any_active()) list_responses(joined, body, slot);
     end_links(body);
-    apply_contact_impulses(joined, body, slot, h);
+    apply_contact_impulses(joined, body, slot);
     body.cloth.clusters.responses.clear();
 }
 
@@ -150,7 +149,7 @@ void sweep_joined_cloth(const Joined& joined, Body& body, uint32_t slot, const C
         each_system(joined, [&](JointSystem& system) {
             if (system.respond()) system.scatter(joined.bodies);
         });
-        end_joined_links(joined, body, slot, h);
+        end_joined_links(joined, body, slot);
     } else {
         sweep_with_joints(joined, body, slot, h, [&] { solve_cloth(body); });
     }
@@ -215,7 +214,7 @@ void sweep_loaded(const Joined& joined, const CollisionContext& around, Vec3 gra
         });
     }
     each_cloth([&](Body& body, uint32_t slot) {
-        end_joined_links(joined, body, slot, h);
+        end_joined_links(joined, body, slot);
         save_places_of_tethers(joined, body, slot);
     });
 }
@@ -382,16 +381,24 @@ void solve_without_contacts(const Joined& joined, double h) {
     each_system(joined, [](JointSystem& system) { system.solve(); });
 }
 
-void add_cluster_response(const Joined& joined, uint32_t slot, uint32_t cluster, double h) {
+void add_cluster_response(const Joined& joined, uint32_t slot, uint32_t cluster) {
     Body& body = joined.bodies[slot];
     each_system(joined, [&](JointSystem& system) {
-        system.add_cluster_response(body, slot, cluster, h, body.cloth.clusters.responses);
+        system.add_cluster_response(body, slot, cluster, body.cloth.clusters.responses);
     });
+}
+
+void change_joined_velocities(const Joined& joined) {
+    each_body(joined, [&](Body& body, uint32_t slot) {
+        apply_contact_impulses(joined, body, slot);
+        body.cloth.clusters.responses.clear();
+    });
+    each_system(joined, [&](JointSystem& system) { system.change_velocities(joined.bodies); });
 }
 
 void end_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h) {
     const auto apply_impulses = [&] {
-        each_body(joined, [&](const Body& body, uint32_t slot) { apply_contact_impulses(joined, body, slot, h); });
+        each_body(joined, [&](const Body& body, uint32_t slot) { apply_contact_impulses(joined, body, slot); });
     };
     apply_impulses();
     each_system(joined, [&](JointSystem& system) { system.displace_histories(joined.bodies, h); });

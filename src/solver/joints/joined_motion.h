@@ -34,7 +34,10 @@ void end_joined(const Joined& joined, const CollisionContext& around, Vec3 gravi
 /// add_cluster_response adds the response of a joined cluster to those of its body, in ascending order. Contacts may
 /// add impulses to it, which end_joined takes.
 void solve_without_contacts(const Joined& joined, double h);
-void add_cluster_response(const Joined& joined, uint32_t slot, uint32_t cluster, double h);
+void add_cluster_response(const Joined& joined, uint32_t slot, uint32_t cluster);
+/// At the end of a substep, when contacts have added impulses to responses, N s for each unit of mass: changes the
+/// velocities of all that is joined to those clusters.
+void change_joined_velocities(const Joined& joined);
 /// Whether any particle is pinned or attached.
 bool has_pin(const Particles& particles);
 /// joined_energy.cpp: if one of the bodies is cloth, slows all of them so that a substep gains no energy.

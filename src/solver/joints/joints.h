@@ -90,7 +90,8 @@ public:
         bool free = false;              // whether the system moves it in this substep
         Vec3 rest = {};                 // of the pivot, in the shape
         Mat3 predicted = {}, rotation = {};
-        double size = 0;  // metres: root mean square distance of the members from the pivot
+        double size = 0;   // metres: root mean square distance of the members from the pivot
+        double scale = 0;  // 1 / s^2, times the mass unit: a relative mass becomes a weight
     };
     /// position of the node = centre + rotation * rest
     struct ClusterTie {
@@ -127,15 +128,16 @@ public:
     void gather_again(const BodyTable& bodies, double h) { gather_nodes(bodies, h, false); }
     void scatter(BodyTable& bodies) const;
     /// Applies to the clusters of a body the pulls of links on their members since scatter(), but for nodes.
-    void apply_link_pulls(Body& body, uint32_t slot, double h);
+    void apply_link_pulls(Body& body, uint32_t slot);
     /// Adds the response of a cluster to `out`, if it is one of the system that moves freely.
-    void add_cluster_response(const Body& body, uint32_t slot, uint32_t cluster, double h,
-                              Vector<ClusterResponse>& out);
+    void add_cluster_response(const Body& body, uint32_t slot, uint32_t cluster, Vector<ClusterResponse>& out);
     /// Applies the impulses of contacts on the clusters of a body.
-    void apply_contact_impulses(const Body& body, uint32_t slot, double h, const Vector<ClusterResponse>& responses);
+    void apply_contact_impulses(uint32_t slot, const Vector<ClusterResponse>& responses);
     /// Call after that, before the next gather(): changes the histories of the bodies so that what the impulses
     /// displace changes velocities as in other bodies (contact/corrections.h).
     void displace_histories(BodyTable& bodies, double h);
+    /// The same for impulses at the end of a substep, which change the velocities of all that is joined.
+    void change_velocities(BodyTable& bodies);
     /// Adds to the saved positions of members in contact by how much scatter() has moved them before contacts did.
     void save_cluster_places(Body& body, uint32_t slot) const;
     void scatter_tensions(BodyTable& bodies, Vector<Joint>& joints) const;
