@@ -181,6 +181,34 @@ Shape shifted(const Shape& shape, Vec3 by) {
 
 }  // namespace
 
+TEST_CASE("a capsule beside a corner of a frustum of 89.998 degrees overlaps it where it touches, and no earlier") {
+    // Its sides meet the far plane at 2^-15. The corner (16, 16, 2^-11) is 1.25 from the axis of the capsule.
+    const double slope = 0x1p15;
+    const Frustum wide{{},
+                       {{{0, 0, 1}, 0x1p-15},
+                        {{0, 0, -1}, -0x1p-11},
+                        {{1, 0, slope}, 0},
+                        {{-1, 0, slope}, 0},
+                        {{0, 1, slope}, 0},
+                        {{0, -1, slope}, 0}}};
+    const auto beside = [](double radius) { return Capsule{{16.75, 17, -1}, {16.75, 17, 1}, radius}; };
+    REQUIRE(both_ways(wide, beside(1.25)));
+    // Four times the documented band, 2^-40 of the largest coordinate difference.
+    const double band = 0x1p-40 * 34;
+    REQUIRE(both_ways(wide, beside(1.25 + band)));
+    REQUIRE_FALSE(both_ways(wide, beside(1.25 - 4 * band)));
+    REQUIRE_FALSE(both_ways(wide, beside(1.25 - 0x1p-22)));
+}
+
+TEST_CASE("a capsule overlaps a frustum that is only a point where it touches it, and no earlier") {
+    // Three pairs of opposite planes through (1, 2, 3), none along an axis.
+    const auto through = [](Vec3 normal) { return Plane{normal, dot(normal, Vec3{1, 2, 3})}; };
+    const Vec3 u{1, 0.25, 0.125}, v{-0.25, 1, 0.375}, w{0.125, -0.375, 1};
+    const Frustum point{{}, {through(w), through(-w), through(u), through(-u), through(v), through(-v)}};
+    REQUIRE(both_ways(point, Capsule{{1.75, 3, -4}, {1.75, 3, 4}, 1.25}));
+    REQUIRE_FALSE(both_ways(point, Capsule{{1.75, 3, -4}, {1.75, 3, 4}, 1.25 - 0x1p-36}));
+}
+
 TEST_CASE("all pairs of solids agree with support functions, at random and nearly touching") {
     test::Random random(1);
     for (int a = 0; a < kinds; ++a) {

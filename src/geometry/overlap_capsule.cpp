@@ -66,29 +66,35 @@ bool capsule_overlaps(const Capsule& capsule, const Triangle& triangle) {
 namespace {
 
 /// The part of the line of two planes that is an edge of the frustum and can be closest to the segment. Returns false
-/// if there is none.
+/// if there is none. The ends are common points of three planes, which are accurate at any angle: the ratio of height
+/// and slope of a plane that the line meets at a small angle is not.
 bool edge_beside(const Frustum& frustum, int i, int j, const Segment& segment, Segment& edge) {
     const Plane &a = frustum.planes[i], &b = frustum.planes[j];
-    const Vec3 line = cross(a.normal, b.normal);
-    const double square = length_squared(line);
-    if (square == 0) return false;
-    const Vec3 direction = line / std::sqrt(square);
-    const Vec3 base = (cross(b.normal, line) * a.distance + cross(line, a.normal) * b.distance) / square;
+    const Vec3 line = accurate_cross({}, a.normal, {}, b.normal);
+    Vec3 base;
+    if (line == Vec3{} || !common_point(a, b, {line, 0}, base)) return false;
+    const Vec3 direction = normalized(line);
     const double start = dot(segment.a - frustum.origin, direction), end = dot(segment.b - frustum.origin, direction);
     double low = -infinity, high = infinity;
     for (int k = 0; k < 6; ++k) {
         if (k == i || k == j) continue;
         const Plane& plane = frustum.planes[k];
-        const double slope = dot(plane.normal, direction);
-        // Rounding must not let a plane that contains the line clip it: see NearestFoot in closest.cpp.
-        const double slack = 0x1p-40 * length(plane.normal) * length(base);
-        const double height = dot(plane.normal, base) - plane.distance + slack;
-        if (std::fabs(slope) <= 0x1p-50 * length(plane.normal)) {
-            if (height < 0) return false;
-        } else if (slope > 0) {
-            low = std::max(low, -height / slope);
+        const int slope =
+            sign_of([&](auto number) { return determinant_of<decltype(number)>(a.normal, b.normal, plane.normal); });
+        if (slope == 0) {
+            // Rounding must not let a plane that contains the line exclude it. An edge too many does no harm.
+            const double slack = 0x1p-40 * length(plane.normal) * length(base);
+            if (dot(plane.normal, base) - plane.distance < -slack) return false;
+            continue;
+        }
+        Vec3 corner;
+        common_point(a, b, plane, corner);
+        // Coordinates of a corner have an error of 2^-42 of themselves.
+        const double t = dot(corner, direction), error = 0x1p-41 * length(corner);
+        if (slope > 0) {
+            low = std::max(low, t - error);
         } else {
-            high = std::min(high, -height / slope);
+            high = std::min(high, t + error);
         }
     }
     if (low > high) return false;
@@ -111,13 +117,16 @@ bool capsule_overlaps(const Capsule& capsule, const Frustum& frustum) {
     Frustum local{frustum.origin - capsule.a, {}};
     for (int i = 0; i < 6; ++i) local.planes[i] = scaled_to_one(frustum.planes[i]);
     const Segment segment{{}, capsule.b - capsule.a};
+    const double square = capsule.radius * capsule.radius;
     for (int i = 0; i < 6; ++i) {
         for (int j = i + 1; j < 6; ++j) {
             Segment edge;
-            // The tolerance may leave edges of an empty frustum.
-            if (edge_beside(local, i, j, segment, edge) && segments_within(segment, edge, capsule.radius)) {
-                return !is_empty(frustum);
-            }
+            if (!edge_beside(local, i, j, segment, edge)) continue;
+            Vec3 on_segment, on_edge;
+            closest_points(segment, edge, on_segment, on_edge);
+            // The edge may be none of an empty frustum, or one of those too many.
+            if (length_squared(on_segment - on_edge) > square) continue;
+            if (contains(local, on_segment, capsule.radius)) return true;
         }
     }
     return false;
