@@ -66,10 +66,6 @@ struct Mask8 {
     }
 
 #if !GPHYS_HAS_AVX2
-template <class At>
-GPHYS_INLINE FloatRegister load_lanes_from(const At& at, int first) {
-    return {*at(first), *at(first + 1), *at(first + 2), *at(first + 3)};
-}
 GPHYS_INLINE float first_lane(FloatRegister a) { return a[0]; }
 /// Horizontal reduction: the best of all lanes, in all lanes.
 template <class Better>
@@ -98,22 +94,10 @@ GPHYS_INLINE Float8 splat(float value) {
     for (FloatRegister& part : v.part) part = FloatRegister(value);
     return v;
 }
-/// Gather: lane i is loaded from at(i).
-template <class At>
-GPHYS_INLINE Float8 load_lanes(const At& at) {
-    Float8 v;
-    for (int i = 0; i < register_count; ++i) v.part[i] = load_lanes_from(at, register_lanes * i);
-    return v;
-}
-
-/// Permutation: lane i is row[lanes[i]].
-GPHYS_INLINE Float8 load_permuted(const float row[8], const uint32_t lanes[8]) {
 #if GPHYS_HAS_AVX2
-    return {{permuted(row, lanes)}};
-#else
-    return load_lanes([&](int i) { return row + lanes[i]; });
+/// Permutation: lane i is row[lanes[i]].
+GPHYS_INLINE Float8 load_permuted(const float row[8], const uint32_t lanes[8]) { return {{permuted(row, lanes)}}; }
 #endif
-}
 
 GPHYS_BY_REGISTER(Float8, operator+(Float8 a, Float8 b), a.part[i] + b.part[i])
 GPHYS_BY_REGISTER(Float8, operator-(Float8 a, Float8 b), a.part[i] - b.part[i])

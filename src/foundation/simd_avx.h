@@ -22,11 +22,6 @@ struct FloatRegister {
 
 GPHYS_INLINE FloatRegister load_register(const float* from) { return _mm256_loadu_ps(from); }
 GPHYS_INLINE void store_register(float* to, FloatRegister a) { _mm256_storeu_ps(to, a.v); }
-template <class At>
-GPHYS_INLINE FloatRegister load_lanes_from(const At& at, int first) {
-    return _mm256_setr_ps(*at(first), *at(first + 1), *at(first + 2), *at(first + 3), *at(first + 4), *at(first + 5),
-                          *at(first + 6), *at(first + 7));
-}
 
 GPHYS_INLINE FloatRegister operator+(FloatRegister a, FloatRegister b) { return _mm256_add_ps(a.v, b.v); }
 GPHYS_INLINE FloatRegister operator-(FloatRegister a, FloatRegister b) { return _mm256_sub_ps(a.v, b.v); }

@@ -131,6 +131,7 @@ public:
     /// Rays that have found a nearer hit get new limits.
     void finish() {
         uint32_t open = (1u << pairs_.count) - 1;
+#if GPHYS_HAS_AVX2
         if (pairs_.count >= worth_eight_lanes) {
             const Crossings8 crossings(pairs_, rays_);
             for (uint32_t yes = crossings.yes & open; yes != 0; yes &= yes - 1) {
@@ -139,6 +140,7 @@ public:
             }
             open &= ~(crossings.no | crossings.yes);
         }
+#endif
         for (; open != 0; open &= open - 1) {
             const auto i = static_cast<uint32_t>(lowest_bit(open));
             const PreparedRay& ray = rays_[pairs_.ray[i]];
@@ -221,34 +223,33 @@ void walk_rays(const BvhNode* nodes, uint32_t root, const TrianglePacket* packet
         [&](uint32_t number) GPHYS_INLINE_LAMBDA { prefetch_packet(packets, number); });
 }
 
+#if GPHYS_HAS_AVX2
 template <class Place>
 uint64_t hits_at(const PreparedRay* rays, const NearestCrossing* nearest, uint32_t count, const Place& place,
                  gphys_hit* const* out) {
     uint64_t made = 0;
-    if constexpr (worth_eight_lanes <= 8) {
-        uint32_t number[8], size = 0;
-        const auto make = [&] {
-            const NearestCrossing* of[8];
-            const PreparedRay* by[8];
-            gphys_hit* to[8];
-            for (uint32_t i = 0; i < 8; ++i) {
-                const uint32_t ray = number[i < size ? i : 0];
-                of[i] = nearest + ray;
-                by[i] = rays + ray;
-                to[i] = out[ray];
-            }
-            for (uint32_t rest = make_hits(of, by, place, to) & ((1u << size) - 1); rest != 0; rest &= rest - 1) {
-                made |= uint64_t{1} << number[lowest_bit(rest)];
-            }
-            size = 0;
-        };
-        for (uint32_t ray = 0; ray < count; ++ray) {
-            number[size] = ray;
-            size += nearest[ray].triangle != GPHYS_NO_TRIANGLE;
-            if (size == 8) make();
+    uint32_t number[8], size = 0;
+    const auto make = [&] {
+        const NearestCrossing* of[8];
+        const PreparedRay* by[8];
+        gphys_hit* to[8];
+        for (uint32_t i = 0; i < 8; ++i) {
+            const uint32_t ray = number[i < size ? i : 0];
+            of[i] = nearest + ray;
+            by[i] = rays + ray;
+            to[i] = out[ray];
         }
-        if (size != 0) make();
+        for (uint32_t rest = make_hits(of, by, place, to) & ((1u << size) - 1); rest != 0; rest &= rest - 1) {
+            made |= uint64_t{1} << number[lowest_bit(rest)];
+        }
+        size = 0;
+    };
+    for (uint32_t ray = 0; ray < count; ++ray) {
+        number[size] = ray;
+        size += nearest[ray].triangle != GPHYS_NO_TRIANGLE;
+        if (size == 8) make();
     }
+    if (size != 0) make();
     return made;
 }
 
@@ -269,6 +270,13 @@ uint64_t placed_hits(const PreparedRay* rays, const NearestCrossing* nearest, ui
     };
     return hits_at(rays, nearest, count, place, out);
 }
+#else
+// Single hits are faster.
+uint64_t hits(const PreparedRay*, const NearestCrossing*, uint32_t, gphys_hit* const*) { return 0; }
+uint64_t placed_hits(const PreparedRay*, const NearestCrossing*, uint32_t, const Transform&, gphys_hit* const*) {
+    return 0;
+}
+#endif
 
 uint32_t lanes_in_box(const TrianglePacket& packet, const Box& box) {
     return BoxTest(box).hits(boxes_of(packet)) & used_lanes(packet);

@@ -1,5 +1,6 @@
 // Eight pairs of a ray and a triangle in double, with the formulas of raycast_triangle.cpp (Woop, Benthin, Wald 2013)
-// and the same bits. Pairs that need exact arithmetic, and special cases, are left to that file.
+// and the same bits. Pairs that need exact arithmetic, and special cases, are left to that file. With registers of two
+// doubles, tests of single pairs are faster, so that narrow sets have none of this.
 #pragma once
 
 #include "bvh/ray_setup.h"
@@ -9,8 +10,27 @@
 
 namespace gphys::GPHYS_ISA {
 
-/// For fewer pairs, single tests are faster; with registers of two doubles, always.
-constexpr uint32_t worth_eight_lanes = double_register_lanes == 8 ? 3 : double_register_lanes == 4 ? 6 : 9;
+/// Pairs of a ray, by its index, and a triangle. Entries beyond the count are valid, but their results are ignored.
+struct RaysAndTriangles {
+    explicit RaysAndTriangles(const TrianglePacket& any) {
+        for (const TrianglePacket*& one : packet) one = &any;
+    }
+
+    void add(uint32_t of, const TrianglePacket& in, uint32_t at) {
+        ray[count] = of;
+        packet[count] = &in;
+        lane[count++] = at;
+    }
+
+    uint32_t count = 0;
+    uint32_t ray[8] = {}, lane[8] = {};
+    const TrianglePacket* packet[8];
+};
+
+#if GPHYS_HAS_AVX2
+
+/// For fewer pairs, single tests are faster.
+constexpr uint32_t worth_eight_lanes = double_register_lanes == 8 ? 3 : 6;
 
 /// The corners of eight triangles. Neighbours mostly are in one packet. So each run of lanes with the same packet, and
 /// the same order of axes, is read by permutations of the packet's rows, instead of gathered float by float.
@@ -48,23 +68,6 @@ public:
 private:
     uint32_t lanes_[8];
     Float8 corner_[3][3];
-};
-
-/// Pairs of a ray, by its index, and a triangle. Entries beyond the count are valid, but their results are ignored.
-struct RaysAndTriangles {
-    explicit RaysAndTriangles(const TrianglePacket& any) {
-        for (const TrianglePacket*& one : packet) one = &any;
-    }
-
-    void add(uint32_t of, const TrianglePacket& in, uint32_t at) {
-        ray[count] = of;
-        packet[count] = &in;
-        lane[count++] = at;
-    }
-
-    uint32_t count = 0;
-    uint32_t ray[8] = {}, lane[8] = {};
-    const TrianglePacket* packet[8];
 };
 
 struct Crossings8 {
@@ -181,5 +184,7 @@ GPHYS_INLINE uint32_t make_hits(const NearestCrossing* const (&nearest)[8], cons
     }
     return bits(clear);
 }
+
+#endif
 
 }  // namespace gphys::GPHYS_ISA
