@@ -568,6 +568,61 @@ static void a_mesh_is_a_shape_too(void** state) {
     gphys_mesh_destroy(mesh);
 }
 
+/* The points of a batch are searched for in one walk of the mesh's tree. */
+static void require_batch_as_single(const gphys_mesh* mesh, float size) {
+    enum { MANY = 300 };
+    gphys_vec3 points[MANY];
+    gphys_nearest near[MANY + 1];
+    for (int i = 0; i < MANY; ++i) {
+        points[i] =
+            (gphys_vec3){size * (float)(i % 7 - 3), size * (float)(i / 7 % 7 - 3), size * (float)(i % 11 - 5) * 0.25f};
+    }
+    /* Also counts that fill no round of 64. */
+    for (uint32_t count = 1; count <= MANY; count += 37) {
+        memset(near, 0x55, sizeof near);
+        assert_int_equal(gphys_shape_closest_point_batch(GPHYS_SHAPE_MESH, mesh, points, 12, count, near, sizeof *near),
+                         GPHYS_OK);
+        for (uint32_t i = 0; i < count; ++i) {
+            gphys_nearest one = {0, 0, {0, 0, 0}, INFINITY, GPHYS_NO_TRIANGLE};
+            (void)gphys_shape_closest_point(GPHYS_SHAPE_MESH, mesh, &points[i], &one);
+            assert_memory_equal(&one, &near[i], sizeof one);
+        }
+        assert_int_equal(near[count].triangle, 0x55555555);
+    }
+}
+
+static void closest_points_of_meshes_in_a_batch_are_those_one_by_one(void** state) {
+    enum { SIDE = 9 };
+    const float sizes[] = {1, 1e-38f};
+    uint32_t indices[6 * SIDE * SIDE], count = 0;
+    (void)state;
+    for (uint32_t i = 0; i < SIDE * SIDE; ++i) {
+        const uint32_t corner = i / SIDE * (SIDE + 1) + i % SIDE;
+        const uint32_t of[] = {0, 1, SIDE + 1, 1, SIDE + 2, SIDE + 1};
+        for (int k = 0; k < 6; ++k) indices[count++] = corner + of[k];
+    }
+    for (int s = 0; s < 2; ++s) {
+        gphys_vec3 vertices[(SIDE + 1) * (SIDE + 1)];
+        gphys_mesh *sheet = NULL, *hull = NULL, *empty = NULL;
+        const uint32_t all = sizeof vertices / sizeof *vertices;
+        for (uint32_t i = 0; i < all; ++i) {
+            const float x = (float)(i % (SIDE + 1)) * 0.5f - 2, y = (float)(i / (SIDE + 1)) * 0.5f - 2;
+            vertices[i] = (gphys_vec3){sizes[s] * x, sizes[s] * y, sizes[s] * (x * x - y * y) * 0.25f};
+        }
+        assert_int_equal(gphys_mesh_create(NULL, &vertices[0].x, 12, all, indices, count, &sheet), GPHYS_OK);
+        require_batch_as_single(sheet, sizes[s]);
+        assert_int_equal(gphys_mesh_create(NULL, &vertices[0].x, 12, all, indices, 0, &empty), GPHYS_OK);
+        require_batch_as_single(empty, sizes[s]);
+        if (s == 0) {
+            assert_int_equal(gphys_mesh_create_hull(NULL, &vertices[0].x, 12, all, &hull), GPHYS_OK);
+            require_batch_as_single(hull, sizes[s]);
+            gphys_mesh_destroy(hull);
+        }
+        gphys_mesh_destroy(empty);
+        gphys_mesh_destroy(sheet);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_float_of_every_shape_is_checked),
@@ -584,6 +639,7 @@ int main(void) {
         cmocka_unit_test(segments_have_closest_points),
         cmocka_unit_test(frusta_have_corners_and_come_from_matrices),
         cmocka_unit_test(a_mesh_is_a_shape_too),
+        cmocka_unit_test(closest_points_of_meshes_in_a_batch_are_those_one_by_one),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

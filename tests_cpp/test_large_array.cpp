@@ -5,6 +5,10 @@
 #include "resources.h"
 #include "test.h"
 
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
 using namespace gphys;
 
 namespace {
@@ -114,6 +118,23 @@ TEST_CASE("pages move with what is in them, also where they become huge ones, an
     // More than there are addresses.
     CHECK(pages::grow(memory, size, size_t{1} << 50) == nullptr);
     CHECK(pages::map(size_t{1} << 50) == nullptr);
+    CHECK(std::all_of(memory, memory + size, [](unsigned char byte) { return byte == 1; }));
+    pages::unmap(memory, size);
+}
+
+TEST_CASE("pages that cannot move stay as they are, and leave no addresses taken") {
+    constexpr size_t size = 4 * pages::least;
+    auto* memory = static_cast<unsigned char*>(pages::map(size));
+    REQUIRE(memory != nullptr);
+    std::fill(memory, memory + size, static_cast<unsigned char>(1));
+    // mremap moves no range of pages with different protections.
+    REQUIRE(mprotect(memory + size / 2, size / 2, PROT_READ) == 0);
+    // A thousand times the larger size is more than there are addresses, 2^47.
+    constexpr size_t larger = size_t{1} << 38;
+    for (int i = 0; i < 1000; ++i) REQUIRE(pages::grow(memory, size, larger) == nullptr);
+    void* const left = mmap(nullptr, larger, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    REQUIRE(left != MAP_FAILED);
+    munmap(left, larger);
     CHECK(std::all_of(memory, memory + size, [](unsigned char byte) { return byte == 1; }));
     pages::unmap(memory, size);
 }

@@ -2,6 +2,8 @@
 // with the same bits; what is no snapshot is refused and changes nothing; made-up words are refused or are a sound
 // scene.
 #include <cstring>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "meshes.h"
@@ -307,6 +309,16 @@ TEST_CASE("what is no snapshot of a scene is refused and changes nothing") {
         if (count < body) continue;
         mend(words);
         REQUIRE(restore(b.scene, words) == GPHYS_ERROR_INVALID_ARGUMENT);
+    }
+    const std::pair<uint32_t, const char*> others[] = {
+        {gphys::mesh_snapshot_magic, "words: they are a snapshot of a mesh"},
+        {gphys::solver_snapshot_magic, "words: they are a snapshot of a solver"},
+        {7, "words: they are no snapshot, by their first word"}};
+    for (const auto& [first, why] : others) {
+        Words words = good;
+        words[0] = first;
+        REQUIRE(restore(b.scene, words) == GPHYS_ERROR_INVALID_ARGUMENT);
+        CHECK(std::string(gphys_last_error()) == std::string("gphys_scene_restore: ") + why);
     }
     CHECK(hash(b.scene) == before);
     CHECK(b.sound());
