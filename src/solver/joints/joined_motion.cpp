@@ -59,7 +59,7 @@ bool moves(const Body& cloth, const Tether& tether) {
     return cloth.cloth.state.at[4 * size_t{tether.particle} + 3] > 0;
 }
 
-/// After forces or loads were applied to them.
+/// After forces were applied to them.
 void solve_outdated(const Joined& joined) {
     each_system(joined, [&](JointSystem& system) {
         if (!system.is_outdated()) return;
@@ -156,49 +156,31 @@ void sweep_joined_cloth(const Joined& joined, Body& body, uint32_t slot, const C
     save_places_of_tethers(joined, body, slot);
 }
 
-/// The masses of loads on joined particles become those of the nodes.
-void add_loads_to_nodes(const Joined& joined, const Body& body, uint32_t slot, double h) {
-    if (!body.cloth.loads.any()) return;
-    const double step = TimeScheme(h, body.history.earlier_step).step(body.settings.damping);
-    each_tether(joined, slot, [&](const Tether& tether, JointSystem& system) {
-        if (body.cloth.loads.is_loaded[tether.particle] == 0) return;
-        for (const ContactLoad& load : body.cloth.loads.all) {
-            if (load.particle != tether.particle) continue;
-            const double scale = body.cloth.state.average_mass / (step * step), more = load.along - load.across;
-            const Vec3 n = load.normal;
-            system.add_load(tether.node, {(n * (more * n.x) + Vec3{load.across, 0, 0}) * scale,
-                                          (n * (more * n.y) + Vec3{0, load.across, 0}) * scale,
-                                          (n * (more * n.z) + Vec3{0, 0, load.across}) * scale});
-        }
-    });
-}
-
 bool is_loaded(const Joined& joined) {
     bool any = false;
     each_body(joined, [&](const Body& body, uint32_t) { any = any || body.cloth.loads.any(); });
     return any;
 }
 
-/// Sweeps over all cloth in turn, as often as loads need it.
+/// Sweeps over all cloth in turn, as often as loads need it. A joined particle has the inertia of what it is joined to,
+/// without that of its load, which follows when joints have moved the particle.
 void sweep_loaded(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h) {
     const auto each_cloth = [&](auto&& visit) {
         each_body(joined, [&](Body& body, uint32_t slot) {
             if (is_graph(body)) visit(body, slot);
         });
     };
-    each_cloth([&](Body& body, uint32_t slot) {
+    each_cloth([&](Body& body, uint32_t) {
         find_active_planes(body, around, gravity, h);
         begin_links(body);
-        add_loads_to_nodes(joined, body, slot, h);
     });
-    solve_outdated(joined);
     note_joined_energy(joined, gravity, h);
     for (int sweep = 0; sweep < ContactLoads::sweeps; ++sweep) {
         each_cloth([&](Body& body, uint32_t slot) {
             sweep_with_joints(joined, body, slot, h, [&] { sweep_links(body, sweep, sweep + 1); });
-            move_loads(body.cloth.loads, body.cloth.state);
         });
         solve_outdated(joined);
+        each_cloth([&](Body& body, uint32_t) { move_loads(body.cloth.loads, body.cloth.state); });
     }
     bool threw = false;
     each_cloth(

@@ -44,7 +44,7 @@ public:
         double share = 1;   // part of its mass that is not in the pose of a cluster
         double weight = 0;  // N/m, share of the mass / step^2: the force that moves it by a metre
         bool loaded = false;
-        Mat3 load{{}, {}, {}};  // if loaded: the same of what presses on it, by direction; symmetric
+        Mat3 load{{}, {}, {}};  // if loaded: of the rotation of a cluster, its inertia / step^2; symmetric
         Vec3 before{};          // before the substep
         Vec3 predicted{};       // without constraints
         Vec3 start{};           // the initial guess of the solution under way
@@ -149,12 +149,6 @@ public:
     /// Moves the nodes by what the forces since the last solution do to first order: one substitution in place of
     /// Newton's method. Returns false, and moves nothing, if there were none. Call solve() in the end.
     bool respond();
-    /// Adds to the weight of a node, until gather() is called.
-    void add_load(uint32_t node, const Mat3& weight) {
-        nodes_[node].loaded = outdated_ = true;
-        Mat3& load = nodes_[node].load;
-        load = {load.x + weight.x, load.y + weight.y, load.z + weight.z};
-    }
     /// Whether a force was applied since the last solve().
     bool is_outdated() const { return outdated_; }
     /// Returns whether Newton's method has converged.
