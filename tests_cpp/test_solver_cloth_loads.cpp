@@ -148,6 +148,42 @@ TEST_CASE("A lift carries a cloth and a ball of fifty times its mass, and adds n
     CHECK(height > static_cast<double>(radius) + 0.01);  // on the cloth, not between its particles
 }
 
+TEST_CASE("Cloth under a ball keeps its shape on a box that rises, sinks or slides") {
+    constexpr uint32_t side = 21;
+    constexpr float radius = 0.1f, link = 1.0f / (side - 1);
+    for (const gphys_vec3 speed : {gphys_vec3{0, 1, 0}, {0, -1, 0}, {1, 0, 0}}) {
+        for (const float mass : {0.1f, 1.0f}) {
+            World world;
+            const gphys_model_id box = world.box({0.6f, 0.5f, 0.6f}, {0, -0.5f, 0});
+            gphys_body_desc of_cloth = colliding(1, 0.01f), of_ball = colliding(mass, radius);
+            of_cloth.friction = of_ball.friction = 0.5f;
+            const gphys_body_id cloth = world.cloth({-0.5f, 0.01f, -0.5f}, {1, 0, 0}, {0, 0, 1}, side, side, of_cloth);
+            const gphys_body_id ball = world.particles({{0, 0.02f + radius, 0}}, of_ball);
+            for (uint32_t p = 0; p < side * side; ++p) world.set_velocity(cloth, p, speed);
+            world.set_velocity(ball, 0, speed);
+            double strain = 0;
+            for (int i = 1; i <= 60; ++i) {
+                const float t = frame * static_cast<float>(i);
+                const gphys_transform there{{speed.x * t, speed.y * t - 0.5f, speed.z * t}, {0, 0, 0, 1}, 1};
+                REQUIRE(gphys_scene_set_transform(world.scene, box, &there) == GPHYS_OK);
+                world.step(frame);
+                const std::vector<gphys_vec3> at = world.positions(cloth);
+                for (uint32_t p = 0; p + 1 < side * side; ++p) {
+                    for (const uint32_t q : {p % side + 1 < side ? p + 1 : p, p + side < side * side ? p + side : p}) {
+                        if (q == p) continue;
+                        const double length = distance(gphys::widen(at[p]), gphys::widen(at[q]));
+                        strain = std::max(strain, std::fabs(length / static_cast<double>(link) - 1));
+                    }
+                }
+            }
+            figure("strain", 100 * strain, "%");
+            // The largest strain of default cloth. If what contacts correct at the end of a step took the way of the
+            // box in the whole step for one in the last substep: 70 % where it rises, 33 % where it slides.
+            CHECK(strain < 0.02);
+        }
+    }
+}
+
 TEST_CASE("A net catches a rigid cluster, and adds no energy", "[simulation]") {
     const auto check = [](float mass, float speed, float max_strain) {
         Net scene(mass, speed, max_strain);

@@ -207,8 +207,10 @@ void Solver::move_island(const Island& island, uint32_t worker, const Scene* sce
         });
         if (island.joined_count > 0) move_joined(joined, around, gravity, h);
     }
-    if (island.colliding_count > 0)
-        particle_contacts_.solve_final_positions(island, state_.bodies, slots, whole, gravity, dt / substeps);
+    if (island.colliding_count > 0) {
+        const CollisionContext last = context_of(scene, worker, dt, 1 - 1.0 / substeps, 1);
+        particle_contacts_.solve_final_positions(island, state_.bodies, slots, last, gravity, dt / substeps);
+    }
     if (island.on_trial) {
         const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
         sharing_trial(island).add(island.team != nullptr, taken.count() / substeps);

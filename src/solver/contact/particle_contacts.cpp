@@ -547,7 +547,9 @@ void ParticleContacts::solve_velocities(const Island& island, BodyTable& bodies,
 void ParticleContacts::solve_final_positions(const Island& island, BodyTable& bodies, const uint32_t* slots,
                                              const CollisionContext& around, Vec3 gravity, double h) {
     const double bounce_threshold = find_bounce_threshold(gravity, h);
-    if (!solve_contacts(island, bodies, nullptr, around, gravity, h).any) return;
+    CollisionContext ended = around;  // nothing moves any more
+    ended.begin = ended.end;
+    if (!solve_contacts(island, bodies, nullptr, ended, gravity, h).any) return;
     each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
         if (!moves_freely(body)) correct_moved(first, end, body, around, bounce_threshold, nullptr, nullptr);
     });

@@ -90,7 +90,7 @@ public:
     /// Call at the end of the substep: restitution and friction of pairs in contact.
     void solve_velocities(const Island& island, BodyTable& bodies, const uint32_t* slots, const Joined& joined,
                           const CollisionContext& around, Vec3 gravity, double h);
-    /// Call after the last substep: separates pairs that constraints have made overlap.
+    /// Call after the last substep, that of `around`: separates pairs that constraints have made overlap.
     void solve_final_positions(const Island& island, BodyTable& bodies, const uint32_t* slots,
                                const CollisionContext& around, Vec3 gravity, double h);
 
@@ -105,7 +105,7 @@ private:
         Vec3 list_position;  // position at which the list was made
         uint32_t body, number;
         gphys_body_id id;
-        ContactCluster* cluster;  // that it is a free member of, or null
+        ContactCluster* cluster;  // that it is a member of and that contacts move as a whole, or null
         bool paired;              // whether it is in any pair of the list
         bool on_other;            // of ropes: whether it touches one of another rope
         // Of the first one of a load: in how many contacts it presses on ropes, and on cloth.

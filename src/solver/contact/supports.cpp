@@ -34,14 +34,15 @@ void Supports::add(gphys_model_id model, Vec3 normal, Vec3 carried, double room)
 }
 
 bool Supports::find_for_positions(const Body& body, uint32_t particle, Vec3& at, const CollisionContext& around) {
-    return find(body, particle, at, around, false);
+    return find(body, particle, at, around, false, false);
 }
 
 bool Supports::find_in_shape(const Body& body, uint32_t particle, Vec3 at, const CollisionContext& around) {
-    return find(body, particle, at, around, true);
+    return find(body, particle, at, around, true, false);
 }
 
-bool Supports::find(const Body& body, uint32_t particle, Vec3& at, const CollisionContext& around, bool in_shape) {
+bool Supports::find(const Body& body, uint32_t particle, Vec3& at, const CollisionContext& around, bool in_shape,
+                    bool ended) {
     const double radius = body.particles.radius[particle];
     count_ = 0;
     if (is_graph(body)) {
@@ -50,7 +51,8 @@ bool Supports::find(const Body& body, uint32_t particle, Vec3& at, const Collisi
         if (number == ClothContacts::none) return false;
         const ClothContact& n = contacts.candidates[number];
         const auto gap_to = [&](const ContactPlane& plane, Vec3 carried) {
-            return dot(plane.normal, at - body.cloth.state.origin - carried) - plane.offset;
+            const Vec3 place = at - body.cloth.state.origin;
+            return dot(plane.normal, ended ? place : place - carried) - plane.offset;
         };
         for (uint32_t i = 0; i < n.plane_count && count_ < most; ++i) {
             const ContactPlane& plane = n.planes[i];
@@ -80,7 +82,7 @@ bool Supports::find(const Body& body, uint32_t particle, Vec3& at, const Collisi
 bool Supports::find_for_velocities(const Body& body, uint32_t particle, Vec3 at, Vec3 velocity,
                                    const CollisionContext& around) {
     const double seconds = around.step_time * (around.end - around.begin);
-    if (!find_for_positions(body, particle, at, around)) return false;
+    if (!find(body, particle, at, around, false, true)) return false;
     for (uint32_t i = 0; i < count_; ++i) {
         Support& support = of_[i];
         support.carried *= 1 / seconds;

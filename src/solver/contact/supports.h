@@ -79,7 +79,8 @@ public:
     double friction_coefficient() const { return friction_; }
 
 private:
-    bool find(const Body& body, uint32_t particle, Vec3& at, const CollisionContext& around, bool in_shape);
+    /// `ended`: whether contact planes have been moved to the end of the substep.
+    bool find(const Body& body, uint32_t particle, Vec3& at, const CollisionContext& around, bool in_shape, bool ended);
     void add(gphys_model_id model, Vec3 normal, Vec3 carried, double room);
 
     uint32_t count_ = 0;
