@@ -257,10 +257,15 @@ bool ParticleContacts::find_contacts(const Range& range, const BodyTable& bodies
                                               friction_coefficients(of_b, b.number).kinetic);
             const double closing = std::max(0.0, dot(before - now, normal));
             const double inverse_mass = a.inverse_mass + b.inverse_mass;
+            const bool rigid = a.cluster || b.cluster;
+            // What rigid clusters overlap by before the substep becomes speed where it is removed: no more than gravity
+            // gives them. The rest is removed at the end of the step, which does not move what is joined.
+            const bool removed_later = rigid && !final && !of_a.plan.joined && !of_b.plan.joined;
+            const double most_removed = removed_later ? gphys::length(gravity) * h * h : most_correction * radii;
             range.contacts[begin + found - 1] = {pair.a,
                                                  pair.b,
                                                  both_free,
-                                                 a.cluster || b.cluster,
+                                                 rigid,
                                                  normal,
                                                  stays ? radii - overlap : radii,
                                                  std::clamp(overlap, 0.0, most_correction * radii - error),
@@ -271,7 +276,7 @@ bool ParticleContacts::find_contacts(const Range& range, const BodyTable& bodies
                                                  0,
                                                  0,
                                                  0,
-                                                 closing + most_correction * radii,
+                                                 closing + most_removed,
                                                  0,
                                                  0,
                                                  0};
