@@ -250,6 +250,25 @@ TEST_CASE("A ball bounces off a crate with the mass of what is joined to it") {
     }
 }
 
+TEST_CASE("Limbs that begin in each other at their joint are not thrown about") {
+    for (const uint32_t substeps : {8u, 2u, 1u}) {
+        World world(substeps);
+        // Of the lower one, the upper end is in the lower end of the other.
+        const Rigid upper(world, {0, 0.2f, 0}, {0.1f, 0.4f, 0.1f}, {3, 9, 3}, 3, 1),
+            lower(world, {0, -0.21f, 0}, {0.1f, 0.4f, 0.1f}, {3, 9, 3}, 2, 1);
+        join(world, hook(world, {0, 0.4f, 0}), 0, upper.body, upper.at({0, 0.4f, 0}));
+        join(world, upper.body, upper.at({0, 0, 0}), lower.body, lower.at({0, -0.01f, 0}), 0.01f);
+        double fastest = 0;
+        for (int step = 0; step < 60; ++step) {
+            world.step(dt);
+            for (const gphys_vec3& v : world.velocities(lower.body))
+                fastest = std::max(fastest, length(gphys::widen(v)));
+        }
+        figure("fastest", fastest, "m/s");
+        CHECK(fastest < 0.2);
+    }
+}
+
 TEST_CASE("Plates that are joined edge to edge hang as one band") {
     World world(2);
     std::vector<Rigid> plates;

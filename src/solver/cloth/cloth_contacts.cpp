@@ -3,6 +3,7 @@
 #include "solver/cloth/cloth_contacts.h"
 
 #include "solver/cloth/cloth_targets.h"
+#include "solver/cloth/clusters.h"
 #include "solver/cloth/contact_cache.h"
 #include "solver/cloth/contact_search.h"
 #include "solver/contact/collision_memory.h"
@@ -73,17 +74,6 @@ bool is_on_moving_model(const ClothContact& n) {
     return n.active_plane >= 0 && n.planes[n.active_plane].moving_collider != ContactPlane::unmoved;
 }
 
-/// The contact plane that the position is deepest behind, or nearest to.
-uint32_t deepest(const ClothContact& n, Vec3 at, double& depth) {
-    uint32_t best = 0;
-    depth = -infinity;
-    for (uint32_t i = 0; i < n.plane_count; ++i) {
-        const double d = n.planes[i].offset - dot(n.planes[i].normal, at);
-        if (d > depth) depth = d, best = i;
-    }
-    return best;
-}
-
 /// Lists in `escaped` the particles that may leave their balls within h seconds; returns how many. `fall`: the speed
 /// that gravity adds meanwhile.
 uint32_t list_leaving(ClothContacts& contacts, const ClothState& state, double h, double fall) {
@@ -115,6 +105,16 @@ int32_t push_out(ClothContact& n, float* at) {
 }
 
 }  // namespace
+
+uint32_t deepest_plane(const ClothContact& n, Vec3 at, double& depth) {
+    uint32_t best = 0;
+    depth = -infinity;
+    for (uint32_t i = 0; i < n.plane_count; ++i) {
+        const double d = n.planes[i].offset - dot(n.planes[i].normal, at);
+        if (d > depth) depth = d, best = i;
+    }
+    return best;
+}
 
 void make_room(ClothContact& n, Vec3 at) {
     // `at` may be a predicted position, behind planes that approach: what closes faster takes more of the thickness.
@@ -208,6 +208,7 @@ void search_cloth_contacts(Body& body, const CollisionContext& around, Vec3 grav
     const double fall = around.step_time / 2 * length(gravity);
     const uint32_t count = list_leaving(contacts, state, around.step_time, fall);
     search.run(contacts.escaped.data(), count);
+    push_out_clusters(body);
 }
 
 void search_ahead(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
@@ -261,7 +262,7 @@ void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity
         n.pressed = n.pressed_friction = 0;
         n.active_plane = -1;
         double depth;
-        const uint32_t plane = deepest(n, get(at), depth);
+        const uint32_t plane = deepest_plane(n, get(at), depth);
         if (depth < -near) continue;
         const double normal_before = was_active ? n.normal_total : 0;
         const Vec3 start = get(&state.start[i]);
@@ -333,6 +334,17 @@ void save_positions(ClothContacts& contacts, const ClothState& state) {
     std::copy(state.at.begin(), state.at.end(), contacts.saved.begin());
 }
 
+namespace {
+
+/// Notes that a model has displaced a particle, if it is one of a cluster and that is more than rounding.
+void note_pushed(Body& body, uint32_t particle, Vec3 displacement) {
+    if (!body.cloth.clusters.has(particle)) return;
+    const double margin = skin(body.particles.radius[particle], {});
+    if (length_squared(displacement) > margin * margin) body.cloth.contacts.clusters_pushed = true;
+}
+
+}  // namespace
+
 void resolve_contacts(Body& body) {
     ClothState& state = body.cloth.state;
     ClothContacts& contacts = body.cloth.contacts;
@@ -346,7 +358,7 @@ void resolve_contacts(Body& body) {
         const Vec3 limited = get(at);
         if (!before) {
             double depth;
-            deepest(n, limited, depth);
+            deepest_plane(n, limited, depth);
             if (depth <= 0) continue;
             n.normal_displacement = n.pressed = n.approach = 0;
             put(&in_chains.pulls[i], {});
@@ -359,6 +371,7 @@ void resolve_contacts(Body& body) {
         n.pressed = 0;
         // Moving back may lead into another contact plane.
         if (n.plane_count > 1) push_out(n, at);
+        note_pushed(body, n.particle, get(at) - limited);
         put(&in_chains.normals[i], {});
         contacts.has_moving_model = contacts.has_moving_model || is_on_moving_model(n);
         // In metres: the displacement by chains and limits, or by contact planes.
@@ -496,6 +509,7 @@ void sweep_escaped(Body& body, const CollisionContext& around, Vec3 gravity, dou
         collider.slide(body, p, body.history.start[p], at - body.history.start[p], around.begin,
                        find_bounce_threshold(gravity, h));
         if (body.contacts.held[p]) {
+            contacts.clusters_pushed = contacts.clusters_pushed || body.cloth.clusters.has(p);
             put(&state.at[i], body.particles.position[p] - state.origin);
             put(&state.velocity[i], body.particles.velocity[p]);
         }
@@ -504,9 +518,9 @@ void sweep_escaped(Body& body, const CollisionContext& around, Vec3 gravity, dou
         .run(contacts.escaped.data(), count);
 }
 
-void push_out_of_planes(ClothContacts& contacts, ClothState& state, uint32_t particle) {
+bool push_out_of_planes(ClothContacts& contacts, ClothState& state, uint32_t particle) {
     const uint32_t number = contacts.candidate_of[particle];
-    if (number != ClothContacts::none) push_out(contacts.candidates[number], &state.at[4 * size_t{particle}]);
+    return number != ClothContacts::none && push_out(contacts.candidates[number], &state.at[4 * size_t{particle}]) >= 0;
 }
 
 void note_correction(ClothContacts& contacts, uint32_t particle, Vec3 displacement, Vec3 push, Vec3 friction) {

@@ -103,6 +103,7 @@ struct ClothContacts {
     Vec3 impulse, moment;
     bool has_moving_model = false;  // whether any active one is in contact with a moving model
     bool penetrating = false;       // whether any was found in a model
+    bool clusters_pushed = false;   // whether models have moved particles of clusters since push_out_clusters
 
     /// Adds an impulse at a place.
     void add(Vec3 at, Vec3 given) { impulse += given, moment += cross(at, given); }
@@ -116,6 +117,9 @@ struct ClothContacts {
     void reserve(uint32_t particles, size_t floats);
 };
 
+/// The contact plane that a place is deepest behind, or nearest to. `depth`: metres behind it; -infinity without
+/// planes.
+uint32_t deepest_plane(const ClothContact& contact, Vec3 at, double& depth);
 /// Two models that close on a particle, such as a hand and a hip, may leave less room than its diameter. It cannot be
 /// in front of both planes then: projected out of one after the other it is thrown to and fro, and each projection
 /// counts as normal force, whose friction would tear the cloth along with one of them. So there its thickness yields,
@@ -151,7 +155,7 @@ void record_contact_points(Body& body, const CollisionContext& around);
 /// Records the contact points and impulses of a particle, before its contact state is replaced.
 void finish_contact(ClothContact& contact, Body& body, const CollisionContext& around);
 /// Projects a particle that has been displaced out of its contact planes.
-void push_out_of_planes(ClothContacts& contacts, ClothState& state, uint32_t particle);
+bool push_out_of_planes(ClothContacts& contacts, ClothState& state, uint32_t particle);
 /// Call when contacts with other particles have corrected the predicted position, and have pressed it onto models.
 void note_correction(ClothContacts& contacts, uint32_t particle, Vec3 displacement, Vec3 push, Vec3 friction);
 

@@ -31,6 +31,8 @@ public:
     bool fit();
     /// Applies contact impulses until no particle in contact is behind its plane. Call after fit.
     void solve_contacts(Body& body);
+    /// Moves in front of contact planes, without friction. Call after fit.
+    void leave_planes(const ClothContacts& planes, Clusters& clusters);
     /// The position of a member in the shape.
     Vec3 place(const ClusterMember& member) const { return at_ + rotation_ * (member.rest - rest_); }
     /// Adds up the pulls of the cluster on its particles, when these are moved to their places in the shape.
@@ -64,6 +66,7 @@ private:
     }
     Vec3 displacement(Vec3 arm) const { return shift_ + cross(turn_, arm); }
     void list_contacts(Body& body);
+    void sweep_contacts(Clusters& clusters);
     double solve_normal(ClusterContact& contact);
     void solve_friction(ClusterContact& contact);
     void apply_displacement();
@@ -189,7 +192,7 @@ void MovingCluster::solve_friction(ClusterContact& contact) {
 }
 
 /// Projected Gauss-Seidel on the impulses of all contacts, linear in the small displacement of the shape.
-void MovingCluster::solve_contacts(Body& body) {
+void MovingCluster::sweep_contacts(Clusters& clusters) {
     // Each pass over clusters that share particles starts with the impulses of the last one, and their neighbours
     // change what they found. So the sweeps of one cluster are spread over the passes.
     constexpr int sweeps_alone = 32, sweeps_in_pass = sweeps_alone / passes_of_overlapping;
@@ -197,28 +200,32 @@ void MovingCluster::solve_contacts(Body& body) {
     // Sweeps that change so little, and hardly less than the ones before, go around in a circle: where contacts cannot
     // all hold, as those of a face with friction, each undoes what the last one did.
     constexpr double little = 1e-6, hardly_less = 0.97;
-    Vector<ClusterContact>& contacts = body.cloth.clusters.contacts;
-    list_contacts(body);
-    if (contacts.empty()) return;
-    find_inertia();
-    for (ClusterContact& contact : contacts)
+    for (ClusterContact& contact : clusters.contacts)
         contact.inverse_effective_mass = inverse_effective_mass(contact.normal, contact.arm);
-    if (response_) {  // else the fit has shared it out
-        for (const ClusterContact& contact : contacts)
-            apply_impulse(contact.normal * contact.normal_before, contact.arm);
-    }
-    const int most_sweeps = body.cloth.clusters.overlap && !response_ ? sweeps_in_pass : sweeps_alone;
+    const int most_sweeps = clusters.overlap && !response_ ? sweeps_in_pass : sweeps_alone;
     double largest = infinity, before = infinity;
     const auto circles = [&] { return largest < little * size_ && largest > hardly_less * before; };
     for (int sweep = 0; sweep < most_sweeps && largest > rounding * size_ && !circles(); ++sweep) {
         before = largest;
         largest = 0;
-        for (ClusterContact& contact : contacts) {
+        for (ClusterContact& contact : clusters.contacts) {
             largest = std::max(largest, solve_normal(contact));
             if (contact.friction > 0) solve_friction(contact);
         }
     }
     apply_displacement();
+}
+
+void MovingCluster::solve_contacts(Body& body) {
+    Vector<ClusterContact>& contacts = body.cloth.clusters.contacts;
+    list_contacts(body);
+    if (contacts.empty()) return;
+    find_inertia();
+    if (response_) {  // else the fit has shared it out
+        for (const ClusterContact& contact : contacts)
+            apply_impulse(contact.normal * contact.normal_before, contact.arm);
+    }
+    sweep_contacts(body.cloth.clusters);
     for (const ClusterContact& contact : contacts) {
         const uint32_t particle = members_.first[contact.member].particle;
         ClothContact& n = body.cloth.contacts.candidates[body.cloth.contacts.candidate_of[particle]];
@@ -231,6 +238,24 @@ void MovingCluster::solve_contacts(Body& body) {
             put(&body.cloth.in_chains.normals[4 * size_t{particle}], {});
         }
     }
+}
+
+void MovingCluster::leave_planes(const ClothContacts& planes, Clusters& clusters) {
+    clusters.contacts.clear();
+    for (const ClusterMember& member : members_) {
+        const uint32_t number = planes.candidate_of[member.particle];
+        if (number == ClothContacts::none || mass_of(state_, member) == 0) continue;
+        const ClothContact& n = planes.candidates[number];
+        if (n.plane_count == 0) continue;
+        ClusterContact contact{};
+        contact.arm = rotation_ * (member.rest - rest_);
+        double depth;
+        contact.normal = n.planes[deepest_plane(n, at_ + contact.arm, depth)].normal;
+        contact.gap = -depth;
+        clusters.contacts.push_back(contact);
+    }
+    find_inertia();
+    sweep_contacts(clusters);
 }
 
 void MovingCluster::apply_displacement() {
@@ -332,6 +357,19 @@ void solve_clusters(Body& body, bool pulls_count) {
         if (!cluster.fit()) return;
         if (in_contact) cluster.solve_contacts(body);
         if (pulls_count) cluster.add_pulls(body.cloth.in_chains, clusters.contacts);
+        put_on_shape(cluster, members, state);
+    });
+}
+
+void push_out_clusters(Body& body) {
+    Cloth& cloth = body.cloth;
+    ClothState& state = cloth.state;
+    // It would open joints.
+    if (!std::exchange(cloth.contacts.clusters_pushed, false) || body.plan.joined) return;
+    sweep_clusters(cloth.clusters, [&](ClusterRange members, int) {
+        MovingCluster cluster(members, state);
+        if (!cluster.fit()) return;
+        cluster.leave_planes(cloth.contacts, cloth.clusters);
         put_on_shape(cluster, members, state);
     });
 }

@@ -55,6 +55,7 @@ struct ClusterResponse {
     Mat3 rotation;
     Mat3 shift_by_force, shift_by_torque, turn_by_torque;  // of the centre; the first and the last are symmetric
     Vec3 impulse, angular_impulse;                         // of contacts, relative masses times metres
+    uint32_t system;                                       // of joints
 };
 
 struct Clusters {
@@ -84,6 +85,9 @@ void reserve_clusters(Clusters& clusters, uint32_t particles);
 void solve_clusters(Body& body, bool pulls_count);
 /// The same, without contacts and pulls.
 void project_clusters(const Clusters& clusters, ClothState& state);
+/// For clusters of which models have pushed out particles, one by one: moves them as wholes instead, in front of their
+/// contact planes. Velocities stay. Not those of joined bodies.
+void push_out_clusters(Body& body);
 
 // cluster_edits.cpp. Values have been checked. A function that fails, by status or std::bad_alloc, changes nothing;
 // else it wakes the body.

@@ -207,7 +207,11 @@ void ContactSearch::set_contacts(uint32_t p, uint32_t point) {
         contacts_.penetrating = true;
         search_balls_[4 * size_t{p} + 3] = ContactCache::no_ball;
     }
-    if (!repeats_) put(&state_.at[4 * size_t{p}], get(ball));
+    float* const at = &state_.at[4 * size_t{p}];
+    if (!repeats_ && get(at) != get(ball)) {
+        put(at, get(ball));
+        contacts_.clusters_pushed = contacts_.clusters_pushed || body_.cloth.clusters.has(p);
+    }
     ball[3] = static_cast<float>(reach * reach);
     uint32_t& place = contacts_.candidate_of[p];
     if (found.plane_count == 0 && place == ClothContacts::none) return;

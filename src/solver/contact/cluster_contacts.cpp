@@ -189,7 +189,7 @@ void ParticleContacts::ClusterContacts::place_joined(const Joined& joined, doubl
 }
 
 void ParticleContacts::ClusterContacts::begin_positions(const Joined* joined, const CollisionContext& around,
-                                                        double h) {
+                                                        Vec3 gravity, double h) {
     for (uint32_t i = 0; i < range_.cluster_count; ++i) {
         ContactCluster& cluster = range_.clusters[i];
         cluster.active = false;
@@ -211,7 +211,19 @@ void ParticleContacts::ClusterContacts::begin_positions(const Joined* joined, co
             p.supports = supports.find_in_shape(bodies_[p.body], p.number, p.at, around) ? &supports : nullptr;
         });
     });
-    add_supports([](const Particle& p, const Support& support) { return p.at - p.before - support.carried; });
+    const auto slip_of = [](const Particle& p, const Support& support) { return p.at - p.before - support.carried; };
+    // What it was in a model before the substep is removed afterwards, without speed. Here it would push others.
+    const double most_removed = joined ? length(gravity) * h * h : infinity;
+    each_active([&](ContactCluster& cluster) {
+        each_particle(cluster, [&](Particle& p) {
+            for (uint32_t i = 0; p.supports && i < p.supports->count(); ++i) {
+                Support& support = (*p.supports)[i];
+                const double closing = -dot(slip_of(p, support), support.normal);
+                support.room = std::max(support.room, -std::max(0.0, closing + most_removed));
+            }
+        });
+    });
+    add_supports(slip_of);
     list_pairs();
     count_others();
     add_contacts(places, [](ContactRow& row, Contact& contact, const Particle& a, const Particle& b) {
@@ -220,6 +232,7 @@ void ParticleContacts::ClusterContacts::begin_positions(const Joined* joined, co
         row.separation = &contact.separation;
         return true;
     });
+    contacts_.leave_out_locked();
 }
 
 void ParticleContacts::ClusterContacts::begin_velocities(const Joined* joined, double tolerance) {
@@ -242,6 +255,7 @@ void ParticleContacts::ClusterContacts::begin_velocities(const Joined* joined, d
         row.separation = &contact.normal_change;
         return true;
     });
+    contacts_.leave_out_locked();
 }
 
 void ParticleContacts::ClusterContacts::end_positions() const {

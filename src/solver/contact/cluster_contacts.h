@@ -32,7 +32,7 @@ public:
     static void list(const Body& body, const Range& range, Particle* of_body, ContactCluster*& next);
 
     /// `joined`: null if joints are not solved afterwards.
-    void begin_positions(const Joined* joined, const CollisionContext& around, double h);
+    void begin_positions(const Joined* joined, const CollisionContext& around, Vec3 gravity, double h);
     void end_positions() const;
     /// `tolerance`: m/s, the accuracy of speeds. `joined`: null if they are given no responses.
     void begin_velocities(const Joined* joined, double tolerance);

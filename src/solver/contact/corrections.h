@@ -98,8 +98,10 @@ void correct_moved(const Particle* first, const Particle* end, Body& body, const
         each_moved(first, end, [&](uint32_t p, Vec3 displacement) {
             float* const at = &body.cloth.state.at[4 * size_t{p}];
             put(at, get(at) + displacement);
-            if (collides(body, around)) push_out_of_planes(body.cloth.contacts, body.cloth.state, p);
+            if (collides(body, around) && push_out_of_planes(body.cloth.contacts, body.cloth.state, p))
+                body.cloth.contacts.clusters_pushed = true;
         });
+        push_out_clusters(body);
         return;
     }
     if (body.flight.all.empty()) planes = nullptr;

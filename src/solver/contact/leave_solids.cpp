@@ -63,8 +63,9 @@ void keep_targets(Body& body) {
         put(at, target);
         n.is_at_target = !n.is_at_target;
     };
+    // Clusters leave as wholes, if no joints would open.
     for (ClothContact& n : contacts.candidates) {
-        if (n.depth > 0) swap_with_target(n);
+        if (n.depth > 0 && (body.plan.joined || !cloth.clusters.has(n.particle))) swap_with_target(n);
     }
     for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
         const DistanceConstraint& link = body.constraints.by_slot[slot];

@@ -32,10 +32,13 @@ constexpr double most_correction = 0.1;
 constexpr double fallen_layers = 16;
 constexpr double least_error = 1e-3, shallow_overlap = 0.03, deep_overlap = 0.06;  // in sums of the radii
 
+/// 1 for an overlap that may be an error of the sweeps, 0 for a deep one.
+double shallowness(double overlap, double radii) {
+    return std::clamp((deep_overlap - overlap / radii) / (deep_overlap - shallow_overlap), 0.0, 1.0);
+}
+
 double error_of_sweeps(double overlap, double radii, Vec3 gravity, double h) {
-    double fallen = fallen_layers * length(gravity) * h * h;
-    if (overlap > shallow_overlap * radii)
-        fallen *= std::max(0.0, (deep_overlap - overlap / radii) / (deep_overlap - shallow_overlap));
+    const double fallen = fallen_layers * length(gravity) * h * h * shallowness(overlap, radii);
     return std::clamp(fallen, least_error * radii, most_correction * radii);
 }
 
@@ -255,13 +258,18 @@ bool ParticleContacts::find_contacts(const Range& range, const BodyTable& bodies
             const double restitution = std::sqrt(of_a.settings.restitution * of_b.settings.restitution);
             const double friction = std::sqrt(friction_coefficients(of_a, a.number).kinetic *
                                               friction_coefficients(of_b, b.number).kinetic);
-            const double closing = std::max(0.0, dot(before - now, normal));
             const double inverse_mass = a.inverse_mass + b.inverse_mass;
             const bool rigid = a.cluster || b.cluster;
-            // What rigid clusters overlap by before the substep becomes speed where it is removed: no more than gravity
-            // gives them. The rest is removed at the end of the step, which does not move what is joined.
-            const bool removed_later = rigid && !final && !of_a.plan.joined && !of_b.plan.joined;
-            const double most_removed = removed_later ? gphys::length(gravity) * h * h : most_correction * radii;
+            const double closing = dot(before - now, normal),
+                         in_full = std::max(0.0, closing) + most_correction * radii;
+            double most_separation = in_full;
+            if (rigid && !final) {
+                // What removes their overlap becomes speed: no more than gravity gives them. The rest is removed at the
+                // end of the step. That does not move what is joined, of which small overlaps are errors of the sweeps.
+                const bool joined = of_a.plan.joined || of_b.plan.joined;
+                const double slow = std::max(0.0, closing + gphys::length(gravity) * h * h);
+                most_separation = joined ? slow + (in_full - slow) * shallowness(all_overlap, radii) : slow;
+            }
             range.contacts[begin + found - 1] = {pair.a,
                                                  pair.b,
                                                  both_free,
@@ -276,7 +284,7 @@ bool ParticleContacts::find_contacts(const Range& range, const BodyTable& bodies
                                                  0,
                                                  0,
                                                  0,
-                                                 closing + most_removed,
+                                                 most_separation,
                                                  0,
                                                  0,
                                                  0};
@@ -442,7 +450,7 @@ ParticleContacts::Found ParticleContacts::solve_contacts(const Island& island, c
 void ParticleContacts::solve_coupled_positions(const Range& range, const BodyTable& bodies, const Joined* joined,
                                                const CollisionContext& around, int times, Vec3 gravity, double h) {
     ClusterContacts clusters(range, bodies);
-    clusters.begin_positions(joined, around, h);
+    clusters.begin_positions(joined, around, gravity, h);
     clusters.solve(times, ClusterContacts::tolerance_of(gravity, h), [](Contact& contact, Particle& a, Particle& b) {
         if (!contact.rigid) solve_position(contact, a, b);
     });

@@ -173,6 +173,24 @@ void RigidContacts::add(const ContactRow& added) {
     row.inverse_mass_along = row.friction > 0 ? inverse_mass_along(group, row) : 0;
 }
 
+void RigidContacts::leave_out_locked() {
+    // Of what the same impulse would move them by without joints, about.
+    constexpr double locked = 1e-4;
+    for (ContactGroup *group = groups_, *const groups_end = groups_ + group_count_; group != groups_end; ++group) {
+        const ContactCluster *const a = group->a.cluster, *const b = group->b.cluster;
+        if (!a || !b || !a->response || !b->response || a->response->system != b->response->system) continue;
+        const ContactRow *const first = rows_ + group->first, *const end = first + group->count;
+        ContactImpulse all;
+        for (const ContactRow* row = first; row != end; ++row) add_impulse(all, *row, row->normal);
+        Vec3 shift, turn_a, turn_b;
+        a->displace(all.impulse, all.about_a, shift, turn_a);
+        b->displace(all.impulse, all.about_b, shift, turn_b);
+        const double apart = dot(shift, all.impulse) + dot(turn_a, all.about_a) + dot(turn_b, all.about_b);
+        const double free = first->scale / (a->members.size() + b->members.size()) * group->count * group->count;
+        if (apart < locked * free) group->count = 0;
+    }
+}
+
 /// Returns by how much it has moved anything, at most.
 double RigidContacts::sweep() {
     double largest = 0, largest_square = 0;

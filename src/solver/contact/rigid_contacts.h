@@ -107,6 +107,9 @@ public:
     /// Rows that are added now are between these. Groups and rows for which there is no room are left out.
     void begin_group(const ContactPartner& a, const ContactPartner& b);
     void add(const ContactRow& row);
+    /// Call after the last row: leaves out the contacts of two clusters that their joints do not let apart, as of limbs
+    /// that begin in each other at their joint. Their impulses would grow without bound.
+    void leave_out_locked();
     /// At most so many iterations, until none changes a gap by more than `tolerance`.
     void solve(int most, double tolerance);
     /// Call when others have moved particles meanwhile.

@@ -302,7 +302,8 @@ const JointSystem::JoinedCluster* JointSystem::find_cluster(uint32_t body, uint3
     return found != clusters_.end() && found->body == body && found->cluster == cluster ? &*found : nullptr;
 }
 
-void JointSystem::add_cluster_response(const Body& body, uint32_t slot, uint32_t number, Vector<ClusterResponse>& out) {
+void JointSystem::add_cluster_response(const Body& body, uint32_t slot, uint32_t number, uint32_t system,
+                                       Vector<ClusterResponse>& out) {
     const JoinedCluster* const cluster = find_cluster(slot, number);
     if (!cluster || !cluster->free) return;
     const double scale = cluster->scale;
@@ -324,7 +325,8 @@ void JointSystem::add_cluster_response(const Body& body, uint32_t slot, uint32_t
                    moves ? block(0, 3) : none,
                    block(3, 3),
                    {},
-                   {}});
+                   {},
+                   system});
 }
 
 void JointSystem::apply_contact_impulses(uint32_t slot, const Vector<ClusterResponse>& responses) {

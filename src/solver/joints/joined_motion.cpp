@@ -365,9 +365,8 @@ void solve_without_contacts(const Joined& joined, double h) {
 
 void add_cluster_response(const Joined& joined, uint32_t slot, uint32_t cluster) {
     Body& body = joined.bodies[slot];
-    each_system(joined, [&](JointSystem& system) {
-        system.add_cluster_response(body, slot, cluster, body.cloth.clusters.responses);
-    });
+    for (const uint32_t* i = joined.systems_begin; i != joined.systems_end; ++i)
+        joined.all_systems[*i].add_cluster_response(body, slot, cluster, *i, body.cloth.clusters.responses);
 }
 
 void change_joined_velocities(const Joined& joined) {

@@ -129,8 +129,9 @@ public:
     void scatter(BodyTable& bodies) const;
     /// Applies to the clusters of a body the pulls of links on their members since scatter(), but for nodes.
     void apply_link_pulls(Body& body, uint32_t slot);
-    /// Adds the response of a cluster to `out`, if it is one of the system that moves freely.
-    void add_cluster_response(const Body& body, uint32_t slot, uint32_t cluster, Vector<ClusterResponse>& out);
+    /// Adds the response of a cluster to `out`, if it is one of the system that moves freely. `system`: its number.
+    void add_cluster_response(const Body& body, uint32_t slot, uint32_t cluster, uint32_t system,
+                              Vector<ClusterResponse>& out);
     /// Applies the impulses of contacts on the clusters of a body.
     void apply_contact_impulses(uint32_t slot, const Vector<ClusterResponse>& responses);
     /// Call after that, before the next gather(): changes the histories of the bodies so that what the impulses
