@@ -54,6 +54,28 @@ void ParticleContacts::ClusterContacts::find_inertia(ContactCluster& cluster) co
     cluster.inverse_inertia = moments.inverse_inertia();
 }
 
+/// The rotation that is nearest to the displacements of its particles. For velocities, the spin.
+template <class Displacement>
+Vec3 ParticleContacts::ClusterContacts::rotation_by(const ContactCluster& cluster, Displacement&& displacement) const {
+    constexpr double thinnest = 1e-3;
+    Vec3 middle;
+    each_particle(cluster, [&](const Particle& p) { middle += p.at / cluster.members.size(); });
+    SecondMoments moments;
+    Vec3 sum;
+    each_particle(cluster, [&](const Particle& p) {
+        moments.add(p.at - middle, 1);
+        sum += cross(p.at - middle, displacement(p));
+    });
+    moments.thicken(thinnest);
+    return moments.inverse_inertia() * sum;
+}
+
+/// Metres from a particle of a cluster to where it touches another one. What turns together does not slide there, while
+/// the centres of its particles do. Particles of ropes and cloth are carried along by their centres.
+double ParticleContacts::ClusterContacts::reach_of_contact(const Particle& from, const Particle& to) const {
+    return to.cluster || moves_freely(bodies_[to.body]) ? from.radius : from.radius + to.radius;
+}
+
 namespace {
 
 /// 0 for a particle that moves alone.
@@ -120,8 +142,16 @@ void ParticleContacts::ClusterContacts::add_contacts(const Values& values, Fill&
             contacts_.begin_group(partner_of(first, values), partner_of(second, values));
             group = pair.clusters;
         }
-        if (first.cluster) row.arm_a = first.at - first.cluster->centre;
-        if (second.cluster) row.arm_b = second.at - second.cluster->centre;
+        const Vec3 on_first = row.normal * reach_of_contact(first, second),
+                   on_second = row.normal * -reach_of_contact(second, first);
+        if (first.cluster) {
+            row.arm_a = first.at + on_first - first.cluster->centre;
+            row.slip -= cross(first.cluster->turned, on_first);
+        }
+        if (second.cluster) {
+            row.arm_b = second.at + on_second - second.cluster->centre;
+            row.slip += cross(second.cluster->turned, on_second);
+        }
         contacts_.add(row);
     });
 }
@@ -206,6 +236,9 @@ void ParticleContacts::ClusterContacts::begin_positions(const Joined* joined, co
     }
     if (joined && any_joined()) place_joined(*joined, h);
     each_active([&](ContactCluster& cluster) {
+        cluster.turned = rotation_by(cluster, [](const Particle& p) { return p.at - p.before; });
+    });
+    each_active([&](ContactCluster& cluster) {
         each_particle(cluster, [&](Particle& p) {
             Supports& supports = range_.supports[&p - range_.particles];
             p.supports = supports.find_in_shape(bodies_[p.body], p.number, p.at, around) ? &supports : nullptr;
@@ -247,6 +280,9 @@ void ParticleContacts::ClusterContacts::begin_velocities(const Joined* joined, d
     count_others();
     if (!any) return;
     if (joined && any_joined()) find_responses(*joined);
+    each_active([&](ContactCluster& cluster) {
+        cluster.turned = rotation_by(cluster, [](const Particle& p) { return p.velocity; });
+    });
     add_supports([](const Particle& p, const Support& support) { return p.velocity - support.carried; });
     add_contacts(velocities, [&](ContactRow& row, Contact& contact, const Particle& a, const Particle& b) {
         if (!(contact.all_separation() > 0)) return false;

@@ -451,7 +451,7 @@ void ParticleContacts::solve_coupled_positions(const Range& range, const BodyTab
                                                const CollisionContext& around, int times, Vec3 gravity, double h) {
     ClusterContacts clusters(range, bodies);
     clusters.begin_positions(joined, around, gravity, h);
-    clusters.solve(times, ClusterContacts::tolerance_of(gravity, h), [](Contact& contact, Particle& a, Particle& b) {
+    clusters.solve(times, clusters.tolerance(gravity, h), [](Contact& contact, Particle& a, Particle& b) {
         if (!contact.rigid) solve_position(contact, a, b);
     });
     clusters.end_positions();
@@ -517,7 +517,7 @@ void ParticleContacts::solve_velocities(const Island& island, BodyTable& bodies,
         sweep(range, sweeps, [](Contact& contact, Particle& a, Particle& b) { solve_velocity(contact, a, b); });
     } else {
         ClusterContacts clusters(range, bodies);
-        const double tolerance = ClusterContacts::tolerance_of(gravity, h) / h;
+        const double tolerance = clusters.tolerance(gravity, h) / h;
         // What is coupled may be thrown, and then the velocities from before are kept.
         clusters.begin_velocities(coupled ? nullptr : &joined, tolerance);
         clusters.solve(sweeps, tolerance, [](Contact& contact, Particle& a, Particle& b) {

@@ -30,6 +30,7 @@ struct ContactCluster {
     Vec3 centre;
     double inverse_mass;
     Mat3 inverse_inertia;
+    Vec3 turned;                          // rotation vector in the substep before contacts, or spin
     Vec3 impulse, moment;                 // of contacts, about the centre, if it is held
     Vec3 shift, turn;                     // by contacts: displacement and rotation vector, or velocity and spin
     ClusterResponse* response = nullptr;  // of a joined one, in place of inverse mass and inertia
@@ -72,7 +73,7 @@ struct ContactGroup {
 
 /// Impulses are newton seconds, or kilograms times metres while places are solved.
 struct ContactRow {
-    Vec3 arm_a, arm_b;  // from the centre of each to its particle
+    Vec3 arm_a, arm_b;  // from the centre of each to the contact
     Vec3 normal;        // from a to b
     double gap;         // metres, or m/s, at the beginning
     Vec3 slip;          // of b relative to a, at the beginning; its part along the normal has no meaning

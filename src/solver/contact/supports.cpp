@@ -57,8 +57,8 @@ bool Supports::find(const Body& body, uint32_t particle, Vec3& at, const Collisi
         for (uint32_t i = 0; i < n.plane_count && count_ < most; ++i) {
             const ContactPlane& plane = n.planes[i];
             Vec3 carried;
-            if (plane.moving_collider != ContactPlane::unmoved)
-                carried = carried_by(around, plane.model, at - plane.normal * radius);
+            // As place_on_plane: by its centre.
+            if (plane.moving_collider != ContactPlane::unmoved) carried = carried_by(around, plane.model, at);
             if (!in_shape) at += plane.normal * std::max(0.0, -gap_to(plane, carried));
             const double gap = gap_to(plane, carried);
             add(plane.model, plane.normal, carried, in_shape ? gap : room(gap, radius));
