@@ -145,6 +145,19 @@ std::vector<MakeWorld> worlds(bool quick) {
              w.add(GPHYS_SHAPE_AABB, &slab, 0, 1);
          },
          half_side(some)},
+        {"voxels_8k",  // boxes without rotation, some of which touch
+         [](World& w) {
+             constexpr int side = 24;
+             std::vector<gphys_aabb> all;
+             for (int i = 0; i < side * side * side; ++i) {
+                 if (i * 7 % 13 > 7) continue;
+                 const auto low = [](int at) { return static_cast<float>(at - side / 2); };
+                 const float x = low(i % side), y = low(i / side % side), z = low(i / side / side);
+                 all.push_back({{x, y, z}, {x + 1, y + 1, z + 1}});
+             }
+             w.add(GPHYS_SHAPE_AABB, all.data(), sizeof all[0], static_cast<uint32_t>(all.size()));
+         },
+         12},
         {"boxes_10k_coincident",
          [=](World& w) {
              add_boxes(w, some);

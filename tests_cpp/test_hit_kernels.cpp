@@ -68,6 +68,43 @@ TEST_CASE("of eight rays each gets the hit that it gets alone, or is left open, 
     for (const HitTallies* tallies : {&spheres, &aabbs, &obbs}) check_tallies(*tallies);
 }
 
+TEST_CASE("of eight rays along an axis or a face of boxes without rotation, those from outside are decided") {
+    test::Random random(76);
+    int yes = 0, no = 0, wrong = 0, open = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const gphys_vec3 middle = random.point(3), half = random.point(1), at = random.point(10);
+        const Vec3 reach = abs(widen(half));
+        const gphys_aabb box{narrow(widen(middle) - reach), narrow(widen(middle) + reach)};
+        const StoredModel model({at, {0, 0, 0, 1}, random.uniform_float(0.5f, 2)}, box);
+        Vec3 direction = random.direction();
+        for (uint32_t axis = random.index(3), zeros = 1 + random.index(2); zeros > 0; --zeros) {
+            direction[static_cast<int>((axis + zeros) % 3)] = random.index(2) == 0 ? 0.0 : -0.0;
+        }
+        const Vec3 target =
+            widen(at) + (widen(middle) + widen(random.point(1.2f))) * static_cast<double>(model.world.scale);
+        const Ray ray{widen(narrow(target - direction * 10)), direction, random.index(4) == 0 ? 10 : infinity};
+        Hit expected;
+        const bool meets =
+            with_placed(box, model.world, [&](const auto& placed) { return raycast(placed, ray, expected); });
+        if (meets && expected.flags != 0) continue;
+        RaysAndModels<Ray> pairs;
+        std::fill_n(pairs.ray, 8, &ray);
+        std::fill_n(pairs.model, 8, &model.world.position.x);
+        std::fill_n(pairs.other, 8, nullptr);
+        for (const HitKernels* kernels : all_kernels()) {
+            Hits8 hits;
+            const TriStates8 verdicts = kernels->aabbs(pairs, hits);
+            wrong += verdicts.yes != 0 ? !meets || !same_hit(hits, 3, expected) : verdicts.no != 0 && meets;
+            open += (verdicts.yes | verdicts.no) != 0xff;
+            yes += verdicts.yes != 0;
+            no += verdicts.no != 0;
+        }
+    }
+    CHECK(wrong == 0);
+    CHECK(open == 0);
+    CHECK((all_kernels().empty() || (yes > 2000 && no > 2000)));
+}
+
 TEST_CASE("of eight rays those that miss the ball around a mesh are told so, however far away, and no other") {
     const std::vector<const HitKernels*> all = all_kernels();
     test::Random random(75);

@@ -60,12 +60,12 @@ struct EnteredFace {
 
 /// Entries and exits by products with the reciprocal of the direction, with at most four roundings each. They decide if
 /// the last entry is clearly before or after the first exit, and clearly after the other entries. Only t itself needs a
-/// division.
+/// division. A slab along which the ray does not move has no entry and no exit if the ray is within it.
 template <class N>
 struct BoxEntry {
     using Mask = decltype(N() < N());
 
-    Mask open;  // undecided: too close, or a direction component is 0
+    Mask open;  // undecided: too close
     Mask no;    // misses; like `inside`, valid where `open` is not set
     Mask inside;
     EnteredAxis<N> axis;
@@ -76,16 +76,16 @@ struct BoxEntry {
         const N lows[3] = {low.x, low.y, low.z}, highs[3] = {high.x, high.y, high.z};
         const N origins[3] = {origin.x, origin.y, origin.z}, directions[3] = {direction.x, direction.y, direction.z};
         N latest = -infinity, second = -infinity, exit = t_max;
-        Mask outside{}, behind{}, across{};
+        Mask outside{}, behind{};
         for (int k = 0; k < 3; ++k) {
             const Mask still = absolute(directions[k]) <= 0;
             const N speed = select(still, 1.0, directions[k]), inverse = 1 / speed;
             const N to_low = (lows[k] - origins[k]) * inverse, to_high = (highs[k] - origins[k]) * inverse;
-            const N near = least(to_high, to_low), far = largest(to_low, to_high);
+            const N near = select(still, -infinity, least(to_high, to_low));
+            const N far = select(still, infinity, largest(to_low, to_high));
             const Mask below = origins[k] < lows[k], above = highs[k] < origins[k], backward = speed < 0;
             outside = outside | below | above;
-            behind = behind | (below & backward) | (above & !backward);
-            across = across | still;
+            behind = behind | (below & (backward | still)) | (above & !backward);
             axis.take(k, latest < near);
             second = largest(second, least(latest, near));
             latest = largest(latest, near);
@@ -94,7 +94,7 @@ struct BoxEntry {
         const Mask late = exit * more < latest, clear = (latest * more < exit) & (second * more < latest);
         no = behind | (outside & late);
         inside = !outside;
-        open = across | (outside & !(no | clear));
+        open = outside & !(no | clear);
     }
 
     GPHYS_INLINE EnteredFace<N> face(const Vec<N>& low, const Vec<N>& high, const Vec<N>& origin,
