@@ -441,6 +441,41 @@ TEST_CASE("a sphere swept against a mesh meets, bit for bit, the first of all tr
     }
 }
 
+TEST_CASE("a solid that falls on fine ground, or begins in it, meets the first of all triangles, bit for bit") {
+    test::Random random(6);
+    test::Arrays ground = test::grid(40);  // of squares of 1 m
+    for (gphys_vec3& v : ground.vertices) v.z = random.index(3) == 0 ? 0 : random.uniform_float(0, 0.2f);
+    const MeshHolder mesh = hold(ground);
+    constexpr double size = 40;
+    int at_start = 0, later = 0;
+    for (int i = 0; i < 400; ++i) {
+        // Many triangles below, of which several may be met at the same time.
+        const double reach = size * random.uniform(0.02, 0.1), height = reach * (i % 4 == 0 ? 0.9 : 3);
+        const Vec3 at{random.uniform(0, size), random.uniform(0, size), height};
+        const Vec3 way = Vec3{random.uniform(-1, 1), random.uniform(-1, 1), i % 3 == 0 ? 0.0 : -4.0} * reach;
+        const Mat3 axes = rotation_matrix(widen(random.rotation()));
+        for (const Shape& moving :
+             {Shape(Sphere{at, reach}), Shape(Capsule{at, at + random.direction() * reach, reach}),
+              Shape(Capsule{at, at + Vec3{0, 0, reach}, reach}), Shape(Aabb{at - Vec3{reach, reach, reach}, at}),
+              Shape(Obb{at, {reach, reach / 2, reach / 4}, axes})}) {
+            Hit hit, expected;
+            const bool found = mesh->sweep(moving, way, hit);
+            for (uint32_t k = 0; k < mesh->triangle_count(); ++k) {
+                Hit each;
+                if (!sweep(mesh->triangle(k), moving, way, each)) continue;
+                each.triangle = k;
+                if (expected.t == infinity || reported(each.t) < reported(expected.t)) expected = each;
+            }
+            REQUIRE(found == (expected.triangle != GPHYS_NO_TRIANGLE));
+            if (!found) continue;
+            REQUIRE(same_bits(hit, expected));
+            ++(hit.t == 0 ? at_start : later);
+        }
+    }
+    CHECK(at_start > 200);
+    CHECK(later > 200);
+}
+
 TEST_CASE("rays from where all of a mesh is divide nothing by zero") {
     test::Arrays point;
     point.vertices = {{1, 2, 3}, {1, 2, 3}, {1, 2, 3}};

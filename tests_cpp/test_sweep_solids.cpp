@@ -270,3 +270,32 @@ TEST_CASE("sweep of solids: rounding in the plane of a flat box makes no contact
     Hit hit;
     CHECK_FALSE(sweep(triangle, plate, widen(gphys_vec3{-0x1p+1f, -0x1p+1f, 0x1.1a6266p-53f}), hit));
 }
+
+TEST_CASE("sweep of solids: a contact with a triangle until t_max is that of the whole way", "[sweep]") {
+    const NoTraps watch;
+    SolidCases pairs(43);
+    int found = 0, wrong = 0, later = 0, left_out = 0;
+    for (int i = 0; i < cases; ++i) {
+        const SolidPair pair = pairs.next(6);
+        const auto* triangle = std::get_if<Triangle>(&pair.other);
+        if (!triangle) continue;
+        Hit whole;
+        const bool met = sweep(*triangle, pair.moving, pair.way, whole);
+        for (const double t_max : {whole.t, whole.t * (1 + 0x1p-40), whole.t / 2, pairs.random.uniform(0, 1)}) {
+            Hit hit;
+            const bool until = sweep(*triangle, pair.moving, pair.way, hit, std::min(t_max, 1.0));
+            if (met && whole.t <= t_max) {
+                ++found;
+                wrong += !until || hit.t != whole.t || hit.normal != whole.normal || hit.point != whole.point;
+            } else {
+                wrong += until && (!met || hit.t != whole.t);
+                later += met;
+                left_out += met && !until;
+            }
+        }
+    }
+    CHECK(wrong == 0);
+    CHECK(found > 5000);
+    // Those of boxes are not.
+    CHECK(left_out > later / 4);
+}

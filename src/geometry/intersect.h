@@ -126,12 +126,16 @@ bool sweep(const Capsule& capsule, const Sphere& moving, Vec3 displacement, Hit&
 bool sweep(const Aabb& box, const Sphere& moving, Vec3 displacement, Hit& hit);
 bool sweep(const Obb& box, const Sphere& moving, Vec3 displacement, Hit& hit);
 bool sweep(const Plane& plane, const Sphere& moving, Vec3 displacement, Hit& hit);
-bool sweep(const Triangle& triangle, const Sphere& moving, Vec3 displacement, Hit& hit);
+/// Of a triangle, a contact after t_max may be left out.
+bool sweep(const Triangle& triangle, const Sphere& moving, Vec3 displacement, Hit& hit, double t_max = 1);
 bool sweep(const Frustum& frustum, const Sphere& moving, Vec3 displacement, Hit& hit);
 bool sweep(const Shape& shape, const Sphere& moving, Vec3 displacement, Hit& hit);
 /// The same for a moving sphere, capsule or box. A frustum must be a hexahedron (shapes.h), unless a sphere moves.
 bool sweep(const Shape& shape, const Shape& moving, Vec3 displacement, Hit& hit);
-bool sweep(const Triangle& triangle, const Shape& moving, Vec3 displacement, Hit& hit);
+bool sweep(const Triangle& triangle, const Shape& moving, Vec3 displacement, Hit& hit, double t_max = 1);
+/// Relative to the size: twice the error that the distance of shapes in contact may have (gamephys_c.h). Shapes that
+/// are farther apart until t_max have no contact before, whatever the rounding.
+constexpr double apart_margin = 0x1p-39;
 /// The AABB of a moving sphere, capsule or box, as centre and half extents.
 struct BoxInMotion {
     explicit BoxInMotion(const Shape& moving);

@@ -158,21 +158,25 @@ void correct_normal(const Triangle& triangle, const Sphere& moving, Vec3 displac
 }
 
 /// A conservative test: whether an axis certainly separates the path of a sphere from a triangle. Coordinates are
-/// relative to the centre at the start; none of the triangle is larger than `size`.
-bool separates(Vec3 axis, const Triangle& around, double radius, Vec3 displacement, double size) {
+/// relative to the centre at the start; none of the triangle is larger than `size`. `margin`: relative to the size.
+bool separates(Vec3 axis, const Triangle& around, double radius, Vec3 displacement, double size, double margin) {
     const double triangle = std::max({dot(axis, around.a), dot(axis, around.b), dot(axis, around.c)});
     const double path = std::min(0.0, dot(axis, displacement));
-    // Each height has less than eight roundings of 2^-53 of its products. Contacts within rounding (is_in_contact, in
-    // sweep) are closer than the margin. 2^-1000 covers products that underflow.
+    // 2^-1000 covers products that underflow.
     const double largest = size + max_component(abs(displacement)) + radius;
-    return path - triangle > radius * length(axis) + 0x1p-47 * (max_component(abs(axis)) * largest) + 0x1p-1000;
+    return path - triangle > radius * length(axis) + margin * (max_component(abs(axis)) * largest) + 0x1p-1000;
 }
 
-/// A conservative test: whether a sphere certainly passes a triangle. Tries the axis of the face, which separates a
-/// sphere that slides along it, that of the nearest edge or corner at the start, and that of the edge or corner nearest
-/// to the line of the path.
-bool passes(const Triangle& around, double radius, Vec3 displacement, double size) {
-    const auto is_separating = [&](Vec3 axis) { return separates(axis, around, radius, displacement, size); };
+/// A conservative test: whether a sphere certainly passes a triangle, or has no contact until t_max. Tries the axis of
+/// the face, which separates a sphere that slides along it, that of the nearest edge or corner at the start, or at
+/// t_max if that ends the path, and that of the edge or corner nearest to the line of the path.
+bool passes(const Triangle& around, double radius, Vec3 displacement, double size, double t_max) {
+    const bool is_whole = t_max >= 1;
+    if (!is_whole) displacement = displacement * t_max;
+    // A height has less than eight roundings of 2^-53 of its products. Contacts within rounding (is_in_contact, in
+    // sweep) are closer than 2^-47.
+    const double margin = is_whole ? 0x1p-47 : apart_margin;
+    const auto is_separating = [&](Vec3 axis) { return separates(axis, around, radius, displacement, size, margin); };
     const Vec3 face = cross(around.b - around.a, around.c - around.a);
     if (is_separating(dot(face, around.a) > 0 ? -face : face)) return true;
     const auto from_edges = [](const Triangle& triangle) {
@@ -183,7 +187,8 @@ bool passes(const Triangle& around, double radius, Vec3 displacement, double siz
         }
         return -best;
     };
-    if (is_separating(from_edges(around))) return true;
+    const Vec3 end = is_whole ? Vec3{} : displacement;
+    if (is_separating(from_edges({around.a - end, around.b - end, around.c - end}))) return true;
     const double way = length_squared(displacement);
     if (!(way > radius * radius)) return false;
     const auto seen_along_path = [&](Vec3 v) { return v - displacement * (dot(v, displacement) / way); };
@@ -193,13 +198,13 @@ bool passes(const Triangle& around, double radius, Vec3 displacement, double siz
 }  // namespace
 
 /// A contact with the face is the first: no point of the capsules around the edges is further from the plane.
-bool sweep(const Triangle& triangle, const Sphere& moving, Vec3 displacement, Hit& hit) {
+bool sweep(const Triangle& triangle, const Sphere& moving, Vec3 displacement, Hit& hit, double t_max) {
     const Ray center_path = path(moving, displacement);
     if (moving.radius == 0) return raycast(triangle, center_path, hit);
     // Relative to the centre: far from the origin the rounding of the foot would exceed the tolerance.
     const Triangle around = relative_to(moving.center, triangle);
     const double size = max_component(max(abs(around.a), max(abs(around.b), abs(around.c))));
-    if (passes(around, moving.radius, displacement, size)) return false;
+    if (passes(around, moving.radius, displacement, size, t_max)) return false;
     const auto& [a, b, c] = triangle;
     const Vec3 cross_product = accurate_cross(a, b, a, c);
     const Vec3 front = cross_product == Vec3{} ? Vec3{} : normalized(cross_product);

@@ -31,6 +31,18 @@ public:
         return set_.for_each_normal([&](Vec3 unit) { return cut(clip_, unit, 0); });
     }
     bool may_overlap_at_start() const { return clip_.may_overlap_at_start(); }
+    /// A conservative test of a round solid: whether there is certainly no contact until t_max, because the distance
+    /// along the normal that the shapes have at that time is too large, and was not smaller before. Without a radius,
+    /// clipping takes no longer.
+    GPHYS_NOINLINE bool is_apart_until(double t_max) const {
+        if (t_max >= 1 || set_.radius() == 0) return false;
+        const ConvexDifference then = set_.after(displacement_ * t_max);
+        const Vec3 offset = then.nearest().offset;
+        if (offset == Vec3{}) return false;
+        const Vec3 normal = -normalized(offset);
+        const double margin = resolution_ * (apart_margin / contact_tolerance);
+        return dot(normal, displacement_) <= 0 && then.gap(normal) > set_.radius() + margin;
+    }
     /// The contact in the rest of the path, unless the shapes overlap at its start. False without contact.
     GPHYS_NOINLINE bool find() {
         if (clip_.is_empty() || (clip_.is_open() && !overlaps_within_rounding())) return false;
@@ -179,13 +191,14 @@ private:
     double begin_ = 0;
 };
 
+/// A contact after t_max may be left out.
 template <class Other, class Moving>
-bool sweep_convex(const Other& other, const Moving& moving, Vec3 displacement, Hit& hit) {
+bool sweep_convex(const Other& other, const Moving& moving, Vec3 displacement, Hit& hit, double t_max = 1) {
     const Vec3 from = reference_point(moving);
     const auto core = core_of(relative_to(from, other));
     const ConvexDifference set(core, core_of(relative_to(from, moving)));
     ConvexSweep path(set, displacement);
-    if (!path.clip()) return false;
+    if (path.is_apart_until(t_max) || !path.clip()) return false;
     const bool is_at_start = path.may_overlap_at_start() && overlaps(Shape(other), Shape(moving));
     if (!is_at_start && !path.find()) return false;
     hit = path.hit(is_at_start, from);
@@ -206,8 +219,8 @@ bool sweep_convex(const Plane& plane, const Moving& moving, Vec3 displacement, H
 }
 
 template <class Moving>
-bool sweep_triangle(const Triangle& triangle, const Moving& moving, Vec3 displacement, Hit& hit) {
-    if (!sweep_convex(triangle, moving, displacement, hit)) return false;
+bool sweep_triangle(const Triangle& triangle, const Moving& moving, Vec3 displacement, Hit& hit, double t_max) {
+    if (!sweep_convex(triangle, moving, displacement, hit, t_max)) return false;
     barycentric(triangle, hit.point, hit.u, hit.v);
     const Vec3 front = accurate_cross(triangle.a, triangle.b, triangle.a, triangle.c);
     if (dot(hit.normal, front) < 0) hit.flags |= GPHYS_HIT_BACK;
@@ -216,11 +229,13 @@ bool sweep_triangle(const Triangle& triangle, const Moving& moving, Vec3 displac
 
 /// A moving sphere has its own formulas (sweep.cpp).
 template <class Other, class Moving>
-bool sweep_pair(const Other& other, const Moving& moving, Vec3 displacement, Hit& hit) {
-    if constexpr (std::is_same_v<Moving, Sphere>) {
+bool sweep_pair(const Other& other, const Moving& moving, Vec3 displacement, Hit& hit, double t_max = 1) {
+    if constexpr (std::is_same_v<Moving, Sphere> && std::is_same_v<Other, Triangle>) {
+        return sweep(other, moving, displacement, hit, t_max);
+    } else if constexpr (std::is_same_v<Moving, Sphere>) {
         return sweep(other, moving, displacement, hit);
     } else if constexpr (std::is_same_v<Other, Triangle>) {
-        return sweep_triangle(other, moving, displacement, hit);
+        return sweep_triangle(other, moving, displacement, hit, t_max);
     } else {
         return sweep_convex(other, moving, displacement, hit);
     }
@@ -250,8 +265,8 @@ bool sweep(const Shape& shape, const Shape& moving, Vec3 displacement, Hit& hit)
     return with_pair(shape, moving,
                      [&](const auto& other, const auto& solid) { return sweep_pair(other, solid, displacement, hit); });
 }
-bool sweep(const Triangle& triangle, const Shape& moving, Vec3 displacement, Hit& hit) {
-    return with_solid(moving, [&](const auto& solid) { return sweep_pair(triangle, solid, displacement, hit); });
+bool sweep(const Triangle& triangle, const Shape& moving, Vec3 displacement, Hit& hit, double t_max) {
+    return with_solid(moving, [&](const auto& solid) { return sweep_pair(triangle, solid, displacement, hit, t_max); });
 }
 
 }  // namespace gphys

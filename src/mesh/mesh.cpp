@@ -435,6 +435,20 @@ bool Mesh::sweep_point_at_hull(const Ray& way, Hit& hit, const AxisScale& axes) 
     return true;
 }
 
+namespace {
+
+template <class Solid>
+bool sweep_until(double t_max, const Triangle& triangle, const Solid& moving, Vec3 displacement, Hit& hit) {
+    return sweep(triangle, moving, displacement, hit, t_max);
+}
+/// A link.
+template <class Item, class Solid>
+bool sweep_until(double, const Item& item, const Solid& moving, Vec3 displacement, Hit& hit) {
+    return sweep(item, moving, displacement, hit);
+}
+
+}  // namespace
+
 template <class Half, class SweepItem>
 bool Mesh::find_contact(Vec3 middle, const Half& half, Vec3 displacement, const SweepItem& sweep_item, Hit& hit,
                         Ties ties, const AxisScale& axes) const {
@@ -447,8 +461,11 @@ bool Mesh::find_contact(Vec3 middle, const Half& half, Vec3 displacement, const 
         const TrianglePacket& packet = packets_[number];
         const auto lanes_along = [&] { return kernels_.lanes_along(packet, probe, probe.limit(t_max)); };
         for_each_lane(lanes_by(packet, lanes_along), [&](int lane) {
+            // No contact precedes one at the start, except that of a lower index.
+            if (first_t == 0 && packet.index[lane] > first.triangle) return true;
+            const double limit = limit_of_ties(t_max);
             Hit candidate;
-            if (!with_item(packet, lane, axes, [&](const auto& item) { return sweep_item(item, candidate); }))
+            if (!with_item(packet, lane, axes, [&](const auto& item) { return sweep_item(item, limit, candidate); }))
                 return true;
             candidate.triangle = packet.index[lane];
             const double t = as_reported ? reported(candidate.t) : candidate.t;
@@ -481,9 +498,9 @@ bool Mesh::sweep(const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties, c
             return true;
         }
     }
-    const auto sweep_item = [&](const auto& item, Hit& candidate) {
+    const auto sweep_item = [&](const auto& item, double t_max, Hit& candidate) {
         return (is_hull() || hits_side(item, displacement, faces)) &&
-               gphys::sweep(item, moving, displacement, candidate);
+               sweep_until(t_max, item, moving, displacement, candidate);
     };
     const Vec3 half = axes.inverse(Vec3{moving.radius, moving.radius, moving.radius});
     const bool is_hit =
@@ -514,9 +531,9 @@ bool Mesh::sweep(const Shape& moving, Vec3 displacement, Hit& hit, const AxisSca
             if (const std::optional<bool> swept = sweep_sharp_at_hull(moving, displacement, hit, axes)) return *swept;
         }
     }
-    const auto sweep_item = [&](const auto& item, Hit& candidate) {
+    const auto sweep_item = [&](const auto& item, double t_max, Hit& candidate) {
         return (is_hull() || hits_side(item, displacement, faces)) &&
-               gphys::sweep(item, moving, displacement, candidate);
+               sweep_until(t_max, item, moving, displacement, candidate);
     };
     if (!find_contact(axes.inverse(box.middle), axes.inverse(half), axes.inverse(displacement), sweep_item, hit,
                       Ties::as_reported, axes)) {

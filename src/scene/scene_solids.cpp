@@ -47,6 +47,8 @@ gphys_status Scene::first_contact(Vec3 displacement, const QueryFilter& filter, 
     double end = 1;
     const auto test = [&](uint32_t slot) {
         const auto exact = [&](const auto& shape) { return sweep_one(shape, hit); };
+        // Nothing precedes a contact at the start, except that of a lower id.
+        if (!best.is_beaten_by(0, slot, ids_)) return;
         if (!may_pass(filter, slot) || !passes(filter, slot) || !with_shape(slot, exact)) return;
         const float t = reported(hit.t);
         if (!best.is_beaten_by(t, slot, ids_)) return;
