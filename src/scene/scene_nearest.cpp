@@ -47,6 +47,8 @@ public:
     template <class Filter>
     bool test(uint32_t slot, const Filter& filter) {
         if (!scene_.may_pass(filter, slot)) return false;
+        // Nothing is nearer than a solid that contains the point; only those of lower ids are as near.
+        if (!best_.is_beaten_by(0, slot, scene_.ids_)) return true;
         Vec3 candidate;
         uint32_t triangle = GPHYS_NO_TRIANGLE;
         const auto conservative = [&](const auto& shape) { return only_no(conservative_point_(shape, reach_)); };

@@ -97,7 +97,7 @@ public:
                     return hit_of(hit, model, tag);
                 }
             });
-        } else if (verdict == TriState::undecided && scene_->passes(filter, slot)) {
+        } else if (verdict == TriState::undecided && may_precede(slot) && scene_->passes(filter, slot)) {
             test(slot);
         }
     }
@@ -110,6 +110,9 @@ public:
         const auto conservative = [&](const auto& shape) { return conservative_ray.rejects(shape, rest_->t_max); };
         scene_->decide(filter, slot, conservative, [&](const auto& shape) { return test(slot, shape); });
     }
+
+    /// Whether the model would be the closest if the ray began in it. Not after a lower id in which it does.
+    bool may_precede(uint32_t slot) const { return best_.is_beaten_by(0, slot, scene_->ids_); }
 
     // Tests of models that pass the filter. Each returns whether t_max was lowered.
 
@@ -479,7 +482,7 @@ GPHYS_NOINLINE void Scene::raycast_bvh_by(Ray* rays, uint32_t count, const Filte
         for (; undecided != 0; undecided &= undecided - 1) {
             const auto k = static_cast<uint32_t>(lowest_bit(undecided));
             First& of = *first[numbers[k]];
-            if (!passes(filter_of_item(filters, numbers[k]), slots[k])) continue;
+            if (!of.may_precede(slots[k]) || !passes(filter_of_item(filters, numbers[k]), slots[k])) continue;
             const Shape* placed = shared.place(slots[k]);
             if (!(placed ? of.test(slots[k], *placed) : of.test(slots[k]))) continue;
             shorter |= 1u << k;
