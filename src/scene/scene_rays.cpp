@@ -375,15 +375,16 @@ private:
     uint32_t of_type_[GPHYS_SHAPE_MESH + 1] = {};
 };
 
-/// The conservative tests of many rays, eight at a time.
+/// The conservative tests of many rays, eight at a time. Rays that meet no model's box set up nothing.
 class Scene::ConservativeRays {
 public:
     /// The rays must outlive this.
-    ConservativeRays(const Scene& scene, const Ray* rays, uint32_t count) : kernels_(scene.kernels_), rays_(rays) {
-        if (count > 0) kernels_.ray_quads(rays, count, quads_);
-    }
+    ConservativeRays(const Scene& scene, const Ray* rays, uint32_t count)
+        : kernels_(scene.kernels_), rays_(rays), count_(count) {}
 
-    TriStates8 test(const EightPairs& pairs) const {
+    TriStates8 test(const EightPairs& pairs) {
+        if (!is_set_up_) kernels_.ray_quads(rays_, count_, quads_);
+        is_set_up_ = true;
         TriStates8 all = {0, 0};
         for (const TriStates8& results : {pairs.test(GPHYS_SHAPE_SPHERE, quads_, kernels_.rays_and_spheres),
                                           pairs.test(GPHYS_SHAPE_AABB, quads_, kernels_.rays_and_aabbs),
@@ -396,11 +397,15 @@ public:
         return all;
     }
     /// Call after t_max of a ray was lowered.
-    void shorten(uint32_t ray) { quads_[ray].end = ray_end(rays_[ray].t_max, rays_[ray].direction); }
+    void shorten(uint32_t ray) {
+        if (is_set_up_) quads_[ray].end = ray_end(rays_[ray].t_max, rays_[ray].direction);
+    }
 
 private:
     const SceneKernels& kernels_;
     const Ray* rays_;
+    uint32_t count_;
+    bool is_set_up_ = false;
     RayQuads quads_[rays_at_once];
 };
 
@@ -462,7 +467,7 @@ template <class Filters, class Answer>
 GPHYS_NOINLINE void Scene::raycast_bvh_by(Ray* rays, uint32_t count, const Filters& filters, const LargeMeshes& large,
                                           Storage<FirstHitOfRay<Answer>>* first) const {
     using First = FirstHitOfRay<Answer>;
-    ConservativeRays conservative(*this, rays, hit_kernels_ ? 0 : count);
+    ConservativeRays conservative(*this, rays, count);
     SharedModel shared(*this);
     const auto visit = [&](const uint32_t* numbers, const uint32_t* slots, uint32_t size) {
         const EightPairs pairs(*this, numbers, slots, size, filters, large);
@@ -590,7 +595,7 @@ GPHYS_NOINLINE uint64_t Scene::raycast_any_together_by(Ray* rays, uint32_t count
             rays[i].t_max = -1;
         });
     if (large.count() == bvh_.size()) return hits;
-    const ConservativeRays conservative(*this, rays, count);
+    ConservativeRays conservative(*this, rays, count);
     const auto visit = [&](const uint32_t* numbers, const uint32_t* slots, uint32_t size) {
         const EightPairs pairs(*this, numbers, slots, size, filters, large);
         const TriStates8 results = conservative.test(pairs);
