@@ -4,6 +4,7 @@
 
 #include "geometry/heights.h"
 #include "geometry/intersect.h"
+#include "geometry/path_apart.h"
 #include "shapes/halfspaces.h"
 
 namespace gphys {
@@ -19,6 +20,15 @@ bool segments_within(const Segment& a, const Segment& b, double distance) {
 template <class Solid>
 bool an_end_overlaps(const Capsule& capsule, const Solid& solid) {
     return contains(solid, capsule.a, capsule.radius) || contains(solid, capsule.b, capsule.radius);
+}
+
+bool are_certainly_apart(const Capsule& capsule, const Triangle& triangle) {
+    const Triangle around{triangle.a - capsule.a, triangle.b - capsule.a, triangle.c - capsule.a};
+    const double size = max_component(max(abs(around.a), max(abs(around.b), abs(around.c))));
+    const Vec3 way = capsule.b - capsule.a;
+    const PathAndTriangle pair(way, capsule.radius, around, size, apart_margin);
+    return pair.are_apart_by_face() || pair.are_apart_beside({}) || pair.are_apart_beside(way) ||
+           pair.are_apart_along_path();
 }
 
 Segment core(const Capsule& capsule) { return {capsule.a, capsule.b}; }
@@ -55,6 +65,7 @@ bool capsule_overlaps(const Capsule& capsule, const Obb& box) {
 }
 
 bool capsule_overlaps(const Capsule& capsule, const Triangle& triangle) {
+    if (are_certainly_apart(capsule, triangle)) return false;
     if (an_end_overlaps(capsule, triangle) || overlaps(flat(capsule), triangle)) return true;
     const auto& [a, b, c] = triangle;
     for (const Segment& edge : {Segment{a, b}, Segment{b, c}, Segment{c, a}}) {

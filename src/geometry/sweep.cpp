@@ -7,6 +7,7 @@
 #include "geometry/capsule_axis.h"
 #include "geometry/convex.h"
 #include "geometry/intersect.h"
+#include "geometry/path_apart.h"
 
 namespace gphys {
 namespace {
@@ -157,42 +158,14 @@ void correct_normal(const Triangle& triangle, const Sphere& moving, Vec3 displac
     hit.normal = contact_normal(at_contact, displacement, hit.normal);
 }
 
-/// A conservative test: whether an axis certainly separates the path of a sphere from a triangle. Coordinates are
-/// relative to the centre at the start; none of the triangle is larger than `size`. `margin`: relative to the size.
-bool separates(Vec3 axis, const Triangle& around, double radius, Vec3 displacement, double size, double margin) {
-    const double triangle = std::max({dot(axis, around.a), dot(axis, around.b), dot(axis, around.c)});
-    const double path = std::min(0.0, dot(axis, displacement));
-    // 2^-1000 covers products that underflow.
-    const double largest = size + max_component(abs(displacement)) + radius;
-    return path - triangle > radius * length(axis) + margin * (max_component(abs(axis)) * largest) + 0x1p-1000;
-}
-
-/// A conservative test: whether a sphere certainly passes a triangle, or has no contact until t_max. Tries the axis of
-/// the face, which separates a sphere that slides along it, that of the nearest edge or corner at the start, or at
-/// t_max if that ends the path, and that of the edge or corner nearest to the line of the path.
+/// A conservative test: whether a sphere certainly passes a triangle, or has no contact until t_max.
 bool passes(const Triangle& around, double radius, Vec3 displacement, double size, double t_max) {
     const bool is_whole = t_max >= 1;
-    if (!is_whole) displacement = displacement * t_max;
-    // A height has less than eight roundings of 2^-53 of its products. Contacts within rounding (is_in_contact, in
-    // sweep) are closer than 2^-47.
+    // Contacts within rounding (is_in_contact, in sweep) are closer than 2^-47.
     const double margin = is_whole ? 0x1p-47 : apart_margin;
-    const auto is_separating = [&](Vec3 axis) { return separates(axis, around, radius, displacement, size, margin); };
-    const Vec3 face = cross(around.b - around.a, around.c - around.a);
-    if (is_separating(dot(face, around.a) > 0 ? -face : face)) return true;
-    const auto from_edges = [](const Triangle& triangle) {
-        Vec3 best = closest_point(Segment{triangle.a, triangle.b}, Vec3{});
-        for (const Segment& edge : {Segment{triangle.b, triangle.c}, Segment{triangle.c, triangle.a}}) {
-            const Vec3 candidate = closest_point(edge, Vec3{});
-            if (length_squared(candidate) < length_squared(best)) best = candidate;
-        }
-        return -best;
-    };
-    const Vec3 end = is_whole ? Vec3{} : displacement;
-    if (is_separating(from_edges({around.a - end, around.b - end, around.c - end}))) return true;
-    const double way = length_squared(displacement);
-    if (!(way > radius * radius)) return false;
-    const auto seen_along_path = [&](Vec3 v) { return v - displacement * (dot(v, displacement) / way); };
-    return is_separating(from_edges({seen_along_path(around.a), seen_along_path(around.b), seen_along_path(around.c)}));
+    const Vec3 way = is_whole ? displacement : displacement * t_max;
+    const PathAndTriangle pair(way, radius, around, size, margin);
+    return pair.are_apart_by_face() || pair.are_apart_beside(is_whole ? Vec3{} : way) || pair.are_apart_along_path();
 }
 
 }  // namespace
