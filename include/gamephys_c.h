@@ -1083,12 +1083,12 @@ GPHYS_API gphys_status gphys_scene_get_world_transforms(const gphys_scene* scene
                                                         uint32_t count, gphys_transform* out_transforms,
                                                         uint32_t out_stride);
 
-/* Queries. `layers` is a mask, GPHYS_ALL_LAYERS sees everything. All of them are const, allocate
- * nothing and take O(log n + k) expected. The batch forms answer item i as the single call does;
- * where that would return GPHYS_NO_HIT the element gets model = 0, t or distance = INFINITY,
- * triangle = GPHYS_NO_TRIANGLE and zeros, and the batch returns GPHYS_OK. Similar rays of a
- * batch take a fraction of the time if they are neighbours in the array, or are in rows as in an
- * image. */
+/* Queries. `layers` is a mask, GPHYS_ALL_LAYERS sees everything. All of them are const, allocate nothing and take
+ * O(log n + k) expected; n and k count hidden models, too (but see gphys_scene_nearest). The batch forms answer item
+ * i as the single call does; where that would return GPHYS_NO_HIT the element gets model = 0, t or distance =
+ * INFINITY, triangle = GPHYS_NO_TRIANGLE and zeros, and the batch returns GPHYS_OK. Similar rays of a batch take a
+ * fraction of the time if they are neighbours in the array, or are in rows as in an image.
+ */
 
 /** Closest model on a ray; the fields are exact as in gphys_shape_raycast.
  *  @return GPHYS_OK or GPHYS_NO_HIT
