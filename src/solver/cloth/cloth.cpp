@@ -79,7 +79,7 @@ void begin_cloth(Body& body, const CollisionContext& around, Vec3 gravity) {
         std::fill(cloth.in_chains.normals.begin(), cloth.in_chains.normals.end(), 0.0f);
     }
     if (body.plan.joined) cloth.tethers.clear();
-    begin_settling(body, around);
+    begin_settling(body, around, gravity);
 }
 
 void predict_cloth(Body& body, const CollisionContext& around, double h) {
@@ -302,6 +302,7 @@ void move_cloth(Body& body, const CollisionContext& around, Vec3 gravity, double
 
 void end_cloth(Body& body, const CollisionContext& around) {
     if (collides(body, around)) record_contact_points(body, around);
+    note_travel(body);
     publish_state(body.cloth.state, body.particles, body.cloth.shares);
     place_attached(body.constraints, body.cloth.state, body.particles.position);
     if (collides(body, around)) update_cache(body, around);

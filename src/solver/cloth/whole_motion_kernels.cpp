@@ -121,8 +121,33 @@ void move(const ClothMotion& motion, double kept, const Vec<double>& velocity, c
     }
 }
 
+void settle(const ClothMotion& motion, float kept_speed, float kept_way, const Matrix<double>& turn,
+            const Vec<double>& shift, double rate) {
+    const auto in_all_lanes = [](const Vec<double>& v) {
+        return Vec<Float8>{splat(static_cast<float>(v.x)), splat(static_cast<float>(v.y)),
+                           splat(static_cast<float>(v.z))};
+    };
+    const Vec<Float8> x = in_all_lanes(turn.x), y = in_all_lanes(turn.y), z = in_all_lanes(turn.z),
+                      shifted = in_all_lanes(shift);
+    const Float8 speed = splat(kept_speed), way = splat(kept_way), per_second = splat(static_cast<float>(rate)),
+                 none = splat(0);
+    for (uint32_t first = 0; first < motion.floats; first += 32) {
+        const EightParticles eight(motion, first);
+        const Quads8 at = eight.load_floats(motion.at), v = eight.load_floats(motion.velocity);
+        const Vec<Float8> start = vector_of(eight.load_floats(motion.start));
+        const Mask8 pinned = at.w <= none;
+        Vec<Float8> carried = x * start.x + y * start.y + z * start.z + shifted;
+        carried = {choose(pinned, none, carried.x), choose(pinned, none, carried.y), choose(pinned, none, carried.z)};
+        const Vec<Float8> with = carried * per_second;
+        const Vec<Float8> slower = with + (vector_of(v) - with) * speed;
+        const Vec<Float8> end = start + (carried + (vector_of(at) - start - carried) * way);
+        eight.store(motion.at, {end.x, end.y, end.z, at.w});
+        eight.store(motion.velocity, {slower.x, slower.y, slower.z, v.w});
+    }
+}
+
 }  // namespace
 
-const WholeMotionKernels whole_motion_kernels = {moments, lost, move};
+const WholeMotionKernels whole_motion_kernels = {moments, lost, move, settle};
 
 }  // namespace gphys::GPHYS_ISA

@@ -1,6 +1,7 @@
 // The loops of whole_motion.cpp over all particles of cloth, eight side by side.
 #pragma once
 
+#include "foundation/rotation.h"
 #include "foundation/vec.h"
 #include "solver/cloth/cloth_kernels.h"
 
@@ -40,6 +41,10 @@ struct WholeMotionKernels {
     /// Scales the velocities and adds a rigid motion: the velocity of the origin, and the angular velocity.
     void (*move)(const ClothMotion& motion, double kept, const Vec<double>& velocity,
                  const Vec<double>& angular_velocity);
+    /// Keeps parts of the velocities and of the displacements since the start of the substep, relative to a rigid
+    /// motion in it: the rotation minus 1, the displacement of the origin, and 1 / h.
+    void (*settle)(const ClothMotion& motion, float kept_speed, float kept_way, const Matrix<double>& turn,
+                   const Vec<double>& shift, double rate);
 };
 
 GPHYS_DECLARE_KERNELS(WholeMotionKernels, whole_motion_kernels)

@@ -68,4 +68,10 @@ void advance_moving_colliders(Vector<MovingCollider>& moving_colliders, Vec3 ori
     }
 }
 
+RigidMotion motion_in_step(const MovingCollider& moving_collider, Vec3 origin, const CollisionContext& around) {
+    const gphys_transform& after = around.scene->world(moving_collider.model);
+    return rigid_motion(widen(moving_collider.before), interpolate(moving_collider.before, after, around.way(1)),
+                        origin);
+}
+
 }  // namespace gphys

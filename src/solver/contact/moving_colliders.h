@@ -65,5 +65,7 @@ struct NearColliders {
 void find_moving_colliders(Vector<MovingCollider>& moving_colliders, Vec3 origin, const Box& box, uint32_t layers,
                            const CollisionContext& around);
 void advance_moving_colliders(Vector<MovingCollider>& moving_colliders, Vec3 origin, const CollisionContext& around);
+/// That in the whole step.
+RigidMotion motion_in_step(const MovingCollider& moving_collider, Vec3 origin, const CollisionContext& around);
 
 }  // namespace gphys
