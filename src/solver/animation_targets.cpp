@@ -15,12 +15,6 @@ Vec3 unit(Vec3 v) {
     return v / length(v);
 }
 
-/// Of any length except 0.
-Vec3 normal_of(const AnimationTarget& target, double fraction) {
-    const Vec3 between = target.from_normal + (target.to_normal - target.from_normal) * fraction;
-    return between == Vec3{} ? target.to_normal : between;
-}
-
 bool is_same(const AnimationTarget& target, const gphys_animation_target& given) {
     return target.to == widen(given.position) && target.max_distance == given.max_distance &&
            target.backstop == given.backstop &&
@@ -159,11 +153,10 @@ Vec3 allowed_place(const AnimationTarget& target, double fraction, double time, 
     bool behind = false;
     if (target.backstop < infinity) {
         normal = normal_of(target, fraction);
-        // The root is only taken for points behind the plane.
-        const double height = dot(off, normal), square = length_squared(normal);
-        behind = height < 0 && height * height > target.backstop * target.backstop * square;
+        const double height = dot(off, normal);
+        behind = is_behind(target, height, normal);
         if (behind) {
-            const double size = std::sqrt(square);
+            const double size = length(normal);
             normal = normal / size;
             off += normal * (-target.backstop - height / size);
         }
@@ -197,7 +190,8 @@ void keep_to_targets(Body& body) {
     AnimationTargets& targets = body.targets;
     targets.reached.clear();
     for (uint32_t p = 0; p < targets.all.size(); ++p) {
-        if (body.particles.pinned(p) || !targets.all[p].bounds()) continue;
+        if (body.particles.pinned(p) || is_allowed(targets.all[p], targets.fraction, body.particles.position[p]))
+            continue;
         TargetBounds out_of;
         body.particles.position[p] =
             allowed_place(targets.all[p], targets.fraction, targets.time, body.particles.position[p], out_of);

@@ -83,6 +83,23 @@ void end_targets(Body& body, double way);
 inline Vec3 place_of(const AnimationTarget& target, double fraction) {
     return target.from + (target.to - target.from) * fraction;
 }
+/// The normal of its backstop then, of any length except 0.
+inline Vec3 normal_of(const AnimationTarget& target, double fraction) {
+    const Vec3 between = target.from_normal + (target.to_normal - target.from_normal) * fraction;
+    return between == Vec3{} ? target.to_normal : between;
+}
+/// Whether a position is that far behind the backstop, at this height above the target along the normal. Takes no root.
+inline bool is_behind(const AnimationTarget& target, double height, Vec3 normal) {
+    return height < 0 && height * height > target.backstop * target.backstop * length_squared(normal);
+}
+/// Whether allowed_place leaves a position where it is, as that of most particles in most substeps.
+inline bool is_allowed(const AnimationTarget& target, double fraction, Vec3 at) {
+    const Vec3 off = at - place_of(target, fraction);
+    if (length_squared(off) > target.max_distance * target.max_distance) return false;
+    if (target.backstop == infinity) return true;
+    const Vec3 normal = normal_of(target, fraction);
+    return !is_behind(target, dot(off, normal), normal);
+}
 /// The backstop, and the tangent plane of the ball nearest to `at`: the bounds of a particle outside. The offset is
 /// -infinity if there is none.
 TargetBound backstop_of(const AnimationTarget& target, double fraction, double time, Vec3 at);

@@ -12,15 +12,17 @@ namespace {
 // Of a coordinate in float32, after some operations.
 constexpr double rounding = 0x1p-20;
 
-/// The allowed position of a particle with a target. Returns false if it is inside its bounds, or does not move freely.
-bool find_place(const AnimationTargets& targets, const ClothState& state, uint32_t p, Vec3& place,
-                TargetBounds& out_of) {
+/// Whether a particle moves freely and is outside of its bounds.
+bool is_outside(const AnimationTargets& targets, const ClothState& state, uint32_t p) {
     const float* const at = &state.at[4 * size_t{p}];
-    if (at[3] == 0 || !targets.all[p].bounds()) return false;
+    return at[3] != 0 && !is_allowed(targets.all[p], targets.fraction, state.origin + get(at));
+}
+
+/// The allowed position of such a particle.
+Vec3 find_place(const AnimationTargets& targets, const ClothState& state, uint32_t p, TargetBounds& out_of) {
     out_of.particle = p;
-    place =
-        allowed_place(targets.all[p], targets.fraction, targets.time, state.origin + get(at), out_of) - state.origin;
-    return out_of.count > 0;
+    const Vec3 at = state.origin + get(&state.at[4 * size_t{p}]);
+    return allowed_place(targets.all[p], targets.fraction, targets.time, at, out_of) - state.origin;
 }
 
 }  // namespace
@@ -35,10 +37,9 @@ void carry_by_targets(const AnimationTargets& targets, ClothState& state) {
 void find_target_contacts(AnimationTargets& targets, ClothState& state, ChainContacts& contacts, bool has_contact) {
     for (uint32_t p = 0; p < targets.all.size(); ++p) {
         float *const at = &state.at[4 * size_t{p}], *const normal = &contacts.normals[4 * size_t{p}];
-        Vec3 place;
+        if ((has_contact && get(normal) != Vec3{}) || !is_outside(targets, state, p)) continue;
         TargetBounds out_of;
-        if (has_contact && get(normal) != Vec3{}) continue;
-        if (!find_place(targets, state, p, place, out_of)) continue;
+        const Vec3 place = find_place(targets, state, p, out_of);
         const Vec3 inward = out_of.bound[0].normal;
         put(normal, inward);
         normal[3] = static_cast<float>(dot(place - get(at), inward) / at[3]);
@@ -55,17 +56,14 @@ void keep_cloth_to_targets(AnimationTargets& targets, ClothState& state, ChainCo
         put(&contacts.normals[i], {});
         // A particle that the chains have not moved away from its bounds is still at them.
         const Vec3 at = get(&state.at[i]);
-        Vec3 place;
-        TargetBounds out_of;
         const double off = dot(pressing.bound[0].normal, state.origin + at) - pressing.bound[0].offset;
-        if (off <= rounding * max_component(abs(at)) && !find_place(targets, state, pressing.particle, place, out_of))
+        if (off <= rounding * max_component(abs(at)) && !is_outside(targets, state, pressing.particle))
             targets.reached.push_back(pressing);
     }
     for (uint32_t p = 0; p < targets.all.size(); ++p) {
-        Vec3 place;
+        if (!is_outside(targets, state, p)) continue;
         TargetBounds out_of;
-        if (!find_place(targets, state, p, place, out_of)) continue;
-        put(&state.at[4 * size_t{p}], place, farthest_in_cloth);
+        put(&state.at[4 * size_t{p}], find_place(targets, state, p, out_of), farthest_in_cloth);
         targets.reached.push_back(out_of);
     }
 }
@@ -78,10 +76,9 @@ void stop_cloth_at_targets(const AnimationTargets& targets, ClothState& state) {
 }
 
 void stay_near_target(const AnimationTargets& targets, ClothState& state, uint32_t particle) {
-    Vec3 place;
+    if (targets.empty() || !is_outside(targets, state, particle)) return;
     TargetBounds out_of;
-    if (!targets.empty() && find_place(targets, state, particle, place, out_of))
-        put(&state.at[4 * size_t{particle}], place, farthest_in_cloth);
+    put(&state.at[4 * size_t{particle}], find_place(targets, state, particle, out_of), farthest_in_cloth);
 }
 
 }  // namespace gphys
