@@ -89,6 +89,39 @@ TEST_CASE("a default sheet on a box, a ball, a capsule or a bar comes to rest wi
     }
 }
 
+TEST_CASE("a settled sheet presses what it lies on with its weight, and its moment", "[simulation]") {
+    const gphys_sphere ball{{0, 0, 0}, 0.5f};
+    for (const uint32_t substeps : {8u, 3u}) {
+        for (const bool on_ball : {false, true}) {
+            Room room;
+            REQUIRE(gphys_solver_set_substeps(room.solver, substeps) == GPHYS_OK);
+            if (on_ball) {
+                room.model(GPHYS_SHAPE_SPHERE, &ball);
+            } else {
+                room.box();
+            }
+            room.drape(0.6f, 40);
+            room.step(frame);
+            for (int i = 0; i < 600 && !room.rests(); ++i) room.step(frame);
+            REQUIRE(room.rests());
+            room.step(frame);
+            const std::vector<gphys_impulse> given = test::impulses(room);
+            REQUIRE(given.size() == 1);
+            gphys_vec3 middle{0, 0, 0};
+            const std::vector<gphys_vec3> all = room.positions(room.sheet);
+            for (const gphys_vec3& at : all) middle.x += at.x / 1600, middle.z += at.z / 1600;
+            const double weight = 9.81 * double{frame};
+            const gphys_vec3 force = given[0].linear, moment = given[0].angular;
+            figure("force of a settled sheet, in parts of its weight", -double{force.y} / weight, "");
+            // In floats, summed over 1600 particles and the substeps.
+            CHECK(std::fabs(double{force.y} + weight) < 1e-4 * weight);
+            CHECK(std::hypot(force.x, force.z) < 1e-4 * weight);
+            CHECK(std::fabs(double{moment.x} - middle.z * weight) < 1e-3 * weight);
+            CHECK(std::fabs(double{moment.z} + middle.x * weight) < 1e-3 * weight);
+        }
+    }
+}
+
 TEST_CASE("units do not matter for settling: a sheet in centimetres") {
     Room room;
     gphys_solver_destroy(room.solver);

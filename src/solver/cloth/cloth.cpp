@@ -31,11 +31,14 @@ ClothStep cloth_step(double h, double earlier_step, double damping) {
             narrowed(scheme.drag(damping))};
 }
 
-/// Whether only models and pins can have got what its momentum lacks at the end of a substep.
+/// Whether only models and pins can have got what its momentum lacks at the end of a substep. Sweeps of particles that
+/// move fast give impulses of their own, so without attachments only of cloth that settles.
 bool gives_all_momentum_to_models(const Body& body, const CollisionContext& around) {
-    return around.scene && !body.constraints.attachments.empty() && !body.plan.joined && !body.contacts.near &&
-           body.targets.empty() && !body.cloth.loads.any() &&
-           !(body.cloth.contacts.penetrating && collides(body, around));
+    const Cloth& cloth = body.cloth;
+    const bool lies = cloth.settling.acts() && cloth.state.held.empty() && cloth.contacts.any_active();
+    return around.scene && (lies || !body.constraints.attachments.empty()) && !body.plan.joined &&
+           !body.contacts.near && body.targets.empty() && !cloth.loads.any() &&
+           !(cloth.contacts.penetrating && collides(body, around));
 }
 
 }  // namespace
@@ -277,8 +280,7 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
         balance.stored = stored;
     }
     if (gives_all_momentum_to_models(body, around))
-        add_missing_impulses(body.constraints, around, state, missing_momentum(state, contacts, damping, h),
-                             body.contacts.impulses);
+        add_missing_impulses(body, around, missing_momentum(state, contacts, damping, h), body.contacts.impulses);
     balance.current = balance.closed && !collides && (accounted || cloth.relaxation.most_strain == 0);
     // What lies still has no earlier motion, which would make each step differ from the one before.
     const bool interrupted = body.contacts.has_contact || misplaced || cloth.settling.kept == 0;

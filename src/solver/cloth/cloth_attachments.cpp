@@ -50,19 +50,32 @@ void add_pull_impulses(const Constraints& constraints, const CollisionContext& a
     }
 }
 
-void add_missing_impulses(const Constraints& constraints, const CollisionContext& around, const ClothState& state,
-                          const Momentum& missing, Vector<ModelImpulse>& impulses) {
-    const double count = static_cast<double>(state.held.size());
+void add_missing_impulses(const Body& body, const CollisionContext& around, const Momentum& missing,
+                          Vector<ModelImpulse>& impulses) {
+    const ClothState& state = body.cloth.state;
+    const ClothContacts& contacts = body.cloth.contacts;
+    const auto each_holding = [&](const auto& visit) {
+        for (const uint32_t p : state.held) visit(p);
+        for (const uint32_t number : contacts.active) {
+            if (state.held.empty()) visit(contacts.candidates[number].particle);
+        }
+    };
+    const double count = static_cast<double>(state.held.empty() ? contacts.active.size() : state.held.size());
     Vec3 centre;
-    for (const uint32_t p : state.held) centre += place(state, p) / count;
+    each_holding([&](uint32_t p) { centre += place(state, p) / count; });
     SecondMoments moments;
-    for (const uint32_t p : state.held) moments.add(place(state, p) - centre, 1);
+    each_holding([&](uint32_t p) { moments.add(place(state, p) - centre, 1); });
     // On a line they take no moment about it: they count as a hundredth of their length thick, or rounding would be.
     moments.thicken(1e-4);
     const LeastForces shares(missing.linear, missing.angular - cross(centre, missing.linear), count, moments);
-    for (const Attachment& attachment : constraints.attachments) {
-        const Vec3 at = place(state, attachment.particle);
-        add_impulse(impulses, around, attachment.model, state.origin + at, shares.at(at - centre));
+    const auto give = [&](uint32_t particle, gphys_model_id model) {
+        const Vec3 at = place(state, particle);
+        add_impulse(impulses, around, model, state.origin + at, shares.at(at - centre));
+    };
+    for (const Attachment& attachment : body.constraints.attachments) give(attachment.particle, attachment.model);
+    for (const uint32_t number : contacts.active) {
+        const ClothContact& n = contacts.candidates[number];
+        if (state.held.empty()) give(n.particle, n.planes[n.active_plane].model);
     }
 }
 

@@ -8,6 +8,7 @@
 
 namespace gphys {
 
+struct Body;
 struct ClothContacts;
 struct CollisionContext;
 struct Constraints;
@@ -25,9 +26,9 @@ void add_pull_impulses(const Constraints& constraints, const CollisionContext& a
                        double step, double h);
 /// Call at the end of a substep. Links within the body cannot change its momentum: what is missing has gone to pins and
 /// models, by the relaxation of links, by limits of the energy, or while it settles. It is spread over attached
-/// particles and pins as a rigid body that is held there would press them.
-void add_missing_impulses(const Constraints& constraints, const CollisionContext& around, const ClothState& state,
-                          const Momentum& missing, Vector<ModelImpulse>& impulses);
+/// particles and pins, or over those in contact if there are none, as a rigid body that is held there would press them.
+void add_missing_impulses(const Body& body, const CollisionContext& around, const Momentum& missing,
+                          Vector<ModelImpulse>& impulses);
 
 /// Call at the end of a step, after publish_state: particles that have reached their places on the models are there
 /// exactly. Rounded to float32 they would seem to move in the next step, and do work.
