@@ -17,7 +17,7 @@ static const struct golden {
     /* clang-format off */
     {"particles", 0x5cce72db, 0x995591b2},
     {"ropes", 0x080daaae, 0x15ba0e4f},
-    {"cloth", 0xd7fc1b9e, 0x2e2d4383},
+    {"cloth", 0x51132709, 0x70ce1807},
     {"joints", 0x437c3738, 0x8f46ecf8},
     {"moving_models", 0xbffa25e3, 0x0a788959},
     {"cameras", 0xf3b8b092, 0x13040e63},
