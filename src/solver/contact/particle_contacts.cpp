@@ -34,7 +34,8 @@ constexpr double least_error = 1e-3, shallow_overlap = 0.03, deep_overlap = 0.06
 
 /// 1 for an overlap that may be an error of the sweeps, 0 for a deep one.
 double shallowness(double overlap, double radii) {
-    return std::clamp((deep_overlap - overlap / radii) / (deep_overlap - shallow_overlap), 0.0, 1.0);
+    if (overlap <= shallow_overlap * radii) return 1;  // radii may be 0
+    return std::max(0.0, (deep_overlap - overlap / radii) / (deep_overlap - shallow_overlap));
 }
 
 double error_of_sweeps(double overlap, double radii, Vec3 gravity, double h) {
