@@ -48,6 +48,7 @@ void ParticleContacts::ClusterContacts::find_inertia(ContactCluster& cluster) co
         const double mass = mass_of(p);
         (mass > 0 ? moments : held).add(p.at - cluster.centre, mass > 0 ? mass : 1);
     });
+    cluster.size = std::sqrt(moments.sum() / pivot.mass());
     const double weight = weight_of_held(moments.sum(), held.sum(), pivot.mass());
     moments.thicken(thinnest);
     moments.add(held, weight);
@@ -71,9 +72,13 @@ Vec3 ParticleContacts::ClusterContacts::rotation_by(const ContactCluster& cluste
 }
 
 /// Metres from a particle of a cluster to where it touches another one. What turns together does not slide there, while
-/// the centres of its particles do. Particles of ropes and cloth are carried along by their centres.
+/// the centres of its particles do. Particles of ropes and cloth are carried along by their centres. A cluster that is
+/// much smaller than its particles has no inertia against friction so far out.
 double ParticleContacts::ClusterContacts::reach_of_contact(const Particle& from, const Particle& to) const {
-    return to.cluster || moves_freely(bodies_[to.body]) ? from.radius : from.radius + to.radius;
+    constexpr double most = 4;
+    if (!from.cluster) return 0;
+    const double reach = to.cluster || moves_freely(bodies_[to.body]) ? from.radius : from.radius + to.radius;
+    return std::min(reach, most * from.cluster->size);
 }
 
 namespace {

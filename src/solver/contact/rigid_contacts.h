@@ -30,6 +30,7 @@ struct ContactCluster {
     Vec3 centre;
     double inverse_mass;
     Mat3 inverse_inertia;
+    double size;                          // metres: root mean square distance of its particles from the centre
     Vec3 turned;                          // rotation vector in the substep before contacts, or spin
     Vec3 impulse, moment;                 // of contacts, about the centre, if it is held
     Vec3 shift, turn;                     // by contacts: displacement and rotation vector, or velocity and spin
