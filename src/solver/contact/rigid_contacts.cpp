@@ -178,7 +178,8 @@ void RigidContacts::leave_out_locked() {
     constexpr double locked = 1e-4;
     for (ContactGroup *group = groups_, *const groups_end = groups_ + group_count_; group != groups_end; ++group) {
         const ContactCluster *const a = group->a.cluster, *const b = group->b.cluster;
-        if (!a || !b || !a->response || !b->response || a->response->system != b->response->system) continue;
+        if (group->count == 0 || !a || !b || !a->response || !b->response) continue;
+        if (a->response->system != b->response->system) continue;
         const ContactRow *const first = rows_ + group->first, *const end = first + group->count;
         ContactImpulse all;
         for (const ContactRow* row = first; row != end; ++row) add_impulse(all, *row, row->normal);
