@@ -35,7 +35,7 @@ case ${1:-} in
     --long)
         presets=(release clang exact-gcc-O0 exact-gcc-haswell exact-clang-O0 exact-clang-haswell asan-ubsan tsan)
         configuration=(-C Long)
-        options=(-DGAMEPHYS_EXACT_TESTS=ON -DGAMEPHYS_SHORT_TESTS=OFF)
+        options=(-DGAMEPHYS_EXACT_TESTS=ON -DGAMEPHYS_SHORT_TESTS=OFF -DGAMEPHYS_EXACT_OPTIMISATION=-O1)
         ;;
     --bindings)
         presets=(bindings)

@@ -148,7 +148,7 @@ TEST_CASE("A lift carries a cloth and a ball of fifty times its mass, and adds n
     CHECK(height > static_cast<double>(radius) + 0.01);  // on the cloth, not between its particles
 }
 
-TEST_CASE("Cloth under a ball keeps its shape on a box that rises, sinks or slides") {
+TEST_CASE("Cloth under a ball keeps its shape on a box that rises, sinks or slides", "[simulation]") {
     constexpr uint32_t side = 21;
     constexpr float radius = 0.1f, link = 1.0f / (side - 1);
     for (const gphys_vec3 speed : {gphys_vec3{0, 1, 0}, {0, -1, 0}, {1, 0, 0}}) {

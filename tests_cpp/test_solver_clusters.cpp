@@ -538,7 +538,7 @@ TEST_CASE("without its clusters a body is what it was") {
     CHECK(world.position(body) == other.position(body));
 }
 
-TEST_CASE("clusters have the same bits from any number of workers") {
+TEST_CASE("clusters have the same bits from any number of workers", "[simulation]") {
     uint64_t expected = 0;
     for (const uint32_t workers : {1u, 2u, 3u, 4u}) {
         gphys_solver_desc desc = World::desc();

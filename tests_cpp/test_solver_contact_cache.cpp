@@ -176,7 +176,8 @@ struct Yard : World {
 
 }  // namespace
 
-TEST_CASE("cloth restored before every step goes on with the same bits as cloth that keeps its contact planes") {
+TEST_CASE("cloth restored before every step goes on with the same bits as cloth that keeps its contact planes",
+          "[simulation]") {
     Yard kept, restored;
     for (int i = 0; i < 150; ++i) {
         REQUIRE(test::restore(restored.solver, test::snapshot(restored.solver)) == GPHYS_OK);

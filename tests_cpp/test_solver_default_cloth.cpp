@@ -132,7 +132,7 @@ TEST_CASE("threads of a curtain that somebody walks through keep their lengths",
     CHECK(beyond < 10);
 }
 
-TEST_CASE("a sheet of default settings calms down on a box") {
+TEST_CASE("a sheet of default settings calms down on a box", "[simulation]") {
     Sheet sheet(30);
     const gphys_aabb box{{-0.4f, -0.4f, -0.4f}, {0.4f, 0.4f, 0.4f}};
     sheet.world.model(GPHYS_SHAPE_AABB, &box);

@@ -216,7 +216,7 @@ TEST_CASE("Heavy balls on a rug on the floor stay slow and near", "[simulation]"
     SECTION("25 of 0.8 kg") { check(0.8, 0.05f, 0.12f, 5, 5); }
 }
 
-TEST_CASE("Balls in a net fall asleep") {
+TEST_CASE("Balls in a net fall asleep", "[simulation]") {
     gphys_solver_desc desc = World::desc();
     desc.sleep_speed = 0.05f;
     World world(desc);

@@ -159,7 +159,7 @@ Hash balls(uint32_t workers, bool fall, const gphys_task_runner* runner = nullpt
 
 }  // namespace
 
-TEST_CASE("a large cloth has the same bits whoever shares its work") {
+TEST_CASE("a large cloth has the same bits whoever shares its work", "[simulation]") {
     constexpr uint32_t n = 85;  // 42 500 links, of which 20 000 are enough to be shared
     const Hash alone = drape(1, n);
     CHECK(drape(2, n) == alone);

@@ -141,7 +141,8 @@ struct Pulled {
 
 }  // namespace
 
-TEST_CASE("a rope that is pulled around a post beyond its length stays on the post and shares the stretch") {
+TEST_CASE("a rope that is pulled around a post beyond its length stays on the post and shares the stretch",
+          "[simulation]") {
     for (const bool by_post : {false, true}) {
         for (const float friction : {0.0f, 0.3f}) {
             for (const uint32_t count : {30u, 120u}) {

@@ -68,7 +68,7 @@ double weight(const World& world, gphys_body_id body) {
 
 }  // namespace
 
-TEST_CASE("Two taut ropes carry a ball of 50 times their mass") {
+TEST_CASE("Two taut ropes carry a ball of 50 times their mass", "[simulation]") {
     const auto check = [](uint32_t substeps, double most_strain) {
         World world(substeps);
         span(world, 0.1f, 0.14f);
@@ -142,7 +142,7 @@ TEST_CASE("A free rope and a heavy ball that hits it keep their momentum, and ga
     CHECK(world.velocities(ball)[0].y > -2.9f);
 }
 
-TEST_CASE("A heavy ball slides along ropes without friction, and is held with it") {
+TEST_CASE("A heavy ball slides along ropes without friction, and is held with it", "[simulation]") {
     const auto way = [](float friction) {
         World world;
         gphys_body_desc desc = colliding(1, 0.01f);

@@ -98,7 +98,7 @@ gphys_solver_desc with_workers(uint32_t workers) {
 
 }  // namespace
 
-TEST_CASE("a rope that touches models moves with the same bits alone and among others") {
+TEST_CASE("a rope that touches models moves with the same bits alone and among others", "[simulation]") {
     constexpr uint32_t ropes = 61;
     for (const uint32_t workers : {1u, 3u}) {
         World together(with_workers(workers));

@@ -122,7 +122,7 @@ TEST_CASE("a settled sheet presses what it lies on with its weight, and its mome
     }
 }
 
-TEST_CASE("units do not matter for settling: a sheet in centimetres") {
+TEST_CASE("units do not matter for settling: a sheet in centimetres", "[simulation]") {
     Room room;
     gphys_solver_destroy(room.solver);
     gphys_solver_desc desc = World::desc(8, {0, -981, 0});

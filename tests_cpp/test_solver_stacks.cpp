@@ -217,7 +217,7 @@ TEST_CASE("a crate on a swing swings along") {
     CHECK(before - lowest > 0.5 * 33 * 2);
 }
 
-TEST_CASE("a heap of crates is the same for any number of workers") {
+TEST_CASE("a heap of crates is the same for any number of workers", "[simulation]") {
     std::vector<gphys_vec3> of_one;
     for (const uint32_t workers : {1u, 2u}) {
         gphys_solver_desc desc = World::desc(2);

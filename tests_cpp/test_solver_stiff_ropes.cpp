@@ -359,7 +359,8 @@ TEST_CASE("A joined or branched rod bends like a single one, and is a hinge wher
     CHECK(distance(branched.position(tree, 21), tip) < 1e-5);
 }
 
-TEST_CASE("Rods that may meet, hang by links that only pull, or change their lengths keep to their equations") {
+TEST_CASE("Rods that may meet, hang by links that only pull, or change their lengths keep to their equations",
+          "[simulation]") {
     // With others around, substeps are made in two parts (motion.h); with limits, in more iterations.
     constexpr double down = 0.30172;
     gphys_body_desc desc = stiff(1, 1, 2);

@@ -189,7 +189,7 @@ TEST_CASE("what a target of strain asks for adds no energy to cloth", "[simulati
     CHECK(most <= before);
 }
 
-TEST_CASE("steps with targets are part of a snapshot, and the same for any number of workers") {
+TEST_CASE("steps with targets are part of a snapshot, and the same for any number of workers", "[simulation]") {
     check_snapshots<Sheet>();
     check_snapshots<Draped>();
 }

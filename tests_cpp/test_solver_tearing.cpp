@@ -450,7 +450,7 @@ TEST_CASE("a step breaks one constraint for each 128 particles of a body at most
     CHECK(breaks_of(world).size() > most);
 }
 
-TEST_CASE("torn cloth beside models moves alike with any number of threads, and from a snapshot on") {
+TEST_CASE("torn cloth beside models moves alike with any number of threads, and from a snapshot on", "[simulation]") {
     const auto run = [&](uint32_t workers, int from_snapshot) {
         gphys_solver_desc settings = World::desc();
         World world(settings);

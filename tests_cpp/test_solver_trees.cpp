@@ -220,7 +220,8 @@ TEST_CASE("neither trees nor joined ropes gain energy in substeps of up to half 
     }
 }
 
-TEST_CASE("trees and joined ropes between pins too far apart share the stretch that cannot be avoided") {
+TEST_CASE("trees and joined ropes between pins too far apart share the stretch that cannot be avoided",
+          "[simulation]") {
     for (const float over : {0.0005f, 0.001f, 0.01f, 0.03f, 0.06f, 0.3f, 1.0f}) {
         for (const bool joined : {false, true}) {
             World world(8);

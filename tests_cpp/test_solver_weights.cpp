@@ -123,7 +123,7 @@ TEST_CASE("Layers of balls in a pit of triangles press it with the weight of all
     }
 }
 
-TEST_CASE("A heap in a pit of triangles goes on with the same bits after it is restored") {
+TEST_CASE("A heap in a pit of triangles goes on with the same bits after it is restored", "[simulation]") {
     World world, other;
     const test::MeshHandle pit = mesh_pit(0.1f);
     world.model(GPHYS_SHAPE_MESH, pit.mesh);

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # The gates of the interface can fail: each change below, which would break clients, is refused by the
 # gate that it names, for the reason that it names. Each runs in a folder of its own, some at a time.
-# A change takes a second or two, so without the argument "all" each fifth one is tried.
+# A change takes a second or two, so without the argument "all" each tenth one is tried.
 source "$SOURCE/tests_package/common.sh"
 for helpers in binaries headers generated documented; do source "$here/$helpers.sh"; done
 interface=$SOURCE/cmake/interface
 header=$SOURCE/include/gamephys_c.h
 map=$SOURCE/cmake/gamephys.map
 count=0 tried=0
-every=5
+every=10
 [ "${1:-}" != all ] || every=1
 mkdir failed
 
