@@ -2672,8 +2672,9 @@ typedef uint32_t gphys_cluster_id;
  *  attached stay where they are held: with one the cluster swings about it, with two about the line through them, and
  *  with three that are not on a line it does not move. Models that particles are attached to get the impulses. Contacts
  *  with models move the cluster as a whole, with friction; only particles touch, not the faces between them, so they
- *  should be no further apart than the thickness of the thinnest thing that a cluster meets. Of its restitution a
- *  cluster shows only the share of the mass of the particles that touched.
+ *  should be no further apart than the thickness of the thinnest thing that a cluster meets. It
+ *  bounces as a whole, too; one that is held, joined, or shares particles shows only the share of its restitution that
+ *  its particles in contact have of its mass.
  *  A shape is matched once in each substep, after the links: then what hangs from it by links may be strained a
  *  little, and clusters that share particles approach their shapes in eight passes. What is joined to it by
  *  gphys_solver_join is solved together with it, unless one of its particles is attached, or another cluster has it,

@@ -25,7 +25,7 @@ static const struct golden {
     {"queries", 0x0825934e, 0x151790c5},
     {"shapes", 0x67a709b4, 0x62fe01be},
     {"targets", 0x08027272, 0x0cce8fe3},
-    {"clusters", 0x81db7db0, 0x1907087f},
+    {"clusters", 0xcb7a1181, 0x12c19de6},
     {"tears", 0xa28a6eaf, 0x18f9da6c},
 };
 

@@ -4283,14 +4283,15 @@ func (o *Solver) SetConstraintSettings(body BodyID, constraints []ConstraintID, 
 // one the cluster swings about it, with two about the line through them, and with three that are not
 // on a line it does not move. Models that particles are attached to get the impulses. Contacts with
 // models move the cluster as a whole, with friction; only particles touch, not the faces between them,
-// so they should be no further apart than the thickness of the thinnest thing that a cluster meets. Of
-// its restitution a cluster shows only the share of the mass of the particles that touched. A shape is
-// matched once in each substep, after the links: then what hangs from it by links may be strained a
-// little, and clusters that share particles approach their shapes in eight passes. What is joined to
-// it by Solver.Join is solved together with it, unless one of its particles is attached, or another
-// cluster has it, too: hang heavy loads, or a light cluster under a heavy load, by joints. Bodies with
-// clusters are solved as cloth (SolveGraph), ropes and free particles too. The rest positions of cloth
-// are not changed by a cluster.
+// so they should be no further apart than the thickness of the thinnest thing that a cluster meets. It
+// bounces as a whole, too; one that is held, joined, or shares particles shows only the share of its
+// restitution that its particles in contact have of its mass. A shape is matched once in each substep,
+// after the links: then what hangs from it by links may be strained a little, and clusters that share
+// particles approach their shapes in eight passes. What is joined to it by Solver.Join is solved
+// together with it, unless one of its particles is attached, or another cluster has it, too: hang
+// heavy loads, or a light cluster under a heavy load, by joints. Bodies with clusters are solved as
+// cloth (SolveGraph), ropes and free particles too. The rest positions of cloth are not changed by a
+// cluster.
 //   - particles: count different particles, at least 2
 // The error is ErrInvalidArgument for a particle that does not exist or appears twice.
 // The error is ErrCapacity beyond 2^24 - 1 clusters of a body, or that many particles in them.

@@ -270,6 +270,7 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
     if (collides) {
         sweep_escaped(body, around, gravity, h);
         push_out_clusters(body);
+        bounce_clusters(body, around, h);
         if (contacts.penetrating) leave_solids(body, h);
     }
     if (balance.closed && !accounted && !body.plan.joined && !contacts.penetrating) {

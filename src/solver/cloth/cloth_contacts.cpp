@@ -404,15 +404,26 @@ void solve_contact_velocities(Body& body, const CollisionContext& around, double
         const size_t i = 4 * size_t{n.particle};
         float* velocity = &state.velocity[i];
         const Vec3 start = get(&state.start[i]), place = place_on_plane(n, body.cloth.moving_colliders, start);
-        const Vec3 of_plane = (place - start) * rate;
-        if (get(&state.at[i]) == place && restitution * n.approach == 0) {
+        const Vec3 of_plane = (place - start) * rate, normal = n.planes[n.active_plane].normal;
+        const double wanted = restitution * n.approach;
+        if ((restitution > 0 || n.approach > 0) && bounces_as_whole(body, n.particle)) {
+            ClusterImpact impact;
+            impact.particle = n.particle;
+            impact.model = n.planes[n.active_plane].model;
+            impact.hits = n.approach > 0;
+            impact.normal = normal;
+            impact.target = dot(of_plane, normal) + wanted;
+            impact.surface_velocity = of_plane;
+            impact.friction = friction_coefficients(body, n.particle).kinetic;
+            body.cloth.clusters.impacts.push_back(impact);
+            if (n.approach > 0) continue;
+        }
+        if (get(&state.at[i]) == place && wanted == 0) {
             lost.add(n, get(velocity) - of_plane);
             put(velocity, of_plane);
             continue;
         }
-        const Vec3 normal = n.planes[n.active_plane].normal;
         const double away = dot(get(velocity) - of_plane, normal);
-        const double wanted = restitution * n.approach;
         if (away >= wanted) continue;
         lost.add(n, normal * (away - wanted));
         put(velocity, get(velocity) + normal * (wanted - away));
@@ -476,6 +487,27 @@ void relax_links_in_contact(Body& body) {
     }
 }
 
+namespace {
+
+/// Of a particle that has hit the model of this contact point, and would have got its velocity alone. `before`: its
+/// velocity before that.
+ClusterImpact impact_of_escaped(const Body& body, uint32_t particle, uint32_t contact_point, Vec3 before) {
+    const ContactPoint& point = body.contacts.points[size_t{particle} * contact_points_per_particle + contact_point];
+    const Vec3 after = body.particles.velocity[particle];
+    ClusterImpact impact;
+    impact.particle = particle;
+    impact.model = point.model;
+    impact.hits = true;
+    impact.normal = widen(point.normal);
+    impact.target = dot(after, impact.normal);
+    impact.surface_velocity = after;
+    impact.friction = friction_coefficients(body, particle).kinetic;
+    impact.counted = after - before;
+    return impact;
+}
+
+}  // namespace
+
 void sweep_escaped(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     ClothState& state = body.cloth.state;
     ClothContacts& contacts = body.cloth.contacts;
@@ -508,7 +540,12 @@ void sweep_escaped(Body& body, const CollisionContext& around, Vec3 gravity, dou
         const Vec3 at = body.particles.position[p];
         collider.slide(body, p, body.history.start[p], at - body.history.start[p], around.begin,
                        find_bounce_threshold(gravity, h));
-        if (body.contacts.held[p]) {
+        if (const uint32_t held = body.contacts.held[p]) {
+            const Vec3 before = get(&state.velocity[i]);
+            if (body.particles.velocity[p] != before && bounces_as_whole(body, p)) {
+                body.cloth.clusters.impacts.push_back(impact_of_escaped(body, p, held - 1, before));
+                body.particles.velocity[p] = before;
+            }
             contacts.clusters_pushed = contacts.clusters_pushed || body.cloth.clusters.has(p);
             put(&state.at[i], body.particles.position[p] - state.origin);
             put(&state.velocity[i], body.particles.velocity[p]);

@@ -318,6 +318,8 @@ void reserve_clusters(Clusters& clusters, uint32_t particles) {
     uint32_t largest = 0;
     each_cluster(clusters, [&](ClusterRange members) { largest = std::max(largest, members.size()); });
     clusters.contacts.reserve(largest);
+    clusters.impacts.clear();
+    clusters.impacts.reserve(2 * size_t{particles});
     clusters.responses.clear();
     clusters.responses.reserve(clusters.ids.size());
     each_cluster(clusters, [&](ClusterRange members) {

@@ -1,9 +1,10 @@
 // Rigid clusters by shape matching: particles that keep the shape they had when the cluster was made (Mueller,
 // Heidelberger, Teschner & Gross 2005, "Meshless deformations based on shape matching").
 //
-//   clusters.cpp       a substep
-//   cluster_edits.cpp  adding, removing, listing
-//   best_rotation.cpp  the rotation of a cluster
+//   clusters.cpp         a substep
+//   cluster_impacts.cpp  restitution
+//   cluster_edits.cpp    adding, removing, listing
+//   best_rotation.cpp    the rotation of a cluster
 //
 // The shape is moved to where it is nearest to the particles, by the sum of mass times squared distance, and the
 // particles are put on it. That changes neither their momentum nor their angular momentum. Particles that do not move
@@ -24,6 +25,7 @@ namespace gphys {
 
 struct Body;
 struct ClothState;
+struct CollisionContext;
 
 struct ClusterMember {
     Vec3 rest;  // in the shape, relative to the first member
@@ -58,9 +60,26 @@ struct ClusterResponse {
     uint32_t system;                                       // of joints
 };
 
+/// Of a particle of a cluster with a model, in the substep under way.
+struct ClusterImpact {
+    uint32_t particle = 0;
+    gphys_model_id model = 0;
+    bool hits = false;      // whether it approaches fast enough to bounce
+    Vec3 normal;            // of the model
+    double target = 0;      // m/s along the normal: the velocity that it shall have at least
+    Vec3 surface_velocity;  // m/s
+    double friction = 0;    // coefficient
+    Vec3 counted;           // m/s: change of its velocity whose impulse the model has got already
+    // While the cluster is solved. Relative masses:
+    Vec3 arm;                           // from the centre of mass to the point of contact
+    double inverse_effective_mass = 0;  // along the normal
+    double impulse = 0;                 // accumulated
+    Vec3 friction_impulse;              // accumulated
+};
+
 struct Clusters {
     explicit Clusters(std::pmr::memory_resource* memory)
-        : ids(memory), members(memory), first_member(memory), contacts(memory), responses(memory) {}
+        : ids(memory), members(memory), first_member(memory), contacts(memory), impacts(memory), responses(memory) {}
 
     static constexpr uint32_t none = 0xffffffff;
 
@@ -75,6 +94,7 @@ struct Clusters {
     bool overlap = false;               // whether any particle is in several
     Vector<uint32_t> first_member;      // by particle: the index of the first member of its first cluster, or none
     Vector<ClusterContact> contacts;    // of the cluster being solved; capacity for the largest
+    Vector<ClusterImpact> impacts;      // of all; capacity for two of each particle
     Vector<ClusterResponse> responses;  // of those that joint systems move, by slot; capacity for all
 };
 
@@ -88,6 +108,12 @@ void project_clusters(const Clusters& clusters, ClothState& state);
 /// For clusters of which models have pushed out particles, one by one: moves them as wholes instead, in front of their
 /// contact planes. Velocities stay. Not those of joined bodies.
 void push_out_clusters(Body& body);
+
+// cluster_impacts.cpp
+/// Whether the impacts of a particle are those of its cluster. Not where that shares particles, is held or is joined.
+bool bounces_as_whole(const Body& body, uint32_t particle);
+/// Call at the end of a substep: gives clusters the velocities after their impacts.
+void bounce_clusters(Body& body, const CollisionContext& around, double h);
 
 // cluster_edits.cpp. Values have been checked. A function that fails, by status or std::bad_alloc, changes nothing;
 // else it wakes the body.

@@ -1308,14 +1308,15 @@ public final class Solver extends Owned {
      * one the cluster swings about it, with two about the line through them, and with three that are not
      * on a line it does not move. Models that particles are attached to get the impulses. Contacts with
      * models move the cluster as a whole, with friction; only particles touch, not the faces between them,
-     * so they should be no further apart than the thickness of the thinnest thing that a cluster meets. Of
-     * its restitution a cluster shows only the share of the mass of the particles that touched. A shape is
-     * matched once in each substep, after the links: then what hangs from it by links may be strained a
-     * little, and clusters that share particles approach their shapes in eight passes. What is joined to
-     * it by Solver.join is solved together with it, unless one of its particles is attached, or another
-     * cluster has it, too: hang heavy loads, or a light cluster under a heavy load, by joints. Bodies with
-     * clusters are solved as cloth (SOLVE_GRAPH), ropes and free particles too. The rest positions of
-     * cloth are not changed by a cluster.
+     * so they should be no further apart than the thickness of the thinnest thing that a cluster meets. It
+     * bounces as a whole, too; one that is held, joined, or shares particles shows only the share of its
+     * restitution that its particles in contact have of its mass. A shape is matched once in each substep,
+     * after the links: then what hangs from it by links may be strained a little, and clusters that share
+     * particles approach their shapes in eight passes. What is joined to it by Solver.join is solved
+     * together with it, unless one of its particles is attached, or another cluster has it, too: hang
+     * heavy loads, or a light cluster under a heavy load, by joints. Bodies with clusters are solved as
+     * cloth (SOLVE_GRAPH), ropes and free particles too. The rest positions of cloth are not changed by a
+     * cluster.
      * Cost: O(particles); allocates. In each substep about 1 us a cluster, 50 ns a particle of it and 0.3
      * us one that touches a model, and up to eight times that if clusters of the body share particles; the
      * first and the last cluster plan the body again, O(constraints). Since 1.1.
