@@ -168,7 +168,9 @@ void begin_links(Body& body) {
     // Before the chains, which need the volume for their shape, and after them, because they leave an error in it.
     cloth.volume.multiplier = 0;
     correct_volume(body);
-    if (cloth.loads.any()) note_motion(cloth);
+    if (!cloth.loads.any()) return;
+    note_motion(cloth);
+    if (!body.plan.joined) add_inertia_of_tension(cloth);
 }
 
 void end_links(Body& body) {

@@ -242,6 +242,35 @@ void note_motion(Cloth& cloth) {
     }
 }
 
+void add_inertia_of_tension(Cloth& cloth) {
+    // Of the taut chain to the load: links pull at it with its force divided by this, on both sides.
+    constexpr double slope = 1.0 / 3;
+    const double farthest = slope * cloth.batches.link_length;
+    const ClothState& state = cloth.state;
+    const ContactLoads& loads = cloth.loads;
+    const bool is_held = !state.held.empty() || cloth.contacts.any_active();
+    const auto is_carried = [](const HeavyBody& heavy) { return heavy.carried; };
+    if (!is_held || !loads.closed || std::all_of(loads.heavy.begin(), loads.heavy.end(), is_carried)) return;
+    const Motion whole = motion_of_cloth(state);
+    const Vec3 drift = whole.momentum / whole.mass;
+    const Vector<float>& softness = cloth.batches.softness;
+    const float least_softness = *std::min_element(softness.begin(), softness.end());
+    double mass = 1;
+    for (const HeavyBody& heavy : loads.heavy) {
+        const double share = heavy.mass / heavy.shares;
+        // Links that are more elastic stretch before they stop it.
+        if (is_carried(heavy) || share * least_softness > 1) continue;
+        const double way = length(heavy.motion.velocity - drift) * loads.seconds;
+        mass = std::max(mass, way < farthest ? share * (way / farthest) : share);
+    }
+    if (!(mass > 1)) return;
+    const float part = static_cast<float>(1 / mass);
+    for (uint32_t p = 0; p < state.particles; ++p) {
+        float* const diagonal = &cloth.tethers.diagonal[4 * size_t{p}];
+        if (!loads.is_loaded[p]) std::fill(diagonal, diagonal + 3, part);
+    }
+}
+
 void note_places(ContactLoads& loads, const ClothState& state) {
     for (ContactLoad& load : loads.all) load.place = get(&state.at[4 * size_t{load.particle}]);
 }

@@ -8,6 +8,14 @@
 // cluster has at the pressed particle. The links are swept several times, because heavy and light particles in one
 // chain converge slowly, and with the load's motion shared by many chains.
 //
+// A taut chain resists being pushed aside with twice its tension by the length of a link (the geometric stiffness;
+// Tournier, Nesme, Gilles and Faure 2015). Chains are solved with the directions that links had before, which leaves
+// this out. In long substeps the chain between a load and a pin would then get its length by throwing its light
+// particles aside rather than by moving the load, and sweeps would not converge. So in cloth that pins or models hold,
+// the particles that carry no load have at least the mass of that stiffness, all the same one, which changes nothing
+// between each other. This mass weighs on what holds the cloth, and where that moves, it would push: so it needs the
+// bound of energy below.
+//
 // The links must not do work on the load: they are a little elastic by their regularisation, and the lengths that
 // sweeps give back to them would be a spring without a loss. So the energy of cloth and loads is bounded by what it was
 // before the links were solved. On models that move, all with one velocity, it is that in their frame, in which they do
@@ -77,7 +85,9 @@ void reserve_loads(ContactLoads& loads, uint32_t particles, size_t floats);
 void begin_loads(Body& body, double h);
 /// Call before the links are solved, when contact planes have corrected the prediction.
 void note_motion(Cloth& cloth);
-/// The same of the energy alone, in a substep of `h` seconds.
+/// Call then, for cloth that is not joined: gives its particles the inertia of the tension that will stop the loads.
+void add_inertia_of_tension(Cloth& cloth);
+/// The same as note_motion of the energy alone, in a substep of `h` seconds.
 void note_energy(Cloth& cloth, double h);
 /// After something else has moved loaded particles; and when links have moved them.
 void note_places(ContactLoads& loads, const ClothState& state);
