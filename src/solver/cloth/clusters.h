@@ -57,7 +57,7 @@ struct ClusterResponse {
     Mat3 rotation;
     Mat3 shift_by_force, shift_by_torque, turn_by_torque;  // of the centre; the first and the last are symmetric
     Vec3 impulse, angular_impulse;                         // of contacts, relative masses times metres
-    uint32_t system;                                       // of joints
+    uint32_t system, in_system;                            // of joints, and which of its clusters this is
 };
 
 /// Of a particle of a cluster with a model, in the substep under way.

@@ -205,6 +205,10 @@ void ParticleContacts::ClusterContacts::find_responses(const Joined& joined) {
         Body& body = joined.bodies[body_of(cluster)];
         cluster.response = response_of(body.cloth.clusters, cluster.members.first->cluster);
         cluster.mass_unit = body.cloth.state.average_mass;
+        cluster.system = nullptr;
+        if (!cluster.response || !joined.all_systems[cluster.response->system].couples_clusters()) return;
+        cluster.system = &joined.all_systems[cluster.response->system];
+        cluster.system->begin_impulses();
     });
 }
 
@@ -270,7 +274,6 @@ void ParticleContacts::ClusterContacts::begin_positions(const Joined* joined, co
         row.separation = &contact.separation;
         return true;
     });
-    contacts_.leave_out_locked();
 }
 
 void ParticleContacts::ClusterContacts::begin_velocities(const Joined* joined, double tolerance) {
@@ -296,7 +299,6 @@ void ParticleContacts::ClusterContacts::begin_velocities(const Joined* joined, d
         row.separation = &contact.normal_change;
         return true;
     });
-    contacts_.leave_out_locked();
 }
 
 void ParticleContacts::ClusterContacts::end_positions() const {

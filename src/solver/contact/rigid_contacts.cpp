@@ -54,6 +54,51 @@ void push(const ContactGroup& group, const ContactImpulse& sum) {
     push(group.a, -sum.impulse, -sum.about_a);
 }
 
+/// What it is joined to moves with it.
+void push_joined(const ContactPartner& partner, Vec3 impulse, Vec3 moment) {
+    if (!partner.cluster || !partner.cluster->response || !partner.cluster->system) return;
+    if (impulse == Vec3{} && moment == Vec3{}) return;
+    const ContactCluster& cluster = *partner.cluster;
+    cluster.system->add_impulse(*cluster.response, impulse / cluster.mass_unit, moment / cluster.mass_unit);
+}
+
+void push_joined(const ContactGroup& group, const ContactImpulse& sum) {
+    push_joined(group.b, sum.impulse, sum.about_b);
+    push_joined(group.a, -sum.impulse, -sum.about_a);
+}
+
+/// Where the impulses on all that it is joined to have moved it.
+void follow_joined(const ContactPartner& partner) {
+    if (!partner.cluster || !partner.cluster->response || !partner.cluster->system) return;
+    ContactCluster& cluster = *partner.cluster;
+    cluster.system->displacement(*cluster.response, cluster.shift, cluster.turn);
+}
+
+void follow_joined(const ContactGroup& group) {
+    follow_joined(group.b);
+    follow_joined(group.a);
+}
+
+bool are_joined(const ContactGroup& group) {
+    const ContactCluster *const a = group.a.cluster, *const b = group.b.cluster;
+    return a && b && a->response && b->response && a->response->system == b->response->system;
+}
+
+/// Whether what moves one of a group moves the other one, too.
+bool move_together(const ContactGroup& group) { return are_joined(group) && group.a.cluster->system; }
+
+/// The relative displacement of such two by a unit impulse, before there are others.
+Vec3 moved_together(const ContactGroup& group, const ContactRow& row, Vec3 direction) {
+    ContactImpulse unit;
+    add_impulse(unit, row, direction);
+    push_joined(group, unit);
+    follow_joined(group);
+    const Vec3 moved = RelativeMotion(group).at(row);
+    group.a.cluster->system->begin_impulses();
+    for (ContactCluster* cluster : {group.a.cluster, group.b.cluster}) cluster->shift = cluster->turn = {};
+    return moved;
+}
+
 /// What unit impulses at a place move both of a group by, relative to each other: an impulse along s moves them along s
 /// by ss, and along t by st.
 struct InverseMasses {
@@ -62,6 +107,11 @@ struct InverseMasses {
     InverseMasses(const ContactGroup& group, const ContactRow& row, Vec3 s, Vec3 t) {
         add(group.b, row.arm_b, s, t);
         add(group.a, row.arm_a, s, t);
+        if (!move_together(group)) return;
+        const Vec3 by_s = moved_together(group, row, s), by_t = moved_together(group, row, t);
+        ss = std::max(ss, dot(s, by_s));
+        tt = std::max(tt, dot(t, by_t));
+        st = dot(t, by_s);
     }
     double largest() const { return (ss + tt) / 2 + std::sqrt((ss - tt) * (ss - tt) / 4 + st * st); }
 
@@ -96,7 +146,8 @@ double inverse_mass(const ContactPartner& partner, Vec3 arm, Vec3 direction) {
 }
 
 double inverse_mass(const ContactGroup& group, const ContactRow& row) {
-    return inverse_mass(group.b, row.arm_b, row.normal) + inverse_mass(group.a, row.arm_a, row.normal);
+    const double alone = inverse_mass(group.b, row.arm_b, row.normal) + inverse_mass(group.a, row.arm_a, row.normal);
+    return move_together(group) ? std::max(alone, dot(row.normal, moved_together(group, row, row.normal))) : alone;
 }
 
 /// The largest one along the surface.
@@ -122,12 +173,17 @@ double yielding_mass_along(const ContactGroup& group, Vec3 slip) {
     return size > 0 ? yielding_mass(group, slip / -size) : 0;
 }
 
+// Contacts of two clusters in one system of joints may ask for what the joints do not allow, as of limbs that overlap
+// where they are joined. Their impulses would grow without bound. So this part of the gap that an impulse would close
+// without the other cluster may stay: of clusters at rest, a third of the way that gravity moves them in a substep.
+constexpr double softness_of_joined = 0.3;
+
 /// Changes the normal impulse of a row, of which `among` share the masses. Returns by how much it has changed the gap.
 GPHYS_INLINE double change_normal(const ContactGroup& group, ContactRow& row, double moved, double among) {
     row.normal_change = 0;
-    const double gap = row.gap + moved;
+    const double gap = row.gap + moved + row.softness * row.normal_impulse;
     if (row.normal_impulse == 0 && gap >= 0) return 0;
-    const double yields = row.inverse_mass + yielding_mass(group, row.normal);
+    const double yields = row.inverse_mass + row.softness + yielding_mass(group, row.normal);
     if (!(yields > 0)) return 0;
     row.normal_change = std::max(-row.normal_impulse, -gap / (yields * among));
     row.normal_impulse += row.normal_change;
@@ -170,26 +226,8 @@ void RigidContacts::add(const ContactRow& added) {
     ++group.count;
     row = added;
     row.inverse_mass = inverse_mass(group, row);
+    if (are_joined(group)) row.softness = softness_of_joined * row.inverse_mass;
     row.inverse_mass_along = row.friction > 0 ? inverse_mass_along(group, row) : 0;
-}
-
-void RigidContacts::leave_out_locked() {
-    // Of what the same impulse would move them by without joints, about.
-    constexpr double locked = 1e-4;
-    for (ContactGroup *group = groups_, *const groups_end = groups_ + group_count_; group != groups_end; ++group) {
-        const ContactCluster *const a = group->a.cluster, *const b = group->b.cluster;
-        if (group->count == 0 || !a || !b || !a->response || !b->response) continue;
-        if (a->response->system != b->response->system) continue;
-        const ContactRow *const first = rows_ + group->first, *const end = first + group->count;
-        ContactImpulse all;
-        for (const ContactRow* row = first; row != end; ++row) add_impulse(all, *row, row->normal);
-        Vec3 shift, turn_a, turn_b;
-        a->displace(all.impulse, all.about_a, shift, turn_a);
-        b->displace(all.impulse, all.about_b, shift, turn_b);
-        const double apart = dot(shift, all.impulse) + dot(turn_a, all.about_a) + dot(turn_b, all.about_b);
-        const double free = first->scale / (a->members.size() + b->members.size()) * group->count * group->count;
-        if (apart < locked * free) group->count = 0;
-    }
 }
 
 /// Returns by how much it has moved anything, at most.
@@ -201,6 +239,7 @@ double RigidContacts::sweep() {
         const double among = group->count;
         ContactImpulse normal, friction;
         double load = 0;
+        follow_joined(*group);
         const RelativeMotion approaching(*group);
         for (ContactRow* row = first; row != end; ++row) {
             largest = std::max(largest, change_normal(*group, *row, dot(row->normal, approaching.at(*row)), among));
@@ -208,6 +247,11 @@ double RigidContacts::sweep() {
             if (row->normal_change != 0) add_impulse(normal, *row, row->normal * row->normal_change);
         }
         push(*group, ContactImpulse(normal));
+        const bool together = move_together(*group);
+        if (together) {
+            push_joined(*group, normal);
+            follow_joined(*group);
+        }
         const RelativeMotion sliding(*group);
         for (ContactRow* row = first; row != end; ++row) {
             // Each bears as much of the friction as of the load, which bounds it.
@@ -221,6 +265,7 @@ double RigidContacts::sweep() {
         push(*group, ContactImpulse(friction));
         group->change = {normal.impulse + friction.impulse, normal.about_a + friction.about_a,
                          normal.about_b + friction.about_b};
+        push_joined(*group, together ? friction : group->change);
     }
     square_ = squares;
     return std::max(largest, std::sqrt(largest_square));
@@ -255,6 +300,7 @@ void RigidContacts::accelerate() {
         continue_way(group->way.about_a, group->change.about_a, more.about_a);
         continue_way(group->way.about_b, group->change.about_b, more.about_b);
         push(*group, more);
+        push_joined(*group, more);
     }
 }
 

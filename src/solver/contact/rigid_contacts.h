@@ -12,12 +12,17 @@
 // (Silcowitz-Hansen, Niebe & Erleben 2010, "A nonsmooth nonlinear conjugate gradient method for interactive contact
 // force problems"): loads and torques pass through a stack in a few iterations, where Gauss-Seidel needs as many as the
 // square of its height.
+//
+// An impulse on a joined cluster moves all clusters of its system of joints, and each pair starts from where the
+// impulses so far have moved both (JointSystem::displacement). If each cluster counted its own impulses alone, all
+// limbs of a ragdoll would together stop its sliding several times over, and it would tremble where it lies.
 #pragma once
 
 #include "foundation/math.h"
 #include "foundation/memory.h"
 #include "solver/cloth/clusters.h"
 #include "solver/contact/supports.h"
+#include "solver/joints/joints.h"
 
 namespace gphys {
 
@@ -35,6 +40,7 @@ struct ContactCluster {
     Vec3 impulse, moment;                 // of contacts, about the centre, if it is held
     Vec3 shift, turn;                     // by contacts: displacement and rotation vector, or velocity and spin
     ClusterResponse* response = nullptr;  // of a joined one, in place of inverse mass and inertia
+    JointSystem* system = nullptr;        // then: that moves with it; null if that is too large
     double mass_unit = 1;                 // kg, of the response
 
     /// The displacement of a place on it by an impulse there, or by an impulse and its moment.
@@ -87,6 +93,8 @@ struct ContactRow {
     // What a unit impulse moves b by relative to a: one along the normal, and one along the surface at most. A particle
     // that models carry is left out.
     double inverse_mass = 0, inverse_mass_along = 0;
+    // Of what the joints of both do not let apart: as inverse_mass, times the impulse a part of the gap that stays.
+    double softness = 0;
     double normal_impulse = 0;
     Vec3 friction_impulse;
     // What the last sweep has changed, and the direction of the search:
@@ -109,9 +117,6 @@ public:
     /// Rows that are added now are between these. Groups and rows for which there is no room are left out.
     void begin_group(const ContactPartner& a, const ContactPartner& b);
     void add(const ContactRow& row);
-    /// Call after the last row: leaves out the contacts of two clusters that their joints do not let apart, as of limbs
-    /// that begin in each other at their joint. Their impulses would grow without bound.
-    void leave_out_locked();
     /// At most so many iterations, until none changes a gap by more than `tolerance`.
     void solve(int most, double tolerance);
     /// Call when others have moved particles meanwhile.

@@ -64,6 +64,19 @@ void JointSystem::add_cluster(uint32_t body, ClusterRange members) {
     clusters_.push_back(cluster);
 }
 
+void JointSystem::plan_ways() {
+    // In a chain of clusters they grow with the square of its length, and so does the time: one of 23 has about 4000.
+    constexpr size_t most_rows = 1 << 12;
+    way_rows_.clear();
+    ways_.clear();
+    for (JoinedCluster& cluster : clusters_) {
+        cluster.first_way = static_cast<uint32_t>(way_rows_.size());
+        cluster.way_count = matrix_.list_way({nodes_[cluster.centre].scalar, nodes_[cluster.turn].scalar}, way_rows_);
+        if (way_rows_.size() > most_rows) return;
+    }
+    ways_.resize(6 * way_rows_.size());
+}
+
 /// Adds rows to a column of a pose: the tie forces that are eliminated before it.
 void JointSystem::list_ties_of_pose(uint32_t node, uint32_t axis, Vector<uint32_t>& rows) {
     const auto cluster = std::find_if(clusters_.begin(), clusters_.end(),
@@ -308,7 +321,8 @@ void JointSystem::add_cluster_response(const Body& body, uint32_t slot, uint32_t
     if (!cluster || !cluster->free) return;
     const double scale = cluster->scale;
     double inverse[6][6];
-    matrix_.inverse_block<2>({nodes_[cluster->centre].scalar, nodes_[cluster->turn].scalar}, inverse);
+    double* const way = couples_clusters() ? &ways_[6 * size_t{cluster->first_way}] : nullptr;
+    matrix_.inverse_block<2>({nodes_[cluster->centre].scalar, nodes_[cluster->turn].scalar}, inverse, way);
     const auto block = [&](int row, int column) {
         const auto at = [&](int k) {
             return Vec3{inverse[row][column + k], inverse[row + 1][column + k], inverse[row + 2][column + k]} * scale;
@@ -326,7 +340,23 @@ void JointSystem::add_cluster_response(const Body& body, uint32_t slot, uint32_t
                    block(3, 3),
                    {},
                    {},
-                   system});
+                   system,
+                   static_cast<uint32_t>(cluster - clusters_.data())});
+}
+
+void JointSystem::add_impulse(const ClusterResponse& of, Vec3 impulse, Vec3 angular_impulse) {
+    const JoinedCluster& cluster = clusters_[of.in_system];
+    const Vec3 f = nodes_[cluster.centre].free ? impulse * cluster.scale : Vec3{}, t = angular_impulse * cluster.scale;
+    matrix_.add_to_sum({f.x, f.y, f.z, t.x, t.y, t.z}, &way_rows_[cluster.first_way], cluster.way_count,
+                       &ways_[6 * size_t{cluster.first_way}]);
+}
+
+void JointSystem::displacement(const ClusterResponse& of, Vec3& shift, Vec3& turn) const {
+    const JoinedCluster& cluster = clusters_[of.in_system];
+    double x[6];
+    matrix_.solve_sum(x, &way_rows_[cluster.first_way], cluster.way_count, &ways_[6 * size_t{cluster.first_way}]);
+    shift = nodes_[cluster.centre].free ? Vec3{x[0], x[1], x[2]} : Vec3{};
+    turn = {x[3], x[4], x[5]};
 }
 
 void JointSystem::apply_contact_impulses(uint32_t slot, const Vector<ClusterResponse>& responses) {

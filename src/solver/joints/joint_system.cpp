@@ -173,6 +173,7 @@ void JointSystem::plan() {
             list_columns(ties_[by_node[next_tie]], scalar, column_begin, rows);
     }
     matrix_.analyse(column_begin, rows);
+    plan_ways();
     entries_.resize(rows.size());
     diagonal_.resize(scalar);
     solution_.resize(scalar);

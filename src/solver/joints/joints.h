@@ -87,8 +87,9 @@ public:
         uint32_t first_tie, tie_count;  // in ties_
         uint32_t centre = 0, turn = 0;  // nodes; the position of `turn` is the Gibbs vector, times 2, of the rotation
                                         // since the prediction, and its load is the inertia
-        bool free = false;              // whether the system moves it in this substep
-        Vec3 rest = {};                 // of the pivot, in the shape
+        uint32_t first_way = 0, way_count = 0;  // in way_rows_
+        bool free = false;                      // whether the system moves it in this substep
+        Vec3 rest = {};                         // of the pivot, in the shape
         Mat3 predicted = {}, rotation = {};
         double size = 0;   // metres: root mean square distance of the members from the pivot
         double scale = 0;  // 1 / s^2, times the mass unit: a relative mass becomes a weight
@@ -134,6 +135,13 @@ public:
                               Vector<ClusterResponse>& out);
     /// Applies the impulses of contacts on the clusters of a body.
     void apply_contact_impulses(uint32_t slot, const Vector<ClusterResponse>& responses);
+    // While contacts are solved: what the impulses on all clusters since begin_impulses() move each of them by, to
+    // first order. Only of those that have a response.
+    /// Whether the system is not too large for that.
+    bool couples_clusters() const { return !ways_.empty(); }
+    void begin_impulses() { matrix_.clear_sum(); }
+    void add_impulse(const ClusterResponse& of, Vec3 impulse, Vec3 angular_impulse);
+    void displacement(const ClusterResponse& of, Vec3& shift, Vec3& turn) const;
     /// Call after that, before the next gather(): changes the histories of the bodies so that what the impulses
     /// displace changes velocities as in other bodies (contact/corrections.h).
     void displace_histories(BodyTable& bodies, double h);
@@ -186,6 +194,7 @@ private:
     void assemble_ties();
     void take_tie_forces(bool add);
     void turn_clusters(double fraction);
+    void plan_ways();
     void place_clusters();
     /// Whether both move freely: the node, and the cluster at least about its pivot.
     bool is_active(const ClusterTie& tie) const;
@@ -209,8 +218,10 @@ private:
     Vector<NodeBend> bends_{memory_};
     Vector<JoinedCluster> clusters_{memory_};
     Vector<ClusterTie> ties_{memory_};
-    Vector<Vec3> predicted_{memory_};  // by member of a cluster, relative to the cloth's origin
-    Vector<double> shares_{memory_};   // by member of a cluster: part of its mass that is in the pose
+    Vector<Vec3> predicted_{memory_};     // by member of a cluster, relative to the cloth's origin
+    Vector<double> shares_{memory_};      // by member of a cluster: part of its mass that is in the pose
+    Vector<uint32_t> way_rows_{memory_};  // of clusters: see SparseLdl::list_way
+    Vector<double> ways_{memory_};        // six for each of these rows; none if there are too many
     Vector<double> entries_{memory_}, diagonal_{memory_}, solution_{memory_};
     Vector<double> applied_{memory_};  // newtons, by unknown: the forces that respond() takes
     SparseLdl matrix_{memory_};

@@ -30,6 +30,7 @@ void SparseLdl::analyse(const Vector<uint32_t>& column_begin, const Vector<uint3
     inverse_pivot_.resize(n);
     sum_.assign(n, 0.0);
     units_.assign(most_units * size_t{n}, 0.0);
+    substituted_.assign(n, 0.0);
 }
 
 void SparseLdl::factor(const double* entries, const double* diagonal) {
@@ -82,19 +83,30 @@ void SparseLdl::solve(double* x) const {
 // With L y_a = e_a for the unit vector of row a, the inverse has the sum of y_a y_b / pivot in row a and column b. Such
 // a y is 0 except at the ancestors of its row in the elimination tree (Davis 2006, "Direct methods for sparse linear
 // systems", section 3.2), so a whole solution is not needed.
-template <int threes>
-void SparseLdl::inverse_block(const uint32_t (&first)[threes], double (&block)[3 * threes][3 * threes]) {
-    constexpr int units = 3 * threes;
+/// Visits the rows of some threes and their ancestors, in ascending order.
+template <int threes, class Visit>
+void SparseLdl::each_ancestor(const uint32_t (&first)[threes], Visit&& visit) const {
     uint32_t next[threes];  // on the way up from each
+    std::copy(first, first + threes, next);
+    // The ways end at a common ancestor, or at the roots of two trees.
+    for (uint32_t i; (i = *std::min_element(next, next + threes)) != none;) {
+        visit(i);
+        for (uint32_t& from : next) {
+            if (from == i) from = parent_[i];
+        }
+    }
+}
+
+template <int threes>
+void SparseLdl::inverse_block(const uint32_t (&first)[threes], double (&block)[3 * threes][3 * threes], double* way) {
+    constexpr int units = 3 * threes;
     for (int three = 0; three < threes; ++three) {
-        next[three] = first[three];
         for (int k = 3 * three; k < 3 * three + 3; ++k) {
             for (double& entry : block[k]) entry = 0;
             units_[most_units * size_t{first[three] + static_cast<uint32_t>(k) % 3} + static_cast<uint32_t>(k)] = 1;
         }
     }
-    // The ways end at a common ancestor, or at the roots of two trees.
-    for (uint32_t i; (i = *std::min_element(next, next + threes)) != none;) {
+    each_ancestor(first, [&](uint32_t i) {
         double* const unit = &units_[most_units * size_t{i}];
         double y[units];
         for (int a = 0; a < units; ++a) {
@@ -102,20 +114,44 @@ void SparseLdl::inverse_block(const uint32_t (&first)[threes], double (&block)[3
             unit[a] = 0;
             for (int b = 0; b <= a; ++b) block[a][b] += y[a] * y[b] * inverse_pivot_[i];
         }
+        if (way) way = std::copy(y, y + units, way);
         for (uint32_t p = factor_begin_[i]; p < factor_begin_[i + 1]; ++p) {
             double* const below = &units_[most_units * size_t{factor_rows_[p]}];
             for (int a = 0; a < units; ++a) below[a] -= factor_[p] * y[a];
         }
-        for (uint32_t& from : next) {
-            if (from == i) from = parent_[i];
-        }
-    }
+    });
     for (int a = 0; a < units; ++a) {
         for (int b = a + 1; b < units; ++b) block[a][b] = block[b][a];
     }
 }
 
-template void SparseLdl::inverse_block<1>(const uint32_t (&first)[1], double (&block)[3][3]);
-template void SparseLdl::inverse_block<2>(const uint32_t (&first)[2], double (&block)[6][6]);
+uint32_t SparseLdl::list_way(const uint32_t (&first)[2], Vector<uint32_t>& rows) const {
+    uint32_t count = 0;
+    each_ancestor(first, [&](uint32_t i) {
+        rows.push_back(i);
+        ++count;
+    });
+    return count;
+}
+
+void SparseLdl::clear_sum() { std::fill(substituted_.begin(), substituted_.end(), 0.0); }
+
+void SparseLdl::add_to_sum(const double (&values)[6], const uint32_t* rows, uint32_t count, const double* way) {
+    for (const uint32_t* row = rows; row != rows + count; ++row, way += 6) {
+        double sum = 0;
+        for (int k = 0; k < 6; ++k) sum += way[k] * values[k];
+        substituted_[*row] += sum * inverse_pivot_[*row];
+    }
+}
+
+void SparseLdl::solve_sum(double (&x)[6], const uint32_t* rows, uint32_t count, const double* way) const {
+    for (double& unknown : x) unknown = 0;
+    for (const uint32_t* row = rows; row != rows + count; ++row, way += 6) {
+        for (int k = 0; k < 6; ++k) x[k] += way[k] * substituted_[*row];
+    }
+}
+
+template void SparseLdl::inverse_block<1>(const uint32_t (&first)[1], double (&block)[3][3], double*);
+template void SparseLdl::inverse_block<2>(const uint32_t (&first)[2], double (&block)[6][6], double*);
 
 }  // namespace gphys

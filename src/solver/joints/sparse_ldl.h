@@ -28,11 +28,22 @@ public:
     /// Replaces the right-hand side by the solution.
     void solve(double* x) const;
     /// Rows of the inverse, three from each of `first` on, and the same columns. The pattern must couple each three.
-    /// For one or two threes.
+    /// For one or two threes. `way`: if not null, keeps what the two functions below need.
     template <int threes>
-    void inverse_block(const uint32_t (&first)[threes], double (&block)[3 * threes][3 * threes]);
+    void inverse_block(const uint32_t (&first)[threes], double (&block)[3 * threes][3 * threes], double* way = nullptr);
+
+    // A right-hand side to which six entries are added at a time, three from each of `first` on, and six unknowns of
+    // its solution, in turn: faster than whole solutions. `way` is six numbers for each of the rows.
+    /// Appends the rows of the way. Returns their number. Throws std::bad_alloc.
+    uint32_t list_way(const uint32_t (&first)[2], Vector<uint32_t>& rows) const;
+    void clear_sum();
+    void add_to_sum(const double (&values)[6], const uint32_t* rows, uint32_t count, const double* way);
+    void solve_sum(double (&x)[6], const uint32_t* rows, uint32_t count, const double* way) const;
 
 private:
+    template <int threes, class Visit>
+    void each_ancestor(const uint32_t (&first)[threes], Visit&& visit) const;
+
     static constexpr uint32_t none = 0xffffffff, most_units = 6;
 
     std::pmr::memory_resource* memory_;
@@ -42,6 +53,7 @@ private:
     Vector<uint32_t> filled_{memory_}, mark_{memory_}, pattern_{memory_};
     Vector<double> factor_{memory_}, inverse_pivot_{memory_};
     Vector<double> sum_{memory_}, units_{memory_};  // zero between calls; units_: `most_units` for each row
+    Vector<double> substituted_{memory_};           // the right-hand side of add_to_sum, with L D substituted
 };
 
 }  // namespace gphys
