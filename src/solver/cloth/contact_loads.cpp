@@ -250,7 +250,9 @@ void add_inertia_of_tension(Cloth& cloth) {
     const ContactLoads& loads = cloth.loads;
     const bool is_held = !state.held.empty() || cloth.contacts.any_active();
     const auto is_carried = [](const HeavyBody& heavy) { return heavy.carried; };
-    if (!is_held || !loads.closed || std::all_of(loads.heavy.begin(), loads.heavy.end(), is_carried)) return;
+    if (cloth.batches.softness.empty() || !is_held || !loads.closed ||
+        std::all_of(loads.heavy.begin(), loads.heavy.end(), is_carried))
+        return;
     const Motion whole = motion_of_cloth(state);
     const Vec3 drift = whole.momentum / whole.mass;
     const Vector<float>& softness = cloth.batches.softness;
