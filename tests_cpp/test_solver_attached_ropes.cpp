@@ -104,7 +104,7 @@ TEST_CASE("A rope on a model that moves does not depend on whether another model
     CHECK(most_given < 1e-4);
 }
 
-TEST_CASE("Ropes on a model that moves follow it exactly, keep their length, and converge") {
+TEST_CASE("Ropes on a model that moves follow it exactly, keep their length, and converge", "[simulation]") {
     const auto end = [](uint32_t substeps) {
         Hub hub(Hub::Near::nothing, substeps);
         for (uint32_t i = 0; i < 8; ++i) hub.add(i);

@@ -117,7 +117,7 @@ TEST_CASE("an attached particle follows its model and is released with it") {
     CHECK(world.position(body).y < 0);
 }
 
-TEST_CASE("rope and cloth come to rest on what they fall on") {
+TEST_CASE("rope and cloth come to rest on what they fall on", "[simulation]") {
     World world;
     const gphys_plane floor{{0, 1, 0}, 0};
     const gphys_sphere ball{{0, 0.5f, 0}, 0.5f};

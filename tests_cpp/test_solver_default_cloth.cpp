@@ -58,7 +58,7 @@ gphys_solver_desc sleepy() {
 
 }  // namespace
 
-TEST_CASE("threads of a sheet of default settings keep their lengths on a box") {
+TEST_CASE("threads of a sheet of default settings keep their lengths on a box", "[simulation]") {
     Sheet sheet(30);
     const gphys_aabb box{{-0.4f, -0.4f, -0.4f}, {0.4f, 0.4f, 0.4f}};
     sheet.world.model(GPHYS_SHAPE_AABB, &box);
@@ -143,7 +143,7 @@ TEST_CASE("a sheet of default settings calms down on a box", "[simulation]") {
     CHECK(speed < 0.05);
 }
 
-TEST_CASE("a sheet of default settings falls asleep on a box, and wakes when the box goes") {
+TEST_CASE("a sheet of default settings falls asleep on a box, and wakes when the box goes", "[simulation]") {
     Sheet sheet(30, sleepy());
     const gphys_aabb box{{-0.4f, -0.4f, -0.4f}, {0.4f, 0.4f, 0.4f}};
     const gphys_model_id model = sheet.world.model(GPHYS_SHAPE_AABB, &box);

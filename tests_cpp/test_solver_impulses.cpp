@@ -360,7 +360,7 @@ double force_of_joint(const World& world) {
 
 }  // namespace
 
-TEST_CASE("What hangs by a joint pulls with its weight, whatever the body above it touches") {
+TEST_CASE("What hangs by a joint pulls with its weight, whatever the body above it touches", "[simulation]") {
     for (const Hung kind : {Hung::rope, Hung::sheet, Hung::crate}) {
         for (const bool lies : {false, true}) {
             World world(8);

@@ -164,7 +164,7 @@ TEST_CASE("A crate that is towed pulls its rod by Coulomb's law") {
     }
 }
 
-TEST_CASE("A bridge of light planks on ropes carries a heavy ball") {
+TEST_CASE("A bridge of light planks on ropes carries a heavy ball", "[simulation]") {
     for (const uint32_t substeps : {8u, 2u}) {
         constexpr uint32_t plank_count = 8, links = 4;  // of each plank
         constexpr float spacing = 0.1f, width = 0.8f;

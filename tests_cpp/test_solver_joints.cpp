@@ -184,7 +184,7 @@ TEST_CASE("two joined ropes swing like one that is as long") {
     CHECK(apart <= 1e-4);
 }
 
-TEST_CASE("two joined ropes converge to where one alone does") {
+TEST_CASE("two joined ropes converge to where one alone does", "[simulation]") {
     // It goes by another formula of second order: twice the substeps, a fourth of the distance.
     double apart[2];
     for (const uint32_t substeps : {16u, 32u}) {

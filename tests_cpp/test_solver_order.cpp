@@ -163,7 +163,7 @@ TEST_CASE("the order is that of minimum degree by its definition") {
     CHECK(order_of(grid(12, 12)) == minimum_degree(grid(12, 12)));
 }
 
-TEST_CASE("a graph is ordered in little more time than it takes to read it") {
+TEST_CASE("a graph is ordered in little more time than it takes to read it", "[simulation]") {
     // A hub beside half of the others: to read its list in each elimination would take n^2.
     const auto time_of = [](uint32_t n) {
         Graph wheel = ring(n);

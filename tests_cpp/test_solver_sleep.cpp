@@ -181,7 +181,7 @@ TEST_CASE("a thin wall takes sleeping particles along") {
     for (uint32_t p = 0; p < 2; ++p) CHECK(world.position(body, p).x > static_cast<double>(place.position.x));
 }
 
-TEST_CASE("a step of 1000 sleeping ropes costs next to nothing") {
+TEST_CASE("a step of 1000 sleeping ropes costs next to nothing", "[simulation]") {
     Quiet world;
     std::vector<gphys_body_id> ropes;
     for (int i = 0; i < 1000; ++i) ropes.push_back(world.lying_rope(static_cast<float>(i)));

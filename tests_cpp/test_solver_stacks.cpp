@@ -79,7 +79,7 @@ struct Momenta {
 
 }  // namespace
 
-TEST_CASE("stacks of crates stand, with any number of substeps") {
+TEST_CASE("stacks of crates stand, with any number of substeps", "[simulation]") {
     for (const uint32_t substeps : {1u, 2u, 4u, 8u}) {
         for (const size_t height : {size_t{3}, size_t{5}, size_t{10}}) {
             Stack stack(substeps, std::vector<float>(height, 2.0f));
@@ -93,7 +93,7 @@ TEST_CASE("stacks of crates stand, with any number of substeps") {
     }
 }
 
-TEST_CASE("heavy crates lie on light ones, with any number of substeps") {
+TEST_CASE("heavy crates lie on light ones, with any number of substeps", "[simulation]") {
     for (const uint32_t substeps : {1u, 2u, 4u, 8u}) {
         for (const std::vector<float>& masses : {std::vector<float>{2, 2, 20}, std::vector<float>{2, 20, 2, 20, 2}}) {
             Stack stack(substeps, masses);
@@ -181,7 +181,7 @@ TEST_CASE("crates that rub each other keep their angular momentum") {
     CHECK(lost < 0.01);
 }
 
-TEST_CASE("a crate on a swing swings along") {
+TEST_CASE("a crate on a swing swings along", "[simulation]") {
     World world(8);
     const test::Rigid seat(world, {0, 1, 0}, {0.3f, 0, 0.5f}, {4, 1, 6}, 3, 1);
     std::vector<gphys_body_id> moving{seat.body};

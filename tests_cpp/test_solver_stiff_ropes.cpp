@@ -117,7 +117,7 @@ TEST_CASE("A cantilever under a large load has the shape of the elastica", "[sim
     }
 }
 
-TEST_CASE("Links of different lengths bend alike, and the plane of bending does not matter") {
+TEST_CASE("Links of different lengths bend alike, and the plane of bending does not matter", "[simulation]") {
     std::vector<gphys_vec3> points = bar(1, 40);
     for (size_t i = 2; i + 1 < points.size(); i += 2) points[i].x += 0.008f;  // 0.033 and 0.017 m
     World world(8, {});
@@ -155,7 +155,7 @@ TEST_CASE("A column stands below Euler's load and buckles above it") {
     }
 }
 
-TEST_CASE("A clamped bar swings with its lowest frequency and keeps its amplitude") {
+TEST_CASE("A clamped bar swings with its lowest frequency and keeps its amplitude", "[simulation]") {
     constexpr int links = 20;
     constexpr double root = 1.8751;  // cos x cosh x = -1, and x^2 = 3.516
     for (const uint32_t substeps : {1u, 8u}) {
@@ -259,7 +259,7 @@ TEST_CASE("A stiff cable lies on two supports and on the ground, and balances on
     CHECK(end < -0.5);
 }
 
-TEST_CASE("Supports carry the weight of a stiff cable, alone or joined") {
+TEST_CASE("Supports carry the weight of a stiff cable, alone or joined", "[simulation]") {
     for (const bool joined : {false, true}) {
         CAPTURE(joined);
         World world;
@@ -330,7 +330,7 @@ TEST_CASE("A model that holds two particles carries the weight of the rod and it
     CHECK(std::fabs(tip.y - 1) < 1e-4);
 }
 
-TEST_CASE("A joined or branched rod bends like a single one, and is a hinge where it branches") {
+TEST_CASE("A joined or branched rod bends like a single one, and is a hinge where it branches", "[simulation]") {
     const gphys_body_desc desc = stiff(1, 1, 2);
     Cantilever alone(1, 20, desc), joined(1, 20, desc);
     gphys_joint_id joint = 0;
@@ -403,7 +403,7 @@ TEST_CASE("Rods that may meet, hang by links that only pull, or change their len
     CHECK(std::fabs(-grows.tip_at_rest().y / std::sqrt(2.0) / 0.49346 - 1) < 5e-3);
 }
 
-TEST_CASE("Two rods in one body bend by themselves") {
+TEST_CASE("Two rods in one body bend by themselves", "[simulation]") {
     World world(8, {});
     std::vector<gphys_vec3> points = bar(1, 20);
     for (const gphys_vec3& at : bar(0.5, 5)) points.push_back({at.x, 0, 1});

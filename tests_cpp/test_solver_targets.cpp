@@ -80,7 +80,7 @@ void check_snapshots() {
 
 }  // namespace
 
-TEST_CASE("swinging cloth stays within its target of strain, as the default does not") {
+TEST_CASE("swinging cloth stays within its target of strain, as the default does not", "[simulation]") {
     struct Seen {
         double peak = 0;  // after the jolt in the first half second, which nothing has announced
         uint32_t most = 0, sum = 0;

@@ -39,7 +39,7 @@ struct TautSheet {
 
 }  // namespace
 
-TEST_CASE("a sheet whose pins are farther apart than it is long shares the stretch evenly") {
+TEST_CASE("a sheet whose pins are farther apart than it is long shares the stretch evenly", "[simulation]") {
     for (const bool all_edges : {false, true}) {
         for (const float max_strain : {0.0f, 0.02f}) {
             gphys_solver_desc desc = World::desc();
