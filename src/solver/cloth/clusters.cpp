@@ -319,7 +319,7 @@ void reserve_clusters(Clusters& clusters, uint32_t particles) {
     each_cluster(clusters, [&](ClusterRange members) { largest = std::max(largest, members.size()); });
     clusters.contacts.reserve(largest);
     clusters.impacts.clear();
-    clusters.impacts.reserve(2 * size_t{particles});
+    clusters.impacts.reserve(2 * clusters.members.size());
     clusters.responses.clear();
     clusters.responses.reserve(clusters.ids.size());
     each_cluster(clusters, [&](ClusterRange members) {

@@ -94,7 +94,7 @@ struct Clusters {
     bool overlap = false;               // whether any particle is in several
     Vector<uint32_t> first_member;      // by particle: the index of the first member of its first cluster, or none
     Vector<ClusterContact> contacts;    // of the cluster being solved; capacity for the largest
-    Vector<ClusterImpact> impacts;      // of all; capacity for two of each particle
+    Vector<ClusterImpact> impacts;      // of all; capacity for two of each member
     Vector<ClusterResponse> responses;  // of those that joint systems move, by slot; capacity for all
 };
 

@@ -80,9 +80,6 @@ void SparseLdl::solve(double* x) const {
     }
 }
 
-// With L y_a = e_a for the unit vector of row a, the inverse has the sum of y_a y_b / pivot in row a and column b. Such
-// a y is 0 except at the ancestors of its row in the elimination tree (Davis 2006, "Direct methods for sparse linear
-// systems", section 3.2), so a whole solution is not needed.
 /// Visits the rows of some threes and their ancestors, in ascending order.
 template <int threes, class Visit>
 void SparseLdl::each_ancestor(const uint32_t (&first)[threes], Visit&& visit) const {
@@ -97,6 +94,9 @@ void SparseLdl::each_ancestor(const uint32_t (&first)[threes], Visit&& visit) co
     }
 }
 
+// With L y_a = e_a for the unit vector of row a, the inverse has the sum of y_a y_b / pivot in row a and column b. Such
+// a y is 0 except at the ancestors of its row in the elimination tree (Davis 2006, "Direct methods for sparse linear
+// systems", section 3.2), so a whole solution is not needed.
 template <int threes>
 void SparseLdl::inverse_block(const uint32_t (&first)[threes], double (&block)[3 * threes][3 * threes], double* way) {
     constexpr int units = 3 * threes;
