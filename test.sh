@@ -39,6 +39,7 @@ case ${1:-} in
         ;;
     --bindings)
         presets=(bindings)
+        configuration=(-C Bindings)
         packages+=(python3-numpy python3-pip nodejs emscripten chromium ruby ruby-ffi openjdk-17-jdk-headless
             libjna-java junit4 mono-mcs mono-runtime libmono-system-core4.0-cil nunit-console libnunit-cil-dev ldc php-cli mypy)
         command -v npm >/dev/null || packages+=(npm)

@@ -14,12 +14,12 @@ if check ./wrong 2>/dev/null; then fail "an uninitialised value is not found"; f
 
 # Not those of a minute and more in its emulation, nor the one that reads how much of the stack was written, nor the
 # one of floating-point modes, of which it emulates some for some instructions. Of the scenes in which memory runs out
-# it sees each sixth.
+# it sees each twelfth.
 tests=("$BUILD"/tests_c/c_test_*)
 [ ${#tests[@]} -ge 10 ] || fail "no tests in $BUILD/tests_c"
 for test in "${tests[@]}"; do
     case $test in *_faults_solvers | *_golden | *_workers | *_stack | *_host_modes) continue ;; esac
-    GPHYS_FAULTS_EVERY=6 check "$test" >"$(basename "$test").log" 2>&1 || {
+    GPHYS_FAULTS_EVERY=12 check "$test" >"$(basename "$test").log" 2>&1 || {
         grep '^==' "$(basename "$test").log" | head -n 30
         fail "$(basename "$test")"
     }
