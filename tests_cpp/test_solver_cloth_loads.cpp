@@ -34,6 +34,20 @@ gphys_body_id balls(World& world, int side, float gap, float radius, float mass,
     return world.particles(places, desc);
 }
 
+double distance(gphys_vec3 a, gphys_vec3 b) { return gphys::distance(gphys::widen(a), gphys::widen(b)); }
+
+/// The largest of the sides of the cells of a square cloth: its diagonals yield where it is gathered.
+double strain_of_sides(const std::vector<gphys_vec3>& places, uint32_t side, double rest) {
+    double strain = 0;
+    for (uint32_t i = 0; i < side * side; ++i) {
+        for (const uint32_t next : {i + 1, i + side}) {
+            if (next < side * side && (next != i + 1 || next % side != 0))
+                strain = std::max(strain, std::fabs(distance(places[i], places[next]) / rest - 1));
+        }
+    }
+    return strain;
+}
+
 /// A net in the plane y = 0, pinned at its edges, and a rigid cluster of five that falls into it.
 struct Net {
     World world;
@@ -289,6 +303,49 @@ TEST_CASE("A cloth that is lifted by its corners takes along what lies on it", "
     figure("stretch", 100 * stretch, "%");
     CHECK(stretch < 0.3);
     CHECK(lowest(world.positions(loads)) > 0.15f);
+}
+
+TEST_CASE("A sack that is gathered, lifted and swung keeps its load and its shape", "[simulation]") {
+    constexpr uint32_t side = 26;
+    const auto check = [](uint32_t substeps, bool is_crate, double most) {
+        World world(substeps);
+        const gphys_body_id cloth = rug(world, side, 1, 0.4f);
+        const double rest = distance(world.positions(cloth)[0], world.positions(cloth)[1]);
+        std::vector<gphys_vec3> places;
+        std::vector<uint32_t> all;
+        for (uint32_t i = 0; i < (is_crate ? 125u : 1u); ++i) {
+            const auto at = [&](uint32_t k) { return is_crate ? 0.055f * (static_cast<float>(k) - 2) : 0; };
+            places.push_back({at(i % 5) + 0.01f, at(i / 25) + 0.19f, at(i / 5 % 5) + 0.02f});
+            all.push_back(i);
+        }
+        const gphys_body_id load = world.particles(places, colliding(8, is_crate ? 0.04f : 0.12f));
+        gphys_cluster_id id = 0;
+        if (is_crate) REQUIRE(gphys_solver_add_cluster(world.solver, load, all.data(), 125, &id) == GPHYS_OK);
+        for (int i = 0; i < 60; ++i) world.step(frame);
+        const std::vector<gphys_vec3> before = world.positions(cloth);
+        const uint32_t corners[] = {0, side - 1, side * (side - 1), side * side - 1};
+        for (const uint32_t p : corners) world.pin(cloth, p);
+        double strain = 0;
+        for (int i = 1; i <= 300; ++i) {
+            const float lift = std::min(1.0f, static_cast<float>(i) / 120), part = 1 - 0.65f * std::min(1.0f, 2 * lift);
+            const float aside = 0.2f * std::sin(0.08f * static_cast<float>(std::max(0, i - 120)));
+            for (const uint32_t p : corners) {
+                const gphys_vec3 at{part * before[p].x + aside, before[p].y + lift, part * before[p].z};
+                REQUIRE(gphys_solver_set_positions(world.solver, cloth, p, 1, &at, sizeof at) == GPHYS_OK);
+            }
+            world.step(frame);
+            strain = std::max(strain, strain_of_sides(world.positions(cloth), side, rest));
+        }
+        const double height = static_cast<double>(lowest(world.positions(load)));
+        figure("strain", 100 * strain, "%");
+        figure("height", height, "m");
+        CHECK(strain < most);
+        CHECK(height > 0.25);
+        CHECK(height < 1);
+    };
+    SECTION("a ball") { check(8, false, 0.1); }
+    SECTION("a ball, in long substeps") { check(2, false, 0.4); }
+    SECTION("a crate") { check(8, true, 0.25); }
 }
 
 TEST_CASE("Balls that begin in a cloth leave it slowly", "[simulation]") {

@@ -94,8 +94,10 @@ void predict_cloth(Body& body, const CollisionContext& around, double h) {
     find_yielding_chords(cloth, body.plan.joined, collides(body, around) && !cloth.contacts.candidates.empty(),
                          around.step_time);
     // Moving models, other bodies and links that change their lengths do work.
-    const bool closed =
-        !are_carried(body.constraints) && body.constraints.length_changes.empty() && !body.targets.moves;
+    const bool no_changes = body.constraints.length_changes.empty() && !body.targets.moves;
+    const bool carried = are_carried(body.constraints), closed = no_changes && !carried;
+    cloth.loads.pins_move = carried && !body.plan.joined;
+    cloth.loads.closed = closed || (no_changes && cloth.loads.pins_move);
     if (closed && !cloth.balance.current) cloth.balance.stored = stored_energy(cloth);
     cloth.balance.closed = closed;
     if (body.air.blows()) blow_cloth(body, around, h);
@@ -181,14 +183,13 @@ void end_links(Body& body) {
     correct_volume(body);
     if (!cloth.clusters.empty()) solve_clusters(body, pulls_count(body) || body.plan.joined);
     if (contacts.any_active()) save_positions(contacts, cloth.state);
-    if (loaded) note_places(cloth.loads, cloth.state);
+    // The limits do not know the loads: where these strain the links, limits would move all but the loaded particles.
+    if (loaded) return;
     if (body.constraints.attachments.empty()) {
         apply_reach_limits(cloth.reach, cloth.state, cloth.shares.team);
     } else {
         apply_reach_limits(cloth.reach, cloth.state, cloth.in_chains.pulls.data());
     }
-    // The limits of a particle act one after the other, and would pull it aside under its load.
-    if (loaded) restore_places(cloth.loads, cloth.state);
 }
 
 void solve_cloth(Body& body) {

@@ -85,6 +85,14 @@ bool find_frame(Cloth& cloth) {
            });
 }
 
+/// The mean velocity of pins.
+Vec3 frame_of_pins(const Cloth& cloth) {
+    const ClothState& state = cloth.state;
+    Vec3 sum;
+    for (const uint32_t p : state.held) sum += get(&state.at[4 * size_t{p}]) - get(&state.start[4 * size_t{p}]);
+    return sum / (static_cast<double>(state.held.size()) * cloth.loads.seconds);
+}
+
 /// Per average mass. The prediction has moved the cloth without its links, so their energy is that at the start of the
 /// substep, and the motion is that to the predicted places, where contacts have pushed.
 double energy_before_links(Cloth& cloth) {
@@ -223,7 +231,11 @@ void note_energy(Cloth& cloth, double h) {
     loads.seconds = h;
     loads.on_moving = cloth.contacts.has_moving_model;
     loads.frame = {};
-    if (loads.on_moving) loads.closed = loads.closed && find_frame(cloth);
+    if (loads.on_moving) {
+        loads.closed = loads.closed && find_frame(cloth);
+    } else if (loads.pins_move) {
+        loads.frame = frame_of_pins(cloth);
+    }
     loads.energy = energy_before_links(cloth);
 }
 
@@ -233,11 +245,14 @@ void note_motion(Cloth& cloth) {
     loads.predicted = cloth.state.at;
     note_energy(cloth, loads.seconds);
     loads.motion = motion_before_links(cloth);
+    // Pins that move within 60 degrees of a plane's normal lift loads off it.
+    const double least_rise = length(loads.frame) / 2;
     uint32_t i = 0;
     for (HeavyBody& heavy : loads.heavy) {
         for (; i < heavy.end; ++i) {
-            const float* const normal = &cloth.in_chains.normals[4 * size_t{loads.all[i].particle}];
-            heavy.carried = heavy.carried || length_squared(get(normal)) > 0;
+            const Vec3 normal = get(&cloth.in_chains.normals[4 * size_t{loads.all[i].particle}]);
+            const bool is_lifted = loads.pins_move && dot(loads.frame, normal) > least_rise;
+            heavy.carried = heavy.carried || (length_squared(normal) > 0 && !is_lifted);
         }
     }
 }
@@ -308,24 +323,37 @@ bool links_threw_loads(const Cloth& cloth) {
     const ContactLoads& loads = cloth.loads;
     struct Moved {
         double square = 0, mass = 0;
+
+        void add(double mass_moved, Vec3 displacement) {
+            square += mass_moved * length_squared(displacement);
+            mass += mass_moved;
+        }
     };
-    Moved moved[2];  // in the air, and on models
+    Moved cloth_alone, moved[2];  // loads in the air, and on models
+    const auto displacement = [&](uint32_t p) {
+        return get(&state.at[4 * size_t{p}]) - get(&loads.predicted[4 * size_t{p}]);
+    };
+    for (uint32_t p = 0; p < state.particles; ++p) {
+        if (!loads.is_loaded[p]) cloth_alone.add(state.acceleration[4 * size_t{p} + 3], displacement(p));
+    }
     uint32_t i = 0;
     for (const HeavyBody& heavy : loads.heavy) {
         for (; i < heavy.end; ++i) {
-            const size_t at = 4 * size_t{loads.all[i].particle};
-            const double mass = state.acceleration[at + 3] + loads.all[i].along;
-            moved[heavy.carried].square += mass * length_squared(get(&state.at[at]) - get(&loads.predicted[at]));
-            moved[heavy.carried].mass += mass;
+            const ContactLoad& load = loads.all[i];
+            const double mass = state.acceleration[4 * size_t{load.particle} + 3] + load.along;
+            moved[heavy.carried].add(mass, displacement(load.particle));
         }
     }
-    const double links[2] = {static_cast<double>(cloth.batches.longest), error_on_model};
-    const auto is_thrown = [&](int carried) {
-        const double strained = links[carried] * cloth.batches.link_length;
-        const double most = farthest * farthest * loads.motion + moved[carried].mass * strained * strained;
-        return !(moved[carried].square <= most);
+    // All may have to follow the pins.
+    double way = 0;
+    for (const uint32_t p : state.held)
+        way = std::max(way, distance(get(&state.at[4 * size_t{p}]), get(&state.start[4 * size_t{p}])));
+    const auto is_thrown = [&](const Moved& part, double error) {
+        const double strained = error * cloth.batches.link_length + way;
+        return !(part.square <= farthest * farthest * loads.motion + part.mass * strained * strained);
     };
-    return is_thrown(0) || is_thrown(1);
+    const double longest = static_cast<double>(cloth.batches.longest);
+    return is_thrown(cloth_alone, longest) || is_thrown(moved[0], longest) || is_thrown(moved[1], error_on_model);
 }
 
 void undo_loads(Cloth& cloth) {
@@ -345,10 +373,6 @@ void take_pulls_of_loads(const ContactLoads& loads, ChainContacts& in_chains) {
         float* const pull = &in_chains.pulls[4 * size_t{load.particle}];
         put(pull, get(pull) - load.taken);
     }
-}
-
-void restore_places(const ContactLoads& loads, ClothState& state) {
-    for (const ContactLoad& load : loads.all) put(&state.at[4 * size_t{load.particle}], load.place);
 }
 
 void accelerate_loads(Body& body, const CollisionContext& around) {

@@ -19,8 +19,11 @@
 // The links must not do work on the load: they are a little elastic by their regularisation, and the lengths that
 // sweeps give back to them would be a spring without a loss. So the energy of cloth and loads is bounded by what it was
 // before the links were solved. On models that move, all with one velocity, it is that in their frame, in which they do
-// no work. A load that a model carries loses only what links have added: the speed that contacts
-// have given it is that at which the model holds it.
+// no work; where pins move, it is that in the frame of their mean velocity, and what they do relative to each other is
+// taken, too. A load that a model carries loses only what links have added: the speed that contacts have given it is
+// that at which the model holds it. Pins that lift a load off a model have it carried no more.
+//
+// The reach limits of cloth (reach_limits.h) do not act on it while it has loads.
 //
 // Cloth that is joined to other bodies is swept in turn with these, and its energy is bounded together with theirs
 // (joints/joined_motion.cpp, joined_energy.cpp).
@@ -71,9 +74,10 @@ struct ContactLoads {
     double seconds = 0;         // of the substep
     double rate = 0;            // 1/s: by which a displacement by links changes the velocity
     double motion = 0;          // before the links are solved: mass * square of the way, of cloth and loads
-    bool closed = false;        // whether no energy comes from outside, in the frame of the models
+    bool closed = false;        // whether no energy comes from outside, in `frame`
+    bool pins_move = false;     // in this step, of cloth that is not joined
     bool on_moving = false;     // whether models in contact move
-    Vec3 frame{};               // m/s: the velocity of those models
+    Vec3 frame{};               // m/s: the velocity of those models; or, if pins move, the mean one of pins
     double energy = 0;          // before the links are solved, in that frame
 
     bool any() const { return !all.empty(); }
@@ -100,8 +104,6 @@ void undo_loads(Cloth& cloth);
 /// Call when all sweeps are done: takes what loads have taken from the pulls on their particles. The rest acts on the
 /// models that these touch.
 void take_pulls_of_loads(const ContactLoads& loads, ChainContacts& in_chains);
-/// Undoes the motion of loaded particles since note_places.
-void restore_places(const ContactLoads& loads, ClothState& state);
 /// The energy of cloth and loads now, in the frame of the models, per average mass. Call after accelerate_loads.
 double energy_after_links(Cloth& cloth);
 /// Whether note_motion, and what has followed, tell all work that anything outside of cloth and loads has done.

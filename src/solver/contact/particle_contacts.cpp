@@ -478,7 +478,6 @@ void ParticleContacts::solve_positions(const Island& island, BodyTable& bodies, 
         }
     }
     each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
-        body.cloth.loads.closed = body.cloth.balance.closed;
         if (body.contacts.near) body.cloth.balance.closed = false;  // others do work
         if (!contacts.any) return;
         if (!moves_freely(body)) {
