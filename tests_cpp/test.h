@@ -20,10 +20,10 @@
 
 namespace test {
 
-/// How many cases of a random test are tried: all, or in the short form (GAMEPHYS_SHORT_TESTS) one of four.
+/// How many cases of a random test are tried: all, or in the short form (GAMEPHYS_SHORT_TESTS) one of eight.
 constexpr int tries(int all) {
 #ifdef GPHYS_SHORT_TESTS
-    return all / 4;
+    return all / 8;
 #else
     return all;
 #endif
