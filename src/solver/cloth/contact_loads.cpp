@@ -18,10 +18,14 @@ double product(const HeavyBody& heavy, const LoadMotion& a, const LoadMotion& b)
     return heavy.mass * dot(a.velocity, b.velocity) + dot(a.spin, heavy.inverse_inertia * b.spin);
 }
 
+double potential_energy_of(const HeavyBody& heavy) {
+    return -heavy.mass * dot(heavy.acceleration, heavy.place);
+}
+
 /// In a frame that moves.
 double energy_of(const HeavyBody& heavy, Vec3 frame) {
     const LoadMotion own = heavy.motion - LoadMotion{frame, {}};
-    return product(heavy, own, own) / 2 - heavy.mass * dot(heavy.acceleration, heavy.place);
+    return product(heavy, own, own) / 2 + potential_energy_of(heavy);
 }
 
 /// The inverse mass matrix of a loaded particle, relative to its own inverse mass.
@@ -94,14 +98,18 @@ Vec3 frame_of_pins(const Cloth& cloth) {
 }
 
 /// Per average mass. The prediction has moved the cloth without its links, so their energy is that at the start of the
-/// substep, and the motion is that to the predicted places, where contacts have pushed.
+/// substep, and the motion is that to the predicted places, where contacts have pushed. That of loads does not count
+/// where the cloth ceases to yield: its chords get back to their lengths at once, which is no motion, and would throw
+/// the loads up.
 double energy_before_links(Cloth& cloth) {
     ClothState& state = cloth.state;
     const double h = cloth.loads.seconds;
     const Vec3 frame = cloth.loads.frame;
     double sum =
         energy_of_cloth(state, [&](size_t i) { return (get(&state.at[i]) - get(&state.start[i])) / h - frame; });
-    for (const HeavyBody& heavy : cloth.loads.heavy) sum += energy_of(heavy, frame);
+    for (const HeavyBody& heavy : cloth.loads.heavy) {
+        sum += cloth.yielding.end_under_load ? potential_energy_of(heavy) : energy_of(heavy, frame);
+    }
     state.at.swap(state.start);
     sum += stored_energy(cloth);
     state.at.swap(state.start);
@@ -222,6 +230,7 @@ void begin_loads(Body& body, double h) {
         cloth.loads.is_loaded[load.particle] = 1;
         set_inertia(cloth.tethers, load, cloth.state.at[4 * size_t{load.particle} + 3]);
     }
+    cloth.yielding.collapsed_time = YieldingChords::loaded;
     cloth.loads.seconds = h;
     cloth.loads.rate = TimeScheme(h, body.history.earlier_step).next / h;
 }

@@ -69,13 +69,16 @@ void soften_chords(Cloth& cloth, bool yield) {
 
 void find_yielding_chords(Cloth& cloth, bool joined, bool near, double step_time) {
     YieldingChords& yielding = cloth.yielding;
+    yielding.end_under_load = false;
     if (yielding.current && !yielding.any) return;
     const Limits& limits = near ? near_models : alone;
     const bool can_yield = cloth.relaxation.most_strain > 0 && !joined;
+    const bool loaded = yielding.collapsed_time == YieldingChords::loaded;
     if (yielding.any) {
         soften_chords(cloth, false);
-        yielding.any = can_yield && has_chord_below(cloth, limits.unfolded);
-    } else if (can_yield && has_chord_below(cloth, limits.collapsed)) {
+        yielding.any = can_yield && !loaded && has_chord_below(cloth, limits.unfolded);
+        yielding.end_under_load = loaded;
+    } else if (can_yield && !loaded && has_chord_below(cloth, limits.collapsed)) {
         yielding.collapsed_time += step_time;
         yielding.any = yielding.collapsed_time >= patience || is_pulled_apart(cloth);
     } else {

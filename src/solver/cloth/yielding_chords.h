@@ -9,7 +9,9 @@
 // scheme starts anew in each substep, and energy beyond the work of forces is taken from the particles that gained it.
 // If all were slowed instead, a few tangled cells would hold up a sheet that falls.
 //
-// Cloth in its ordinary states is not in this one.
+// Cloth in its ordinary states is not in this one, nor is cloth that bears loads much heavier than itself
+// (contact_loads.h). These unfold it, and its diagonals carry a part of them: if they were springs, the sack in which a
+// ball is lifted would hang down to twice its depth.
 #pragma once
 
 namespace gphys {
@@ -17,9 +19,14 @@ namespace gphys {
 struct Cloth;
 
 struct YieldingChords {
-    bool any = false;           // in the last substep: then all of them yield. In snapshots
-    double collapsed_time = 0;  // seconds for which some have been much too short. In snapshots
-    bool current = false;       // whether this step has tested the cloth
+    static constexpr double loaded = -1;
+
+    bool any = false;  // in the last substep: then all of them yield. In snapshots
+    // Seconds for which some have been much too short; `loaded` if the cloth bore loads in the last substep. In
+    // snapshots
+    double collapsed_time = 0;
+    bool current = false;         // whether this step has tested the cloth
+    bool end_under_load = false;  // whether they are rigid again in this substep because a load has come
 };
 
 /// Tests the cloth at the beginning of a step, and in each substep while chords yield. Call in each substep after

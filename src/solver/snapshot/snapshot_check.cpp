@@ -15,6 +15,7 @@ constexpr double farthest_in_model = 1e32;
 bool is_finite_amount(double value) { return value >= 0 && is_finite(value); }
 /// Seconds of a step or a part of one; 0: none.
 bool is_time(double value) { return value >= 0 && value <= longest_step; }
+bool is_collapsed_time(double value) { return is_amount(value) || value == YieldingChords::loaded; }
 /// Between two particles, wherever they are.
 bool is_length(double value) { return value >= 0 && value <= far_range; }
 
@@ -81,7 +82,7 @@ bool particles_fine(const Body& body) {
            all(body.contacts.stuck, [](uint32_t stuck) { return stuck <= 1; }) &&
            all(body.cloth.state.moved, is_number) && all(body.cloth.state.velocity_before, is_number) &&
            are_search_balls_valid(body.cloth.cache.search_balls) && is_place(body.cloth.state.origin) &&
-           is_finite_amount(body.cloth.balance.lost) && is_amount(body.cloth.yielding.collapsed_time) &&
+           is_finite_amount(body.cloth.balance.lost) && is_collapsed_time(body.cloth.yielding.collapsed_time) &&
            is_amount(body.sleep.rest_time) && is_finite_amount(body.sleep.settling) &&
            is_within(range, body.sleep.drift) && fine_box(body.sleep.box);
 }
