@@ -18,9 +18,7 @@ double product(const HeavyBody& heavy, const LoadMotion& a, const LoadMotion& b)
     return heavy.mass * dot(a.velocity, b.velocity) + dot(a.spin, heavy.inverse_inertia * b.spin);
 }
 
-double potential_energy_of(const HeavyBody& heavy) {
-    return -heavy.mass * dot(heavy.acceleration, heavy.place);
-}
+double potential_energy_of(const HeavyBody& heavy) { return -heavy.mass * dot(heavy.acceleration, heavy.place); }
 
 /// In a frame that moves.
 double energy_of(const HeavyBody& heavy, Vec3 frame) {
