@@ -104,7 +104,10 @@ double farthest_apart(const std::vector<gphys_vec3>& a, const std::vector<gphys_
 
 TEST_CASE("A floor carries a cloth and what lies on it, and all come to rest", "[simulation]") {
     const auto check = [](float cloth_mass, int side, float gap, float radius, float mass, int frames) {
-        World world;
+        // What sleeps gives no impulses.
+        gphys_solver_desc desc = World::desc();
+        desc.sleep_time = 0;
+        World world(desc);
         const gphys_body_id cloth = rug(world, 26, 1, cloth_mass);
         const gphys_body_id loads = balls(world, side, gap, radius, mass, 0.04f + radius);
         double gained = 0;
@@ -406,6 +409,68 @@ TEST_CASE("A ball that falls into a gathered sheet stops in it, and its diagonal
     };
     SECTION("at default settings") { check(8, 0.06); }
     SECTION("in long substeps") { check(2, 0.4); }
+}
+
+TEST_CASE("Friction of a towed or jerked rug on what lies on it is at most Coulomb's", "[simulation]") {
+    struct Pulled {
+        double speed = 0, fastest_gain = 0, slip = 0;  // of the load, m/s, m/s in a frame, metres
+    };
+    // Pulled by an edge from rest.
+    const auto pull = [](bool is_crate, float mass, float rug_mass, float speed, int frames) {
+        constexpr uint32_t side = 26;
+        World world;
+        const gphys_body_id cloth = rug(world, side, 1, rug_mass);
+        std::vector<gphys_vec3> places;
+        std::vector<uint32_t> all;
+        for (uint32_t i = 0; i < (is_crate ? 125u : 1u); ++i) {
+            const auto at = [&](uint32_t k) { return is_crate ? 0.055f * (static_cast<float>(k) - 2) : 0; };
+            places.push_back({at(i % 5) + 0.01f, at(i / 25) + 0.18f, at(i / 5 % 5) + 0.02f});
+            all.push_back(i);
+        }
+        const gphys_body_id load = world.particles(places, colliding(mass, is_crate ? 0.04f : 0.12f));
+        gphys_cluster_id id = 0;
+        if (is_crate) REQUIRE(gphys_solver_add_cluster(world.solver, load, all.data(), 125, &id) == GPHYS_OK);
+        for (int i = 0; i < 60; ++i) world.step(frame);
+        const std::vector<gphys_vec3> before = world.positions(cloth);
+        const float start = world.positions(load)[0].x;
+        for (uint32_t row = 0; row < side; ++row) world.pin(cloth, row * side);
+        Pulled out;
+        for (int i = 1; i <= frames; ++i) {
+            for (uint32_t row = 0; row < side; ++row) {
+                gphys_vec3 at = before[row * side];
+                at.x -= speed * frame * static_cast<float>(i);
+                REQUIRE(gphys_solver_set_positions(world.solver, cloth, row * side, 1, &at, sizeof at) == GPHYS_OK);
+            }
+            world.step(frame);
+            double now = 0;
+            for (const gphys_vec3& v : world.velocities(load)) now -= static_cast<double>(v.x) / places.size();
+            out.fastest_gain = std::max(out.fastest_gain, now - out.speed);
+            out.speed = now;
+        }
+        out.slip =
+            static_cast<double>(world.positions(load)[0].x - start) + static_cast<double>(speed * frame) * frames;
+        figure("speed", out.speed, "m/s");
+        figure("gained in a frame", out.fastest_gain, "m/s");
+        figure("slip", out.slip, "m");
+        return out;
+    };
+    constexpr double in_a_frame = 0.5 * g / 60;
+    SECTION("a crate is carried away") {
+        // Coulomb's slip is 1 / (2 * 0.5 g) = 0.1 m.
+        const Pulled crate = pull(true, 8, 0.4f, 1, 120);
+        CHECK(crate.speed == Approx(1).epsilon(0.15));
+        CHECK(crate.slip > 0);
+        CHECK(crate.slip < 0.4);
+    }
+    SECTION("so is a ball") {
+        const Pulled ball = pull(false, 1, 40, 1, 60);
+        CHECK(ball.speed == Approx(1).epsilon(0.15));
+        CHECK(std::fabs(ball.slip) < 0.3);
+    }
+    SECTION("a table cloth is jerked away under a crate") {
+        CHECK(pull(true, 1, 0.4f, 5, 5).fastest_gain < 8 * in_a_frame);
+    }
+    SECTION("and under a ball") { CHECK(pull(false, 8, 0.4f, 5, 5).speed < 5 * in_a_frame); }
 }
 
 TEST_CASE("Balls that begin in a cloth leave it slowly", "[simulation]") {

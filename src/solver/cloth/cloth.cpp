@@ -179,7 +179,10 @@ void end_links(Body& body) {
     Cloth& cloth = body.cloth;
     ClothContacts& contacts = cloth.contacts;
     const bool loaded = cloth.loads.any();
-    if (loaded) take_pulls_of_loads(cloth.loads, cloth.in_chains);
+    if (loaded) {
+        if (!body.plan.joined) limit_friction_of_loads(cloth);
+        take_pulls_of_loads(cloth.loads, cloth.in_chains);
+    }
     correct_volume(body);
     if (!cloth.clusters.empty()) solve_clusters(body, pulls_count(body) || body.plan.joined);
     if (contacts.any_active()) save_positions(contacts, cloth.state);

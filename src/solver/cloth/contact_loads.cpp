@@ -56,6 +56,11 @@ void divide(const HeavyBody& heavy, ContactLoad* first, const ContactLoad* end, 
     }
 }
 
+/// Pins that move within 60 degrees of a normal lift loads off what is under them.
+bool are_lifted(const ContactLoads& loads, Vec3 normal) {
+    return loads.pins_move && dot(loads.frame, normal) > length(loads.frame) / 2;
+}
+
 /// Kinetic energy, and potential energy of forces, per average mass. velocity(first float of a particle)
 template <class Velocity>
 double energy_of_cloth(const ClothState& state, Velocity&& velocity) {
@@ -252,14 +257,11 @@ void note_motion(Cloth& cloth) {
     loads.predicted = cloth.state.at;
     note_energy(cloth, loads.seconds);
     loads.motion = motion_before_links(cloth);
-    // Pins that move within 60 degrees of a plane's normal lift loads off it.
-    const double least_rise = length(loads.frame) / 2;
     uint32_t i = 0;
     for (HeavyBody& heavy : loads.heavy) {
         for (; i < heavy.end; ++i) {
             const Vec3 normal = get(&cloth.in_chains.normals[4 * size_t{loads.all[i].particle}]);
-            const bool is_lifted = loads.pins_move && dot(loads.frame, normal) > least_rise;
-            heavy.carried = heavy.carried || (length_squared(normal) > 0 && !is_lifted);
+            heavy.carried = heavy.carried || (length_squared(normal) > 0 && !are_lifted(loads, normal));
         }
     }
 }
@@ -373,6 +375,49 @@ void undo_loads(Cloth& cloth) {
     }
     for (HeavyBody& heavy : loads.heavy) heavy.moved = heavy.turned = {};
     note_places(loads, cloth.state);
+}
+
+void limit_friction_of_loads(Cloth& cloth) {
+    ContactLoads& loads = cloth.loads;
+    const ClothContacts& contacts = cloth.contacts;
+    if (!contacts.any_active()) return;
+    uint32_t first = 0;
+    for (HeavyBody& heavy : loads.heavy) {
+        Vec3 normals, taken;
+        double friction = 0;
+        bool near_model = false;
+        const uint32_t begin = std::exchange(first, heavy.end);
+        for (uint32_t i = begin; i < heavy.end; ++i) {
+            const ContactLoad& load = loads.all[i];
+            normals += load.normal;
+            taken += load.taken;
+            friction = std::max(friction, load.friction);
+            near_model = near_model || contacts.candidate_of[load.particle] != ClothContacts::none;
+        }
+        if (!near_model || !(length_squared(normals) > 0)) continue;
+        const Vec3 normal = normals / length(normals);
+        if (are_lifted(loads, normal)) continue;
+        const auto across = [&](Vec3 v) { return v - normal * dot(v, normal); };
+        // Contacts with cloth open and close from substep to substep, and their impulses vary: the weight is their
+        // mean.
+        const double weight = heavy.mass * std::max(0.0, -dot(heavy.acceleration, normal));
+        const double most = friction * (weight * loads.seconds * loads.seconds + std::max(0.0, dot(taken, normal)));
+        // |by contacts + kept * by links| = most
+        const Vec3 by_links = across(taken), by_contacts = across(heavy.pushed);
+        const double a = length_squared(by_links), b = dot(by_links, by_contacts),
+                     c = length_squared(by_contacts) - most * most;
+        if (!(a > 0) || !(a + 2 * b + c > 0)) continue;
+        const double kept = std::max(0.0, (std::sqrt(std::max(0.0, b * b - a * c)) - b) / a);
+        if (!(kept < 1)) continue;
+        const Vec3 beyond = by_links * (1 - kept), of_share = beyond / (heavy.end - begin);
+        Vec3 moment;
+        for (uint32_t i = begin; i < heavy.end; ++i) {
+            loads.all[i].taken -= of_share;
+            moment += cross(loads.all[i].arm, of_share);
+        }
+        heavy.moved -= beyond / heavy.mass;
+        heavy.turned -= heavy.inverse_inertia * moment;
+    }
 }
 
 void take_pulls_of_loads(const ContactLoads& loads, ChainContacts& in_chains) {

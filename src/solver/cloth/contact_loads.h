@@ -52,6 +52,7 @@ struct ContactLoad {
     uint32_t particle;  // of the cloth
     uint32_t pair;      // of the contact, in the list of the island
     Vec3 normal;        // unit, from the particle to the load
+    double friction;    // coefficient of the contact
     Vec3 arm{};         // from the centre of the load to the particle that presses
     // The mass that the particle gains along the normal and across it, relative to the average of the cloth:
     double along = 0, across = 0;
@@ -101,6 +102,10 @@ void move_loads(ContactLoads& loads, const ClothState& state);
 bool links_threw_loads(const Cloth& cloth);
 /// Undoes the sweeps. In those that follow, loads neither add to the masses nor move.
 void undo_loads(Cloth& cloth);
+/// Call when all sweeps are done, for cloth that is not joined: Coulomb's law for loads near a model on which the cloth
+/// lies. While links are solved, a load moves with its particles. What contacts and links together have given it
+/// across the normal, beyond the friction that its weight allows, is taken back: the cloth has slid under it.
+void limit_friction_of_loads(Cloth& cloth);
 /// Call when all sweeps are done: takes what loads have taken from the pulls on their particles. The rest acts on the
 /// models that these touch.
 void take_pulls_of_loads(const ContactLoads& loads, ChainContacts& in_chains);

@@ -6,7 +6,8 @@
 
 namespace gphys {
 
-void ParticleContacts::ClothLoads::add(const Pair& pair, uint32_t on, uint32_t by, Vec3 normal) {
+void ParticleContacts::ClothLoads::add(const Pair& pair, const Contact& contact, uint32_t on, uint32_t by,
+                                       Vec3 normal) {
     // A load is at least as many times heavier: what is lighter gives way by itself.
     constexpr double heavy = 4;
     const Particle& particle = range_.particles[on];
@@ -17,7 +18,8 @@ void ParticleContacts::ClothLoads::add(const Pair& pair, uint32_t on, uint32_t b
     if (of == HeavyBodies::none || particle.inverse_mass < heavy * heavy_.inverse_mass_of(of)) return;
     body.cloth.loads.is_loaded[particle.number] = 1;
     ++range_.particles[of].cloth_shares;
-    body.cloth.loads.all.push_back({of, by, particle.number, static_cast<uint32_t>(&pair - range_.pairs), normal});
+    body.cloth.loads.all.push_back(
+        {of, by, particle.number, static_cast<uint32_t>(&pair - range_.pairs), normal, contact.friction});
 }
 
 /// A rope that lies on cloth near a model is carried by that. Between the links of both it would not rest, so then its
@@ -48,8 +50,8 @@ void ParticleContacts::ClothLoads::find(Vec3 gravity, double h) {
     // Contacts with a small gap count, too: where a heavy particle has given cloth its own velocity, contacts open and
     // close from substep to substep.
     each_between_bodies(range_, [&](const Pair& pair, const Contact& contact) {
-        add(pair, contact.a, contact.b, contact.normal);
-        add(pair, contact.b, contact.a, -contact.normal);
+        add(pair, contact, contact.a, contact.b, contact.normal);
+        add(pair, contact, contact.b, contact.a, -contact.normal);
     });
     for (const uint32_t* slot = first_; slot != end_; ++slot) {
         Body& body = bodies_[*slot];
@@ -61,8 +63,10 @@ void ParticleContacts::ClothLoads::find(Vec3 gravity, double h) {
         });
         for (uint32_t k = 0; k < loads.all.size(); ++k) {
             ContactLoad& share = loads.all[k];
-            if (k == 0 || loads.heavy.back().of != share.of)
+            if (k == 0 || loads.heavy.back().of != share.of) {
                 loads.heavy.push_back(heavy_.find(share.of, units_of(body), gravity, h));
+                loads.heavy.back().pushed = heavy_.pushed(loads.heavy.back()) * loads.heavy.back().mass;
+            }
             HeavyBody& heavy = loads.heavy.back();
             heavy.shares = range_.particles[share.of].cloth_shares;
             heavy.end = k + 1;

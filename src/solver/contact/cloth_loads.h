@@ -28,7 +28,7 @@ private:
     const Body& body_of(const ContactLoad& share) const { return bodies_[range_.particles[share.by].body]; }
     void bound_joined_energy(const Joined& joined, Vec3 gravity);
     void leave_out_carried_ropes(ContactLoads& loads) const;
-    void add(const Pair& pair, uint32_t on, uint32_t by, Vec3 normal);
+    void add(const Pair& pair, const Contact& contact, uint32_t on, uint32_t by, Vec3 normal);
 
     const Range& range_;
     BodyTable& bodies_;

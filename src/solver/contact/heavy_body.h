@@ -31,6 +31,7 @@ struct HeavyBody {
     bool carried = false;    // whether a model is under one of the particles that it presses on
     Vec3 moved{}, turned{};  // by the links: metres, and a rotation vector
     LoadMotion before{};     // the motion without them
+    Vec3 pushed{};           // by contacts in this substep, in mass * metres
     double lost = 0;         // kinetic energy, to contacts in this substep; joules
     bool first = false;      // of all entries of a load that presses on several ropes
 };
