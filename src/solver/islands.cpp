@@ -154,7 +154,20 @@ void Solver::move_colliding(const Island& island, const Joined& joined, const Co
         particle_contacts_.move_loads_of_ropes(island, state_.bodies, slots, within, gravity, part, planes);
         particle_contacts_.solve_velocities(island, state_.bodies, slots, joined, within, gravity, part);
     };
-    if (interrupted && !has_contact) {
+    // Bodies feel each other from the second part on.
+    const auto close_first = [&](const CollisionContext& within, double part) {
+        if (within.begin > around.begin) return move_once(within, part);
+        for (uint32_t i = 0; i < island.body_count; ++i) {
+            Body& body = state_.bodies[slots[i]];
+            if (body.plan.joined) continue;
+            begin_move(body, within, gravity, part, planes, island.team);
+            end_move(body, within, gravity, part);
+        }
+        close_joined(joined, within, gravity, part);
+    };
+    if (starts_misplaced(joined)) {
+        start_slowly(around, h, close_first);
+    } else if (interrupted && !has_contact) {
         start_slowly(around, h, move_once);
     } else {
         move_once(around, h);
@@ -219,6 +232,7 @@ void Solver::move_island(const Island& island, uint32_t worker, const Scene* sce
     each_body([&](Body& body) {
         if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body, whole);
         add_parts(body);
+        body.contacts.closed = false;
         body.constraints.length_changes.clear();
         end_targets(body, share_);
         body.flight.last_surroundings = body.flight.surroundings;

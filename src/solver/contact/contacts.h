@@ -53,6 +53,7 @@ struct Contacts {
     Vector<double> friction_factor{memory};  // by particle, of the body's friction; empty: 1
     bool has_contact = false;  // whether there was any, and the caller has not interrupted the motion since
     bool near = false;         // whether its particles may be in contact with others in this substep
+    bool closed = false;       // whether joints that were placed with wrong lengths have closed in this step
     bool pushed = false;       // of joined bodies: whether others have displaced its particles in this substep
     /// Whether some particles are deeper in models than they can leave in this substep.
     bool penetrating = false;

@@ -199,8 +199,11 @@ void ParticleContacts::gather(const Range& range, const BodyTable& bodies, doubl
             p.at = p.uncorrected = place_of(body, p.number);
             const Vec3 velocity_before = p.velocity;
             p.velocity = p.uncorrected_velocity = velocity_of(body, p.number);
-            // The shape, links and models have moved it after the contacts of the last substep.
-            if (p.cluster) p.before = body.cloth.state.origin + get(&body.cloth.state.start[4 * size_t{p.number}]);
+            // The shape, links and models, or joints that closed, have moved it after the contacts of the last substep.
+            if (p.cluster || body.contacts.closed) {
+                p.before = is_graph(body) ? body.cloth.state.origin + get(&body.cloth.state.start[4 * size_t{p.number}])
+                                          : body.history.start[p.number];
+            }
             if (moves_freely(body) && was_pushed_out(p.at - p.before, velocity_before, p.velocity, h))
                 p.before = p.at - p.velocity * h;
             p.inverse_mass = body.particles.inverse_mass[p.number];
@@ -266,8 +269,10 @@ bool ParticleContacts::find_contacts(const Range& range, const BodyTable& bodies
             double most_separation = in_full;
             if (rigid && !final) {
                 // What removes their overlap becomes speed: no more than gravity gives them. The rest is removed at the
-                // end of the step. That does not move what is joined, of which small overlaps are errors of the sweeps.
-                const bool joined = of_a.plan.joined || of_b.plan.joined;
+                // end of the step. That does not move what is joined, of which small overlaps are errors of the sweeps,
+                // unless joints have closed in this step.
+                const bool joined =
+                    (of_a.plan.joined || of_b.plan.joined) && !of_a.contacts.closed && !of_b.contacts.closed;
                 const double slow = std::max(0.0, closing + gphys::length(gravity) * h * h);
                 most_separation = joined ? slow + (in_full - slow) * shallowness(all_overlap, radii) : slow;
             }

@@ -56,6 +56,7 @@ void JointSystem::add_cluster(uint32_t body, ClusterRange members) {
     for (uint32_t i = 0; i < members.size(); ++i) {
         const uint32_t particle = members.first[i].particle, node = find_node(body, particle);
         const bool joined = node < node_count() && nodes_[node].body == body && nodes_[node].particle == particle;
+        cluster.extent = std::max(cluster.extent, distance(members.first[i].rest, members.first->rest));
         predicted_.push_back({});
         shares_.push_back(joined ? share_of_pose : 1);
         if (joined) ties_.push_back({node, static_cast<uint32_t>(clusters_.size()), i});

@@ -8,6 +8,7 @@
 #include "solver/motion.h"
 #include "solver/quads.h"
 #include "solver/rope/rope_limits.h"
+#include "solver/rope/rope_start.h"
 
 namespace gphys {
 namespace {
@@ -357,6 +358,31 @@ struct JoinedMotion {
 };
 
 }  // namespace
+
+bool starts_misplaced(const Joined& joined) {
+    bool restarting = false, misplaced = false;
+    each_body(joined,
+              [&](const Body& body, uint32_t) { restarting = restarting || restarts(body.history, body.contacts); });
+    if (!restarting) return false;
+    each_system(joined, [&](const JointSystem& system) {
+        misplaced = misplaced || system.is_misplaced(joined.bodies, joined.joints);
+    });
+    return misplaced;
+}
+
+void close_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h) {
+    JoinedMotion motion{joined, gravity};
+    move_in_halves(motion, around, h);
+    each_body(joined, [&](Body& body, uint32_t) {
+        body.contacts.closed = true;
+        if (is_graph(body)) {
+            keep_velocities(body.cloth.state, h);
+            body.history.earlier_step = 0;
+        } else {
+            keep_velocities(body, gravity, h);
+        }
+    });
+}
 
 void solve_without_contacts(const Joined& joined, double h) {
     gather_systems(joined, h);

@@ -30,6 +30,12 @@ void each_body(const Joined& joined, Visit&& visit) {
 void move_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h);
 void begin_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h);
 void end_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h);
+/// Whether the next substep is the first one after the caller has joined or placed bodies, and rigid joints or links
+/// have wrong lengths.
+bool starts_misplaced(const Joined& joined);
+/// In place of a first part of such a substep, of h seconds: closes joints and links. That is no motion
+/// (rope/rope_start.h), so bodies outside must not feel it as contacts would make them.
+void close_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h);
 /// Solves the joints after the prediction of a substep of h seconds, without contacts, and moves no body. Then
 /// add_cluster_response adds the response of a joined cluster to those of its body, in ascending order. Contacts may
 /// add impulses to it, which end_joined takes.

@@ -15,6 +15,7 @@
 #include "solver/joints/joints.h"
 #include "solver/rope/rope.h"
 #include "solver/rope/rope_kernels.h"
+#include "solver/rope/rope_start.h"
 #include "solver/rope/stretched_ropes.h"
 #include "solver/state_range.h"
 #include "solver/time_scheme.h"
@@ -445,6 +446,30 @@ bool JointSystem::began_feasible() const {
 bool JointSystem::is_rigid() const {
     return bends_.empty() && std::none_of(links_.begin(), links_.end(),
                                           [](const Link& link) { return link.limit || link.compliance > 0; });
+}
+
+bool JointSystem::is_misplaced(const BodyTable& bodies, const Vector<Joint>& joints) const {
+    const auto plan_of = [&](const Link& link) -> const Plan& { return bodies[link.owner].plan; };
+    const auto rest_of = [&](const Link& link) {
+        return link.owner == of_joint ? joints[link.index].rest : plan_of(link).rest[link.index];
+    };
+    const auto stores_energy = [&](const Link& link) {
+        if (link.owner == of_joint) return joints[link.index].compliance > 0;
+        return plan_of(link).damped || plan_of(link).limited || plan_of(link).compliance[link.index] > 0;
+    };
+    const auto place_of = [&](uint32_t node) {
+        const Body& body = bodies[nodes_[node].body];
+        const uint32_t particle = nodes_[node].particle;
+        return nodes_[node].of_graph ? cloth_position(body.cloth.state, particle) : body.particles.position[particle];
+    };
+    if (!bends_.empty() || std::any_of(links_.begin(), links_.end(), stores_energy)) return false;
+    double size = 0;  // what joints of zero length are compared with
+    for (const Link& link : links_) size = std::max(size, rest_of(link));
+    for (const JoinedCluster& cluster : clusters_) size = std::max(size, cluster.extent);
+    return std::any_of(links_.begin(), links_.end(), [&](const Link& link) {
+        const double rest = rest_of(link), error = distance(place_of(link.a), place_of(link.b)) - rest;
+        return std::fabs(error) > least_misplacement * (rest > 0 ? rest : size);
+    });
 }
 
 bool JointSystem::is_feasible() const {

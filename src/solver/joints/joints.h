@@ -91,8 +91,9 @@ public:
         bool free = false;                      // whether the system moves it in this substep
         Vec3 rest = {};                         // of the pivot, in the shape
         Mat3 predicted = {}, rotation = {};
-        double size = 0;   // metres: root mean square distance of the members from the pivot
-        double scale = 0;  // 1 / s^2, times the mass unit: a relative mass becomes a weight
+        double size = 0;    // metres: root mean square distance of the members from the pivot
+        double extent = 0;  // metres: largest distance of a member from the first one
+        double scale = 0;   // 1 / s^2, times the mass unit: a relative mass becomes a weight
     };
     /// position of the node = centre + rotation * rest
     struct ClusterTie {
@@ -166,6 +167,8 @@ public:
     bool began_feasible() const;
     /// Whether no link or joint stores energy. Not for cloth.
     bool is_rigid() const;
+    /// Between substeps: whether nothing stores energy, and a joint or link has a wrong length (rope/rope_start.h).
+    bool is_misplaced(const BodyTable& bodies, const Vector<Joint>& joints) const;
     /// Joules, in elastic links and in bends: now, and before the substep.
     double elastic_energy() const;
     double elastic_energy_before() const { return elastic_energy_before_; }

@@ -8,13 +8,6 @@
 #include "solver/rope/rope.h"
 
 namespace gphys {
-namespace {
-
-// Of a link's length. Rounded to float32, links of a centimetre have as much a hundred metres from the origin.
-constexpr double least_strain = 1e-3;
-
-}  // namespace
-
 bool starts_misplaced(const Body& body) {
     const Plan& plan = body.plan;
     if (!restarts(body.history, body.contacts) || plan.damped || plan.limited || body.rope.bending.resists() ||
@@ -23,7 +16,7 @@ bool starts_misplaced(const Body& body) {
     bool wrong = false;
     each_link(plan, [&](uint32_t link, uint32_t a, uint32_t b) {
         const double error = distance(body.particles.position[a], body.particles.position[b]) - plan.rest[link];
-        wrong = wrong || (std::fabs(error) > least_strain * plan.rest[link]);
+        wrong = wrong || (std::fabs(error) > least_misplacement * plan.rest[link]);
     });
     return wrong && std::all_of(plan.compliance.begin(), plan.compliance.end(), [](double c) { return c == 0; });
 }

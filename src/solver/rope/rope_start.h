@@ -12,6 +12,9 @@ namespace gphys {
 
 struct Body;
 
+// Of a link's length. Rounded to float32, links of a centimetre have as much a hundred metres from the origin.
+constexpr double least_misplacement = 1e-3;
+
 /// Whether the next substep is the first one after an interruption that was no contact, and rigid links have wrong
 /// lengths. Not of bodies with links that store energy.
 bool starts_misplaced(const Body& body);
