@@ -366,8 +366,8 @@ void solve_clusters(Body& body, bool pulls_count) {
 void push_out_clusters(Body& body) {
     Cloth& cloth = body.cloth;
     ClothState& state = cloth.state;
-    // It would open joints.
-    if (!std::exchange(cloth.contacts.clusters_pushed, false) || body.plan.joined) return;
+    // It would open joints, whose systems move them (joints/joined_pushes.cpp).
+    if (body.plan.joined || !std::exchange(cloth.contacts.clusters_pushed, false)) return;
     sweep_clusters(cloth.clusters, [&](ClusterRange members, int) {
         MovingCluster cluster(members, state);
         if (!cluster.fit()) return;

@@ -283,6 +283,19 @@ void leave_solids_joined(const Joined& joined, const CollisionContext& around, d
     });
 }
 
+/// Moves clusters as wholes that models have pushed particles of, and keeps their joints.
+void push_out_joined(const Joined& joined, const CollisionContext& around, double h) {
+    bool pushed = false;
+    each_body(joined, [&](Body& body, uint32_t) {
+        pushed = std::exchange(body.cloth.contacts.clusters_pushed, false) || pushed;
+    });
+    if (!pushed) return;
+    // So that masses count alike.
+    each_body(joined, [&](Body& body, uint32_t) { body.history.earlier_step = 0; });
+    for (const uint32_t* i = joined.systems_begin; i != joined.systems_end; ++i)
+        joined.all_systems[*i].push_out_clusters(joined.bodies, joined.joints, around, h, *i);
+}
+
 /// Call after the systems are solved.
 void finish_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h) {
     bool interrupted = false;  // then the previous tensions, and so the elastic energies, are unknown
@@ -332,6 +345,7 @@ void finish_joined(const Joined& joined, const CollisionContext& around, Vec3 gr
         bound_starting_energy(joined, gravity, h);
     }
     leave_solids_joined(joined, around, h);
+    push_out_joined(joined, around, h);
 }
 
 struct JoinedMotion {

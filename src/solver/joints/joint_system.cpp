@@ -316,7 +316,7 @@ JointSystem::LinkEquation JointSystem::linearise(const Link& link) const {
     out.softness = link.compliance + regularisation_ * mobility;
     if (link.axis != along) {
         out.direction = axes[link.axis];
-        out.error = between[link.axis];
+        out.error = between[link.axis] - link.rest;
         return out;
     }
     const double length = gphys::length(between), scale = std::max({length, link.rest, rope_shortest});

@@ -95,6 +95,15 @@ public:
         double extent = 0;  // metres: largest distance of a member from the first one
         double scale = 0;   // 1 / s^2, times the mass unit: a relative mass becomes a weight
     };
+    /// A member that its contact plane pushes.
+    struct PlanePush {
+        uint32_t cluster;  // index in clusters_
+        Vec3 arm;          // from the centre
+        Vec3 normal;
+        double gap;           // metres in front of the plane
+        double inverse_mass;  // along the normal
+        double impulse;       // accumulated; relative masses times metres
+    };
     /// position of the node = centre + rotation * rest
     struct ClusterTie {
         uint32_t node, cluster;                           // cluster: index in clusters_
@@ -148,6 +157,11 @@ public:
     void displace_histories(BodyTable& bodies, double h);
     /// The same for impulses at the end of a substep, which change the velocities of all that is joined.
     void change_velocities(BodyTable& bodies);
+    /// For clusters of which models have pushed out particles, one by one: moves them as wholes instead, in front of
+    /// their contact planes, and what is joined to them. Velocities stay. Call at the end of a substep of h seconds.
+    /// `system`: its number.
+    void push_out_clusters(BodyTable& bodies, const Vector<Joint>& joints, const CollisionContext& around, double h,
+                           uint32_t system);
     /// Adds to the saved positions of members in contact by how much scatter() has moved them before contacts did.
     void save_cluster_places(Body& body, uint32_t slot) const;
     void scatter_tensions(BodyTable& bodies, Vector<Joint>& joints) const;
@@ -184,6 +198,10 @@ private:
         double error, stiffness, softness;  // m, N/m, m/N
         bool active;
     };
+    void gather_placed(const BodyTable& bodies, const Vector<Joint>& joints, double h);
+    bool list_pushes(const BodyTable& bodies, const CollisionContext& around);
+    void solve_pushes(BodyTable& bodies, uint32_t system);
+    double sweep_pushes(BodyTable& bodies);
     /// `predicts_cloth`: the nodes of cloth are where they are predicted, before any force of its chains.
     void gather_nodes(const BodyTable& bodies, double h, bool predicts_cloth);
     LinkEquation linearise(const Link& link) const;
@@ -223,6 +241,7 @@ private:
     Vector<ClusterTie> ties_{memory_};
     Vector<Vec3> predicted_{memory_};     // by member of a cluster, relative to the cloth's origin
     Vector<double> shares_{memory_};      // by member of a cluster: part of its mass that is in the pose
+    Vector<PlanePush> pushes_{memory_};   // capacity for all members
     Vector<uint32_t> way_rows_{memory_};  // of clusters: see SparseLdl::list_way
     Vector<double> ways_{memory_};        // six for each of these rows; none if there are too many
     Vector<double> entries_{memory_}, diagonal_{memory_}, solution_{memory_};
