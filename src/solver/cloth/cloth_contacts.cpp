@@ -237,6 +237,13 @@ double impact_speed(const ClothContact& n, const ClothState& state, Vec3 place, 
     return speed > 0 ? std::sqrt(std::max(0.0, speed * speed + 2 * pull * drop)) : predicted;
 }
 
+/// Of the end of the substep, without constraints.
+Vec3 predicted_velocity(const ClothState& state, size_t i, const TimeScheme& scheme, double drag) {
+    return (scheme.from_history(get(&state.velocity[i]), get(&state.velocity_before[i])) +
+            get(&state.acceleration[i]) * scheme.h) *
+           drag;
+}
+
 }  // namespace
 
 void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme) {
@@ -270,10 +277,7 @@ void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity
         n.normal_displacement = 0;
         n.normal_total = 0;
         n.pressed = pressed;
-        n.predicted_velocity = (scheme.from_history(get(&state.velocity[i]), get(&state.velocity_before[i])) +
-                                get(&state.acceleration[i]) * h) *
-                                   drag +
-                               corrected * (scheme.next * rate);
+        n.predicted_velocity = predicted_velocity(state, i, scheme, drag) + corrected * (scheme.next * rate);
         n.active_plane = static_cast<int32_t>(plane);
         n.active_planes |= 1u << plane;
         contacts.has_moving_model = contacts.has_moving_model || is_on_moving_model(n);
@@ -306,6 +310,16 @@ void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity
         push_out(n, at);
         in_chains.normals[i + 3] = static_cast<float>(n.normal_displacement / at[3]);
     }
+}
+
+void activate_plane(Body& body, ClothContact& n, int32_t plane, const TimeScheme& scheme) {
+    const size_t i = 4 * size_t{n.particle};
+    n.active_plane = plane;
+    n.active_planes |= 1u << plane;
+    n.normal_displacement = n.normal_total = n.friction_before = n.approach = n.pressed = n.pressed_friction = 0;
+    n.rest_slip = -1;
+    n.predicted_velocity = predicted_velocity(body.cloth.state, i, scheme, scheme.drag(body.settings.damping));
+    put(&body.cloth.in_chains.pulls[i], {});
 }
 
 namespace {

@@ -131,6 +131,9 @@ void search_cloth_contacts(Body& body, const CollisionContext& around, Vec3 grav
 /// planes.
 void search_ahead(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme);
+/// Call between that and resolve_contacts, when constraints have moved a particle to another plane than its active one:
+/// as if it had been found active, in the direction of which nothing has pulled it yet.
+void activate_plane(Body& body, ClothContact& contact, int32_t plane, const TimeScheme& scheme);
 /// Where a particle in contact is if it sticks to its place on its active contact plane. `start`: its position at the
 /// start of the substep.
 Vec3 place_on_plane(const ClothContact& n, const Vector<MovingCollider>& moving_colliders, Vec3 start);

@@ -366,7 +366,7 @@ void solve_clusters(Body& body, bool pulls_count) {
 void push_out_clusters(Body& body) {
     Cloth& cloth = body.cloth;
     ClothState& state = cloth.state;
-    // It would open joints, whose systems move them (joints/joined_pushes.cpp).
+    // It would open joints, whose systems move them (joints/joined_contacts.cpp).
     if (body.plan.joined || !std::exchange(cloth.contacts.clusters_pushed, false)) return;
     sweep_clusters(cloth.clusters, [&](ClusterRange members, int) {
         MovingCluster cluster(members, state);

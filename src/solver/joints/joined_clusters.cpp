@@ -66,7 +66,7 @@ void JointSystem::add_cluster(uint32_t body, ClusterRange members) {
 }
 
 void JointSystem::plan_ways() {
-    pushes_.reserve(predicted_.size());
+    contacts_.reserve(2 * predicted_.size());
     // In a chain of clusters they grow with the square of its length, and so does the time: one of 16 has about 2000.
     constexpr size_t most_rows = 1 << 11;
     way_rows_.clear();

@@ -202,6 +202,12 @@ void sweep_loaded(const Joined& joined, const CollisionContext& around, Vec3 gra
     });
 }
 
+/// Call when joints have moved clusters since their contacts were solved, one cluster after the other.
+void solve_cluster_contacts(const Joined& joined, const CollisionContext& around, double h) {
+    for (const uint32_t* i = joined.systems_begin; i != joined.systems_end; ++i)
+        joined.all_systems[*i].solve_cluster_contacts(joined.bodies, around, h, *i);
+}
+
 /// As `collide` of a single body, but with the held particles of all bodies pinned at once.
 void collide_joined(const Joined& joined, const CollisionContext& around, double bounce_threshold, double h) {
     bool has_contact = false;
@@ -222,6 +228,7 @@ void collide_joined(const Joined& joined, const CollisionContext& around, double
     });
     each_system(joined, [&](JointSystem& system) { system.gather_again(joined.bodies, h); });
     solve_systems(joined);
+    solve_cluster_contacts(joined, around, h);
     each_system(joined, [&](const JointSystem& system) { system.scatter_tensions(joined.bodies, joined.joints); });
     each_body(joined, [&](Body& body, uint32_t) {
         if (is_graph(body)) return;
@@ -315,6 +322,7 @@ void finish_joined(const Joined& joined, const CollisionContext& around, Vec3 gr
         });
     }
     solve_outdated(joined);
+    solve_cluster_contacts(joined, around, h);
     bool has_limit_impact = false;
     each_system(joined, [&](const JointSystem& system) { system.scatter_tensions(joined.bodies, joined.joints); });
     each_body(joined, [&](Body& body, uint32_t) {

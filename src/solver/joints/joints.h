@@ -95,14 +95,21 @@ public:
         double extent = 0;  // metres: largest distance of a member from the first one
         double scale = 0;   // 1 / s^2, times the mass unit: a relative mass becomes a weight
     };
-    /// A member that its contact plane pushes.
-    struct PlanePush {
-        uint32_t cluster;  // index in clusters_
-        Vec3 arm;          // from the centre
+    /// The contact of a member while the contacts of the system are solved. Impulses are relative masses times metres.
+    struct MemberContact {
+        uint32_t cluster;    // index in clusters_
+        uint32_t candidate;  // in ClothContacts
+        int32_t plane;
+        Vec3 arm;  // from the centre
         Vec3 normal;
-        double gap;           // metres in front of the plane
-        double inverse_mass;  // along the normal
-        double impulse;       // accumulated; relative masses times metres
+        double gap;             // metres in front of the plane
+        double inverse_mass;    // along the normal
+        double impulse_before;  // along the normal, of this substep
+        double impulse;         // accumulated
+        Vec3 slip;              // metres along the plane since the start of the substep
+        double friction;        // coefficient
+        double friction_room;   // what friction may add to `friction` times the impulse accumulated here
+        Vec3 friction_impulse;  // accumulated
     };
     /// position of the node = centre + rotation * rest
     struct ClusterTie {
@@ -157,9 +164,12 @@ public:
     void displace_histories(BodyTable& bodies, double h);
     /// The same for impulses at the end of a substep, which change the velocities of all that is joined.
     void change_velocities(BodyTable& bodies);
-    /// For clusters of which models have pushed out particles, one by one: moves them as wholes instead, in front of
-    /// their contact planes, and what is joined to them. Velocities stay. Call at the end of a substep of h seconds.
+    /// In a substep of h seconds, once links and joints are solved: the contact impulses that clusters lack where the
+    /// joints have moved them behind contact planes since their own contacts were solved, or that they have too much.
     /// `system`: its number.
+    void solve_cluster_contacts(BodyTable& bodies, const CollisionContext& around, double h, uint32_t system);
+    /// For clusters of which models have pushed out particles, one by one, at the end of a substep: moves them as
+    /// wholes instead, in front of their contact planes, and what is joined to them. Velocities stay.
     void push_out_clusters(BodyTable& bodies, const Vector<Joint>& joints, const CollisionContext& around, double h,
                            uint32_t system);
     /// Adds to the saved positions of members in contact by how much scatter() has moved them before contacts did.
@@ -199,9 +209,10 @@ private:
         bool active;
     };
     void gather_placed(const BodyTable& bodies, const Vector<Joint>& joints, double h);
-    bool list_pushes(const BodyTable& bodies, const CollisionContext& around);
-    void solve_pushes(BodyTable& bodies, uint32_t system);
-    double sweep_pushes(BodyTable& bodies);
+    double list_contacts(const BodyTable& bodies, const CollisionContext& around, bool acting);
+    double sweep_contacts(BodyTable& bodies);
+    void solve_contacts(BodyTable& bodies, uint32_t system);
+    void note_contact_impulses(BodyTable& bodies, double h) const;
     /// `predicts_cloth`: the nodes of cloth are where they are predicted, before any force of its chains.
     void gather_nodes(const BodyTable& bodies, double h, bool predicts_cloth);
     LinkEquation linearise(const Link& link) const;
@@ -239,11 +250,11 @@ private:
     Vector<NodeBend> bends_{memory_};
     Vector<JoinedCluster> clusters_{memory_};
     Vector<ClusterTie> ties_{memory_};
-    Vector<Vec3> predicted_{memory_};     // by member of a cluster, relative to the cloth's origin
-    Vector<double> shares_{memory_};      // by member of a cluster: part of its mass that is in the pose
-    Vector<PlanePush> pushes_{memory_};   // capacity for all members
-    Vector<uint32_t> way_rows_{memory_};  // of clusters: see SparseLdl::list_way
-    Vector<double> ways_{memory_};        // six for each of these rows; none if there are too many
+    Vector<Vec3> predicted_{memory_};          // by member of a cluster, relative to the cloth's origin
+    Vector<double> shares_{memory_};           // by member of a cluster: part of its mass that is in the pose
+    Vector<MemberContact> contacts_{memory_};  // capacity for two of each member
+    Vector<uint32_t> way_rows_{memory_};       // of clusters: see SparseLdl::list_way
+    Vector<double> ways_{memory_};             // six for each of these rows; none if there are too many
     Vector<double> entries_{memory_}, diagonal_{memory_}, solution_{memory_};
     Vector<double> applied_{memory_};  // newtons, by unknown: the forces that respond() takes
     SparseLdl matrix_{memory_};
