@@ -390,6 +390,50 @@ TEST_CASE("A ball among others that a rope is joined to from a distance is not t
     }
 }
 
+TEST_CASE("Joined crates keep their shapes where they land") {
+    // A pair by two joints as a hinge, and three by one joint each.
+    for (const uint32_t substeps : {8u, 2u, 1u}) {
+        for (const int count : {2, 3}) {
+            World world(substeps);
+            const gphys_plane floor{{0, 1, 0}, 0};
+            world.model(GPHYS_SHAPE_PLANE, &floor);
+            std::vector<Rigid> crates;
+            for (int i = 0; i < count; ++i) {
+                const float x = 0.45f * static_cast<float>(i), y = 1.3f + 0.1f * static_cast<float>(count);
+                crates.emplace_back(world, gphys_vec3{x, y, 0}, gphys_vec3{0.4f, 0.4f, 0.4f},
+                                    std::array<uint32_t, 3>{3, 3, 3}, 3 - 0.8f * static_cast<float>(i));
+                for (uint32_t p = 0; p < crates[0].count() && i == 0; ++p) {
+                    const gphys_vec3 at = crates[0].placed[p];
+                    world.set_velocity(crates[0].body, p, {0.4f * at.z, 0, -0.4f * at.x});
+                }
+                if (i == 0) continue;
+                for (const float z : {-0.2f, 0.2f}) {
+                    if (count == 3 && z > 0) continue;
+                    const Rigid &last = crates[crates.size() - 2], &crate = crates.back();
+                    join(world, last.body, last.at({x - 0.25f, y + 0.2f, z}), crate.body,
+                         crate.at({x - 0.2f, y + 0.2f, z}), -1);
+                }
+            }
+            const double energy = world.energy();
+            double distortion = 0, gained = 0, deepest = 0;
+            for (int step = 0; step < 120; ++step) {
+                world.step(dt);
+                gained = std::max(gained, world.energy() - energy);
+                for (const Rigid& crate : crates) {
+                    distortion = std::max(distortion, crate.distortion(world));
+                    for (const gphys_vec3& at : world.positions(crate.body))
+                        deepest = std::max(deepest, 0.02 - static_cast<double>(at.y));
+                }
+            }
+            figure("distortion", 1e6 * distortion, "um");
+            figure("depth", 1e6 * deepest, "um");
+            CHECK(distortion < 4e-6);
+            CHECK(deepest < 2e-6);
+            CHECK(gained < 1e-3 * energy);
+        }
+    }
+}
+
 TEST_CASE("Plates that are joined edge to edge hang as one band") {
     World world(2);
     std::vector<Rigid> plates;

@@ -276,6 +276,7 @@ void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity
         contacts.active.push_back(number);
         n.normal_displacement = 0;
         n.normal_total = 0;
+        n.cluster_impulse = 0;
         n.pressed = pressed;
         n.predicted_velocity = predicted_velocity(state, i, scheme, drag) + corrected * (scheme.next * rate);
         n.active_plane = static_cast<int32_t>(plane);
@@ -316,7 +317,8 @@ void activate_plane(Body& body, ClothContact& n, int32_t plane, const TimeScheme
     const size_t i = 4 * size_t{n.particle};
     n.active_plane = plane;
     n.active_planes |= 1u << plane;
-    n.normal_displacement = n.normal_total = n.friction_before = n.approach = n.pressed = n.pressed_friction = 0;
+    n.normal_displacement = n.normal_total = n.friction_before = n.cluster_impulse = n.approach = 0;
+    n.pressed = n.pressed_friction = 0;
     n.rest_slip = -1;
     n.predicted_velocity = predicted_velocity(body.cloth.state, i, scheme, scheme.drag(body.settings.damping));
     put(&body.cloth.in_chains.pulls[i], {});

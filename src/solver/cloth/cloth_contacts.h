@@ -58,6 +58,7 @@ struct alignas(64) ClothContact {
     double normal_displacement;  // metres: total displacement by contact planes
     double normal_total;         // metres: the same plus the pull of links against them
     double friction_before;      // metres: displacement that friction has removed before the links
+    double cluster_impulse;      // relative mass times metres: what a joined cluster has got by it along the normal
     double approach;  // speed of approach to the contact plane at impact, if it is large enough to bounce; else 0
     bool active_before_chains;  // whether it was active before the chains were solved
     bool held;                  // whether friction holds it at its place on the contact plane

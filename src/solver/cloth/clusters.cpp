@@ -230,6 +230,7 @@ void MovingCluster::solve_contacts(Body& body) {
         const uint32_t particle = members_.first[contact.member].particle;
         ClothContact& n = body.cloth.contacts.candidates[body.cloth.contacts.candidate_of[particle]];
         n.friction_before += length(contact.friction_impulse) * state_.at[4 * size_t{particle} + 3];
+        n.cluster_impulse = contact.normal_impulse;
         // A particle without a normal impulse is not in contact. Friction must not hold it, or planks would stick to
         // what they tilt off.
         if (contact.normal_impulse == 0) {

@@ -20,6 +20,8 @@ namespace {
 constexpr int most_rounds = 8;
 // Relative to the sizes of clusters.
 constexpr double rounding = 1e-7;
+// Of the motion of a substep: what particles that were behind planes before need.
+constexpr double most_gain = 1.1;
 
 double mass_of(const ClothState& state, uint32_t particle) { return state.acceleration[4 * size_t{particle} + 3]; }
 
@@ -75,14 +77,12 @@ double JointSystem::list_contacts(const BodyTable& bodies, const CollisionContex
             contact.plane = n.active_plane;
             contact.normal = n.planes[contact.plane].normal;
             contact.gap = dot(contact.normal, at) - n.planes[contact.plane].offset;
-            const Vec3 pull = get(&body.cloth.in_chains.pulls[4 * size_t{member.particle}]);
-            contact.impulse_before = std::max(0.0, n.normal_displacement * mass - dot(pull, contact.normal));
+            contact.impulse_before = n.cluster_impulse;
             const Vec3 start = get(&state.start[4 * size_t{member.particle}]);
             contact.slip = at - place_on_plane(n, body.cloth.moving_colliders, start);
             const Friction friction = friction_coefficients(body, member.particle);
             contact.friction = n.rest_slip >= 0 ? friction.at_rest : friction.kinetic;
-            contact.friction_room =
-                contact.friction * (contact.impulse_before + n.pressed * mass) - n.friction_before * mass;
+            contact.friction_room = contact.friction * contact.impulse_before - n.friction_before * mass;
             contacts_.push_back(contact);
         }
     }
@@ -185,15 +185,70 @@ void JointSystem::note_contact_impulses(BodyTable& bodies, double h) const {
         float* const pull = &body.cloth.in_chains.pulls[4 * size_t{n.particle}];
         put(pull, get(pull) - contact.normal * contact.impulse - contact.friction_impulse);
         n.friction_before += length(contact.friction_impulse) / mass_of(body.cloth.state, n.particle);
+        n.cluster_impulse += contact.impulse;
     }
 }
 
 void JointSystem::solve_cluster_contacts(BodyTable& bodies, const CollisionContext& around, double h, uint32_t system) {
-    for (int round = 0; round < most_rounds && list_contacts(bodies, around, true) > rounding; ++round) {
-        solve_contacts(bodies, system);
-        note_contact_impulses(bodies, h);
+    const auto depth_of_listed = [&] {
+        double deepest = 0;
+        const ClusterMember* member = nullptr;
+        for (size_t i = 0; i < contacts_.size(); ++i) {
+            const JoinedCluster& cluster = clusters_[contacts_[i].cluster];
+            const Cloth& cloth = bodies[cluster.body].cloth;
+            if (i == 0 || contacts_[i].cluster != contacts_[i - 1].cluster)
+                member = members_of(cloth.clusters, cluster.cluster).first;
+            const ClothContact& n = cloth.contacts.candidates[contacts_[i].candidate];
+            while (member->particle != n.particle) ++member;
+            const Vec3 centre = nodes_[cluster.centre].position - cloth.state.origin;
+            double depth;
+            deepest_plane(n, centre + cluster.rotation * (member->rest - cluster.rest), depth);
+            deepest = std::max(deepest, depth / cluster.size);
+        }
+        return deepest;
+    };
+    // Kinetic energy of the displacements of all members, relative, and whether only contacts at rest act on them.
+    const auto motion = [&](bool& at_rest) {
+        double sum = 0;
+        for (const JoinedCluster& cluster : clusters_) {
+            if (!cluster.free) continue;
+            const Cloth& cloth = bodies[cluster.body].cloth;
+            at_rest = at_rest && cloth.moving_colliders.empty();
+            const Vec3 centre = nodes_[cluster.centre].position - cloth.state.origin;
+            for (const ClusterMember& member : members_of(cloth.clusters, cluster.cluster)) {
+                const Vec3 at = centre + cluster.rotation * (member.rest - cluster.rest);
+                sum += length_squared(at - get(&cloth.state.start[4 * size_t{member.particle}])) *
+                       mass_of(cloth.state, member.particle) * bodies[cluster.body].cloth.state.average_mass;
+            }
+        }
+        return sum;
+    };
+    const auto take_back = [&] {
+        for (const MemberContact& contact : contacts_) {
+            const JoinedCluster& cluster = clusters_[contact.cluster];
+            const Vec3 impulse = contact.normal * contact.impulse + contact.friction_impulse;
+            apply_force(cluster.centre, impulse * -cluster.scale);
+            apply_force(cluster.turn, cross(contact.arm, impulse) * -cluster.scale);
+        }
+        for (Node& node : nodes_) node.position = node.start;
+        place_clusters();
         solve();
+    };
+    double deepest = list_contacts(bodies, around, true);
+    for (int round = 0; round < most_rounds && deepest > rounding; ++round) {
+        bool at_rest = true;
+        const double before = motion(at_rest);
+        solve_contacts(bodies, system);
+        solve();
+        // Where a limb is stretched or jams, the response is not linear, and impulses would throw it about. What rests
+        // only takes energy.
+        if (depth_of_listed() > deepest / 2 || (at_rest && motion(at_rest) > most_gain * before)) {
+            take_back();
+            break;
+        }
+        note_contact_impulses(bodies, h);
         scatter(bodies);
+        deepest = list_contacts(bodies, around, true);
     }
 }
 
@@ -202,9 +257,13 @@ void JointSystem::push_out_clusters(BodyTable& bodies, const Vector<Joint>& join
     if (clusters_.empty()) return;
     gather_placed(bodies, joints, h);
     bool solved = solve();
-    for (int round = 0; round < most_rounds && solved && list_contacts(bodies, around, false) > rounding; ++round) {
+    double deepest = list_contacts(bodies, around, false);
+    for (int round = 0; round < most_rounds && solved && deepest > rounding; ++round) {
         solve_contacts(bodies, system);
         solved = solve();
+        const double before = deepest;
+        deepest = list_contacts(bodies, around, false);
+        solved = solved && deepest < std::max(before / 2, rounding);
     }
     if (solved) scatter(bodies);
 }
