@@ -4,8 +4,8 @@
 // impulses, adding to them or taking back. What is not linear is left to the next round.
 //
 // Else contact planes would push out its particles one by one, off its shape, and with velocities that do not belong
-// together. What still gets there, the system removes at the end of the substep without speed: Newton's method closes
-// the joints from where the particles are, with impulses of contact planes that change no velocity.
+// together. What still gets there, the system removes at the end of the substep: Newton's method closes the joints from
+// where the particles are, with impulses of contact planes, and velocities change by what that moves particles.
 #include "solver/body_table.h"
 #include "solver/contact/collision.h"
 #include "solver/contact/friction.h"
@@ -254,8 +254,24 @@ void JointSystem::solve_cluster_contacts(BodyTable& bodies, const CollisionConte
 
 void JointSystem::push_out_clusters(BodyTable& bodies, const Vector<Joint>& joints, const CollisionContext& around,
                                     double h, uint32_t system) {
+    // Of what particles are off their shapes: a jammed limb would have to be thrown aside, and stays as it is.
+    constexpr double most_moved = 4;
     if (clusters_.empty()) return;
+    const auto farthest = [&] {
+        double most = 0;
+        for (const JoinedCluster& cluster : clusters_) {
+            if (!cluster.free) continue;
+            const Cloth& cloth = bodies[cluster.body].cloth;
+            const Vec3 centre = nodes_[cluster.centre].position - cloth.state.origin;
+            for (const ClusterMember& member : members_of(cloth.clusters, cluster.cluster)) {
+                const Vec3 place = centre + cluster.rotation * (member.rest - cluster.rest);
+                most = std::max(most, distance(place, get(&cloth.state.at[4 * size_t{member.particle}])));
+            }
+        }
+        return most;
+    };
     gather_placed(bodies, joints, h);
+    const double off = farthest();
     bool solved = solve();
     double deepest = list_contacts(bodies, around, false);
     for (int round = 0; round < most_rounds && solved && deepest > rounding; ++round) {
@@ -265,7 +281,20 @@ void JointSystem::push_out_clusters(BodyTable& bodies, const Vector<Joint>& join
         deepest = list_contacts(bodies, around, false);
         solved = solved && deepest < std::max(before / 2, rounding);
     }
-    if (solved) scatter(bodies);
+    if (!solved || farthest() > most_moved * off) return;
+    // Else pushed particles would keep the speed of a push that has been taken back.
+    for (const JoinedCluster& cluster : clusters_) {
+        if (!cluster.free) continue;
+        Cloth& cloth = bodies[cluster.body].cloth;
+        const Vec3 centre = nodes_[cluster.centre].position - cloth.state.origin;
+        for (const ClusterMember& member : members_of(cloth.clusters, cluster.cluster)) {
+            const size_t i = 4 * size_t{member.particle};
+            if (mass_of(cloth.state, member.particle) == 0) continue;
+            const Vec3 place = centre + cluster.rotation * (member.rest - cluster.rest);
+            put(&cloth.state.velocity[i], get(&cloth.state.velocity[i]) + (place - get(&cloth.state.at[i])) / h);
+        }
+    }
+    scatter(bodies);
 }
 
 }  // namespace gphys
