@@ -290,7 +290,7 @@ void leave_solids_joined(const Joined& joined, const CollisionContext& around, d
     });
 }
 
-/// Moves clusters as wholes that models have pushed particles of, and keeps their joints.
+/// Moves clusters as wholes of which models have pushed out particles, and keeps their joints.
 void push_out_joined(const Joined& joined, const CollisionContext& around, double h) {
     bool pushed = false;
     each_body(joined, [&](Body& body, uint32_t) {
