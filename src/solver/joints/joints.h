@@ -169,7 +169,7 @@ public:
     /// `system`: its number.
     void solve_cluster_contacts(BodyTable& bodies, const CollisionContext& around, double h, uint32_t system);
     /// For clusters of which models have pushed out particles, one by one, at the end of a substep: moves them as
-    /// wholes instead, in front of their contact planes, and what is joined to them. Velocities stay.
+    /// wholes instead, in front of their contact planes, and what is joined to them. Velocities follow.
     void push_out_clusters(BodyTable& bodies, const Vector<Joint>& joints, const CollisionContext& around, double h,
                            uint32_t system);
     /// Adds to the saved positions of members in contact by how much scatter() has moved them before contacts did.
