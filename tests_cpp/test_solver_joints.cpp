@@ -351,8 +351,6 @@ TEST_CASE("cloth with a rope at a corner gains no energy in substeps of up to ha
     for (const float heavy : {0.01f, 1.0f, 30.0f, 1000.0f}) {
         for (const float step : {2e-3f, 1 / 60.0f, 0.1f, 0.5f}) cloth_with_a_rope_gains_no_energy(11, heavy, step);
     }
-    cloth_with_a_rope_gains_no_energy(41, 1, 1 / 60.0f);
-    cloth_with_a_rope_gains_no_energy(41, 1000, 0.5f);
 }
 
 TEST_CASE("fine cloth with a rope at a corner gains no energy in any of these substeps", "[.long]") {

@@ -243,7 +243,7 @@ TEST_CASE("a hull that is scaled per axis as a model holds points and meets rays
 }
 
 TEST_CASE("solids overlap hulls when they do, but for 2^-40 of the coordinates", "[hull]") {
-    const long count = cases(2000, 1000000);
+    const long count = cases(1000, 1000000);
     prove(count, overlaps<gphys_sphere>("overlap hull, sphere", 83), overlap<gphys_sphere>,
           overlap_of_surface<gphys_sphere>);
     prove(count, overlaps<gphys_capsule>("overlap hull, capsule", 84), overlap<gphys_capsule>,
