@@ -47,6 +47,11 @@ Vec3 velocity_of(const Body& body, uint32_t p) {
     return is_graph(body) ? get(&body.cloth.state.velocity[4 * size_t{p}]) : body.particles.velocity[p];
 }
 
+/// Where a particle was at the beginning of the substep. `before`: of one of a rope or without links.
+Vec3 start_of(const Body& body, uint32_t p, Vec3 before) {
+    return is_graph(body) ? body.cloth.state.origin + get(&body.cloth.state.start[4 * size_t{p}]) : before;
+}
+
 /// Whether a particle has moved farther than its velocities take it: a model that it was in has moved it at once. Then
 /// its way is no motion, with which it would hit others.
 bool was_pushed_out(Vec3 way, Vec3 velocity_before, Vec3 velocity, double h) {
@@ -268,6 +273,9 @@ bool ParticleContacts::find_contacts(const Range& range, const BodyTable& bodies
                          in_full = std::max(0.0, closing) + most_correction * radii;
             double most_separation = in_full;
             if (rigid && !final) {
+                // Links have moved cloth since the last contacts. That is no motion, either.
+                const double closing =
+                    dot(start_of(of_b, b.number, b.before) - start_of(of_a, a.number, a.before) - now, normal);
                 // What removes their overlap becomes speed: no more than gravity gives them. The rest is removed at the
                 // end of the step. That does not move what is joined, of which small overlaps are errors of the sweeps,
                 // unless joints have closed in this step.

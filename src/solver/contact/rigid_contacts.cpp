@@ -163,6 +163,9 @@ double yielding_mass(const ContactPartner& partner, Vec3 direction) {
     return partner.inverse_mass * std::max(0.0, dot(partner.supports->yielding(direction), direction));
 }
 
+/// Whether one of both is a particle that models carry.
+bool is_carried(const ContactGroup& group) { return group.a.supports || group.b.supports; }
+
 /// Of both, for an impulse on b.
 double yielding_mass(const ContactGroup& group, Vec3 direction) {
     return yielding_mass(group.a, -direction) + yielding_mass(group.b, direction);
@@ -190,10 +193,18 @@ GPHYS_INLINE double change_normal(const ContactGroup& group, ContactRow& row, do
     return std::fabs(row.normal_change) * yields;
 }
 
+/// Keeps friction within Coulomb's bound. Returns what that changes. Of particles that models carry this must not wait.
+/// The friction of a heavy cluster would move a light one at any speed once the models no longer hold it.
+Vec3 bound_friction(ContactRow& row) {
+    const Vec3 before = row.friction_impulse;
+    const double most = row.friction * row.normal_impulse, square = length_squared(before);
+    if (square > most * most) row.friction_impulse *= most / std::sqrt(square);
+    return row.friction_impulse - before;
+}
+
 /// The same for friction, within Coulomb's bound, by a row with this share of the masses. Returns the square.
 GPHYS_INLINE double change_friction(const ContactGroup& group, ContactRow& row, const RelativeMotion& motion,
-                                    double share) {
-    row.friction_change = {};
+                                    double share, Vec3& change) {
     if (row.friction == 0 || (row.normal_impulse == 0 && row.friction_impulse == Vec3{})) return 0;
     Vec3 slip = row.slip + motion.at(row);
     slip -= row.normal * dot(slip, row.normal);
@@ -202,9 +213,9 @@ GPHYS_INLINE double change_friction(const ContactGroup& group, ContactRow& row, 
     if (along > 0) wanted -= slip * (share / along);
     const double most = row.friction * row.normal_impulse, square = length_squared(wanted);
     if (square > most * most) wanted *= most / std::sqrt(square);
-    row.friction_change = wanted - row.friction_impulse;
+    change = wanted - row.friction_impulse;
     row.friction_impulse = wanted;
-    return length_squared(row.friction_change) * along * along;
+    return length_squared(change) * along * along;
 }
 
 }  // namespace
@@ -237,6 +248,7 @@ double RigidContacts::sweep() {
     for (ContactGroup *group = groups_, *const groups_end = groups_ + group_count_; group != groups_end; ++group) {
         ContactRow *const first = rows_ + group->first, *const end = first + group->count;
         const double among = group->count;
+        const bool carried = is_carried(*group);
         ContactImpulse normal, friction;
         double load = 0;
         follow_joined(*group);
@@ -244,7 +256,9 @@ double RigidContacts::sweep() {
         for (ContactRow* row = first; row != end; ++row) {
             largest = std::max(largest, change_normal(*group, *row, dot(row->normal, approaching.at(*row)), among));
             load += row->normal_impulse;
-            if (row->normal_change != 0) add_impulse(normal, *row, row->normal * row->normal_change);
+            row->friction_change = carried ? bound_friction(*row) : Vec3{};
+            const Vec3 change = row->normal * row->normal_change + row->friction_change;
+            if (change != Vec3{}) add_impulse(normal, *row, change);
         }
         push(*group, ContactImpulse(normal));
         const bool together = move_together(*group);
@@ -256,11 +270,13 @@ double RigidContacts::sweep() {
         for (ContactRow* row = first; row != end; ++row) {
             // Each bears as much of the friction as of the load, which bounds it.
             const double share = load > 0 ? row->normal_impulse / load : 1 / among;
-            largest_square = std::max(largest_square, change_friction(*group, *row, sliding, share));
+            Vec3 changed;
+            largest_square = std::max(largest_square, change_friction(*group, *row, sliding, share, changed));
+            row->friction_change += changed;
             // In the norm of the energy.
             squares +=
                 row->inverse_mass * (row->normal_change * row->normal_change + length_squared(row->friction_change));
-            if (row->friction_change != Vec3{}) add_impulse(friction, *row, row->friction_change);
+            if (changed != Vec3{}) add_impulse(friction, *row, changed);
         }
         push(*group, ContactImpulse(friction));
         group->change = {normal.impulse + friction.impulse, normal.about_a + friction.about_a,
@@ -291,14 +307,22 @@ void RigidContacts::accelerate() {
             way = more + change;
             impulse += more;
         };
+        const bool carried = is_carried(*group);
+        ContactImpulse more;
         for (ContactRow* row = first; row != end; ++row) {
+            const Vec3 before = row->normal * row->normal_impulse + row->friction_impulse;
             continue_way(row->normal_way, row->normal_change, row->normal_impulse);
             continue_way(row->friction_way, row->friction_change, row->friction_impulse);
+            if (!carried) continue;
+            row->normal_impulse = std::max(0.0, row->normal_impulse);
+            bound_friction(*row);
+            add_impulse(more, *row, row->normal * row->normal_impulse + row->friction_impulse - before);
         }
-        ContactImpulse more;
-        continue_way(group->way.impulse, group->change.impulse, more.impulse);
-        continue_way(group->way.about_a, group->change.about_a, more.about_a);
-        continue_way(group->way.about_b, group->change.about_b, more.about_b);
+        if (!carried) {
+            continue_way(group->way.impulse, group->change.impulse, more.impulse);
+            continue_way(group->way.about_a, group->change.about_a, more.about_a);
+            continue_way(group->way.about_b, group->change.about_b, more.about_b);
+        }
         push(*group, more);
         push_joined(*group, more);
     }
