@@ -139,9 +139,22 @@ void make_room(ClothContact& n, Vec3 at) {
 Vec3 place_on_plane(const ClothContact& n, const Vector<MovingCollider>& moving_colliders, Vec3 start) {
     const uint32_t moving_collider = n.planes[n.active_plane].moving_collider;
     if (moving_collider == ContactPlane::unmoved) return start;
+    Vec3 place = moving_colliders[moving_collider].substep_motion.apply(start);
+    if (n.is_even) {
+        const Vec3 normal = n.planes[n.active_plane].normal, lag = moving_colliders[moving_collider].lag;
+        place += lag - normal * dot(lag, normal);
+    }
     float rounded[3];
-    put(rounded, moving_colliders[moving_collider].substep_motion.apply(start));
+    put(rounded, place);
     return get(rounded);
+}
+
+bool follows_evenly(const Body& body, uint32_t particle, const ContactPlane& plane, const CollisionContext& around,
+                    Vec3 gravity) {
+    if (plane.moving_collider == ContactPlane::unmoved || !body.cloth.clusters.has(particle)) return false;
+    const Vec3 jump = body.cloth.moving_colliders[plane.moving_collider].jump;
+    const Vec3 along = jump - plane.normal * dot(jump, plane.normal);
+    return length(along) <= friction_coefficients(body, particle).kinetic * length(gravity) * around.step_time;
 }
 
 void ClothContacts::reserve(uint32_t particles, size_t floats) {
@@ -268,6 +281,7 @@ void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity
         n.corrected = {};
         n.pressed = n.pressed_friction = 0;
         n.active_plane = -1;
+        n.is_even = false;
         double depth;
         const uint32_t plane = deepest_plane(n, get(at), depth);
         if (depth < -near) continue;
@@ -283,6 +297,7 @@ void find_active_planes(Body& body, const CollisionContext& around, Vec3 gravity
         n.active_planes |= 1u << plane;
         contacts.has_moving_model = contacts.has_moving_model || is_on_moving_model(n);
         const Vec3 normal = n.planes[plane].normal;
+        n.is_even = follows_evenly(body, n.particle, n.planes[plane], around, gravity);
         const Vec3 place = place_on_plane(n, moving_colliders, start),
                    moved = get(at) - place;  // relative to the moving plane
         const double away = dot(moved, normal);

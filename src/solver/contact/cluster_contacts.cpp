@@ -250,7 +250,7 @@ void ParticleContacts::ClusterContacts::begin_positions(const Joined* joined, co
     each_active([&](ContactCluster& cluster) {
         each_particle(cluster, [&](Particle& p) {
             Supports& supports = range_.supports[&p - range_.particles];
-            p.supports = supports.find_in_shape(bodies_[p.body], p.number, p.at, around) ? &supports : nullptr;
+            p.supports = supports.find_in_shape(bodies_[p.body], p.number, p.at, around, gravity) ? &supports : nullptr;
         });
     });
     const auto slip_of = [](const Particle& p, const Support& support) { return p.at - p.before - support.carried; };

@@ -41,7 +41,7 @@ void find_moving_colliders(Vector<MovingCollider>& moving_colliders, Vec3 origin
         moving_collider.bounded = before.bounded;
         moving_collider.swept_bounds = before.swept;
         const Vec3 way = widen(after.position) - widen(before.world.position);
-        moving_collider.jump = distance(way / around.way_time(), widen(before.velocity));
+        moving_collider.jump = way / around.way_time() - widen(before.velocity);
         // For unit quaternions, up to rounding: |q - p| = 2 sin(angle / 4), and their dot product is the cosine of half
         // the angle.
         const Quat p = normalized(widen(before.world.rotation)), q = normalized(widen(after.rotation));
@@ -65,7 +65,14 @@ void advance_moving_colliders(Vector<MovingCollider>& moving_colliders, Vec3 ori
         moving_collider.substep_motion = rigid_motion(begin, end, origin);
         moving_collider.from_end = rigid_motion(widen(after), end, origin);
         moving_collider.middle = end.position - origin;
+        moving_collider.lag = lag_in_substep(moving_collider.jump, around);
     }
+}
+
+/// From the mean of the velocities of both steps, by as much as the jump.
+Vec3 lag_in_substep(Vec3 jump, const CollisionContext& around) {
+    const auto at = [&](double t) { return t * (t - 1) / 2; };
+    return jump * (around.step_time * (at(around.end) - at(around.begin)));
 }
 
 RigidMotion motion_in_step(const MovingCollider& moving_collider, Vec3 origin, const CollisionContext& around) {

@@ -34,7 +34,8 @@ struct MovingCollider {
     double bulge;                // bound for the distance of an arc of radius 1 with its angle from the chord
     RigidMotion substep_motion;  // during this substep
     RigidMotion from_end;        // from the end of the step back to that of this substep
-    double jump = 0;             // m/s, by which its velocity differs from that in the step before
+    Vec3 jump;                   // m/s, by which its velocity differs from that in the step before
+    Vec3 lag;                    // metres: as lag_in_substep, in this substep
     Vec3 middle;                 // the model's position at the end of the substep
 
     /// A bound for the distance that the point would move with the model in the rest of the step.
@@ -65,6 +66,9 @@ struct NearColliders {
 void find_moving_colliders(Vector<MovingCollider>& moving_colliders, Vec3 origin, const Box& box, uint32_t layers,
                            const CollisionContext& around);
 void advance_moving_colliders(Vector<MovingCollider>& moving_colliders, Vec3 origin, const CollisionContext& around);
+/// By how much more its surface would move in this substep if its velocity changed evenly in the step, in place of at its
+/// beginning. It would then be as far at the end of the step, so these sum up to 0.
+Vec3 lag_in_substep(Vec3 jump, const CollisionContext& around);
 /// That in the whole step.
 RigidMotion motion_in_step(const MovingCollider& moving_collider, Vec3 origin, const CollisionContext& around);
 

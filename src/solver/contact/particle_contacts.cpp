@@ -521,7 +521,7 @@ void ParticleContacts::solve_velocities(const Island& island, BodyTable& bodies,
             Supports& supports = range.supports[i];
             const Vec3 at = place_of(body, p.number);
             const bool any = (p.cluster ? p.cluster->active : p.paired) &&
-                             supports.find_for_velocities(body, p.number, at, p.velocity, around);
+                             supports.find_for_velocities(body, p.number, at, p.velocity, around, gravity);
             p.supports = any ? &supports : nullptr;
         }
     });

@@ -34,15 +34,16 @@ void Supports::add(gphys_model_id model, Vec3 normal, Vec3 carried, double room)
 }
 
 bool Supports::find_for_positions(const Body& body, uint32_t particle, Vec3& at, const CollisionContext& around) {
-    return find(body, particle, at, around, false, false);
+    return find(body, particle, at, around, {}, false, false);
 }
 
-bool Supports::find_in_shape(const Body& body, uint32_t particle, Vec3 at, const CollisionContext& around) {
-    return find(body, particle, at, around, true, false);
+bool Supports::find_in_shape(const Body& body, uint32_t particle, Vec3 at, const CollisionContext& around,
+                             Vec3 gravity) {
+    return find(body, particle, at, around, gravity, true, false);
 }
 
-bool Supports::find(const Body& body, uint32_t particle, Vec3& at, const CollisionContext& around, bool in_shape,
-                    bool ended) {
+bool Supports::find(const Body& body, uint32_t particle, Vec3& at, const CollisionContext& around, Vec3 gravity,
+                    bool in_shape, bool ended) {
     const double radius = body.particles.radius[particle];
     count_ = 0;
     if (is_graph(body)) {
@@ -59,6 +60,10 @@ bool Supports::find(const Body& body, uint32_t particle, Vec3& at, const Collisi
             Vec3 carried;
             // As place_on_plane: by its centre.
             if (plane.moving_collider != ContactPlane::unmoved) carried = carried_by(around, plane.model, at);
+            if (follows_evenly(body, particle, plane, around, gravity)) {
+                const Vec3 lag = lag_in_substep(body.cloth.moving_colliders[plane.moving_collider].jump, around);
+                carried += lag - plane.normal * dot(lag, plane.normal);
+            }
             if (!in_shape) at += plane.normal * std::max(0.0, -gap_to(plane, carried));
             const double gap = gap_to(plane, carried);
             add(plane.model, plane.normal, carried, in_shape ? gap : room(gap, radius));
@@ -80,9 +85,9 @@ bool Supports::find(const Body& body, uint32_t particle, Vec3& at, const Collisi
 }
 
 bool Supports::find_for_velocities(const Body& body, uint32_t particle, Vec3 at, Vec3 velocity,
-                                   const CollisionContext& around) {
+                                   const CollisionContext& around, Vec3 gravity) {
     const double seconds = around.step_time * (around.end - around.begin);
-    if (!find(body, particle, at, around, false, true)) return false;
+    if (!find(body, particle, at, around, gravity, false, true)) return false;
     for (uint32_t i = 0; i < count_; ++i) {
         Support& support = of_[i];
         support.carried *= 1 / seconds;

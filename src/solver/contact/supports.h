@@ -29,9 +29,9 @@ public:
     /// they push a particle that nothing else presses on them.
     bool find_for_positions(const Body& body, uint32_t particle, Vec3& at, const CollisionContext& around);
     /// The same for one that keeps its place in a rigid cluster. Its room is negative behind a contact plane.
-    bool find_in_shape(const Body& body, uint32_t particle, Vec3 at, const CollisionContext& around);
+    bool find_in_shape(const Body& body, uint32_t particle, Vec3 at, const CollisionContext& around, Vec3 gravity);
     bool find_for_velocities(const Body& body, uint32_t particle, Vec3 at, Vec3 velocity,
-                             const CollisionContext& around);
+                             const CollisionContext& around, Vec3 gravity);
 
     /// The value without motion into the models. It was `uncorrected` before the sweeps.
     Vec3 stop(Vec3 value, Vec3 uncorrected) {
@@ -80,7 +80,8 @@ public:
 
 private:
     /// `ended`: whether contact planes have been moved to the end of the substep.
-    bool find(const Body& body, uint32_t particle, Vec3& at, const CollisionContext& around, bool in_shape, bool ended);
+    bool find(const Body& body, uint32_t particle, Vec3& at, const CollisionContext& around, Vec3 gravity,
+              bool in_shape, bool ended);
     void add(gphys_model_id model, Vec3 normal, Vec3 carried, double room);
 
     uint32_t count_ = 0;

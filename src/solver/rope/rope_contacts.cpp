@@ -222,7 +222,7 @@ bool RopeContacts::begin(Body& body, const CollisionContext& around, Vec3 gravit
             const MovingCollider& moving = moving_colliders_[contact.moving_collider];
             const Vec3 start = body.history.start[p] - origin_;
             contact.carried = moving.substep_motion.apply(start) - start;
-            contact.jump = around.begin == 0 ? moving.jump : 0;
+            contact.jump = around.begin == 0 ? length(moving.jump) : 0;
             contact.ahead = body.particles.mass[p] * contact.jump * step * step * (1 / h - 1 / rest);
         });
     }
