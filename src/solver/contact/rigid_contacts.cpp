@@ -202,7 +202,8 @@ Vec3 bound_friction(ContactRow& row) {
     return row.friction_impulse - before;
 }
 
-/// The same for friction, within Coulomb's bound, by a row with this share of the masses. Returns the square.
+/// The same for friction, within Coulomb's bound, by a row with this share of the masses. Returns the square of its slip
+/// if it sticks, which all rows of the group close together, and of what it changes of that if it slides.
 GPHYS_INLINE double change_friction(const ContactGroup& group, ContactRow& row, const RelativeMotion& motion,
                                     double share, Vec3& change) {
     if (row.friction == 0 || (row.normal_impulse == 0 && row.friction_impulse == Vec3{})) return 0;
@@ -212,10 +213,53 @@ GPHYS_INLINE double change_friction(const ContactGroup& group, ContactRow& row, 
     Vec3 wanted = row.friction_impulse;
     if (along > 0) wanted -= slip * (share / along);
     const double most = row.friction * row.normal_impulse, square = length_squared(wanted);
-    if (square > most * most) wanted *= most / std::sqrt(square);
+    const bool slides = square > most * most;
+    if (slides) wanted *= most / std::sqrt(square);
     change = wanted - row.friction_impulse;
     row.friction_impulse = wanted;
-    return length_squared(change) * along * along;
+    return slides ? length_squared(change) * along * along : length_squared(slip);
+}
+
+/// Among how many the rows of a group share its masses, n: 1 for independent rows, their number if all are alike. A_ij is
+/// what a unit impulse of row i moves row j by, over the root of the inverse masses of both. If each row changes by
+/// 1 / n of what it alone needs, 1 - A / n is left of the gaps; this n makes the Frobenius norm of that least. Sweeps
+/// over one group converge with it: A has at most six eigenvalues that are not 0, so the largest is below 1.8 n.
+double among(const ContactGroup& group, const ContactRow* rows) {
+    constexpr int size = 9;  // a force, and its moments about both centres
+    if ((group.a.cluster && group.a.cluster->response) || (group.b.cluster && group.b.cluster->response))
+        return group.count;
+    double sums[size][size] = {};
+    for (const ContactRow* row = rows; row != rows + group.count; ++row) {
+        if (!(row->inverse_mass > 0)) return group.count;
+        const Vec3 by_a = cross(row->arm_a, row->normal), by_b = cross(row->arm_b, row->normal), n = row->normal;
+        const double force[size] = {n.x, n.y, n.z, by_a.x, by_a.y, by_a.z, by_b.x, by_b.y, by_b.z};
+        for (int i = 0; i < size; ++i) {
+            for (int k = 0; k < size; ++k) sums[i][k] += force[i] * force[k] / row->inverse_mass;
+        }
+    }
+    // moved = inverse masses * sums
+    const auto linear = [](const ContactPartner& partner) {
+        if (partner.cluster) return partner.cluster->inverse_mass;
+        return partner.supports ? 0 : partner.inverse_mass;
+    };
+    const auto angular = [](const ContactPartner& partner) {
+        return partner.cluster ? partner.cluster->inverse_inertia : Mat3{{}, {}, {}};
+    };
+    const double mass = linear(group.a) + linear(group.b);
+    const Mat3 of_a = angular(group.a), of_b = angular(group.b);
+    double moved[size][size];
+    for (int k = 0; k < size; ++k) {
+        const Vec3 a = of_a * Vec3{sums[3][k], sums[4][k], sums[5][k]},
+                   b = of_b * Vec3{sums[6][k], sums[7][k], sums[8][k]};
+        const double column[size] = {mass * sums[0][k], mass * sums[1][k], mass * sums[2][k], a.x, a.y, a.z, b.x, b.y,
+                                     b.z};
+        for (int i = 0; i < size; ++i) moved[i][k] = column[i];
+    }
+    double square = 0;
+    for (int i = 0; i < size; ++i) {
+        for (int k = 0; k < size; ++k) square += moved[i][k] * moved[k][i];
+    }
+    return std::max(1.0, square / group.count);
 }
 
 }  // namespace
@@ -227,7 +271,7 @@ void RigidContacts::begin_group(const ContactPartner& a, const ContactPartner& b
         if (is_full_) return;
         ++group_count_;
     }
-    groups_[group_count_ - 1] = {a, b, count_, 0, {}, {}};
+    groups_[group_count_ - 1] = {a, b, count_, 0, 0, {}, {}};
 }
 
 void RigidContacts::add(const ContactRow& added) {
@@ -247,7 +291,7 @@ double RigidContacts::sweep() {
     double squares = 0;
     for (ContactGroup *group = groups_, *const groups_end = groups_ + group_count_; group != groups_end; ++group) {
         ContactRow *const first = rows_ + group->first, *const end = first + group->count;
-        const double among = group->count;
+        const double among = group->among;
         const bool carried = is_carried(*group);
         ContactImpulse normal, friction;
         double load = 0;
@@ -269,7 +313,7 @@ double RigidContacts::sweep() {
         const RelativeMotion sliding(*group);
         for (ContactRow* row = first; row != end; ++row) {
             // Each bears as much of the friction as of the load, which bounds it.
-            const double share = load > 0 ? row->normal_impulse / load : 1 / among;
+            const double share = load > 0 ? row->normal_impulse / load : 1.0 / group->count;
             Vec3 changed;
             largest_square = std::max(largest_square, change_friction(*group, *row, sliding, share, changed));
             row->friction_change += changed;
@@ -329,6 +373,9 @@ void RigidContacts::accelerate() {
 }
 
 void RigidContacts::solve(int most, double tolerance) {
+    for (ContactGroup* group = groups_; group != groups_ + group_count_; ++group) {
+        if (group->among == 0 && group->count > 0) group->among = among(*group, rows_ + group->first);
+    }
     for (int i = 0; i < most; ++i) {
         if (sweep() <= tolerance) break;
         if (i + 1 < most) accelerate();
